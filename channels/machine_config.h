@@ -1,0 +1,86 @@
+// The machine as channels sees it: axes, spindles, channels, schemes. Filled by config from the
+// machine file.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kinematics/scheme.h"
+#include "lang/environment.h"
+#include "motion/path.h"
+
+namespace stanok::channels {
+
+struct AxisConfig {
+  std::string name;           // machine-wide: "X", "X2", "C1"
+  motion::AxisLimits limits;  // mm or deg per s^n
+  bool rotary = false;
+  double modulo_deg = 0.0;    // > 0: G90 takes the shortest way
+  double start = 0.0;         // position at power-on of `simulate`
+  double resolution = 0.001;  // one discrete of the position code, mm or deg
+  double kmv = 10000.0;       // velocity code = velocity in discretes per cycle x kmv
+  double following_error_max = 0.5;
+};
+
+struct SpindleConfig {
+  int id = 1;
+  double speed_min = 0.0;  // rev/min
+  double speed_max = 0.0;
+  double acceleration = 0.0;  // rev/min/s; 0 = at once
+  bool wait_at_speed = true;
+  std::string axis;  // the axis it becomes after M902; empty: none
+};
+
+enum class OwnerFailure { hold, continue_run, reset };
+
+struct ChannelConfig {
+  int id = 1;
+  std::string name;
+  lang::ChannelKind kind = lang::ChannelKind::mill;
+  std::vector<int> axes;           // indices into MachineConfig::axes
+  std::vector<std::string> words;  // how programs call them, parallel to `axes`
+  std::vector<int> spindles;
+  int scheme = 0;                                 // active at power-on
+  std::vector<kinematics::SchemeConfig> schemes;  // axis indices are channel-local
+  double path_tolerance_mm = 0.01;
+  double orientation_tolerance_deg = 0.05;
+  double arc_radius_tolerance_mm = 0.01;
+  OwnerFailure on_owner_failure = OwnerFailure::hold;
+  std::map<std::string, std::string> codes;          // "G200" -> "cycles/groove.nc"
+  std::map<std::string, std::string> address_alias;  // "E" -> "dS"
+  std::string tool_change = "m6";                    // "m6" | "t_word"
+  std::string t_format = "plain";                    // "plain" | "tool_edge"
+};
+
+// Tools and offsets at first start, and later the live tables.
+struct ToolEdge {
+  int number = 0;
+  int edge = 1;
+  std::string name;
+  std::string kind = "flat";                            // flat, ball, bull, drill, taper, insert
+  double length = 0.0, length_x = 0.0, length_y = 0.0;  // mm
+  double radius = 0.0, corner_radius = 0.0;
+  double wear_length = 0.0, wear_radius = 0.0, overhang = 0.0;
+  double flute_length = 0.0, shank_diameter = 0.0, holder_diameter = 0.0, holder_length = 0.0;
+  int orientation = 0;
+  double angle_front = 0.0, angle_back = 0.0;  // deg
+};
+
+struct TablesConfig {
+  std::vector<ToolEdge> tools;  // absent rows 1..99: length 0, radius 0
+  std::map<std::string, std::map<std::string, double>> offsets;  // "G54" -> axis name -> mm or deg
+};
+
+struct MachineConfig {
+  std::string name;
+  std::string file;  // machine file, for messages
+  int cycle_us = 1000;
+  std::vector<AxisConfig> axes;
+  std::vector<SpindleConfig> spindles;
+  std::vector<ChannelConfig> channels;  // ascending ids
+  TablesConfig tables;
+};
+
+}  // namespace stanok::channels

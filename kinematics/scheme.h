@@ -1,0 +1,108 @@
+// A kinematic scheme: the map between the programmed point and the machine axes.
+//
+// It stands between two levels of abstraction: it knows nothing of the type of path above it and
+// nothing of drives below it (seed of the architecture: docs/kinematics.md). Frames: B base of the
+// scheme (zero at the scheme's `zero`, turning with the table), M machine axes. Axis values stand
+// in the order of the channel's axes, mm and deg.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/rt_safe.h"
+#include "kinematics/jet.h"
+
+namespace stanok::kinematics {
+
+inline constexpr int axes_max = 8;
+
+template <class Scalar>
+using AxisVector = std::array<Scalar, axes_max>;
+
+// Geometry of the tool as the transformation needs it: vector from the spindle nose to the tip when
+// the head stands at 0, mm.
+struct ToolVector {
+  std::array<double, 3> nose_to_tip_mm{};
+};
+
+// Whether the programmed point is the tool tip led through the rotary axes (RTCP, G43.4) or rides
+// on the linear axes (G43, G49).
+enum class PointMode : unsigned char { axes, tip };
+
+// One parking move of an axis that does not take part.
+struct Parking {
+  int axis = 0;           // index in the channel
+  double position = 0.0;  // mm or deg
+  double velocity = 0.0;  // mm/s or deg/s; 0 = the axis' rapid
+  bool brake = true;
+  bool drive_off = true;
+};
+
+// What stands in a scheme file, resolved to axis indices; made by config.
+struct SchemeConfig {
+  int id = 0;
+  std::string type;                             // "cartesian", "head_table"
+  std::string file;                             // for messages
+  std::vector<int> axes;                        // that take part
+  AxisVector<double> zero{};                    // of B in M
+  std::vector<Parking> parking;                 // in order
+  std::vector<std::pair<int, double>> retract;  // axis, machine position; before parking
+  // head_table (docs/kinematics.md): roles of the axes by index in the channel, geometry in mm.
+  std::array<int, 3> linear{-1, -1, -1};
+  int head_axis = -1;                        // B about Y, on the spindle
+  int table_axis = -1;                       // C about Z, under the workpiece
+  std::array<double, 3> pivot_to_spindle{};  // from the pivot of B to the spindle nose at B = 0
+  std::array<double, 3> table_centre{};      // of C in M at X = Y = Z = 0
+};
+
+// Immutable after construction; used by preparation and cycle at the same time.
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+  [[nodiscard]] const SchemeConfig& config() const RT_SAFE { return config_; }
+  // Whether axis `index` takes part; the others stand parked and are left as they are.
+  [[nodiscard]] bool takes_part(int index) const RT_SAFE {
+    return (participants_ >> index & 1U) != 0;
+  }
+
+  // M from B. Components of axes that do not take part pass through unchanged.
+  virtual void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+                       AxisVector<Jet>& axes_M) const RT_SAFE = 0;
+  virtual void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
+                       AxisVector<double>& axes_M) const RT_SAFE = 0;
+  // B from M.
+  virtual void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
+                       AxisVector<double>& point_B) const RT_SAFE = 0;
+
+ protected:
+  explicit Scheme(SchemeConfig config);
+
+ private:
+  SchemeConfig config_;
+  unsigned participants_ = 0;
+};
+
+// A scheme of the type named in the config; nullptr when the type is unknown. Types are listed
+// once, in scheme.cc.
+[[nodiscard]] std::unique_ptr<const Scheme> make_scheme(const SchemeConfig& config);
+[[nodiscard]] std::vector<std::string> scheme_types();
+
+// What path pieces carry: scheme, tool and mode together, fixed for a run of blocks. Owned by the
+// channel.
+struct Transform {
+  const Scheme* scheme = nullptr;  // nullptr: identity (parking and retract moves in M)
+  PointMode mode = PointMode::axes;
+  ToolVector tool;
+};
+
+void inverse(const Transform& transform, const AxisVector<Jet>& point_B, AxisVector<Jet>& axes_M)
+    RT_SAFE;
+void inverse(const Transform& transform, const AxisVector<double>& point_B,
+             AxisVector<double>& axes_M) RT_SAFE;
+void forward(const Transform& transform, const AxisVector<double>& axes_M,
+             AxisVector<double>& point_B) RT_SAFE;
+
+}  // namespace stanok::kinematics

@@ -1,0 +1,76 @@
+// What the interpreter needs to know of its channel: axes, tables, files. channels implements it.
+//
+// The interpreter reads through this interface only; it holds no machine state of its own beyond
+// the program's.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/expected.h"
+#include "lang/command.h"
+
+namespace stanok::lang {
+
+enum class ChannelKind { mill, lathe, grind, master };
+
+struct AxisDescription {
+  std::string word;  // how programs call it: "X", "B", "X2"
+  bool rotary = false;
+  double modulo_deg = 0.0;  // > 0: G90 takes the shortest way
+  int geometry = -1;        // 0, 1, 2: the channel's X, Y, Z of planes and arcs; -1: none
+};
+
+// The fixed part of a channel, from the machine file.
+struct ChannelDescription {
+  int id = 1;
+  std::string name;
+  ChannelKind kind = ChannelKind::mill;
+  std::vector<AxisDescription> axes;
+  std::vector<int> spindles;  // ids; the first is the master spindle
+  std::vector<int> channels;  // ids of all channels of the machine
+  std::vector<std::pair<int, int>>
+      schemes;  // (channel, scheme id) of all channels, for constant checks
+  double arc_radius_tolerance_mm = 0.01;
+};
+
+struct Tool {
+  int number = 0;
+  std::array<double, 3> length_mm{};  // X, Y, Z
+  double radius_mm = 0.0;
+};
+
+// The tables of the machine as the program sees them at this moment.
+class Tables {
+ public:
+  virtual ~Tables() = default;
+  // Offset vector of a work offset (1 = G54 ...), per axis of the channel; nothing if it does not
+  // exist.
+  [[nodiscard]] virtual std::optional<AxisValues> work_offset(int number) const = 0;
+  [[nodiscard]] virtual std::optional<Tool> tool(int number) const = 0;
+  // Position of the scheme's base B in M, per axis of the channel (G53 without tip transformation).
+  [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
+};
+
+// A program text as read once for a load; later changes on disk have no effect on a run.
+struct SourceText {
+  std::string name;  // as shown in diagnostics
+  std::string path;  // where it was found
+  std::string text;
+};
+
+// Finds and reads program files (docs/language.md, "File names").
+class Files {
+ public:
+  virtual ~Files() = default;
+  // `from` is the path of the text that names the file, empty for the operator. The error is E7xxx.
+  [[nodiscard]] virtual Expected<std::shared_ptr<const SourceText>, Diagnostic> read(
+      std::string_view name, std::string_view from) const = 0;
+};
+
+}  // namespace stanok::lang

@@ -1,0 +1,80 @@
+// The interpreter of one channel: compiled programs in, commands out, one bounded step at a time.
+//
+// Owner: the channel's preparation (one thread). Nothing here blocks: at a sync point `next` yields
+// the Request as a command and then returns Step::waiting until `answer` was called, in the middle
+// of an expression too.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "base/expected.h"
+#include "lang/command.h"
+#include "lang/environment.h"
+
+namespace stanok::lang {
+
+class Program;  // a compiled program with all it includes; immutable, shared
+
+// Compiles `name` for a channel: all errors of the text and its includes (up to 100 a file), or the
+// program. Warnings are appended to `warnings`. `channel` may be nullptr: channel-dependent checks
+// are left out then.
+[[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> compile(
+    std::string_view name, const Files& files, const ChannelDescription* channel,
+    Diagnostics& warnings);
+
+// File names of the job, by Origin::file.
+[[nodiscard]] std::string_view file_name(const Program& program, std::uint16_t file);
+
+// A constant channel_run/channel_load/#kinematics found in a program: `check` follows them.
+struct ConstantDispatch {
+  RequestKind kind = RequestKind::channel_run;  // channel_run, channel_load, kinematics
+  int channel = 0;
+  int scheme = 0;       // kinematics
+  std::string program;  // channel_run, channel_load
+  Place place;
+};
+[[nodiscard]] const std::vector<ConstantDispatch>& constant_dispatches(const Program& program);
+
+// Number of lines of the main text, for progress.
+[[nodiscard]] std::size_t line_count(const Program& program);
+
+enum class Step {
+  command,  // `command` was filled
+  working,  // the bound of work was reached without a command (a loop without blocks); call again
+  waiting,  // an Answer is owed
+  ended,    // ProgramEnd was delivered before
+  failed,   // the program ended with an error; see error()
+};
+
+class Interpreter {
+ public:
+  Interpreter(const ChannelDescription& channel, const Tables& tables, const Files& files);
+  ~Interpreter();
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  // Begins a run of `program` with the default modal state, the programmed point standing at
+  // `position_B`. FrameChange and ToolLength of the default state are emitted before the first
+  // move.
+  void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
+
+  // Does a bounded amount of work. `command` is valid only when Step::command is returned.
+  [[nodiscard]] Step next(Command& command);
+
+  // The answer to the Request delivered last.
+  void answer(const Answer& answer);
+
+  // After Step::failed: why, with place and call stack.
+  [[nodiscard]] const Diagnostic& error() const;
+
+  // Line of the statement at hand, for status displays.
+  [[nodiscard]] Origin origin() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stanok::lang

@@ -1,0 +1,27 @@
+// Evaluation of a piece's geometry: position and derivatives along the path, exact at both ends.
+#pragma once
+
+#include "motion/path.h"
+
+namespace stanok::motion {
+
+// The programmed point and its first three derivatives with respect to the piece's own path length,
+// at `s` in [0, length]. s == length returns the stored end to the bit. |d(xyz)/ds| = 1 to
+// rounding, whatever the error of u(s).
+void evaluate(const Piece& piece, double s, JetPoint& point_s) RT_SAFE;
+
+// Replaces derivatives by s with derivatives by time: s(t) moves with v, a, j (mm/s...).
+void along_time(const JetPoint& point_s, double v, double a, double j, int axis_count,
+                JetPoint& point_t) RT_SAFE;
+
+// The fastest path speed that the piece allows on its own, with room left for tangential
+// acceleration and jerk (docs/motion.md).
+struct PieceLimits {
+  double v = 0.0;  // mm/s
+  double a = 0.0;  // mm/s^2, tangential, for any speed up to v
+  double j = 0.0;  // mm/s^3
+};
+// `feed_per_s`: cap of v before the rest is distributed; infinity = what the axes allow.
+[[nodiscard]] PieceLimits piece_limits(const PieceBounds& bounds, double feed_per_s) RT_SAFE;
+
+}  // namespace stanok::motion

@@ -1,0 +1,66 @@
+// Interpolator: runs the committed path, cycle by cycle. Real-time; allocates nothing.
+//
+// Nominal run: the committed phases are evaluated at cycle instants in the chain's own clock; the
+// fraction of a cycle that a chain leaves over is carried into the next one. Under hold, resume and
+// override a bounded one-dimensional profile is planned in the cycle on the same path
+// (docs/motion.md#override); the path is never left, the limits are kept, and there is always a way
+// to rest.
+#pragma once
+
+#include "base/rt_safe.h"
+#include "motion/path.h"
+#include "motion/path_queue.h"
+
+namespace stanok::motion {
+
+struct FeedControl {
+  double feed_override = 1.0;   // 0..2, of programmed feed
+  double rapid_override = 1.0;  // 0..1
+  bool hold = false;            // feed hold: come to rest on the path
+};
+
+enum class PathState : std::uint8_t {
+  idle,  // no chunk: standing
+  moving,
+  holding,  // at rest on the path by hold or override 0
+  starved,  // at rest on the path: the next chunk of the chain did not arrive in time
+};
+
+struct InterpolatorOutput {
+  PathState state = PathState::idle;
+  BlockTag tag;          // of the piece at hand, or the last one
+  JetPoint point{};      // programmed point in B with time derivatives, mm, mm/s, ...
+  JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
+  double s_speed = 0.0;  // path speed, mm/s
+  double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
+  double path_advanced = 0.0;   // path length travelled in this cycle, mm (or deg)
+  std::uint64_t chunks_done = 0;  // chunks finished since construction
+  bool chain_ended =
+      false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
+  double cycle_left = 0.0;  // s
+};
+
+class Interpolator {
+ public:
+  explicit Interpolator(const MotionConfig& config);
+
+  // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
+  // `axes_M`.
+  void stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE;
+
+  // Advances by one cycle on `queue`. A chain is entered only when its next chunk is known too (or
+  // it is the chain's last one), so that what the override planner may see depends on content, not
+  // on timing. `carry` is the part of the cycle already used (0 normally).
+  void advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
+
+  // Abort after standstill: forgets the rest of the path; the producer has stopped, the queue is
+  // emptied here.
+  void drop_path(PathQueue& queue) RT_SAFE;
+
+  [[nodiscard]] bool at_rest() const RT_SAFE;
+
+ private:
+  // (implementation members follow here)
+};
+
+}  // namespace stanok::motion

@@ -1,0 +1,143 @@
+// The path as data: programmed blocks in, curvature-continuous pieces and a jerk-limited profile
+// out.
+//
+// A *chain* is a run of pieces from rest to rest in one metric: its path coordinate s is the length
+// of the tool tip's way in mm, or, when no linear word moves, of the rotary words in deg.
+// Coordinates: the programmed point in B, mm and deg, in the order of the channel's axes
+// (kinematics/scheme.h). All types here are plain data and cross into the real-time cycle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "kinematics/scheme.h"
+
+namespace stanok::motion {
+
+inline constexpr int axes_max = kinematics::axes_max;
+using Point = kinematics::AxisVector<double>;
+using JetPoint = kinematics::AxisVector<kinematics::Jet>;
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// Limits of one axis, mm or deg, per s, s^2, s^3.
+struct AxisLimits {
+  bool linear = true;
+  double position_min = -unlimited;
+  double position_max = unlimited;
+  double velocity_max = unlimited;
+  double acceleration_max = unlimited;
+  double jerk_max = unlimited;
+  double rapid_max = unlimited;
+};
+
+struct MotionConfig {
+  int axis_count = 0;
+  std::array<AxisLimits, axes_max> axes{};
+  // Channel axes that are the X, Y, Z of the workpiece space (path length, tolerance); -1: none.
+  std::array<int, 3> geometry{-1, -1, -1};
+  double cycle_s = 0.001;
+  double path_tolerance_mm = 0.01;
+  double orientation_tolerance_deg = 0.05;
+};
+
+// Origin of a block, carried to status, traces and alarms.
+struct BlockTag {
+  std::uint32_t run = 0;    // program run of the channel
+  std::uint64_t block = 0;  // running number in the run
+  std::uint32_t line = 0;
+  std::uint16_t file = 0;
+};
+
+enum class BlockKind : std::uint8_t { line, arc };
+enum class BlockEnding : std::uint8_t { continuous, exact_stop };
+
+// One programmed motion from the end of the one before.
+struct PathBlock {
+  BlockTag tag;
+  BlockKind kind = BlockKind::line;
+  BlockEnding ending = BlockEnding::continuous;
+  bool rapid = false;
+  Point end{};  // all axes
+  double feed_per_s =
+      0.0;  // mm/s along the tip's way; deg/s when only rotary words move; rapid: unused
+  double tolerance_mm = 0.0;  // how far the path may leave the corner at the block's end; 0 = exact
+                              // path (stop at corners)
+  double tolerance_deg = 0.0;  // the same for rotary axes
+  // Arc (helix): axes of the plane, centre in B, signed sweep in rad (> 0 from first towards second
+  // axis), turns included. All other axes move linearly with the sweep. The radius goes linearly
+  // from start radius to end radius (they differ by rounding only).
+  std::array<int, 2> plane{0, 1};
+  std::array<double, 2> centre{};
+  double sweep_rad = 0.0;
+  const kinematics::Transform* transform = nullptr;  // outlives the queue
+};
+
+enum class PieceKind : std::uint8_t { line, arc, quintic };
+
+// Geometry of a piece over its own parameter u in [0, 1]; evaluation in motion/geometry.h.
+struct Geometry {
+  PieceKind kind = PieceKind::line;
+  Point start{};
+  Point end{};  // stored, exact: evaluation at u = 1 returns it to the bit
+  // arc
+  std::array<int, 2> plane{0, 1};
+  std::array<double, 2> centre{};
+  double radius = 0.0;
+  double radius_change = 0.0;
+  double start_angle = 0.0;  // rad
+  double sweep = 0.0;        // rad
+  // quintic: coefficients of u^0..u^5 per axis; knots: s at u = k/8 (arc length)
+  std::array<std::array<double, 6>, axes_max> coefficients{};
+  std::array<double, 9> knots{};
+};
+
+// Bounds of a piece over all axes of the machine, through the kinematics: with v, a, j along the
+// path every axis keeps its limits while
+//   v * velocity <= 1,   v^2 * curvature + |a| * tangent <= 1,
+//   v^3 * aberrancy + 3 v |a| * bend + |j| * thrust <= 1.
+// Each is the maximum over the axes of |q^(n)(s)| / limit, q the axis position as a function of s.
+struct PieceBounds {
+  double velocity = 0.0;   // max |q'|   / v_max   s/mm
+  double tangent = 0.0;    // max |q'|   / a_max   s^2/mm
+  double thrust = 0.0;     // max |q'|   / j_max   s^3/mm
+  double curvature = 0.0;  // max |q''|  / a_max   s^2/mm^2
+  double bend = 0.0;       // max |q''|  / j_max   s^3/mm^2
+  double aberrancy = 0.0;  // max |q'''| / j_max   s^3/mm^3
+};
+
+struct Piece {
+  BlockTag tag;
+  Geometry geometry;
+  PieceBounds bounds;
+  double length = 0.0;      // in s; > 0
+  double feed_per_s = 0.0;  // programmed feed along s; infinity for rapid
+  bool rapid = false;
+  const kinematics::Transform* transform = nullptr;
+};
+
+// Constant jerk along s for `duration`: s(t) = s + v t + a t^2/2 + j t^3/6. `s` counts from the
+// start of the chunk's span.
+struct Phase {
+  double duration = 0.0;  // s
+  double s = 0.0;
+  double v = 0.0;
+  double a = 0.0;
+  double j = 0.0;
+  double s_end = 0.0;  // state at the end, stored: the next phase starts here to the bit
+  double v_end = 0.0;
+};
+
+// A committed stretch of a chain: the next `pieces` and `phases` of their rings. Chunks of a chain
+// meet at a state with a = 0.
+struct Chunk {
+  std::uint32_t pieces = 0;
+  std::uint32_t phases = 0;
+  bool last = false;  // the chain ends at rest at the end of this chunk
+  double length = 0.0;
+  std::uint64_t sequence = 0;          // counts all chunks of the channel
+  std::uint32_t lookahead_blocks = 0;  // blocks known beyond this chunk when it was committed
+};
+
+}  // namespace stanok::motion

@@ -1,0 +1,56 @@
+// PathBuilder: programmed blocks to a chain of pieces with continuous curvature, within tolerance.
+//
+// Corners (line-line, line-arc, arc-arc, tangent joins with a step of curvature too) are replaced
+// by quintic blends in all axes together, so that rotary axes stay synchronous; the deviation from
+// the programmed path never exceeds the block's tolerance. Where a blend is not possible or not
+// allowed the chain stops. docs/motion.md#blends. Owner: the channel's preparation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/path.h"
+
+namespace stanok::motion {
+
+// A point of the path that the machine cannot reach: named by block, axis and limit.
+struct Unreachable {
+  BlockTag tag;
+  int axis = 0;
+  double position = 0.0;
+  double limit = 0.0;
+};
+
+class PathBuilder {
+ public:
+  explicit PathBuilder(const MotionConfig& config);
+
+  // Stands at `point` with nothing pending; the next block starts there.
+  void restart(const Point& point);
+
+  // Takes the next block. Pieces that are final now are appended to `out`; a piece with
+  // `ends_chain` set closes a chain at rest. An unreachable pose is reported and the block is not
+  // taken.
+  [[nodiscard]] std::optional<Unreachable> add(const PathBlock& block);
+
+  // No block follows for now: what is pending becomes final and the chain ends at rest.
+  void finish();
+
+  // A final piece, in path order.
+  struct Built {
+    Piece piece;
+    bool ends_chain = false;  // the path stands still at the end of this piece
+  };
+  // Final pieces not yet taken; the caller empties it.
+  [[nodiscard]] std::vector<Built>& built() { return built_; }
+
+  // End of the last block taken, in B.
+  [[nodiscard]] const Point& end() const;
+
+ private:
+  std::vector<Built> built_;
+  // (implementation members follow here)
+};
+
+}  // namespace stanok::motion
