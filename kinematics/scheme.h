@@ -2,8 +2,8 @@
 //
 // It stands between two levels of abstraction: it knows nothing of the type of path above it and
 // nothing of drives below it (seed of the architecture: docs/kinematics.md). Frames: B base of the
-// scheme (zero at the scheme's `zero`, turning with the table), M machine axes. Axis values stand
-// in the order of the channel's axes, mm and deg.
+// scheme (zero at the scheme's `zero`, turning with the table), M machine axes, W workpiece (work
+// offset, rotation). Axis values stand in the order of the channel's axes, mm and deg.
 #pragma once
 
 #include <array>
@@ -90,19 +90,30 @@ class Scheme {
 [[nodiscard]] std::unique_ptr<const Scheme> make_scheme(const SchemeConfig& config);
 [[nodiscard]] std::vector<std::string> scheme_types();
 
-// What path pieces carry: scheme, tool and mode together, fixed for a run of blocks. Owned by the
-// channel.
+// Frame of the workpiece: p_B = rotation * p_W + offset, axis by axis in the channel's order. The
+// rotation (G68) turns the plane of two axes; rotary axes are only shifted.
+struct Frame {
+  AxisVector<double> offset{};
+  std::array<int, 2> rotated{0, 1};  // axes of the turned plane, first towards second
+  double cosine = 1.0;
+  double sine = 0.0;
+};
+
+// What path pieces carry: frame, scheme, tool and mode together, fixed for a run of blocks. Owned
+// by the channel. The path itself is kept in W, so that a programmed end is reached to the last
+// bit.
 struct Transform {
   const Scheme* scheme = nullptr;  // nullptr: identity (parking and retract moves in M)
+  Frame frame;
   PointMode mode = PointMode::axes;
   ToolVector tool;
 };
 
-void inverse(const Transform& transform, const AxisVector<Jet>& point_B, AxisVector<Jet>& axes_M)
+void inverse(const Transform& transform, const AxisVector<Jet>& point_W, AxisVector<Jet>& axes_M)
     RT_SAFE;
-void inverse(const Transform& transform, const AxisVector<double>& point_B,
+void inverse(const Transform& transform, const AxisVector<double>& point_W,
              AxisVector<double>& axes_M) RT_SAFE;
 void forward(const Transform& transform, const AxisVector<double>& axes_M,
-             AxisVector<double>& point_B) RT_SAFE;
+             AxisVector<double>& point_W) RT_SAFE;
 
 }  // namespace stanok::kinematics

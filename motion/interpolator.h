@@ -29,7 +29,7 @@ enum class PathState : std::uint8_t {
 struct InterpolatorOutput {
   PathState state = PathState::idle;
   BlockTag tag;          // of the piece at hand, or the last one
-  JetPoint point{};      // programmed point in B with time derivatives, mm, mm/s, ...
+  JetPoint point{};      // programmed point in W with time derivatives, mm, mm/s, ...
   JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid

@@ -3,7 +3,7 @@
 //
 // A *chain* is a run of pieces from rest to rest in one metric: its path coordinate s is the length
 // of the tool tip's way in mm, or, when no linear word moves, of the rotary words in deg.
-// Coordinates: the programmed point in B, mm and deg, in the order of the channel's axes
+// Coordinates: the programmed point in W, mm and deg, in the order of the channel's axes
 // (kinematics/scheme.h). All types here are plain data and cross into the real-time cycle.
 #pragma once
 
@@ -65,7 +65,7 @@ struct PathBlock {
   double tolerance_mm = 0.0;  // how far the path may leave the corner at the block's end; 0 = exact
                               // path (stop at corners)
   double tolerance_deg = 0.0;  // the same for rotary axes
-  // Arc (helix): axes of the plane, centre in B, signed sweep in rad (> 0 from first towards second
+  // Arc (helix): axes of the plane, centre in W, signed sweep in rad (> 0 from first towards second
   // axis), turns included. All other axes move linearly with the sweep. The radius goes linearly
   // from start radius to end radius (they differ by rounding only).
   std::array<int, 2> plane{0, 1};

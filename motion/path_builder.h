@@ -26,7 +26,8 @@ class PathBuilder {
  public:
   explicit PathBuilder(const MotionConfig& config);
 
-  // Stands at `point` with nothing pending; the next block starts there.
+  // Stands at `point` with nothing pending; the next block starts there. To be called after
+  // finish() whenever the transform changes: a chain has one transform.
   void restart(const Point& point);
 
   // Takes the next block. Pieces that are final now are appended to `out`; a piece with
@@ -45,7 +46,7 @@ class PathBuilder {
   // Final pieces not yet taken; the caller empties it.
   [[nodiscard]] std::vector<Built>& built() { return built_; }
 
-  // End of the last block taken, in B.
+  // End of the last block taken, in W.
   [[nodiscard]] const Point& end() const;
 
  private:

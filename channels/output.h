@@ -1,0 +1,91 @@
+// What one cycle of the machine gives: set-points of every channel, drive commands, status. Plain
+// data, made in the real-time cycle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "kinematics/scheme.h"
+#include "motion/path.h"
+
+namespace stanok::channels {
+
+inline constexpr int channels_max = 16;
+
+enum class ChannelState : std::uint8_t {
+  idle,
+  ready,
+  running,
+  held,
+  alarm
+};  // CH_IDLE ... CH_ALARM
+
+// Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
+// integer codes of docs/motion.md#codes.
+struct AxisSetpoint {
+  double position = 0.0;
+  double velocity = 0.0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+  std::int64_t position_code = 0;  // discretes
+  std::int64_t velocity_code =
+      0;  // discretes per cycle x kmv, mean velocity of the cycle that ends at position_code
+};
+
+// Power and brake of one axis, as its drive shall have them.
+struct DriveCommand {
+  bool enabled = false;
+  bool brake_closed = true;
+};
+
+struct ChannelOutput {
+  std::int32_t id = 0;
+  std::int32_t axis_count = 0;
+  ChannelState state = ChannelState::idle;
+  bool moving = false;
+  bool waiting = false;  // in channel_wait, a mark, a dwell
+  std::int32_t scheme = 0;
+  motion::BlockTag tag;         // of the block at hand; line 0: no program runs
+  double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
+  double path_speed = 0.0;      // mm/s
+  double feed_override = 1.0;
+  motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
+  std::array<AxisSetpoint, motion::axes_max> axes{};
+  std::array<DriveCommand, motion::axes_max> drives{};
+};
+
+// Something that happened, for logs and operators; text is made elsewhere from the code
+// (base/catalogue.h).
+struct Event {
+  std::int64_t cycle = 0;
+  std::int32_t channel = 0;    // 0: the machine
+  std::array<char, 8> code{};  // "E6010", "A1001"; "" = information
+  motion::BlockTag tag;
+  std::array<char, 240> text{};
+};
+
+struct CycleOutput {
+  std::int64_t cycle = 0;
+  std::int32_t channel_count = 0;
+  std::array<ChannelOutput, channels_max> channels{};
+};
+
+static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_copyable_v<Event>);
+
+// One input that changed the outcome, with the cycle at which it took effect (docs/architecture.md,
+// "Determinism").
+enum class InputKind : std::uint8_t { operator_event, arrival, feedback, sensor, overrun };
+
+struct InputRecord {
+  std::int64_t cycle = 0;
+  InputKind kind = InputKind::operator_event;
+  std::int32_t channel = 0;  // 0: the machine
+  std::int32_t method =
+      0;  // operator_event: channels::OperatorAction; arrival: sequence number of the item
+  double value = 0.0;
+  std::array<char, 256> text{};
+};
+static_assert(std::is_trivially_copyable_v<InputRecord>);
+
+}  // namespace stanok::channels
