@@ -40,6 +40,8 @@ class Ring {
     tail_.store(tail + 1, std::memory_order_release);
     return true;
   }
+  // Elements pushed since construction.
+  [[nodiscard]] std::size_t pushed() const RT_SAFE { return tail_.load(std::memory_order_acquire); }
   [[nodiscard]] std::size_t space() const RT_SAFE { return capacity_ - size(); }
 
   // Consumer. The element `index` places behind the front; index < size().

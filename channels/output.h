@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "base/fixed_text.h"
 #include "kinematics/scheme.h"
 #include "motion/path.h"
 
@@ -60,9 +61,9 @@ struct ChannelOutput {
 struct Event {
   std::int64_t cycle = 0;
   std::int32_t channel = 0;    // 0: the machine
-  std::array<char, 8> code{};  // "E6010", "A1001"; "" = information
+  FixedText<8> code;  // "E6010", "A1001"; "" = information
   motion::BlockTag tag;
-  std::array<char, 240> text{};
+  FixedText<240> text;
 };
 
 struct CycleOutput {
@@ -84,7 +85,7 @@ struct InputRecord {
   std::int32_t method =
       0;  // operator_event: channels::OperatorAction; arrival: sequence number of the item
   double value = 0.0;
-  std::array<char, 256> text{};
+  FixedText<256> text;
 };
 static_assert(std::is_trivially_copyable_v<InputRecord>);
 

@@ -1,0 +1,90 @@
+// Items and notices: what travels between a channel's preparation and its part of the cycle, apart from the path itself.
+//
+// Preparation -> cycle: items, in program order with the path (an item is due when the chunks before it are done and the axes
+// stand), and remarks, which travel with the path without stopping it. Cycle -> preparation: notices. All plain data.
+#pragma once
+
+#include <cstdint>
+
+#include "base/fixed_text.h"
+#include "channels/output.h"
+#include "lang/command.h"
+#include "motion/path.h"
+
+namespace stanok::channels {
+
+using ShortText = FixedText<256>;
+
+enum class ItemKind : std::uint8_t {
+  load_done,     // a program was compiled: flag = success, text = name or reason
+  run_end,       // the program came to its end: number = blocks executed
+  run_failed,    // the program failed: code, text
+  reset_done,    // everything pushed before belongs to an older generation
+  transform,     // `transform` holds from here
+  dwell,         // value = s
+  spindle,       // spindle command
+  coolant,       // mist, flood
+  tool_change,   // number = tool
+  program_stop,  // M0, M1, M60: number = lang::StopKind
+  request,       // to the coordinator; preparation waits for the answer
+  park_axes,     // axes = set: brakes closed, then drives off
+  join_axes,     // axes = set: drives on, then brakes open
+  scheme_set,    // number = scheme: the transformation is exchanged, with the next `transform`
+  switch_done,   // the switch of kinematics is complete
+  switch_failed, // code, text
+};
+
+// A request of lang::Request as plain data.
+struct RequestData {
+  lang::RequestKind kind = lang::RequestKind::sync;
+  std::int32_t channel = 0;
+  std::int32_t number = 0;
+  double seconds = -1.0;
+  double value = 0.0;
+};
+
+struct Item {
+  ItemKind kind = ItemKind::run_end;
+  motion::BlockTag tag;
+  std::uint64_t after_chunk = 0;  // chunks of the channel that come before it
+  bool flag = false;
+  std::int64_t number = 0;
+  double value = 0.0;
+  lang::AxisSet axes = 0;
+  lang::SpindleCommand spindle;
+  lang::CoolantCommand coolant;
+  RequestData request;
+  const kinematics::Transform* transform = nullptr;
+  FixedText<8> code;
+  ShortText text;
+};
+
+enum class NoticeKind : std::uint8_t {
+  load,    // compile program `text`
+  start,   // begin a run of the loaded program: run, axes_M
+  answer,  // to the request at hand
+  reset,   // forget run and path, then send reset_done
+  switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are on
+};
+
+struct Notice {
+  NoticeKind kind = NoticeKind::answer;
+  std::uint32_t run = 0;
+  std::int32_t number = 0;
+  bool ok = true;
+  double value = 0.0;
+  motion::Point axes_M{};
+  lang::AxisSet enabled = 0;
+  ShortText text;
+};
+
+// Texts shown when the path reaches their block; they never stop it.
+struct Remark {
+  motion::BlockTag tag;
+  lang::Message::Kind kind = lang::Message::Kind::message;
+  ShortText text;
+};
+
+static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Notice>);
+
+}  // namespace stanok::channels

@@ -1,0 +1,95 @@
+// Machine: all channels, their coordinator and the tables, and one cycle over all of them; free of threads and clocks.
+//
+// Two functions carry the machine: `prepare(channel)` does bounded work ahead of motion and says whether it is blocked;
+// `cycle(inputs, output)` is one real-time cycle, plain data in and out. The daemon calls prepare from channel threads and cycle from the
+// real-time thread; `simulate` calls cycle only when every preparation is blocked, which makes runs repeatable to the bit.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/ring.h"
+#include "channels/machine_config.h"
+#include "channels/operator_event.h"
+#include "channels/output.h"
+#include "lang/environment.h"
+
+namespace stanok::channels {
+
+// What the drives told, as far as it changes the outcome.
+struct AxisFeedback {
+  double position = 0.0;
+  bool valid = false;   // an answer not older than the bus timeout
+  bool fault = false;
+};
+
+struct CycleInputs {
+  std::span<const OperatorEvent> events;
+  std::span<const AxisFeedback> feedback;  // machine axis order; empty: ideal drives
+};
+
+// One finished (or running) program run of a channel, for reports.
+struct RunReport {
+  int channel = 0;
+  std::uint32_t run = 0;
+  std::string program;
+  bool ok = false;
+  bool ended = false;
+  std::uint64_t blocks = 0;
+  std::int64_t start_cycle = 0;
+  std::int64_t end_cycle = 0;
+  double path_mm = 0.0;           // feed and rapid
+  std::uint32_t lookahead_max_blocks = 0;
+  motion::Point end_W{};          // channel axis order
+  motion::Point end_M{};
+  int axis_count = 0;
+};
+
+// An alarm of a channel, with its diagnostic when a program is to blame.
+struct AlarmReport {
+  int channel = 0;
+  std::int64_t cycle = 0;
+  Diagnostic diagnostic;
+};
+
+enum class Progress { worked, blocked };
+
+class Machine {
+ public:
+  // `config` and `files` outlive the machine. Throws std::invalid_argument when the configuration contradicts itself.
+  Machine(const MachineConfig& config, const lang::Files& files);
+  ~Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  [[nodiscard]] const MachineConfig& config() const;
+
+  // Channel `index` counts from 0. One thread per channel at most.
+  [[nodiscard]] Progress prepare(int index);
+
+  // Power-on choice of a scheme, before the first cycle. False: no such channel or scheme.
+  [[nodiscard]] bool select_scheme_at_start(int channel, int scheme);
+
+  void cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE;
+
+  // All channels stand with nothing to do: no run, no switch, no request.
+  [[nodiscard]] bool is_idle() const RT_SAFE;
+
+  // Out of the cycle; one consumer each.
+  [[nodiscard]] Ring<Event>& events();
+  [[nodiscard]] Ring<InputRecord>& input_records();
+  [[nodiscard]] Ring<OperatorReply>& replies();
+
+  // Reports gathered by the preparations and the caller of `collect`; any thread.
+  [[nodiscard]] std::vector<RunReport> runs() const;
+  [[nodiscard]] std::vector<AlarmReport> alarms() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace stanok::channels
