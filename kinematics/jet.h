@@ -40,6 +40,10 @@ struct Jet {
       a.third * b.value + 3.0 * a.second * b.first + 3.0 * a.first * b.second + a.value * b.third};
 }
 
+[[nodiscard]] constexpr Jet operator*(double factor, const Jet& a) RT_SAFE {
+  return {factor * a.value, factor * a.first, factor * a.second, factor * a.third};
+}
+
 // f(x) from the outer derivatives f', f'', f''' at x (Faà di Bruno).
 [[nodiscard]] constexpr Jet compose(const Jet& x, double f, double f1, double f2, double f3)
     RT_SAFE {
@@ -47,16 +51,25 @@ struct Jet {
           f3 * x.first * x.first * x.first + 3.0 * f2 * x.first * x.second + f1 * x.third};
 }
 
-// Angles in rad.
-[[nodiscard]] inline Jet sin(const Jet& x) RT_SAFE {
-  const double s = std::sin(x.value);
-  const double c = std::cos(x.value);
-  return compose(x, s, c, -s, -c);
+template <class Scalar>
+struct SineCosine {
+  Scalar sine;
+  Scalar cosine;
+};
+
+// Both at once: a rotation needs both, and the derivatives of each are the other. Angle in rad.
+[[nodiscard]] inline SineCosine<double> sine_cosine(double angle) RT_SAFE {
+  return {std::sin(angle), std::cos(angle)};
 }
-[[nodiscard]] inline Jet cos(const Jet& x) RT_SAFE {
-  const double s = std::sin(x.value);
-  const double c = std::cos(x.value);
-  return compose(x, c, -s, -c, s);
+[[nodiscard]] inline SineCosine<Jet> sine_cosine(const Jet& angle) RT_SAFE {
+  const auto [s, c] = sine_cosine(angle.value);
+  return {compose(angle, s, c, -s, -c), compose(angle, c, -s, -c, s)};
+}
+[[nodiscard]] inline Jet sin(const Jet& angle) RT_SAFE {
+  return sine_cosine(angle).sine;
+}
+[[nodiscard]] inline Jet cos(const Jet& angle) RT_SAFE {
+  return sine_cosine(angle).cosine;
 }
 
 }  // namespace stanok::kinematics

@@ -47,15 +47,16 @@ struct SchemeConfig {
   std::string type;                             // "cartesian", "head_table"
   std::string file;                             // for messages
   std::vector<int> axes;                        // that take part
-  AxisVector<double> zero{};                    // of B in M
+  AxisVector<double> zero{};                    // of B in M; head_table: see head_table.h
   std::vector<Parking> parking;                 // in order
   std::vector<std::pair<int, double>> retract;  // axis, machine position; before parking
-  // head_table (docs/kinematics.md): roles of the axes by index in the channel, geometry in mm.
+  // X, Y, Z of the workpiece space by index in the channel; -1: the channel has none.
   std::array<int, 3> linear{-1, -1, -1};
+  // head_table (docs/kinematics.md): its rotary axes by index in the channel, geometry in mm.
   int head_axis = -1;                        // B about Y, on the spindle
   int table_axis = -1;                       // C about Z, under the workpiece
   std::array<double, 3> pivot_to_spindle{};  // from the pivot of B to the spindle nose at B = 0
-  std::array<double, 3> table_centre{};      // of C in M at X = Y = Z = 0
+  std::array<double, 3> table_centre{};      // pivot position in M (X, Y, Z) on the axis of C
 };
 
 // Immutable after construction; used by preparation and cycle at the same time.
@@ -85,9 +86,11 @@ class Scheme {
   unsigned participants_ = 0;
 };
 
-// A scheme of the type named in the config; nullptr when the type is unknown. Types are listed
-// once, in scheme.cc.
+// A scheme of the type named in the config; nullptr when the type is unknown or the config has a
+// defect. Types are listed once, in scheme.cc.
 [[nodiscard]] std::unique_ptr<const Scheme> make_scheme(const SchemeConfig& config);
+// What the config lacks for its type, in words for the installer; empty: nothing.
+[[nodiscard]] std::string scheme_defect(const SchemeConfig& config);
 [[nodiscard]] std::vector<std::string> scheme_types();
 
 // Frame of the workpiece: p_B = rotation * p_W + offset, axis by axis in the channel's order. The
@@ -103,7 +106,8 @@ struct Frame {
 // by the channel. The path itself is kept in W, so that a programmed end is reached to the last
 // bit.
 struct Transform {
-  const Scheme* scheme = nullptr;  // nullptr: identity (parking and retract moves in M)
+  // nullptr: identity, `frame` and `tool` unused (parking and retract moves in M).
+  const Scheme* scheme = nullptr;
   Frame frame;
   PointMode mode = PointMode::axes;
   ToolVector tool;

@@ -1,0 +1,56 @@
+// Cartesian scheme: programmed point and machine axes differ by a shift of every axis.
+//
+// X, Y, Z: M = B + zero - nose_to_tip. The tip of a tool of length L hangs below the spindle nose,
+// nose_to_tip = (0, 0, -L), so the nose stands higher: M_Z = B_Z + zero_Z + L. All other axes that
+// take part: M = B + zero. Both point modes are the same: no rotary axis turns tool or workpiece
+// in this scheme's eyes. Units mm and deg; bits of the values are kept where the shift is zero.
+#pragma once
+
+#include "kinematics/scheme.h"
+
+namespace stanok::kinematics {
+
+// The shift as a value, for schemes that ride on the linear axes in PointMode::axes.
+class AxisShift {
+ public:
+  explicit AxisShift(const SchemeConfig& config);
+
+  template <class Scalar>
+  void inverse(const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    for (std::size_t axis = 0; axis < axes_max; ++axis) {
+      axes_M[axis] = point_B[axis] + zero_[axis];
+    }
+    for (std::size_t k = 0; k < linear_.size(); ++k) {
+      if (linear_[k] < 0) continue;
+      auto& axis_M = axes_M[static_cast<std::size_t>(linear_[k])];
+      axis_M = axis_M - tool.nose_to_tip_mm[k];
+    }
+  }
+  void forward(const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE;
+
+ private:
+  AxisVector<double> zero_{};              // 0 for axes that do not take part
+  std::array<int, 3> linear_{-1, -1, -1};  // -1 for axes that do not take part
+};
+
+class Cartesian final : public Scheme {
+ public:
+  explicit Cartesian(const SchemeConfig& config);
+
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+               AxisVector<Jet>& axes_M) const RT_SAFE override;
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
+               AxisVector<double>& axes_M) const RT_SAFE override;
+  void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE override;
+
+ private:
+  AxisShift shift_;
+};
+
+// "" or what is missing: the scheme needs at least one axis.
+[[nodiscard]] std::string cartesian_defect(const SchemeConfig& config);
+
+}  // namespace stanok::kinematics

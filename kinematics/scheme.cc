@@ -1,0 +1,118 @@
+// The list of scheme types, and the transform from the workpiece frame to the machine axes.
+//
+// A new type of scheme is one file pair beside this one and one line in `types`.
+#include "kinematics/scheme.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "kinematics/cartesian.h"
+#include "kinematics/head_table.h"
+
+namespace stanok::kinematics {
+namespace {
+
+struct SchemeType {
+  std::string_view name;
+  std::unique_ptr<const Scheme> (*make)(const SchemeConfig&);
+  std::string (*defect)(const SchemeConfig&);
+};
+
+template <class Type>
+std::unique_ptr<const Scheme> make(const SchemeConfig& config) {
+  return std::make_unique<const Type>(config);
+}
+
+constexpr std::array types{
+    SchemeType{"cartesian", make<Cartesian>, cartesian_defect},
+    SchemeType{"head_table", make<HeadTable>, head_table_defect},
+};
+
+const SchemeType* find_type(std::string_view name) {
+  const auto* type = std::ranges::find(types, name, &SchemeType::name);
+  return type == types.end() ? nullptr : type;
+}
+
+// p_B = rotation * p_W + offset.
+template <class Scalar>
+AxisVector<Scalar> base_from_workpiece(const Frame& frame, const AxisVector<Scalar>& point_W)
+    RT_SAFE {
+  AxisVector<Scalar> point_B = point_W;
+  if (frame.sine != 0.0 || frame.cosine != 1.0) {
+    const auto first = static_cast<std::size_t>(frame.rotated[0]);
+    const auto second = static_cast<std::size_t>(frame.rotated[1]);
+    point_B[first] = frame.cosine * point_W[first] - frame.sine * point_W[second];
+    point_B[second] = frame.sine * point_W[first] + frame.cosine * point_W[second];
+  }
+  for (std::size_t axis = 0; axis < axes_max; ++axis) {
+    point_B[axis] = point_B[axis] + frame.offset[axis];
+  }
+  return point_B;
+}
+
+template <class Scalar>
+void machine_from_workpiece(const Transform& transform, const AxisVector<Scalar>& point_W,
+                            AxisVector<Scalar>& axes_M) RT_SAFE {
+  if (transform.scheme == nullptr) {
+    axes_M = point_W;
+    return;
+  }
+  transform.scheme->inverse(transform.mode, transform.tool,
+                            base_from_workpiece(transform.frame, point_W), axes_M);
+}
+
+}  // namespace
+
+Scheme::Scheme(SchemeConfig config) : config_(std::move(config)) {
+  for (const int axis : config_.axes) participants_ |= 1U << static_cast<unsigned>(axis);
+}
+
+std::unique_ptr<const Scheme> make_scheme(const SchemeConfig& config) {
+  const SchemeType* type = find_type(config.type);
+  if (type == nullptr || !type->defect(config).empty()) return nullptr;
+  return type->make(config);
+}
+
+std::string scheme_defect(const SchemeConfig& config) {
+  const SchemeType* type = find_type(config.type);
+  return type == nullptr ? "unknown type '" + config.type + "'" : type->defect(config);
+}
+
+std::vector<std::string> scheme_types() {
+  std::vector<std::string> names;
+  for (const SchemeType& type : types) names.emplace_back(type.name);
+  return names;
+}
+
+void inverse(const Transform& transform, const AxisVector<Jet>& point_W, AxisVector<Jet>& axes_M)
+    RT_SAFE {
+  machine_from_workpiece(transform, point_W, axes_M);
+}
+
+void inverse(const Transform& transform, const AxisVector<double>& point_W,
+             AxisVector<double>& axes_M) RT_SAFE {
+  machine_from_workpiece(transform, point_W, axes_M);
+}
+
+void forward(const Transform& transform, const AxisVector<double>& axes_M,
+             AxisVector<double>& point_W) RT_SAFE {
+  if (transform.scheme == nullptr) {
+    point_W = axes_M;
+    return;
+  }
+  AxisVector<double> point_B{};
+  transform.scheme->forward(transform.mode, transform.tool, axes_M, point_B);
+  const Frame& frame = transform.frame;
+  for (std::size_t axis = 0; axis < axes_max; ++axis) {
+    point_W[axis] = point_B[axis] - frame.offset[axis];
+  }
+  if (frame.sine == 0.0 && frame.cosine == 1.0) return;
+  const auto first = static_cast<std::size_t>(frame.rotated[0]);
+  const auto second = static_cast<std::size_t>(frame.rotated[1]);
+  const double along = point_W[first];
+  const double across = point_W[second];
+  point_W[first] = frame.cosine * along + frame.sine * across;
+  point_W[second] = frame.cosine * across - frame.sine * along;
+}
+
+}  // namespace stanok::kinematics
