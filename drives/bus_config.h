@@ -7,8 +7,8 @@
 
 namespace stanok::drives {
 
-// Register map and scales of one drive (docs/configuration.md). All positions as 32-bit integers
-// over two registers, high word first.
+// Register map and scales of one drive (docs/drives.md). All positions as 32-bit integers over two
+// registers, high word first.
 struct AxisDriveConfig {
   std::string axis;
   int unit = 1;  // Modbus unit id
@@ -19,6 +19,7 @@ struct AxisDriveConfig {
   double position_scale = 1000.0;    // increments per mm or deg
   double velocity_scale = 1000.0;    // increments/s per mm/s or deg/s
   double following_error_max = 0.5;  // mm or deg
+  double velocity_max = 0.0;  // mm/s or deg/s; feedback faster than twice this is absurd; 0: any
 };
 
 enum class BusKind { none, modbus_tcp, modbus_rtu };

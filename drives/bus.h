@@ -1,0 +1,80 @@
+// The drive bus as the runtime sees it: targets out, feedback in, without ever waiting.
+//
+// A bus owns its thread and its connection. The cycle calls `read` and `write`, which only move
+// plain data through latest-value boxes; how old a value is stands in its feedback. Operators ask
+// `status`. `start` and `stop` belong to one thread, `read` and `write` to the real-time cycle,
+// `status` to anybody.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/rt_safe.h"
+#include "drives/drive.h"
+
+namespace stanok::drives {
+
+// Why an exchange gave no value.
+enum class ExchangeError : std::uint8_t {
+  not_connected,  // there is no connection, or it could not be made
+  timeout,        // no answer in time
+  disconnected,   // the other side closed the connection
+  mangled,        // wrong checksum, transaction id, length or sender
+  exception,      // the drive answered with a Modbus exception
+  stuck,          // the answer does not echo the request: it is not from now
+  implausible,    // no state of the standard, or a position or velocity the axis cannot have
+};
+inline constexpr std::size_t exchange_error_count = 7;
+
+[[nodiscard]] std::string_view name_of(ExchangeError error);
+
+// Time from request to answer, in microseconds; 0 before the first answer.
+struct RoundTrip {
+  double p50_us = 0.0;
+  double p99_us = 0.0;
+  double max_us = 0.0;
+};
+
+struct AxisBusStatus {
+  std::string axis;
+  bool in_contact = false;
+  std::uint64_t answers = 0;
+  std::uint64_t errors = 0;
+};
+
+struct BusStatus {
+  std::string endpoint;  // "127.0.0.1:502", "/dev/ttyUSB0", "simulated"
+  bool connected = false;
+  std::uint64_t connections = 0;                             // made since the start
+  std::uint64_t exchanges = 0;                               // good and bad
+  std::array<std::uint64_t, exchange_error_count> errors{};  // by ExchangeError
+  RoundTrip round_trip;
+  std::vector<AxisBusStatus> axes;
+};
+
+class DriveBus {
+ public:
+  DriveBus() = default;
+  virtual ~DriveBus() = default;
+  DriveBus(const DriveBus&) = delete;
+  DriveBus& operator=(const DriveBus&) = delete;
+
+  // Returns at once; a drive that is absent shows in the feedback and in the status.
+  virtual void start() = 0;
+
+  // Asks all drives for a quick stop, then ends the connection.
+  virtual void stop() = 0;
+
+  // One target and one feedback per axis, in machine axis order.
+  virtual void write(std::span<const DriveTarget> targets) RT_SAFE = 0;
+  virtual void read(std::span<DriveFeedback> feedback) RT_SAFE = 0;
+
+  [[nodiscard]] virtual BusStatus status() const = 0;
+};
+
+}  // namespace stanok::drives

@@ -1,0 +1,59 @@
+// One drive as the real-time cycle sees it: a target goes out, feedback comes in, both plain data.
+//
+// The states are those of the power drive system of CiA 402 (IEC 61800-7-201, finite state
+// automaton); drives/cia402.h holds their codes. Targets are cyclic synchronous positions: the
+// drive follows `position`, and uses `velocity` as feed-forward and to bridge the time until the
+// next target. Units: mm or deg of the axis, per second; power in W, vibration in um and Hz.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+namespace stanok::drives {
+
+enum class DriveState : std::uint8_t {
+  not_ready_to_switch_on,
+  switch_on_disabled,
+  ready_to_switch_on,
+  switched_on,
+  operation_enabled,
+  quick_stop_active,
+  fault_reaction_active,
+  fault,
+};
+
+// "operation enabled", as the standard writes it.
+[[nodiscard]] std::string_view name_of(DriveState state);
+
+struct DriveTarget {
+  double position = 0.0;
+  double velocity = 0.0;
+  bool enabled = false;
+  bool brake_closed = true;
+  bool fault_reset = false;        // a rising edge acknowledges the fault of the drive
+  bool position_accepted = false;  // the position the drive reports now is taken for true (homing)
+};
+
+struct DriveFeedback {
+  double position = 0.0;
+  double velocity = 0.0;
+  double following_error = 0.0;  // the drive's own demand minus its position, at one instant
+  double power_w = 0.0;
+  double vibration_um = 0.0;
+  double vibration_hz = 0.0;
+  std::uint32_t sequence = 0;    // answers accepted so far
+  std::uint32_t age_cycles = 0;  // reads since `sequence` changed
+  std::uint32_t losses = 0;      // how often contact was lost so far
+  std::uint16_t fault_code = 0;  // CiA 402 error code, 0: none
+  DriveState state = DriveState::not_ready_to_switch_on;
+  bool valid = false;       // false: no trustworthy answer within the timeout; values are the last
+  bool referenced = false;  // the position belongs to the machine; false after a jump out of sight
+  bool brake_closed = true;
+  bool following_error_exceeded = false;  // over the limit for longer than a disturbance lasts
+};
+
+static_assert(std::is_trivially_copyable_v<DriveTarget>);
+static_assert(std::is_trivially_copyable_v<DriveFeedback>);
+
+}  // namespace stanok::drives

@@ -1,0 +1,76 @@
+// What one drive is told in an exchange and what of its answer is believed. No sockets, no clock.
+//
+// The bus asks for the next command, sends it, and reports the answer or the error. From these the
+// exchange supervises contact: it is lost after `timeout` without a good answer, or when a leaky
+// counter (up with every bad exchange, down with every good one) passes its limit. After a loss the
+// drive is told to stop, and it stays off until the cycle has taken back `enabled` once: nothing
+// resumes by itself. Time is given by the caller, as the time since the start of the bus.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "drives/bus.h"
+#include "drives/bus_config.h"
+#include "drives/cia402.h"
+#include "drives/modbus/drive_registers.h"
+
+namespace stanok::drives {
+
+using BusTime = std::chrono::nanoseconds;
+
+// Whether the cycle still writes targets.
+enum class TargetAge : std::uint8_t { fresh, stale };
+
+class AxisExchange {
+ public:
+  AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime timeout);
+
+  // The block to send now.
+  [[nodiscard]] CommandBlock command(const DriveTarget& target, TargetAge age) RT_SAFE;
+
+  // Takes the answer to the last command, or says why it is discarded; a discarded answer counts as
+  // failed.
+  [[nodiscard]] std::optional<ExchangeError> take(const StatusBlock& answer, BusTime now) RT_SAFE;
+
+  // The last command had no usable answer.
+  void fail() RT_SAFE;
+
+  // Once per poll, whether or not there was an exchange.
+  void supervise(BusTime now) RT_SAFE;
+
+  // `age_cycles` stays 0 here: age is counted where it is read.
+  [[nodiscard]] const DriveFeedback& feedback() const RT_SAFE { return feedback_; }
+  [[nodiscard]] bool is_lost() const RT_SAFE { return lost_; }
+  [[nodiscard]] bool is_answering() const RT_SAFE { return answering_; }  // the last time asked
+  [[nodiscard]] std::uint64_t errors() const RT_SAFE { return errors_; }
+
+ private:
+  [[nodiscard]] PowerRequest request_for(const DriveTarget& target, bool sendable) const RT_SAFE;
+  [[nodiscard]] bool is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE;
+  void check_reference(double position, BusTime now) RT_SAFE;
+  void watch_following_error(BusTime now) RT_SAFE;
+  void watch_fault_reset(bool demanded) RT_SAFE;
+  void accept(const StatusBlock& answer, DriveState state, BusTime now) RT_SAFE;
+
+  AxisDriveConfig config_;
+  BusTime timeout_;
+  int leak_max_;
+  CommandBlock sent_;
+  DriveFeedback feedback_;
+  BusTime last_answer_{0};
+  std::optional<BusTime> following_error_since_;
+  int leak_ = 0;
+  std::uint64_t errors_ = 0;
+  double speed_before_loss_ = 0.0;  // the greater of target and actual speed
+  bool answering_ = true;
+  bool lost_ = false;
+  bool enable_blocked_ = false;
+  bool moved_out_of_sight_ = false;
+  bool position_accepted_ = false;
+  bool fault_reset_demanded_ = false;
+  bool fault_reset_pending_ = false;
+};
+
+}  // namespace stanok::drives

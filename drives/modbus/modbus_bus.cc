@@ -1,0 +1,213 @@
+// The bus thread: one round over all drives per poll, at absolute times.
+#include "drives/modbus/modbus_bus.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+
+namespace stanok::drives {
+namespace {
+
+constexpr BusTime pause_max = std::chrono::seconds{1};
+
+// A request may fail twice within the timeout before contact counts as lost.
+std::chrono::microseconds response_timeout(const BusConfig& config) {
+  return std::chrono::microseconds{std::chrono::milliseconds{config.timeout_ms}} / 3;
+}
+
+std::uint32_t cycles_in(int timeout_ms, Duration cycle) {
+  return static_cast<std::uint32_t>(std::ceil(timeout_ms * millisecond / cycle));
+}
+
+}  // namespace
+
+ModbusBus::ModbusBus(BusConfig config, Duration cycle)
+    : config_(std::move(config)),
+      poll_(std::chrono::milliseconds{config_.poll_ms}),
+      timeout_(std::chrono::milliseconds{config_.timeout_ms}),
+      timeout_cycles_(cycles_in(config_.timeout_ms, cycle)),
+      epoch_(std::chrono::steady_clock::now()),
+      boxes_(config_.axes.size()),
+      link_(config_, response_timeout(config_)) {
+  STANOK_ASSERT(config_.poll_ms > 0 && config_.timeout_ms > 0 && cycle > Duration{});
+  status_.endpoint = link_.endpoint();
+  for (const AxisDriveConfig& axis : config_.axes) {
+    axes_.emplace_back(axis, poll_, timeout_);
+    status_.axes.push_back({.axis = axis.axis});
+  }
+}
+
+ModbusBus::~ModbusBus() {
+  stop();
+}
+
+void ModbusBus::start() {
+  STANOK_ASSERT(!thread_.joinable());
+  thread_ = std::jthread([this](const std::stop_token& stop_requested) { run(stop_requested); });
+}
+
+void ModbusBus::stop() {
+  if (thread_.joinable()) {
+    thread_.request_stop();
+    thread_.join();
+  }
+}
+
+void ModbusBus::write(std::span<const DriveTarget> targets) RT_SAFE {
+  const std::size_t count = std::min(targets.size(), boxes_.size());
+  for (std::size_t axis = 0; axis < count; ++axis) {
+    boxes_[axis].target.write(targets[axis]);
+  }
+  writes_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void ModbusBus::read(std::span<DriveFeedback> feedback) RT_SAFE {
+  const std::size_t count = std::min(feedback.size(), boxes_.size());
+  for (std::size_t axis = 0; axis < count; ++axis) {
+    Boxes& boxes = boxes_[axis];
+    feedback[axis] = boxes.feedback.read();
+    const bool is_new = feedback[axis].sequence != boxes.sequence_seen;
+    boxes.sequence_seen = feedback[axis].sequence;
+    boxes.age_cycles = is_new ? 0 : boxes.age_cycles + 1;
+    feedback[axis].age_cycles = boxes.age_cycles;
+    feedback[axis].valid = feedback[axis].valid && boxes.age_cycles <= timeout_cycles_;
+  }
+}
+
+BusStatus ModbusBus::status() const {
+  const std::scoped_lock lock(status_mutex_);
+  BusStatus status = status_;
+  status.round_trip = round_trips_.summary();
+  return status;
+}
+
+BusTime ModbusBus::now() const {
+  return std::chrono::steady_clock::now() - epoch_;
+}
+
+void ModbusBus::run(const std::stop_token& stop_requested) {
+  BusTime next_poll = now();
+  while (!stop_requested.stop_requested()) {
+    poll_all();
+    next_poll = std::max(next_poll + poll_, now());
+    std::unique_lock lock(wait_mutex_);
+    wait_.wait_until(lock, stop_requested, epoch_ + next_poll, [] { return false; });
+  }
+  for (std::size_t axis = 0; axis < axes_.size() && link_.is_connected(); ++axis) {
+    poll_one(axis, TargetAge::stale);
+  }
+  link_.close();
+}
+
+void ModbusBus::poll_all() {
+  const TargetAge age = target_age();
+  choose_silent_axis();
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    const bool is_turn = axis == silent_axis_ && now() >= silent_again_at_;
+    if (axes_[axis].is_answering() || is_turn) {
+      poll_one(axis, age);
+    }
+    axes_[axis].supervise(now());
+    publish_axis(axis);
+  }
+}
+
+// A drive that has been given up is tried once per timeout: every try costs the others the time of
+// an answer that does not come.
+void ModbusBus::poll_one(std::size_t axis, TargetAge age) {
+  if (!ensure_connected()) {
+    return;
+  }
+  const auto error = exchange(axis, age);
+  if (!error || *error == ExchangeError::exception) {
+    pause_ = BusTime{0};
+  } else if (!link_.is_connected()) {
+    back_off();
+  }
+  if (error && axes_[axis].is_lost()) {
+    silent_again_at_ = now() + timeout_;
+  }
+}
+
+std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age) {
+  const AxisDriveConfig& config = config_.axes[axis];
+  AxisExchange& drive = axes_[axis];
+  const CommandRegisters command = to_registers(drive.command(boxes_[axis].target.read(), age));
+  StatusRegisters answer{};
+  const BusTime begin = now();
+  auto error =
+      link_.exchange(config.unit, config.control_register, command, config.status_register, answer);
+  const BusTime end = now();
+  if (error) {
+    drive.fail();
+  } else {
+    error = drive.take(status_block(answer), end);
+  }
+  count_exchange(error, end - begin);
+  return error;
+}
+
+bool ModbusBus::ensure_connected() {
+  if (link_.is_connected()) {
+    return true;
+  }
+  if (now() < connect_again_at_) {
+    return false;
+  }
+  link_.connect();
+  const std::scoped_lock lock(status_mutex_);
+  if (link_.is_connected()) {
+    ++status_.connections;
+  } else {
+    ++status_.errors[static_cast<std::size_t>(ExchangeError::not_connected)];
+    back_off();
+  }
+  return link_.is_connected();
+}
+
+void ModbusBus::back_off() {
+  connect_again_at_ = now() + pause_;
+  pause_ = std::clamp(2 * pause_, poll_, pause_max);
+}
+
+void ModbusBus::choose_silent_axis() {
+  for (std::size_t step = 1; step <= axes_.size(); ++step) {
+    const std::size_t axis = (silent_axis_ + step) % axes_.size();
+    if (!axes_[axis].is_answering()) {
+      silent_axis_ = axis;
+      return;
+    }
+  }
+}
+
+TargetAge ModbusBus::target_age() {
+  const std::uint64_t writes = writes_.load(std::memory_order_relaxed);
+  if (writes != writes_seen_) {
+    writes_seen_ = writes;
+    last_write_ = now();
+  }
+  return now() - last_write_ > timeout_ ? TargetAge::stale : TargetAge::fresh;
+}
+
+void ModbusBus::publish_axis(std::size_t axis) {
+  const DriveFeedback& feedback = axes_[axis].feedback();
+  boxes_[axis].feedback.write(feedback);
+  const std::scoped_lock lock(status_mutex_);
+  status_.connected = link_.is_connected();
+  status_.axes[axis].in_contact = feedback.valid;
+  status_.axes[axis].answers = feedback.sequence;
+  status_.axes[axis].errors = axes_[axis].errors();
+}
+
+void ModbusBus::count_exchange(std::optional<ExchangeError> error, BusTime round_trip) {
+  const std::scoped_lock lock(status_mutex_);
+  ++status_.exchanges;
+  if (error) {
+    ++status_.errors[static_cast<std::size_t>(*error)];
+  } else {
+    round_trips_.add(round_trip);
+  }
+}
+
+}  // namespace stanok::drives

@@ -1,0 +1,91 @@
+// Drives on Modbus TCP or RTU: a thread exchanges targets and feedback with every drive each poll.
+//
+// Per drive and poll one request with function code 23. After an error the connection is closed
+// and made again, first at once, then with growing pauses up to a second; drives that do not answer
+// take turns, so that they do not hold up the others. What is sent and what is believed is decided
+// in AxisExchange. When the cycle writes no targets for the timeout the drives are stopped.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "base/latest.h"
+#include "base/units.h"
+#include "drives/bus.h"
+#include "drives/bus_config.h"
+#include "drives/bus_statistics.h"
+#include "drives/modbus/axis_exchange.h"
+#include "drives/modbus/modbus_link.h"
+
+namespace stanok::drives {
+
+class ModbusBus final : public DriveBus {
+ public:
+  // `cycle`: period of read and write. Feedback older than the timeout is invalid even when the bus
+  // thread itself hangs; that is counted in cycles.
+  ModbusBus(BusConfig config, Duration cycle);
+  ~ModbusBus() override;
+
+  void start() override;
+  void stop() override;
+  void write(std::span<const DriveTarget> targets) RT_SAFE override;
+  void read(std::span<DriveFeedback> feedback) RT_SAFE override;
+  [[nodiscard]] BusStatus status() const override;
+
+ private:
+  // What crosses between cycle and bus thread for one axis.
+  struct Boxes {
+    Latest<DriveTarget> target;
+    Latest<DriveFeedback> feedback;
+    std::uint32_t sequence_seen = 0;  // of the cycle
+    std::uint32_t age_cycles = 0;
+  };
+
+  void run(const std::stop_token& stop_requested);
+  void poll_all();
+  void poll_one(std::size_t axis, TargetAge age);
+  [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t axis, TargetAge age);
+  [[nodiscard]] bool ensure_connected();
+  void back_off();
+  void choose_silent_axis();
+  [[nodiscard]] TargetAge target_age();
+  [[nodiscard]] BusTime now() const;
+  void publish_axis(std::size_t axis);
+  void count_exchange(std::optional<ExchangeError> error, BusTime round_trip);
+
+  // Configuration.
+  BusConfig config_;
+  BusTime poll_;
+  BusTime timeout_;
+  std::uint32_t timeout_cycles_;
+  std::chrono::steady_clock::time_point epoch_;
+
+  // Shared with the cycle.
+  std::vector<Boxes> boxes_;
+  std::atomic<std::uint64_t> writes_{0};
+
+  // Of the bus thread.
+  ModbusLink link_;
+  std::vector<AxisExchange> axes_;
+  BusTime pause_{0};
+  BusTime connect_again_at_{0};
+  std::size_t silent_axis_ = 0;  // of those that do not answer, the one to be tried
+  BusTime silent_again_at_{0};
+  std::uint64_t writes_seen_ = 0;
+  BusTime last_write_{0};
+
+  // Shared with operators.
+  mutable std::mutex status_mutex_;
+  BusStatus status_;
+  RoundTripHistogram round_trips_;
+
+  std::mutex wait_mutex_;
+  std::condition_variable_any wait_;
+  std::jthread thread_;
+};
+
+}  // namespace stanok::drives
