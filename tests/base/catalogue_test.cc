@@ -1,0 +1,50 @@
+#include "base/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <string>
+
+namespace stanok {
+namespace {
+
+TEST(Catalogue, IsSortedByCodeAndEveryCodeIsThereOnce) {
+  const auto rows = catalogue();
+  ASSERT_FALSE(rows.empty());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_LT(rows[i - 1].code, rows[i].code) << "row " << i;
+  }
+}
+
+TEST(Catalogue, EveryCodeIsALetterAndFourDigits) {
+  const std::regex form("[EWA][0-9]{4}");
+  for (const CatalogueRow& row : catalogue()) {
+    EXPECT_TRUE(std::regex_match(std::string(row.code), form)) << row.code;
+  }
+}
+
+TEST(Catalogue, EveryRowSaysWhatWhyAndHowToGoOn) {
+  for (const CatalogueRow& row : catalogue()) {
+    EXPECT_FALSE(row.title.empty()) << row.code;
+    EXPECT_FALSE(row.remedy.empty()) << row.code;
+    EXPECT_FALSE(row.go_on.empty()) << row.code;
+    EXPECT_NE(row.title.back(), '.') << row.code << ": a title has no full stop";
+  }
+}
+
+TEST(Catalogue, WarningsAndOnlyWarningsStopNothing) {
+  for (const CatalogueRow& row : catalogue()) {
+    const bool is_warning = row.code.front() == 'W';
+    EXPECT_EQ(row.reaction == Reaction::warning, is_warning) << row.code;
+  }
+}
+
+TEST(Catalogue, FindsEveryRowByItsCodeAndNoOther) {
+  for (const CatalogueRow& row : catalogue()) EXPECT_EQ(find_in_catalogue(row.code), &row);
+  EXPECT_EQ(find_in_catalogue("E0000"), nullptr);
+  EXPECT_EQ(find_in_catalogue(""), nullptr);
+}
+
+}  // namespace
+}  // namespace stanok

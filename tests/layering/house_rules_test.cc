@@ -1,0 +1,99 @@
+// Rules of CONTRIBUTING.md that a machine can read: description of files, their size, unfinished
+// marks, codes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "base/catalogue.h"
+#include "tests/support/source_tree.h"
+
+namespace stanok::testing {
+namespace {
+
+const std::filesystem::path root = STANOK_SOURCE_DIR;
+
+constexpr std::size_t description_within = 15;  // lines
+constexpr std::size_t lines_max = 600;
+
+// A comment line with at least three words.
+bool describes(const std::string& line) {
+  static const std::regex description(R"(^//(\s+\S+){3,})");
+  return std::regex_search(line, description);
+}
+
+TEST(HouseRules, EveryHeaderSaysInItsFirstLinesWhatItIs) {
+  for (const SourceFile& file : source_files(root)) {
+    if (!file.is_header()) continue;
+    const auto end = file.lines.begin() +
+                     static_cast<std::ptrdiff_t>(std::min(file.lines.size(), description_within));
+    EXPECT_TRUE(std::any_of(file.lines.begin(), end, describes))
+        << file.path << ": no description in the first " << description_within << " lines";
+  }
+}
+
+TEST(HouseRules, EveryHeaderIsReadOnce) {
+  for (const SourceFile& file : source_files(root)) {
+    if (!file.is_header()) continue;
+    EXPECT_EQ(std::count(file.lines.begin(), file.lines.end(), "#pragma once"), 1) << file.path;
+  }
+}
+
+TEST(HouseRules, NoFileIsLongerThanAReaderCanFollow) {
+  for (const SourceFile& file : source_files(root)) {
+    EXPECT_LE(file.lines.size(), lines_max) << file.path;
+  }
+}
+
+TEST(HouseRules, NothingIsLeftUnfinished) {
+  // Put together here so that this file does not contain the marks.
+  const std::regex mark(std::string(R"(\b()") + "TO" + "DO|FIX" + "ME|XX" + "X|HA" + R"(CK)\b)");
+  for (const SourceFile& file : source_files(root)) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(file.lines[i], mark))
+          << file.path << ":" << i + 1 << ": " << file.lines[i];
+    }
+  }
+}
+
+// Codes of the catalogue as string literals begin with them: "E4031", "E7001 file not found";
+// comments do not count.
+std::set<std::string> codes_in(const std::string& line) {
+  static const std::regex code(R"re("([EWA][0-9]{4})[" ])re");
+  const std::string source = line.substr(0, line.find("//"));
+  std::set<std::string> codes;
+  for (auto match = std::sregex_iterator(source.begin(), source.end(), code);
+       match != std::sregex_iterator(); ++match) {
+    codes.insert((*match)[1].str());
+  }
+  return codes;
+}
+
+bool is_code_of_the_runtime(const SourceFile& file) {
+  return file.folder != "tests" && file.folder != "benchmarks" && file.path != "base/catalogue.cc";
+}
+
+TEST(HouseRules, EveryCodeThatIsRaisedHasItsRowInTheCatalogue) {
+  for (const SourceFile& file : source_files(root)) {
+    if (!is_code_of_the_runtime(file)) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      for (const std::string& code : codes_in(file.lines[i])) {
+        EXPECT_NE(find_in_catalogue(code), nullptr) << file.path << ":" << i + 1 << ": " << code;
+      }
+    }
+  }
+}
+
+TEST(HouseRules, EveryRowOfTheCatalogueIsRaisedSomewhere) {
+  std::set<std::string> raised;
+  for (const SourceFile& file : source_files(root)) {
+    if (!is_code_of_the_runtime(file)) continue;
+    for (const std::string& line : file.lines) raised.merge(codes_in(line));
+  }
+  for (const CatalogueRow& row : catalogue()) {
+    EXPECT_TRUE(raised.contains(std::string(row.code))) << row.code << ": " << row.title;
+  }
+}
+
+}  // namespace
+}  // namespace stanok::testing
