@@ -6,7 +6,6 @@ stanok_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 cd "$stanok_root" || exit
 
 export LC_ALL=C.UTF-8 TZ=UTC
-export CMAKE_COLOR_DIAGNOSTICS=OFF
 
 jobs="$(nproc)"
 # shellcheck disable=SC2034  # read by the scripts
