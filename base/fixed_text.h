@@ -1,4 +1,5 @@
-// FixedText<N>: a short text as plain data, for what crosses into the real-time cycle. Longer text is cut.
+// FixedText<N>: a short text as plain data, for what crosses into the real-time cycle. Longer text
+// is cut.
 #pragma once
 
 #include <algorithm>

@@ -42,6 +42,8 @@ class Ring {
   }
   // Elements pushed since construction.
   [[nodiscard]] std::size_t pushed() const RT_SAFE { return tail_.load(std::memory_order_acquire); }
+  // Elements given back since construction.
+  [[nodiscard]] std::size_t popped() const RT_SAFE { return head_.load(std::memory_order_acquire); }
   [[nodiscard]] std::size_t space() const RT_SAFE { return capacity_ - size(); }
 
   // Consumer. The element `index` places behind the front; index < size().

@@ -1,7 +1,9 @@
-// Items and notices: what travels between a channel's preparation and its part of the cycle, apart from the path itself.
+// Items and notices: what travels between a channel's preparation and its part of the cycle, apart
+// from the path itself.
 //
-// Preparation -> cycle: items, in program order with the path (an item is due when the chunks before it are done and the axes
-// stand), and remarks, which travel with the path without stopping it. Cycle -> preparation: notices. All plain data.
+// Preparation -> cycle: items, in program order with the path (an item is due when the chunks
+// before it are done and the axes stand), and remarks, which travel with the path without stopping
+// it. Cycle -> preparation: notices. All plain data.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +18,23 @@ namespace stanok::channels {
 using ShortText = FixedText<256>;
 
 enum class ItemKind : std::uint8_t {
-  load_done,     // a program was compiled: flag = success, text = name or reason
-  run_end,       // the program came to its end: number = blocks executed
-  run_failed,    // the program failed: code, text
-  reset_done,    // everything pushed before belongs to an older generation
-  transform,     // `transform` holds from here
-  dwell,         // value = s
-  spindle,       // spindle command
-  coolant,       // mist, flood
-  tool_change,   // number = tool
-  program_stop,  // M0, M1, M60: number = lang::StopKind
-  request,       // to the coordinator; preparation waits for the answer
-  park_axes,     // axes = set: brakes closed, then drives off
-  join_axes,     // axes = set: drives on, then brakes open
-  scheme_set,    // number = scheme: the transformation is exchanged, with the next `transform`
-  switch_done,   // the switch of kinematics is complete
-  switch_failed, // code, text
+  load_done,         // a program was compiled: flag = success, text = name or reason
+  run_end,           // the program came to its end: number = blocks executed
+  run_failed,        // the program failed: code, text
+  reset_done,        // everything pushed before belongs to an older generation
+  transform,         // `transform` holds from here
+  dwell,             // value = s
+  spindle,           // spindle command
+  coolant,           // mist, flood
+  tool_change,       // number = tool
+  override_control,  // M48, M49: flag = feed override acts
+  program_stop,      // M0, M1, M60: number = lang::StopKind
+  request,           // to the coordinator; preparation waits for the answer
+  park_axes,         // axes = set: brakes closed, then drives off
+  join_axes,         // axes = set: drives on, then brakes open
+  scheme_set,        // number = scheme: the transformation is exchanged, with the next `transform`
+  switch_done,       // the switch of kinematics is complete
+  switch_failed,     // code, text
 };
 
 // A request of lang::Request as plain data.
@@ -60,11 +63,12 @@ struct Item {
 };
 
 enum class NoticeKind : std::uint8_t {
-  load,    // compile program `text`
-  start,   // begin a run of the loaded program: run, axes_M
-  answer,  // to the request at hand
-  reset,   // forget run and path, then send reset_done
-  switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are on
+  load,           // compile program `text`
+  start,          // begin a run of the loaded program: run, axes_M
+  answer,         // to the request at hand
+  reset,          // forget run and path, then send reset_done
+  switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are
+                  // on
 };
 
 struct Notice {
@@ -75,6 +79,7 @@ struct Notice {
   double value = 0.0;
   motion::Point axes_M{};
   lang::AxisSet enabled = 0;
+  FixedText<8> code;
   ShortText text;
 };
 

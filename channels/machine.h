@@ -1,8 +1,10 @@
-// Machine: all channels, their coordinator and the tables, and one cycle over all of them; free of threads and clocks.
+// Machine: all channels, their coordinator and the tables, and one cycle over all of them; free of
+// threads and clocks.
 //
-// Two functions carry the machine: `prepare(channel)` does bounded work ahead of motion and says whether it is blocked;
-// `cycle(inputs, output)` is one real-time cycle, plain data in and out. The daemon calls prepare from channel threads and cycle from the
-// real-time thread; `simulate` calls cycle only when every preparation is blocked, which makes runs repeatable to the bit.
+// Two functions carry the machine: `prepare(channel)` does bounded work ahead of motion and says
+// whether it is blocked; `cycle(inputs, output)` is one real-time cycle, plain data in and out. The
+// daemon calls prepare from channel threads and cycle from the real-time thread; `simulate` calls
+// cycle only when every preparation is blocked, which makes runs repeatable to the bit.
 #pragma once
 
 #include <memory>
@@ -22,7 +24,7 @@ namespace stanok::channels {
 // What the drives told, as far as it changes the outcome.
 struct AxisFeedback {
   double position = 0.0;
-  bool valid = false;   // an answer not older than the bus timeout
+  bool valid = false;  // an answer not older than the bus timeout
   bool fault = false;
 };
 
@@ -41,9 +43,9 @@ struct RunReport {
   std::uint64_t blocks = 0;
   std::int64_t start_cycle = 0;
   std::int64_t end_cycle = 0;
-  double path_mm = 0.0;           // feed and rapid
+  double path_mm = 0.0;  // feed and rapid
   std::uint32_t lookahead_max_blocks = 0;
-  motion::Point end_W{};          // channel axis order
+  motion::Point end_W{};  // channel axis order
   motion::Point end_M{};
   int axis_count = 0;
 };
@@ -57,10 +59,17 @@ struct AlarmReport {
 
 enum class Progress { worked, blocked };
 
+struct MachineOptions {
+  bool on_at_start = false;  // drives enabled from the first cycle (simulate)
+  bool stops_go_on = false;  // M0 and M60 continue at once with a message (simulate)
+};
+
 class Machine {
  public:
-  // `config` and `files` outlive the machine. Throws std::invalid_argument when the configuration contradicts itself.
-  Machine(const MachineConfig& config, const lang::Files& files);
+  // `config` and `files` outlive the machine. Throws std::invalid_argument when the configuration
+  // contradicts itself.
+  Machine(const MachineConfig& config, const lang::Files& files,
+          const MachineOptions& options = {});
   ~Machine();
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
@@ -86,6 +95,9 @@ class Machine {
   // Reports gathered by the preparations and the caller of `collect`; any thread.
   [[nodiscard]] std::vector<RunReport> runs() const;
   [[nodiscard]] std::vector<AlarmReport> alarms() const;
+  // Errors and warnings of all loads so far.
+  [[nodiscard]] std::vector<AlarmReport> load_diagnostics() const;
+  [[nodiscard]] TablesConfig tables() const;
 
  private:
   struct Parts;

@@ -13,6 +13,28 @@
 
 namespace stanok::channels {
 
+// How the axis finds its reference mark.
+struct HomingConfig {
+  int order = 0;          // ascending; equal numbers home together; 0: absolute encoder, no move
+  double position = 0.0;  // reading of the axis at the mark, mm or deg
+  double velocity = 0.0;  // of the search, mm/s or deg/s; the sign is its direction
+};
+
+// Where the position loop is closed: in the drive, or in the cycle by the position regulator.
+enum class FeedbackPlace { drive, cycle };
+
+// Position regulator of one axis, U in mm/s or deg/s (docs/motion.md#regulator):
+//   U = kp e + kd (change of e in a cycle) + kint (sum of e over the cycles) + kv V + ka A + kr J
+struct RegulatorConfig {
+  FeedbackPlace feedback = FeedbackPlace::drive;
+  double kp = 0.0;    // 1/s
+  double kd = 0.0;    // 1/s
+  double kint = 0.0;  // 1/s
+  double kv = 1.0;
+  double ka = 0.0;  // s
+  double kr = 0.0;  // s^2
+};
+
 struct AxisConfig {
   std::string name;           // machine-wide: "X", "X2", "C1"
   motion::AxisLimits limits;  // mm or deg per s^n
@@ -22,6 +44,10 @@ struct AxisConfig {
   double resolution = 0.001;  // one discrete of the position code, mm or deg
   double kmv = 10000.0;       // velocity code = velocity in discretes per cycle x kmv
   double following_error_max = 0.5;
+  HomingConfig homing;
+  RegulatorConfig regulator;
+  double brake_s = 0.1;  // time the brake takes to close or open
+  double power_s = 0.1;  // time the drive takes to take the axis over
 };
 
 struct SpindleConfig {
@@ -30,7 +56,9 @@ struct SpindleConfig {
   double speed_max = 0.0;
   double acceleration = 0.0;  // rev/min/s; 0 = at once
   bool wait_at_speed = true;
-  std::string axis;  // the axis it becomes after M902; empty: none
+  double power_idle_w = 0.0;  // at speed_max, not cutting
+  int encoder_pulses = 0;     // per revolution; 0: no encoder
+  std::string axis;           // the axis it becomes after M902; empty: none
 };
 
 enum class OwnerFailure { hold, continue_run, reset };

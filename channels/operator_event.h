@@ -1,4 +1,5 @@
-// What an operator (or a test, or a replay) asks of the machine, as plain data: the input layer of the cycle.
+// What an operator (or a test, or a replay) asks of the machine, as plain data: the input layer of
+// the cycle.
 #pragma once
 
 #include <cstdint>
@@ -8,25 +9,25 @@
 namespace stanok::channels {
 
 enum class OperatorAction : std::uint8_t {
-  machine_on,        // drives of the axes that take part are enabled
+  machine_on,  // drives of the axes that take part are enabled
   machine_off,
-  machine_estop,     // all channels stop along their path, then drives off
-  program_load,      // text = program
-  program_run,       // load and start
-  program_start,     // start the loaded program, resume when held
+  machine_estop,  // all channels stop along their path, then drives off
+  program_load,   // text = program
+  program_run,    // load and start
+  program_start,  // start the loaded program, resume when held
   program_hold,
   program_resume,
-  program_stop,      // hold, then abort: the program is over, no alarm
-  program_reset,     // abort and clear alarms
-  override_feed,     // value = 0..2
-  override_rapid,    // value = 0..1
-  override_spindle,  // value = 0.5..1.5
-  kinematics_select, // number = scheme
+  program_stop,       // hold, then abort: the program is over, no alarm
+  program_reset,      // abort and clear alarms
+  override_feed,      // value = 0..2
+  override_rapid,     // value = 0..1
+  override_spindle,   // value = 0.5..1.5
+  kinematics_select,  // number = scheme
   alarm_acknowledge,
 };
 
 struct OperatorEvent {
-  std::uint64_t id = 0;      // of the reply; 0: nobody waits for one
+  std::uint64_t id = 0;  // of the reply; 0: nobody waits for one
   OperatorAction action = OperatorAction::program_hold;
   std::int32_t channel = 0;  // 0: the machine
   std::int32_t number = 0;

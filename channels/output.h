@@ -45,7 +45,9 @@ struct ChannelOutput {
   std::int32_t axis_count = 0;
   ChannelState state = ChannelState::idle;
   bool moving = false;
-  bool waiting = false;  // in channel_wait, a mark, a dwell
+  bool running = false;   // a program run is under way, held or not
+  std::uint32_t run = 0;  // of the channel, from 1
+  bool waiting = false;   // in channel_wait, a mark, a dwell
   std::int32_t scheme = 0;
   motion::BlockTag tag;         // of the block at hand; line 0: no program runs
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
@@ -60,8 +62,8 @@ struct ChannelOutput {
 // (base/catalogue.h).
 struct Event {
   std::int64_t cycle = 0;
-  std::int32_t channel = 0;    // 0: the machine
-  FixedText<8> code;  // "E6010", "A1001"; "" = information
+  std::int32_t channel = 0;  // 0: the machine
+  FixedText<8> code;         // "E6010", "A1001"; "" = information
   motion::BlockTag tag;
   FixedText<240> text;
 };

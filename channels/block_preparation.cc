@@ -1,0 +1,212 @@
+#include "channels/block_preparation.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace stanok::channels {
+namespace {
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double same_angle = 1e-12;  // rad; below, start and end of an arc are the same direction
+
+// First and second geometry axis of a plane: XY, ZX, YZ (ISO 841).
+std::array<int, 2> plane_axes(const motion::MotionConfig& motion, lang::Plane plane) {
+  switch (plane) {
+    case lang::Plane::xy:
+      return {motion.geometry[0], motion.geometry[1]};
+    case lang::Plane::zx:
+      return {motion.geometry[2], motion.geometry[0]};
+    case lang::Plane::yz:
+      return {motion.geometry[1], motion.geometry[2]};
+  }
+  return {0, 1};
+}
+
+bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
+  return a.scheme == b.scheme && a.mode == b.mode &&
+         a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame.offset == b.frame.offset &&
+         a.frame.rotated == b.frame.rotated && a.frame.cosine == b.frame.cosine &&
+         a.frame.sine == b.frame.sine;
+}
+
+double at(const motion::Point& point, int axis) {
+  return point[static_cast<std::size_t>(axis)];
+}
+
+}  // namespace
+
+double block_length(const motion::MotionConfig& motion, const motion::Point& start,
+                    const motion::PathBlock& block) {
+  double geometry = 0.0;
+  double all = 0.0;
+  for (int k = 0; k < motion.axis_count; ++k) {
+    const double way = at(block.end, k) - at(start, k);
+    all += way * way;
+    const bool in_plane =
+        block.kind == motion::BlockKind::arc && (k == block.plane[0] || k == block.plane[1]);
+    if (in_plane) continue;
+    for (const int axis : motion.geometry) geometry += axis == k ? way * way : 0.0;
+  }
+  if (block.kind == motion::BlockKind::arc) {
+    const double radius = std::hypot(at(start, block.plane[0]) - block.centre[0],
+                                     at(start, block.plane[1]) - block.centre[1]);
+    return std::hypot(radius * block.sweep_rad, std::sqrt(geometry));
+  }
+  return geometry > 0.0 ? std::sqrt(geometry) : std::sqrt(all);
+}
+
+BlockPreparation::BlockPreparation(const motion::MotionConfig& motion, const ChannelConfig& channel)
+    : motion_(motion), channel_(channel), transforms_(1) {}
+
+void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::Point& axes_M) {
+  transforms_.clear();
+  transforms_.emplace_back();
+  transforms_.back().scheme = scheme;
+  kinematics::forward(transform(), axes_M, position_W_);
+}
+
+void BlockPreparation::change_scheme(const kinematics::Scheme* scheme,
+                                     const motion::Point& axes_M) {
+  kinematics::Transform next = transform();
+  next.scheme = scheme;
+  transforms_.push_back(next);
+  kinematics::forward(next, axes_M, position_W_);
+}
+
+bool BlockPreparation::take_state(const lang::Payload& command) {
+  if (const auto* frame = std::get_if<lang::FrameChange>(&command)) return set_frame(*frame);
+  if (const auto* length = std::get_if<lang::ToolLength>(&command)) return set_tool_length(*length);
+  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command)) {
+    const bool stops = spindle->action == lang::SpindleAction::stop;
+    spindle_rev_per_min_ = stops ? 0.0 : spindle->speed_rev_per_min;
+  }
+  return false;
+}
+
+bool BlockPreparation::set_frame(const lang::FrameChange& change) {
+  kinematics::Transform next = transform();
+  next.frame.offset = change.offset;
+  const auto plane = plane_axes(motion_, change.rotation_plane);
+  next.frame.rotated = change.rotation_deg == 0.0 ? kinematics::Frame{}.rotated : plane;
+  const double angle = change.rotation_deg * std::numbers::pi / 180.0;
+  next.frame.cosine = change.rotation_deg == 0.0 ? 1.0 : std::cos(angle);
+  next.frame.sine = change.rotation_deg == 0.0 ? 0.0 : std::sin(angle);
+  return take_transform(next);
+}
+
+bool BlockPreparation::set_tool_length(const lang::ToolLength& length) {
+  kinematics::Transform next = transform();
+  next.mode = length.mode == lang::LengthMode::tip ? kinematics::PointMode::tip
+                                                   : kinematics::PointMode::axes;
+  for (std::size_t k = 0; k < 3; ++k) next.tool.nose_to_tip_mm[k] = 0.0 - length.offset_mm[k];
+  return take_transform(next);
+}
+
+bool BlockPreparation::take_transform(const kinematics::Transform& next) {
+  if (equal(next, transform())) return false;
+  motion::Point axes_M{};
+  kinematics::inverse(transform(), position_W_, axes_M);
+  transforms_.push_back(next);
+  kinematics::forward(next, axes_M, position_W_);
+  return true;
+}
+
+motion::Point BlockPreparation::position_B() const {
+  kinematics::Transform without_frame = transform();
+  without_frame.frame = kinematics::Frame{};
+  motion::Point axes_M{};
+  motion::Point point_B{};
+  kinematics::inverse(transform(), position_W_, axes_M);
+  kinematics::forward(without_frame, axes_M, point_B);
+  return point_B;
+}
+
+motion::Point BlockPreparation::end_of(const lang::Move& move) const {
+  motion::Point end = position_W_;
+  if (move.machine_coordinates) {
+    motion::Point axes_M{};
+    kinematics::inverse(transform(), position_W_, axes_M);
+    for (int k = 0; k < motion_.axis_count; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if ((move.words >> k & 1U) != 0) axes_M[i] = move.end[i];
+    }
+    kinematics::forward(transform(), axes_M, end);
+    return end;
+  }
+  for (int k = 0; k < motion_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if ((move.words >> k & 1U) != 0) end[i] = move.end[i];
+  }
+  return end;
+}
+
+// Signed sweep from start to end direction: counter-clockwise positive, full turns for P > 1 and
+// for equal ends.
+void BlockPreparation::shape_arc(const lang::Move& move, motion::PathBlock& block) const {
+  block.kind = motion::BlockKind::arc;
+  block.plane = plane_axes(motion_, move.plane);
+  block.centre = move.centre;
+  const auto direction = [&](const motion::Point& point) {
+    return std::atan2(at(point, block.plane[1]) - block.centre[1],
+                      at(point, block.plane[0]) - block.centre[0]);
+  };
+  double sweep = direction(block.end) - direction(position_W_);
+  if (move.counter_clockwise) {
+    while (sweep <= same_angle) sweep += full_turn;
+    block.sweep_rad = sweep + full_turn * (move.turns - 1);
+  } else {
+    while (sweep >= -same_angle) sweep -= full_turn;
+    block.sweep_rad = sweep - full_turn * (move.turns - 1);
+  }
+}
+
+void BlockPreparation::shape_ending(const lang::Move& move, motion::PathBlock& block) const {
+  const bool continuous = move.path.mode == lang::PathMode::continuous;
+  const bool stops = move.stop_at_end || move.path.mode == lang::PathMode::exact_stop;
+  block.ending = stops ? motion::BlockEnding::exact_stop : motion::BlockEnding::continuous;
+  if (!continuous) return;
+  block.tolerance_mm =
+      move.path.tolerance_mm < 0.0 ? channel_.path_tolerance_mm : move.path.tolerance_mm;
+  block.tolerance_deg = block.tolerance_mm > 0.0 ? channel_.orientation_tolerance_deg : 0.0;
+}
+
+std::optional<Diagnostic> BlockPreparation::set_feed(const lang::Move& move,
+                                                     motion::PathBlock& block) const {
+  if (block.rapid) return std::nullopt;
+  switch (move.feed_mode) {
+    case lang::FeedMode::per_minute:
+      block.feed_per_s = move.feed / 60.0;
+      break;
+    case lang::FeedMode::inverse_time:
+      block.feed_per_s = block_length(motion_, position_W_, block) * move.feed / 60.0;
+      break;
+    case lang::FeedMode::per_revolution:
+      block.feed_per_s = move.feed * spindle_rev_per_min_ / 60.0;
+      if (spindle_rev_per_min_ <= 0.0) {
+        Diagnostic d;
+        d.code = "E4021";
+        d.message = "feed per revolution while the spindle stands";
+        d.help = {"program S and M3 or M4 before, or feed per minute with G94"};
+        return d;
+      }
+      break;
+  }
+  return std::nullopt;
+}
+
+Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move& move,
+                                                                const motion::BlockTag& tag) {
+  motion::PathBlock block;
+  block.tag = tag;
+  block.rapid = move.kind == lang::MoveKind::rapid;
+  block.end = end_of(move);
+  block.transform = &transform();
+  shape_ending(move, block);
+  if (move.kind == lang::MoveKind::arc) shape_arc(move, block);
+  if (auto refusal = set_feed(move, block)) return Unexpected<Diagnostic>(std::move(*refusal));
+  position_W_ = block.end;
+  return block;
+}
+
+}  // namespace stanok::channels

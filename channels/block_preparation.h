@@ -1,0 +1,67 @@
+// BlockPreparation: commands of motion in the workpiece system to blocks of the path.
+//
+// Applies what the program has set up around its motion: the frame W -> B, tool length, path mode
+// and tolerance, feed mode. Owner: the channel's preparation. Positions in W are in the order of
+// the channel's axes.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "base/diagnostic.h"
+#include "base/expected.h"
+#include "channels/machine_config.h"
+#include "lang/command.h"
+#include "motion/path.h"
+
+namespace stanok::channels {
+
+class BlockPreparation {
+ public:
+  BlockPreparation(const motion::MotionConfig& motion, const ChannelConfig& channel);
+
+  // Begins afresh with `scheme`, frame and tool at zero, the axes standing at `axes_M`. Transforms
+  // given out before become invalid.
+  void restart(const kinematics::Scheme* scheme, const motion::Point& axes_M);
+
+  // Another scheme is active, the axes stand at `axes_M`; frame and tool stay.
+  void change_scheme(const kinematics::Scheme* scheme, const motion::Point& axes_M);
+
+  // Takes over what a command sets up for the motion after it: frame, tool length, spindle speed.
+  // True when the transform is a new one: the chain must have ended before, and a new one begins at
+  // position_W().
+  [[nodiscard]] bool take_state(const lang::Payload& command);
+
+  [[nodiscard]] const kinematics::Transform& transform() const { return transforms_.back(); }
+  [[nodiscard]] const motion::Point& position_W() const { return position_W_; }
+  // The programmed point in B: what the interpreter keeps as its position.
+  [[nodiscard]] motion::Point position_B() const;
+
+  // The block of a move, or why it cannot be made; the position moves to its end. `tag` goes into
+  // the block.
+  [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block(const lang::Move& move,
+                                                              const motion::BlockTag& tag);
+
+ private:
+  [[nodiscard]] bool set_frame(const lang::FrameChange& change);
+  [[nodiscard]] bool set_tool_length(const lang::ToolLength& length);
+  [[nodiscard]] bool take_transform(const kinematics::Transform& next);
+  [[nodiscard]] motion::Point end_of(const lang::Move& move) const;
+  void shape_arc(const lang::Move& move, motion::PathBlock& block) const;
+  void shape_ending(const lang::Move& move, motion::PathBlock& block) const;
+  [[nodiscard]] std::optional<Diagnostic> set_feed(const lang::Move& move,
+                                                   motion::PathBlock& block) const;
+
+  const motion::MotionConfig& motion_;
+  const ChannelConfig& channel_;
+  std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
+  motion::Point position_W_{};
+  double spindle_rev_per_min_ = 0.0;
+};
+
+// Length of a block in its own metric: mm of the geometry axes, or deg when none of them moves
+// (motion/path.h).
+[[nodiscard]] double block_length(const motion::MotionConfig& motion, const motion::Point& start,
+                                  const motion::PathBlock& block);
+
+}  // namespace stanok::channels

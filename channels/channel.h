@@ -1,0 +1,159 @@
+// Channel: one channel's part of the real-time cycle. Items and path in, set-points out; allocates
+// nothing.
+//
+// States after docs/language.md ("Channels"): idle, ready, running, held, alarm. The coordinator
+// asks it for effects (start, hold, reset, switch) between cycles' halves; requests of the
+// channel's own program are taken by the coordinator through `request()`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "channels/channel_link.h"
+#include "channels/machine.h"
+#include "channels/output.h"
+#include "channels/report_book.h"
+#include "channels/spindle.h"
+#include "motion/interpolator.h"
+
+namespace stanok::channels {
+
+inline constexpr int spindles_max = 4;
+
+// How a run of the channel, a load, a switch came out; the coordinator reads and acts.
+enum class Outcome : std::uint8_t { pending, succeeded, failed };
+
+// Fixed figures of one axis in the cycle.
+struct AxisFigures {
+  double resolution = 0.001;  // mm or deg per discrete
+  double kmv = 10000.0;
+  double brake_s = 0.0;  // time a brake takes to close or open
+  double power_s = 0.0;  // time a drive takes to take over
+};
+
+struct ChannelFigures {
+  std::int32_t id = 1;
+  int axis_count = 0;
+  double cycle_s = 0.001;
+  bool stops_go_on = false;  // M0 and M60 continue at once (simulate)
+  std::array<AxisFigures, motion::axes_max> axes{};
+  std::array<double, motion::axes_max> start{};
+  std::array<SpindleConfig, spindles_max> spindles{};
+  int spindle_count = 0;
+};
+
+// Where events, alarms and run records go; owned by the machine.
+struct CycleBooks {
+  Ring<Event>* events = nullptr;
+  ReportBook* reports = nullptr;
+};
+
+class Channel {
+ public:
+  // `schemes` is written by nobody after construction; the scheme active at power-on is `scheme`.
+  Channel(const motion::MotionConfig& motion, const ChannelFigures& figures,
+          const std::map<int, std::unique_ptr<const kinematics::Scheme>>& schemes, int scheme,
+          ChannelLink& link, CycleBooks books);
+
+  // Before the first cycle only.
+  void select_scheme(int scheme);
+
+  void advance(std::int64_t cycle) RT_SAFE;
+  void fill(ChannelOutput& output) const RT_SAFE;
+
+  // Effects, asked for by the coordinator. Each is legal in every state or says so.
+  void power(bool on) RT_SAFE;  // off: axes braked and drives off at standstill
+  void begin_load(const ShortText& program) RT_SAFE;
+  void begin_run() RT_SAFE;  // state ready only
+  void hold() RT_SAFE;
+  void resume() RT_SAFE;
+  void begin_reset() RT_SAFE;  // stops along the path, then forgets the run
+  void begin_switch(int scheme) RT_SAFE;
+  void power_off_at_rest() RT_SAFE { power_off_wanted_ = true; }
+  // `code` and `text` say why `ok` is false.
+  void answer(bool ok, double value, const FixedText<8>& code, const ShortText& text) RT_SAFE;
+  void raise_alarm(std::string_view code, std::string_view text, const motion::BlockTag& tag)
+      RT_SAFE;
+  void set_feed_override(double factor) RT_SAFE { control_.feed_override = factor; }
+  void set_rapid_override(double factor) RT_SAFE { control_.rapid_override = factor; }
+  void set_spindle_override(double factor) RT_SAFE;
+
+  // Claims.
+  [[nodiscard]] int id() const RT_SAFE { return figures_.id; }
+  [[nodiscard]] ChannelState state() const RT_SAFE { return state_; }
+  [[nodiscard]] bool has_program() const RT_SAFE { return has_program_; }
+  [[nodiscard]] bool is_powered() const RT_SAFE { return powered_; }
+  [[nodiscard]] bool is_standing() const RT_SAFE { return interpolator_.at_rest(); }
+  [[nodiscard]] bool is_resetting() const RT_SAFE { return resetting_; }
+  [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
+  [[nodiscard]] int scheme() const RT_SAFE { return scheme_; }
+  [[nodiscard]] bool has_scheme(int scheme) const RT_SAFE { return find_scheme(scheme) != nullptr; }
+  [[nodiscard]] Outcome load_outcome() const RT_SAFE { return load_; }
+  [[nodiscard]] Outcome switch_outcome() const RT_SAFE { return switch_; }
+  [[nodiscard]] const ShortText& last_text() const RT_SAFE { return text_; }
+  [[nodiscard]] std::uint32_t run() const RT_SAFE { return run_; }
+  [[nodiscard]] bool has_ended(std::uint32_t run) const RT_SAFE { return run != run_ || !running_; }
+  [[nodiscard]] bool ended_well() const RT_SAFE { return run_ok_; }
+  // The request of the own program that waits for the coordinator, or nullptr.
+  [[nodiscard]] const Item* request() const RT_SAFE {
+    return activity_ == Activity::request ? &item_ : nullptr;
+  }
+
+ private:
+  enum class Activity : std::uint8_t { none, dwell, spindle, brakes, request, stop };
+
+  void work_items(std::int64_t cycle) RT_SAFE;
+  [[nodiscard]] bool finish_activity() RT_SAFE;
+  void execute(const Item& item, std::int64_t cycle) RT_SAFE;
+  void end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE;
+  void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
+  void move() RT_SAFE;
+  void show_remarks(std::int64_t cycle) RT_SAFE;
+  void continue_reset() RT_SAFE;
+  void wait(Activity activity, double seconds) RT_SAFE;
+  void emit(std::int64_t cycle, std::string_view code, std::string_view text,
+            const motion::BlockTag& tag) RT_SAFE;
+  [[nodiscard]] const kinematics::Scheme* find_scheme(int scheme) const RT_SAFE;
+  [[nodiscard]] motion::Point axes_M() const RT_SAFE;
+  [[nodiscard]] RunRecord run_record() const RT_SAFE;
+
+  motion::MotionConfig motion_;
+  ChannelFigures figures_;
+  std::array<std::pair<int, const kinematics::Scheme*>, 16> schemes_{};
+  int scheme_count_ = 0;
+  ChannelLink& link_;
+  CycleBooks books_;
+
+  motion::Interpolator interpolator_;
+  motion::FeedControl control_;
+  motion::InterpolatorOutput path_;
+  kinematics::Transform transform_;
+  std::array<DriveCommand, motion::axes_max> drives_{};
+  std::array<AxisSetpoint, motion::axes_max> setpoints_{};
+  std::array<Spindle, spindles_max> spindles_{};
+
+  ChannelState state_ = ChannelState::idle;
+  bool powered_ = false;
+  bool has_program_ = false;
+  bool running_ = false;
+  bool run_ok_ = true;
+  bool resetting_ = false;
+  bool reset_sent_ = false;
+  bool power_off_wanted_ = false;
+  bool overrides_enabled_ = true;
+  Outcome load_ = Outcome::succeeded;
+  Outcome switch_ = Outcome::succeeded;
+  int scheme_ = 0;
+  std::uint32_t run_ = 0;
+  std::int64_t cycle_ = 0;
+  std::int64_t start_cycle_ = 0;
+  double path_mm_ = 0.0;
+  std::uint32_t lookahead_max_ = 0;
+  std::uint64_t blocks_ = 0;
+  Activity activity_ = Activity::none;
+  std::int64_t activity_cycles_ = 0;
+  Item item_;  // the item being executed
+  ShortText text_;
+};
+
+}  // namespace stanok::channels

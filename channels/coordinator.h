@@ -1,0 +1,90 @@
+// Coordinator: what channels and operators ask of channels, decided inside the cycle, in channel
+// order.
+//
+// An errand is one such wish on its way: a request of a program (channel_run, channel_wait,
+// #kinematics, ...) or an operator's event. It is stepped once a cycle until it is done. Decisions
+// depend on the cycle only, never on thread timing (docs/architecture.md, "Determinism").
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "channels/channel.h"
+#include "channels/operator_event.h"
+
+namespace stanok::channels {
+
+class Coordinator {
+ public:
+  Coordinator(std::span<Channel* const> channels,
+              const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s,
+              Ring<OperatorReply>& replies);
+
+  void take(const OperatorEvent& event) RT_SAFE;
+  // After all channels have done their cycle.
+  void step() RT_SAFE;
+
+  [[nodiscard]] bool is_quiet() const RT_SAFE;
+
+ private:
+  static constexpr int operator_asker = -1;
+  static constexpr std::size_t operator_errands = 16;
+
+  struct Errand {
+    bool active = false;
+    int asker = operator_asker;  // index of the channel that asks
+    std::uint64_t reply_id = 0;
+    lang::RequestKind kind = lang::RequestKind::sync;
+    int target = -1;  // index of the channel concerned
+    int number = 0;
+    double seconds = -1.0;
+    int stage = 0;
+    std::int64_t cycles = 0;  // since the errand began
+    std::uint32_t awaited_run = 0;
+    motion::BlockTag tag;
+    ShortText text;
+  };
+
+  // How an errand stands after a step.
+  struct Verdict {
+    bool done = true;
+    bool ok = true;
+    double number = 0.0;
+    FixedText<8> code;
+    ShortText text;
+  };
+  static Verdict pending() RT_SAFE;
+  static Verdict success(double number = 0.0) RT_SAFE;
+  static Verdict refusal(std::string_view code, std::string_view text) RT_SAFE;
+
+  void adopt_requests() RT_SAFE;
+  void conclude(Errand& errand, const Verdict& verdict) RT_SAFE;
+  void follow_owners() RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict step_load(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_start(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_run(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_wait(Errand& errand, const Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_stop(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_reset(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_terminate(const Errand& errand) RT_SAFE;
+  [[nodiscard]] bool waits_on(int waiter, int awaited) const RT_SAFE;
+  [[nodiscard]] Channel* channel_with_id(int id, int& index) const RT_SAFE;
+  [[nodiscard]] bool apply_at_once(const OperatorEvent& event, Channel* channel) RT_SAFE;
+  void set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE;
+  void reply(std::uint64_t id, const Verdict& verdict) RT_SAFE;
+
+  std::array<Channel*, channels_max> channels_{};
+  int channel_count_ = 0;
+  std::array<OwnerFailure, channels_max> on_owner_failure_{};
+  double cycle_s_;
+  Ring<OperatorReply>& replies_;
+  std::array<Errand, channels_max + operator_errands>
+      errands_{};  // first one per channel, then the operators'
+  std::array<int, channels_max>
+      owner_{};  // who started the run of a channel; operator_asker: an operator
+};
+
+}  // namespace stanok::channels

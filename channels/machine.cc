@@ -1,0 +1,170 @@
+#include "channels/machine.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "channels/channel.h"
+#include "channels/coordinator.h"
+#include "channels/motion_config.h"
+#include "channels/preparation.h"
+
+namespace stanok::channels {
+namespace {
+
+constexpr std::size_t events_max = 4096;
+constexpr std::size_t inputs_max = 4096;
+constexpr std::size_t replies_max = 256;
+
+ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig& channel,
+                               const MachineOptions& options) {
+  ChannelFigures figures;
+  figures.id = channel.id;
+  figures.axis_count = static_cast<int>(channel.axes.size());
+  figures.cycle_s = machine.cycle_us * 1e-6;
+  figures.stops_go_on = options.stops_go_on;
+  for (std::size_t k = 0; k < channel.axes.size(); ++k) {
+    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    figures.axes[k] = {axis.resolution, axis.kmv, axis.brake_s, axis.power_s};
+    figures.start[k] = axis.start;
+  }
+  for (const int id : channel.spindles) {
+    const auto spindle =
+        std::find_if(machine.spindles.begin(), machine.spindles.end(),
+                     [id](const SpindleConfig& candidate) { return candidate.id == id; });
+    if (spindle == machine.spindles.end() || figures.spindle_count == spindles_max) continue;
+    figures.spindles.at(static_cast<std::size_t>(figures.spindle_count++)) = *spindle;
+  }
+  return figures;
+}
+
+// One channel whole: both sides and the rings between them.
+struct Seat {
+  Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
+       const lang::Files& files, const LiveTables& tables, CycleBooks books)
+      : schemes(make_schemes(config)),
+        preparation(machine, config, schemes, files, tables, link, *books.reports),
+        channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,
+                config.scheme, link, books) {}
+
+  SchemeSet schemes;
+  ChannelLink link;
+  Preparation preparation;
+  Channel channel;
+};
+
+std::array<OwnerFailure, channels_max> owner_rules(const MachineConfig& config) {
+  std::array<OwnerFailure, channels_max> rules{};
+  for (std::size_t k = 0; k < config.channels.size(); ++k)
+    rules.at(k) = config.channels[k].on_owner_failure;
+  return rules;
+}
+
+}  // namespace
+
+struct Machine::Parts {
+  Parts(const MachineConfig& machine, const lang::Files& files, const MachineOptions& options)
+      : config(machine),
+        tables(machine.tables),
+        events(events_max),
+        inputs(inputs_max),
+        replies(replies_max) {
+    if (machine.channels.empty() || machine.channels.size() > channels_max) {
+      throw std::invalid_argument("a machine has 1 to " + std::to_string(channels_max) +
+                                  " channels");
+    }
+    std::vector<Channel*> channels;
+    for (const ChannelConfig& channel : machine.channels) {
+      seats.push_back(std::make_unique<Seat>(machine, channel, options, files, tables,
+                                             CycleBooks{&events, &reports}));
+      channels.push_back(&seats.back()->channel);
+      if (options.on_at_start) channels.back()->power(true);
+    }
+    coordinator = std::make_unique<Coordinator>(channels, owner_rules(machine),
+                                                machine.cycle_us * 1e-6, replies);
+  }
+
+  const MachineConfig& config;
+  LiveTables tables;
+  ReportBook reports;
+  Ring<Event> events;
+  Ring<InputRecord> inputs;
+  Ring<OperatorReply> replies;
+  std::vector<std::unique_ptr<Seat>> seats;
+  std::unique_ptr<Coordinator> coordinator;
+  std::int64_t cycle = 0;
+};
+
+Machine::Machine(const MachineConfig& config, const lang::Files& files,
+                 const MachineOptions& options)
+    : parts_(std::make_unique<Parts>(config, files, options)) {}
+
+Machine::~Machine() = default;
+
+const MachineConfig& Machine::config() const {
+  return parts_->config;
+}
+
+Progress Machine::prepare(int index) {
+  return parts_->seats[static_cast<std::size_t>(index)]->preparation.step();
+}
+
+bool Machine::select_scheme_at_start(int channel, int scheme) {
+  for (const auto& seat : parts_->seats) {
+    if (seat->channel.id() != channel || !seat->channel.has_scheme(scheme)) continue;
+    seat->channel.select_scheme(scheme);
+    if (seat->channel.is_powered()) seat->channel.power(true);
+    return true;
+  }
+  return false;
+}
+
+void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
+  Parts& parts = *parts_;
+  ++parts.cycle;
+  for (const OperatorEvent& event : inputs.events) {
+    InputRecord record;
+    record.cycle = parts.cycle;
+    record.channel = event.channel;
+    record.method = static_cast<std::int32_t>(event.action);
+    record.value = event.value;
+    record.text = event.text;
+    static_cast<void>(parts.inputs.push(record));
+    parts.coordinator->take(event);
+  }
+  for (const auto& seat : parts.seats) seat->channel.advance(parts.cycle);
+  parts.coordinator->step();
+  output.cycle = parts.cycle;
+  output.channel_count = static_cast<std::int32_t>(parts.seats.size());
+  for (std::size_t k = 0; k < parts.seats.size(); ++k)
+    parts.seats[k]->channel.fill(output.channels[k]);
+}
+
+bool Machine::is_idle() const RT_SAFE {
+  return parts_->coordinator->is_quiet() &&
+         std::all_of(parts_->seats.begin(), parts_->seats.end(),
+                     [](const auto& seat) RT_SAFE { return seat->channel.is_quiet(); });
+}
+
+Ring<Event>& Machine::events() {
+  return parts_->events;
+}
+Ring<InputRecord>& Machine::input_records() {
+  return parts_->inputs;
+}
+Ring<OperatorReply>& Machine::replies() {
+  return parts_->replies;
+}
+std::vector<RunReport> Machine::runs() const {
+  return parts_->reports.runs();
+}
+std::vector<AlarmReport> Machine::alarms() const {
+  return parts_->reports.alarms();
+}
+std::vector<AlarmReport> Machine::load_diagnostics() const {
+  return parts_->reports.load_diagnostics();
+}
+TablesConfig Machine::tables() const {
+  return parts_->tables.snapshot();
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,91 @@
+// Preparation: everything that one channel does ahead of motion, in bounded steps.
+//
+// Interprets the program, prepares blocks, builds and plans the path and hands it, with the items
+// between, to the cycle. Told what to do by notices of the cycle. One thread at a time; never
+// called from the cycle.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "channels/block_preparation.h"
+#include "channels/channel_link.h"
+#include "channels/live_tables.h"
+#include "channels/machine.h"
+#include "channels/report_book.h"
+#include "lang/interpreter.h"
+#include "motion/look_ahead.h"
+#include "motion/path_builder.h"
+
+namespace stanok::channels {
+
+// The schemes of one channel by id, made once from its configuration.
+using SchemeSet = std::map<int, std::unique_ptr<const kinematics::Scheme>>;
+
+// Throws std::invalid_argument for a type of scheme that does not exist.
+[[nodiscard]] SchemeSet make_schemes(const ChannelConfig& channel);
+
+class Preparation {
+ public:
+  Preparation(const MachineConfig& machine, const ChannelConfig& channel, const SchemeSet& schemes,
+              const lang::Files& files, const LiveTables& tables, ChannelLink& link,
+              ReportBook& reports);
+
+  [[nodiscard]] Progress step();
+
+ private:
+  enum class Task { idle, running, waiting_answer };
+
+  // Notices of the cycle.
+  void obey(const Notice& notice);
+  void load(const std::string& name);
+  void start(const Notice& notice);
+  void take_answer(const Notice& notice);
+  void reset();
+  void switch_scheme(const Notice& notice);
+
+  // Program.
+  void interpret();
+  void take(const lang::Command& command);
+  void take_state(const lang::Command& command);
+  void add_move(const lang::Command& command, const lang::Move& move);
+  void add_request(const lang::Command& command, const lang::Request& request);
+  void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
+
+  // Path and items, in program order.
+  void end_chain();
+  void collect_pieces();
+  void push(Item item);
+  void push_transform();
+  [[nodiscard]] bool flush();
+  [[nodiscard]] motion::BlockTag tag_of(const lang::Command& command) const;
+  [[nodiscard]] bool move_axis(int axis, double position, double velocity);
+
+  const ChannelConfig& config_;
+  const SchemeSet& schemes_;
+  const lang::Files& files_;
+  ChannelLink& link_;
+  ReportBook& reports_;
+  motion::MotionConfig motion_;
+  lang::ChannelDescription description_;
+  ChannelTables tables_;
+  lang::Interpreter interpreter_;
+  BlockPreparation blocks_;
+  motion::PathBuilder builder_;
+  motion::LookAhead look_ahead_;
+
+  Task task_ = Task::idle;
+  std::shared_ptr<const lang::Program> program_;
+  std::string program_name_;
+  const kinematics::Scheme* scheme_ = nullptr;
+  std::uint32_t run_ = 0;
+  std::uint64_t blocks_executed_ = 0;
+  bool chain_open_ = false;
+  bool scheme_switched_ = false;  // since the last answer or start
+  lang::Command command_;
+  std::deque<Item> pending_items_;
+  std::deque<Remark> pending_remarks_;
+};
+
+}  // namespace stanok::channels

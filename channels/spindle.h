@@ -1,0 +1,45 @@
+// The commanded side of one spindle in the cycle: speed ramps with its acceleration, "at speed",
+// override.
+#pragma once
+
+#include "base/rt_safe.h"
+#include "channels/machine_config.h"
+#include "lang/command.h"
+
+namespace stanok::channels {
+
+class Spindle {
+ public:
+  Spindle() = default;
+  explicit Spindle(const SpindleConfig& config)
+      : id_(config.id),
+        speed_min_(config.speed_min),
+        speed_max_(config.speed_max),
+        acceleration_(config.acceleration),
+        wait_at_speed_(config.wait_at_speed) {}
+
+  [[nodiscard]] int id() const RT_SAFE { return id_; }
+  void command(const lang::SpindleCommand& command) RT_SAFE;
+  void stop() RT_SAFE { direction_ = 0; }
+  void set_override(double factor) RT_SAFE { override_ = factor; }
+  // One cycle of `period_s`.
+  void advance(double period_s) RT_SAFE;
+
+  [[nodiscard]] double speed() const RT_SAFE { return speed_; }  // rev/min, signed: clockwise > 0
+  [[nodiscard]] bool is_settled() const RT_SAFE { return !wait_at_speed_ || speed_ == target(); }
+
+ private:
+  [[nodiscard]] double target() const RT_SAFE;
+
+  int id_ = 0;
+  double speed_min_ = 0.0;
+  double speed_max_ = 0.0;
+  double acceleration_ = 0.0;  // rev/min/s; 0 = at once
+  bool wait_at_speed_ = true;
+  double programmed_ = 0.0;
+  double override_ = 1.0;
+  int direction_ = 0;
+  double speed_ = 0.0;
+};
+
+}  // namespace stanok::channels
