@@ -48,13 +48,13 @@ struct AxisBusStatus {
 };
 
 struct BusStatus {
-  std::string endpoint;  // "127.0.0.1:502", "/dev/ttyUSB0", "simulated"
+  std::string endpoint{};  // "127.0.0.1:502", "/dev/ttyUSB0", "simulated"
   bool connected = false;
   std::uint64_t connections = 0;                             // made since the start
   std::uint64_t exchanges = 0;                               // good and bad
   std::array<std::uint64_t, exchange_error_count> errors{};  // by ExchangeError
-  RoundTrip round_trip;
-  std::vector<AxisBusStatus> axes;
+  RoundTrip round_trip{};
+  std::vector<AxisBusStatus> axes{};
 };
 
 class DriveBus {

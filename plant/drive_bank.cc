@@ -1,0 +1,149 @@
+// Requests carried out on simulated drives: register writes become commands, status becomes
+// registers.
+#include "plant/drive_bank.h"
+
+#include <algorithm>
+
+#include "base/assert.h"
+
+namespace stanok::plant {
+namespace {
+
+constexpr std::chrono::milliseconds caught_up_max{500};
+
+modbus_mapping_t* holding_registers(int count) {
+  modbus_mapping_t* mapping = modbus_mapping_new(0, 0, count, 0);
+  STANOK_ASSERT(mapping != nullptr);
+  return mapping;
+}
+
+int register_count(const drives::AxisDriveConfig& map) {
+  return std::max(map.control_register + drives::command_register_count,
+                  map.status_register + drives::status_register_count);
+}
+
+double seconds(std::chrono::nanoseconds time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives, double step_s)
+    : drives_(drives.size()),
+      panel_(holding_registers(static_cast<int>(drives.size()))),
+      step_s_(step_s) {
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    drives_[i].drive.emplace(drives[i]);
+    drives_[i].registers.reset(holding_registers(register_count(drives[i].registers)));
+    show_status(drives_[i]);
+  }
+}
+
+void DriveBank::advance_to(std::chrono::nanoseconds time) {
+  apply_injections();
+  time_ = std::max(time_, time - caught_up_max);
+  while (time_ < time) {
+    const auto step =
+        std::min(time - time_, std::chrono::nanoseconds{static_cast<std::int64_t>(step_s_ * 1e9)});
+    for (Slot& slot : drives_) {
+      slot.drive->advance(seconds(step));
+    }
+    time_ += step;
+  }
+}
+
+void DriveBank::apply_injections() {
+  for (Slot& slot : drives_) {
+    slot.drive->load(slot.load.read());
+    const std::uint16_t injected = slot.injected.load();
+    if (injected != slot.injected_seen) {
+      slot.drive->inject(static_cast<FaultKind>(injected));
+      slot.injected_seen = static_cast<std::uint16_t>(slot.drive->fault());
+      std::uint16_t expected = injected;
+      slot.injected.compare_exchange_strong(expected, slot.injected_seen);
+    }
+  }
+}
+
+DriveBank::Slot* DriveBank::slot_of(int unit) {
+  const auto found = std::find_if(drives_.begin(), drives_.end(), [&](const Slot& slot) {
+    return slot.drive->config().registers.unit == unit;
+  });
+  return found == drives_.end() ? nullptr : &*found;
+}
+
+std::optional<AnswerKind> DriveBank::answer_kind(int unit) {
+  if (unit == fault_panel_unit) {
+    return AnswerKind::normal;
+  }
+  Slot* slot = slot_of(unit);
+  return slot == nullptr ? std::nullopt : std::optional(slot->drive->answer_kind());
+}
+
+modbus_mapping_t* DriveBank::registers_after(int unit, std::span<const std::uint8_t> pdu) {
+  const auto write = register_write(pdu);
+  if (unit == fault_panel_unit) {
+    if (write) {
+      write_panel(*write);
+    }
+    for (std::size_t i = 0; i < drives_.size(); ++i) {
+      panel_->tab_registers[i] = drives_[i].injected.load();
+    }
+    return panel_.get();
+  }
+  Slot* slot = slot_of(unit);
+  STANOK_ASSERT(slot != nullptr);
+  if (write) {
+    write_drive(*slot, *write);
+  }
+  show_status(*slot);
+  return slot->registers.get();
+}
+
+// A request beyond the registers is left to libmodbus, which refuses it with an exception.
+void DriveBank::write_drive(Slot& slot, const RegisterWrite& write) {
+  modbus_mapping_t& mapping = *slot.registers;
+  const RegisterRange written{write.first, static_cast<int>(write.values.size())};
+  if (!written.is_within(mapping.nb_registers) || !write.read.is_within(mapping.nb_registers)) {
+    return;
+  }
+  std::copy(write.values.begin(), write.values.end(), mapping.tab_registers + write.first);
+  const int control = slot.drive->config().registers.control_register;
+  const bool touches_command = written.first < control + drives::command_register_count &&
+                               written.first + written.count > control;
+  if (touches_command) {
+    slot.drive->command(
+        drives::command_block(std::span<const std::uint16_t, drives::command_register_count>(
+            mapping.tab_registers + control, drives::command_register_count)));
+  }
+}
+
+void DriveBank::write_panel(const RegisterWrite& write) {
+  const RegisterRange written{write.first, static_cast<int>(write.values.size())};
+  const bool are_faults = std::all_of(write.values.begin(), write.values.end(),
+                                      [](std::uint16_t value) { return value < fault_kind_count; });
+  if (!are_faults || !written.is_within(static_cast<int>(drives_.size()))) {
+    return;
+  }
+  for (std::size_t i = 0; i < write.values.size(); ++i) {
+    drives_[static_cast<std::size_t>(write.first) + i].injected.store(write.values[i]);
+  }
+  apply_injections();
+}
+
+void DriveBank::show_status(Slot& slot) {
+  const drives::StatusRegisters status = drives::to_registers(slot.drive->status());
+  std::copy(status.begin(), status.end(),
+            slot.registers->tab_registers + slot.drive->config().registers.status_register);
+}
+
+void DriveBank::inject(std::size_t drive, FaultKind kind) {
+  STANOK_ASSERT(drive < drives_.size());
+  drives_[drive].injected.store(static_cast<std::uint16_t>(kind));
+}
+
+void DriveBank::load(std::size_t drive, const ProcessLoad& load) RT_SAFE {
+  drives_[drive].load.write(load);
+}
+
+}  // namespace stanok::plant

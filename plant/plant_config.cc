@@ -1,0 +1,30 @@
+// Simulated drives made from what the machine says of its real ones.
+#include "plant/plant_config.h"
+
+namespace stanok::plant {
+
+std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
+                                            std::span<const double> start) {
+  std::vector<SimulatedDriveConfig> drives;
+  for (const drives::AxisDriveConfig& registers : bus.axes) {
+    SimulatedDriveConfig drive{.registers = registers};
+    if (drives.size() < start.size()) {
+      drive.start = start[drives.size()];
+    }
+    drive.axis.velocity_max = 1.2 * registers.velocity_max;  // a drive has some reserve
+    drive.watch.following_error_max = registers.following_error_max;
+    drives.push_back(drive);
+  }
+  return drives;
+}
+
+SimulatedDriveConfig spindle_drive(int id, const SpindlePlantConfig& config) {
+  SimulatedDriveConfig drive{.kind = DriveKind::spindle, .spindle = config};
+  drive.registers.axis = "S" + std::to_string(id);
+  drive.registers.unit = spindle_unit_base + id;
+  drive.registers.position_scale = 100.0;
+  drive.registers.velocity_scale = 1.0;
+  return drive;
+}
+
+}  // namespace stanok::plant

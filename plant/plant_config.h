@@ -1,0 +1,68 @@
+// Parameters of the simulated drives and spindles, with defaults of a medium-sized machine tool.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/units.h"
+#include "drives/bus_config.h"
+
+namespace stanok::plant {
+
+// A feed axis: x'' = w^2 (p - x) + 2 d w (k v - x'), with demand p, v (docs/drives.md#plant).
+struct AxisPlantConfig {
+  double bandwidth_hz = 40.0;            // w = 2 pi bandwidth
+  double damping = 0.8;                  // d
+  double velocity_feed_forward = 1.0;    // k; 1: no following error at constant velocity
+  double velocity_max = 0.0;             // mm/s or deg/s; 0: unlimited
+  double quick_stop_deceleration = 4e3;  // mm/s2 or deg/s2
+  double brake_deceleration = 2e4;       // mm/s2 or deg/s2
+  double coasting_time_s = 0.3;          // velocity falls by e in this time without power
+  double power_idle_w = 20.0;            // of the electronics, when switched on
+  double friction_w_per_unit = 0.2;      // W per mm/s or deg/s
+  double inertia_w_per_unit = 5e-5;      // W per (mm/s)(mm/s2): mass in t, or its rotary like
+};
+
+struct SpindlePlantConfig {
+  double speed_max = 18000.0;      // rev/min
+  double acceleration = 9000.0;    // rev/min/s; 0: at once
+  double coasting_time_s = 4.0;    // speed falls by e in this time without power
+  double power_idle_w = 600.0;     // at speed_max; half Coulomb, half viscous friction
+  double acceleration_w = 5000.0;  // at speed_max and full acceleration
+};
+
+// What the drive itself watches over.
+struct WatchConfig {
+  double watchdog_s = 0.5;              // quick stop and fault when enabled and nothing is written
+  double following_error_max = 0.5;     // mm or deg
+  double following_error_time_s = 0.1;  // over the limit for this long: fault
+};
+
+enum class DriveKind : std::uint8_t { axis, spindle };
+
+// One simulated drive: its registers, what moves, and what it watches over.
+struct SimulatedDriveConfig {
+  drives::AxisDriveConfig registers{};
+  DriveKind kind = DriveKind::axis;
+  double start = 0.0;  // position at power-on
+  AxisPlantConfig axis{};
+  SpindlePlantConfig spindle{};
+  WatchConfig watch{};
+};
+
+// Unit ids of spindle drives: this plus the spindle's number.
+inline constexpr int spindle_unit_base = 200;
+// Unit id of the panel for fault injection.
+inline constexpr int fault_panel_unit = 247;
+
+// Simulated drives of all axes of a bus, starting at `start` (empty: all at 0).
+[[nodiscard]] std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
+                                                          std::span<const double> start);
+
+// A spindle drive: velocity scale 1 (increments/s are rev/min), position scale 100 per degree of
+// the turn.
+[[nodiscard]] SimulatedDriveConfig spindle_drive(int id, const SpindlePlantConfig& config);
+
+}  // namespace stanok::plant

@@ -1,0 +1,260 @@
+// Supervision of one drive: what it is told and what of its answers is believed.
+#include "drives/modbus/axis_exchange.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "tests/support/no_allocation.h"
+
+namespace stanok::drives {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr BusTime poll = milliseconds{10};
+constexpr BusTime timeout = milliseconds{250};
+
+// A drive that answers as the test says, one poll after the other.
+class AxisExchangeTest : public ::testing::Test {
+ protected:
+  static AxisDriveConfig config() {
+    return {.axis = "X", .following_error_max = 0.5, .velocity_max = 400.0};
+  }
+
+  // One good exchange; the drive is in `state` at `position_mm`.
+  std::optional<ExchangeError> answer(double position_mm,
+                                      DriveState state = DriveState::operation_enabled) {
+    sent = exchange.command(target, TargetAge::fresh);
+    now += poll;
+    StatusBlock block{.status_word = state_bits(state)};
+    block.status_word |= status::referenced;
+    block.position = static_cast<std::int32_t>(std::lround(position_mm * 1000.0));
+    block.velocity = velocity_mm_per_s * 1000;
+    block.following_error = following_error_um;
+    block.heartbeat_echo = sent.heartbeat;
+    const auto error = exchange.take(block, now);
+    exchange.supervise(now);
+    return error;
+  }
+
+  void no_answer() {
+    sent = exchange.command(target, TargetAge::fresh);
+    now += poll;
+    exchange.fail();
+    exchange.supervise(now);
+  }
+
+  // Contact is lost, and comes back with the drive at `position_mm`.
+  void lose_and_find_again(double position_mm) {
+    while (!exchange.is_lost()) {
+      no_answer();
+    }
+    for (int i = 0; i < 100 && exchange.is_lost(); ++i) {
+      answer(position_mm, DriveState::switch_on_disabled);
+    }
+  }
+
+  AxisExchange exchange{config(), poll, timeout};
+  DriveTarget target{.enabled = true, .brake_closed = false};
+  CommandBlock sent;
+  BusTime now{0};
+  int velocity_mm_per_s = 0;
+  int following_error_um = 0;
+};
+
+TEST_F(AxisExchangeTest, FeedbackIsInvalidBeforeTheFirstAnswer) {
+  EXPECT_FALSE(exchange.feedback().valid);
+  EXPECT_EQ(answer(1.5), std::nullopt);
+  EXPECT_TRUE(exchange.feedback().valid);
+  EXPECT_EQ(exchange.feedback().position, 1.5);
+}
+
+TEST_F(AxisExchangeTest, SendsTargetsInIncrements) {
+  target.position = 12.345;
+  target.velocity = -3.5;
+  answer(0.0);
+  EXPECT_EQ(sent.target_position, 12345);
+  EXPECT_EQ(sent.target_velocity, -3500);
+}
+
+TEST_F(AxisExchangeTest, BrakeBitFollowsTheTarget) {
+  answer(0.0);
+  EXPECT_EQ(sent.control_word & control::close_brake, 0);
+  target.brake_closed = true;
+  answer(0.0);
+  EXPECT_NE(sent.control_word & control::close_brake, 0);
+}
+
+TEST_F(AxisExchangeTest, NeverSendsATargetThatIsNoNumber) {
+  target.position = 7.0;
+  answer(7.0);
+  target.position = std::numeric_limits<double>::quiet_NaN();
+  target.velocity = 100.0;
+  answer(7.0);
+  EXPECT_EQ(sent.target_position, 7000);
+  EXPECT_EQ(sent.target_velocity, 0);
+  EXPECT_EQ(sent.control_word,
+            control_word(DriveState::operation_enabled, PowerRequest::quick_stop));
+}
+
+TEST_F(AxisExchangeTest, AnAnswerWithoutEchoIsStuckAndDiscarded) {
+  answer(1.0);
+  sent = exchange.command(target, TargetAge::fresh);
+  StatusBlock old{.status_word = state_bits(DriveState::operation_enabled), .position = 5000};
+  old.heartbeat_echo = static_cast<std::uint16_t>(sent.heartbeat - 1);
+  EXPECT_EQ(exchange.take(old, now), ExchangeError::stuck);
+  EXPECT_EQ(exchange.feedback().position, 1.0);
+  EXPECT_EQ(exchange.errors(), 1U);
+}
+
+TEST_F(AxisExchangeTest, AWordThatIsNoStateIsImplausible) {
+  sent = exchange.command(target, TargetAge::fresh);
+  EXPECT_EQ(exchange.take({.status_word = 0xFFFF, .heartbeat_echo = sent.heartbeat}, now),
+            ExchangeError::implausible);
+  EXPECT_FALSE(exchange.feedback().valid);
+}
+
+TEST_F(AxisExchangeTest, AJumpInSightIsImplausible) {
+  answer(10.0);
+  // In 10 ms at twice 400 mm/s the axis travels 8 mm.
+  EXPECT_EQ(answer(18.4), std::nullopt);
+  EXPECT_EQ(answer(30.0), ExchangeError::implausible);
+  EXPECT_EQ(exchange.feedback().position, 18.4);
+}
+
+TEST_F(AxisExchangeTest, AVelocityOutOfReachIsImplausible) {
+  velocity_mm_per_s = 801;
+  EXPECT_EQ(answer(0.0), ExchangeError::implausible);
+}
+
+TEST_F(AxisExchangeTest, ContactIsLostAfterTheTimeout) {
+  answer(0.0);
+  const BusTime last = now;
+  while (!exchange.is_lost()) {
+    EXPECT_TRUE(exchange.feedback().valid);
+    now += milliseconds{1};
+    exchange.supervise(now);
+  }
+  EXPECT_GT(now - last, timeout);
+  EXPECT_LE(now - last, timeout + milliseconds{1});
+  EXPECT_FALSE(exchange.feedback().valid);
+  EXPECT_EQ(exchange.feedback().losses, 1U);
+}
+
+TEST_F(AxisExchangeTest, OneFailureInFiveIsBorneOneInTwoIsNot) {
+  for (int i = 0; i < 10000; ++i) {
+    i % 5 == 0 ? no_answer() : static_cast<void>(answer(0.0));
+    ASSERT_FALSE(exchange.is_lost()) << i;
+  }
+  int exchanges = 0;
+  while (!exchange.is_lost() && exchanges < 1000) {
+    exchanges++ % 2 == 0 ? no_answer() : static_cast<void>(answer(0.0));
+  }
+  // Up by 3, down by 1: 75 = 3 x 25 polls of the timeout is reached within 80 exchanges.
+  EXPECT_LE(exchanges, 80);
+}
+
+TEST_F(AxisExchangeTest, NothingResumesByItselfAfterALoss) {
+  answer(0.0);
+  lose_and_find_again(0.0);
+  ASSERT_TRUE(exchange.feedback().valid);
+  for (int i = 0; i < 100; ++i) {
+    answer(0.0, DriveState::ready_to_switch_on);
+    ASSERT_EQ(sent.control_word,
+              control_word(DriveState::switch_on_disabled, PowerRequest::quick_stop));
+  }
+  target.enabled = false;
+  answer(0.0, DriveState::ready_to_switch_on);
+  target.enabled = true;
+  answer(0.0, DriveState::ready_to_switch_on);
+  EXPECT_EQ(sent.control_word, control_word(DriveState::ready_to_switch_on, PowerRequest::on));
+}
+
+TEST_F(AxisExchangeTest, StaleTargetsStopTheDriveUntilEnabledAnew) {
+  answer(0.0);
+  const auto stopped = control_word(DriveState::operation_enabled, PowerRequest::quick_stop);
+  EXPECT_EQ(exchange.command(target, TargetAge::stale).control_word, stopped);
+  EXPECT_EQ(exchange.command(target, TargetAge::fresh).control_word, stopped);
+}
+
+TEST_F(AxisExchangeTest, ADriveThatComesBackElsewhereIsNotReferenced) {
+  answer(10.0);
+  lose_and_find_again(10.6);
+  EXPECT_TRUE(exchange.feedback().valid);
+  EXPECT_FALSE(exchange.feedback().referenced);
+  target.position_accepted = true;
+  answer(10.6);
+  EXPECT_TRUE(exchange.feedback().referenced);
+}
+
+TEST_F(AxisExchangeTest, AMovingDriveMayComeToRestOutOfSight) {
+  velocity_mm_per_s = 100;
+  answer(10.0);
+  velocity_mm_per_s = 0;
+  lose_and_find_again(22.0);  // 100 mm/s carries it 25 mm in the 250 ms of the timeout
+  EXPECT_TRUE(exchange.feedback().referenced);
+}
+
+TEST_F(AxisExchangeTest, OneDemandResetsOneFault) {
+  target.fault_reset = true;
+  answer(0.0, DriveState::fault);  // the fault is not known when this command is sent
+  answer(0.0, DriveState::fault);
+  EXPECT_EQ(sent.control_word & control::fault_reset, 0) << "the demand came before the fault";
+  target.fault_reset = false;
+  answer(0.0, DriveState::fault);
+  target.fault_reset = true;
+  answer(0.0, DriveState::switch_on_disabled);
+  EXPECT_NE(sent.control_word & control::fault_reset, 0);
+  answer(0.0, DriveState::fault);
+  answer(0.0, DriveState::fault);
+  EXPECT_EQ(sent.control_word & control::fault_reset, 0) << "a fault that comes again stays";
+}
+
+TEST_F(AxisExchangeTest, FollowingErrorCountsOnlyWhenItLasts) {
+  following_error_um = 600;
+  for (int i = 0; i < 10; ++i) {
+    answer(0.0);
+    EXPECT_FALSE(exchange.feedback().following_error_exceeded);
+  }
+  following_error_um = 400;
+  answer(0.0);
+  following_error_um = -600;
+  for (int i = 0; i < 12; ++i) {
+    answer(0.0);
+  }
+  EXPECT_TRUE(exchange.feedback().following_error_exceeded);
+  EXPECT_EQ(exchange.feedback().following_error, -0.6);
+}
+
+TEST_F(AxisExchangeTest, SurvivesArbitraryAnswers) {
+  const unsigned seed = 23;
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> any(0, 65535);
+  answer(1.0);
+  for (int i = 0; i < 20000; ++i) {
+    sent = exchange.command(target, TargetAge::fresh);
+    StatusRegisters registers{};
+    for (auto& value : registers) {
+      value = static_cast<std::uint16_t>(any(random));
+    }
+    now += poll;
+    if (exchange.take(status_block(registers), now)) {
+      exchange.supervise(now);
+    }
+    ASSERT_TRUE(std::isfinite(exchange.feedback().position)) << "seed " << seed;
+  }
+  EXPECT_GE(exchange.errors(), 19990U) << "an echo by chance is 1 in 65536; seed " << seed;
+  EXPECT_TRUE(exchange.is_lost());
+}
+
+TEST_F(AxisExchangeTest, AllocatesNothing) {
+  const testing::NoAllocation guard;
+  answer(0.0);
+  no_answer();
+}
+
+}  // namespace
+}  // namespace stanok::drives
