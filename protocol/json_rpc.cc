@@ -1,0 +1,105 @@
+#include "protocol/json_rpc.h"
+
+#include <algorithm>
+
+namespace stanok::protocol {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* not_a_request = "E9001";
+
+bool is_nested_too_deeply(std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > nesting_max) return true;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+Unexpected<BadRequest> bad(json id, FailureKind kind, std::string message) {
+  return Unexpected<BadRequest>(
+      BadRequest{std::move(id), Failure{kind, not_a_request, std::move(message), 0, {}}});
+}
+
+std::string to_line(const json& message) {
+  return message.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+// Looks like the first line of a web browser's request: somebody is on the wrong door.
+bool looks_like_http(std::string_view line) {
+  return line.find(" HTTP/1.") != std::string_view::npos && !line.starts_with('{');
+}
+
+bool is_id(const json& value) {
+  return value.is_number() || value.is_string() || value.is_null();
+}
+
+}  // namespace
+
+Expected<Request, BadRequest> parse_request(std::string_view line) {
+  if (looks_like_http(line))
+    return bad(nullptr, FailureKind::parse_error, "this is not an HTTP server");
+  if (is_nested_too_deeply(line))
+    return bad(nullptr, FailureKind::parse_error, "JSON nested too deeply");
+  json message = json::parse(line.begin(), line.end(), nullptr, false);
+  if (message.is_discarded()) return bad(nullptr, FailureKind::parse_error, "not a JSON text");
+  if (message.is_array()) {
+    return bad(nullptr, FailureKind::invalid_request,
+               "batches are not supported: send one request per line");
+  }
+  if (!message.is_object())
+    return bad(nullptr, FailureKind::invalid_request, "a request is a JSON object");
+
+  Request request;
+  request.wants_answer = message.contains("id");
+  if (request.wants_answer) {
+    if (!is_id(message["id"])) {
+      return bad(nullptr, FailureKind::invalid_request, "id must be a number, a string or null");
+    }
+    request.id = message["id"];
+  }
+  if (message.value("jsonrpc", json()) != "2.0") {
+    return bad(request.id, FailureKind::invalid_request, "member \"jsonrpc\" must be \"2.0\"");
+  }
+  const auto method = message.find("method");
+  if (method == message.end() || !method->is_string()) {
+    return bad(request.id, FailureKind::invalid_request, "member \"method\" must be a string");
+  }
+  request.method = method->get<std::string>();
+  request.parameters = message.value("params", json::object());
+  if (!request.parameters.is_structured()) {
+    return bad(request.id, FailureKind::invalid_request,
+               "member \"params\" must be an object or an array");
+  }
+  return request;
+}
+
+std::string answer_line(const json& id, const json& result) {
+  return to_line({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
+}
+
+std::string failure_line(const json& id, const Failure& failure) {
+  return to_line({{"jsonrpc", "2.0"}, {"id", id}, {"error", to_json(failure)}});
+}
+
+std::string notification_line(std::string_view method, const json& parameters) {
+  return to_line({{"jsonrpc", "2.0"}, {"method", method}, {"params", parameters}});
+}
+
+std::string request_line(int id, std::string_view method, const json& parameters) {
+  return to_line({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", parameters}});
+}
+
+}  // namespace stanok::protocol

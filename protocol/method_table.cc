@@ -1,0 +1,261 @@
+#include "protocol/method_table.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace stanok::protocol {
+namespace {
+
+// ---- parameters
+// -------------------------------------------------------------------------------------------------
+
+constexpr double text_bytes_max = 255.0;  // of an OperatorEvent
+constexpr double channel_max = 999.0;
+
+constexpr auto wait_choices = std::to_array<std::string_view>({"accepted", "done"});
+constexpr auto topic_choices =
+    std::to_array<std::string_view>({"machine", "channels", "drives", "events"});
+constexpr auto role_choices = std::to_array<std::string_view>({"observer", "operator"});
+
+constexpr Parameter channel{.name = "channel",
+                            .type = ParameterType::integer,
+                            .carries = Carries::channel,
+                            .minimum = 1,
+                            .maximum = channel_max,
+                            .help = "channel; default: the first one"};
+constexpr Parameter program{.name = "program",
+                            .presence = Presence::required,
+                            .spelling = Spelling::positional,
+                            .carries = Carries::text,
+                            .minimum = 1,
+                            .maximum = text_bytes_max,
+                            .help = "program file beneath the program root"};
+constexpr Parameter wait{.name = "wait",
+                         .type = ParameterType::choice,
+                         .choices = wait_choices,
+                         .help = "when the answer comes: request accepted, or work done"};
+constexpr Parameter scheme{.name = "scheme",
+                           .type = ParameterType::integer,
+                           .presence = Presence::required,
+                           .spelling = Spelling::positional,
+                           .carries = Carries::number,
+                           .minimum = 0,
+                           .maximum = 9999,
+                           .help = "kinematic scheme of the channel"};
+constexpr Parameter topics{.name = "topics",
+                           .type = ParameterType::text_list,
+                           .presence = Presence::required,
+                           .spelling = Spelling::positional,
+                           .maximum = topic_choices.size(),
+                           .choices = topic_choices,
+                           .help = "what to be told of; an empty list ends the subscription"};
+constexpr Parameter rate{.name = "rate_hz",
+                         .type = ParameterType::number,
+                         .unit = "Hz",
+                         .minimum = 0.1,
+                         .maximum = 50,
+                         .help = "most status messages per second; default 10"};
+constexpr Parameter role{.name = "role",
+                         .type = ParameterType::choice,
+                         .presence = Presence::required,
+                         .spelling = Spelling::positional,
+                         .choices = role_choices,
+                         .help = "role to go down to; there is no way back up"};
+
+constexpr Parameter percent(double minimum, double maximum) {
+  return {.name = "percent",
+          .type = ParameterType::number,
+          .presence = Presence::required,
+          .spelling = Spelling::positional,
+          .carries = Carries::fraction_of_percent,
+          .unit = "%",
+          .minimum = minimum,
+          .maximum = maximum,
+          .help = "percent of the programmed value"};
+}
+
+constexpr std::array of_channel{channel};
+constexpr std::array of_program{program, channel, wait};
+constexpr std::array of_start{channel, wait};
+constexpr std::array of_feed{percent(0, 200), channel};
+constexpr std::array of_rapid{percent(0, 100), channel};
+constexpr std::array of_spindle{percent(50, 150), channel};
+constexpr std::array of_scheme{scheme, channel};
+constexpr std::array of_subscription{topics, rate};
+constexpr std::array of_watch{channel, rate};
+constexpr std::array of_role{role};
+
+// ---- rows
+// -------------------------------------------------------------------------------------------------------
+
+constexpr auto observer = Role::observer;
+constexpr auto machine_operator = Role::machine_operator;
+constexpr auto integrator = Role::integrator;
+
+constexpr Method later(std::string_view name, Role needed, std::string_view help) {
+  return {.name = name, .role = needed, .help = help, .availability = Availability::later};
+}
+
+constexpr auto table = std::to_array<Method>({
+    {"machine.on",
+     machine_operator,
+     "switch on the drives of the axes that take part",
+     {},
+     "machine_on"},
+    {"machine.off",
+     machine_operator,
+     "stop all channels and switch the drives off",
+     {},
+     "machine_off"},
+    {"machine.estop",
+     machine_operator,
+     "stop along the path at once, then drives off; always accepted",
+     {},
+     "machine_estop"},
+    {"machine.status", observer, "cycle, drives, real-time figures, state of every channel"},
+
+    {"channel.list", observer, "channels with kind, axes, scheme and state"},
+    {"channel.status", observer, "state, program, block, position, feed and overrides of a channel",
+     of_channel},
+    {"channel.watch", observer, "status of a channel as it changes", of_watch},
+
+    {"program.load", machine_operator, "compile a program; errors come with file, line and column",
+     of_program, "program_load"},
+    {"program.run", machine_operator, "load a program and start it", of_program, "program_run"},
+    {"program.start", machine_operator, "start the loaded program; go on when held", of_start,
+     "program_start"},
+    {"program.hold", machine_operator, "feed hold along the path", of_channel, "program_hold"},
+    {"program.resume", machine_operator, "go on after a hold", of_channel, "program_resume"},
+    {"program.stop", machine_operator, "hold, then end the program without an alarm", of_channel,
+     "program_stop"},
+    {"program.reset", machine_operator, "end the program and clear the channel's alarms",
+     of_channel, "program_reset"},
+    {"program.list", observer, "program files beneath the program root"},
+    later("program.step", machine_operator, "single block on or off"),
+    later("program.search", machine_operator, "find a block and collect its modal state"),
+
+    {"override.feed", machine_operator, "feed override of a channel", of_feed, "override_feed"},
+    {"override.rapid", machine_operator, "rapid override of a channel", of_rapid, "override_rapid"},
+    {"override.spindle", machine_operator, "spindle override of a channel", of_spindle,
+     "override_spindle"},
+
+    {"kinematics.list", observer, "kinematic schemes of a channel", of_channel},
+    {"kinematics.select", machine_operator,
+     "switch the channel to another scheme; the channel must be idle", of_scheme,
+     "kinematics_select"},
+    {"kinematics.status", observer, "active scheme, its axes, their drives and brakes", of_channel},
+
+    {"drive.list", observer, "drives of the machine file with bus address and scales"},
+    {"drive.status", observer, "state of the bus and of every drive"},
+    later("drive.reset", machine_operator, "clear the fault of a drive"),
+    later("drive.fault", integrator, "make a simulated drive fail"),
+
+    {"alarm.list", observer, "alarms that stand", of_channel},
+    {"alarm.ack", machine_operator, "acknowledge the alarms of a channel", of_channel,
+     "alarm_acknowledge"},
+    {"alarm.history", observer, "all alarms since the daemon started", of_channel},
+
+    {"tool.list", observer, "tool table"},
+    later("tool.get", observer, "one tool"),
+    later("tool.set", machine_operator, "change a tool"),
+    later("tool.load", integrator, "read a tool table"),
+    later("tool.save", integrator, "write the tool table"),
+
+    {"offset.list", observer, "work offsets"},
+    later("offset.set", machine_operator, "change a work offset"),
+
+    later("mdi", machine_operator, "execute one line of program text"),
+    later("jog", machine_operator, "move an axis by hand"),
+    later("home", machine_operator, "reference an axis"),
+    later("process.status", observer, "cutting process and adaptive control"),
+    later("process.interrupt", machine_operator, "retract from the workpiece"),
+    later("process.adaptive", machine_operator, "adaptive control on or off"),
+    later("workpiece.status", observer, "virtual workpiece"),
+    later("workpiece.allow", machine_operator, "allow a collision area"),
+
+    {"log.status", observer, "recorder and LCM publisher: file, bytes, what was lost"},
+    later("log.start", machine_operator, "start a new log file"),
+    later("log.stop", machine_operator, "end the log file"),
+
+    {"subscribe", observer, "a snapshot, then what changes, as notifications", of_subscription},
+    {"session.role", observer, "give up rights of this connection", of_role},
+    {"system.info", observer, "version, build, process, files, clients"},
+    {"system.shutdown", integrator, "feed hold, drives off, orderly end of the daemon"},
+    {"rpc.discover", observer, "this table as an OpenRPC document"},
+});
+
+constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"machine", "the machine as a whole"},
+    {"channel", "channels: state and position"},
+    {"program", "programs: load, run, hold, stop"},
+    {"override", "feed, rapid and spindle overrides"},
+    {"kinematics", "kinematic schemes of a channel"},
+    {"drive", "drives and their bus"},
+    {"alarm", "alarms: list, acknowledge, history"},
+    {"tool", "tool table"},
+    {"offset", "work offsets"},
+    {"process", "cutting process and adaptive control"},
+    {"workpiece", "virtual workpiece"},
+    {"log", "log files and recorder"},
+    {"session", "this connection"},
+    {"system", "the daemon itself"},
+    {"rpc", "the protocol itself"},
+});
+
+}  // namespace
+
+std::span<const Method> methods() {
+  return table;
+}
+
+const Method* find_method(std::string_view name) {
+  const auto row =
+      std::find_if(table.begin(), table.end(), [&](const Method& m) { return m.name == name; });
+  return row == table.end() ? nullptr : &*row;
+}
+
+std::string_view noun(const Method& method) {
+  return method.name.substr(0, method.name.find('.'));
+}
+
+std::string_view verb(const Method& method) {
+  const std::size_t dot = method.name.find('.');
+  return dot == std::string_view::npos ? std::string_view{} : method.name.substr(dot + 1);
+}
+
+std::string_view noun_help(std::string_view noun) {
+  const auto row =
+      std::find_if(nouns.begin(), nouns.end(), [&](const auto& n) { return n.first == noun; });
+  return row == nouns.end() ? std::string_view{} : row->second;
+}
+
+std::string_view role_name(Role role) {
+  switch (role) {
+    case Role::observer:
+      return "observer";
+    case Role::machine_operator:
+      return "operator";
+    case Role::integrator:
+      return "integrator";
+  }
+  return "";
+}
+
+std::string_view type_name(ParameterType type) {
+  switch (type) {
+    case ParameterType::integer:
+      return "integer";
+    case ParameterType::number:
+      return "number";
+    case ParameterType::text:
+      return "string";
+    case ParameterType::choice:
+      return "choice";
+    case ParameterType::text_list:
+      return "list";
+  }
+  return "";
+}
+
+}  // namespace stanok::protocol

@@ -1,0 +1,23 @@
+// Where the operator socket of a machine stands, the same for daemon and client.
+//
+// `$XDG_RUNTIME_DIR/stanok/NAME.sock`, or, without that variable, `NAME.sock` in the state
+// directory of the machine; the state directory is `$STATE_DIRECTORY` (set by systemd) or
+// `$XDG_STATE_HOME/stanok/NAME`
+// (`~/.local/state/stanok/NAME`).
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace stanok::protocol {
+
+[[nodiscard]] std::filesystem::path default_state_directory(std::string_view machine);
+
+[[nodiscard]] std::filesystem::path default_socket(std::string_view machine,
+                                                   const std::filesystem::path& state_directory);
+
+// Sockets of all machines of this user, sorted; whether a daemon answers there is not known.
+[[nodiscard]] std::vector<std::filesystem::path> known_sockets();
+
+}  // namespace stanok::protocol
