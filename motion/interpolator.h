@@ -9,7 +9,9 @@
 
 #include "base/rt_safe.h"
 #include "motion/path.h"
+#include "motion/path_cursor.h"
 #include "motion/path_queue.h"
+#include "motion/profile.h"
 
 namespace stanok::motion {
 
@@ -34,7 +36,7 @@ struct InterpolatorOutput {
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
   double path_advanced = 0.0;   // path length travelled in this cycle, mm (or deg)
-  std::uint64_t chunks_done = 0;  // chunks finished since construction
+  std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
   bool chain_ended =
       false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
   double cycle_left = 0.0;  // s
@@ -42,6 +44,8 @@ struct InterpolatorOutput {
 
 class Interpolator {
  public:
+  static constexpr std::uint64_t no_chunk_limit = ~std::uint64_t{0};
+
   explicit Interpolator(const MotionConfig& config);
 
   // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
@@ -50,8 +54,11 @@ class Interpolator {
 
   // Advances by one cycle on `queue`. A chain is entered only when its next chunk is known too (or
   // it is the chain's last one), so that what the override planner may see depends on content, not
-  // on timing. `carry` is the part of the cycle already used (0 normally).
-  void advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
+  // on timing. A chain that ends within the cycle leaves the rest of it to the next chain, if that
+  // one is in the queue and may be entered: only chains that begin with a chunk of a sequence
+  // number below `chunk_limit` may.
+  void advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out,
+               std::uint64_t chunk_limit = no_chunk_limit) RT_SAFE;
 
   // Abort after standstill: forgets the rest of the path; the producer has stopped, the queue is
   // emptied here.
@@ -60,7 +67,28 @@ class Interpolator {
   [[nodiscard]] bool at_rest() const RT_SAFE;
 
  private:
-  // (implementation members follow here)
+  [[nodiscard]] bool may_enter(const PathQueue& queue, std::uint64_t chunk_limit) const RT_SAFE;
+  void enter_chunk(PathQueue& queue) RT_SAFE;
+  [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
+  void finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE;
+  void stand_at_end(const Piece& piece) RT_SAFE;
+  void report(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
+
+  double cycle_s_ = 0.001;
+  int axis_count_ = 0;
+  PathCursor cursor_;
+  PathMotion motion_;  // along the chunk at hand
+  // Time within the phase at hand, counted in whole cycles from its first instant, so that nothing
+  // accumulates over a long phase.
+  double phase_time_first_ = 0.0;
+  double phase_cycles_ = 0.0;
+  std::uint64_t chunks_done_ = 0;
+  double advanced_ = 0.0;  // in this cycle
+
+  // Where the axes stand while no path is at hand.
+  Point standing_point_{};
+  Point standing_axes_{};
+  BlockTag last_tag_;
 };
 
 }  // namespace stanok::motion

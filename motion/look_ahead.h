@@ -1,7 +1,7 @@
 // LookAhead: pieces of a chain in, committed jerk-limited profile out.
 //
 // How far it commits depends on content only: a chunk is committed when at least 1000 later blocks
-// and the stopping distance are known, or the chain ends (docs/motion.md#commit). Chunks meet where
+// and the stopping distance are known, or the chain ends (docs/motion.md#commit); commits end where
 // a = 0. Owner: the channel's preparation.
 #pragma once
 
@@ -12,11 +12,15 @@
 #include "motion/path.h"
 #include "motion/path_builder.h"
 #include "motion/path_queue.h"
+#include "motion/speed_plan.h"
 
 namespace stanok::motion {
 
 class LookAhead {
  public:
+  static constexpr std::uint64_t blocks_beyond = 1000;   // known beyond what is committed
+  static constexpr std::size_t chunk_pieces_max = 2048;  // the queue holds several chunks
+
   explicit LookAhead(const MotionConfig& config);
 
   // Takes a piece; plans and keeps committed chunks ready when content allows.
@@ -32,7 +36,38 @@ class LookAhead {
   void clear();
 
  private:
-  // (implementation members follow here)
+  struct Committed {
+    std::vector<Piece> pieces;
+    std::vector<Phase> phases;
+    Chunk chunk;
+  };
+  void plan_window(bool chain_ends);
+  void commit(std::size_t boundary, bool chain_ends);
+  void commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends);
+  void commit_rest_of_last_plan(bool chain_ends);
+  void forget(std::size_t pieces, double v);
+
+  [[nodiscard]] std::uint64_t blocks_after(std::size_t boundary) const;
+  [[nodiscard]] std::size_t last_boundary_to_commit() const;
+  [[nodiscard]] std::size_t cut_at_or_before(std::size_t boundary) const;
+  [[nodiscard]] std::size_t start_of_last_descent() const;
+
+  // The chain at hand from the last commit on: pieces, their limits, and how many blocks were known
+  // when each one came.
+  std::vector<Piece> window_;
+  std::vector<SpeedPiece> speeds_;
+  std::vector<std::uint64_t> blocks_;
+  double v_start_ = 0.0;
+  std::uint64_t plan_at_blocks_ = 2 * blocks_beyond;
+
+  SpeedPlan plan_;
+  std::vector<Phase> phases_;  // of the plan, s from the start of the window
+  // What the last plan held for the pieces it did not commit: a way to rest, always.
+  std::vector<Phase> rest_phases_;
+  std::size_t rest_pieces_ = 0;
+
+  std::deque<Committed> ready_;
+  std::uint64_t delivered_ = 0;
 };
 
 }  // namespace stanok::motion

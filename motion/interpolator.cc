@@ -1,0 +1,152 @@
+#include "motion/interpolator.h"
+
+#include "motion/geometry.h"
+
+namespace stanok::motion {
+namespace {
+
+void derivatives_to_zero(JetPoint& point, const Point& values) RT_SAFE {
+  for (std::size_t k = 0; k < values.size(); ++k) point[k] = kinematics::Jet(values[k]);
+}
+
+void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetPoint& axes)
+    RT_SAFE {
+  if (transform == nullptr) {
+    axes = point;
+  } else {
+    kinematics::inverse(*transform, point, axes);
+  }
+}
+
+}  // namespace
+
+Interpolator::Interpolator(const MotionConfig& config)
+    : cycle_s_(config.cycle_s), axis_count_(config.axis_count) {}
+
+void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
+  standing_axes_ = axes_M;
+  kinematics::forward(transform, axes_M, standing_point_);
+}
+
+bool Interpolator::at_rest() const RT_SAFE {
+  return motion_.v == 0.0 && motion_.a == 0.0;
+}
+
+void Interpolator::advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out,
+                           std::uint64_t chunk_limit) RT_SAFE {
+  out.chain_ended = false;
+  out.cycle_left = 0.0;
+  advanced_ = 0.0;
+  double time = cycle_s_;
+  // Each round ends a chunk; a cycle holds only so many of them.
+  constexpr int chunks_per_cycle_max = 64;
+  for (int round = 0; round < chunks_per_cycle_max; ++round) {
+    if (!cursor_.has_chunk()) {
+      if (control.hold || !may_enter(queue, chunk_limit)) break;
+      enter_chunk(queue);
+    }
+    time = run_nominal(queue, time);
+    if (motion_.s < cursor_.chunk().length) break;
+    finish_chunk(queue, out);
+    out.cycle_left = time;
+  }
+  report(queue, out);
+}
+
+bool Interpolator::may_enter(const PathQueue& queue, std::uint64_t chunk_limit) const RT_SAFE {
+  if (queue.chunks.empty()) return false;
+  if (!at_rest()) return true;
+  const Chunk& next = queue.chunks.front();
+  return next.sequence < chunk_limit && (next.last || queue.chunks.size() > 1);
+}
+
+void Interpolator::enter_chunk(PathQueue& queue) RT_SAFE {
+  cursor_.enter(queue);
+  motion_.s = 0.0;
+}
+
+// Runs committed phases for `time`; returns what is left of it at the end of the chunk.
+double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
+  const double before = motion_.s;
+  if (time == cycle_s_) {
+    phase_cycles_ += 1.0;
+  } else {
+    phase_time_first_ += time;
+  }
+  while (cursor_.has_phase()) {
+    const Phase& phase = cursor_.phase(queue);
+    const double t = phase_time_first_ + phase_cycles_ * cycle_s_;
+    if (t < phase.duration) {
+      motion_ = motion_at(phase, t);
+      advanced_ += motion_.s - before;
+      cursor_.go_to(queue, motion_.s);
+      return 0.0;
+    }
+    phase_time_first_ = t - phase.duration;
+    phase_cycles_ = 0.0;
+    motion_ = {.s = phase.s_end, .v = phase.v_end};
+    cursor_.pass_phase(queue);
+  }
+  const double unused = phase_time_first_;
+  phase_time_first_ = 0.0;
+  motion_.s = cursor_.chunk().length;
+  advanced_ += motion_.s - before;
+  return unused;
+}
+
+void Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE {
+  cursor_.go_to(queue, motion_.s);
+  if (cursor_.chunk().last) {
+    stand_at_end(cursor_.piece(queue));
+    out.chain_ended = true;
+  }
+  cursor_.leave(queue);
+  ++chunks_done_;
+}
+
+void Interpolator::stand_at_end(const Piece& piece) RT_SAFE {
+  standing_point_ = piece.geometry.end;
+  JetPoint point;
+  JetPoint axes;
+  derivatives_to_zero(point, standing_point_);
+  to_axes(piece.transform, point, axes);
+  for (std::size_t k = 0; k < axes.size(); ++k) standing_axes_[k] = axes[k].value;
+  last_tag_ = piece.tag;
+  motion_ = {};
+}
+
+void Interpolator::report(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE {
+  out.chunks_done = chunks_done_;
+  out.path_advanced = advanced_;
+  out.s_speed = motion_.v;
+  if (!cursor_.has_chunk()) {
+    out.state = PathState::idle;
+    out.tag = last_tag_;
+    out.feed_commanded = 0.0;
+    derivatives_to_zero(out.point, standing_point_);
+    derivatives_to_zero(out.axes, standing_axes_);
+    return;
+  }
+  const Piece& piece = cursor_.piece(queue);
+  out.state = PathState::moving;
+  out.tag = piece.tag;
+  out.feed_commanded = piece.rapid ? 0.0 : piece.feed_per_s;
+  JetPoint point_s;
+  evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
+  along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
+  to_axes(piece.transform, out.point, out.axes);
+}
+
+void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
+  if (cursor_.has_chunk()) {
+    cursor_.leave(queue);
+    ++chunks_done_;
+  }
+  chunks_done_ += queue.chunks.size();
+  queue.chunks.pop_front(queue.chunks.size());
+  queue.pieces.pop_front(queue.pieces.size());
+  queue.phases.pop_front(queue.phases.size());
+  motion_ = {};
+}
+
+}  // namespace stanok::motion

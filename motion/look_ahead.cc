@@ -1,0 +1,249 @@
+#include "motion/look_ahead.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "motion/geometry.h"
+
+namespace stanok::motion {
+namespace {
+
+// Bounds that keep the closed forms finite where the machine file leaves an axis unlimited.
+constexpr double speed_max = 1e6;
+constexpr double acceleration_max = 1e9;
+constexpr double jerk_max = 1e12;
+
+SpeedPiece speed_piece(const Piece& piece) {
+  const PieceLimits limits = piece_limits(piece.bounds, piece.feed_per_s);
+  return {.length = piece.length,
+          .v = std::min(limits.v, speed_max),
+          .ramp = {.a = std::min(limits.a, acceleration_max), .j = std::min(limits.j, jerk_max)}};
+}
+
+// Blocks from one tag to the next one; programs count their blocks.
+std::uint64_t blocks_between(const BlockTag& from, const BlockTag& to) {
+  if (from.run != to.run) return 1;
+  return to.block >= from.block ? to.block - from.block : 1;
+}
+
+// Time after which a phase has come to `s`, which lies within it.
+double time_at(const Phase& phase, double s) {
+  double low = 0.0;
+  double high = phase.duration;
+  double t = phase.duration * (s - phase.s) / (phase.s_end - phase.s);
+  constexpr int steps = 60;
+  for (int k = 0; k < steps && low < t && t < high; ++k) {
+    const PathMotion motion = motion_at(phase, t);
+    (motion.s < s ? low : high) = t;
+    const double newton = motion.v > 0.0 ? t - (motion.s - s) / motion.v : high;
+    t = newton > low && newton < high ? newton : 0.5 * (low + high);
+  }
+  return t;
+}
+
+// Moves the phases before `s` from the front of one list to the end of another; a phase across `s`
+// is split there.
+void split_phases(std::vector<Phase>& phases, double s, std::vector<Phase>& before) {
+  std::size_t count = 0;
+  while (count < phases.size() && phases[count].s_end <= s) ++count;
+  before.insert(before.end(), phases.begin(), phases.begin() + static_cast<std::ptrdiff_t>(count));
+  phases.erase(phases.begin(), phases.begin() + static_cast<std::ptrdiff_t>(count));
+  if (phases.empty() || phases.front().s >= s) return;
+  Phase& across = phases.front();
+  const double t = time_at(across, s);
+  const PathMotion middle = motion_at(across, t);
+  Phase first = across;
+  first.duration = t;
+  first.s_end = s;
+  first.v_end = middle.v;
+  before.push_back(first);
+  across.duration -= t;
+  across.s = s;
+  across.v = middle.v;
+  across.a = middle.a;
+}
+
+void shift(std::vector<Phase>& phases, double ds) {
+  for (Phase& phase : phases) {
+    phase.s -= ds;
+    phase.s_end -= ds;
+  }
+}
+
+}  // namespace
+
+LookAhead::LookAhead(const MotionConfig& /*config*/) {}
+
+void LookAhead::add(const PathBuilder::Built& built) {
+  const Piece& piece = built.piece;
+  STANOK_ASSERT(piece.length > 0.0);
+  const std::uint64_t known = blocks_.empty() ? 0 : blocks_.back();
+  blocks_.push_back(known + (window_.empty() ? 1 : blocks_between(window_.back().tag, piece.tag)));
+  window_.push_back(piece);
+  speeds_.push_back(speed_piece(piece));
+  if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
+    plan_window(built.ends_chain);
+  }
+}
+
+bool LookAhead::deliver(PathQueue& queue) {
+  while (!ready_.empty()) {
+    Committed& next = ready_.front();
+    if (queue.pieces.space() < next.pieces.size() || queue.phases.space() < next.phases.size() ||
+        queue.chunks.space() == 0) {
+      return false;
+    }
+    bool pushed = true;
+    for (const Piece& piece : next.pieces) pushed = queue.pieces.push(piece) && pushed;
+    for (const Phase& phase : next.phases) pushed = queue.phases.push(phase) && pushed;
+    next.chunk.sequence = delivered_++;
+    pushed = queue.chunks.push(next.chunk) && pushed;
+    STANOK_ASSERT(pushed);
+    ready_.pop_front();
+  }
+  return true;
+}
+
+bool LookAhead::is_empty() const {
+  return window_.empty() && ready_.empty();
+}
+
+void LookAhead::clear() {
+  window_.clear();
+  speeds_.clear();
+  blocks_.clear();
+  v_start_ = 0.0;
+  plan_at_blocks_ = 2 * blocks_beyond;
+  rest_phases_.clear();
+  rest_pieces_ = 0;
+  ready_.clear();
+}
+
+void LookAhead::plan_window(bool chain_ends) {
+  if (!plan_.plan(speeds_, v_start_)) {
+    commit_rest_of_last_plan(chain_ends);
+    if (window_.empty()) return;
+    const bool stops = plan_.plan(speeds_, v_start_);
+    STANOK_ASSERT(stops);
+  }
+  phases_.clear();
+  for (const Segment& segment : plan_.segments()) plan_.append_phases(segment, phases_);
+  const std::size_t boundary =
+      chain_ends ? window_.size()
+                 : cut_at_or_before(std::min(last_boundary_to_commit(), start_of_last_descent()));
+  if (boundary == 0) {
+    plan_at_blocks_ += blocks_beyond;
+    return;
+  }
+  commit(boundary, chain_ends);
+  plan_at_blocks_ = 2 * blocks_beyond;
+}
+
+// Commits the window up to a boundary with a = 0.
+void LookAhead::commit(std::size_t boundary, bool chain_ends) {
+  const double s_end = plan_.boundary(boundary);
+  std::vector<Phase> phases;
+  if (chain_ends) {
+    phases.swap(phases_);
+  } else {
+    split_phases(phases_, s_end, phases);
+  }
+  rest_phases_.swap(phases_);
+  shift(rest_phases_, s_end);
+  rest_pieces_ = window_.size() - boundary;
+  const double v = phases.back().v_end;
+  commit_chunks(boundary, phases, chain_ends);
+  forget(boundary, v);
+}
+
+// Puts the first pieces of the window and the phases over them into chunks of the size allowed.
+void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends) {
+  for (std::size_t first = 0; first < pieces;) {
+    const std::size_t last = std::min(pieces, first + chunk_pieces_max);
+    Committed committed;
+    const auto begin = window_.begin();
+    committed.pieces.assign(begin + static_cast<std::ptrdiff_t>(first),
+                            begin + static_cast<std::ptrdiff_t>(last));
+    if (last == pieces) {
+      committed.phases.swap(phases);
+    } else {
+      split_phases(phases, plan_.boundary(last), committed.phases);
+    }
+    shift(committed.phases, plan_.boundary(first));
+    committed.chunk = {.pieces = static_cast<std::uint32_t>(committed.pieces.size()),
+                       .phases = static_cast<std::uint32_t>(committed.phases.size()),
+                       .last = chain_ends && last == pieces,
+                       .length = plan_.boundary(last) - plan_.boundary(first),
+                       .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
+    ready_.push_back(std::move(committed));
+    first = last;
+  }
+}
+
+// The pieces that came since cannot be joined at the speed of the last cut: what the last plan held
+// for the rest of its window, down to rest, is run as it is.
+void LookAhead::commit_rest_of_last_plan(bool chain_ends) {
+  STANOK_ASSERT(rest_pieces_ > 0);
+  const std::size_t pieces = rest_pieces_;
+  commit_chunks(pieces, rest_phases_, chain_ends && pieces == window_.size());
+  rest_pieces_ = 0;
+  rest_phases_.clear();
+  forget(pieces, 0.0);
+}
+
+// Takes committed pieces out of the window; what remains starts at speed `v`.
+void LookAhead::forget(std::size_t pieces, double v) {
+  const auto count = static_cast<std::ptrdiff_t>(pieces);
+  window_.erase(window_.begin(), window_.begin() + count);
+  speeds_.erase(speeds_.begin(), speeds_.begin() + count);
+  blocks_.erase(blocks_.begin(), blocks_.begin() + count);
+  v_start_ = v;
+}
+
+std::uint64_t LookAhead::blocks_after(std::size_t boundary) const {
+  return blocks_.back() - blocks_[boundary - 1];
+}
+
+std::size_t LookAhead::last_boundary_to_commit() const {
+  if (blocks_.back() - blocks_.front() < blocks_beyond) return 0;
+  const auto beyond =
+      std::upper_bound(blocks_.begin(), blocks_.end(), blocks_.back() - blocks_beyond);
+  return static_cast<std::size_t>(beyond - blocks_.begin());
+}
+
+// The last boundary with a = 0, at or before the one given.
+std::size_t LookAhead::cut_at_or_before(std::size_t boundary) const {
+  const auto& segments = plan_.segments();
+  if (boundary == 0 || segments.empty()) return 0;
+  const auto after = std::upper_bound(
+      segments.begin(), segments.end(), boundary,
+      [](std::size_t place, const Segment& segment) { return place < segment.first; });
+  const Segment& segment = *(after - 1);
+  if (segment.last <= boundary) return segment.last;
+  const double held_from =
+      plan_.boundary(segment.first) + segment.wait_first + segment.up_distance();
+  const double held_to = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
+  for (std::size_t b = boundary; b > segment.first && plan_.boundary(b) > held_from; --b) {
+    if (plan_.boundary(b) < held_to) return b;
+  }
+  return segment.first;
+}
+
+// The boundary behind which the plan only slows down for the end of what is known.
+std::size_t LookAhead::start_of_last_descent() const {
+  const auto& segments = plan_.segments();
+  std::size_t k = segments.size();
+  while (k > 0 && segments[k - 1].top <= segments[k - 1].v0 &&
+         segments[k - 1].v1 < segments[k - 1].v0) {
+    --k;
+  }
+  if (k == 0) return 0;
+  const Segment& segment = segments[k - 1];
+  const double descent = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
+  std::size_t boundary = segment.last;
+  while (boundary > segment.first && plan_.boundary(boundary) > descent) --boundary;
+  return boundary;
+}
+
+}  // namespace stanok::motion

@@ -1,0 +1,50 @@
+// RangeMinimum: where the smallest of a run of values stands, in constant time.
+//
+// Sparse table: row k holds the place of the minimum of every window of 2^k values; a range is the
+// union of two windows. Building takes n log n steps.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace stanok::motion {
+
+class RangeMinimum {
+ public:
+  void build(const std::vector<double>& values) {
+    values_ = &values;
+    const std::size_t n = values.size();
+    const std::size_t height = n == 0 ? 0 : static_cast<std::size_t>(std::bit_width(n));
+    rows_.resize(height);
+    for (std::size_t k = 0; k < height; ++k) fill_row(k, n);
+  }
+
+  // The first place of the minimum of values[first..last], both included.
+  [[nodiscard]] std::size_t place(std::size_t first, std::size_t last) const {
+    const auto k = static_cast<std::size_t>(std::bit_width(last - first + 1)) - 1;
+    return lower(rows_[k][first], rows_[k][last + 1 - (std::size_t{1} << k)]);
+  }
+  [[nodiscard]] double value(std::size_t first, std::size_t last) const {
+    return (*values_)[place(first, last)];
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t lower(std::uint32_t left, std::uint32_t right) const {
+    return (*values_)[right] < (*values_)[left] ? right : left;
+  }
+  void fill_row(std::size_t k, std::size_t n) {
+    const std::size_t width = std::size_t{1} << k;
+    rows_[k].resize(n + 1 - width);
+    for (std::size_t i = 0; i + width <= n; ++i) {
+      rows_[k][i] = k == 0 ? static_cast<std::uint32_t>(i)
+                           : lower(rows_[k - 1][i], rows_[k - 1][i + width / 2]);
+    }
+  }
+
+  const std::vector<double>* values_ = nullptr;
+  std::vector<std::vector<std::uint32_t>> rows_;
+};
+
+}  // namespace stanok::motion

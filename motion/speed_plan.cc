@@ -1,0 +1,461 @@
+#include "motion/speed_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+
+namespace stanok::motion {
+namespace {
+
+// A piece counts as violated, and two speeds as different, beyond this part of the speed.
+constexpr double speed_tolerance = 1e-10;
+
+// Whether better limits are worth another look at a ramp.
+bool pays(const RampLimits& now, const RampLimits& then) {
+  constexpr double gain = 1.05;
+  return then.a > gain * now.a || then.j > gain * now.j;
+}
+
+}  // namespace
+
+bool SpeedPlan::plan(const std::vector<SpeedPiece>& pieces, double v_start) {
+  take(pieces);
+  segments_.clear();
+  Key left{.boundary = 0, .v = v_start};
+  std::vector<Key> pending{{.boundary = pieces.size(), .v = 0.0}};
+  // Each round adds a key point, accepts a segment or lowers a speed; the bound only guards against
+  // rounding.
+  for (std::size_t round = 0; round < 64 * pieces.size() + 64; ++round) {
+    if (pending.empty()) return true;
+    Key& right = pending.back();
+    Segment segment;
+    if (left.begins_stair) {
+      accept(left.stair, left, pending);
+      continue;
+    }
+    const Fit result = fit(left, right, unlimited, segment);
+    if (result == Fit::left_too_fast) {
+      if (!lower_left(pending, left, right)) return false;
+      continue;
+    }
+    if (result == Fit::right_too_fast) {
+      right.v = reachable_speed(left.v, distance(left.boundary, right.boundary),
+                                limits_over(left.boundary, right.boundary));
+      right.begins_stair = false;
+      continue;
+    }
+    if (const std::size_t start = later_start(left, right, segment); start != npos) {
+      pending.push_back({.boundary = start, .v = left.v});
+      continue;
+    }
+    if (const std::size_t end = earlier_end(left, right, segment); end != npos) {
+      pending.push_back({.boundary = end, .v = right.v});
+      continue;
+    }
+    const std::size_t piece = slowest_violated(segment);
+    if (piece != npos) {
+      if (add_keys(left, piece, pending)) continue;
+      if (fit(left, right, v_[piece], segment) != Fit::fits) return false;
+    }
+    accept(segment, left, pending);
+  }
+  return false;
+}
+
+void SpeedPlan::take(const std::vector<SpeedPiece>& pieces) {
+  const std::size_t n = pieces.size();
+  boundaries_.resize(n + 1);
+  for (std::vector<double>* column : {&v_, &minus_v_, &a_, &j_}) column->resize(n);
+  boundaries_[0] = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    boundaries_[i + 1] = boundaries_[i] + pieces[i].length;
+    v_[i] = pieces[i].v;
+    minus_v_[i] = -pieces[i].v;
+    a_[i] = pieces[i].ramp.a;
+    j_[i] = pieces[i].ramp.j;
+  }
+  slowest_.build(v_);
+  fastest_.build(minus_v_);
+  least_a_.build(a_);
+  least_j_.build(j_);
+}
+
+// The key point on the left is too fast for the room there is: it is lowered, and the segment that
+// led to it is planned again. False at the start of the plan, whose speed is given.
+bool SpeedPlan::lower_left(std::vector<Key>& pending, Key& left, const Key& right) {
+  if (segments_.empty()) return false;
+  const double v = reachable_speed(right.v, distance(left.boundary, right.boundary),
+                                   limits_over(left.boundary, right.boundary));
+  pending.push_back({.boundary = left.boundary, .v = std::min(v, left.v)});
+  left = {.boundary = segments_.back().first, .v = segments_.back().v0};
+  segments_.pop_back();
+  return true;
+}
+
+void SpeedPlan::accept(const Segment& segment, Key& left, std::vector<Key>& pending) {
+  segments_.push_back(segment);
+  left = pending.back();
+  pending.pop_back();
+}
+
+double SpeedPlan::distance(std::size_t from, std::size_t to) const {
+  return std::abs(boundaries_[to] - boundaries_[from]);
+}
+
+RampLimits SpeedPlan::limits_over(std::size_t first, std::size_t last) const {
+  return {.a = least_a_.value(first, last - 1), .j = least_j_.value(first, last - 1)};
+}
+
+RampLimits SpeedPlan::limits_between(double s0, double s1) const {
+  const auto begin = boundaries_.begin();
+  const auto after_start = std::upper_bound(begin, boundaries_.end(), s0);
+  const auto end = std::lower_bound(after_start, boundaries_.end(), s1);
+  const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after_start - begin - 1, 0));
+  const auto last = static_cast<std::size_t>(end - begin);
+  const std::size_t n = v_.size();
+  return limits_over(std::min(first, n - 1), std::clamp(last, first + 1, n));
+}
+
+// Limits of a ramp that leaves a boundary, over the pieces it touches: a lower limit makes the ramp
+// longer, and a longer ramp may touch more pieces, until nothing changes.
+RampLimits SpeedPlan::outward_limits(std::size_t from, Direction direction, double v0,
+                                     double v1) const {
+  const bool forward = direction == Direction::forward;
+  const double s = boundaries_[from];
+  const double whole = forward ? boundaries_.back() - s : s;
+  const std::size_t next = forward ? from : from - 1;
+  RampLimits limits = limits_over(next, next + 1);
+  for (double reach = 0.0; reach < whole;) {
+    reach = std::min(std::max(ramp_distance(v0, v1, limits), reach), whole);
+    const RampLimits found = forward ? limits_between(s, s + reach) : limits_between(s - reach, s);
+    if (found.a >= limits.a && found.j >= limits.j) break;
+    limits = lower_of(limits, found);
+  }
+  return limits;
+}
+
+double SpeedPlan::highest_limit(std::size_t first, std::size_t last) const {
+  return -fastest_.value(first, last - 1);
+}
+
+double SpeedPlan::boundary_limit(std::size_t boundary) const {
+  if (boundary == 0) return v_.front();
+  if (boundary == v_.size()) return v_.back();
+  return std::min(v_[boundary - 1], v_[boundary]);
+}
+
+double SpeedPlan::duration(const Segment& segment) const {
+  const double up = segment.up_distance();
+  const double down = segment.down_distance();
+  const double held = distance(segment.first, segment.last) - up - down;
+  return ramp_duration(segment.v0, segment.top, segment.up) +
+         ramp_duration(segment.top, segment.v1, segment.down) + held / segment.top;
+}
+
+SpeedPlan::Fit SpeedPlan::fit(const Key& left, const Key& right, double v_cap,
+                              Segment& segment) const {
+  segment = {.first = left.boundary, .last = right.boundary, .v0 = left.v, .v1 = right.v};
+  const double cap =
+      std::max({std::min(v_cap, highest_limit(left.boundary, right.boundary)), left.v, right.v});
+  segment.top = cap;
+  segment.up = outward_limits(left.boundary, Direction::forward, left.v, cap);
+  segment.down = outward_limits(right.boundary, Direction::backward, right.v, cap);
+  const double length = distance(left.boundary, right.boundary);
+  if (segment.up_distance() + segment.down_distance() <= length) return Fit::fits;
+  return fit_peak(cap, segment);
+}
+
+// There is no room for the top wanted: the ramps meet at a lower one. Their limits follow from the
+// pieces they touch, as in outward_limits.
+SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, Segment& segment) const {
+  constexpr int rounds = 16;
+  const double s0 = boundaries_[segment.first];
+  const double s1 = boundaries_[segment.last];
+  segment.up = limits_over(segment.first, segment.first + 1);
+  segment.down = limits_over(segment.last - 1, segment.last);
+  for (int round = 0;; ++round) {
+    if (round == rounds) segment.up = segment.down = limits_over(segment.first, segment.last);
+    const bool rises = segment.v0 < segment.v1;
+    const double least = ramp_distance(segment.v0, segment.v1, rises ? segment.up : segment.down);
+    if (least > s1 - s0) return rises ? Fit::right_too_fast : Fit::left_too_fast;
+    segment.top = peak_speed(segment.v0, segment.v1, s1 - s0, segment.up, segment.down, v_cap);
+    if (round == rounds) return Fit::fits;
+    const RampLimits up = limits_between(s0, s0 + segment.up_distance());
+    const RampLimits down = limits_between(s1 - segment.down_distance(), s1);
+    if (up.a >= segment.up.a && up.j >= segment.up.j && down.a >= segment.down.a &&
+        down.j >= segment.down.j) {
+      return Fit::fits;
+    }
+    segment.up = lower_of(up, segment.up);
+    segment.down = lower_of(down, segment.down);
+  }
+}
+
+std::size_t SpeedPlan::later_start(const Key& left, const Key& right,
+                                   const Segment& segment) const {
+  if (left.v <= 0.0 || segment.top <= left.v) return npos;
+  const double reach = boundaries_[left.boundary] + segment.up_distance();
+  std::size_t best = npos;
+  double best_duration = duration(segment) * (1.0 - 1e-9);
+  RampLimits limits = segment.up;
+  constexpr int tries = 8;
+  std::size_t start = left.boundary;
+  for (int k = 0; k < tries && start + 1 < right.boundary; ++k) {
+    // The next start is behind the last of the first pieces that are as bad as the worst.
+    const std::size_t end = std::min(right.boundary, start + 16);
+    std::size_t next = npos;
+    for (std::size_t i = start; i < end && boundaries_[i] < reach; ++i) {
+      if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
+    }
+    if (next == npos || next >= right.boundary || boundaries_[next] >= reach) break;
+    if (!pays(limits, limits_between(boundaries_[next], reach))) break;
+    Segment later;
+    if (fit({.boundary = next, .v = left.v}, right, unlimited, later) != Fit::fits) break;
+    const double waited = distance(left.boundary, next) / left.v;
+    if (waited >= best_duration) break;
+    if (waited + duration(later) < best_duration) {
+      best = next;
+      best_duration = waited + duration(later);
+    }
+    limits = later.up;
+    start = next;
+  }
+  return best;
+}
+
+std::size_t SpeedPlan::earlier_end(const Key& left, const Key& right,
+                                   const Segment& segment) const {
+  if (right.v <= 0.0 || segment.top <= right.v) return npos;
+  const double reach = boundaries_[right.boundary] - segment.down_distance();
+  std::size_t best = npos;
+  double best_duration = duration(segment) * (1.0 - 1e-9);
+  RampLimits limits = segment.down;
+  constexpr int tries = 8;
+  std::size_t end = right.boundary;
+  for (int k = 0; k < tries && left.boundary + 1 < end; ++k) {
+    const std::size_t first = std::max(left.boundary, end > 16 ? end - 16 : 0);
+    std::size_t next = npos;
+    for (std::size_t i = end; i-- > first && boundaries_[i + 1] > reach;) {
+      if (a_[i] <= limits.a || j_[i] <= limits.j) next = i;
+    }
+    if (next == npos || next <= left.boundary || boundaries_[next] <= reach) break;
+    if (!pays(limits, limits_between(reach, boundaries_[next]))) break;
+    Segment earlier;
+    if (fit(left, {.boundary = next, .v = right.v}, unlimited, earlier) != Fit::fits) break;
+    const double waited = distance(next, right.boundary) / right.v;
+    if (waited >= best_duration) break;
+    if (waited + duration(earlier) < best_duration) {
+      best = next;
+      best_duration = waited + duration(earlier);
+    }
+    limits = earlier.down;
+    end = next;
+  }
+  return best;
+}
+
+std::size_t SpeedPlan::slowest_violated(const Segment& segment) const {
+  const double allowed = 1.0 + speed_tolerance;
+  const std::size_t slowest = slowest_.place(segment.first, segment.last - 1);
+  if (segment.top <= v_[slowest] * allowed) return npos;
+  const double s0 = boundaries_[segment.first];
+  const double s1 = boundaries_[segment.last];
+  const double top_first = s0 + segment.up_distance();
+  const double top_last = std::max(s1 - segment.down_distance(), top_first);
+  std::size_t found = npos;
+  const auto consider = [&](std::size_t i) {
+    if (found == npos || v_[i] < v_[found]) found = i;
+  };
+  std::size_t i = segment.first;
+  for (; i < segment.last && boundaries_[i + 1] < top_first; ++i) {  // ramp up
+    const double v = v_[i] * allowed;
+    if (v < segment.top &&
+        s0 + distance_from_slow_end(segment.v0, segment.top, segment.up, v) < boundaries_[i + 1]) {
+      consider(i);
+    }
+  }
+  const std::size_t top_begin = std::min(i, segment.last - 1);
+  std::size_t k = segment.last;
+  for (; k > top_begin + 1 && boundaries_[k - 1] > top_last; --k) {  // ramp down
+    const double v = v_[k - 1] * allowed;
+    if (v < segment.top && s1 - distance_from_slow_end(segment.v1, segment.top, segment.down, v) >
+                               boundaries_[k - 1]) {
+      consider(k - 1);
+    }
+  }
+  const std::size_t held = slowest_.place(top_begin, k - 1);
+  if (segment.top > v_[held] * allowed) consider(held);
+  return found;
+}
+
+bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending) {
+  const Key right = pending.back();
+  const double v = v_[piece];
+  std::size_t begin = piece;
+  std::size_t end = piece + 1;
+  const double same = v * (1.0 + speed_tolerance);
+  while (begin > left.boundary && v_[begin - 1] >= v && v_[begin - 1] <= same) --begin;
+  while (end < right.boundary && v_[end] >= v && v_[end] <= same) ++end;
+  const double reached =
+      boundaries_[left.boundary] +
+      ramp_distance(left.v, v, outward_limits(left.boundary, Direction::forward, left.v, v));
+  const double left_at =
+      boundaries_[right.boundary] -
+      ramp_distance(right.v, v, outward_limits(right.boundary, Direction::backward, right.v, v));
+  if (reached > boundaries_[end] && end < right.boundary && left.v <= v) {
+    return add_stair(left, right, end, Direction::forward, pending);
+  }
+  if (left_at < boundaries_[begin] && begin > left.boundary && right.v <= v) {
+    return add_stair(left, right, begin, Direction::backward, pending);
+  }
+  // A key point beside the piece that is faster than the piece leaves no choice: it will be
+  // lowered.
+  const bool ends_inside = end < right.boundary && (left_at >= boundaries_[end] || right.v > v);
+  const bool begins_inside = begin > left.boundary && (reached <= boundaries_[begin] || left.v > v);
+  if (ends_inside) pending.push_back({.boundary = end, .v = v});
+  if (begins_inside) pending.push_back({.boundary = begin, .v = v});
+  return ends_inside || begins_inside;
+}
+
+bool SpeedPlan::add_stair(Key& left, const Key& right, std::size_t far_end, Direction direction,
+                          std::vector<Key>& pending) {
+  const bool forward = direction == Direction::forward;
+  const Key& from = forward ? left : right;
+  Key key = best_stair(from, far_end, forward ? right.boundary : left.boundary);
+  const RampLimits limits =
+      limits_over(std::min(from.boundary, key.boundary), std::max(from.boundary, key.boundary));
+  const double wait = stair_wait(from, key.boundary, key.v);
+  if (forward) {
+    left.begins_stair = true;
+    left.stair = {.first = left.boundary,
+                  .last = key.boundary,
+                  .v0 = left.v,
+                  .v1 = key.v,
+                  .top = key.v,
+                  .wait_first = wait,
+                  .up = limits,
+                  .down = limits};
+  } else {
+    key.begins_stair = true;
+    key.stair = {.first = key.boundary,
+                 .last = right.boundary,
+                 .v0 = key.v,
+                 .v1 = right.v,
+                 .top = key.v,
+                 .wait_last = wait,
+                 .up = limits,
+                 .down = limits};
+  }
+  pending.push_back(key);
+  return true;
+}
+
+// Tries boundaries further and further out and takes the first one at which the stair comes close
+// to the limit; a stair that is too short spends its time on jerk, one too long below the limits.
+SpeedPlan::Key SpeedPlan::best_stair(const Key& from, std::size_t nearest, std::size_t stop) const {
+  constexpr double close = 0.8;
+  Key best{.boundary = nearest, .v = from.v};
+  double best_part = 0.0;
+  const bool forward = stop > from.boundary;
+  const std::size_t room = forward ? stop - nearest : nearest - stop;
+  for (std::size_t step = 0; step < room; step += std::max<std::size_t>(1, step / 2)) {
+    const std::size_t end = forward ? nearest + step : nearest - step;
+    const double rise = boundary_limit(end) - from.v;
+    if (rise <= 0.0) break;
+    const double v = stair_speed(from, end);
+    const double part = (v - from.v) / rise;
+    if (part > best_part) {
+      best = {.boundary = end, .v = v};
+      best_part = part;
+    }
+    if (part >= close) break;
+  }
+  return best;
+}
+
+// The highest speed of a stair that ends at boundary `end`, its ramp as far out as possible.
+double SpeedPlan::stair_speed(const Key& from, std::size_t end) const {
+  const RampLimits limits = limits_over(std::min(from.boundary, end), std::max(from.boundary, end));
+  const double length = distance(from.boundary, end);
+  const auto latest = [&](double v) {
+    return from.v > 0.0 ? std::max(length - ramp_distance(from.v, v, limits), 0.0) : 0.0;
+  };
+  double high = std::min(boundary_limit(end), reachable_speed(from.v, length, limits));
+  if (high <= from.v) return from.v;
+  if (stair_fits(from, end, high, latest(high), limits)) return high;
+  double low = from.v;
+  constexpr int halvings = 10;
+  for (int k = 0; k < halvings; ++k) {
+    const double v = 0.5 * (low + high);
+    (stair_fits(from, end, v, latest(v), limits) ? low : high) = v;
+  }
+  return low;
+}
+
+// The shortest wait before the ramp of a stair that keeps the limits.
+double SpeedPlan::stair_wait(const Key& from, std::size_t end, double v) const {
+  const RampLimits limits = limits_over(std::min(from.boundary, end), std::max(from.boundary, end));
+  const double length = distance(from.boundary, end);
+  if (from.v <= 0.0 || v <= from.v || stair_fits(from, end, v, 0.0, limits)) return 0.0;
+  double high = std::max(length - ramp_distance(from.v, v, limits), 0.0);
+  double low = 0.0;
+  constexpr int halvings = 10;
+  for (int k = 0; k < halvings; ++k) {
+    const double wait = 0.5 * (low + high);
+    (stair_fits(from, end, v, wait, limits) ? high : low) = wait;
+  }
+  return high;
+}
+
+// Whether the stair from the key point outward to boundary `end`, `wait` of length at the key's
+// speed and then up to `v`, keeps the speed of every piece.
+bool SpeedPlan::stair_fits(const Key& from, std::size_t end, double v, double wait,
+                           const RampLimits& limits) const {
+  const bool forward = end > from.boundary;
+  const std::size_t count = forward ? end - from.boundary : from.boundary - end;
+  const double length = ramp_distance(from.v, v, limits);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t piece = forward ? from.boundary + k : from.boundary - 1 - k;
+    if (v_[piece] >= v) continue;
+    if (v_[piece] < from.v) return false;
+    const double far_side = distance(from.boundary, forward ? piece + 1 : piece);
+    const double reached = wait + distance_from_slow_end(from.v, v, limits, v_[piece]);
+    if (reached < far_side) return false;
+  }
+  return wait + length <= distance(from.boundary, end) * (1.0 + 1e-12);
+}
+
+void SpeedPlan::append_phases(const Segment& segment, std::vector<Phase>& phases) const {
+  const auto hold = [&](double s0, double s1, double v) {
+    if (!(s1 > s0) || v <= 0.0) {
+      if (!phases.empty()) phases.back().s_end = s1;
+      return;
+    }
+    if (!phases.empty() && phases.back().a == 0.0 && phases.back().j == 0.0 &&
+        phases.back().v == v) {
+      s0 = phases.back().s;
+      phases.pop_back();
+    }
+    phases.push_back({.duration = (s1 - s0) / v, .s = s0, .v = v, .s_end = s1, .v_end = v});
+  };
+  const double s0 = boundaries_[segment.first];
+  const double s1 = boundaries_[segment.last];
+  const PhaseRun up = ramp_up(s0 + segment.wait_first, segment.v0, segment.top, segment.up);
+  const PhaseRun down = ramp_down(segment.top, s1 - segment.wait_last, segment.v1, segment.down);
+  double at = s0;
+  if (up.size() > 0) {
+    hold(s0, up[0].s, segment.v0);
+    phases.insert(phases.end(), up.begin(), up.end());
+    at = up[up.size() - 1].s_end;
+  }
+  if (down.size() == 0) {
+    hold(at, s1, segment.top);
+    return;
+  }
+  hold(at, down[0].s, segment.top);
+  phases.insert(phases.end(), down.begin(), down.end());
+  hold(down[down.size() - 1].s_end, s1, segment.v1);
+}
+
+}  // namespace stanok::motion
