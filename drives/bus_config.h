@@ -28,11 +28,11 @@ struct BusConfig {
   BusKind kind = BusKind::none;
   std::string host = "127.0.0.1";
   int port = 502;
-  std::string device;  // RTU: serial device
+  std::string device{};  // RTU: serial device
   int baud = 115200;
   int poll_ms = 10;
   int timeout_ms = 250;
-  std::vector<AxisDriveConfig> axes;  // in machine axis order
+  std::vector<AxisDriveConfig> axes{};  // in machine axis order
 };
 
 }  // namespace stanok::drives

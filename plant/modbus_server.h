@@ -23,8 +23,8 @@ namespace stanok::plant {
 
 struct ServerConfig {
   std::string host = "127.0.0.1";
-  int port = 0;            // 0: any free one
-  std::string rtu_device;  // not empty: serve this serial line instead
+  int port = 0;              // 0: any free one
+  std::string rtu_device{};  // not empty: serve this serial line instead
   int baud = 115200;
   double rate_hz = 1000.0;  // the drives move in steps of at most 1/rate
 };

@@ -1,0 +1,120 @@
+// Bus and simulated drives over a serial line: two pseudo terminals, joined by the test.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <string>
+#include <thread>
+
+#include "tests/plant/loopback.h"
+
+namespace stanok::plant {
+namespace {
+
+// One end of the line: a pseudo terminal in raw mode.
+struct Terminal {
+  Terminal() {
+    std::array<char, 128> name{};
+    EXPECT_EQ(openpty(&master, &slave, name.data(), nullptr, nullptr), 0);
+    termios raw{};
+    tcgetattr(slave, &raw);
+    cfmakeraw(&raw);
+    tcsetattr(slave, TCSANOW, &raw);
+    device = name.data();
+  }
+  ~Terminal() {
+    close(master);
+    close(slave);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  int master = -1;
+  int slave = -1;
+  std::string device;
+};
+
+// Carries bytes both ways between two terminals.
+class Cable {
+ public:
+  Cable() : thread_([this](const std::stop_token& stop) { carry(stop); }) {}
+
+  const std::string& one_end() const { return a_.device; }
+  const std::string& other_end() const { return b_.device; }
+
+ private:
+  void carry(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      std::array<pollfd, 2> ends = {{{a_.master, POLLIN, 0}, {b_.master, POLLIN, 0}}};
+      poll(ends.data(), ends.size(), 20);
+      copy(ends[0], b_.master);
+      copy(ends[1], a_.master);
+    }
+  }
+
+  static void copy(const pollfd& from, int to) {
+    std::array<char, 512> bytes{};
+    if ((from.revents & POLLIN) != 0) {
+      const ssize_t count = read(from.fd, bytes.data(), bytes.size());
+      EXPECT_EQ(write(to, bytes.data(), static_cast<std::size_t>(count)), count);
+    }
+  }
+
+  Terminal a_;
+  Terminal b_;
+  std::jthread thread_;
+};
+
+class RtuLoopback : public ::testing::Test {
+ protected:
+  drives::BusConfig bus() const {
+    drives::BusConfig config = bus_of(2);
+    config.kind = drives::BusKind::modbus_rtu;
+    config.device = cable.other_end();
+    config.poll_ms = 5;
+    return config;
+  }
+
+  void SetUp() override { server.start(); }
+
+  Cable cable;
+  ModbusServer server{{.rtu_device = cable.one_end()},
+                      drives_of(bus_of(2), std::array<double, 2>{1.0, 2.0})};
+};
+
+TEST_F(RtuLoopback, DrivesOfSeveralUnitsGoToTheirTargets) {
+  CycleSide cycle(bus(), 0);
+  ASSERT_TRUE(cycle.switch_on());
+  cycle.targets[0].position = 1.3;
+  cycle.targets[1].position = 2.3;
+  EXPECT_TRUE(cycle.until(
+      [&] { return cycle.feedback[0].position == 1.3 && cycle.feedback[1].position == 2.3; }));
+  EXPECT_EQ(cycle.bus.status().endpoint, cable.other_end());
+}
+
+TEST_F(RtuLoopback, ASilentUnitDoesNotTakeTheOtherWithIt) {
+  CycleSide cycle(bus(), 0);
+  ASSERT_TRUE(cycle.switch_on());
+  server.inject(0, FaultKind::off);
+  ASSERT_TRUE(cycle.until([&] { return !cycle.feedback[0].valid; }));
+  const std::uint32_t sequence = cycle.feedback[1].sequence;
+  ASSERT_TRUE(cycle.until([&] { return cycle.feedback[1].sequence > sequence + 20; }));
+  EXPECT_EQ(cycle.feedback[1].losses, 0U);
+}
+
+TEST_F(RtuLoopback, BrokenFramesAreDiscarded) {
+  CycleSide cycle(bus(), 0);
+  ASSERT_TRUE(cycle.until([&] { return cycle.all_valid(); }));
+  server.inject(1, FaultKind::mangled);
+  ASSERT_TRUE(cycle.until([&] { return !cycle.feedback[1].valid; }));
+  EXPECT_EQ(cycle.feedback[1].position, 2.0);
+  server.inject(1, FaultKind::none);
+  EXPECT_TRUE(cycle.until([&] { return cycle.feedback[1].valid; }));
+}
+
+}  // namespace
+}  // namespace stanok::plant

@@ -1,0 +1,213 @@
+// A simulated drive seen through its register blocks.
+#include "plant/simulated_drive.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drives/cia402.h"
+#include "tests/support/no_allocation.h"
+
+namespace stanok::plant {
+namespace {
+
+using drives::CommandBlock;
+using drives::DriveState;
+
+SimulatedDriveConfig config() {
+  SimulatedDriveConfig drive;
+  drive.registers.axis = "X";
+  drive.start = 20.0;
+  return drive;
+}
+
+class SimulatedDriveTest : public ::testing::Test {
+ protected:
+  void command(std::uint16_t control_word, double position_mm, double velocity_mm_per_s = 0.0) {
+    drive.command(
+        {.control_word = control_word,
+         .target_position = static_cast<std::int32_t>(std::lround(position_mm * 1e3)),
+         .target_velocity = static_cast<std::int32_t>(std::lround(velocity_mm_per_s * 1e3)),
+         .heartbeat = ++heartbeat});
+  }
+  void switch_on() {
+    command(0x06, 20.0);
+    command(0x0F, 20.0);
+    ASSERT_EQ(drive.state(), DriveState::operation_enabled);
+  }
+  void advance(double time_s) {
+    for (int i = 0; i < std::lround(time_s * 1e3); ++i) {
+      drive.advance(1e-3);
+    }
+  }
+
+  SimulatedDrive drive{config()};
+  std::uint16_t heartbeat = 0;
+};
+
+TEST_F(SimulatedDriveTest, EchoesTheHeartbeatAndShowsItsPosition) {
+  command(0, 0.0);
+  EXPECT_EQ(drive.status().heartbeat_echo, heartbeat);
+  EXPECT_EQ(drive.status().position, 20000);
+  EXPECT_EQ(drives::state_of(drive.status().status_word), DriveState::switch_on_disabled);
+}
+
+TEST_F(SimulatedDriveTest, GoesToItsTargetWhenEnabled) {
+  switch_on();
+  command(0x0F, 20.1);
+  advance(0.2);
+  EXPECT_EQ(drive.status().position, 20100);
+  EXPECT_EQ(drive.status().following_error, 0);
+}
+
+TEST_F(SimulatedDriveTest, StaysWhenNotEnabled) {
+  command(0x06, 300.0);
+  advance(0.2);
+  EXPECT_EQ(drive.status().position, 20000);
+}
+
+TEST_F(SimulatedDriveTest, BridgesTheTimeBetweenTargetsWithTheirVelocity) {
+  switch_on();
+  const double v = 100.0;
+  for (int poll = 0; poll < 100; ++poll) {
+    command(0x0F, 20.0 + v * 0.01 * poll, v);
+    advance(0.01);
+  }
+  // The second-order loop has settled: at constant velocity there is no error between the targets.
+  EXPECT_NEAR(drive.motion().position, 20.0 + v, 1e-6);
+  EXPECT_NEAR(drive.motion().velocity, v, 1e-6);
+}
+
+TEST_F(SimulatedDriveTest, ARepeatedTargetIsNoNews) {
+  switch_on();
+  command(0x0F, 20.0, 10.0);
+  for (int i = 0; i < 5; ++i) {
+    advance(0.01);
+    command(0x0F, 20.0, 10.0);
+  }
+  EXPECT_NEAR(drive.motion().position, 20.5, 0.05);  // 10 mm/s for 50 ms, settling
+}
+
+TEST_F(SimulatedDriveTest, WatchdogTripsWhenNothingIsWritten) {
+  switch_on();
+  advance(0.49);
+  EXPECT_EQ(drive.state(), DriveState::operation_enabled);
+  advance(0.05);
+  EXPECT_EQ(drive.state(), DriveState::fault);
+  EXPECT_EQ(drive.status().fault_code, 0x8130);
+}
+
+TEST_F(SimulatedDriveTest, ALastingFollowingErrorTrips) {
+  SimulatedDriveConfig slow = config();
+  slow.axis.velocity_max = 1.0;
+  drive = SimulatedDrive(slow);
+  switch_on();
+  command(0x0F, 30.0);
+  advance(0.3);
+  EXPECT_EQ(drive.state(), DriveState::fault);
+  EXPECT_EQ(drive.status().fault_code, 0x8611);
+}
+
+TEST_F(SimulatedDriveTest, QuickStopEndsAtRestAndDisabled) {
+  switch_on();
+  for (int poll = 0; poll < 20; ++poll) {
+    command(0x0F, 20.0 + poll, 100.0);
+    advance(0.01);
+  }
+  command(0x02, 0.0);
+  EXPECT_EQ(drive.state(), DriveState::quick_stop_active);
+  advance(0.1);
+  EXPECT_EQ(drive.state(), DriveState::switch_on_disabled);
+  EXPECT_EQ(drive.motion().velocity, 0.0);
+}
+
+TEST_F(SimulatedDriveTest, BrakeHoldsAgainstTheTarget) {
+  switch_on();
+  command(0x080F, 20.4);
+  advance(0.2);
+  EXPECT_EQ(drive.motion().position, 20.0);
+  EXPECT_NE(drive.status().status_word & drives::status::brake_closed, 0);
+}
+
+TEST_F(SimulatedDriveTest, TripsOnceAndCanBeReset) {
+  switch_on();
+  drive.inject(FaultKind::trip);
+  EXPECT_EQ(drive.fault(), FaultKind::none);
+  advance(0.01);
+  EXPECT_EQ(drive.state(), DriveState::fault);
+  EXPECT_EQ(drive.status().fault_code, 0x2310);
+  command(0x80, 20.0);
+  EXPECT_EQ(drive.state(), DriveState::switch_on_disabled);
+}
+
+TEST_F(SimulatedDriveTest, StuckFreezesItsAnswers) {
+  switch_on();
+  drive.inject(FaultKind::stuck);
+  const auto frozen = drive.status();
+  command(0x0F, 20.3);
+  advance(0.2);
+  EXPECT_EQ(drive.status(), frozen);
+  drive.inject(FaultKind::none);
+  EXPECT_EQ(drive.status().position, 20300);
+}
+
+TEST_F(SimulatedDriveTest, OffIsSilentAndComesBackDisabled) {
+  switch_on();
+  drive.inject(FaultKind::off);
+  EXPECT_EQ(drive.answer_kind(), AnswerKind::none);
+  advance(0.1);
+  drive.inject(FaultKind::none);
+  EXPECT_EQ(drive.answer_kind(), AnswerKind::normal);
+  EXPECT_EQ(drive.state(), DriveState::switch_on_disabled);
+  EXPECT_EQ(drive.status().position, 20000);
+}
+
+TEST_F(SimulatedDriveTest, ElsewhereComesBackWithAnotherPosition) {
+  drive.inject(FaultKind::elsewhere);
+  EXPECT_EQ(drive.answer_kind(), AnswerKind::none);
+  drive.inject(FaultKind::none);
+  EXPECT_EQ(drive.status().position, 30000);
+}
+
+TEST_F(SimulatedDriveTest, IntermittentLosesOneRequestInFive) {
+  drive.inject(FaultKind::intermittent);
+  int lost = 0;
+  for (int i = 0; i < 10000; ++i) {
+    lost += drive.answer_kind() == AnswerKind::none ? 1 : 0;
+  }
+  EXPECT_NEAR(lost, 2000, 200);  // five standard deviations of 40
+}
+
+TEST_F(SimulatedDriveTest, ShowsTheLoadOfTheProcess) {
+  drive.load({.power_w = 1500.0, .vibration_um = 12.3, .vibration_hz = 85.5});
+  EXPECT_EQ(drive.status().power_w, 1500);
+  EXPECT_EQ(drive.status().vibration, 123);
+  EXPECT_EQ(drive.status().vibration_frequency, 855);
+  drive.load({.power_w = 1e9});
+  EXPECT_EQ(drive.status().power_w, 32767);
+}
+
+TEST_F(SimulatedDriveTest, AllocatesNothing) {
+  const testing::NoAllocation guard;
+  command(0x06, 20.0);
+  drive.advance(1e-3);
+  static_cast<void>(drive.status());
+  drive.inject(FaultKind::stuck);
+}
+
+TEST(SpindleDrive, RunsAtTheTargetSpeed) {
+  SimulatedDrive drive(spindle_drive(1, {.speed_max = 6000.0, .acceleration = 6000.0}));
+  EXPECT_EQ(drive.config().registers.unit, 201);
+  for (const std::uint16_t word : std::initializer_list<std::uint16_t>{0x06, 0x07, 0x0F}) {
+    drive.command({.control_word = word, .target_velocity = -3000});
+  }
+  for (int i = 0; i < 600; ++i) {
+    drive.advance(1e-3);
+    drive.command({.control_word = 0x0F, .target_velocity = -3000});
+  }
+  EXPECT_EQ(drive.status().velocity, -3000);
+  EXPECT_GT(drive.status().power_w, 0);
+}
+
+}  // namespace
+}  // namespace stanok::plant
