@@ -1,0 +1,346 @@
+// Keys and checks of [[axis]] with its homing, regulator and drive, and of [[spindle]].
+#include "config/axis_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::config {
+namespace {
+
+using channels::AxisConfig;
+using channels::HomingConfig;
+using channels::RegulatorConfig;
+using channels::SpindleConfig;
+using drives::AxisDriveConfig;
+using motion::AxisLimits;
+
+// The keys as they stand in the file; what differs from the configs is translated below.
+struct AxisFile {
+  AxisConfig axis;
+  std::string kind;
+  Subtable homing = nullptr;
+  Subtable regulator = nullptr;
+  Subtable drive = nullptr;
+};
+
+struct RegulatorFile {
+  RegulatorConfig regulator;
+  std::string feedback = "drive";
+};
+
+struct DriveFile {
+  AxisDriveConfig drive;
+  AxisConfig axis;
+  Subtable registers = nullptr;
+  Subtable scales = nullptr;
+};
+
+const Keys<AxisFile>& axis_keys() {
+  static const Keys<AxisFile> keys = {
+      {"name", at<&AxisFile::axis, &AxisConfig::name>, required, "",
+       "name of the axis in the whole machine (X, X2, C1)"},
+      {"kind", at<&AxisFile::kind>, required, "", "what it does; rotary axes count in deg",
+       one_of({"linear", "rotary"})},
+      {"min", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_min>, optional,
+       "mm, deg", "lower end of travel; may be left out, with max, for a rotary axis: unlimited"},
+      {"max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_max>, optional,
+       "mm, deg", "upper end of travel"},
+      {"start", at<&AxisFile::axis, &AxisConfig::start>, optional, "mm, deg",
+       "where the axis stands when a simulation begins"},
+      {"velocity_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::velocity_max>,
+       required, "mm/s, deg/s", "highest velocity", positive},
+      {"acceleration_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::acceleration_max>,
+       required, "mm/s2, deg/s2", "highest acceleration", positive},
+      {"jerk_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::jerk_max>, required,
+       "mm/s3, deg/s3", "highest jerk", positive},
+      {"rapid_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::rapid_max>, optional,
+       "mm/s, deg/s", "velocity of rapid moves; left out: velocity_max", positive},
+      {"resolution", at<&AxisFile::axis, &AxisConfig::resolution>, optional, "mm, deg",
+       "one discrete of the position code", positive},
+      {"kmv", at<&AxisFile::axis, &AxisConfig::kmv>, optional, "",
+       "velocity code = velocity in discretes per cycle x kmv", from(1.0, 1e6)},
+      {"following_error_max", at<&AxisFile::axis, &AxisConfig::following_error_max>, optional,
+       "mm, deg", "distance between set-point and feedback that stops the axis", positive},
+      {"modulo", at<&AxisFile::axis, &AxisConfig::modulo_deg>, optional, "deg",
+       "one turn of a rotary axis whose G90 takes the shortest way; 0: counts on", not_negative},
+      {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its reference mark"},
+      {"regulator", at<&AxisFile::regulator>, optional, "", "position regulator"},
+      {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
+  };
+  return keys;
+}
+
+const Keys<HomingConfig>& homing_keys() {
+  static const Keys<HomingConfig> keys = {
+      {"order", at<&HomingConfig::order>, optional, "",
+       "ascending; equal numbers home together; 0: absolute encoder, no move", from(0)},
+      {"position", at<&HomingConfig::position>, optional, "mm, deg",
+       "reading of the axis at its reference mark"},
+      {"velocity", at<&HomingConfig::velocity>, optional, "mm/s, deg/s",
+       "velocity of the search; its sign is the direction"},
+  };
+  return keys;
+}
+
+const Keys<RegulatorFile>& regulator_keys() {
+  static const Keys<RegulatorFile> keys = {
+      {"feedback", at<&RegulatorFile::feedback>, optional, "",
+       "where the position loop is closed: in the drive, or in the cycle of the control",
+       one_of({"drive", "cycle"})},
+      {"kp", at<&RegulatorFile::regulator, &RegulatorConfig::kp>, optional, "1/s",
+       "gain of the following error", not_negative},
+      {"kd", at<&RegulatorFile::regulator, &RegulatorConfig::kd>, optional, "1/s",
+       "gain of its change in a cycle", not_negative},
+      {"kint", at<&RegulatorFile::regulator, &RegulatorConfig::kint>, optional, "1/s",
+       "gain of its sum over the cycles", not_negative},
+      {"kv", at<&RegulatorFile::regulator, &RegulatorConfig::kv>, optional, "",
+       "gain of the velocity set-point", not_negative},
+      {"ka", at<&RegulatorFile::regulator, &RegulatorConfig::ka>, optional, "s",
+       "gain of the acceleration set-point", not_negative},
+      {"kr", at<&RegulatorFile::regulator, &RegulatorConfig::kr>, optional, "s2",
+       "gain of the jerk set-point", not_negative},
+  };
+  return keys;
+}
+
+const Keys<DriveFile>& drive_keys() {
+  static const Keys<DriveFile> keys = {
+      {"address", at<&DriveFile::drive, &AxisDriveConfig::unit>, optional, "",
+       "Modbus unit of the drive; left out: the place of the axis in the file", from(1, 247)},
+      {"registers", at<&DriveFile::registers>, optional, "", "register map: control, status"},
+      {"scales", at<&DriveFile::scales>, optional, "",
+       "units of the registers: position, velocity"},
+      {"brake_time", at<&DriveFile::axis, &AxisConfig::brake_s>, optional, "s",
+       "time the brake takes to close or open", not_negative},
+      {"power_time", at<&DriveFile::axis, &AxisConfig::power_s>, optional, "s",
+       "time the drive takes to take the axis over", not_negative},
+  };
+  return keys;
+}
+
+const Keys<AxisDriveConfig>& register_keys() {
+  static const Keys<AxisDriveConfig> keys = {
+      {"control", at<&AxisDriveConfig::control_register>, optional, "",
+       "first register of the block written in every exchange", from(0, 65535)},
+      {"status", at<&AxisDriveConfig::status_register>, optional, "",
+       "first register of the block read in every exchange", from(0, 65535)},
+  };
+  return keys;
+}
+
+const Keys<AxisDriveConfig>& scale_keys() {
+  static const Keys<AxisDriveConfig> keys = {
+      {"position", at<&AxisDriveConfig::position_scale>, optional, "1/mm, 1/deg",
+       "increments of the position registers", positive},
+      {"velocity", at<&AxisDriveConfig::velocity_scale>, optional, "s/mm, s/deg",
+       "increments of the velocity registers", positive},
+  };
+  return keys;
+}
+
+const Keys<SpindleConfig>& spindle_keys() {
+  static const Keys<SpindleConfig> keys = {
+      {"id", at<&SpindleConfig::id>, required, "",
+       "number by which programs call it ($1, M902 H1=1)", from(1, 16)},
+      {"speed_max", at<&SpindleConfig::speed_max>, required, "rev/min", "highest speed", positive},
+      {"speed_min", at<&SpindleConfig::speed_min>, optional, "rev/min", "lowest speed",
+       not_negative},
+      {"acceleration", at<&SpindleConfig::acceleration>, optional, "rev/min/s",
+       "change of speed; 0: at once", not_negative},
+      {"wait_at_speed", at<&SpindleConfig::wait_at_speed>, optional, "",
+       "whether a feed waits until the spindle has its speed"},
+      {"power_idle", at<&SpindleConfig::power_idle_w>, optional, "W",
+       "power at the highest speed without cutting", not_negative},
+      {"encoder", at<&SpindleConfig::encoder_pulses>, optional, "",
+       "pulses of its encoder per revolution; 0: no encoder", from(0)},
+      {"axis", at<&SpindleConfig::axis>, optional, "",
+       "name of the rotary [[axis]] it becomes after M902"},
+  };
+  return keys;
+}
+
+void check_name(const toml::table& table, const std::string& name, const Scope& scope) {
+  if (name.empty() || is_axis_name(name)) return;
+  scope.fault(place_of(table, "name"), "'" + name +
+                                           "' is no axis name; use A, B, C, U, V, W, X, Y or Z, "
+                                           "then digits, as in X2");
+}
+
+void check_travel(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
+  const AxisLimits& limits = axis.limits;
+  const bool has_min = table.contains("min");
+  const bool has_max = table.contains("max");
+  if (has_min != has_max) {
+    scope.fault(place_of(table, has_min ? "min" : "max"),
+                std::string(has_min ? "max" : "min") +
+                    " is missing; give both ends of travel, or none for an unlimited rotary axis");
+  } else if (!has_min && !axis.rotary) {
+    scope.fault(table.source(),
+                "keys 'min' and 'max' are missing; a linear axis has ends of travel");
+  } else if (limits.position_min >= limits.position_max) {
+    scope.fault(place_of(table, "min"), "min is " + number_text(limits.position_min) + ", max is " +
+                                            number_text(limits.position_max) +
+                                            "; min must be below max");
+  } else if (axis.start < limits.position_min || axis.start > limits.position_max) {
+    scope.fault(place_of(table, "start"),
+                "start is " + number_text(axis.start) + "; it must lie between min and max");
+  }
+}
+
+void check_limits(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
+  if (table.contains("rapid_max") && axis.limits.rapid_max > axis.limits.velocity_max) {
+    scope.fault(place_of(table, "rapid_max"), "rapid_max is " + number_text(axis.limits.rapid_max) +
+                                                  "; it must not exceed velocity_max, " +
+                                                  number_text(axis.limits.velocity_max));
+  }
+  if (axis.modulo_deg > 0.0 && !axis.rotary) {
+    scope.fault(place_of(table, "modulo"), "modulo belongs to a rotary axis; take it out");
+  }
+}
+
+void check_homing(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
+  if (axis.homing.order > 0 && axis.homing.velocity == 0.0) {
+    scope.fault(place_of(table, "velocity"),
+                "velocity of the search is missing; an axis with an order has to move");
+  }
+  if (std::abs(axis.homing.velocity) > axis.limits.velocity_max) {
+    scope.fault(place_of(table, "velocity"),
+                "velocity exceeds velocity_max, " + number_text(axis.limits.velocity_max));
+  }
+}
+
+void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& scope) {
+  RegulatorFile file;
+  read_table(table, regulator_keys(), file, scope);
+  axis.regulator = file.regulator;
+  if (file.feedback != "cycle") return;
+  axis.regulator.feedback = channels::FeedbackPlace::cycle;
+  if (axis.regulator.kp == 0.0) {
+    scope.fault(place_of(table, "kp"),
+                "kp is 0; a position loop closed in the cycle needs a gain above 0");
+  }
+}
+
+void read_drive(const toml::table& table, AxisSection& section, const Scope& scope) {
+  DriveFile file{.drive = section.drive, .axis = section.axis};
+  read_table(table, drive_keys(), file, scope);
+  if (file.registers != nullptr) {
+    read_table(*file.registers, register_keys(), file.drive, scope.inner("registers"));
+  }
+  if (file.scales != nullptr) {
+    read_table(*file.scales, scale_keys(), file.drive, scope.inner("scales"));
+  }
+  section.drive = file.drive;
+  section.axis = file.axis;
+}
+
+AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
+  AxisFile file;
+  read_table(table, axis_keys(), file, scope);
+  AxisSection section{.axis = file.axis, .drive = {}};
+  AxisConfig& axis = section.axis;
+  axis.rotary = file.kind == "rotary";
+  axis.limits.linear = !axis.rotary;
+  axis.limits.rapid_max = std::min(axis.limits.rapid_max, axis.limits.velocity_max);
+  check_name(table, axis.name, scope);
+  check_travel(table, axis, scope);
+  check_limits(table, file.axis, scope);
+  if (file.homing != nullptr) {
+    read_table(*file.homing, homing_keys(), axis.homing, scope.inner("homing"));
+    check_homing(*file.homing, axis, scope.inner("homing"));
+  }
+  if (file.regulator != nullptr) read_regulator(*file.regulator, axis, scope.inner("regulator"));
+  section.drive.unit = place;
+  if (file.drive != nullptr) read_drive(*file.drive, section, scope.inner("drive"));
+  section.drive.axis = axis.name;
+  section.drive.following_error_max = axis.following_error_max;
+  section.drive.velocity_max = axis.limits.velocity_max;
+  return section;
+}
+
+}  // namespace
+
+bool is_axis_name(std::string_view name) {
+  constexpr std::string_view letters = "ABCUVWXYZ";
+  constexpr std::string_view digits = "0123456789";
+  return !name.empty() && letters.find(name[0]) != std::string_view::npos &&
+         name.find_first_not_of(digits, 1) == std::string_view::npos;
+}
+
+std::vector<AxisSection> read_axes(Subtables axes, const Scope& scope) {
+  std::vector<AxisSection> sections;
+  if (axes == nullptr) return sections;
+  for (const toml::node& node : *axes) {
+    const toml::table& table = *node.as_table();
+    const std::string name = table["name"].value_or(std::to_string(sections.size() + 1));
+    const Scope inner{scope.faults, "axis " + name};
+    AxisSection section = read_axis(table, static_cast<int>(sections.size()) + 1, inner);
+    const bool is_known = std::ranges::any_of(sections, [&](const AxisSection& other) {
+      return !section.axis.name.empty() && other.axis.name == section.axis.name;
+    });
+    if (is_known) {
+      inner.fault(place_of(table, "name"), "the name is taken; every axis needs its own");
+    }
+    sections.push_back(std::move(section));
+  }
+  if (sections.size() > 64) {
+    scope.fault(axes->get(64)->source(), "more than 64 axes; a machine has at most 64");
+  }
+  return sections;
+}
+
+std::vector<channels::SpindleConfig> read_spindles(Subtables spindles,
+                                                   const std::vector<AxisSection>& axes,
+                                                   const Scope& scope) {
+  std::vector<SpindleConfig> configs;
+  if (spindles == nullptr) return configs;
+  for (const toml::node& node : *spindles) {
+    const toml::table& table = *node.as_table();
+    SpindleConfig spindle;
+    const Scope inner{scope.faults, "spindle " + std::to_string(table["id"].value_or(0))};
+    read_table(table, spindle_keys(), spindle, inner);
+    if (spindle.speed_min > spindle.speed_max) {
+      inner.fault(place_of(table, "speed_min"),
+                  "speed_min exceeds speed_max, " + number_text(spindle.speed_max));
+    }
+    const bool is_known = std::ranges::any_of(
+        configs, [&](const SpindleConfig& other) { return other.id == spindle.id; });
+    if (is_known)
+      inner.fault(place_of(table, "id"), "the id is taken; every spindle needs its own");
+    const auto axis =
+        std::ranges::find(axes, spindle.axis, [](const AxisSection& one) { return one.axis.name; });
+    if (!spindle.axis.empty() && (axis == axes.end() || !axis->axis.rotary)) {
+      inner.fault(place_of(table, "axis"),
+                  "'" + spindle.axis + "' is no rotary axis of the machine; name an [[axis]]");
+    }
+    configs.push_back(std::move(spindle));
+  }
+  return configs;
+}
+
+std::vector<KeyRow> axis_key_rows() {
+  return describe(axis_keys());
+}
+std::vector<KeyRow> homing_key_rows() {
+  return describe(homing_keys());
+}
+std::vector<KeyRow> regulator_key_rows() {
+  return describe(regulator_keys());
+}
+std::vector<KeyRow> drive_key_rows() {
+  std::vector<KeyRow> rows = describe(drive_keys());
+  const auto append = [&](const char* table, std::vector<KeyRow> inner) {
+    for (KeyRow& row : inner) {
+      row.name = std::string(table) + "." + row.name;
+      rows.push_back(std::move(row));
+    }
+  };
+  append("registers", describe(register_keys()));
+  append("scales", describe(scale_keys()));
+  return rows;
+}
+std::vector<KeyRow> spindle_key_rows() {
+  return describe(spindle_keys());
+}
+
+}  // namespace stanok::config

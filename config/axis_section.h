@@ -1,0 +1,35 @@
+// [[axis]] and [[spindle]] of the machine file.
+#pragma once
+
+#include <vector>
+
+#include "channels/machine_config.h"
+#include "config/key_table.h"
+#include "drives/bus_config.h"
+
+namespace stanok::config {
+
+// One [[axis]]: its part in the channels and its drive on the bus.
+struct AxisSection {
+  channels::AxisConfig axis;
+  drives::AxisDriveConfig drive;
+};
+
+// All axes in the order of the file. Names are unique afterwards, or the faults say which are not.
+[[nodiscard]] std::vector<AxisSection> read_axes(Subtables axes, const Scope& scope);
+
+// All spindles; `axes` are the axes a spindle may become.
+[[nodiscard]] std::vector<channels::SpindleConfig> read_spindles(
+    Subtables spindles, const std::vector<AxisSection>& axes, const Scope& scope);
+
+// One of the letters A B C U V W X Y Z, then digits: "X", "C1".
+[[nodiscard]] bool is_axis_name(std::string_view name);
+
+// Rows of the documentation, by TOML table.
+[[nodiscard]] std::vector<KeyRow> axis_key_rows();
+[[nodiscard]] std::vector<KeyRow> homing_key_rows();
+[[nodiscard]] std::vector<KeyRow> regulator_key_rows();
+[[nodiscard]] std::vector<KeyRow> drive_key_rows();
+[[nodiscard]] std::vector<KeyRow> spindle_key_rows();
+
+}  // namespace stanok::config

@@ -1,0 +1,296 @@
+// Keys and checks of [[channel]]; names of axes become indices in the machine.
+#include "config/channel_section.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "channels/motion_config.h"
+#include "channels/output.h"
+#include "config/axis_section.h"
+#include "config/scheme_file.h"
+
+namespace stanok::config {
+namespace {
+
+using channels::ChannelConfig;
+using channels::MachineConfig;
+
+struct ChannelFile {
+  ChannelConfig channel;
+  std::string kind = "mill";
+  Texts axes;
+  int active = 0;
+  Subtables schemes = nullptr;
+  std::string on_owner_failure = "hold";
+};
+
+const Keys<ChannelFile>& channel_keys() {
+  static const Keys<ChannelFile> keys = {
+      {"id", at<&ChannelFile::channel, &ChannelConfig::id>, required, "",
+       "number by which programs and operators call the channel", from(1, 99)},
+      {"name", at<&ChannelFile::channel, &ChannelConfig::name>, required, "", "name for people"},
+      {"kind", at<&ChannelFile::kind>, optional, "",
+       "dialect of its programs; a master has no axes and no spindles",
+       one_of({"mill", "lathe", "grind", "master"})},
+      {"axes", at<&ChannelFile::axes>, optional, "",
+       "names of its [[axis]], at most 8, in the order of displays and messages"},
+      {"words", at<&ChannelFile::channel, &ChannelConfig::words>, optional, "",
+       "how its programs call the axes, in the same order; left out: by their names"},
+      {"spindles", at<&ChannelFile::channel, &ChannelConfig::spindles>, optional, "",
+       "ids of its [[spindle]]; the first is the master spindle"},
+      {"active", at<&ChannelFile::active>, optional, "",
+       "scheme at power-on, also written scheme = N; left out: the first", from(1)},
+      {"scheme", at<&ChannelFile::schemes>, optional, "",
+       "kinematic schemes; left out: scheme 1, cartesian, all axes, zero at 0"},
+      {"path_tolerance", at<&ChannelFile::channel, &ChannelConfig::path_tolerance_mm>, optional,
+       "mm", "how far the path may leave a corner under G64 without P", not_negative},
+      {"orientation_tolerance",
+       at<&ChannelFile::channel, &ChannelConfig::orientation_tolerance_deg>, optional, "deg",
+       "the same for rotary axes", not_negative},
+      {"arc_radius_tolerance", at<&ChannelFile::channel, &ChannelConfig::arc_radius_tolerance_mm>,
+       optional, "mm", "how far start and end radius of an arc may differ", not_negative},
+      {"on_owner_failure", at<&ChannelFile::on_owner_failure>, optional, "",
+       "what a worker does when the channel that started it fails",
+       one_of({"hold", "continue", "reset"})},
+      {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
+       "which word changes the tool", one_of({"m6", "t_word"})},
+      {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",
+       "what T says: the tool, or tool and edge (T0101)", one_of({"plain", "tool_edge"})},
+      {"address_alias", at<&ChannelFile::channel, &ChannelConfig::address_alias>, optional, "",
+       "free single letters that stand for named addresses (E = \"dS\")"},
+      {"codes", at<&ChannelFile::channel, &ChannelConfig::codes>, optional, "",
+       "G and M codes of the user and the programs they call (G200 = \"cycles/groove.nc\")"},
+  };
+  return keys;
+}
+
+lang::ChannelKind channel_kind(std::string_view name) {
+  if (name == "lathe") return lang::ChannelKind::lathe;
+  if (name == "grind") return lang::ChannelKind::grind;
+  if (name == "master") return lang::ChannelKind::master;
+  return lang::ChannelKind::mill;
+}
+
+channels::OwnerFailure owner_failure(std::string_view name) {
+  if (name == "continue") return channels::OwnerFailure::continue_run;
+  if (name == "reset") return channels::OwnerFailure::reset;
+  return channels::OwnerFailure::hold;
+}
+
+void resolve_axes(const toml::table& table, const ChannelFile& file, const MachineConfig& machine,
+                  ChannelConfig& channel, const Scope& scope) {
+  for (std::size_t i = 0; i < file.axes.size(); ++i) {
+    const std::string& name = file.axes[i];
+    const auto axis = std::ranges::find(machine.axes, name, &channels::AxisConfig::name);
+    const auto& place = place_of(table, "axes", i);
+    const int index = static_cast<int>(axis - machine.axes.begin());
+    if (axis == machine.axes.end()) {
+      scope.fault(place, "'" + name + "' is no axis of the machine; add an [[axis]] of that name");
+    } else if (std::ranges::find(channel.axes, index) != channel.axes.end()) {
+      scope.fault(place, "axis '" + name + "' stands twice in axes; take one out");
+    } else {
+      channel.axes.push_back(index);
+    }
+  }
+  if (file.axes.size() > motion::axes_max) {
+    scope.fault(place_of(table, "axes", motion::axes_max),
+                "more than 8 axes; a channel has at most 8, divide them over two channels");
+  }
+}
+
+void check_words(const toml::table& table, const ChannelConfig& channel, const Scope& scope) {
+  if (channel.words.size() != channel.axes.size()) {
+    scope.fault(place_of(table, "words"), "words and axes differ in number (" +
+                                              std::to_string(channel.words.size()) + " and " +
+                                              std::to_string(channel.axes.size()) +
+                                              "); give one word for each axis");
+  }
+  for (std::size_t i = 0; i < channel.words.size(); ++i) {
+    const std::string& word = channel.words[i];
+    const auto& place = place_of(table, "words", i);
+    if (!is_axis_name(word)) {
+      scope.fault(place, "'" + word +
+                             "' is no axis word; use A, B, C, U, V, W, X, Y or Z, then "
+                             "digits, as in X2");
+    }
+    const auto before = channel.words.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(channel.words.begin(), before, word) != before) {
+      scope.fault(place, "word '" + word + "' stands twice; each axis needs its own");
+    }
+  }
+}
+
+void check_spindles(const toml::table& table, const ChannelConfig& channel,
+                    const MachineConfig& machine, const Scope& scope) {
+  for (std::size_t i = 0; i < channel.spindles.size(); ++i) {
+    const auto known =
+        std::ranges::find(machine.spindles, channel.spindles[i], &channels::SpindleConfig::id);
+    if (known != machine.spindles.end()) continue;
+    scope.fault(place_of(table, "spindles", i), "there is no spindle " +
+                                                    std::to_string(channel.spindles[i]) +
+                                                    "; add a [[spindle]] with that id");
+  }
+}
+
+// "G200", "M6", "G101.1".
+bool is_code(std::string_view name) {
+  return name.size() >= 2 && (name[0] == 'G' || name[0] == 'M') && name[1] >= '0' &&
+         name[1] <= '9' && name.find_first_not_of("0123456789.", 1) == std::string_view::npos;
+}
+
+void check_names(const toml::table& table, const Scope& scope) {
+  if (const toml::table* codes = table["codes"].as_table()) {
+    for (const auto& [key, node] : *codes) {
+      if (is_code(key.str())) continue;
+      scope.fault(key.source(),
+                  "'" + std::string(key.str()) + "' is no G or M code; write it as in G200");
+    }
+  }
+  if (const toml::table* aliases = table["address_alias"].as_table()) {
+    for (const auto& [key, node] : *aliases) {
+      if (key.str().size() == 1 && key.str()[0] >= 'A' && key.str()[0] <= 'Z') continue;
+      scope.fault(key.source(), "'" + std::string(key.str()) + "' is no single capital letter");
+    }
+  }
+}
+
+void check_master(const toml::table& table, const ChannelConfig& channel, const Scope& scope) {
+  if (channel.kind == lang::ChannelKind::master) {
+    for (const char* key : {"axes", "words", "spindles", "scheme", "active"}) {
+      if (!table.contains(key)) continue;
+      scope.fault(place_of(table, key), std::string(key) +
+                                            " has no meaning in a master channel, which has no "
+                                            "axes; take it out");
+    }
+  } else if (channel.axes.empty()) {
+    scope.fault(place_of(table, "axes"),
+                "the channel has no axes; name some, or make it kind = \"master\"");
+  }
+}
+
+kinematics::SchemeConfig default_scheme(const ChannelConfig& channel) {
+  kinematics::SchemeConfig scheme;
+  scheme.id = 1;
+  scheme.type = "cartesian";
+  scheme.axes.resize(channel.axes.size());
+  std::iota(scheme.axes.begin(), scheme.axes.end(), 0);
+  scheme.linear = channels::geometry_axes(channel);
+  return scheme;
+}
+
+void resolve_schemes(const toml::table& table, const ChannelFile& file,
+                     const MachineConfig& machine, const std::filesystem::path& folder,
+                     ChannelConfig& channel, const Scope& scope) {
+  ChannelAxes axes{.words = channel.words, .axes = {}};
+  for (const int axis : channel.axes) {
+    axes.axes.push_back(&machine.axes[static_cast<std::size_t>(axis)]);
+  }
+  channel.schemes = read_schemes(file.schemes, axes, folder, scope);
+  if (channel.schemes.empty()) channel.schemes = {default_scheme(channel)};
+  channel.scheme = file.active == 0 ? channel.schemes.front().id : file.active;
+  const auto active =
+      std::ranges::find(channel.schemes, channel.scheme, &kinematics::SchemeConfig::id);
+  if (active == channel.schemes.end()) {
+    scope.fault(place_of(table, "active"), "there is no scheme " + std::to_string(file.active) +
+                                               "; name one of [[channel.scheme]]");
+  }
+}
+
+ChannelConfig read_channel(const toml::table& table, const MachineConfig& machine,
+                           const std::filesystem::path& folder, const Scope& scope) {
+  ChannelFile file;
+  read_table(table, channel_keys(), file, scope);
+  ChannelConfig channel = std::move(file.channel);
+  channel.kind = channel_kind(file.kind);
+  channel.on_owner_failure = owner_failure(file.on_owner_failure);
+  const std::size_t faults_before = scope.faults.size();
+  resolve_axes(table, file, machine, channel, scope);
+  if (!table.contains("words")) channel.words = file.axes;
+  // A wrong axis is one fault, not one more for every word and scheme that counts on it.
+  const bool axes_are_right = scope.faults.size() == faults_before;
+  if (axes_are_right) check_words(table, channel, scope);
+  check_spindles(table, channel, machine, scope);
+  check_names(table, scope);
+  check_master(table, channel, scope);
+  const bool words_are_right = channel.words.size() == channel.axes.size();
+  if (axes_are_right && words_are_right && !channel.axes.empty()) {
+    resolve_schemes(table, file, machine, folder, channel, scope);
+  }
+  return channel;
+}
+
+// " = 1", what follows a key.
+bool is_integer_assignment(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  const std::size_t sign = text.find_first_not_of(blanks);
+  if (sign == std::string_view::npos || text[sign] != '=') return false;
+  const std::size_t value = text.find_first_not_of(blanks, sign + 1);
+  return value != std::string_view::npos && text[value] >= '0' && text[value] <= '9';
+}
+
+// An axis listens to one channel.
+void check_axes_are_not_shared(const std::vector<ChannelConfig>& earlier,
+                               const ChannelConfig& channel, const MachineConfig& machine,
+                               const toml::table& table, const Scope& scope) {
+  for (const int axis : channel.axes) {
+    const auto owner = std::ranges::find_if(earlier, [&](const ChannelConfig& other) {
+      return std::ranges::find(other.axes, axis) != other.axes.end();
+    });
+    if (owner == earlier.end()) continue;
+    scope.fault(place_of(table, "axes"),
+                "axis '" + machine.axes[static_cast<std::size_t>(axis)].name +
+                    "' already belongs to channel " + std::to_string(owner->id) +
+                    "; an axis belongs to one channel");
+  }
+}
+
+}  // namespace
+
+std::vector<ChannelConfig> read_channels(Subtables channels, const MachineConfig& machine,
+                                         const std::filesystem::path& folder, const Scope& scope) {
+  std::vector<ChannelConfig> configs;
+  if (channels == nullptr) return configs;
+  for (const toml::node& node : *channels) {
+    const toml::table& table = *node.as_table();
+    const Scope inner{scope.faults, "channel " + std::to_string(table["id"].value_or(0))};
+    ChannelConfig channel = read_channel(table, machine, folder, inner);
+    if (std::ranges::find(configs, channel.id, &ChannelConfig::id) != configs.end()) {
+      inner.fault(place_of(table, "id"), "the id is taken; every channel needs its own");
+    }
+    check_axes_are_not_shared(configs, channel, machine, table, inner);
+    configs.push_back(std::move(channel));
+  }
+  if (configs.size() > channels::channels_max) {
+    scope.fault(channels->get(channels::channels_max)->source(),
+                "more than 16 channels; a machine has at most 16");
+  }
+  std::ranges::sort(configs, {}, &ChannelConfig::id);
+  return configs;
+}
+
+std::string with_active_scheme_key(std::string text) {
+  constexpr std::string_view blanks = " \t";
+  constexpr std::string_view written = "scheme";
+  constexpr std::string_view spelt = "active";
+  static_assert(written.size() == spelt.size());
+  bool in_channel = false;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line(text.data() + begin, end - begin);
+    const std::size_t indent = std::min(line.find_first_not_of(blanks), line.size());
+    const std::string_view content = line.substr(indent);
+    if (content.starts_with('[')) in_channel = content.starts_with("[[channel]]");
+    if (in_channel && content.starts_with(written) &&
+        is_integer_assignment(content.substr(written.size()))) {
+      text.replace(begin + indent, written.size(), spelt);
+    }
+    begin = end + 1;
+  }
+  return text;
+}
+
+std::vector<KeyRow> channel_key_rows() {
+  return describe(channel_keys());
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,71 @@
+// FaultList, and the reading of a TOML file into a tree.
+#include "config/fault_list.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+
+namespace stanok::config {
+void FaultList::add(const toml::source_region& place, std::string text) {
+  faults_.push_back({.file = place.path ? *place.path : std::string(),
+                     .line = place.begin.line,
+                     .column = place.begin.column,
+                     .text = std::move(text)});
+}
+
+void FaultList::add(const std::filesystem::path& file, std::string text) {
+  faults_.push_back({.file = file.string(), .text = std::move(text)});
+}
+
+void FaultList::throw_if_any() {
+  if (faults_.empty()) return;
+  std::vector<std::string> files;  // in the order in which faults were found in them
+  for (const ConfigFault& fault : faults_) {
+    if (std::ranges::find(files, fault.file) == files.end()) files.push_back(fault.file);
+  }
+  const auto place = [&](const ConfigFault& fault) {
+    return std::tuple(std::ranges::find(files, fault.file) - files.begin(), fault.line,
+                      fault.column);
+  };
+  std::ranges::stable_sort(faults_, {}, place);
+  const auto repeated = std::ranges::unique(faults_, {}, to_string);  // a file used twice
+  faults_.erase(repeated.begin(), repeated.end());
+  throw ConfigError(std::move(faults_));
+}
+
+std::optional<std::string> read_text(const std::filesystem::path& file, FaultList& faults) {
+  if (std::filesystem::is_directory(file)) {
+    faults.add(file, "cannot read the file: it is a directory; name the file in it");
+    return std::nullopt;
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.is_open() || stream.bad()) {
+    faults.add(file, "cannot read the file: " + std::generic_category().message(errno) +
+                         "; check the path");
+    return std::nullopt;
+  }
+  return text;
+}
+
+std::optional<toml::table> parse_text(std::string_view text, const std::filesystem::path& file,
+                                      FaultList& faults) {
+  try {
+    return toml::parse(text, std::string_view(file.native()));
+  } catch (const toml::parse_error& error) {
+    faults.add(error.source(), "not valid TOML: " + std::string(error.description()));
+    return std::nullopt;
+  }
+}
+
+std::optional<toml::table> parse_file(const std::filesystem::path& file, FaultList& faults) {
+  const auto text = read_text(file, faults);
+  return text ? parse_text(*text, file, faults) : std::nullopt;
+}
+
+}  // namespace stanok::config

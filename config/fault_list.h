@@ -1,0 +1,44 @@
+// FaultList gathers what is wrong in a set of TOML files; readers go on after a fault.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config_error.h"
+
+namespace stanok::config {
+
+class FaultList {
+ public:
+  // A fault at a place of a parsed file: a node (`node.source()`) or a key (`key.source()`).
+  void add(const toml::source_region& place, std::string text);
+  // A fault of a file as a whole.
+  void add(const std::filesystem::path& file, std::string text);
+
+  [[nodiscard]] std::size_t size() const { return faults_.size(); }
+  // Throws ConfigError with all faults, file by file in the order of their places, each once;
+  // returns when there are none.
+  void throw_if_any();
+
+ private:
+  std::vector<ConfigFault> faults_;
+};
+
+// The text of a file; nothing, and a fault, when it cannot be read.
+[[nodiscard]] std::optional<std::string> read_text(const std::filesystem::path& file,
+                                                   FaultList& faults);
+
+// The tree of a TOML text; nothing, and a fault, when it is no TOML. Nodes remember `file`.
+[[nodiscard]] std::optional<toml::table> parse_text(std::string_view text,
+                                                    const std::filesystem::path& file,
+                                                    FaultList& faults);
+
+// Both.
+[[nodiscard]] std::optional<toml::table> parse_file(const std::filesystem::path& file,
+                                                    FaultList& faults);
+
+}  // namespace stanok::config

@@ -1,0 +1,150 @@
+// Assembles a MachineFile from its tables and the files it names.
+#include "config/machine_file.h"
+
+#include "config/axis_section.h"
+#include "config/channel_section.h"
+#include "config/machine_sections.h"
+#include "config/tables_file.h"
+
+namespace stanok::config {
+namespace {
+
+// The tables at the top of the file.
+struct TopLevel {
+  Subtable machine = nullptr;
+  Subtables axes = nullptr;
+  Subtables spindles = nullptr;
+  Subtables channels = nullptr;
+  Subtable drives = nullptr;
+  Subtable lcm = nullptr;
+  Subtable recorder = nullptr;
+  Subtable process = nullptr;
+  Subtable simulation = nullptr;
+};
+
+const Keys<TopLevel>& top_level_keys() {
+  static const Keys<TopLevel> keys = {
+      {"machine", at<&TopLevel::machine>, required, "", "[machine] with the name of the machine"},
+      {"axis", at<&TopLevel::axes>, optional, "", "one [[axis]] for each axis"},
+      {"spindle", at<&TopLevel::spindles>, optional, "", "one [[spindle]] for each spindle"},
+      {"channel", at<&TopLevel::channels>, required, "", "one [[channel]] for each channel"},
+      {"drives", at<&TopLevel::drives>, optional, "", "bus of the drives"},
+      {"lcm", at<&TopLevel::lcm>, optional, "", "publishing"},
+      {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
+      {"process", at<&TopLevel::process>, optional, "", "force control"},
+      {"simulation", at<&TopLevel::simulation>, optional, "", "plant of the simulated drives"},
+  };
+  return keys;
+}
+
+class MachineReader {
+ public:
+  MachineReader(const std::filesystem::path& path, FaultList& faults)
+      : folder_(path.parent_path()), faults_(faults) {
+    file_.path = path;
+    file_.machine.file = path.string();
+  }
+
+  MachineFile read(const toml::table& root) {
+    read_table(root, top_level_keys(), top_, Scope{faults_, "machine file"});
+    const std::vector<AxisSection> axes = read_axes(top_.axes, Scope{faults_, "machine file"});
+    for (const AxisSection& section : axes) file_.machine.axes.push_back(section.axis);
+    file_.machine.spindles = read_spindles(top_.spindles, axes, Scope{faults_, "machine file"});
+    file_.machine.channels =
+        read_channels(top_.channels, file_.machine, folder_, Scope{faults_, "machine file"});
+    read_machine();
+    read_drives(axes);
+    read_services();
+    return std::move(file_);
+  }
+
+ private:
+  void read_machine() {
+    if (top_.machine == nullptr) return;
+    const Scope scope{faults_, "[machine]"};
+    MachineSection section;
+    read_table(*top_.machine, machine_keys(), section, scope);
+    file_.machine.name = section.name;
+    file_.machine.cycle_us = section.cycle_us;
+    if (!section.tables.empty()) read_tables_named(section.tables, scope);
+  }
+
+  void read_tables_named(const std::string& name, const Scope& scope) {
+    const std::filesystem::path tables = resolved(name);
+    if (!std::filesystem::is_regular_file(tables)) {
+      scope.fault(place_of(*top_.machine, "tables"),
+                  "tables file '" + tables.string() +
+                      "' does not exist; its path is relative to the machine file");
+      return;
+    }
+    std::vector<std::string> axis_names;
+    for (const auto& axis : file_.machine.axes) axis_names.push_back(axis.name);
+    file_.machine.tables = read_tables(tables, axis_names, faults_);
+  }
+
+  void read_drives(const std::vector<AxisSection>& axes) {
+    if (top_.drives == nullptr) return;
+    file_.bus = read_bus(*top_.drives, Scope{faults_, "[drives]"});
+    for (const AxisSection& section : axes) file_.bus.axes.push_back(section.drive);
+    check_addresses();
+  }
+
+  void check_addresses() {
+    for (std::size_t i = 0; i < file_.bus.axes.size(); ++i) {
+      for (std::size_t earlier = 0; earlier < i; ++earlier) {
+        const auto& drive = file_.bus.axes[i];
+        const auto& other = file_.bus.axes[earlier];
+        if (drive.unit != other.unit || drive.control_register != other.control_register) continue;
+        const toml::table& axis = *top_.axes->get(i)->as_table();
+        Scope{faults_, "axis " + drive.axis}.fault(
+            place_of(axis, "drive"), "its drive has the address of axis " + other.axis + ", " +
+                                         std::to_string(drive.unit) +
+                                         "; give it its own address or registers");
+      }
+    }
+  }
+
+  void read_services() {
+    if (top_.lcm != nullptr) file_.lcm_url = read_lcm_url(*top_.lcm, Scope{faults_, "[lcm]"});
+    if (top_.recorder != nullptr) {
+      file_.recorder = read_recorder(*top_.recorder, Scope{faults_, "[recorder]"});
+      if (!file_.recorder.directory.empty()) {
+        file_.recorder.directory = resolved(file_.recorder.directory);
+      }
+    }
+    if (top_.process != nullptr) {
+      const Scope scope{faults_, "[process]"};
+      read_table(*top_.process, process_keys(), file_.process, scope);
+      check_process(*top_.process, file_.process, scope);
+    }
+    if (top_.simulation != nullptr) {
+      read_table(*top_.simulation, simulation_keys(), file_.simulation,
+                 Scope{faults_, "[simulation]"});
+    }
+  }
+
+  [[nodiscard]] std::filesystem::path resolved(const std::filesystem::path& name) const {
+    return (folder_ / name).lexically_normal();
+  }
+
+  std::filesystem::path folder_;
+  FaultList& faults_;
+  TopLevel top_;
+  MachineFile file_;
+};
+
+}  // namespace
+
+MachineFile read_machine_file(const std::filesystem::path& path) {
+  FaultList faults;
+  MachineFile file;
+  if (const auto text = read_text(path, faults)) {
+    if (const auto root = parse_text(with_active_scheme_key(*text), path, faults)) {
+      file = MachineReader(path, faults).read(*root);
+    }
+  }
+  faults.throw_if_any();
+  return file;
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,50 @@
+// The machine file: everything stanokd, simulate and stanok-drives know of one machine.
+//
+// read_machine_file is strict: an unknown or missing key, a wrong kind or a value that contradicts
+// another is an error with its place and remedy, and all errors of the file and the files it names
+// are shown at once. Paths in it are relative to the machine file. All keys: docs/configuration.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "channels/machine_config.h"
+#include "config/config_error.h"
+#include "drives/bus_config.h"
+
+namespace stanok::config {
+
+// [recorder]
+struct RecorderConfig {
+  std::filesystem::path directory;  // empty: below the state directory
+  int size_mb = 1024;               // of one log file before the next begins
+};
+
+// [process]: what force control takes when the program does not say.
+struct ProcessConfig {
+  double feed_min = 0.0;            // mm/s
+  double feed_max = 0.0;            // mm/s; 0: the programmed feed
+  double vibration_level_um = 0.0;  // permissible level; 0: vibration does not act
+  double reduced_mass_kg = 0.0;     // of the oscillating system
+};
+
+// [simulation]: plant behind the simulated drives.
+struct SimulationConfig {
+  double drive_frequency_hz = 40.0;  // natural frequency of the position loop
+  double drive_damping = 0.8;
+};
+
+struct MachineFile {
+  std::filesystem::path path;
+  channels::MachineConfig machine;
+  drives::BusConfig bus;  // kind none: no [drives], set-points only
+  std::string lcm_url = "udpm://239.255.76.67:7667?ttl=0";
+  RecorderConfig recorder;
+  ProcessConfig process;
+  SimulationConfig simulation;
+};
+
+// Throws ConfigError.
+[[nodiscard]] MachineFile read_machine_file(const std::filesystem::path& path);
+
+}  // namespace stanok::config

@@ -1,0 +1,143 @@
+// Keys and checks of the single tables of the machine file.
+#include "config/machine_sections.h"
+
+namespace stanok::config {
+namespace {
+
+using drives::BusConfig;
+
+struct BusFile {
+  BusConfig bus;
+  std::string kind;
+};
+
+struct LcmFile {
+  std::string url = MachineFile{}.lcm_url;
+};
+
+struct RecorderFile {
+  std::string directory;
+  int size_mb = RecorderConfig{}.size_mb;
+};
+
+const Keys<BusFile>& bus_keys() {
+  static const Keys<BusFile> keys = {
+      {"bus", at<&BusFile::kind>, required, "", "kind of bus",
+       one_of({"modbus-tcp", "modbus-rtu"})},
+      {"host", at<&BusFile::bus, &BusConfig::host>, optional, "",
+       "modbus-tcp: address of the drives"},
+      {"port", at<&BusFile::bus, &BusConfig::port>, optional, "", "modbus-tcp: port",
+       from(1, 65535)},
+      {"device", at<&BusFile::bus, &BusConfig::device>, optional, "",
+       "modbus-rtu: serial device, required there"},
+      {"baud", at<&BusFile::bus, &BusConfig::baud>, optional, "1/s", "modbus-rtu: bits per second",
+       from(1200, 4e6)},
+      {"poll_ms", at<&BusFile::bus, &BusConfig::poll_ms>, optional, "ms",
+       "time between two exchanges", from(1, 1000)},
+      {"timeout_ms", at<&BusFile::bus, &BusConfig::timeout_ms>, optional, "ms",
+       "time without a good answer after which a drive counts as lost", from(1, 60000)},
+  };
+  return keys;
+}
+
+const Keys<LcmFile>& lcm_keys() {
+  static const Keys<LcmFile> keys = {
+      {"url", at<&LcmFile::url>, required, "", "where set-points and states are published"},
+  };
+  return keys;
+}
+
+const Keys<RecorderFile>& recorder_keys() {
+  static const Keys<RecorderFile> keys = {
+      {"directory", at<&RecorderFile::directory>, optional, "",
+       "where logs are written; left out: below the state directory"},
+      {"size_mb", at<&RecorderFile::size_mb>, optional, "MB",
+       "size of one log file before the next begins", from(1, 1e6)},
+  };
+  return keys;
+}
+
+}  // namespace
+
+const Keys<MachineSection>& machine_keys() {
+  static const Keys<MachineSection> keys = {
+      {"name", at<&MachineSection::name>, required, "", "name of the machine, also on the LCM bus"},
+      {"cycle_us", at<&MachineSection::cycle_us>, optional, "us", "real-time cycle",
+       from(100, 20000)},
+      {"tables", at<&MachineSection::tables>, optional, "",
+       "file with tools and offsets at first start"},
+  };
+  return keys;
+}
+
+const Keys<ProcessConfig>& process_keys() {
+  static const Keys<ProcessConfig> keys = {
+      {"feed_min", at<&ProcessConfig::feed_min>, optional, "mm/s", "lowest feed of force control",
+       not_negative},
+      {"feed_max", at<&ProcessConfig::feed_max>, optional, "mm/s",
+       "highest feed of force control; 0: the programmed feed", not_negative},
+      {"vibration_level", at<&ProcessConfig::vibration_level_um>, optional, "um",
+       "permissible vibration; 0: vibration does not act", not_negative},
+      {"reduced_mass", at<&ProcessConfig::reduced_mass_kg>, optional, "kg",
+       "mass of the oscillating system", not_negative},
+  };
+  return keys;
+}
+
+const Keys<SimulationConfig>& simulation_keys() {
+  static const Keys<SimulationConfig> keys = {
+      {"drive_frequency", at<&SimulationConfig::drive_frequency_hz>, optional, "Hz",
+       "natural frequency of the simulated position loops", positive},
+      {"drive_damping", at<&SimulationConfig::drive_damping>, optional, "", "their damping",
+       positive},
+  };
+  return keys;
+}
+
+BusConfig read_bus(const toml::table& table, const Scope& scope) {
+  BusFile file;
+  read_table(table, bus_keys(), file, scope);
+  const bool serial = file.kind == "modbus-rtu";
+  file.bus.kind = serial ? drives::BusKind::modbus_rtu : drives::BusKind::modbus_tcp;
+  if (serial && file.bus.device.empty()) {
+    scope.fault(place_of(table, "bus"),
+                "key 'device' is missing; modbus-rtu needs a serial device");
+  }
+  if (file.bus.timeout_ms < file.bus.poll_ms) {
+    scope.fault(place_of(table, "timeout_ms"), "timeout_ms is shorter than poll_ms, " +
+                                                   std::to_string(file.bus.poll_ms) +
+                                                   "; every drive would count as lost");
+  }
+  return file.bus;
+}
+
+std::string read_lcm_url(const toml::table& table, const Scope& scope) {
+  LcmFile file;
+  read_table(table, lcm_keys(), file, scope);
+  return file.url;
+}
+
+RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
+  RecorderFile file;
+  read_table(table, recorder_keys(), file, scope);
+  return {.directory = file.directory, .size_mb = file.size_mb};
+}
+
+void check_process(const toml::table& table, const ProcessConfig& process, const Scope& scope) {
+  if (process.feed_max > 0.0 && process.feed_min > process.feed_max) {
+    scope.fault(place_of(table, "feed_min"),
+                "feed_min exceeds feed_max, " + number_text(process.feed_max));
+  }
+}
+
+std::vector<KeyRow> drives_key_rows() {
+  return describe(bus_keys());
+}
+std::vector<KeyRow> lcm_key_rows() {
+  return describe(lcm_keys());
+}
+std::vector<KeyRow> recorder_key_rows() {
+  return describe(recorder_keys());
+}
+
+}  // namespace stanok::config

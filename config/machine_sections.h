@@ -1,0 +1,36 @@
+// The single tables of the machine file: [machine], [drives], [lcm], [recorder], [process],
+// [simulation].
+#pragma once
+
+#include <vector>
+
+#include "config/key_table.h"
+#include "config/machine_file.h"
+
+namespace stanok::config {
+
+// [machine]
+struct MachineSection {
+  std::string name;
+  int cycle_us = 1000;
+  std::string tables;  // file name; empty: none
+};
+
+[[nodiscard]] const Keys<MachineSection>& machine_keys();
+[[nodiscard]] const Keys<ProcessConfig>& process_keys();
+[[nodiscard]] const Keys<SimulationConfig>& simulation_keys();
+
+// [drives]; the drives of the axes stand with the axes.
+[[nodiscard]] drives::BusConfig read_bus(const toml::table& table, const Scope& scope);
+[[nodiscard]] std::string read_lcm_url(const toml::table& table, const Scope& scope);
+[[nodiscard]] RecorderConfig read_recorder(const toml::table& table, const Scope& scope);
+
+// Checks of [process] that need more than one key.
+void check_process(const toml::table& table, const ProcessConfig& process, const Scope& scope);
+
+// Rows of the documentation.
+[[nodiscard]] std::vector<KeyRow> drives_key_rows();
+[[nodiscard]] std::vector<KeyRow> lcm_key_rows();
+[[nodiscard]] std::vector<KeyRow> recorder_key_rows();
+
+}  // namespace stanok::config

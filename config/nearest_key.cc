@@ -1,0 +1,39 @@
+// Optimal string alignment, row by row.
+#include "config/nearest_key.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace stanok::config {
+
+int typing_distance(std::string_view a, std::string_view b) {
+  const std::size_t width = b.size() + 1;
+  std::vector<int> distance((a.size() + 1) * width);  // of the first i of a and the first j of b
+  const auto at = [&](std::size_t i, std::size_t j) -> int& { return distance[i * width + j]; };
+  for (std::size_t i = 0; i <= a.size(); ++i) at(i, 0) = static_cast<int>(i);
+  for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replaced = at(i - 1, j - 1) + (a[i - 1] == b[j - 1] ? 0 : 1);
+      at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, replaced});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+    }
+  }
+  return at(a.size(), b.size());
+}
+
+std::string_view nearest_key(std::string_view name, std::span<const std::string_view> known) {
+  std::string_view nearest;
+  int fewest = static_cast<int>(std::max<std::size_t>(name.size() / 3, 1)) + 1;
+  for (const std::string_view candidate : known) {
+    const int distance = typing_distance(name, candidate);
+    if (distance < fewest) {
+      fewest = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,395 @@
+// Keys and checks of a scheme; names of axes become indices in the channel.
+#include "config/scheme_file.h"
+
+#include <algorithm>
+
+#include "channels/motion_config.h"
+
+namespace stanok::config {
+namespace {
+
+using kinematics::Parking;
+using kinematics::SchemeConfig;
+
+struct SchemeFile {
+  int id = 0;
+  std::string file;
+  SchemeConfig scheme;
+  Texts axes;
+  Subtable zero = nullptr;
+  Subtable retract = nullptr;
+  Subtables parked = nullptr;
+  std::string head_axis = "B";
+  std::string table_axis = "C";
+};
+
+struct ParkedFile {
+  std::string axis;
+  Parking parking;
+  std::string drive = "off";
+};
+
+// Geometry that only some types have; a new type of scheme gets its line here.
+struct TypeGeometry {
+  std::string_view type;
+  std::vector<std::string_view> optional_keys;
+  std::vector<std::string_view> required_keys;
+};
+
+const std::vector<TypeGeometry>& type_geometries() {
+  static const std::vector<TypeGeometry> geometries = {
+      {"cartesian", {}, {}},
+      {"head_table", {"head_axis", "table_axis"}, {"pivot_to_spindle", "table_centre"}},
+  };
+  return geometries;
+}
+
+Allowed known_types() {
+  static const std::vector<std::string> types = kinematics::scheme_types();
+  return one_of({types.begin(), types.end()});
+}
+
+const Keys<SchemeFile>& scheme_keys() {
+  static const Keys<SchemeFile> keys = {
+      {"type", at<&SchemeFile::scheme, &SchemeConfig::type>, required, "",
+       "kind of transformation (docs/kinematics.md)", known_types()},
+      {"axes", at<&SchemeFile::axes>, required, "",
+       "axes that take part, by the channel's words or the machine's names"},
+      {"zero", at<&SchemeFile::zero>, optional, "mm, deg",
+       "position of the scheme's base in machine axes, per axis that takes part"},
+      {"retract", at<&SchemeFile::retract>, optional, "mm, deg",
+       "machine positions to go to, in this order, before axes are parked"},
+      {"parked", at<&SchemeFile::parked>, optional, "",
+       "axes that do not take part, in the order in which they are parked"},
+      {"head_axis", at<&SchemeFile::head_axis>, optional, "",
+       "head_table: rotary axis about Y that carries the spindle"},
+      {"table_axis", at<&SchemeFile::table_axis>, optional, "",
+       "head_table: rotary axis about Z that carries the workpiece"},
+      {"pivot_to_spindle", at<&SchemeFile::scheme, &SchemeConfig::pivot_to_spindle>, optional, "mm",
+       "head_table, required there: from the pivot to the spindle nose, head upright"},
+      {"table_centre", at<&SchemeFile::scheme, &SchemeConfig::table_centre>, optional, "mm",
+       "head_table, required there: position of X, Y, Z with the pivot on the table's axis"},
+  };
+  return keys;
+}
+
+// [[channel.scheme]] that names a file, and one that holds the scheme itself.
+const Keys<SchemeFile>& reference_keys() {
+  static const Keys<SchemeFile> keys = {
+      {"id", at<&SchemeFile::id>, required, "", "number for #kinematics", from(1)},
+      {"file", at<&SchemeFile::file>, required, "", "file with the other keys"},
+  };
+  return keys;
+}
+
+const Keys<SchemeFile>& inline_keys() {
+  static const Keys<SchemeFile> keys = [] {
+    Keys<SchemeFile> all = {reference_keys().front()};
+    all.insert(all.end(), scheme_keys().begin(), scheme_keys().end());
+    return all;
+  }();
+  return keys;
+}
+
+const Keys<ParkedFile>& parked_keys() {
+  static const Keys<ParkedFile> keys = {
+      {"axis", at<&ParkedFile::axis>, required, "", "axis that is parked"},
+      {"position", at<&ParkedFile::parking, &Parking::position>, optional, "mm, deg",
+       "machine position where it stands"},
+      {"velocity", at<&ParkedFile::parking, &Parking::velocity>, optional, "mm/s, deg/s",
+       "velocity of the parking move; 0: rapid", not_negative},
+      {"brake", at<&ParkedFile::parking, &Parking::brake>, optional, "",
+       "whether its brake is closed there"},
+      {"drive", at<&ParkedFile::drive>, optional, "", "what its drive does there",
+       one_of({"off", "on"})},
+  };
+  return keys;
+}
+
+bool takes_part(const SchemeConfig& scheme, int axis) {
+  return std::ranges::find(scheme.axes, axis) != scheme.axes.end();
+}
+
+std::string axis_text(std::string_view name) {
+  return "axis '" + std::string(name) + "'";
+}
+
+// One scheme being resolved: its table, the axes of its channel, the faults.
+class SchemeReader {
+ public:
+  SchemeReader(const toml::table& table, SchemeFile file, const ChannelAxes& axes, Scope scope)
+      : table_(table), file_(std::move(file)), axes_(axes), scope_(std::move(scope)) {}
+
+  SchemeConfig resolve() {
+    const std::size_t faults_before = scope_.faults.size();
+    check_geometry_keys();
+    resolve_axes();
+    resolve_parking();
+    check_every_axis_has_a_place();
+    resolve_retract();
+    resolve_roles();
+    resolve_zero();
+    if (scope_.faults.size() == faults_before) {
+      const std::string defect = kinematics::scheme_defect(scheme());
+      if (!defect.empty()) scope_.fault(place_of(table_, "axes"), scheme().type + ": " + defect);
+    }
+    return scheme();
+  }
+
+ private:
+  SchemeConfig& scheme() { return file_.scheme; }
+
+  // Index of an axis of the channel; -1, and a fault, when there is none.
+  int find_axis(std::string_view name, const toml::source_region& place) {
+    const int axis = axes_.find(name);
+    if (axis < 0) {
+      scope_.fault(place, "'" + std::string(name) + "' is no axis of the channel; its axes are " +
+                              axes_.list());
+    }
+    return axis;
+  }
+
+  void check_travel(int axis, double position, const toml::source_region& place) {
+    const auto& limits = axes_.axes[static_cast<std::size_t>(axis)]->limits;
+    if (position >= limits.position_min && position <= limits.position_max) return;
+    scope_.fault(place, axis_text(axes_.words[static_cast<std::size_t>(axis)]) + " cannot reach " +
+                            number_text(position) + "; its travel is " +
+                            number_text(limits.position_min) + " to " +
+                            number_text(limits.position_max));
+  }
+
+  void check_geometry_keys() {
+    for (const TypeGeometry& geometry : type_geometries()) {
+      if (geometry.type == scheme().type) {
+        for (const auto key : geometry.required_keys) {
+          if (table_.contains(key)) continue;
+          scope_.fault(table_.source(), "key '" + std::string(key) + "' is missing; a " +
+                                            scheme().type + " scheme needs it");
+        }
+        continue;
+      }
+      refuse_geometry_of(geometry);
+    }
+  }
+
+  void refuse_geometry_of(const TypeGeometry& other) {
+    for (const auto* keys : {&other.required_keys, &other.optional_keys}) {
+      for (const auto key : *keys) {
+        if (!table_.contains(key)) continue;
+        scope_.fault(place_of(table_, key), std::string(key) + " belongs to a scheme of type " +
+                                                std::string(other.type) + "; take it out");
+      }
+    }
+  }
+
+  void resolve_axes() {
+    for (std::size_t i = 0; i < file_.axes.size(); ++i) {
+      const auto& place = place_of(table_, "axes", i);
+      const int axis = find_axis(file_.axes[i], place);
+      if (axis < 0) continue;
+      if (takes_part(scheme(), axis)) {
+        scope_.fault(place, axis_text(file_.axes[i]) + " stands twice in axes; take one out");
+      } else {
+        scheme().axes.push_back(axis);
+      }
+    }
+  }
+
+  void resolve_parking() {
+    if (file_.parked == nullptr) return;
+    for (const toml::node& node : *file_.parked) {
+      const toml::table& table = *node.as_table();
+      ParkedFile parked;
+      read_table(table, parked_keys(), parked, scope_.inner("parked"));
+      if (parked.axis.empty()) continue;
+      const auto& place = place_of(table, "axis");
+      const int axis = find_axis(parked.axis, place);
+      if (axis < 0) continue;
+      if (takes_part(scheme(), axis)) {
+        scope_.fault(place, axis_text(parked.axis) +
+                                " takes part and is parked at once; take it out of axes or of "
+                                "[[parked]]");
+      } else if (is_parked(axis)) {
+        scope_.fault(place, axis_text(parked.axis) + " is parked twice; take one out");
+      }
+      check_travel(axis, parked.parking.position, place_of(table, "position"));
+      check_velocity(axis, parked.parking.velocity, place_of(table, "velocity"));
+      parked.parking.axis = axis;
+      parked.parking.drive_off = parked.drive == "off";
+      scheme().parking.push_back(parked.parking);
+    }
+  }
+
+  void check_velocity(int axis, double velocity, const toml::source_region& place) {
+    const double most = axes_.axes[static_cast<std::size_t>(axis)]->limits.velocity_max;
+    if (velocity > most) {
+      scope_.fault(place, "velocity is " + number_text(velocity) + "; the axis reaches at most " +
+                              number_text(most));
+    }
+  }
+
+  bool is_parked(int axis) {
+    return std::ranges::any_of(scheme().parking,
+                               [&](const Parking& parking) { return parking.axis == axis; });
+  }
+
+  void check_every_axis_has_a_place() {
+    for (std::size_t axis = 0; axis < axes_.words.size(); ++axis) {
+      const int index = static_cast<int>(axis);
+      if (takes_part(scheme(), index) || is_parked(index)) continue;
+      scope_.fault(place_of(table_, "axes"),
+                   axis_text(axes_.words[axis]) +
+                       " neither takes part nor is parked; name it in axes or add [[parked]] "
+                       "axis = \"" +
+                       axes_.words[axis] + "\"");
+    }
+  }
+
+  // Number of `node` in a table of axis positions; nothing, and a fault, for another kind.
+  std::optional<double> position(std::string_view name, const toml::node& node,
+                                 std::string_view table_name) {
+    double value = 0.0;
+    const std::size_t faults_before = scope_.faults.size();
+    detail::read_value(node, {.name = name, .unit = "mm, deg", .meaning = table_name}, scope_,
+                       value);
+    if (scope_.faults.size() != faults_before) return std::nullopt;
+    return value;
+  }
+
+  void resolve_retract() {
+    if (file_.retract == nullptr) return;
+    struct Move {
+      toml::source_position place;
+      int axis;
+      double position;
+    };
+    std::vector<Move> moves;  // a TOML table does not keep its order: the places do
+    for (const auto& [key, node] : *file_.retract) {
+      const int axis = find_axis(key.str(), key.source());
+      const auto value = position(key.str(), node, "retract position");
+      if (axis < 0 || !value) continue;
+      check_travel(axis, *value, node.source());
+      moves.push_back({key.source().begin, axis, *value});
+    }
+    std::ranges::sort(moves, {},
+                      [](const Move& m) { return std::pair(m.place.line, m.place.column); });
+    for (const Move& move : moves) scheme().retract.emplace_back(move.axis, move.position);
+  }
+
+  void resolve_roles() {
+    channels::ChannelConfig channel;
+    channel.words.assign(axes_.words.begin(), axes_.words.end());
+    scheme().linear = channels::geometry_axes(channel);
+    if (scheme().type != "head_table") return;
+    scheme().head_axis = rotary_axis("head_axis", file_.head_axis);
+    scheme().table_axis = rotary_axis("table_axis", file_.table_axis);
+  }
+
+  int rotary_axis(std::string_view key, const std::string& name) {
+    const int axis = find_axis(name, place_of(table_, key));
+    if (axis >= 0 && !axes_.axes[static_cast<std::size_t>(axis)]->rotary) {
+      scope_.fault(place_of(table_, key),
+                   axis_text(name) + " is linear; " + std::string(key) + " must be a rotary axis");
+    }
+    return axis;
+  }
+
+  void resolve_zero() {
+    if (scheme().type == "head_table") {  // both point modes then agree (kinematics/head_table.h)
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (scheme().linear[k] < 0) continue;
+        scheme().zero[static_cast<std::size_t>(scheme().linear[k])] =
+            scheme().table_centre[k] - scheme().pivot_to_spindle[k];
+      }
+    }
+    if (file_.zero == nullptr) return;
+    for (const auto& [key, node] : *file_.zero) {
+      const int axis = find_axis(key.str(), key.source());
+      const auto value = position(key.str(), node, "position of the base");
+      if (axis < 0 || !value) continue;
+      if (!takes_part(scheme(), axis)) {
+        scope_.fault(key.source(), axis_text(key.str()) +
+                                       " does not take part; a parked axis has "
+                                       "no zero, take it out");
+      }
+      scheme().zero[static_cast<std::size_t>(axis)] = *value;
+    }
+  }
+
+  const toml::table& table_;
+  SchemeFile file_;
+  const ChannelAxes& axes_;
+  Scope scope_;
+};
+
+SchemeConfig read_scheme(const toml::table& entry, const ChannelAxes& axes,
+                         const std::filesystem::path& folder, const Scope& scope) {
+  SchemeFile file;
+  if (!entry.contains("file")) {
+    read_table(entry, inline_keys(), file, scope);
+    file.scheme.id = file.id;
+    return SchemeReader(entry, std::move(file), axes, scope).resolve();
+  }
+  read_table(entry, reference_keys(), file, scope);
+  file.scheme.id = file.id;
+  if (file.file.empty()) return file.scheme;
+  const std::filesystem::path path = (folder / file.file).lexically_normal();
+  if (!std::filesystem::is_regular_file(path)) {
+    scope.fault(place_of(entry, "file"), "scheme file '" + path.string() +
+                                             "' does not exist; its path is relative to the "
+                                             "machine file");
+    return file.scheme;
+  }
+  const auto table = parse_file(path, scope.faults);
+  if (!table) return file.scheme;
+  file.scheme.file = path.string();
+  read_table(*table, scheme_keys(), file, scope);
+  return SchemeReader(*table, std::move(file), axes, scope).resolve();
+}
+
+}  // namespace
+
+int ChannelAxes::find(std::string_view name) const {
+  const auto word = std::ranges::find(words, name);
+  if (word != words.end()) return static_cast<int>(word - words.begin());
+  const auto axis = std::ranges::find(axes, name, &channels::AxisConfig::name);
+  return axis == axes.end() ? -1 : static_cast<int>(axis - axes.begin());
+}
+
+std::string ChannelAxes::list() const {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none" : text;
+}
+
+std::vector<SchemeConfig> read_schemes(Subtables schemes, const ChannelAxes& axes,
+                                       const std::filesystem::path& folder, const Scope& scope) {
+  std::vector<SchemeConfig> configs;
+  if (schemes == nullptr) return configs;
+  for (const toml::node& node : *schemes) {
+    const toml::table& table = *node.as_table();
+    const Scope inner = scope.inner("scheme " + std::to_string(table["id"].value_or(0)));
+    SchemeConfig scheme = read_scheme(table, axes, folder, inner);
+    const bool is_known = std::ranges::any_of(
+        configs, [&](const SchemeConfig& other) { return other.id == scheme.id; });
+    if (is_known) {
+      inner.fault(place_of(table, "id"),
+                  "the id is taken; every scheme of a channel needs its own");
+    }
+    configs.push_back(std::move(scheme));
+  }
+  return configs;
+}
+
+std::vector<KeyRow> scheme_key_rows() {
+  std::vector<KeyRow> rows = describe(reference_keys());
+  rows.back().initial = "none";  // left out when the keys below stand in the machine file
+  const std::vector<KeyRow> own = describe(scheme_keys());
+  rows.insert(rows.end(), own.begin(), own.end());
+  return rows;
+}
+std::vector<KeyRow> parked_key_rows() {
+  return describe(parked_keys());
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,34 @@
+// A kinematic scheme, in its own file or inside [[channel.scheme]] of the machine file.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "channels/machine_config.h"
+#include "config/key_table.h"
+#include "kinematics/scheme.h"
+
+namespace stanok::config {
+
+// The axes of the channel a scheme belongs to, in the channel's order.
+struct ChannelAxes {
+  std::span<const std::string> words;
+  std::vector<const channels::AxisConfig*> axes;
+
+  // Index of the axis that programs or the machine call `name`; words come first. -1: none.
+  [[nodiscard]] int find(std::string_view name) const;
+  [[nodiscard]] std::string list() const;  // "X, Y, Z"
+};
+
+// All schemes of a channel in the order of the file; scheme files are looked for in `folder`.
+[[nodiscard]] std::vector<kinematics::SchemeConfig> read_schemes(
+    Subtables schemes, const ChannelAxes& axes, const std::filesystem::path& folder,
+    const Scope& scope);
+
+// Rows of the documentation.
+[[nodiscard]] std::vector<KeyRow> scheme_key_rows();
+[[nodiscard]] std::vector<KeyRow> parked_key_rows();
+
+}  // namespace stanok::config

@@ -1,0 +1,156 @@
+// Keys and checks of the tables file: [[tool]] and [offset.G54].
+#include "config/tables_file.h"
+
+#include <algorithm>
+
+namespace stanok::config {
+namespace {
+
+using channels::TablesConfig;
+using channels::ToolEdge;
+
+struct TablesFile {
+  Subtables tools = nullptr;
+  Subtable offsets = nullptr;
+};
+
+const Keys<TablesFile>& tables_keys() {
+  static const Keys<TablesFile> keys = {
+      {"tool", at<&TablesFile::tools>, optional, "", "one edge of a tool"},
+      {"offset", at<&TablesFile::offsets>, optional, "", "work offsets"},
+  };
+  return keys;
+}
+
+const Keys<ToolEdge>& tool_keys() {
+  static const Keys<ToolEdge> keys = {
+      {"number", at<&ToolEdge::number>, required, "", "number of the tool (T, H)", from(1, 32000)},
+      {"edge", at<&ToolEdge::edge>, optional, "", "its edge", from(1, 99)},
+      {"name", at<&ToolEdge::name>, optional, "", "name for people"},
+      {"kind", at<&ToolEdge::kind>, optional, "", "shape of the cutting part",
+       one_of({"flat", "ball", "bull", "drill", "taper", "insert"})},
+      {"length", at<&ToolEdge::length>, optional, "mm",
+       "from the spindle nose to the tip, along Z"},
+      {"length_x", at<&ToolEdge::length_x>, optional, "mm", "from the nose to the tip, along X"},
+      {"length_y", at<&ToolEdge::length_y>, optional, "mm", "from the nose to the tip, along Y"},
+      {"radius", at<&ToolEdge::radius>, optional, "mm", "radius of the cutter", not_negative},
+      {"corner_radius", at<&ToolEdge::corner_radius>, optional, "mm",
+       "radius between face and flank, at most the radius of the cutter", not_negative},
+      {"flute_length", at<&ToolEdge::flute_length>, optional, "mm", "cutting length", not_negative},
+      {"shank_diameter", at<&ToolEdge::shank_diameter>, optional, "mm", "diameter of the shank",
+       not_negative},
+      {"holder_diameter", at<&ToolEdge::holder_diameter>, optional, "mm", "diameter of the holder",
+       not_negative},
+      {"holder_length", at<&ToolEdge::holder_length>, optional, "mm", "length of the holder",
+       not_negative},
+      {"wear_length", at<&ToolEdge::wear_length>, optional, "mm", "added to the length"},
+      {"wear_radius", at<&ToolEdge::wear_radius>, optional, "mm", "added to the radius"},
+      {"overhang", at<&ToolEdge::overhang>, optional, "mm", "of the tool out of its holder",
+       not_negative},
+      {"orientation", at<&ToolEdge::orientation>, optional, "",
+       "of a turning tool: 1 to 9 (G41, G42); 0: none", from(0, 9)},
+      {"angle_front", at<&ToolEdge::angle_front>, optional, "deg", "front angle of an insert",
+       from(-360, 360)},
+      {"angle_back", at<&ToolEdge::angle_back>, optional, "deg", "back angle of an insert",
+       from(-360, 360)},
+  };
+  return keys;
+}
+
+std::vector<ToolEdge> read_tools(Subtables tools, FaultList& faults) {
+  std::vector<ToolEdge> edges;
+  if (tools == nullptr) return edges;
+  for (const toml::node& node : *tools) {
+    const toml::table& table = *node.as_table();
+    const Scope scope{faults, "tool " + std::to_string(table["number"].value_or(0))};
+    ToolEdge edge;
+    read_table(table, tool_keys(), edge, scope);
+    const bool is_known = std::ranges::any_of(edges, [&](const ToolEdge& other) {
+      return other.number == edge.number && other.edge == edge.edge;
+    });
+    if (is_known) {
+      scope.fault(place_of(table, "number"), "edge " + std::to_string(edge.edge) +
+                                                 " of this tool stands twice; give each row its "
+                                                 "own number or edge");
+    }
+    if (edge.corner_radius > edge.radius) {
+      scope.fault(place_of(table, "corner_radius"),
+                  "corner_radius exceeds radius, " + number_text(edge.radius));
+    }
+    edges.push_back(std::move(edge));
+  }
+  return edges;
+}
+
+void read_offset(const std::string& name, const toml::table& table,
+                 const std::vector<std::string>& axis_names, TablesConfig& tables,
+                 const Scope& scope) {
+  refuse_unknown_keys(table, {axis_names.begin(), axis_names.end()}, scope);
+  for (const auto& [axis, node] : table) {
+    if (std::ranges::find(axis_names, axis.str()) == axis_names.end()) continue;
+    double value = 0.0;
+    detail::read_value(node,
+                       {.name = axis.str(), .unit = "mm, deg", .meaning = "offset of the axis"},
+                       scope, value);
+    tables.offsets[name][std::string(axis.str())] = value;
+  }
+}
+
+void read_offsets(Subtable offsets, const std::vector<std::string>& axis_names,
+                  TablesConfig& tables, FaultList& faults) {
+  if (offsets == nullptr) return;
+  for (const auto& [key, node] : *offsets) {
+    const std::string name(key.str());
+    const Scope scope{faults, "offset " + name};
+    if (!is_work_offset(name)) {
+      scope.fault(key.source(),
+                  "no such work offset; use G54 to G59, \"G59.1\" to \"G59.3\" or "
+                  "\"G54.1 P1\" and so on, names with a dot in quotes");
+    } else if (!node.is_table()) {
+      scope.fault(node.source(), "not a table; write the axes under [offset." + name + "]");
+    } else {
+      tables.offsets[name];
+      read_offset(name, *node.as_table(), axis_names, tables, scope);
+    }
+  }
+}
+
+}  // namespace
+
+bool is_work_offset(std::string_view name) {
+  constexpr std::string_view extended = "G54.1 P";
+  if (name.starts_with(extended)) {
+    const std::string_view number = name.substr(extended.size());
+    return !number.empty() && number.size() <= 3 && number.front() != '0' &&
+           number.find_first_not_of("0123456789") == std::string_view::npos;
+  }
+  constexpr std::array<std::string_view, 9> plain{"G54", "G55",   "G56",   "G57",  "G58",
+                                                  "G59", "G59.1", "G59.2", "G59.3"};
+  return std::ranges::find(plain, name) != plain.end();
+}
+
+TablesConfig read_tables(const std::filesystem::path& file,
+                         const std::vector<std::string>& axis_names, FaultList& faults) {
+  TablesConfig tables;
+  const auto root = parse_file(file, faults);
+  if (!root) return tables;
+  TablesFile sections;
+  read_table(*root, tables_keys(), sections, Scope{faults, "tables"});
+  tables.tools = read_tools(sections.tools, faults);
+  read_offsets(sections.offsets, axis_names, tables, faults);
+  return tables;
+}
+
+TablesConfig read_tables_file(const std::filesystem::path& file,
+                              const std::vector<std::string>& axis_names) {
+  FaultList faults;
+  TablesConfig tables = read_tables(file, axis_names, faults);
+  faults.throw_if_any();
+  return tables;
+}
+
+std::vector<KeyRow> tool_key_rows() {
+  return describe(tool_keys());
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,28 @@
+// Tool table and work offsets: the tables a machine starts with when it has no saved ones.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "channels/machine_config.h"
+#include "config/key_table.h"
+
+namespace stanok::config {
+
+// Offsets are given for the machine's axes `axis_names`. Faults go to the scope's list.
+[[nodiscard]] channels::TablesConfig read_tables(const std::filesystem::path& file,
+                                                 const std::vector<std::string>& axis_names,
+                                                 FaultList& faults);
+
+// The same on its own, for tables an operator loads. Throws ConfigError.
+[[nodiscard]] channels::TablesConfig read_tables_file(const std::filesystem::path& file,
+                                                      const std::vector<std::string>& axis_names);
+
+// "G54" ... "G59", "G59.1" ... "G59.3", "G54.1 P1" ....
+[[nodiscard]] bool is_work_offset(std::string_view name);
+
+// Rows of the documentation.
+[[nodiscard]] std::vector<KeyRow> tool_key_rows();
+
+}  // namespace stanok::config
