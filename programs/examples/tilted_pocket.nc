@@ -1,0 +1,20 @@
+%
+(FIVE AXES: A CIRCLE OF 30 MM IS FOLLOWED WHILE THE TOOL LEANS OUTWARDS BY 20 DEG)
+(ZERO ON THE TABLE AXIS C, TOOL 2: BALL CUTTER OF 6 MM)
+N10 G21 G90 G17 G40 G49 G80
+N20 T2 M6
+N30 S16000 M3
+N40 G54
+N50 G0 B20 C0
+N60 G43.4 H2 X15 Y0 Z60 (from here on X, Y, Z are those of the tool tip)
+N70 G64 P0.01
+N80 G0 Z12 M8
+N90 G1 Z10 F300
+
+(The table turns once; the tip goes round with it, and the tool always leans away from the middle)
+N100 G2 X15 Y0 I-15 B20 C360 F900
+N110 G0 Z60 M9
+N120 G49
+N130 M5
+N140 M30
+%
