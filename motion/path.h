@@ -76,9 +76,21 @@ struct PathBlock {
 
 enum class PieceKind : std::uint8_t { line, arc, quintic };
 
+// Which axes make up the path coordinate: s is the Euclidean length of their common way.
+struct PathMetric {
+  int axis_count = axes_max;  // axes of the channel; components beyond stay as they start
+  unsigned axes = 0b111;      // bit k: axis k counts
+
+  [[nodiscard]] constexpr bool counts(std::size_t axis) const RT_SAFE {
+    return (axes >> axis & 1U) != 0;
+  }
+  friend constexpr bool operator==(const PathMetric&, const PathMetric&) = default;
+};
+
 // Geometry of a piece over its own parameter u in [0, 1]; evaluation in motion/geometry.h.
 struct Geometry {
   PieceKind kind = PieceKind::line;
+  PathMetric metric;
   Point start{};
   Point end{};  // stored, exact: evaluation at u = 1 returns it to the bit
   // arc
@@ -130,7 +142,7 @@ struct Phase {
 };
 
 // A committed stretch of a chain: the next `pieces` and `phases` of their rings. Chunks of a chain
-// meet at a state with a = 0.
+// meet in one state (s, v, a), to the bit.
 struct Chunk {
   std::uint32_t pieces = 0;
   std::uint32_t phases = 0;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "motion/path.h"
@@ -18,7 +17,7 @@ namespace stanok::motion {
 struct Unreachable {
   BlockTag tag;
   int axis = 0;
-  double position = 0.0;
+  double position = 0.0;  // NaN: the pose does not exist in the scheme
   double limit = 0.0;
 };
 
@@ -47,11 +46,29 @@ class PathBuilder {
   [[nodiscard]] std::vector<Built>& built() { return built_; }
 
   // End of the last block taken, in W.
-  [[nodiscard]] const Point& end() const;
+  [[nodiscard]] const Point& end() const { return end_; }
 
  private:
+  // The last block taken: its end still waits for the join with the next one.
+  struct Pending {
+    Piece whole;  // the programmed block
+    double tolerance_mm = 0.0;
+    double tolerance_deg = 0.0;
+    double from = 0.0;  // path length already taken by the blend at its start
+    Point from_point{};
+  };
+
+  [[nodiscard]] Pending pending_from(const PathBlock& block) const;
+  void join(const Pending& next);
+  [[nodiscard]] bool join_by_blend(Pending& next);
+  void emit_pending(double to, const Point& to_point);
+  void emit(Piece piece);
+  void stop();
+
+  MotionConfig config_;
+  Point end_{};
+  std::optional<Pending> pending_;
   std::vector<Built> built_;
-  // (implementation members follow here)
 };
 
 }  // namespace stanok::motion

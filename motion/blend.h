@@ -1,0 +1,45 @@
+// Blends: quintic curves that replace the corner between two pieces, within tolerance.
+//
+// A blend leaves the incoming piece at the path length L (its reach) before the corner and enters
+// the outgoing piece L after it, with their tangents and curvatures, in all axes together. Its
+// shape has control points at L, beta L and gamma L from the corner; between two lines its largest
+// deviation is exactly L (1 + 5 beta + 10 gamma) / 32 * |t_out - t_in|, reached at the corner.
+// Derivation and choice of beta and gamma: docs/motion.md#blends.
+#pragma once
+
+#include <optional>
+
+#include "motion/path.h"
+#include "motion/shape.h"
+
+namespace stanok::motion {
+
+// Tuned for a profile that keeps accelerating inside the blend; rounder shapes are slower there.
+inline constexpr double blend_beta = 0.4;
+inline constexpr double blend_gamma = 0.1;
+
+// How far the path may leave the programmed one: mm for linear axes (Euclidean over X, Y, Z), deg
+// for every rotary axis against its synchronous linear course.
+struct Tolerance {
+  double mm = 0.0;
+  double deg = 0.0;
+};
+
+struct Blend {
+  Shape shape;
+  double reach = 0.0;  // L
+};
+
+// The longest blend between two pieces that meet, up to `reach_max`, within `tolerance`; none when
+// even the shortest sensible one deviates too far.
+[[nodiscard]] std::optional<Blend> fit_blend(const Piece& incoming, const Piece& outgoing,
+                                             double reach_max, const Tolerance& tolerance,
+                                             const MotionConfig& config);
+
+// Largest deviation of `blend` from the programmed way over `incoming` and `outgoing`, as a share
+// of the tolerance, found at samples; includes the distance at which the corner itself is passed.
+[[nodiscard]] double deviation_share(const Blend& blend, const Piece& incoming,
+                                     const Piece& outgoing, const Tolerance& tolerance,
+                                     const MotionConfig& config);
+
+}  // namespace stanok::motion

@@ -1,0 +1,189 @@
+// Blocks to pieces, one block behind (motion/path_builder.h).
+//
+// The last block taken is pending: its start is settled, its end waits for the join with the block
+// that follows. Each join consumes at most half of either block, so that the two joins of a block
+// never meet.
+#include "motion/path_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "motion/blend.h"
+#include "motion/corner.h"
+#include "motion/geometry.h"
+#include "motion/piece_bounds.h"
+#include "motion/shape.h"
+
+namespace stanok::motion {
+namespace {
+
+// An axis that moves less stands; geometry axes that all move less do not make a way in mm.
+constexpr double standstill = 1e-12;
+constexpr double geometry_standstill = 1e-9;
+
+// "Exact" path: what a tolerance of 0 still permits, a millionth of a micrometre. It lets tangent
+// joins with rounded coordinates or a step of curvature pass slowly; real corners stop.
+constexpr double exact_tolerance = 1e-9;  // mm or deg
+
+// Shorter rests between two blends are not worth a piece of their own; their blend gives way.
+constexpr double rest_min = 1e-4;
+
+bool moves(const PathBlock& block, const Point& start, std::size_t axis, double threshold) {
+  return !(std::abs(block.end[axis] - start[axis]) <= threshold);
+}
+
+// Any axis of the channel moves; an arc moves by its sweep.
+bool moves(const PathBlock& block, const Point& start, int axis_count) {
+  if (block.kind == BlockKind::arc && block.sweep_rad != 0.0) return true;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
+    if (moves(block, start, k, standstill)) return true;
+  }
+  return false;
+}
+
+// Tip's way in mm when a geometry axis moves, otherwise the way of all other axes in deg.
+PathMetric metric_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
+  PathMetric metric{config.axis_count, 0};
+  bool on_geometry = block.kind == BlockKind::arc;
+  for (const int axis : config.geometry) {
+    if (axis < 0) continue;
+    metric.axes |= 1U << static_cast<unsigned>(axis);
+    const auto k = static_cast<std::size_t>(axis);
+    on_geometry = on_geometry || moves(block, start, k, geometry_standstill);
+  }
+  if (!on_geometry)
+    metric.axes = ((1U << static_cast<unsigned>(config.axis_count)) - 1U) & ~metric.axes;
+  return metric;
+}
+
+// Path length at which `piece` may be cut, at most `wanted` from its near end: no tiny rest stays.
+double reach_without_rest(double wanted, double length_left) {
+  const double rest = length_left - wanted;
+  const double rest_wanted = std::min(rest_min, 0.125 * length_left);
+  return rest == 0.0 || rest >= rest_wanted ? wanted : length_left - rest_wanted;
+}
+
+}  // namespace
+
+PathBuilder::PathBuilder(const MotionConfig& config) : config_(config) {}
+
+void PathBuilder::restart(const Point& point) {
+  pending_.reset();
+  end_ = point;
+}
+
+std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
+  STANOK_ASSERT(block.rapid || block.feed_per_s > 0.0);
+  if (!moves(block, end_, config_.axis_count)) {
+    if (pending_ && block.ending == BlockEnding::exact_stop) stop();
+    return std::nullopt;
+  }
+  const Pending next = pending_from(block);
+  if (const auto excess = soft_limit_excess(next.whole, config_)) {
+    return Unreachable{block.tag, excess->axis, excess->position, excess->limit};
+  }
+  if (pending_) {
+    join(next);
+  } else {
+    pending_ = next;
+  }
+  end_ = block.end;
+  if (block.ending == BlockEnding::exact_stop) stop();
+  return std::nullopt;
+}
+
+void PathBuilder::finish() {
+  if (pending_) stop();
+}
+
+PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
+  const PathMetric metric = metric_of(block, end_, config_);
+  const Shape shape =
+      block.kind == BlockKind::arc ? arc(metric, end_, block) : line(metric, end_, block.end);
+  Pending pending;
+  pending.whole.tag = block.tag;
+  pending.whole.geometry = shape.geometry;
+  pending.whole.length = shape.length;
+  pending.whole.feed_per_s = block.rapid ? unlimited : block.feed_per_s;
+  pending.whole.rapid = block.rapid;
+  pending.whole.transform = block.transform;
+  pending.tolerance_mm = block.tolerance_mm;
+  pending.tolerance_deg = block.tolerance_deg;
+  pending.from_point = end_;
+  return pending;
+}
+
+void PathBuilder::join(const Pending& block) {
+  Pending next = block;
+  switch (judge_join(pending_->whole, next.whole)) {
+    case Join::smooth:
+      emit_pending(pending_->whole.length, pending_->whole.geometry.end);
+      break;
+    case Join::corner:
+      if (!join_by_blend(next)) stop();
+      break;
+    case Join::turn:
+      stop();
+      break;
+  }
+  pending_ = next;
+}
+
+// Makes the blend and what is left of the pending block before it; false when there is none.
+bool PathBuilder::join_by_blend(Pending& next) {
+  const Piece& incoming = pending_->whole;
+  const Piece& outgoing = next.whole;
+  const Tolerance tolerance{
+      std::max(exact_tolerance, std::min(pending_->tolerance_mm, next.tolerance_mm)),
+      std::max(exact_tolerance, std::min(pending_->tolerance_deg, next.tolerance_deg))};
+  double reach_max = 0.5 * std::min(incoming.length, outgoing.length);
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
+    if (!blend) return false;
+    const double allowed = reach_without_rest(blend->reach, incoming.length - pending_->from);
+    if (allowed < blend->reach) {
+      reach_max = allowed;
+      continue;
+    }
+    Piece curve = outgoing;
+    curve.tag = incoming.tag;
+    curve.geometry = blend->shape.geometry;
+    curve.length = blend->shape.length;
+    curve.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
+    curve.rapid = incoming.rapid && outgoing.rapid;
+    if (soft_limit_excess(curve, config_)) return false;
+    emit_pending(incoming.length - blend->reach, curve.geometry.start);
+    emit(curve);
+    next.from = blend->reach;
+    next.from_point = curve.geometry.end;
+    return true;
+  }
+  return false;
+}
+
+// The pending block from where its first blend ends up to `to`; nothing when two blends touch.
+void PathBuilder::emit_pending(double to, const Point& to_point) {
+  if (to <= pending_->from) return;
+  Piece piece = pending_->whole;
+  if (pending_->from > 0.0 || to < piece.length) {
+    const Shape rest = part(pending_->whole, pending_->from, pending_->from_point, to, to_point);
+    piece.geometry = rest.geometry;
+    piece.length = rest.length;
+  }
+  emit(piece);
+}
+
+void PathBuilder::emit(Piece piece) {
+  piece.bounds = piece_bounds(piece, config_);
+  built_.push_back({piece, false});
+}
+
+// The pending block runs to its end and the path stands there.
+void PathBuilder::stop() {
+  emit_pending(pending_->whole.length, pending_->whole.geometry.end);
+  built_.back().ends_chain = true;
+  pending_.reset();
+}
+
+}  // namespace stanok::motion
