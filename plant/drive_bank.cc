@@ -73,31 +73,27 @@ DriveBank::Slot* DriveBank::slot_of(int unit) {
 }
 
 std::optional<AnswerKind> DriveBank::answer_kind(int unit) {
-  if (unit == fault_panel_unit) {
-    return AnswerKind::normal;
+  if (Slot* slot = slot_of(unit)) {
+    return slot->drive->answer_kind();
   }
-  Slot* slot = slot_of(unit);
-  return slot == nullptr ? std::nullopt : std::optional(slot->drive->answer_kind());
+  return unit == fault_panel_unit ? std::optional(AnswerKind::normal) : std::nullopt;
 }
 
 modbus_mapping_t* DriveBank::registers_after(int unit, std::span<const std::uint8_t> pdu) {
   const auto write = register_write(pdu);
-  if (unit == fault_panel_unit) {
+  if (Slot* slot = slot_of(unit)) {
     if (write) {
-      write_panel(*write);
+      write_drive(*slot, *write);
     }
-    for (std::size_t i = 0; i < drives_.size(); ++i) {
-      panel_->tab_registers[i] = drives_[i].injected.load();
-    }
-    return panel_.get();
+    show_status(*slot);
+    return slot->registers.get();
   }
-  Slot* slot = slot_of(unit);
-  STANOK_ASSERT(slot != nullptr);
+  STANOK_ASSERT(unit == fault_panel_unit);
   if (write) {
-    write_drive(*slot, *write);
+    write_panel(*write);
   }
-  show_status(*slot);
-  return slot->registers.get();
+  show_faults();
+  return panel_.get();
 }
 
 // A request beyond the registers is left to libmodbus, which refuses it with an exception.
@@ -129,6 +125,12 @@ void DriveBank::write_panel(const RegisterWrite& write) {
     drives_[static_cast<std::size_t>(write.first) + i].injected.store(write.values[i]);
   }
   apply_injections();
+}
+
+void DriveBank::show_faults() {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    panel_->tab_registers[i] = drives_[i].injected.load();
+  }
 }
 
 void DriveBank::show_status(Slot& slot) {

@@ -61,6 +61,7 @@ class DriveBank {
   void apply_injections();
   void write_drive(Slot& slot, const RegisterWrite& write);
   void write_panel(const RegisterWrite& write);
+  void show_faults();
   static void show_status(Slot& slot);
 
   std::vector<Slot> drives_;

@@ -54,7 +54,7 @@ struct SimulatedDriveConfig {
 
 // Unit ids of spindle drives: this plus the spindle's number.
 inline constexpr int spindle_unit_base = 200;
-// Unit id of the panel for fault injection.
+// Unit id of the panel for fault injection, unless a drive has it.
 inline constexpr int fault_panel_unit = 247;
 
 // Simulated drives of all axes of a bus, starting at `start` (empty: all at 0).

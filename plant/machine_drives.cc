@@ -1,0 +1,53 @@
+// From the sections of a machine file to simulated drives.
+#include "plant/machine_drives.h"
+
+namespace stanok::plant {
+namespace {
+
+drives::AxisDriveConfig default_registers(const channels::AxisConfig& axis, int place) {
+  drives::AxisDriveConfig registers;
+  registers.axis = axis.name;
+  registers.unit = place;
+  registers.following_error_max = axis.following_error_max;
+  registers.velocity_max = axis.limits.velocity_max;
+  return registers;
+}
+
+}  // namespace
+
+drives::BusConfig simulated_bus(const config::MachineFile& machine) {
+  drives::BusConfig bus = machine.bus;
+  bus.kind = drives::BusKind::modbus_tcp;
+  bus.host = "127.0.0.1";
+  if (bus.axes.empty()) {
+    for (const channels::AxisConfig& axis : machine.machine.axes) {
+      bus.axes.push_back(default_registers(axis, static_cast<int>(bus.axes.size()) + 1));
+    }
+  }
+  return bus;
+}
+
+std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) {
+  std::vector<double> start;
+  for (const channels::AxisConfig& axis : machine.machine.axes) {
+    start.push_back(axis.start);
+  }
+  std::vector<SimulatedDriveConfig> drives = drives_of(simulated_bus(machine), start);
+  for (SimulatedDriveConfig& drive : drives) {
+    drive.axis.bandwidth_hz = machine.simulation.drive_frequency_hz;
+    drive.axis.damping = machine.simulation.drive_damping;
+  }
+  for (const channels::SpindleConfig& spindle : machine.machine.spindles) {
+    SpindlePlantConfig plant{.acceleration = spindle.acceleration};
+    if (spindle.speed_max > 0.0) {
+      plant.speed_max = spindle.speed_max;
+    }
+    if (spindle.power_idle_w > 0.0) {
+      plant.power_idle_w = spindle.power_idle_w;
+    }
+    drives.push_back(spindle_drive(spindle.id, plant));
+  }
+  return drives;
+}
+
+}  // namespace stanok::plant

@@ -1,0 +1,19 @@
+// The simulated drives of a machine file: one per axis and spindle.
+#pragma once
+
+#include <vector>
+
+#include "config/machine_file.h"
+#include "drives/bus_config.h"
+#include "plant/plant_config.h"
+
+namespace stanok::plant {
+
+// The bus of the machine with every axis on it, as Modbus TCP on loopback; the port is the
+// server's. A machine without [drives] gets the default registers and units 1, 2, ...
+[[nodiscard]] drives::BusConfig simulated_bus(const config::MachineFile& machine);
+
+// In machine axis order, at their start positions; then the spindles.
+[[nodiscard]] std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine);
+
+}  // namespace stanok::plant
