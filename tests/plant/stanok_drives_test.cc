@@ -1,0 +1,141 @@
+// The program stanok-drives as a user runs it: options, output, exit codes, end by signal.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <modbus/modbus.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stanok::plant {
+namespace {
+
+const std::string program = STANOK_BINARY_DIR "/bin/stanok-drives";
+const std::string machine = STANOK_SOURCE_DIR "/config/machines/e7106mf4.toml";
+
+// A running stanok-drives; its standard output is a pipe, its standard error goes nowhere.
+class Process {
+ public:
+  explicit Process(std::vector<std::string> arguments) {
+    std::array<int, 2> pipe_ends{};
+    EXPECT_EQ(pipe(pipe_ends.data()), 0);
+    posix_spawn_file_actions_t actions{};
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addclose(&actions, pipe_ends[0]);
+    arguments.insert(arguments.begin(), program);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) {
+      argv.push_back(argument.data());
+    }
+    argv.push_back(nullptr);
+    EXPECT_EQ(posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    close(pipe_ends[1]);
+    output_ = fdopen(pipe_ends[0], "r");
+  }
+  ~Process() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+    }
+    std::fclose(output_);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  // The next line of output; empty at its end.
+  std::string line() {
+    std::array<char, 8192> text{};
+    return std::fgets(text.data(), text.size(), output_) == nullptr ? "" : text.data();
+  }
+
+  void signal(int number) const { kill(pid_, number); }
+
+  int exit_code() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t pid_ = 0;
+  std::FILE* output_ = nullptr;
+};
+
+class StanokDrives : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(program)) {
+      GTEST_SKIP() << program << " is not built";
+    }
+  }
+};
+
+TEST_F(StanokDrives, ServesTheMachineAndEndsOnASignal) {
+  for (const int end : {SIGINT, SIGTERM}) {
+    Process process({"--machine", machine, "--fault", "Y=trip"});
+    int port = 0;
+    ASSERT_EQ(std::sscanf(process.line().c_str(), "port %d on 127.0.0.1", &port), 1);
+    EXPECT_EQ(process.line(), "unit 1  X\n");
+
+    modbus_t* client = modbus_new_tcp("127.0.0.1", port);
+    ASSERT_EQ(modbus_connect(client), 0);
+    std::uint16_t fault_code = 0;
+    modbus_set_slave(client, 2);
+    EXPECT_EQ(modbus_read_registers(client, 110, 1, &fault_code), 1);
+    EXPECT_EQ(fault_code, 0x2310);
+    modbus_close(client);
+    modbus_free(client);
+
+    process.signal(end);
+    EXPECT_EQ(process.exit_code(), 0);
+  }
+}
+
+TEST_F(StanokDrives, DescribesItsUnitsAsJson) {
+  Process process({"--machine", machine, "--json"});
+  const std::string json = process.line();
+  EXPECT_NE(json.find("\"port\":"), std::string::npos) << json;
+  EXPECT_NE(json.find("{\"unit\":1,\"axis\":\"X\",\"kind\":\"axis\""), std::string::npos) << json;
+  EXPECT_NE(json.find("{\"unit\":201,\"axis\":\"S1\",\"kind\":\"spindle\""), std::string::npos);
+  process.signal(SIGTERM);
+  EXPECT_EQ(process.exit_code(), 0);
+}
+
+struct EndCase {
+  const char* name;
+  std::vector<std::string> arguments;
+  int exit_code;
+};
+
+class StanokDrivesEnds : public StanokDrives, public ::testing::WithParamInterface<EndCase> {};
+
+TEST_P(StanokDrivesEnds, WithTheCodeOfTheCause) {
+  Process process(GetParam().arguments);
+  EXPECT_EQ(process.exit_code(), GetParam().exit_code);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AtOnce, StanokDrivesEnds,
+    ::testing::Values(
+        EndCase{"Help", {"--help"}, 0}, EndCase{"NoMachine", {}, 2},
+        EndCase{"UnknownOption", {"--machine", machine, "--speed", "3"}, 2},
+        EndCase{"UnknownAxis", {"--machine", machine, "--fault", "Q=off"}, 2},
+        EndCase{"UnknownFault", {"--machine", machine, "--fault", "X=asleep"}, 2},
+        EndCase{
+            "BothPortAndLine", {"--machine", machine, "--port", "1502", "--rtu", "/dev/null"}, 2},
+        EndCase{"NoSuchFile", {"--machine", "no-such-machine.toml"}, 1},
+        EndCase{"NoSuchLine", {"--machine", machine, "--rtu", "/dev/no-such-line"}, 1}),
+    [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace stanok::plant
