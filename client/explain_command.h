@@ -1,0 +1,16 @@
+// `stanok explain CODE`: what a code of the catalogue means and what to do. `stanok completion
+// SHELL`: a completion script.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace stanok::client {
+
+void add_explain_command(CLI::App& app, int& exit_code);
+void add_completion_command(CLI::App& app);
+
+// The text of a code; "" when the catalogue has no such code. Lower case is understood.
+[[nodiscard]] std::string explanation(std::string code);
+
+}  // namespace stanok::client

@@ -1,0 +1,18 @@
+#include "client/offline.h"
+
+#include "client/check_command.h"
+#include "client/explain_command.h"
+#include "client/interpret_command.h"
+#include "client/simulate_command.h"
+
+namespace stanok::client {
+
+void add_offline_commands(CLI::App& app, int& exit_code) {
+  add_check_command(app, exit_code);
+  add_interpret_command(app, exit_code);
+  add_simulate_command(app, exit_code);
+  add_explain_command(app, exit_code);
+  add_completion_command(app);
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,136 @@
+#include "client/operator_commands.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "client/noun_command.h"
+#include "protocol/json_rpc.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+using protocol::Method;
+using protocol::Parameter;
+using protocol::ParameterType;
+
+constexpr double whole_number_max = 1e9;
+
+// What the command line says of one verb, before it is understood.
+struct GivenOptions {
+  std::map<std::string, std::vector<std::string>> values;  // by parameter
+  bool wait = false;
+  bool json = false;
+  std::string socket;
+  double timeout_s = 0.0;
+};
+
+std::string upper(std::string_view name) {
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+// rate_hz -> --rate-hz
+std::string option_name(const Parameter& parameter) {
+  std::string name = "--" + std::string(parameter.name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+std::string help_text(const Parameter& parameter) {
+  std::string text(parameter.help);
+  if (!parameter.unit.empty()) text += " [" + std::string(parameter.unit) + "]";
+  return text;
+}
+
+json number(const Parameter& parameter, const std::string& text) {
+  double value = 0.0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc() || end != last) {
+    throw CLI::ValidationError(std::string(parameter.name), "'" + text + "' is not a number");
+  }
+  const bool is_whole = std::abs(value) <= whole_number_max && value == std::floor(value);
+  return is_whole ? json(static_cast<std::int64_t>(value)) : json(value);
+}
+
+json value_of(const Parameter& parameter, const std::vector<std::string>& words) {
+  switch (parameter.type) {
+    case ParameterType::integer:
+    case ParameterType::number:
+      return number(parameter, words.front());
+    case ParameterType::text:
+    case ParameterType::choice:
+      return words.front();
+    case ParameterType::text_list:
+      return words;
+  }
+  return nullptr;
+}
+
+bool is_wait(const Parameter& parameter) {
+  return parameter.name == "wait";
+}
+
+OperatorCall call_of(const Method& method, const GivenOptions& given) {
+  OperatorCall call;
+  call.method = &method;
+  call.socket = given.socket;
+  call.timeout_s = given.timeout_s;
+  call.form = given.json ? OutputForm::json : OutputForm::people;
+  for (const Parameter& parameter : method.parameters) {
+    const auto words = given.values.find(std::string(parameter.name));
+    if (words == given.values.end() || words->second.empty()) continue;
+    call.parameters[words->first] = value_of(parameter, words->second);
+  }
+  if (given.wait) call.parameters["wait"] = "done";
+  if (const auto checked = protocol::checked_parameters(method, call.parameters); !checked) {
+    throw CLI::ValidationError(checked.error().message);
+  }
+  return call;
+}
+
+void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& given) {
+  if (is_wait(parameter)) {
+    command.add_flag("--wait", given.wait, "wait until the work is done");
+    return;
+  }
+  const bool is_positional = parameter.spelling == protocol::Spelling::positional;
+  const std::string name = is_positional ? upper(parameter.name) : option_name(parameter);
+  auto* option =
+      command.add_option(name, given.values[std::string(parameter.name)], help_text(parameter));
+  if (parameter.type != ParameterType::text_list) option->expected(1);
+  if (parameter.presence == protocol::Presence::required) option->required();
+}
+
+void add_method(CLI::App& app, const Method& method,
+                const std::function<void(const OperatorCall&)>& on_call) {
+  const std::string verb(protocol::verb(method));
+  const std::string noun(protocol::noun(method));
+  CLI::App& parent =
+      verb.empty() ? app : noun_command(app, noun, std::string(protocol::noun_help(noun)));
+  CLI::App* command = parent.add_subcommand(verb.empty() ? noun : verb, std::string(method.help));
+  const auto given = std::make_shared<GivenOptions>();
+  for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
+  command->add_flag("--json", given->json, "print JSON");
+  command->add_option("--socket", given->socket, "socket of the daemon");
+  command->add_option("--timeout", given->timeout_s, "give up after this time [s]")
+      ->check(CLI::NonNegativeNumber);
+  if (method.availability == protocol::Availability::later) command->allow_extras();
+  command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });
+}
+
+}  // namespace
+
+void add_operator_commands(CLI::App& app, std::function<void(const OperatorCall&)> on_call) {
+  for (const Method& method : protocol::methods()) add_method(app, method, on_call);
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,31 @@
+// The operator's subcommands of `stanok`, made from the command table (protocol/method_table.h).
+//
+// `program.run` becomes `stanok program run PROGRAM --channel N --wait`: required parameters are
+// positional, the others options; every verb has --json, --socket and --timeout.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "protocol/method_table.h"
+
+namespace stanok::client {
+
+enum class OutputForm { people, json };
+
+// One operator command as given on the command line.
+struct OperatorCall {
+  const protocol::Method* method = nullptr;
+  nlohmann::json parameters = nlohmann::json::object();
+  std::string socket;      // empty: chosen by choose_socket
+  double timeout_s = 0.0;  // 0: the usual time of the method
+  OutputForm form = OutputForm::people;
+};
+
+// `on_call` is called while the command line is parsed, with checked parameters. A value that does
+// not fit its parameter ends parsing with CLI::ValidationError.
+void add_operator_commands(CLI::App& app, std::function<void(const OperatorCall&)> on_call);
+
+}  // namespace stanok::client

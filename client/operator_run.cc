@@ -1,0 +1,103 @@
+#include "client/operator_run.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+#include "base/catalogue.h"
+#include "client/operator_client.h"
+#include "client/result_text.h"
+#include "client/run_progress.h"
+#include "client/watch_view.h"
+#include "protocol/failure.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+using protocol::Failure;
+
+constexpr double usual_timeout_s = 30.0;
+
+bool waits_for_the_end(const OperatorCall& call) {
+  return call.parameters.value("wait", "") == "done";
+}
+
+bool is_watching(const OperatorCall& call) {
+  return call.method->name == "channel.watch" || call.method->name == "subscribe";
+}
+
+// Compiling a program takes as long as the program is long; a run as long as it runs.
+OperatorClient::Deadline deadline_of(const OperatorCall& call) {
+  const bool is_long = waits_for_the_end(call) || is_watching(call) ||
+                       call.method->name == "program.load" || call.method->name == "program.run";
+  const double seconds = call.timeout_s > 0.0 ? call.timeout_s : (is_long ? 0.0 : usual_timeout_s);
+  if (seconds <= 0.0) return std::nullopt;
+  return OperatorClient::Clock::now() + std::chrono::duration_cast<OperatorClient::Clock::duration>(
+                                            std::chrono::duration<double>(seconds));
+}
+
+std::string place_text(const Place& place) {
+  if (place.line == 0) return place.file.empty() ? "" : place.file + ": ";
+  return place.file + ":" + std::to_string(place.line) +
+         (place.column > 0 ? ":" + std::to_string(place.column) : "") + ": ";
+}
+
+void show_failure(const Failure& failure, OutputForm form) {
+  if (form == OutputForm::json)
+    std::printf("%s\n", json{{"error", to_json(failure)}}.dump().c_str());
+  const Terminal terminal(STDERR_FILENO);
+  const std::string code = failure.code.empty() ? "" : "[" + failure.code + "]";
+  std::fprintf(stderr, "%s%s: %s\n", place_text(failure.place).c_str(),
+               terminal.coloured("error" + code, Colour::red).c_str(), failure.message.c_str());
+  const CatalogueRow* row = find_in_catalogue(failure.code);
+  if (row != nullptr && !row->remedy.empty()) {
+    std::fprintf(stderr, "  remedy: %s\n", std::string(row->remedy).c_str());
+  }
+}
+
+void show_result(const OperatorCall& call, const json& result) {
+  if (call.form == OutputForm::json) {
+    std::printf("%s\n", result.dump().c_str());
+  } else {
+    std::fputs(result_text(call.method->name, result, Terminal(STDOUT_FILENO)).c_str(), stdout);
+  }
+}
+
+int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Deadline deadline) {
+  WatchView view(call.form, Terminal(STDOUT_FILENO));
+  client.on_notification([&](const std::string& method, const json& parameters) {
+    std::fputs(view.shown(method, parameters).c_str(), stdout);
+    std::fflush(stdout);
+  });
+  const auto accepted = client.call(std::string(call.method->name), call.parameters, deadline);
+  if (!accepted) {
+    show_failure(accepted.error(), call.form);
+    return exit_code(accepted.error().kind);
+  }
+  client.listen(deadline);
+  return exit_code(protocol::FailureKind::timed_out);
+}
+
+}  // namespace
+
+int run_operator_call(const OperatorCall& call) {
+  OperatorClient client(choose_socket(call.socket));
+  catch_interrupts();
+  const auto deadline = deadline_of(call);
+  if (is_watching(call)) return watch(client, call, deadline);
+  const Terminal terminal(STDERR_FILENO);
+  RunProgress progress(call.parameters.value("channel", 0.0), client.hello());
+  if (waits_for_the_end(call) && terminal.is_terminal()) progress.follow(client);
+  const auto result = client.call(std::string(call.method->name), call.parameters, deadline);
+  progress.clear();
+  if (!result) {
+    show_failure(result.error(), call.form);
+    return exit_code(result.error().kind);
+  }
+  show_result(call, *result);
+  return 0;
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,59 @@
+#include "client/run_progress.h"
+
+#include <cstdio>
+
+#include "client/result_text.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+constexpr double shown_rate_hz = 5.0;
+constexpr const char* clear_line = "\r\033[K";  // ECMA-48 EL: erase to the end of the line
+
+}  // namespace
+
+RunProgress::RunProgress(double channel, const json& hello) {
+  int id = static_cast<int>(channel);
+  const auto channels = hello.value("channels", json::array());
+  if (id == 0 && !channels.empty()) id = channels.front().value("id", 0);
+  channel_ = std::to_string(id);
+}
+
+void RunProgress::follow(OperatorClient& client) {
+  client.on_notification([this](const std::string& method, const json& parameters) {
+    if (method != "status") return;
+    state_.merge_patch(parameters.value("state", json::object()));
+    const auto channels = state_.value("channels", json::object());
+    if (const auto channel = channels.find(channel_); channel != channels.end()) show(*channel);
+  });
+  const json wanted = {{"topics", {"channels"}}, {"rate_hz", shown_rate_hz}};
+  // Without a subscription there is no progress line; the command itself goes on.
+  static_cast<void>(
+      client.call("subscribe", wanted, OperatorClient::Clock::now() + std::chrono::seconds(5)));
+}
+
+void RunProgress::show(const json& channel) {
+  std::fprintf(stderr, "%s%s", clear_line, progress_line(channel).c_str());
+  std::fflush(stderr);
+  is_shown_ = true;
+}
+
+void RunProgress::clear() {
+  if (is_shown_) std::fputs(clear_line, stderr);
+  is_shown_ = false;
+}
+
+std::string progress_line(const json& channel) {
+  const std::string program = cell_text(channel.value("program", json()));
+  const std::string line = cell_text(channel.value("line", json()));
+  const json remaining = channel.value("remaining_s", json());
+  return "channel " + cell_text(channel.value("id", json())) + "  " +
+         cell_text(channel.value("program_status", json())) + "  " + program + ":" + line + "  " +
+         cell_text(channel.value("position", json::object())) + "  " +
+         cell_text(channel.value("speed_mm_s", json())) + " mm/s" +
+         (remaining.is_null() ? "" : "  " + cell_text(remaining) + " s left");
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,31 @@
+// RunProgress: one line on the terminal that follows a program while `--wait` waits for its end.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "client/operator_client.h"
+
+namespace stanok::client {
+
+class RunProgress {
+ public:
+  // `channel` 0: the first one of the daemon's hello.
+  RunProgress(double channel, const nlohmann::json& hello);
+
+  // Subscribes and shows what comes, until `clear`.
+  void follow(OperatorClient& client);
+  void clear();
+
+ private:
+  void show(const nlohmann::json& channel);
+
+  std::string channel_;  // as in the status: "1"
+  nlohmann::json state_ = nlohmann::json::object();
+  bool is_shown_ = false;
+};
+
+// "channel 1  Active  part.nc:120  X 1.0000  Y 2.0000  feed 25.0 mm/s"
+[[nodiscard]] std::string progress_line(const nlohmann::json& channel);
+
+}  // namespace stanok::client

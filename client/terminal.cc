@@ -1,0 +1,43 @@
+#include "client/terminal.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace stanok::client {
+namespace {
+
+// Select Graphic Rendition, ECMA-48 8.3.117.
+std::string_view escape_of(Colour colour) {
+  switch (colour) {
+    case Colour::plain:
+      return "";
+    case Colour::red:
+      return "\033[31m";
+    case Colour::green:
+      return "\033[32m";
+    case Colour::yellow:
+      return "\033[33m";
+    case Colour::bold:
+      return "\033[1m";
+  }
+  return "";
+}
+
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+  return value == nullptr ? std::string_view{} : std::string_view(value);
+}
+
+}  // namespace
+
+Terminal::Terminal(int descriptor)
+    : is_terminal_(isatty(descriptor) == 1),
+      has_colour_(is_terminal_ && variable("NO_COLOR").empty() && variable("TERM") != "dumb") {}
+
+std::string Terminal::coloured(std::string_view text, Colour colour) const {
+  if (!has_colour_ || colour == Colour::plain) return std::string(text);
+  return std::string(escape_of(colour)) + std::string(text) + "\033[0m";
+}
+
+}  // namespace stanok::client

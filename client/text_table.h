@@ -1,0 +1,26 @@
+// TextTable: rows of cells as aligned columns; numbers to the right, texts to the left.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/terminal.h"
+
+namespace stanok::client {
+
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> headings);
+
+  void add_row(std::vector<std::string> cells);
+  // One line per row below the headings; no blanks at the ends of lines.
+  [[nodiscard]] std::string text(const Terminal& terminal) const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;  // the first one are the headings
+};
+
+// Columns a UTF-8 text takes: its code points.
+[[nodiscard]] std::size_t width(const std::string& text);
+
+}  // namespace stanok::client

@@ -1,0 +1,31 @@
+// WatchView: what `channel watch` and `subscribe` show of the notifications.
+//
+// On a terminal the status is drawn in place; into a pipe goes one line per change, with --json one
+// notification per line as it came.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "client/operator_commands.h"
+#include "client/terminal.h"
+
+namespace stanok::client {
+
+class WatchView {
+ public:
+  WatchView(OutputForm form, const Terminal& terminal) : form_(form), terminal_(terminal) {}
+
+  // The text to print for one notification; "" when it changes nothing that is shown.
+  [[nodiscard]] std::string shown(const std::string& method, const nlohmann::json& parameters);
+
+ private:
+  [[nodiscard]] std::string status_text();
+
+  OutputForm form_;
+  Terminal terminal_;
+  nlohmann::json state_ = nlohmann::json::object();
+  std::size_t lines_drawn_ = 0;
+};
+
+}  // namespace stanok::client

@@ -1,0 +1,132 @@
+// Command line to method: every row of the table is reachable, values arrive checked.
+#include "client/operator_commands.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "client/noun_command.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+using protocol::Method;
+
+// The call that a command line leads to; nothing when it is not understood.
+std::optional<OperatorCall> call_for(const std::string& line) {
+  CLI::App app;
+  std::optional<OperatorCall> call;
+  add_operator_commands(app, [&](const OperatorCall& made) { call = made; });
+  try {
+    app.parse(line);
+  } catch (const CLI::ParseError&) {
+    return std::nullopt;
+  }
+  return call;
+}
+
+std::string words_of(const Method& method) {
+  std::string line(method.name);
+  std::replace(line.begin(), line.end(), '.', ' ');
+  return line;
+}
+
+std::string argument_for(const protocol::Parameter& parameter) {
+  switch (parameter.type) {
+    case protocol::ParameterType::integer:
+    case protocol::ParameterType::number:
+      return std::to_string(static_cast<int>(parameter.maximum));
+    case protocol::ParameterType::text:
+      return "part.nc";
+    case protocol::ParameterType::choice:
+    case protocol::ParameterType::text_list:
+      return std::string(parameter.choices.back());
+  }
+  return "";
+}
+
+class EveryMethod : public testing::TestWithParam<Method> {};
+
+TEST_P(EveryMethod, HasASubcommand) {
+  const Method& method = GetParam();
+  std::string line = words_of(method);
+  for (const auto& parameter : method.parameters) {
+    if (parameter.presence == protocol::Presence::required) line += " " + argument_for(parameter);
+  }
+  const auto call = call_for(line);
+  ASSERT_TRUE(call) << line;
+  EXPECT_EQ(call->method->name, method.name);
+  EXPECT_EQ(call->form, OutputForm::people);
+}
+
+TEST_P(EveryMethod, TakesJsonSocketAndTimeout) {
+  std::string line = words_of(GetParam());
+  for (const auto& parameter : GetParam().parameters) {
+    if (parameter.presence == protocol::Presence::required) line += " " + argument_for(parameter);
+  }
+  const auto call = call_for(line + " --json --socket /tmp/x.sock --timeout 1.5");
+  ASSERT_TRUE(call);
+  EXPECT_EQ(call->form, OutputForm::json);
+  EXPECT_EQ(call->socket, "/tmp/x.sock");
+  EXPECT_DOUBLE_EQ(call->timeout_s, 1.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryMethod,
+                         testing::ValuesIn(protocol::methods().begin(), protocol::methods().end()),
+                         [](const auto& row) {
+                           std::string name(row.param.name);
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
+
+struct Case {
+  const char* line;
+  const char* method;
+  const char* parameters;
+};
+
+class CommandLine : public testing::TestWithParam<Case> {};
+
+TEST_P(CommandLine, BecomesMethodAndParameters) {
+  const auto call = call_for(GetParam().line);
+  ASSERT_TRUE(call) << GetParam().line;
+  EXPECT_EQ(call->method->name, GetParam().method);
+  EXPECT_EQ(call->parameters, json::parse(GetParam().parameters));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Examples, CommandLine,
+    testing::Values(Case{"program run part.nc", "program.run", R"({"program":"part.nc"})"},
+                    Case{"program run part.nc --channel 2 --wait", "program.run",
+                         R"({"program":"part.nc","channel":2,"wait":"done"})"},
+                    Case{"program hold", "program.hold", "{}"},
+                    Case{"override feed 80 --channel 1", "override.feed",
+                         R"({"percent":80,"channel":1})"},
+                    Case{"override feed 87.5", "override.feed", R"({"percent":87.5})"},
+                    Case{"kinematics select 2", "kinematics.select", R"({"scheme":2})"},
+                    Case{"subscribe channels events --rate-hz 5", "subscribe",
+                         R"({"topics":["channels","events"],"rate_hz":5})"},
+                    Case{"mdi G0X1", "mdi", "{}"}));
+
+TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
+  for (const char* line :
+       {"override feed 201", "override feed -- -1", "override feed fast", "override feed nan",
+        "override feed", "program run", "program run a.nc --channel 0",
+        "program run a.nc --channel 1.5", "program hold now", "machine", "machine fly",
+        "subscribe everything", "channel list --rate 1"}) {
+    EXPECT_FALSE(call_for(line)) << line;
+  }
+}
+
+TEST(NounCommand, IsSharedByOperatorAndOffLineCommands) {
+  CLI::App app;
+  add_operator_commands(app, [](const OperatorCall&) {});
+  bool checked = false;
+  noun_command(app, "machine", "").add_subcommand("check")->callback([&] { checked = true; });
+  app.parse("machine check");
+  EXPECT_TRUE(checked);
+}
+
+}  // namespace
+}  // namespace stanok::client

@@ -1,0 +1,104 @@
+// What people see: tables, objects, watch view, completion, explanations.
+#include <gtest/gtest.h>
+
+#include "base/catalogue.h"
+#include "client/completion.h"
+#include "client/explain_command.h"
+#include "client/operator_commands.h"
+#include "client/result_text.h"
+#include "client/run_progress.h"
+#include "client/text_table.h"
+#include "client/watch_view.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+const Terminal pipe_end(false, false);
+const Terminal colour_terminal(true, true);
+
+TEST(TextTable, AlignsNumbersRightAndTextsLeft) {
+  TextTable table({"id", "name"});
+  table.add_row({"1", "Fräse"});
+  table.add_row({"12", "b"});
+  EXPECT_EQ(table.text(pipe_end), "id  name\n 1  Fräse\n12  b\n");
+}
+
+TEST(ResultText, ShowsAListAsATable) {
+  const json result = {{"channels",
+                        {{{"id", 1},
+                          {"name", "work"},
+                          {"kind", "mill"},
+                          {"axes", {"X", "Y"}},
+                          {"scheme", 1},
+                          {"state", "Reset"},
+                          {"program_status", "Stopped"}}}}};
+  EXPECT_EQ(result_text("channel.list", result, pipe_end),
+            "id  name  kind  axes  scheme  state  program_status\n"
+            " 1  work  mill  X, Y       1  Reset  Stopped\n");
+}
+
+TEST(ResultText, ShowsAnObjectLineByLineAndColoursTheState) {
+  const json result = {
+      {"state", "Active"}, {"id", 1}, {"alarm", nullptr}, {"position", {{"X", 1.25}, {"Y", -3.0}}}};
+  EXPECT_EQ(result_text("channel.status", result, pipe_end),
+            "id        1\nstate     Active\nalarm     -\nposition  X 1.2500  Y -3\n");
+  EXPECT_NE(result_text("channel.status", result, colour_terminal).find("\033[32mActive\033[0m"),
+            std::string::npos);
+}
+
+TEST(ResultText, IsSilentWhenThereIsNothingToTell) {
+  EXPECT_EQ(result_text("program.hold", {{"accepted", true}}, pipe_end), "");
+}
+
+TEST(WatchView, PrintsOneLinePerChangeIntoAPipe) {
+  WatchView view(OutputForm::people, pipe_end);
+  const json channel = {{"id", 1},   {"program_status", "Running"}, {"program", "a.nc"},
+                        {"line", 3}, {"position", {{"X", 1.0}}},    {"speed_mm_s", 25.0}};
+  const std::string first =
+      view.shown("status", {{"full", true}, {"state", {{"channels", {{"1", channel}}}}}});
+  EXPECT_EQ(first, "channel 1  Running  a.nc:3  X 1  25 mm/s\n");
+  const std::string second =
+      view.shown("status", {{"full", false}, {"state", {{"channels", {{"1", {{"line", 4}}}}}}}});
+  EXPECT_EQ(second, "channel 1  Running  a.nc:4  X 1  25 mm/s\n");
+}
+
+TEST(WatchView, DrawsInPlaceOnATerminal) {
+  WatchView view(OutputForm::people, Terminal(true, false));
+  const json status = {{"state", {{"channels", {{"1", {{"id", 1}}}}}}}};
+  EXPECT_EQ(view.shown("status", status).find("\033["), std::string::npos);
+  EXPECT_TRUE(view.shown("status", status).starts_with("\033[2F\033[J")) << "two lines up";
+}
+
+TEST(WatchView, PassesNotificationsOnAsJson) {
+  WatchView view(OutputForm::json, pipe_end);
+  const json line = json::parse(view.shown("event", {{"seq", 4}}));
+  EXPECT_EQ(line["method"], "event");
+  EXPECT_EQ(line["params"]["seq"], 4);
+}
+
+TEST(BashCompletion, KnowsEveryNounVerbAndOption) {
+  CLI::App app;
+  add_operator_commands(app, [](const OperatorCall&) {});
+  const std::string script = bash_completion(app);
+  for (const auto& method : protocol::methods()) {
+    std::string path(method.name);
+    std::replace(path.begin(), path.end(), '.', ' ');
+    EXPECT_NE(script.find("\"" + path + "\") words=\""), std::string::npos) << path;
+  }
+  EXPECT_NE(script.find("--channel"), std::string::npos);
+}
+
+TEST(Explanation, TellsEveryCode) {
+  for (const CatalogueRow& row : catalogue()) {
+    const std::string text = explanation(std::string(row.code));
+    EXPECT_NE(text.find(row.title), std::string::npos);
+    EXPECT_NE(text.find(row.remedy), std::string::npos);
+  }
+  EXPECT_EQ(explanation("e7001"), explanation("E7001"));
+  EXPECT_EQ(explanation("E0000"), "");
+}
+
+}  // namespace
+}  // namespace stanok::client

@@ -1,0 +1,21 @@
+// One version: the one of the build files is the one that programs tell.
+#include "protocol/version.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace stanok::protocol {
+namespace {
+
+TEST(Version, IsTheOneOfTheProject) {
+  std::ifstream file(STANOK_SOURCE_DIR "/CMakeLists.txt");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_NE(text.str().find("project(stanok VERSION " + std::string(version) + " "),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace stanok::protocol
