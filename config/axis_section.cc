@@ -42,9 +42,9 @@ const Keys<AxisFile>& axis_keys() {
       {"kind", at<&AxisFile::kind>, required, "", "what it does; rotary axes count in deg",
        one_of({"linear", "rotary"})},
       {"min", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_min>, optional,
-       "mm, deg", "lower end of travel; may be left out, with max, for a rotary axis: unlimited"},
+       "mm, deg", "lower end of travel; a rotary axis may have neither end", any, "unlimited"},
       {"max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_max>, optional,
-       "mm, deg", "upper end of travel"},
+       "mm, deg", "upper end of travel", any, "unlimited"},
       {"start", at<&AxisFile::axis, &AxisConfig::start>, optional, "mm, deg",
        "where the axis stands when a simulation begins"},
       {"velocity_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::velocity_max>,
@@ -54,7 +54,7 @@ const Keys<AxisFile>& axis_keys() {
       {"jerk_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::jerk_max>, required,
        "mm/s3, deg/s3", "highest jerk", positive},
       {"rapid_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::rapid_max>, optional,
-       "mm/s, deg/s", "velocity of rapid moves; left out: velocity_max", positive},
+       "mm/s, deg/s", "velocity of rapid moves", positive, "velocity_max"},
       {"resolution", at<&AxisFile::axis, &AxisConfig::resolution>, optional, "mm, deg",
        "one discrete of the position code", positive},
       {"kmv", at<&AxisFile::axis, &AxisConfig::kmv>, optional, "",
@@ -106,7 +106,7 @@ const Keys<RegulatorFile>& regulator_keys() {
 const Keys<DriveFile>& drive_keys() {
   static const Keys<DriveFile> keys = {
       {"address", at<&DriveFile::drive, &AxisDriveConfig::unit>, optional, "",
-       "Modbus unit of the drive; left out: the place of the axis in the file", from(1, 247)},
+       "Modbus unit of the drive", from(1, 247), "place of the axis in the file"},
       {"registers", at<&DriveFile::registers>, optional, "", "register map: control, status"},
       {"scales", at<&DriveFile::scales>, optional, "",
        "units of the registers: position, velocity"},
@@ -241,10 +241,10 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   AxisConfig& axis = section.axis;
   axis.rotary = file.kind == "rotary";
   axis.limits.linear = !axis.rotary;
-  axis.limits.rapid_max = std::min(axis.limits.rapid_max, axis.limits.velocity_max);
   check_name(table, axis.name, scope);
   check_travel(table, axis, scope);
-  check_limits(table, file.axis, scope);
+  check_limits(table, axis, scope);
+  axis.limits.rapid_max = std::min(axis.limits.rapid_max, axis.limits.velocity_max);
   if (file.homing != nullptr) {
     read_table(*file.homing, homing_keys(), axis.homing, scope.inner("homing"));
     check_homing(*file.homing, axis, scope.inner("homing"));
@@ -259,6 +259,16 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
 }
 
 }  // namespace
+
+bool names_are_right(const std::vector<AxisSection>& axes) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!is_axis_name(axes[i].axis.name)) return false;
+    for (std::size_t earlier = 0; earlier < i; ++earlier) {
+      if (axes[earlier].axis.name == axes[i].axis.name) return false;
+    }
+  }
+  return true;
+}
 
 bool is_axis_name(std::string_view name) {
   constexpr std::string_view letters = "ABCUVWXYZ";

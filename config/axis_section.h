@@ -15,7 +15,7 @@ struct AxisSection {
   drives::AxisDriveConfig drive;
 };
 
-// All axes in the order of the file. Names are unique afterwards, or the faults say which are not.
+// All axes in the order of the file.
 [[nodiscard]] std::vector<AxisSection> read_axes(Subtables axes, const Scope& scope);
 
 // All spindles; `axes` are the axes a spindle may become.
@@ -24,6 +24,9 @@ struct AxisSection {
 
 // One of the letters A B C U V W X Y Z, then digits: "X", "C1".
 [[nodiscard]] bool is_axis_name(std::string_view name);
+
+// Whether every axis has a name of its own, so that other sections can refer to it.
+[[nodiscard]] bool names_are_right(const std::vector<AxisSection>& axes);
 
 // Rows of the documentation, by TOML table.
 [[nodiscard]] std::vector<KeyRow> axis_key_rows();

@@ -35,13 +35,13 @@ const Keys<ChannelFile>& channel_keys() {
       {"axes", at<&ChannelFile::axes>, optional, "",
        "names of its [[axis]], at most 8, in the order of displays and messages"},
       {"words", at<&ChannelFile::channel, &ChannelConfig::words>, optional, "",
-       "how its programs call the axes, in the same order; left out: by their names"},
+       "how its programs call the axes, in the same order", any, "their names"},
       {"spindles", at<&ChannelFile::channel, &ChannelConfig::spindles>, optional, "",
        "ids of its [[spindle]]; the first is the master spindle"},
       {"active", at<&ChannelFile::active>, optional, "",
-       "scheme at power-on, also written scheme = N; left out: the first", from(1)},
-      {"scheme", at<&ChannelFile::schemes>, optional, "",
-       "kinematic schemes; left out: scheme 1, cartesian, all axes, zero at 0"},
+       "scheme at power-on; may also be written scheme = N", from(1), "the first"},
+      {"scheme", at<&ChannelFile::schemes>, optional, "", "kinematic schemes", any,
+       "scheme 1: cartesian, all axes, zero at 0"},
       {"path_tolerance", at<&ChannelFile::channel, &ChannelConfig::path_tolerance_mm>, optional,
        "mm", "how far the path may leave a corner under G64 without P", not_negative},
       {"orientation_tolerance",
@@ -198,20 +198,20 @@ void resolve_schemes(const toml::table& table, const ChannelFile& file,
 
 ChannelConfig read_channel(const toml::table& table, const MachineConfig& machine,
                            const std::filesystem::path& folder, const Scope& scope) {
+  const std::size_t faults_before = scope.faults.size();
   ChannelFile file;
   read_table(table, channel_keys(), file, scope);
   ChannelConfig channel = std::move(file.channel);
   channel.kind = channel_kind(file.kind);
   channel.on_owner_failure = owner_failure(file.on_owner_failure);
-  const std::size_t faults_before = scope.faults.size();
   resolve_axes(table, file, machine, channel, scope);
   if (!table.contains("words")) channel.words = file.axes;
-  // A wrong axis is one fault, not one more for every word and scheme that counts on it.
-  const bool axes_are_right = scope.faults.size() == faults_before;
-  if (axes_are_right) check_words(table, channel, scope);
   check_spindles(table, channel, machine, scope);
   check_names(table, scope);
-  check_master(table, channel, scope);
+  // A wrong axis is one fault, not one more for every word and scheme that counts on it.
+  const bool axes_are_right = channel.axes.size() == file.axes.size();
+  if (axes_are_right) check_words(table, channel, scope);
+  if (scope.faults.size() == faults_before) check_master(table, channel, scope);
   const bool words_are_right = channel.words.size() == channel.axes.size();
   if (axes_are_right && words_are_right && !channel.axes.empty()) {
     resolve_schemes(table, file, machine, folder, channel, scope);

@@ -269,10 +269,12 @@ KindText kind_text(Subtables) {
 }
 
 KeyRow key_row(const KeyText& key, const KindText& kind) {
+  std::string initial = key.initial.empty() ? kind.initial : std::string(key.initial);
+  if (key.presence == required) initial = "required";
   return {.name = std::string(key.name),
           .kind = kind.kind,
           .unit = std::string(key.unit),
-          .initial = key.presence == required ? "required" : kind.initial,
+          .initial = std::move(initial),
           .allowed =
               key.allowed.names.empty() ? range_text(key.allowed) : joined(key.allowed.names, ", "),
           .meaning = std::string(key.meaning)};

@@ -55,6 +55,7 @@ struct KeyText {
   std::string_view unit;
   std::string_view meaning;
   Allowed allowed{};
+  std::string_view initial{};  // default in words, where it is not the initial value
 };
 
 using Numbers3 = std::array<double, 3>;
@@ -87,8 +88,9 @@ struct Key {
   std::string_view unit;
   std::string_view meaning;
   Allowed allowed{};
+  std::string_view initial{};
 
-  [[nodiscard]] KeyText text() const { return {name, presence, unit, meaning, allowed}; }
+  [[nodiscard]] KeyText text() const { return {name, presence, unit, meaning, allowed, initial}; }
 };
 
 template <class Target>

@@ -49,9 +49,7 @@ class MachineReader {
     read_table(root, top_level_keys(), top_, Scope{faults_, "machine file"});
     const std::vector<AxisSection> axes = read_axes(top_.axes, Scope{faults_, "machine file"});
     for (const AxisSection& section : axes) file_.machine.axes.push_back(section.axis);
-    file_.machine.spindles = read_spindles(top_.spindles, axes, Scope{faults_, "machine file"});
-    file_.machine.channels =
-        read_channels(top_.channels, file_.machine, folder_, Scope{faults_, "machine file"});
+    if (names_are_right(axes)) read_users_of_axes(root, axes);
     read_machine();
     read_drives(axes);
     read_services();
@@ -59,6 +57,14 @@ class MachineReader {
   }
 
  private:
+  // A wrong name is one fault, not one more wherever it is used: these wait until names are right.
+  void read_users_of_axes(const toml::table& root, const std::vector<AxisSection>& axes) {
+    const Scope scope{faults_, "machine file"};
+    file_.machine.spindles = read_spindles(top_.spindles, axes, scope);
+    if (root.contains("spindle") && top_.spindles == nullptr) return;
+    file_.machine.channels = read_channels(top_.channels, file_.machine, folder_, scope);
+  }
+
   void read_machine() {
     if (top_.machine == nullptr) return;
     const Scope scope{faults_, "[machine]"};

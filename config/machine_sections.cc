@@ -49,8 +49,8 @@ const Keys<LcmFile>& lcm_keys() {
 
 const Keys<RecorderFile>& recorder_keys() {
   static const Keys<RecorderFile> keys = {
-      {"directory", at<&RecorderFile::directory>, optional, "",
-       "where logs are written; left out: below the state directory"},
+      {"directory", at<&RecorderFile::directory>, optional, "", "where logs are written", any,
+       "below the state directory"},
       {"size_mb", at<&RecorderFile::size_mb>, optional, "MB",
        "size of one log file before the next begins", from(1, 1e6)},
   };

@@ -1,110 +1,16 @@
-// Keys and checks of a scheme; names of axes become indices in the channel.
+// Checks of a scheme; names of axes become indices in the channel.
 #include "config/scheme_file.h"
 
 #include <algorithm>
 
 #include "channels/motion_config.h"
+#include "config/scheme_keys.h"
 
 namespace stanok::config {
 namespace {
 
 using kinematics::Parking;
 using kinematics::SchemeConfig;
-
-struct SchemeFile {
-  int id = 0;
-  std::string file;
-  SchemeConfig scheme;
-  Texts axes;
-  Subtable zero = nullptr;
-  Subtable retract = nullptr;
-  Subtables parked = nullptr;
-  std::string head_axis = "B";
-  std::string table_axis = "C";
-};
-
-struct ParkedFile {
-  std::string axis;
-  Parking parking;
-  std::string drive = "off";
-};
-
-// Geometry that only some types have; a new type of scheme gets its line here.
-struct TypeGeometry {
-  std::string_view type;
-  std::vector<std::string_view> optional_keys;
-  std::vector<std::string_view> required_keys;
-};
-
-const std::vector<TypeGeometry>& type_geometries() {
-  static const std::vector<TypeGeometry> geometries = {
-      {"cartesian", {}, {}},
-      {"head_table", {"head_axis", "table_axis"}, {"pivot_to_spindle", "table_centre"}},
-  };
-  return geometries;
-}
-
-Allowed known_types() {
-  static const std::vector<std::string> types = kinematics::scheme_types();
-  return one_of({types.begin(), types.end()});
-}
-
-const Keys<SchemeFile>& scheme_keys() {
-  static const Keys<SchemeFile> keys = {
-      {"type", at<&SchemeFile::scheme, &SchemeConfig::type>, required, "",
-       "kind of transformation (docs/kinematics.md)", known_types()},
-      {"axes", at<&SchemeFile::axes>, required, "",
-       "axes that take part, by the channel's words or the machine's names"},
-      {"zero", at<&SchemeFile::zero>, optional, "mm, deg",
-       "position of the scheme's base in machine axes, per axis that takes part"},
-      {"retract", at<&SchemeFile::retract>, optional, "mm, deg",
-       "machine positions to go to, in this order, before axes are parked"},
-      {"parked", at<&SchemeFile::parked>, optional, "",
-       "axes that do not take part, in the order in which they are parked"},
-      {"head_axis", at<&SchemeFile::head_axis>, optional, "",
-       "head_table: rotary axis about Y that carries the spindle"},
-      {"table_axis", at<&SchemeFile::table_axis>, optional, "",
-       "head_table: rotary axis about Z that carries the workpiece"},
-      {"pivot_to_spindle", at<&SchemeFile::scheme, &SchemeConfig::pivot_to_spindle>, optional, "mm",
-       "head_table, required there: from the pivot to the spindle nose, head upright"},
-      {"table_centre", at<&SchemeFile::scheme, &SchemeConfig::table_centre>, optional, "mm",
-       "head_table, required there: position of X, Y, Z with the pivot on the table's axis"},
-  };
-  return keys;
-}
-
-// [[channel.scheme]] that names a file, and one that holds the scheme itself.
-const Keys<SchemeFile>& reference_keys() {
-  static const Keys<SchemeFile> keys = {
-      {"id", at<&SchemeFile::id>, required, "", "number for #kinematics", from(1)},
-      {"file", at<&SchemeFile::file>, required, "", "file with the other keys"},
-  };
-  return keys;
-}
-
-const Keys<SchemeFile>& inline_keys() {
-  static const Keys<SchemeFile> keys = [] {
-    Keys<SchemeFile> all = {reference_keys().front()};
-    all.insert(all.end(), scheme_keys().begin(), scheme_keys().end());
-    return all;
-  }();
-  return keys;
-}
-
-const Keys<ParkedFile>& parked_keys() {
-  static const Keys<ParkedFile> keys = {
-      {"axis", at<&ParkedFile::axis>, required, "", "axis that is parked"},
-      {"position", at<&ParkedFile::parking, &Parking::position>, optional, "mm, deg",
-       "machine position where it stands"},
-      {"velocity", at<&ParkedFile::parking, &Parking::velocity>, optional, "mm/s, deg/s",
-       "velocity of the parking move; 0: rapid", not_negative},
-      {"brake", at<&ParkedFile::parking, &Parking::brake>, optional, "",
-       "whether its brake is closed there"},
-      {"drive", at<&ParkedFile::drive>, optional, "", "what its drive does there",
-       one_of({"off", "on"})},
-  };
-  return keys;
-}
 
 bool takes_part(const SchemeConfig& scheme, int axis) {
   return std::ranges::find(scheme.axes, axis) != scheme.axes.end();
@@ -117,19 +23,27 @@ std::string axis_text(std::string_view name) {
 // One scheme being resolved: its table, the axes of its channel, the faults.
 class SchemeReader {
  public:
-  SchemeReader(const toml::table& table, SchemeFile file, const ChannelAxes& axes, Scope scope)
-      : table_(table), file_(std::move(file)), axes_(axes), scope_(std::move(scope)) {}
+  // Reads the keys; `file` comes with the id.
+  SchemeReader(const toml::table& table, const Keys<SchemeFile>& keys, SchemeFile file,
+               const ChannelAxes& axes, Scope scope)
+      : table_(table),
+        file_(std::move(file)),
+        axes_(axes),
+        scope_(std::move(scope)),
+        faults_before_(scope_.faults.size()) {
+    read_table(table_, keys, file_, scope_);
+    scheme().id = file_.id;
+  }
 
   SchemeConfig resolve() {
-    const std::size_t faults_before = scope_.faults.size();
-    check_geometry_keys();
+    if (!scheme().type.empty()) check_geometry_keys();
     resolve_axes();
     resolve_parking();
-    check_every_axis_has_a_place();
+    if (is_right()) check_every_axis_has_a_place();
     resolve_retract();
     resolve_roles();
     resolve_zero();
-    if (scope_.faults.size() == faults_before) {
+    if (is_right()) {
       const std::string defect = kinematics::scheme_defect(scheme());
       if (!defect.empty()) scope_.fault(place_of(table_, "axes"), scheme().type + ": " + defect);
     }
@@ -138,6 +52,8 @@ class SchemeReader {
 
  private:
   SchemeConfig& scheme() { return file_.scheme; }
+  // Further checks would only repeat the faults found so far.
+  [[nodiscard]] bool is_right() const { return scope_.faults.size() == faults_before_; }
 
   // Index of an axis of the channel; -1, and a fault, when there is none.
   int find_axis(std::string_view name, const toml::source_region& place) {
@@ -320,20 +236,19 @@ class SchemeReader {
   SchemeFile file_;
   const ChannelAxes& axes_;
   Scope scope_;
+  std::size_t faults_before_;
 };
 
 SchemeConfig read_scheme(const toml::table& entry, const ChannelAxes& axes,
                          const std::filesystem::path& folder, const Scope& scope) {
+  if (!entry.contains("file")) return SchemeReader(entry, inline_keys(), {}, axes, scope).resolve();
+  const std::size_t faults_before = scope.faults.size();
   SchemeFile file;
-  if (!entry.contains("file")) {
-    read_table(entry, inline_keys(), file, scope);
-    file.scheme.id = file.id;
-    return SchemeReader(entry, std::move(file), axes, scope).resolve();
-  }
   read_table(entry, reference_keys(), file, scope);
   file.scheme.id = file.id;
-  if (file.file.empty()) return file.scheme;
+  if (scope.faults.size() != faults_before) return file.scheme;
   const std::filesystem::path path = (folder / file.file).lexically_normal();
+  file.scheme.file = path.string();
   if (!std::filesystem::is_regular_file(path)) {
     scope.fault(place_of(entry, "file"), "scheme file '" + path.string() +
                                              "' does not exist; its path is relative to the "
@@ -342,9 +257,7 @@ SchemeConfig read_scheme(const toml::table& entry, const ChannelAxes& axes,
   }
   const auto table = parse_file(path, scope.faults);
   if (!table) return file.scheme;
-  file.scheme.file = path.string();
-  read_table(*table, scheme_keys(), file, scope);
-  return SchemeReader(*table, std::move(file), axes, scope).resolve();
+  return SchemeReader(*table, scheme_keys(), std::move(file), axes, scope).resolve();
 }
 
 }  // namespace
@@ -379,17 +292,6 @@ std::vector<SchemeConfig> read_schemes(Subtables schemes, const ChannelAxes& axe
     configs.push_back(std::move(scheme));
   }
   return configs;
-}
-
-std::vector<KeyRow> scheme_key_rows() {
-  std::vector<KeyRow> rows = describe(reference_keys());
-  rows.back().initial = "none";  // left out when the keys below stand in the machine file
-  const std::vector<KeyRow> own = describe(scheme_keys());
-  rows.insert(rows.end(), own.begin(), own.end());
-  return rows;
-}
-std::vector<KeyRow> parked_key_rows() {
-  return describe(parked_keys());
 }
 
 }  // namespace stanok::config

@@ -27,8 +27,4 @@ struct ChannelAxes {
     Subtables schemes, const ChannelAxes& axes, const std::filesystem::path& folder,
     const Scope& scope);
 
-// Rows of the documentation.
-[[nodiscard]] std::vector<KeyRow> scheme_key_rows();
-[[nodiscard]] std::vector<KeyRow> parked_key_rows();
-
 }  // namespace stanok::config

@@ -1,0 +1,43 @@
+// The list of documented tables, and their form in Markdown.
+#include "config/key_reference.h"
+
+#include "config/axis_section.h"
+#include "config/channel_section.h"
+#include "config/machine_sections.h"
+#include "config/scheme_keys.h"
+#include "config/tables_file.h"
+
+namespace stanok::config {
+
+std::vector<KeySection> key_sections() {
+  return {
+      {"[machine]", describe(machine_keys())},
+      {"[[axis]]", axis_key_rows()},
+      {"[axis.homing]", homing_key_rows()},
+      {"[axis.regulator]", regulator_key_rows()},
+      {"[axis.drive]", drive_key_rows()},
+      {"[[spindle]]", spindle_key_rows()},
+      {"[[channel]]", channel_key_rows()},
+      {"[[channel.scheme]], scheme file", scheme_key_rows()},
+      {"[[parked]] of a scheme", parked_key_rows()},
+      {"[drives]", drives_key_rows()},
+      {"[lcm]", lcm_key_rows()},
+      {"[recorder]", recorder_key_rows()},
+      {"[process]", describe(process_keys())},
+      {"[simulation]", describe(simulation_keys())},
+      {"[[tool]] of the tables file", tool_key_rows()},
+  };
+}
+
+std::string to_markdown(const KeySection& section) {
+  std::string text = "### `" + section.title + "`\n\n";
+  text += "| key | kind | unit | default | values | meaning |\n|---|---|---|---|---|---|\n";
+  const auto cell = [](const std::string& content) { return content.empty() ? "–" : content; };
+  for (const KeyRow& row : section.rows) {
+    text += "| `" + row.name + "` | " + row.kind + " | " + cell(row.unit) + " | " + row.initial +
+            " | " + cell(row.allowed) + " | " + row.meaning + " |\n";
+  }
+  return text;
+}
+
+}  // namespace stanok::config

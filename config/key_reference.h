@@ -1,0 +1,23 @@
+// The tables of docs/configuration.md, made from the key tables that read the files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/key_table.h"
+
+namespace stanok::config {
+
+// One TOML table of a file, as documented.
+struct KeySection {
+  std::string title;  // "[[axis]]"
+  std::vector<KeyRow> rows;
+};
+
+// All tables of the machine file and the files it names, in the order of the documentation.
+[[nodiscard]] std::vector<KeySection> key_sections();
+
+// A section as Markdown: heading, then one row per key with unit, default, values and meaning.
+[[nodiscard]] std::string to_markdown(const KeySection& section);
+
+}  // namespace stanok::config
