@@ -61,7 +61,7 @@ void DirectBus::exchange(Axis& axis, const drives::DriveTarget& target) RT_SAFE 
   std::optional<drives::ExchangeError> error;
   if (kind == AnswerKind::normal) {
     axis.drive.command(command);
-    error = axis.exchange.take(axis.drive.status(), now_);
+    error = axis.exchange.take(axis.drive.status(), now_, now_);
   } else {
     axis.exchange.fail();
     error = error_of(kind);

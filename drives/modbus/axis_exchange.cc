@@ -72,7 +72,8 @@ PowerRequest AxisExchange::request_for(const DriveTarget& target, bool sendable)
   return enable_blocked_ || !sendable ? PowerRequest::quick_stop : PowerRequest::on;
 }
 
-std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTime now) RT_SAFE {
+std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTime asked,
+                                                BusTime now) RT_SAFE {
   const auto state = state_of(answer.status_word);
   std::optional<ExchangeError> error;
   if (answer.heartbeat_echo != sent_.heartbeat) {
@@ -83,7 +84,7 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
   if (error) {
     fail();
   } else {
-    accept(answer, *state, now);
+    accept(answer, *state, asked, now);
   }
   return error;
 }
@@ -99,11 +100,12 @@ bool AxisExchange::is_plausible(const StatusBlock& answer, BusTime now) const RT
     return false;
   }
   const double travel = std::fabs(answer.position / config_.position_scale - feedback_.position);
-  const double reach = fastest * seconds(now - last_answer_) + config_.following_error_max;
+  const double reach = fastest * seconds(now - feedback_from_) + config_.following_error_max;
   return travel <= reach || !feedback_.valid || position_accepted_;
 }
 
-void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime now) RT_SAFE {
+void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime asked, BusTime now)
+    RT_SAFE {
   const double position = answer.position / config_.position_scale;
   check_reference(position, now);
   answering_ = true;
@@ -121,7 +123,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime n
   feedback_.referenced = (answer.status_word & status::referenced) != 0 && !moved_out_of_sight_;
   feedback_.valid = !lost_;
   ++feedback_.sequence;
-  last_answer_ = now;
+  feedback_from_ = asked;
   watch_following_error(now);
 }
 
@@ -132,7 +134,7 @@ void AxisExchange::check_reference(double position, BusTime now) RT_SAFE {
     moved_out_of_sight_ = false;
   } else if (lost_ && feedback_.sequence > 0) {
     const double reach =
-        speed_before_loss_ * seconds(now - last_answer_) + config_.following_error_max;
+        speed_before_loss_ * seconds(now - feedback_from_) + config_.following_error_max;
     moved_out_of_sight_ |= std::fabs(position - feedback_.position) > reach;
   }
 }
@@ -154,7 +156,7 @@ void AxisExchange::fail() RT_SAFE {
 }
 
 void AxisExchange::supervise(BusTime now) RT_SAFE {
-  const bool silent = now - last_answer_ > timeout_;
+  const bool silent = now - feedback_from_ > timeout_;
   if (!lost_ && (silent || leak_ >= leak_max_)) {
     lost_ = true;
     leak_ = leak_max_;

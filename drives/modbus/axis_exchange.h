@@ -31,8 +31,9 @@ class AxisExchange {
   [[nodiscard]] CommandBlock command(const DriveTarget& target, TargetAge age) RT_SAFE;
 
   // Takes the answer to the last command, or says why it is discarded; a discarded answer counts as
-  // failed.
-  [[nodiscard]] std::optional<ExchangeError> take(const StatusBlock& answer, BusTime now) RT_SAFE;
+  // failed. The values are from some instant between `asked` and `now`.
+  [[nodiscard]] std::optional<ExchangeError> take(const StatusBlock& answer, BusTime asked,
+                                                  BusTime now) RT_SAFE;
 
   // The last command had no usable answer.
   void fail() RT_SAFE;
@@ -52,14 +53,14 @@ class AxisExchange {
   void check_reference(double position, BusTime now) RT_SAFE;
   void watch_following_error(BusTime now) RT_SAFE;
   void watch_fault_reset(bool demanded) RT_SAFE;
-  void accept(const StatusBlock& answer, DriveState state, BusTime now) RT_SAFE;
+  void accept(const StatusBlock& answer, DriveState state, BusTime asked, BusTime now) RT_SAFE;
 
   AxisDriveConfig config_;
   BusTime timeout_;
   int leak_max_;
   CommandBlock sent_;
   DriveFeedback feedback_;
-  BusTime last_answer_{0};
+  BusTime feedback_from_{0};  // the feedback is not older than this
   std::optional<BusTime> following_error_since_;
   int leak_ = 0;
   std::uint64_t errors_ = 0;

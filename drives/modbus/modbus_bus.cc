@@ -142,7 +142,7 @@ std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age
   if (error) {
     drive.fail();
   } else {
-    error = drive.take(status_block(answer), end);
+    error = drive.take(status_block(answer), begin, end);
   }
   count_exchange(error, end - begin);
   return error;

@@ -35,7 +35,7 @@ class AxisExchangeTest : public ::testing::Test {
     block.velocity = velocity_mm_per_s * 1000;
     block.following_error = following_error_um;
     block.heartbeat_echo = sent.heartbeat;
-    const auto error = exchange.take(block, now);
+    const auto error = exchange.take(block, now, now);
     exchange.supervise(now);
     return error;
   }
@@ -105,14 +105,14 @@ TEST_F(AxisExchangeTest, AnAnswerWithoutEchoIsStuckAndDiscarded) {
   sent = exchange.command(target, TargetAge::fresh);
   StatusBlock old{.status_word = state_bits(DriveState::operation_enabled), .position = 5000};
   old.heartbeat_echo = static_cast<std::uint16_t>(sent.heartbeat - 1);
-  EXPECT_EQ(exchange.take(old, now), ExchangeError::stuck);
+  EXPECT_EQ(exchange.take(old, now, now), ExchangeError::stuck);
   EXPECT_EQ(exchange.feedback().position, 1.0);
   EXPECT_EQ(exchange.errors(), 1U);
 }
 
 TEST_F(AxisExchangeTest, AWordThatIsNoStateIsImplausible) {
   sent = exchange.command(target, TargetAge::fresh);
-  EXPECT_EQ(exchange.take({.status_word = 0xFFFF, .heartbeat_echo = sent.heartbeat}, now),
+  EXPECT_EQ(exchange.take({.status_word = 0xFFFF, .heartbeat_echo = sent.heartbeat}, now, now),
             ExchangeError::implausible);
   EXPECT_FALSE(exchange.feedback().valid);
 }
@@ -123,6 +123,19 @@ TEST_F(AxisExchangeTest, AJumpInSightIsImplausible) {
   EXPECT_EQ(answer(18.4), std::nullopt);
   EXPECT_EQ(answer(30.0), ExchangeError::implausible);
   EXPECT_EQ(exchange.feedback().position, 18.4);
+}
+
+TEST_F(AxisExchangeTest, AnAnswerReadLateMakesTheNextOneNoJump) {
+  sent = exchange.command(target, TargetAge::fresh);
+  StatusBlock block{.status_word = state_bits(DriveState::operation_enabled)};
+  block.heartbeat_echo = sent.heartbeat;
+  // Read 40 ms after it was sampled; the next one, right after it, shows where the axis is now.
+  const BusTime asked = now;
+  now += milliseconds{40};
+  EXPECT_EQ(exchange.take(block, asked, now), std::nullopt);
+  block.heartbeat_echo = exchange.command(target, TargetAge::fresh).heartbeat;
+  block.position = 16000;  // 400 mm/s
+  EXPECT_EQ(exchange.take(block, now, now), std::nullopt);
 }
 
 TEST_F(AxisExchangeTest, AVelocityOutOfReachIsImplausible) {
@@ -241,7 +254,7 @@ TEST_F(AxisExchangeTest, SurvivesArbitraryAnswers) {
       value = static_cast<std::uint16_t>(any(random));
     }
     now += poll;
-    if (exchange.take(status_block(registers), now)) {
+    if (exchange.take(status_block(registers), now, now)) {
       exchange.supervise(now);
     }
     ASSERT_TRUE(std::isfinite(exchange.feedback().position)) << "seed " << seed;

@@ -1,8 +1,11 @@
 // Bus and simulated drives over a real Modbus connection on loopback: exchange, faults, return.
 #include <gtest/gtest.h>
 #include <modbus/modbus.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
+#include <random>
 
 #include "drives/cia402.h"
 #include "tests/plant/loopback.h"
@@ -284,6 +287,25 @@ TEST_F(ModbusLoopback, ManyClientsAreServed) {
     EXPECT_EQ(modbus_read_registers(client->unit(1), 100, 1, &word), 1);
     EXPECT_EQ(drives::state_of(word), DriveState::switch_on_disabled);
   }
+}
+
+TEST_F(ModbusLoopback, ClientsThatTalkNonsenseDoNotDisturbTheOthers) {
+  const unsigned seed = 502;
+  std::mt19937 random(seed);
+  CycleSide cycle(bus_of(3), server.port());
+  ASSERT_TRUE(cycle.until([&] { return cycle.all_valid(); }));
+  for (int i = 0; i < 20; ++i) {
+    PlainClient nonsense(server.port());
+    const int socket = modbus_get_socket(nonsense.unit(1));
+    std::vector<std::uint8_t> bytes(random() % 300);
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    EXPECT_EQ(send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL),
+              static_cast<ssize_t>(bytes.size()));
+    const std::uint32_t sequence = cycle.feedback[2].sequence;
+    ASSERT_TRUE(cycle.until([&] { return cycle.feedback[2].sequence > sequence + 2; }))
+        << "seed " << seed;
+  }
+  EXPECT_EQ(cycle.feedback[0].position, 10.0);
 }
 
 TEST(ModbusServer, SaysWhatItCannotOpen) {
