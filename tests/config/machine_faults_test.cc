@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include "config/machine_file.h"
@@ -351,6 +352,29 @@ TEST(MachineFaults, OfAFileThatCannotBeReadNameItAndTheCause) {
   const auto folder_faults = faults_of(files.folder());
   ASSERT_EQ(folder_faults.size(), 1U);
   EXPECT_THAT(folder_faults[0].text, HasSubstr("it is a directory"));
+}
+
+// Whatever a file holds, the reader returns or throws ConfigError: characters replaced and lines
+// dropped at random.
+TEST(MachineFaults, OfADamagedFileAreNeverMoreThanConfigErrors) {
+  constexpr unsigned seed = 7106;
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  constexpr std::string_view characters = "[]{}=\"'\n#.,-0123456789aXeinf\t\\\x80";
+  std::mt19937 engine(seed);
+  const auto below = [&](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine);
+  };
+  const TemporaryFiles files;
+  int refused = 0;
+  for (int i = 0; i < 1500; ++i) {
+    std::string text =
+        i % 3 == 0 ? with_line(static_cast<int>(below(28)) + 1, "") : std::string(valid_file);
+    for (std::size_t damages = below(3); damages > 0; --damages) {
+      text[below(text.size())] = characters[below(characters.size())];
+    }
+    refused += faults_of(files.write("m.toml", text)).empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 500);  // the damage does reach the reader
 }
 
 TEST(MachineFaults, OfOneDriveAddressForTwoAxes) {
