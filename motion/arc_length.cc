@@ -17,13 +17,10 @@ struct Node {
   double place;  // in [0, 1], mirrored at 0
   double weight;
 };
-constexpr std::array<Node, 3> six_nodes{{{0.238619186083196908631, 0.467913934572691047390},
-                                         {0.661209386466264513661, 0.360761573048138607570},
-                                         {0.932469514203152027812, 0.171324492379170345040}}};
-constexpr std::array<Node, 4> eight_nodes{{{0.183434642495649804939, 0.362683783378361982965},
-                                           {0.525532409916328985818, 0.313706645877887287338},
-                                           {0.796666477413626739592, 0.222381034453374470544},
-                                           {0.960289856497536231684, 0.101228536290376259153}}};
+constexpr std::array<Node, 4> nodes{{{0.183434642495649804939, 0.362683783378361982965},
+                                     {0.525532409916328985818, 0.313706645877887287338},
+                                     {0.796666477413626739592, 0.222381034453374470544},
+                                     {0.960289856497536231684, 0.101228536290376259153}}};
 
 // The speed and its derivative by u.
 struct Speed {
@@ -76,9 +73,8 @@ double arc_speed(const Geometry& g, double constant_squared, double u) RT_SAFE {
   return std::sqrt(around * around + constant_squared);
 }
 
-template <std::size_t count, class Integrand>
-double integral(const std::array<Node, count>& nodes, double from, double to, Integrand integrand)
-    RT_SAFE {
+template <class Integrand>
+double integral(double from, double to, Integrand integrand) RT_SAFE {
   const double middle = 0.5 * (from + to);
   const double half = 0.5 * (to - from);
   double sum = 0.0;
@@ -90,11 +86,11 @@ double integral(const std::array<Node, count>& nodes, double from, double to, In
 }
 
 double quintic_length(const Geometry& g, double from, double to) RT_SAFE {
-  return integral(six_nodes, from, to, [&g](double u) RT_SAFE { return quintic_speed(g, u); });
+  return integral(from, to, [&g](double u) RT_SAFE { return quintic_speed(g, u); });
 }
 
 double arc_length_to(const Geometry& g, double constant_squared, double u) RT_SAFE {
-  return integral(eight_nodes, 0.0, u, [&g, constant_squared](double at) RT_SAFE {
+  return integral(0.0, u, [&g, constant_squared](double at) RT_SAFE {
     return arc_speed(g, constant_squared, at);
   });
 }

@@ -1,9 +1,9 @@
 // Arc length of a piece against its parameter u, and the way back: u from s.
 //
-// ds/du = |dP/du| over the axes of the metric. It is integrated by Gauss-Legendre with six nodes on
-// intervals of at most 1/16 in u for quintics, and with eight nodes from the start for arcs whose
-// radius changes. u(s) starts from a cubic Hermite interpolation of the stored knots and is mended
-// by third-order Newton steps until the arc length agrees to rounding. docs/motion.md#path.
+// ds/du = |dP/du| over the axes of the metric. It is integrated by Gauss-Legendre with eight nodes:
+// for quintics on intervals of at most 1/16 in u, for arcs whose radius changes from the start.
+// u(s) starts from a cubic Hermite interpolation of the stored knots and is mended by third-order
+// Newton steps until the arc length agrees to rounding. docs/motion.md#path.
 #pragma once
 
 #include "base/rt_safe.h"

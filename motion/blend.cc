@@ -20,7 +20,8 @@ constexpr double sag = 1.0 / 64.0;
 // deviation_share.
 constexpr double tolerance_used = 0.97;
 
-constexpr double reach_min = 1e-5;  // mm: below, the stored points no longer resolve the curve
+constexpr double reach_min = 1e-5;     // mm: below, the stored points no longer resolve the curve
+constexpr double arc_angle_max = 0.5;  // rad of an arc that a blend may replace
 constexpr int samples = 16;
 constexpr int foot_steps = 3;
 constexpr int fit_attempts = 16;
@@ -106,6 +107,12 @@ Contact contact_at(const Piece& piece, double s) {
   JetPoint point_s;
   evaluate(piece, s, point_s);
   return contact(point_s);
+}
+
+// How much of a piece a blend may replace.
+double replaceable(const Piece& piece) {
+  if (piece.geometry.kind != PieceKind::arc) return piece.length;
+  return piece.length * std::min(1.0, arc_angle_max / std::abs(piece.geometry.sweep));
 }
 
 Blend blend_of_reach(const Piece& incoming, const Piece& outgoing, double reach) {
@@ -198,7 +205,7 @@ std::optional<Blend> fit_blend(const Piece& incoming, const Piece& outgoing, dou
   const Tolerance used{tolerance_used * tolerance.mm, tolerance_used * tolerance.deg};
   const Growth grown = growth(contact_at(incoming, incoming.length), contact_at(outgoing, 0.0),
                               incoming.geometry.metric, used, config);
-  double reach = std::min(reach_max, grown.reach());
+  double reach = std::min({reach_max, grown.reach(), replaceable(incoming), replaceable(outgoing)});
   const bool between_lines =
       incoming.geometry.kind == PieceKind::line && outgoing.geometry.kind == PieceKind::line;
   for (int i = 0; i < fit_attempts && reach >= reach_min; ++i) {

@@ -1,8 +1,8 @@
 // Blocks to pieces, one block behind (motion/path_builder.h).
 //
 // The last block taken is pending: its start is settled, its end waits for the join with the block
-// that follows. Each join consumes at most half of either block, so that the two joins of a block
-// never meet.
+// that follows. A blend takes at most half of the block that follows, and of the pending block all
+// that the blend at its start has left: the two never meet, and every second half is used.
 #include "motion/path_builder.h"
 
 #include <algorithm>
@@ -57,11 +57,15 @@ PathMetric metric_of(const PathBlock& block, const Point& start, const MotionCon
   return metric;
 }
 
-// Path length at which `piece` may be cut, at most `wanted` from its near end: no tiny rest stays.
-double reach_without_rest(double wanted, double length_left) {
-  const double rest = length_left - wanted;
-  const double rest_wanted = std::min(rest_min, 0.125 * length_left);
-  return rest == 0.0 || rest >= rest_wanted ? wanted : length_left - rest_wanted;
+// The shortest rest of a block between its two blends, when `left` remains of it.
+double rest_wanted(double left) {
+  return std::min(rest_min, 0.125 * left);
+}
+
+// How far a blend may reach: it takes all that is left rather than leave a tiny rest.
+double reach_allowed(double left, double length_after) {
+  const double half = 0.5 * length_after;
+  return left - half < rest_wanted(left) ? left : half;
 }
 
 }  // namespace
@@ -137,13 +141,13 @@ bool PathBuilder::join_by_blend(Pending& next) {
   const Tolerance tolerance{
       std::max(exact_tolerance, std::min(pending_->tolerance_mm, next.tolerance_mm)),
       std::max(exact_tolerance, std::min(pending_->tolerance_deg, next.tolerance_deg))};
-  double reach_max = 0.5 * std::min(incoming.length, outgoing.length);
+  const double left = incoming.length - pending_->from;
+  double reach_max = reach_allowed(left, outgoing.length);
   for (int attempt = 0; attempt < 2; ++attempt) {
     const auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
     if (!blend) return false;
-    const double allowed = reach_without_rest(blend->reach, incoming.length - pending_->from);
-    if (allowed < blend->reach) {
-      reach_max = allowed;
+    if (blend->reach < left && left - blend->reach < rest_wanted(left)) {
+      reach_max = left - rest_wanted(left);
       continue;
     }
     Piece curve = outgoing;
@@ -153,7 +157,11 @@ bool PathBuilder::join_by_blend(Pending& next) {
     curve.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
     curve.rapid = incoming.rapid && outgoing.rapid;
     if (soft_limit_excess(curve, config_)) return false;
-    emit_pending(incoming.length - blend->reach, curve.geometry.start);
+    if (blend->reach < left) {
+      emit_pending(incoming.length - blend->reach, curve.geometry.start);
+    } else {
+      curve.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
+    }
     emit(curve);
     next.from = blend->reach;
     next.from_point = curve.geometry.end;
@@ -162,9 +170,8 @@ bool PathBuilder::join_by_blend(Pending& next) {
   return false;
 }
 
-// The pending block from where its first blend ends up to `to`; nothing when two blends touch.
+// The pending block from where the blend at its start ends up to `to`.
 void PathBuilder::emit_pending(double to, const Point& to_point) {
-  if (to <= pending_->from) return;
   Piece piece = pending_->whole;
   if (pending_->from > 0.0 || to < piece.length) {
     const Shape rest = part(pending_->whole, pending_->from, pending_->from_point, to, to_point);
