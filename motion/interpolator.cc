@@ -1,5 +1,7 @@
 #include "motion/interpolator.h"
 
+#include <cmath>
+
 #include "motion/geometry.h"
 
 namespace stanok::motion {
@@ -21,7 +23,7 @@ void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetP
 }  // namespace
 
 Interpolator::Interpolator(const MotionConfig& config)
-    : cycle_s_(config.cycle_s), axis_count_(config.axis_count) {}
+    : cycle_s_(config.cycle_s), axis_count_(config.axis_count), planner_(config.cycle_s) {}
 
 void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
   standing_axes_ = axes_M;
@@ -43,26 +45,60 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
   for (int round = 0; round < chunks_per_cycle_max; ++round) {
     if (!cursor_.has_chunk()) {
       if (control.hold || !may_enter(queue, chunk_limit)) break;
-      enter_chunk(queue);
+      cursor_.enter(queue);
     }
-    time = run_nominal(queue, time);
+    time = run(queue, control, time);
     if (motion_.s < cursor_.chunk().length) break;
-    finish_chunk(queue, out);
+    if (!finish_chunk(queue, out)) break;
     out.cycle_left = time;
+    if (time <= 0.0) break;
   }
-  report(queue, out);
+  report(queue, control, out);
 }
 
 bool Interpolator::may_enter(const PathQueue& queue, std::uint64_t chunk_limit) const RT_SAFE {
   if (queue.chunks.empty()) return false;
-  if (!at_rest()) return true;
   const Chunk& next = queue.chunks.front();
   return next.sequence < chunk_limit && (next.last || queue.chunks.size() > 1);
 }
 
-void Interpolator::enter_chunk(PathQueue& queue) RT_SAFE {
-  cursor_.enter(queue);
-  motion_.s = 0.0;
+bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
+  return cursor_.chunk().last || !queue.chunks.empty();
+}
+
+double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
+  const bool wants_nominal = control.is_nominal() && knows_next(queue);
+  if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
+  if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
+  if (is_nominal_) planner_.forget();
+  const double before = motion_.s;
+  double left = 0.0;
+  if (!planner_.advance(queue, cursor_, control, time, motion_, left)) {
+    return run_nominal(queue, time);
+  }
+  is_nominal_ = false;
+  // At rest at the end of the chain, to rounding: exactly there.
+  constexpr double rounding = 1e-9;
+  const double length = cursor_.chunk().length;
+  if (at_rest() && std::abs(motion_.s - length) < rounding) motion_.s = length;
+  advanced_ += motion_.s - before;
+  cursor_.go_to(queue, motion_.s);
+  return left;
+}
+
+// Goes over to the committed phases where they stand in the very state at hand: in a phase of
+// constant speed, or at its start at rest.
+void Interpolator::rejoin_nominal(PathQueue& queue) RT_SAFE {
+  if (motion_.a != 0.0) return;
+  while (cursor_.has_phase() && cursor_.phase(queue).s_end <= motion_.s) cursor_.pass_phase(queue);
+  if (!cursor_.has_phase()) return;
+  const Phase& phase = cursor_.phase(queue);
+  if (phase.v != motion_.v || phase.a != 0.0) return;
+  const bool cruises = phase.j == 0.0 && phase.v > 0.0 && phase.s <= motion_.s;
+  if (!cruises && phase.s != motion_.s) return;
+  phase_time_first_ = cruises ? (motion_.s - phase.s) / phase.v : 0.0;
+  phase_cycles_ = 0.0;
+  is_nominal_ = true;
 }
 
 // Runs committed phases for `time`; returns what is left of it at the end of the chunk.
@@ -94,14 +130,29 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   return unused;
 }
 
-void Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE {
-  cursor_.go_to(queue, motion_.s);
-  if (cursor_.chunk().last) {
+// Leaves the chunk at hand behind. False: the chain goes on, but its next chunk is not there; the
+// chunk is kept.
+bool Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE {
+  const double length = cursor_.chunk().length;
+  if (!knows_next(queue)) {
+    motion_ = {.s = length};
+    return false;
+  }
+  cursor_.go_to(queue, length);
+  const bool chain_ends = cursor_.chunk().last;
+  if (chain_ends) {
     stand_at_end(cursor_.piece(queue));
     out.chain_ended = true;
   }
   cursor_.leave(queue);
   ++chunks_done_;
+  if (chain_ends) return true;
+  const double beyond = motion_.s - length;
+  cursor_.enter(queue);
+  planner_.shift(length);
+  motion_.s = beyond;
+  cursor_.go_to(queue, beyond);
+  return true;
 }
 
 void Interpolator::stand_at_end(const Piece& piece) RT_SAFE {
@@ -115,7 +166,8 @@ void Interpolator::stand_at_end(const Piece& piece) RT_SAFE {
   motion_ = {};
 }
 
-void Interpolator::report(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE {
+void Interpolator::report(const PathQueue& queue, const FeedControl& control,
+                          InterpolatorOutput& out) const RT_SAFE {
   out.chunks_done = chunks_done_;
   out.path_advanced = advanced_;
   out.s_speed = motion_.v;
@@ -128,13 +180,19 @@ void Interpolator::report(const PathQueue& queue, InterpolatorOutput& out) const
     return;
   }
   const Piece& piece = cursor_.piece(queue);
-  out.state = PathState::moving;
+  out.state = state(queue, control);
   out.tag = piece.tag;
   out.feed_commanded = piece.rapid ? 0.0 : piece.feed_per_s;
   JetPoint point_s;
   evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
   to_axes(piece.transform, out.point, out.axes);
+}
+
+PathState Interpolator::state(const PathQueue& queue, const FeedControl& control) const RT_SAFE {
+  if (!at_rest() || advanced_ > 0.0) return PathState::moving;
+  if (knows_next(queue) || control.hold) return PathState::holding;
+  return PathState::starved;
 }
 
 void Interpolator::drop_path(PathQueue& queue) RT_SAFE {

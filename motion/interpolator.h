@@ -8,18 +8,14 @@
 #pragma once
 
 #include "base/rt_safe.h"
+#include "motion/feed_control.h"
+#include "motion/override_planner.h"
 #include "motion/path.h"
 #include "motion/path_cursor.h"
 #include "motion/path_queue.h"
 #include "motion/profile.h"
 
 namespace stanok::motion {
-
-struct FeedControl {
-  double feed_override = 1.0;   // 0..2, of programmed feed
-  double rapid_override = 1.0;  // 0..1
-  bool hold = false;            // feed hold: come to rest on the path
-};
 
 enum class PathState : std::uint8_t {
   idle,  // no chunk: standing
@@ -68,11 +64,17 @@ class Interpolator {
 
  private:
   [[nodiscard]] bool may_enter(const PathQueue& queue, std::uint64_t chunk_limit) const RT_SAFE;
-  void enter_chunk(PathQueue& queue) RT_SAFE;
+  // Runs for `time` within the chunk at hand, or, under override, beyond its end; returns what is
+  // left of it.
+  [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
+  [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
+  void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
-  void finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE;
+  [[nodiscard]] bool finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE;
   void stand_at_end(const Piece& piece) RT_SAFE;
-  void report(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
+  void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) const
+      RT_SAFE;
+  [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
 
   double cycle_s_ = 0.001;
   int axis_count_ = 0;
@@ -82,6 +84,8 @@ class Interpolator {
   // accumulates over a long phase.
   double phase_time_first_ = 0.0;
   double phase_cycles_ = 0.0;
+  OverridePlanner planner_;
+  bool is_nominal_ = true;  // committed phases are being run
   std::uint64_t chunks_done_ = 0;
   double advanced_ = 0.0;  // in this cycle
 

@@ -4,22 +4,9 @@
 #include <cmath>
 
 #include "base/assert.h"
-#include "motion/geometry.h"
 
 namespace stanok::motion {
 namespace {
-
-// Bounds that keep the closed forms finite where the machine file leaves an axis unlimited.
-constexpr double speed_max = 1e6;
-constexpr double acceleration_max = 1e9;
-constexpr double jerk_max = 1e12;
-
-SpeedPiece speed_piece(const Piece& piece) {
-  const PieceLimits limits = piece_limits(piece.bounds, piece.feed_per_s);
-  return {.length = piece.length,
-          .v = std::min(limits.v, speed_max),
-          .ramp = {.a = std::min(limits.a, acceleration_max), .j = std::min(limits.j, jerk_max)}};
-}
 
 // Blocks from one tag to the next one; programs count their blocks.
 std::uint64_t blocks_between(const BlockTag& from, const BlockTag& to) {
@@ -81,7 +68,7 @@ void LookAhead::add(const PathBuilder::Built& built) {
   const std::uint64_t known = blocks_.empty() ? 0 : blocks_.back();
   blocks_.push_back(known + (window_.empty() ? 1 : blocks_between(window_.back().tag, piece.tag)));
   window_.push_back(piece);
-  speeds_.push_back(speed_piece(piece));
+  speeds_.push_back(speed_piece(piece, 1.0));
   if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
     plan_window(built.ends_chain);
   }

@@ -11,15 +11,9 @@
 
 #include "motion/profile.h"
 #include "motion/range_minimum.h"
+#include "motion/speed_piece.h"
 
 namespace stanok::motion {
-
-// What a piece allows: speed and, for any speed up to it, tangential acceleration and jerk.
-struct SpeedPiece {
-  double length = 0.0;
-  double v = 0.0;
-  RampLimits ramp;
-};
 
 // From key point to key point: held at v0 for `hold` of length, up to `top`, held, down to v1.
 struct Segment {

@@ -1,0 +1,111 @@
+// OverridePlanner: feed hold, resume and override on the committed path, planned in the cycle.
+//
+// Every cycle it tries to go on for one more cycle as asked, and accepts that only if from there a
+// way to rest exists that keeps the limits of every piece it touches. The way found is kept: when a
+// later wish is refused it is simply followed. So there is always a way to rest, and limits are
+// kept without looking farther than the braking distance (docs/motion.md#override). Real-time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "base/rt_safe.h"
+#include "motion/feed_control.h"
+#include "motion/path_sight.h"
+#include "motion/profile.h"
+
+namespace stanok::motion {
+
+// Phases down to rest, and how far they have been run.
+class RestPlan {
+ public:
+  static constexpr std::size_t capacity = 48;
+
+  void clear() RT_SAFE;
+  [[nodiscard]] bool has_room() const RT_SAFE;
+  void add(const PhaseRun& run) RT_SAFE;
+  // The first `time` of a change of speed from `from` to v, and v held if that is done before.
+  // Returns the state then.
+  PathMotion add_part(const PhaseRun& run, const PathMotion& from, double v, double time) RT_SAFE;
+  // Constant speed from s0 to s1.
+  void add_hold(double s0, double s1, double v) RT_SAFE;
+  // The last phase ends at s, which it misses by rounding.
+  void end_at(double s) RT_SAFE;
+  // Runs for `time`; returns what is left of it once the plan is at rest.
+  [[nodiscard]] double run(double time, PathMotion& motion) RT_SAFE;
+  // The path coordinate counts from ds later on.
+  void shift(double ds) RT_SAFE;
+
+ private:
+  std::array<Phase, capacity> phases_{};
+  std::size_t size_ = 0;
+  std::size_t at_ = 0;
+  double t_ = 0.0;  // within the phase at hand
+};
+
+class OverridePlanner {
+ public:
+  explicit OverridePlanner(double cycle_s) : cycle_s_(cycle_s) {}
+
+  // Takes over, or starts afresh, with no way to rest known.
+  void forget() RT_SAFE;
+
+  // Runs for `time` from `motion`, which it replaces. Returns false, with nothing done, when it has
+  // no plan that keeps the limits; possible only right after forget(). `left`: what remains of
+  // `time` at the end of the chain.
+  [[nodiscard]] bool advance(const PathQueue& queue, const PathCursor& cursor,
+                             const FeedControl& control, double time, PathMotion& motion,
+                             double& left) RT_SAFE;
+
+  // The path coordinate counts from ds later on: the next chunk was entered.
+  void shift(double ds) RT_SAFE { plans_[current_].shift(ds); }
+
+ private:
+  enum class Caps { asked, hard };
+  // Result of a search for a way to rest.
+  struct Verdict {
+    bool is_safe = false;
+    double binding_speed = 0.0;  // what the place in the way asks for; 0: a wall
+  };
+  // The place ahead that leaves the least room to slow down for it.
+  struct Tight {
+    bool found = false;
+    std::size_t piece = 0;
+    double slack = 0.0;
+    double v = 0.0;
+    RampLimits limits{};
+  };
+  // What lies within the braking distance.
+  struct Outlook {
+    bool fits = false;     // a brake to rest under `limits` stays on known path
+    std::size_t last = 0;  // piece in which it comes to rest
+    RampLimits limits{};
+    Tight tight{};
+    double binding_speed = 0.0;
+  };
+
+  [[nodiscard]] double cap(std::size_t piece, Caps caps) RT_SAFE;
+  [[nodiscard]] bool find_plan(const FeedControl& control, double time, const PathMotion& motion)
+      RT_SAFE;
+  [[nodiscard]] Verdict try_speed(const PathMotion& from, double v, double time, Caps caps) RT_SAFE;
+  [[nodiscard]] bool try_hop(const PathMotion& from) RT_SAFE;
+  [[nodiscard]] Verdict find_rest(PathMotion from, std::size_t piece, Caps caps) RT_SAFE;
+  [[nodiscard]] Outlook survey(const PathMotion& from, std::size_t piece, Caps caps) RT_SAFE;
+  [[nodiscard]] bool keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
+      RT_SAFE;
+  [[nodiscard]] bool ease(PathMotion& from, std::size_t& piece, Caps caps) RT_SAFE;
+  void stop(const PathMotion& from, const Outlook& outlook) RT_SAFE;
+  [[nodiscard]] RestPlan& draft() RT_SAFE { return plans_[1 - current_]; }
+
+  double cycle_s_;
+  PathSight sight_;
+  std::array<RestPlan, 2> plans_{};  // the one being run, and a draft
+  std::size_t current_ = 0;
+  bool has_plan_ = false;
+  Caps plan_caps_ = Caps::hard;  // under which the plan was found
+  FeedControl plan_control_;
+  Caps draft_caps_ = Caps::hard;
+  double reach_ = 1.0;
+};
+
+}  // namespace stanok::motion

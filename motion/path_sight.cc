@@ -1,0 +1,59 @@
+#include "motion/path_sight.h"
+
+#include <algorithm>
+
+#include "motion/speed_piece.h"
+
+namespace stanok::motion {
+
+PathSight::PathSight() : kept_(2 * pieces_max) {}
+
+void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
+                     double reach) RT_SAFE {
+  queue_ = &queue;
+  control_ = control;
+  reach_ = reach;
+  first_ = cursor.piece_number();
+  size_ = std::min<std::size_t>(cursor.pieces_seen(queue), pieces_max);
+  starts_[0] = cursor.piece_start();
+  starts_known_ = 0;
+}
+
+double PathSight::start(std::size_t index) RT_SAFE {
+  while (starts_known_ < index) {
+    starts_[starts_known_ + 1] = starts_[starts_known_] + limits_of(starts_known_).length;
+    ++starts_known_;
+  }
+  return starts_[index];
+}
+
+const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
+  const std::uint64_t number = first_ + index;
+  Limits& kept = kept_[number % kept_.size()];
+  if (kept.number == number && kept.reach == reach_) return kept;
+  const Piece& piece = queue_->pieces[index];
+  const SpeedPiece nominal = speed_piece(piece, 1.0);
+  const SpeedPiece limits = reach_ > 1.0 && !piece.rapid ? speed_piece(piece, reach_) : nominal;
+  kept = {.number = number,
+          .reach = reach_,
+          .length = piece.length,
+          .feed = piece.rapid ? nominal.v : piece.feed_per_s,
+          .v = limits.v,
+          .ramp = limits.ramp,
+          .rapid = piece.rapid};
+  return kept;
+}
+
+double PathSight::asked_speed(std::size_t index) RT_SAFE {
+  const Limits& limits = limits_of(index);
+  const double part = limits.rapid ? control_.rapid_override : control_.feed_override;
+  return std::min(limits.v, part * limits.feed);
+}
+
+std::size_t PathSight::piece_at(double s, std::size_t from) RT_SAFE {
+  std::size_t index = from;
+  while (index + 1 < size_ && s >= end(index)) ++index;
+  return index;
+}
+
+}  // namespace stanok::motion

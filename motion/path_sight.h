@@ -1,0 +1,67 @@
+// PathSight: the limits of the pieces that lie ahead, as the cycle sees them.
+//
+// Two caps of speed for each piece: the *hard* one, which the axes and the programmed feed (at the
+// highest override that may still be in the speed) allow and for which the limits of acceleration
+// and jerk hold, and the *asked* one, which the override asks for now. Limits are worked out once
+// for a piece and kept. Real-time; memory is taken in the constructor.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/rt_safe.h"
+#include "motion/feed_control.h"
+#include "motion/path.h"
+#include "motion/path_cursor.h"
+#include "motion/path_queue.h"
+#include "motion/profile.h"
+
+namespace stanok::motion {
+
+class PathSight {
+ public:
+  static constexpr std::size_t pieces_max = 2048;  // seen at a time; farther is a wall
+
+  PathSight();
+
+  // Looks along the path from the piece at hand, once a cycle. `reach`: the highest override, at
+  // least 1, that the present speed may come from.
+  void look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
+            double reach) RT_SAFE;
+
+  [[nodiscard]] std::size_t size() const RT_SAFE { return size_; }
+  // Where piece `index` starts and ends along the chunk at hand; index < size().
+  [[nodiscard]] double start(std::size_t index) RT_SAFE;
+  [[nodiscard]] double end(std::size_t index) RT_SAFE { return start(index + 1); }
+  [[nodiscard]] double hard_speed(std::size_t index) RT_SAFE { return limits_of(index).v; }
+  [[nodiscard]] double asked_speed(std::size_t index) RT_SAFE;
+  [[nodiscard]] const RampLimits& ramp(std::size_t index) RT_SAFE { return limits_of(index).ramp; }
+
+  // The piece that contains s, from piece `from` on.
+  [[nodiscard]] std::size_t piece_at(double s, std::size_t from) RT_SAFE;
+
+ private:
+  struct Limits {
+    std::uint64_t number = ~std::uint64_t{0};  // of the piece
+    double reach = 0.0;
+    double length = 0.0;
+    double feed = 0.0;  // programmed; of a rapid piece what its axes allow
+    double v = 0.0;
+    RampLimits ramp;
+    bool rapid = false;
+  };
+  [[nodiscard]] const Limits& limits_of(std::size_t index) RT_SAFE;
+
+  const PathQueue* queue_ = nullptr;
+  FeedControl control_;
+  double reach_ = 1.0;
+  std::uint64_t first_ = 0;
+  std::size_t size_ = 0;
+  std::size_t starts_known_ = 0;
+  std::array<double, pieces_max + 1> starts_{};
+  std::vector<Limits> kept_;
+};
+
+}  // namespace stanok::motion
