@@ -76,9 +76,9 @@ template <class Owner, class Member>
 Owner owner_of(Member Owner::*);
 
 // at<&A::b, &B::c> is the function that takes an A to its b.c.
-template <auto first, auto... rest>
+template <auto First, auto... Rest>
 inline constexpr auto at =
-    +[](decltype(owner_of(first))& target) -> auto& { return ((target.*first).*....*rest); };
+    +[](decltype(owner_of(First))& target) -> auto& { return ((target.*First).*....*Rest); };
 
 template <class Target>
 struct Key {

@@ -84,6 +84,7 @@ class MachineReader {
       return;
     }
     std::vector<std::string> axis_names;
+    axis_names.reserve(file_.machine.axes.size());
     for (const auto& axis : file_.machine.axes) axis_names.push_back(axis.name);
     file_.machine.tables = read_tables(tables, axis_names, faults_);
   }

@@ -80,6 +80,7 @@ std::string scheme_defect(const SchemeConfig& config) {
 
 std::vector<std::string> scheme_types() {
   std::vector<std::string> names;
+  names.reserve(types.size());
   for (const SchemeType& type : types) names.emplace_back(type.name);
   return names;
 }

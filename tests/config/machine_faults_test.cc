@@ -366,7 +366,7 @@ TEST(MachineFaults, OfADamagedFileAreNeverMoreThanConfigErrors) {
   };
   const TemporaryFiles files;
   int refused = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 500; ++i) {
     std::string text =
         i % 3 == 0 ? with_line(static_cast<int>(below(28)) + 1, "") : std::string(valid_file);
     for (std::size_t damages = below(3); damages > 0; --damages) {
@@ -374,7 +374,7 @@ TEST(MachineFaults, OfADamagedFileAreNeverMoreThanConfigErrors) {
     }
     refused += faults_of(files.write("m.toml", text)).empty() ? 0 : 1;
   }
-  EXPECT_GT(refused, 500);  // the damage does reach the reader
+  EXPECT_GT(refused, 150);  // the damage does reach the reader
 }
 
 TEST(MachineFaults, OfOneDriveAddressForTwoAxes) {
