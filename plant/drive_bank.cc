@@ -28,14 +28,13 @@ double seconds(std::chrono::nanoseconds time) {
 
 }  // namespace
 
+DriveBank::Slot::Slot(const SimulatedDriveConfig& config)
+    : drive(config), registers(holding_registers(register_count(config.registers))) {}
+
 DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives, double step_s)
-    : drives_(drives.size()),
-      panel_(holding_registers(static_cast<int>(drives.size()))),
-      step_s_(step_s) {
-  for (std::size_t i = 0; i < drives.size(); ++i) {
-    drives_[i].drive.emplace(drives[i]);
-    drives_[i].registers.reset(holding_registers(register_count(drives[i].registers)));
-    show_status(drives_[i]);
+    : panel_(holding_registers(static_cast<int>(drives.size()))), step_s_(step_s) {
+  for (const SimulatedDriveConfig& drive : drives) {
+    drives_.emplace_back(drive);
   }
 }
 
@@ -46,7 +45,7 @@ void DriveBank::advance_to(std::chrono::nanoseconds time) {
     const auto step =
         std::min(time - time_, std::chrono::nanoseconds{static_cast<std::int64_t>(step_s_ * 1e9)});
     for (Slot& slot : drives_) {
-      slot.drive->advance(seconds(step));
+      slot.drive.advance(seconds(step));
     }
     time_ += step;
   }
@@ -54,11 +53,11 @@ void DriveBank::advance_to(std::chrono::nanoseconds time) {
 
 void DriveBank::apply_injections() {
   for (Slot& slot : drives_) {
-    slot.drive->load(slot.load.read());
+    slot.drive.load(slot.load.read());
     const std::uint16_t injected = slot.injected.load();
     if (injected != slot.injected_seen) {
-      slot.drive->inject(static_cast<FaultKind>(injected));
-      slot.injected_seen = static_cast<std::uint16_t>(slot.drive->fault());
+      slot.drive.inject(static_cast<FaultKind>(injected));
+      slot.injected_seen = static_cast<std::uint16_t>(slot.drive.fault());
       std::uint16_t expected = injected;
       slot.injected.compare_exchange_strong(expected, slot.injected_seen);
     }
@@ -67,14 +66,14 @@ void DriveBank::apply_injections() {
 
 DriveBank::Slot* DriveBank::slot_of(int unit) {
   const auto found = std::find_if(drives_.begin(), drives_.end(), [&](const Slot& slot) {
-    return slot.drive->config().registers.unit == unit;
+    return slot.drive.config().registers.unit == unit;
   });
   return found == drives_.end() ? nullptr : &*found;
 }
 
 std::optional<AnswerKind> DriveBank::answer_kind(int unit) {
   if (Slot* slot = slot_of(unit)) {
-    return slot->drive->answer_kind();
+    return slot->drive.answer_kind();
   }
   return unit == fault_panel_unit ? std::optional(AnswerKind::normal) : std::nullopt;
 }
@@ -104,11 +103,11 @@ void DriveBank::write_drive(Slot& slot, const RegisterWrite& write) {
     return;
   }
   std::copy(write.values.begin(), write.values.end(), mapping.tab_registers + write.first);
-  const int control = slot.drive->config().registers.control_register;
+  const int control = slot.drive.config().registers.control_register;
   const bool touches_command = written.first < control + drives::command_register_count &&
                                written.first + written.count > control;
   if (touches_command) {
-    slot.drive->command(
+    slot.drive.command(
         drives::command_block(std::span<const std::uint16_t, drives::command_register_count>(
             mapping.tab_registers + control, drives::command_register_count)));
   }
@@ -134,9 +133,9 @@ void DriveBank::show_faults() {
 }
 
 void DriveBank::show_status(Slot& slot) {
-  const drives::StatusRegisters status = drives::to_registers(slot.drive->status());
+  const drives::StatusRegisters status = drives::to_registers(slot.drive.status());
   std::copy(status.begin(), status.end(),
-            slot.registers->tab_registers + slot.drive->config().registers.status_register);
+            slot.registers->tab_registers + slot.drive.config().registers.status_register);
 }
 
 void DriveBank::inject(std::size_t drive, FaultKind kind) {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -50,7 +51,9 @@ class DriveBank {
   using Registers = std::unique_ptr<modbus_mapping_t, Unmap>;
 
   struct Slot {
-    std::optional<SimulatedDrive> drive;
+    explicit Slot(const SimulatedDriveConfig& config);
+
+    SimulatedDrive drive;
     Registers registers;
     std::atomic<std::uint16_t> injected{0};
     std::uint16_t injected_seen = 0;
@@ -64,7 +67,7 @@ class DriveBank {
   void show_faults();
   static void show_status(Slot& slot);
 
-  std::vector<Slot> drives_;
+  std::deque<Slot> drives_;  // slots stay where they are
   Registers panel_;
   double step_s_;
   std::chrono::nanoseconds time_{0};

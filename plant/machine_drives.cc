@@ -29,6 +29,7 @@ drives::BusConfig simulated_bus(const config::MachineFile& machine) {
 
 std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) {
   std::vector<double> start;
+  start.reserve(machine.machine.axes.size());
   for (const channels::AxisConfig& axis : machine.machine.axes) {
     start.push_back(axis.start);
   }

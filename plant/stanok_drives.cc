@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -141,7 +142,7 @@ int serve(const Options& options) {
   server.start();
   const auto json = description(options.server, server.port(), drives);
   if (options.json) {
-    std::cout << json << std::endl;
+    std::cout << json << '\n' << std::flush;
   } else {
     print_description(json);
   }
@@ -150,24 +151,27 @@ int serve(const Options& options) {
   return exit_ok;
 }
 
+int run(int argc, char** argv) {
+  CLI::App app("Simulated drives and spindles of a machine: a Modbus TCP or RTU server.",
+               "stanok-drives");
+  Options options;
+  define(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_ok : exit_usage;
+  }
+  return serve(options);
+}
+
 }  // namespace
 }  // namespace stanok::plant
 
 int main(int argc, char** argv) {
-  using namespace stanok;
-  CLI::App app("Simulated drives and spindles of a machine: a Modbus TCP or RTU server.",
-               "stanok-drives");
-  plant::Options options;
-  plant::define(app, options);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? plant::exit_ok : plant::exit_usage;
-  }
-  try {
-    return plant::serve(options);
+    return stanok::plant::run(argc, argv);
   } catch (const std::exception& error) {  // ConfigError, ServerError
-    std::cerr << error.what() << '\n';
-    return plant::exit_failed;
+    std::fprintf(stderr, "%s\n", error.what());
+    return stanok::plant::exit_failed;
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <random>
 
 #include "drives/cia402.h"
@@ -278,13 +279,13 @@ TEST_F(ModbusLoopback, FaultsCanBeInjectedThroughThePanel) {
 }
 
 TEST_F(ModbusLoopback, ManyClientsAreServed) {
-  std::vector<std::unique_ptr<PlainClient>> clients;
+  std::deque<PlainClient> clients;
   for (int i = 0; i < 50; ++i) {
-    clients.push_back(std::make_unique<PlainClient>(server.port()));
+    clients.emplace_back(server.port());
   }
-  for (auto& client : clients) {
+  for (PlainClient& client : clients) {
     std::uint16_t word = 0;
-    EXPECT_EQ(modbus_read_registers(client->unit(1), 100, 1, &word), 1);
+    EXPECT_EQ(modbus_read_registers(client.unit(1), 100, 1, &word), 1);
     EXPECT_EQ(drives::state_of(word), DriveState::switch_on_disabled);
   }
 }
