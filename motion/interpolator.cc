@@ -78,7 +78,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   }
   is_nominal_ = false;
   // At rest at the end of the chain, to rounding: exactly there.
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-11;  // mm; its jump is far below any limit
   const double length = cursor_.chunk().length;
   if (at_rest() && std::abs(motion_.s - length) < rounding) motion_.s = length;
   advanced_ += motion_.s - before;

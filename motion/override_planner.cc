@@ -381,7 +381,7 @@ void OverridePlanner::stop(const PathMotion& from, const Outlook& outlook) RT_SA
     }
     run = change_speed(from, 0.0, {.a = hard * outlook.limits.a, .j = hard * outlook.limits.j});
     draft().add(run);
-    if (room - length_of(run, from.s) < 1e-9) draft().end_at(wall);
+    if (room - length_of(run, from.s) < 1e-11) draft().end_at(wall);
     return;
   }
   draft().add(run);

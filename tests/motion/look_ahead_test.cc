@@ -1,0 +1,153 @@
+// What the look-ahead commits: how far, in which chunks, how fast.
+#include "motion/look_ahead.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/path_samples.h"
+
+namespace stanok::motion::testing {
+namespace {
+
+constexpr Limits limits{};
+
+// All chunks with their phases, delivered after every piece or only when everything is planned.
+struct CommittedPath {
+  std::vector<Chunk> chunks;
+  std::vector<std::vector<Phase>> phases;
+};
+
+void drain(PathQueue& queue, CommittedPath& path) {
+  Chunk chunk;
+  while (queue.chunks.pop(chunk)) {
+    path.chunks.push_back(chunk);
+    auto& phases = path.phases.emplace_back();
+    for (std::uint32_t k = 0; k < chunk.phases; ++k) phases.push_back(queue.phases[k]);
+    queue.phases.pop_front(chunk.phases);
+    queue.pieces.pop_front(chunk.pieces);
+  }
+}
+
+CommittedPath commit_all(const std::vector<PathBuilder::Built>& built, std::size_t deliver_every) {
+  PathQueue queue;
+  LookAhead look_ahead(three_axes(limits));
+  CommittedPath path;
+  std::size_t count = 0;
+  for (const auto& piece : built) {
+    look_ahead.add(piece);
+    if (++count % deliver_every != 0) continue;
+    static_cast<void>(look_ahead.deliver(queue));
+    drain(queue, path);
+  }
+  while (!look_ahead.is_empty()) {
+    static_cast<void>(look_ahead.deliver(queue));
+    drain(queue, path);
+  }
+  return path;
+}
+
+ChainMaker random_walk(unsigned seed, int count, double length_mean) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  ChainMaker chain(limits);
+  double feed = 100.0;
+  for (int k = 0; k < count; ++k) {
+    if (part(random) < 0.05) feed = 20.0 + 300.0 * part(random);
+    chain.line(length_mean * (0.5 + part(random)), feed);
+  }
+  chain.end_chain();
+  return chain;
+}
+
+TEST(LookAhead, CommitsOnlyWhatAThousandLaterBlocksSecure) {
+  const ChainMaker chain = random_walk(1, 6000, 0.1);
+  const CommittedPath path = commit_all(chain.built(), 1);
+  ASSERT_GT(path.chunks.size(), 3U);
+  std::uint32_t beyond = 0;  // one block a piece
+  for (auto chunk = path.chunks.rbegin(); chunk != path.chunks.rend(); ++chunk) {
+    EXPECT_GE(chunk->lookahead_blocks, std::min(beyond, 1000U));
+    beyond += chunk->pieces;
+  }
+}
+
+TEST(LookAhead, ChunksMeetInOneStateToTheBit) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const ChainMaker chain = random_walk(seed, 8000, 0.2);
+    const CommittedPath path = commit_all(chain.built(), 1);
+    double v = 0.0;
+    double a = 0.0;
+    for (std::size_t k = 0; k < path.chunks.size(); ++k) {
+      const auto& phases = path.phases[k];
+      EXPECT_EQ(phases.front().s, 0.0);
+      EXPECT_EQ(phases.front().v, v);
+      EXPECT_NEAR(phases.front().a, a, 1e-8);
+      for (std::size_t i = 1; i < phases.size(); ++i) {
+        EXPECT_EQ(phases[i].s, phases[i - 1].s_end);
+        EXPECT_NEAR(phases[i].v, phases[i - 1].v_end, 1e-10);
+      }
+      EXPECT_EQ(phases.back().s_end, path.chunks[k].length);
+      a = phases.back().a + phases.back().j * phases.back().duration;
+      v = phases.back().v_end;
+    }
+    EXPECT_EQ(v, 0.0);
+    EXPECT_TRUE(path.chunks.back().last);
+  }
+}
+
+TEST(LookAhead, WhatIsCommittedDoesNotDependOnWhenItIsTaken) {
+  const ChainMaker chain = random_walk(7, 7000, 0.1);
+  const CommittedPath one = commit_all(chain.built(), 1);
+  const CommittedPath other = commit_all(chain.built(), 1777);
+  ASSERT_EQ(one.chunks.size(), other.chunks.size());
+  for (std::size_t k = 0; k < one.chunks.size(); ++k) {
+    ASSERT_EQ(one.phases[k].size(), other.phases[k].size());
+    for (std::size_t i = 0; i < one.phases[k].size(); ++i) {
+      EXPECT_EQ(one.phases[k][i].duration, other.phases[k][i].duration);
+      EXPECT_EQ(one.phases[k][i].j, other.phases[k][i].j);
+    }
+  }
+}
+
+TEST(LookAhead, LongDenseChainRunsWithinItsLimitsAndWithoutStopping) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    const ChainMaker chain = random_walk(seed, 12000, 0.05);
+    const auto samples = run_path(three_axes(limits), chain.built());
+    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, 0.001).worst(), 1.000001);
+    EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
+    for (std::size_t k = 100; k + 100 < samples.size(); ++k) {
+      EXPECT_GT(samples[k].out.s_speed, 1.0);
+    }
+  }
+}
+
+TEST(LookAhead, ChunksAreOfASizeThatTheQueueHoldsSeveralOf) {
+  ChainMaker chain(limits);  // one block of very many pieces, then a dense rest
+  for (int k = 0; k < 9000; ++k) chain.line(0.001, 400.0);
+  chain.end_chain();
+  const CommittedPath path = commit_all(chain.built(), 1);
+  std::uint32_t pieces = 0;
+  for (const Chunk& chunk : path.chunks) {
+    EXPECT_LE(chunk.pieces, LookAhead::chunk_pieces_max);
+    pieces += chunk.pieces;
+  }
+  EXPECT_EQ(pieces, 9000U);
+}
+
+TEST(LookAhead, ClearedPathStartsAgainAtRest) {
+  ChainMaker chain(limits);
+  for (int k = 0; k < 3000; ++k) chain.line(1.0, 100.0);
+  LookAhead look_ahead(three_axes(limits));
+  for (const auto& built : chain.built()) look_ahead.add(built);
+  look_ahead.clear();
+  EXPECT_TRUE(look_ahead.is_empty());
+  ChainMaker next(limits);
+  next.line(5.0, 50.0).end_chain();
+  look_ahead.add(next.built().front());
+  PathQueue queue;
+  ASSERT_TRUE(look_ahead.deliver(queue));
+  EXPECT_EQ(queue.phases.front().v, 0.0);
+  EXPECT_EQ(queue.chunks.front().sequence, 0U);
+}
+
+}  // namespace
+}  // namespace stanok::motion::testing
