@@ -72,6 +72,13 @@ class Interpreter {
   // Line of the statement at hand, for status displays.
   [[nodiscard]] Origin origin() const;
 
+  // ISO blocks executed in this run.
+  [[nodiscard]] std::uint64_t blocks() const;
+
+  // Bit n: blocks that begin with /n are skipped (1 also for / alone). To be called before start
+  // and at sync points only.
+  void set_block_skip(std::uint16_t levels);
+
  private:
   struct State;
   std::unique_ptr<State> state_;

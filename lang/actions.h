@@ -1,0 +1,53 @@
+// The actions of the code table: what each G and M code, F, S and T do to the modal state, and the
+// commands they give. One function serves a family of codes and is told which of them it is.
+#pragma once
+
+#include "lang/active_block.h"
+#include "lang/code_table.h"
+
+namespace stanok::lang {
+
+// Feed, speed, tool and machine functions (actions_machine.cc)
+void take_feed(ActiveBlock& block, CodeNumber);
+void take_speed(ActiveBlock& block, CodeNumber);
+void take_tool(ActiveBlock& block, CodeNumber);
+void select_feed_mode(ActiveBlock& block, CodeNumber code);     // G93 G94 G95
+void select_path_mode(ActiveBlock& block, CodeNumber code);     // G60 G61 G61.1 G64
+void dwell(ActiveBlock& block, CodeNumber code);                // G4
+void change_tool(ActiveBlock& block, CodeNumber code);          // M6
+void switch_spindle(ActiveBlock& block, CodeNumber code);       // M3 M4 M5
+void orient_spindle(ActiveBlock& block, CodeNumber code);       // M19
+void switch_coolant(ActiveBlock& block, CodeNumber code);       // M7 M8 M9
+void switch_overrides(ActiveBlock& block, CodeNumber code);     // M48 M49
+void stop_program(ActiveBlock& block, CodeNumber code);         // M0 M1 M60
+void end_program(ActiveBlock& block, CodeNumber code);          // M2 M30
+void call_program(ActiveBlock& block, CodeNumber code);         // M98
+void return_from_program(ActiveBlock& block, CodeNumber code);  // M99 M17
+// For codes whose whole effect is that they are the active code of their group.
+void only_modal(ActiveBlock& block, CodeNumber code);
+
+// Frames and tool length (actions_frame.cc)
+void select_work_offset(ActiveBlock& block, CodeNumber code);  // G54 ... G59.3 G54.1
+void shift_locally(ActiveBlock& block, CodeNumber code);       // G52
+void shift_axes(ActiveBlock& block, CodeNumber code);          // G92 G92.1 G92.2 G92.3
+void write_table(ActiveBlock& block, CodeNumber code);         // G10
+void compensate_length(ActiveBlock& block, CodeNumber code);   // G43 G43.1 G43.2 G43.4 G44 G49
+// The frame as it is now, as a command.
+[[nodiscard]] FrameChange frame_of(const ModalState& modal);
+
+// Motion (actions_motion.cc, actions_arc.cc)
+void stop_at_block_end(ActiveBlock& block, CodeNumber code);        // G9
+void use_machine_coordinates(ActiveBlock& block, CodeNumber code);  // G53
+void move_straight(ActiveBlock& block, CodeNumber code);            // G0 G1
+void move_in_arc(ActiveBlock& block, CodeNumber code);              // G2 G3
+
+// Parts of a motion shared by its kinds.
+
+// The ends of the programmed axes, absolute in W (M under G53); others stay where they are.
+void resolve_ends(const ActiveBlock& block, Move& move);
+// Feed and path mode; fails the block when a feed is missing.
+void resolve_feed(ActiveBlock& block, Move& move);
+// Puts the programmed point to the end of `move`.
+void advance_position(ActiveBlock& block, const Move& move);
+
+}  // namespace stanok::lang

@@ -1,0 +1,174 @@
+// Actions of feed, speed, tool, coolant, dwell and program end.
+#include <cmath>
+
+#include "lang/actions.h"
+#include "lang/number.h"
+
+namespace stanok::lang {
+namespace {
+
+SpindleCommand spindle_command(const ActiveBlock& block, SpindleAction action) {
+  SpindleCommand command;
+  command.spindle = block.words.spindle_named ? block.words.spindle : 0;
+  command.action = action;
+  command.speed_rev_per_min = block.modal.speed_rev_per_min;
+  return command;
+}
+
+// Tool number of a T word. Lathe: three and more digits hold the edge in the last two.
+int tool_of_word(const ActiveBlock& block, int number) {
+  return block.channel.kind == ChannelKind::lathe && number >= 100 ? number / 100 : number;
+}
+
+}  // namespace
+
+void only_modal(ActiveBlock&, CodeNumber) {}
+
+void take_feed(ActiveBlock& block, CodeNumber) {
+  const double feed = block.value('F');
+  if (feed < 0.0) {
+    block.fail("E4022", {'F', -1, {}}, "the feed must not be negative", "negative feed");
+    return;
+  }
+  block.modal.feed_known = true;
+  block.modal.feed_programmed = feed;
+  block.modal.feed_mm = feed * block.length_unit();
+}
+
+void take_speed(ActiveBlock& block, CodeNumber) {
+  const double speed = block.value('S');
+  if (speed < 0.0) {
+    block.fail("E4022", {'S', -1, {}}, "the spindle speed must not be negative", "negative speed");
+    return;
+  }
+  block.modal.speed_rev_per_min = speed;
+  block.queue.emit(spindle_command(block, SpindleAction::set_speed));
+}
+
+void take_tool(ActiveBlock& block, CodeNumber) {
+  const auto number = block.integer('T', 0, 99999999);
+  if (!number) return;
+  const int tool = tool_of_word(block, *number);
+  if (tool != 0 && !block.tables.tool(tool)) {
+    block.fail("E5002", {'T', -1, {}}, "the tool table has no tool " + std::to_string(tool),
+               "unknown tool");
+    return;
+  }
+  block.modal.tool_prepared = tool;
+  block.queue.emit(ToolPrepare{tool});
+  if (block.channel.kind == ChannelKind::lathe) change_tool(block, 60);
+}
+
+void change_tool(ActiveBlock& block, CodeNumber) {
+  if (block.modal.tool_prepared < 0) {
+    block.fail("E4051", {'M', 60, {}}, "`M6` without a tool", "no T was programmed before")
+        .help.push_back("name the tool first, e.g. `T1 M6`");
+    return;
+  }
+  block.modal.tool_active = block.modal.tool_prepared;
+  block.queue.emit(ToolChange{block.modal.tool_active});
+}
+
+void select_feed_mode(ActiveBlock& block, CodeNumber code) {
+  if (block.modal.code(Group::feed_mode) != code) block.modal.feed_known = false;
+}
+
+void select_path_mode(ActiveBlock& block, CodeNumber code) {
+  PathControl path;
+  if (code == 640) {
+    path.mode = PathMode::continuous;
+    if (block.has('P')) path.tolerance_mm = block.length('P');
+    if (block.has('Q')) path.straightening_mm = block.length('Q');
+    for (const char letter : {'P', 'Q'}) {
+      if (!block.has(letter) || block.value(letter) >= 0.0) continue;
+      block.fail("E4008", {letter, -1, {}}, "a tolerance must not be negative", "negative");
+      return;
+    }
+  } else {
+    path.mode = code == 611 ? PathMode::exact_stop : PathMode::exact_path;
+  }
+  block.modal.path = path;
+}
+
+void dwell(ActiveBlock& block, CodeNumber) {
+  if (block.dwell_word == 0) {
+    block.fail("E4007", {'G', 40, {}}, "`G4` needs a time", "no P, X, U, F or S")
+        .help.push_back("give seconds, e.g. `G4 P0.5`");
+    return;
+  }
+  double seconds = block.value(block.dwell_word);
+  if (block.dwell_word == 'S') {
+    if (block.modal.speed_rev_per_min <= 0.0) {
+      block.fail("E4052", {'S', -1, {}}, "dwell in revolutions without a spindle speed",
+                 "the spindle stands");
+      return;
+    }
+    seconds *= 60.0 / block.modal.speed_rev_per_min;
+  }
+  if (seconds < 0.0) {
+    block.fail("E4008", {block.dwell_word, -1, {}}, "a dwell must not be negative", "negative");
+    return;
+  }
+  block.queue.emit(Dwell{seconds});
+}
+
+void switch_spindle(ActiveBlock& block, CodeNumber code) {
+  const SpindleAction action = code == 30   ? SpindleAction::clockwise
+                               : code == 40 ? SpindleAction::counter_clockwise
+                                            : SpindleAction::stop;
+  block.modal.spindle_running = action != SpindleAction::stop;
+  block.queue.emit(spindle_command(block, action));
+}
+
+void orient_spindle(ActiveBlock& block, CodeNumber) {
+  SpindleCommand command = spindle_command(block, SpindleAction::orient);
+  if (block.has('R')) command.angle_deg = block.value('R');
+  block.modal.spindle_running = false;
+  block.queue.emit(command);
+}
+
+void switch_coolant(ActiveBlock& block, CodeNumber code) {
+  if (code == 70) block.modal.mist = true;
+  if (code == 80) block.modal.flood = true;
+  if (code == 90) {
+    block.modal.mist = false;
+    block.modal.flood = false;
+    block.set_modal(Group::flood, code);
+  }
+  block.queue.emit(CoolantCommand{block.modal.mist, block.modal.flood});
+}
+
+void switch_overrides(ActiveBlock& block, CodeNumber code) {
+  const bool enabled = code == 480;
+  block.modal.feed_override = enabled;
+  block.modal.spindle_override = enabled;
+  block.queue.emit(OverrideControl{enabled, enabled});
+}
+
+// The operator may move the axes while the program stands: the position is read again afterwards.
+void stop_program(ActiveBlock& block, CodeNumber code) {
+  const StopKind kind = code == 0    ? StopKind::program_stop
+                        : code == 10 ? StopKind::optional_stop
+                                     : StopKind::pallet_stop;
+  block.queue.emit(ProgramStop{kind});
+  block.queue.emit(Request{});
+}
+
+void end_program(ActiveBlock& block, CodeNumber code) {
+  block.flow = Flow::end_of_program;
+  block.end_kind = code == 20 ? ProgramEndKind::end : ProgramEndKind::end_and_rewind;
+}
+
+void call_program(ActiveBlock& block, CodeNumber) {
+  if (!block.has('P')) {
+    block.fail("E4007", {'M', 980, {}}, "`M98` needs the number of a program", "no P");
+    return;
+  }
+  block.flow = Flow::call_numbered;
+}
+
+void return_from_program(ActiveBlock& block, CodeNumber) {
+  block.flow = Flow::return_from_subprogram;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,119 @@
+// Actions of straight motion, and the parts that all motions share.
+#include <cmath>
+
+#include "lang/actions.h"
+
+namespace stanok::lang {
+namespace {
+
+// The angle equal to `programmed` by full turns that lies nearest to `position`.
+double shortest_way(double programmed, double position, double modulo) {
+  const double turns = std::round((position - programmed) / modulo);
+  return turns == 0.0 ? programmed : programmed + turns * modulo;
+}
+
+// Tool length along an axis, as far as it lies between the axis and the programmed point.
+double length_along(const ActiveBlock& block, const AxisDescription& axis) {
+  if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
+  return block.modal.length.offset_mm[static_cast<std::size_t>(axis.geometry)];
+}
+
+void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
+  const WordName word{'G', 530, {}};
+  if (block.modal.length.mode == LengthMode::tip) {
+    block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "")
+        .notes.push_back(block.modal.origin_of(Group::length));
+    block.fault->help.push_back("switch it off with `G49` before");
+  } else if (code > 10) {
+    block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
+  } else if (block.modal.incremental()) {
+    block.fail("E4042", word, "`G53` needs absolute programming (G90)", "")
+        .notes.push_back(block.modal.origin_of(Group::distance));
+  }
+}
+
+}  // namespace
+
+void stop_at_block_end(ActiveBlock& block, CodeNumber) {
+  block.stop_at_end = true;
+}
+
+void use_machine_coordinates(ActiveBlock& block, CodeNumber) {
+  CodeNumber motion = block.modal.code(Group::motion);
+  for (const CodeNumber code : block.words.g) {
+    const Code* const row = find_code('G', code);
+    if (row != nullptr && row->group == Group::motion) motion = code;
+  }
+  check_machine_coordinates(block, motion);
+  block.machine_coordinates = true;
+}
+
+void resolve_ends(const ActiveBlock& block, Move& move) {
+  move.words = block.programmed;
+  move.end = block.modal.position_W;
+  move.machine_coordinates = block.machine_coordinates;
+  move.stop_at_end = block.stop_at_end;
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if ((block.programmed & axis_bit(i)) == 0) continue;
+    const AxisDescription& axis = block.channel.axes[i];
+    const double value = block.values[i];
+    if (block.machine_coordinates) {
+      move.end[i] = value;
+    } else if (block.modal.incremental()) {
+      move.end[i] += value;
+    } else if (axis.modulo_deg > 0.0) {
+      move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);
+    } else {
+      move.end[i] = value;
+    }
+  }
+}
+
+void resolve_feed(ActiveBlock& block, Move& move) {
+  const ModalState& modal = block.modal;
+  move.path = modal.path;
+  move.feed_mode = modal.feed_mode();
+  if (move.kind == MoveKind::rapid) return;
+  const bool linear =
+      move.kind == MoveKind::arc || (move.words & block.channel_words.linear_axes()) != 0;
+  const bool inverse_time = move.feed_mode == FeedMode::inverse_time;
+  if (inverse_time && !block.has('F')) {
+    block.fail("E4021", {}, "a motion block in G93 needs its own F", "no F")
+        .notes.push_back(modal.origin_of(Group::feed_mode));
+    return;
+  }
+  move.feed = linear && !inverse_time ? modal.feed_mm : modal.feed_programmed;
+  if (!modal.feed_known || move.feed <= 0.0) {
+    block
+        .fail("E4020", {}, modal.feed_known ? "motion at feed with F0" : "motion at feed without F",
+              "no feed")
+        .notes.push_back(modal.origin_of(Group::feed_mode));
+  }
+}
+
+void advance_position(ActiveBlock& block, const Move& move) {
+  if (!move.machine_coordinates) {
+    block.modal.position_W = move.end;
+    return;
+  }
+  const AxisValues zero = block.tables.scheme_zero();
+  const AxisValues offset = block.modal.offset();
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if ((move.words & axis_bit(i)) == 0) continue;
+    const double length = length_along(block, block.channel.axes[i]);
+    block.modal.position_W[i] = move.end[i] - zero[i] - length - offset[i];
+  }
+}
+
+void move_straight(ActiveBlock& block, CodeNumber code) {
+  if (block.programmed == 0) return;
+  Move move;
+  move.kind = code == 0 ? MoveKind::rapid : MoveKind::line;
+  resolve_ends(block, move);
+  resolve_feed(block, move);
+  if (block.failed()) return;
+  advance_position(block, move);
+  block.queue.emit(move);
+}
+
+}  // namespace stanok::lang

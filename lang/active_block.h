@@ -1,0 +1,84 @@
+// One ISO block while it is executed: what its actions read and change.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "lang/block_words.h"
+#include "lang/channel_words.h"
+#include "lang/command_queue.h"
+#include "lang/environment.h"
+#include "lang/modal_state.h"
+
+namespace stanok::lang {
+
+// Which word of a block is meant: a code, a letter, or (letter 0) the block as a whole.
+struct WordName {
+  char letter = 0;
+  int code = -1;     // G and M: number in tenths
+  std::string name;  // named or indexed word
+};
+
+// Why a block cannot be executed; its reader adds the place.
+struct BlockFault {
+  std::string_view code;
+  WordName word;
+  std::string message;
+  std::string label;
+  std::vector<Note> notes;
+  std::vector<std::string> help;
+};
+
+// What a block does to the flow of the program after its own effects.
+enum class Flow : std::uint8_t { next, end_of_program, call_numbered, return_from_subprogram };
+
+// What lies around a block: its channel, and where its effects go.
+struct BlockSurroundings {
+  ModalState& modal;
+  const ChannelWords& channel_words;
+  const ChannelDescription& channel;
+  const Tables& tables;
+  CommandQueue& queue;
+};
+
+struct ActiveBlock : BlockSurroundings {
+  ActiveBlock(const BlockWords& block_words, const BlockSurroundings& surroundings,
+              std::uint32_t block_line)
+      : BlockSurroundings(surroundings), words(block_words), line(block_line) {}
+
+  const BlockWords& words;
+  std::uint32_t line = 0;
+
+  // The axis words in mm and deg (radius), as programmed: neither G91 nor offsets are applied.
+  AxisSet programmed = 0;
+  AxisValues values{};
+
+  bool machine_coordinates = false;  // G53
+  bool stop_at_end = false;          // G9
+  char dwell_word = 0;               // the word that holds G4's time; 0 without G4
+
+  Flow flow = Flow::next;
+  ProgramEndKind end_kind = ProgramEndKind::end;
+
+  std::optional<BlockFault> fault;
+
+  // Records why the block fails; the first reason stands. The result may be completed.
+  BlockFault& fail(std::string_view code, WordName word, std::string message,
+                   std::string label = {});
+  [[nodiscard]] bool failed() const { return fault.has_value(); }
+
+  [[nodiscard]] bool has(char letter) const { return words.has(letter); }
+  [[nodiscard]] double value(char letter) const { return words.value(letter); }
+  // mm per unit of programmed lengths
+  [[nodiscard]] double length_unit() const { return modal.inches() ? mm_per_inch : 1.0; }
+  // A length word in mm.
+  [[nodiscard]] double length(char letter) const { return value(letter) * length_unit(); }
+  // The integer in a word, within limits; fails the block otherwise.
+  [[nodiscard]] std::optional<int> integer(char letter, int smallest, int largest);
+  void set_modal(Group group, CodeNumber number) { modal.set(group, number, line); }
+};
+
+}  // namespace stanok::lang

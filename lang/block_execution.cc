@@ -1,0 +1,371 @@
+#include "lang/block_execution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lang/actions.h"
+#include "lang/number.h"
+#include "lang/source.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr LetterSet always_allowed = letters_of("FST");
+constexpr LetterSet arc_words = letters_of("IJKR");
+
+// All words that a motion code may use, whichever is modally active.
+LetterSet words_of_all_motions() {
+  static const LetterSet words = [] {
+    LetterSet all = 0;
+    for (const Code& code : code_table()) {
+      if (code.group == Group::motion) all |= code.words;
+    }
+    return all;
+  }();
+  return words;
+}
+
+char first_letter(LetterSet set) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if ((set & letter_bit(letter)) != 0) return letter;
+  }
+  return 0;
+}
+
+BlockFault fault_at(std::string_view code, WordName word, std::string message, std::string label) {
+  return {code, std::move(word), std::move(message), std::move(label), {}, {}};
+}
+
+std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
+  const std::string name = code_text(code.letter, code.number);
+  const WordName word{code.letter, code.number, {}};
+  if (kind == ChannelKind::master && code.availability == Availability::not_master) {
+    return fault_at("E4009", word, "`" + name + "` on a master channel",
+                    "a master channel has no axes and no spindle");
+  }
+  if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
+    return fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
+  }
+  if (kind != ChannelKind::lathe && code.availability == Availability::lathe_only) {
+    return fault_at("E4009", word, "`" + name + "` exists on lathe channels only", "");
+  }
+  return std::nullopt;
+}
+
+std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
+                                   const ChannelKind* kind) {
+  if (number == code_computed_later) return std::nullopt;
+  const Code* const row = find_code(letter, number);
+  const std::string name = code_text(letter, number);
+  const WordName word{letter, number, {}};
+  if (row == nullptr) {
+    return fault_at("E4004", word, "unknown code `" + name + "`", "no such code");
+  }
+  if (row->action == nullptr) {
+    return fault_at("E2090", word, "`" + name + "` is not supported in this release",
+                    std::string(row->title));
+  }
+  if (kind != nullptr) {
+    if (auto fault = unavailable(*row, *kind)) return fault;
+  }
+  if ((codes.groups & row->groups) != 0) {
+    for (int i = 0; i < codes.count; ++i) {
+      const Code& other = *codes.rows[static_cast<std::size_t>(i)];
+      if ((other.groups & row->groups) == 0) continue;
+      return fault_at(
+          "E4002", word,
+          "`" + code_text(other.letter, other.number) + "` and `" + name + "` in one block",
+          "both belong to the same modal group");
+    }
+  }
+  codes.rows[static_cast<std::size_t>(codes.count++)] = row;
+  codes.groups |= row->groups;
+  codes.words |= row->words;
+  return std::nullopt;
+}
+
+// Rule: the axis words of a block belong to one code.
+std::optional<BlockFault> find_axis_user(BlockCodes& codes) {
+  for (int i = 0; i < codes.count; ++i) {
+    const Code* const row = codes.rows[static_cast<std::size_t>(i)];
+    if (row->axes == AxisWords::unused) continue;
+    if (codes.axis_user != nullptr) {
+      return fault_at("E4006", {row->letter, row->number, {}},
+                      "`" + code_text(codes.axis_user->letter, codes.axis_user->number) +
+                          "` and `" + code_text(row->letter, row->number) +
+                          "` both use the axis words",
+                      "only one code of a block can have them");
+    }
+    codes.axis_user = row;
+  }
+  return std::nullopt;
+}
+
+std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKind* kind,
+                                        BlockCodes& codes) {
+  for (const CodeNumber number : words.g) {
+    if (auto fault = add_code(codes, 'G', number, kind)) return fault;
+  }
+  for (const CodeNumber number : words.m) {
+    if (auto fault = add_code(codes, 'M', number, kind)) return fault;
+  }
+  return find_axis_user(codes);
+}
+
+bool has_code(const BlockWords& words, CodeNumber g) {
+  return std::find(words.g.begin(), words.g.end(), g) != words.g.end();
+}
+
+// The word that holds the time of G4. X and U are axis words elsewhere, F and S feed and speed:
+// they are G4's only when nothing else in the block can want them.
+char dwell_word(const BlockWords& words, const BlockCodes& codes) {
+  if (!has_code(words, 40)) return 0;
+  if (words.has('P')) return 'P';
+  if (codes.axis_user != nullptr) return 0;
+  for (const char letter : {'X', 'U', 'F', 'S'}) {
+    if (words.has(letter)) return letter;
+  }
+  return 0;
+}
+
+BlockFault unused_word(LetterSet unused, const ChannelDescription* channel) {
+  const char letter = first_letter(unused);
+  const std::string name(1, letter);
+  if (channel != nullptr && (letter_bit(letter) & customary_axis_letters) != 0) {
+    if (channel->kind == ChannelKind::master) {
+      return fault_at("E4010", {letter, -1, {}}, "axis word `" + name + "` on a master channel",
+                      "a master channel has no axes");
+    }
+    BlockFault fault =
+        fault_at("E4010", {letter, -1, {}}, "this channel has no axis `" + name + "`",
+                 "not an axis of channel " + std::to_string(channel->id));
+    std::string axes;
+    for (const AxisDescription& axis : channel->axes) axes += (axes.empty() ? "" : " ") + axis.word;
+    fault.notes.push_back({"axes of the channel: " + axes, {}});
+    return fault;
+  }
+  return fault_at("E4003", {letter, -1, {}}, "nothing in this block uses `" + name + "`",
+                  "unused word");
+}
+
+std::optional<BlockFault> check_master(const BlockWords& words, const ChannelDescription& channel) {
+  if (channel.kind != ChannelKind::master) return std::nullopt;
+  for (const char letter : {'S', 'T'}) {
+    if (!words.has(letter)) continue;
+    return fault_at("E4009", {letter, -1, {}}, std::string("`") + letter + "` on a master channel",
+                    "a master channel has no axes and no spindle");
+  }
+  return std::nullopt;
+}
+
+std::optional<BlockFault> missing_axes(const BlockCodes& codes, bool any_axis_word) {
+  const Code* const user = codes.axis_user;
+  if (user == nullptr || user->axes != AxisWords::required || any_axis_word) return std::nullopt;
+  return fault_at("E4007", {user->letter, user->number, {}},
+                  "`" + code_text(user->letter, user->number) + "` needs an axis word", "");
+}
+
+// Units and diameter mode set in a block hold for its own words too.
+void apply_units(ActiveBlock& block, const BlockCodes& codes) {
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    const bool early = row.group == Group::units || row.group == Group::diameter;
+    if (early && block.modal.code(row.group) != row.number) block.set_modal(row.group, row.number);
+  }
+}
+
+// Takes the axis words out of the block, in mm and deg.
+void collect_axis_words(ActiveBlock& block) {
+  LetterSet letters = block.words.letters & block.channel_words.letters();
+  if (block.dwell_word != 0) letters &= ~letter_bit(block.dwell_word);
+  const auto take = [&block](std::size_t axis, double value) {
+    const AxisDescription& description = block.channel.axes[axis];
+    if (!description.rotary) value *= block.length_unit();
+    if (block.modal.diameters() && description.geometry == 0) value *= 0.5;
+    block.programmed = static_cast<AxisSet>(block.programmed | axis_bit(axis));
+    block.values[axis] = value;
+  };
+  for (int i = 0; letters != 0; ++i, letters >>= 1) {
+    if ((letters & 1U) != 0) {
+      take(block.channel_words.axis(i), block.words.values[static_cast<std::size_t>(i)]);
+    }
+  }
+  for (const NamedWord& word : block.words.named) {
+    const int axis = block.channel_words.axis_called(word.name);
+    if (axis >= 0) take(static_cast<std::size_t>(axis), word.value);
+  }
+}
+
+// The modally active motion takes the axis words that no code of the block claims.
+void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_words) {
+  if (codes.axis_user != nullptr) return;
+  const CodeNumber number = block.modal.code(Group::motion);
+  const bool arc = number == 20 || number == 30;
+  const bool moves = block.programmed != 0 || (arc && (free_words & arc_words) != 0);
+  if (!moves) return;
+  const Code* const motion = find_code('G', number);
+  if (motion->axes == AxisWords::unused) {
+    BlockFault& fault =
+        block.fail("E4012", {}, "axis words without a motion code", "no motion is active");
+    fault.notes.push_back(block.modal.origin_of(Group::motion));
+    return;
+  }
+  codes.rows[static_cast<std::size_t>(codes.count++)] = motion;
+  codes.words |= motion->words;
+  codes.axis_user = motion;
+}
+
+void check_unused(ActiveBlock& block, const BlockCodes& codes) {
+  LetterSet allowed = codes.words | always_allowed | block.channel_words.letters();
+  if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
+  const LetterSet unused = block.words.letters & ~allowed;
+  if (unused != 0) {
+    const BlockFault fault = unused_word(unused, &block.channel);
+    block.fail(fault.code, fault.word, fault.message, fault.label).notes = fault.notes;
+    return;
+  }
+  for (const NamedWord& word : block.words.named) {
+    if (block.channel_words.axis_called(word.name) >= 0) continue;
+    block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
+               "unused word");
+  }
+}
+
+// F, S and T as rows, so that they take part in the order.
+const Code feed_word{
+    'F',       0,     Group::none, 0, Phase::feed, AxisWords::unused, 0, Availability::everywhere,
+    take_feed, "feed"};
+const Code speed_word{'S',
+                      0,
+                      Group::none,
+                      0,
+                      Phase::speed,
+                      AxisWords::unused,
+                      0,
+                      Availability::not_master,
+                      take_speed,
+                      "spindle speed"};
+const Code tool_word{
+    'T',       0,     Group::none, 0, Phase::tool, AxisWords::unused, 0, Availability::not_master,
+    take_tool, "tool"};
+
+void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes) {
+  for (const Code* const row : {&feed_word, &speed_word, &tool_word}) {
+    if (block.has(row->letter) && block.dwell_word != row->letter) {
+      codes.rows[static_cast<std::size_t>(codes.count++)] = row;
+    }
+  }
+}
+
+void run_actions(ActiveBlock& block, BlockCodes& codes) {
+  const auto first = codes.rows.begin();
+  std::stable_sort(first, first + codes.count,
+                   [](const Code* a, const Code* b) { return a->phase < b->phase; });
+  for (int i = 0; i < codes.count && !block.failed(); ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    row.action(block, row.number);
+    if (row.group != Group::none && block.modal.code(row.group) != row.number) {
+      block.set_modal(row.group, row.number);
+    }
+  }
+}
+
+}  // namespace
+
+BlockFault& ActiveBlock::fail(std::string_view code, WordName word, std::string message,
+                              std::string label) {
+  if (!fault) fault = fault_at(code, std::move(word), std::move(message), std::move(label));
+  return *fault;
+}
+
+std::optional<int> ActiveBlock::integer(char letter, int smallest, int largest) {
+  const double number = value(letter);
+  if (is_integer(number) && number >= smallest - 0.5 && number <= largest + 0.5) {
+    return static_cast<int>(std::lround(number));
+  }
+  fail("E4008", {letter, -1, {}},
+       std::string("`") + letter + "` must be a whole number from " + std::to_string(smallest) +
+           " to " + std::to_string(largest),
+       "out of range");
+  return std::nullopt;
+}
+
+std::optional<BlockFault> check_block(const BlockWords& words, const ChannelDescription* channel) {
+  BlockCodes codes;
+  if (auto fault = resolve_codes(words, channel ? &channel->kind : nullptr, codes)) return fault;
+  // Which words a code uses that is computed at run time cannot be known here.
+  const auto later = [](CodeNumber number) { return number == code_computed_later; };
+  if (std::any_of(words.g.begin(), words.g.end(), later)) return std::nullopt;
+  if (std::any_of(words.m.begin(), words.m.end(), later)) return std::nullopt;
+  const char dwell = dwell_word(words, codes);
+  const LetterSet dwell_set = dwell == 0 ? 0 : letter_bit(dwell);
+  LetterSet axes = customary_axis_letters;
+  const bool any_named_axis = !words.named.empty();
+  if (channel != nullptr) {
+    if (auto fault = check_master(words, *channel)) return fault;
+    axes = ChannelWords(*channel).letters();
+  }
+  LetterSet allowed = codes.words | always_allowed | dwell_set | axes;
+  if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
+  const LetterSet unused = words.letters & ~allowed;
+  if (unused != 0) return unused_word(unused, channel);
+  return missing_axes(codes, any_named_axis || (words.letters & axes & ~dwell_set) != 0);
+}
+
+bool dwells_suspiciously_long(const BlockWords& words) {
+  return has_code(words, 40) && words.has('P') && words.value('P') >= 100.0 &&
+         (words.whole & letter_bit('P')) != 0;
+}
+
+void execute_block(ActiveBlock& block) {
+  BlockCodes codes;
+  if (auto fault = resolve_codes(block.words, &block.channel.kind, codes)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  if (auto fault = check_master(block.words, block.channel)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  block.dwell_word = dwell_word(block.words, codes);
+  apply_units(block, codes);
+  collect_axis_words(block);
+  if (auto fault = missing_axes(codes, block.programmed != 0)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  add_modal_motion(block, codes, block.words.letters & ~codes.words);
+  if (block.failed()) return;
+  check_unused(block, codes);
+  if (block.failed()) return;
+  add_feed_speed_tool(block, codes);
+  run_actions(block, codes);
+}
+
+bool execute_simple_move(ActiveBlock& block, Move& move) {
+  const BlockWords& words = block.words;
+  CodeNumber motion = block.modal.code(Group::motion);
+  if (words.m.count != 0 || words.g.count > 1) return false;
+  if (words.g.count == 1) motion = words.g.numbers[0];
+  if (motion != 0 && motion != 10) return false;
+  const LetterSet axes = words.letters & block.channel_words.letters();
+  if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
+  if (words.has('F')) {
+    if (words.value('F') <= 0.0) return false;
+    take_feed(block, 0);
+  } else if (motion == 10 && (!block.modal.feed_known || block.modal.feed_programmed <= 0.0)) {
+    return false;
+  }
+  collect_axis_words(block);
+  move = {};
+  move.kind = motion == 0 ? MoveKind::rapid : MoveKind::line;
+  resolve_ends(block, move);
+  resolve_feed(block, move);
+  if (block.failed()) return false;
+  advance_position(block, move);
+  if (block.modal.code(Group::motion) != motion) block.set_modal(Group::motion, motion);
+  return true;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,42 @@
+// Checks and executes one ISO block: the rules of a block, then its actions in their fixed order.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "lang/active_block.h"
+#include "lang/code_table.h"
+
+namespace stanok::lang {
+
+// The rows of all codes of a block and what they claim together.
+struct BlockCodes {
+  static constexpr int capacity = 2 * CodeList::capacity + 4;  // + F, S, T and the modal motion
+  std::array<const Code*, capacity> rows{};
+  int count = 0;
+  GroupSet groups = 0;
+  LetterSet words = 0;
+  const Code* axis_user = nullptr;  // the code that takes the axis words
+
+  [[nodiscard]] bool has(Group group) const { return (groups & group_bit(group)) != 0; }
+};
+
+// Everything about a block that is known without the modal state: unknown codes, codes that exclude
+// each other, words that nothing can use. `channel` nullptr: what depends on the channel is left
+// out. Words whose value is computed later count as present.
+[[nodiscard]] std::optional<BlockFault> check_block(const BlockWords& words,
+                                                    const ChannelDescription* channel);
+
+// G4 with a time that looks like milliseconds: worth a warning when the program is loaded.
+[[nodiscard]] bool dwells_suspiciously_long(const BlockWords& words);
+
+// Executes the block: its commands are in block.queue, the modal state is the one after it. On
+// failure block.fault is set and the modal state is of no use any more.
+void execute_block(ActiveBlock& block);
+
+// The most frequent block straight into its command, past the queue: G0 or G1 (or neither) with
+// axis words and F. False, with the modal state as it was, when the block is not of this kind or
+// has a fault; execute_block then does or explains it.
+[[nodiscard]] bool execute_simple_move(ActiveBlock& block, Move& move);
+
+}  // namespace stanok::lang

@@ -1,0 +1,397 @@
+#include "lang/builtin.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "lang/number.h"
+#include "lang/source.h"
+
+namespace stanok::lang {
+namespace {
+
+using Arguments = std::span<const Value>;
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double near_tolerance = 1e-6;
+constexpr std::size_t string_max = 4096;
+
+// Sine of an angle in degrees, exact at all multiples of 30 where the sine is 0, 1/2 or 1.
+double sine_of_degrees(double angle) {
+  const double turn = std::fmod(angle, 360.0);
+  const double positive = turn < 0.0 ? turn + 360.0 : turn;
+  const double sign = positive >= 180.0 ? -1.0 : 1.0;
+  double folded_angle = positive >= 180.0 ? positive - 180.0 : positive;
+  if (folded_angle > 90.0) folded_angle = 180.0 - folded_angle;
+  if (folded_angle == 0.0) return 0.0;
+  if (folded_angle == 30.0) return sign * 0.5;
+  if (folded_angle == 90.0) return sign;
+  return sign * std::sin(folded_angle * degree);
+}
+
+double cosine_of_degrees(double angle) {
+  return sine_of_degrees(std::fmod(angle, 360.0) + 90.0);
+}
+
+bool set(Value& result, double number) {
+  result = value_of(number);
+  return std::isfinite(number);
+}
+
+bool set_text(Value& result, std::string text) {
+  if (text.size() > string_max) return false;
+  result = value_of(std::move(text));
+  return true;
+}
+
+template <double (*function)(double)>
+bool unary(Arguments a, Value& result) {
+  return set(result, function(a[0].number));
+}
+
+double tangent(double x) {
+  const double cosine = cosine_of_degrees(x);
+  return cosine == 0.0 ? HUGE_VAL : sine_of_degrees(x) / cosine;
+}
+double arc_sine(double x) {
+  return std::asin(x) / degree;
+}
+double arc_cosine(double x) {
+  return std::acos(x) / degree;
+}
+double arc_tangent(double x) {
+  return std::atan(x) / degree;
+}
+double square_root(double x) {
+  return std::sqrt(x);
+}
+double magnitude(double x) {
+  return std::abs(x);
+}
+double sign_of(double x) {
+  return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0;
+}
+double round_down(double x) {
+  return std::floor(x);
+}
+double round_up(double x) {
+  return std::ceil(x);
+}
+double round_half_away(double x) {
+  return std::round(x);
+}
+double cut_off(double x) {
+  return std::trunc(x);
+}
+double exponential(double x) {
+  return std::exp(x);
+}
+double natural_logarithm(double x) {
+  return std::log(x);
+}
+double decimal_logarithm(double x) {
+  return std::log10(x);
+}
+double wrapped(double x) {
+  const double rest = std::fmod(x, 360.0);
+  return rest < 0.0 ? rest + 360.0 : rest;
+}
+
+bool arc_tangent_of_two(Arguments a, Value& result) {
+  return set(result, std::atan2(a[0].number, a[1].number) / degree);
+}
+bool smallest(Arguments a, Value& result) {
+  double least = a[0].number;
+  for (const Value& value : a) least = std::min(least, value.number);
+  return set(result, least);
+}
+bool largest(Arguments a, Value& result) {
+  double most = a[0].number;
+  for (const Value& value : a) most = std::max(most, value.number);
+  return set(result, most);
+}
+template <Operation operation>
+bool arithmetic(Arguments a, Value& result) {
+  ArithmeticFault fault{};
+  const auto number = computed(operation, a[0].number, a[1].number, fault);
+  return number && set(result, *number);
+}
+bool hypotenuse(Arguments a, Value& result) {
+  return set(result, std::hypot(a[0].number, a[1].number));
+}
+bool is_near(Arguments a, Value& result) {
+  const double tolerance = a.size() > 2 ? a[2].number : near_tolerance;
+  result = value_of(std::abs(a[0].number - a[1].number) <= tolerance);
+  return true;
+}
+bool clamped(Arguments a, Value& result) {
+  if (a[1].number > a[2].number) return false;
+  return set(result, std::clamp(a[0].number, a[1].number, a[2].number));
+}
+
+// Bits of whole numbers from 0 to 2^32 - 1.
+template <class Combine>
+bool combine_bits(Arguments a, Value& result, Combine combine) {
+  for (const Value& value : a) {
+    const bool whole = std::abs(value.number - std::round(value.number)) <= 1e-9;
+    if (!whole || value.number < -0.5 || value.number > 4294967295.0) return false;
+  }
+  const auto left = static_cast<std::uint32_t>(std::llround(a[0].number));
+  const auto right = static_cast<std::uint32_t>(std::llround(a[1].number));
+  return set(result, static_cast<double>(combine(left, right)));
+}
+bool bits_and(Arguments a, Value& result) {
+  return combine_bits(a, result, [](std::uint32_t x, std::uint32_t y) { return x & y; });
+}
+bool bits_or(Arguments a, Value& result) {
+  return combine_bits(a, result, [](std::uint32_t x, std::uint32_t y) { return x | y; });
+}
+bool bits_xor(Arguments a, Value& result) {
+  return combine_bits(a, result, [](std::uint32_t x, std::uint32_t y) { return x ^ y; });
+}
+
+bool length_of(Arguments a, Value& result) {
+  return set(result, static_cast<double>(text_of(a[0]).size()));
+}
+bool part_of(Arguments a, Value& result) {
+  const std::string& text = text_of(a[0]);
+  if (!is_integer(a[1].number) || a[1].number < 0.0) return false;
+  const auto first = static_cast<std::size_t>(std::lround(a[1].number));
+  if (first > text.size()) return false;
+  std::size_t count = std::string::npos;
+  if (a.size() > 2) {
+    if (!is_integer(a[2].number) || a[2].number < 0.0) return false;
+    count = static_cast<std::size_t>(std::lround(a[2].number));
+  }
+  return set_text(result, text.substr(first, count));
+}
+bool position_of(Arguments a, Value& result) {
+  const std::size_t at = text_of(a[0]).find(text_of(a[1]));
+  return set(result, at == std::string::npos ? -1.0 : static_cast<double>(at));
+}
+bool in_lower_case(Arguments a, Value& result) {
+  return set_text(result, folded(text_of(a[0])));
+}
+bool in_upper_case(Arguments a, Value& result) {
+  std::string text = text_of(a[0]);
+  std::transform(text.begin(), text.end(), text.begin(), upper_case);
+  return set_text(result, std::move(text));
+}
+// Without decimals: the shortest text that reads back as the same number.
+bool as_text(Arguments a, Value& result) {
+  char text[400];
+  if (a.size() > 1) {
+    if (!is_integer(a[1].number) || a[1].number < 0.0 || a[1].number > 17.0) return false;
+    std::snprintf(text, sizeof text, "%.*f", static_cast<int>(std::lround(a[1].number)),
+                  a[0].number);
+    return set_text(result, text);
+  }
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, a[0].number);
+    if (std::strtod(text, nullptr) == a[0].number) break;
+  }
+  return set_text(result, text);
+}
+bool as_number(Arguments a, Value& result) {
+  std::string_view text = text_of(a[0]);
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() && set(result, number);
+}
+
+constexpr Builtin pure(std::string_view name, Type result, std::string_view arguments,
+                       int optional_arguments, Evaluation evaluate) {
+  Builtin row;
+  row.name = name;
+  row.result = result;
+  row.arguments = arguments;
+  row.optional_arguments = optional_arguments;
+  row.evaluate = evaluate;
+  return row;
+}
+
+constexpr Builtin number(std::string_view name, std::string_view arguments, Evaluation evaluate) {
+  return pure(name, Type::number, arguments, 0, evaluate);
+}
+
+constexpr Builtin channel(std::string_view name, Type result, std::string_view arguments,
+                          RequestKind request, std::string_view failure_code) {
+  Builtin row;
+  row.name = name;
+  row.result = result;
+  row.arguments = arguments;
+  row.optional_arguments = request == RequestKind::channel_wait ? 1 : 0;
+  row.effect = Effect::request;
+  row.request = request;
+  row.failure_code = failure_code;
+  row.takes_channel = true;
+  row.refuses_own_channel = request != RequestKind::channel_state;
+  return row;
+}
+
+constexpr Builtin effect(std::string_view name, Type result, std::string_view arguments,
+                         Effect what, Message::Kind message = Message::Kind::message) {
+  Builtin row;
+  row.name = name;
+  row.result = result;
+  row.arguments = arguments;
+  row.effect = what;
+  row.message = message;
+  return row;
+}
+
+constexpr Builtin machine_value(std::string_view name) {
+  Builtin row;
+  row.name = name;
+  row.effect = Effect::request;
+  row.request = RequestKind::machine_value;
+  row.request_text = name;
+  return row;
+}
+
+constexpr auto rows = std::to_array<Builtin>({
+    number("sin", "n", unary<sine_of_degrees>),
+    number("cos", "n", unary<cosine_of_degrees>),
+    number("tan", "n", unary<tangent>),
+    number("asin", "n", unary<arc_sine>),
+    number("acos", "n", unary<arc_cosine>),
+    number("atan", "n", unary<arc_tangent>),
+    number("atan2", "nn", arc_tangent_of_two),
+    number("sqrt", "n", unary<square_root>),
+    number("abs", "n", unary<magnitude>),
+    number("sign", "n", unary<sign_of>),
+    number("min", "nn*", smallest),
+    number("max", "nn*", largest),
+    number("floor", "n", unary<round_down>),
+    number("ceil", "n", unary<round_up>),
+    number("round", "n", unary<round_half_away>),
+    number("trunc", "n", unary<cut_off>),
+    number("exp", "n", unary<exponential>),
+    number("ln", "n", unary<natural_logarithm>),
+    number("log10", "n", unary<decimal_logarithm>),
+    number("pow", "nn", arithmetic<Operation::power>),
+    number("hypot", "nn", hypotenuse),
+    number("mod", "nn", arithmetic<Operation::modulo>),
+    pure("near", Type::boolean, "nnn", 1, is_near),
+    number("clamp", "nnn", clamped),
+    number("wrap360", "n", unary<wrapped>),
+    number("bit_and", "nn", bits_and),
+    number("bit_or", "nn", bits_or),
+    number("bit_xor", "nn", bits_xor),
+    number("len", "s", length_of),
+    pure("substr", Type::string, "snn", 1, part_of),
+    number("find", "ss", position_of),
+    pure("upper", Type::string, "s", 0, in_upper_case),
+    pure("lower", Type::string, "s", 0, in_lower_case),
+    pure("str", Type::string, "nn", 1, as_text),
+    number("to_num", "s", as_number),
+    effect("msg", Type::none, "s", Effect::message, Message::Kind::message),
+    effect("warn", Type::none, "s", Effect::message, Message::Kind::warning),
+    effect("log", Type::none, "s", Effect::message, Message::Kind::log),
+    effect("sync", Type::none, "", Effect::request),
+    effect("terminate", Type::none, "ns", Effect::terminate),
+    effect("call", Type::none, "s", Effect::call_file),
+    effect("channel_error", Type::string, "", Effect::channel_error),
+    machine_value("clock"),
+    channel("channel_load", Type::boolean, "ns", RequestKind::channel_load, "E6011"),
+    channel("channel_start", Type::boolean, "n", RequestKind::channel_start, "E6012"),
+    channel("channel_run", Type::boolean, "ns", RequestKind::channel_run, "E6013"),
+    channel("channel_wait", Type::boolean, "nn", RequestKind::channel_wait, "E6010"),
+    channel("channel_stop", Type::boolean, "n", RequestKind::channel_stop, "E6014"),
+    channel("channel_reset", Type::boolean, "n", RequestKind::channel_reset, "E6015"),
+    channel("channel_state", Type::number, "n", RequestKind::channel_state, ""),
+});
+
+struct NamedNumber {
+  std::string_view name;
+  double number;
+};
+
+constexpr auto constants = std::to_array<NamedNumber>({
+    {"pi", std::numbers::pi},
+    {"ch_idle", 0.0},
+    {"ch_ready", 1.0},
+    {"ch_running", 2.0},
+    {"ch_held", 3.0},
+    {"ch_alarm", 4.0},
+    {"gv_modal", 1.0},
+    {"gv_feed", 2.0},
+    {"gv_spindle", 4.0},
+    {"gv_tool", 8.0},
+    {"gv_frames", 16.0},
+    {"gv_coolant", 32.0},
+    {"gv_all", 63.0},
+});
+
+constexpr auto later_names = std::to_array<std::string_view>(
+    {"mark_wait", "mark_wait_soft", "mark_set", "mark_clear", "mark_is_set", "settable_zs",
+     "settable_tool", "gettable_tool", "gettable_zs", "save_gvector", "restore_gvector", "has_arg",
+     "arg"});
+
+constexpr auto variables = std::to_array<SystemVariable>({
+    {"channel", Type::number, Type::none, false},
+    {"line", Type::number, Type::none, false},
+    {"program", Type::string, Type::none, false},
+    {"prog_pos", Type::number, Type::axis, false},
+    {"g", Type::number, Type::number, false},
+    {"feed", Type::number, Type::none, false},
+    {"speed", Type::number, Type::none, false},
+    {"tool", Type::number, Type::none, false},
+    {"tool_next", Type::number, Type::none, false},
+    {"tool_length", Type::number, Type::none, false},
+    {"tool_radius", Type::number, Type::none, false},
+    {"skip", Type::boolean, Type::number, true},
+    {"pos", Type::number, Type::axis, true},
+    {"pos_mcs", Type::number, Type::axis, true},
+    {"feed_act", Type::number, Type::none, true},
+    {"speed_act", Type::number, Type::number, true},
+    {"ovr_feed", Type::number, Type::none, true},
+    {"in", Type::boolean, Type::number, true},
+    {"ain", Type::number, Type::number, true},
+    {"homed", Type::boolean, Type::axis, true},
+    {"axis_channel", Type::number, Type::axis, true},
+    {"kinematics", Type::number, Type::number, true},
+});
+
+}  // namespace
+
+const Builtin* find_builtin(std::string_view folded_name) {
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const Builtin& one) { return one.name == folded_name; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+std::span<const Builtin> builtins() {
+  return rows;
+}
+
+std::optional<double> find_builtin_constant(std::string_view folded_name) {
+  for (const NamedNumber& constant : constants) {
+    if (constant.name == folded_name) return constant.number;
+  }
+  return std::nullopt;
+}
+
+bool is_later_builtin(std::string_view folded_name) {
+  return std::find(later_names.begin(), later_names.end(), folded_name) != later_names.end();
+}
+
+const SystemVariable* find_system_variable(std::string_view folded_name) {
+  for (const SystemVariable& variable : variables) {
+    if (variable.name == folded_name) return &variable;
+  }
+  return nullptr;
+}
+
+std::span<const SystemVariable> system_variables() {
+  return variables;
+}
+
+}  // namespace stanok::lang

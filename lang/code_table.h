@@ -1,0 +1,125 @@
+// The table of G and M codes: group, order, words and action of each. It drives the checks of a
+// block, its execution, the documentation and the tests; a new code is one row and one action.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lang/block_words.h"
+
+namespace stanok::lang {
+
+struct ActiveBlock;
+
+// Modal groups (docs/language.md, "G and M codes"). One code of a group at a time; non-modal codes
+// have no group.
+enum class Group : std::uint8_t {
+  motion,
+  plane,
+  distance,
+  arc_distance,
+  feed_mode,
+  units,
+  radius_compensation,
+  length,
+  transformation,
+  return_level,
+  scaling,
+  mirror,
+  work_offset,
+  path_mode,
+  spindle_mode,
+  diameter,
+  rotation,
+  polar,
+  stop,
+  tool,
+  spindle,
+  spindle_axis,
+  mist,
+  flood,
+  override_control,
+  input_output,
+  state,
+  subprogram,
+  none,
+};
+inline constexpr std::size_t group_count = static_cast<std::size_t>(Group::none);
+
+using GroupSet = std::uint32_t;
+[[nodiscard]] constexpr GroupSet group_bit(Group group) {
+  return group == Group::none ? 0 : GroupSet{1} << static_cast<unsigned>(group);
+}
+
+// The order in which the parts of a block take effect, whatever the order of its words.
+enum class Phase : std::uint8_t {
+  feed_mode,
+  feed,
+  spindle_mode,
+  speed,
+  tool,
+  tool_change,
+  spindle_axis,
+  spindle,
+  coolant,
+  override_control,
+  functions_before,
+  dwell,
+  plane,
+  units,
+  diameter,
+  radius_compensation,
+  length,
+  work_offset,
+  path_mode,
+  distance,
+  return_level,
+  settings,
+  motion_modifier,  // G9, G53: must be known when the motion starts
+  motion,
+  functions_after,
+  stop,
+};
+
+// How a code stands to the axis words of its block.
+enum class AxisWords : std::uint8_t {
+  unused,
+  optional,  // takes those that are there
+  required,
+};
+
+// Channel kinds on which a code exists.
+enum class Availability : std::uint8_t {
+  everywhere,
+  not_master,  // needs axes or a spindle
+  mill_only,
+  lathe_only,
+};
+
+using Action = void (*)(ActiveBlock&, CodeNumber);
+
+struct Code {
+  char letter = 'G';
+  CodeNumber number = 0;
+  Group group = Group::none;
+  GroupSet groups = 0;  // all groups it conflicts in; `group` is among them
+  Phase phase = Phase::motion;
+  AxisWords axes = AxisWords::unused;
+  LetterSet words = 0;  // beside the axis words; F, S and T are always allowed
+  Availability availability = Availability::everywhere;
+  Action action = nullptr;  // nullptr: known, but not supported in this release
+  std::string_view title;
+};
+
+// All rows, G before M, ascending.
+[[nodiscard]] std::span<const Code> code_table();
+
+// The row of a code, or nullptr.
+[[nodiscard]] const Code* find_code(char letter, CodeNumber number);
+
+// Codes that change the flow of the program and therefore are no plain text: M2, M30, M98, M99, ...
+[[nodiscard]] bool changes_program_flow(const Code& code);
+
+}  // namespace stanok::lang

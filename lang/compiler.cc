@@ -1,0 +1,180 @@
+#include "lang/compiler.h"
+
+#include <utility>
+
+namespace stanok::lang {
+
+Compiler::Compiler(CompilerContext context)
+    : context_(std::move(context)),
+      reporter_(context_.reporter),
+      file_(*context_.program.files[context_.file]) {}
+
+void Compiler::declare_names(const StatementList& tree) {
+  FileNames& names = context_.names[context_.file];
+  for (const Statement& statement : tree) {
+    const auto* const function = std::get_if<FunctionDefinition>(&statement.kind);
+    if (function == nullptr) continue;
+    const auto index = static_cast<std::uint32_t>(file_.functions.size());
+    if (!names.functions.emplace(folded(function->name), index).second) {
+      reporter_.error("E3002", function->name_span,
+                      "the function `" + function->name + "` is defined twice",
+                      "second definition");
+      continue;
+    }
+    FunctionCode code;
+    code.signature = {function->result, function->name, function->name_span, function->parameters};
+    file_.functions.push_back(std::move(code));
+    function_index_[function] = index;
+  }
+  for (const Statement& statement : tree) {
+    const auto* const declaration = std::get_if<Declaration>(&statement.kind);
+    if (declaration == nullptr || !declaration->constant) continue;
+    for (const DeclaredItem& item : declaration->items) {
+      if (!item.initial) continue;
+      auto constant = constant_of(*item.initial);
+      if (constant && constant->type == declaration->type) {
+        names.constants.emplace(folded(item.name), std::move(*constant));
+      }
+    }
+  }
+}
+
+void Compiler::compile(const StatementList& tree) {
+  scopes_.emplace_back();
+  compile_list(tree);
+  emit(Op::end_of_text, {file_.source.end(), 0, file_.source.line_number(file_.source.end())});
+  for (const Statement& statement : tree) {
+    const auto* const function = std::get_if<FunctionDefinition>(&statement.kind);
+    if (function == nullptr) continue;
+    const auto index = function_index_.find(function);
+    if (index != function_index_.end()) compile_function(*function, index->second);
+  }
+}
+
+void Compiler::compile_list(const StatementList& list) {
+  for (const Statement& statement : list) compile_statement(statement);
+}
+
+void Compiler::compile_body(const StatementList& list) {
+  scopes_.emplace_back();
+  compile_list(list);
+  scopes_.pop_back();
+}
+
+void Compiler::compile_statement(const Statement& statement) {
+  statement_span_ = statement.span;
+  const std::size_t errors = reporter_.error_count();
+  const std::size_t start = file_.code.size();
+  std::optional<std::size_t> skip;
+  if (statement.skip_level != 0) {
+    skip = emit(Op::jump_if_skipped, statement.span, 0,
+                static_cast<std::uint8_t>(statement.skip_level));
+  }
+  std::visit([this](const auto& kind) { compile_kind(kind); }, statement.kind);
+  if (reporter_.error_count() != errors && reporter_.is_soft(statement.span.offset)) {
+    file_.code.resize(start);
+    file_.spans.resize(start);
+    compile_kind(FaultyText{reporter_.last_error()});
+    return;
+  }
+  if (skip) patch(*skip);
+}
+
+void Compiler::compile_kind(const PlainLines& lines) {
+  file_.plain_lines.push_back(lines);
+  emit(Op::plain_lines, statement_span_, static_cast<std::uint32_t>(file_.plain_lines.size() - 1));
+}
+
+void Compiler::compile_kind(const IncludeDirective&) {}
+
+void Compiler::compile_kind(const NumberedProgram& start) {
+  if (!file_.numbered_programs.emplace(start.number, position()).second) {
+    reporter_.error("E3002", statement_span_,
+                    "program O" + std::to_string(start.number) + " stands twice in this file",
+                    "second program of this number");
+  }
+}
+
+void Compiler::compile_kind(const KinematicsDirective& directive) {
+  const Expression& scheme = directive.arguments[0];
+  const Expression& channel = directive.arguments[1];
+  const bool good =
+      require(scheme, Type::number, "the scheme") && require(channel, Type::number, "the channel");
+  if (!good) return;
+  emit(Op::kinematics, statement_span_);
+  const auto target = constant_channel(channel, false, "#kinematics");
+  const auto number = constant_of(scheme);
+  if (!target || !number) return;
+  ConstantDispatch dispatch;
+  dispatch.kind = RequestKind::kinematics;
+  dispatch.channel = *target;
+  dispatch.scheme = static_cast<int>(number->number);
+  dispatch.place = file_.source.place(statement_span_);
+  context_.program.dispatches.push_back(dispatch);
+  if (context_.channel == nullptr || number->number == 0.0) return;
+  std::string known;
+  for (const auto& [of, id] : context_.channel->schemes) {
+    if (of != *target) continue;
+    if (id == number->number) return;
+    known += (known.empty() ? "" : ", ") + std::to_string(id);
+  }
+  Diagnostic& diagnostic =
+      reporter_.error("E5003", scheme.span,
+                      "channel " + std::to_string(*target) + " has no kinematic scheme " +
+                          std::string(file_.source.text(scheme.span)),
+                      "unknown scheme");
+  if (!known.empty()) diagnostic.notes.push_back({"schemes of this channel: " + known, {}});
+}
+
+void Compiler::compile_kind(const CallStatement& statement) {
+  const ValueType type = compile_call(statement.call, CallForm::statement);
+  if (type.known() && type.type != Type::none) emit(Op::pop, statement.call.span);
+}
+
+void Compiler::compile_kind(const FaultyText& text) {
+  file_.faults.push_back(text.diagnostic);
+  emit(Op::raise, statement_span_, static_cast<std::uint32_t>(file_.faults.size() - 1));
+}
+
+std::size_t Compiler::emit(Op op, const Span& span, std::uint32_t operand, std::uint8_t count,
+                           std::uint16_t extra) {
+  file_.code.push_back({op, count, extra, operand});
+  file_.spans.push_back(span);
+  return file_.code.size() - 1;
+}
+
+void Compiler::push_number(double number, const Span& span) {
+  file_.numbers.push_back(number);
+  emit(Op::push_number, span, static_cast<std::uint32_t>(file_.numbers.size() - 1));
+}
+
+void Compiler::push_text(std::string text, const Span& span) {
+  file_.texts.push_back(std::move(text));
+  emit(Op::push_text, span, static_cast<std::uint32_t>(file_.texts.size() - 1));
+}
+
+void Compiler::push_constant(const Constant& constant, const Span& span) {
+  if (constant.type == Type::string) {
+    push_text(constant.text, span);
+  } else {
+    push_number(constant.number, span);
+  }
+}
+
+std::uint32_t Compiler::position() const {
+  return static_cast<std::uint32_t>(file_.code.size());
+}
+
+void Compiler::patch(std::size_t jump) {
+  file_.code[jump].operand = position();
+}
+
+void Compiler::patch_all(const std::vector<std::size_t>& jumps) {
+  for (const std::size_t jump : jumps) patch(jump);
+}
+
+std::uint32_t Compiler::new_slot() {
+  return function_ != nullptr ? function_slots_++ : file_.file_slots++;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,173 @@
+// Compiles the tree of one program file: names, types, and the code.
+//
+// Text below a reported error gets no code; reading goes on so that all errors of a file are found.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/builtin.h"
+#include "lang/code.h"
+#include "lang/program.h"
+#include "lang/reporter.h"
+#include "lang/tree.h"
+
+namespace stanok::lang {
+
+struct Constant {
+  Type type = Type::number;
+  double number = 0.0;
+  std::string text;
+};
+
+// What a file offers to the files that include it. Names are folded.
+struct FileNames {
+  std::map<std::string, std::uint32_t> functions;  // index in CompiledFile::functions
+  std::map<std::string, Constant> constants;
+};
+
+struct CompilerContext {
+  Program& program;
+  std::uint16_t file = 0;
+  const ChannelDescription* channel = nullptr;  // nullptr: no channel-dependent checks
+  std::vector<FileNames>& names;                // of all files, by index
+  Reporter& reporter;
+};
+
+class Compiler {
+ public:
+  explicit Compiler(CompilerContext context);
+
+  // First for all files: the functions and constants that others may use.
+  void declare_names(const StatementList& tree);
+  // Then the code.
+  void compile(const StatementList& tree);
+
+ private:
+  struct ValueType {
+    Type type = Type::unknown;
+    int dimensions = 0;
+
+    [[nodiscard]] bool is(Type scalar) const { return type == scalar && dimensions == 0; }
+    [[nodiscard]] bool known() const { return type != Type::unknown; }
+  };
+  struct Symbol {
+    ValueType type;
+    std::uint32_t slot = 0;
+    bool file_level = true;
+    bool reference = false;
+    bool read_only = false;
+    std::optional<Constant> constant;
+    Span span;
+  };
+  struct Loop {
+    std::vector<std::size_t> breaks;  // jumps to patch
+    std::vector<std::size_t> continues;
+  };
+
+  // compiler.cc: statements
+  void compile_list(const StatementList& list);
+  void compile_statement(const Statement& statement);
+  void compile_body(const StatementList& list);  // with its own scope
+  void compile_kind(const PlainLines& lines);
+  void compile_kind(const IncludeDirective&);
+  void compile_kind(const KinematicsDirective& directive);
+  void compile_kind(const NumberedProgram& start);
+  void compile_kind(const CallStatement& statement);
+  void compile_kind(const FaultyText& text);
+
+  // compiler_control.cc: control flow and functions
+  void compile_kind(const Compound& compound);
+  void compile_kind(const If& statement);
+  void compile_kind(const While& loop);
+  void compile_kind(const DoWhile& loop);
+  void compile_kind(const For& loop);
+  void compile_kind(const Switch& statement);
+  void compile_kind(const Break&);
+  void compile_kind(const Continue&);
+  void compile_kind(const Return& statement);
+  void compile_kind(const FunctionDefinition&);
+  void compile_condition(const Expression& condition);
+  void compile_function(const FunctionDefinition& function, std::uint32_t index);
+  void check_cases(const Switch& statement);
+
+  // compiler_variable.cc: declarations and assignments
+  void compile_kind(const Declaration& declaration);
+  void compile_kind(const Assignment& assignment);
+  void compile_item(const Declaration& declaration, const DeclaredItem& item);
+  void compile_array(const DeclaredItem& item, Type type);
+  void compile_initial(const DeclaredItem& item, Type type);
+  Symbol* declare(std::string_view name, const Span& span, Symbol symbol);
+  const Symbol* find(std::string_view name) const;
+  std::optional<Constant> find_constant(std::string_view name) const;
+  void load(const Symbol& symbol, const Span& span);
+  void store(const Symbol& symbol, const Span& span);
+  void report_unknown(std::string_view name, const Span& span, std::string_view what);
+  std::vector<std::string_view> known_names() const;
+
+  // compiler_expression.cc
+  ValueType compile_expression(const Expression& expression);
+  ValueType compile_name(const Expression& name);
+  ValueType compile_element(const Expression& element);
+  // Array and indices on the stack; the element's type, unknown after an error.
+  ValueType compile_element_address(const Expression& element);
+  ValueType compile_unary(const Expression& unary);
+  ValueType compile_binary(const Expression& binary);
+  ValueType compile_logical(const Expression& binary);
+  ValueType compile_conditional(const Expression& conditional);
+  ValueType compile_parameter(const Expression& parameter);
+  ValueType compile_system_variable(const Expression& variable);
+  ValueType compile_axis(const Expression& axis);
+  bool require(const Expression& expression, Type type, std::string_view what);
+  std::optional<Constant> constant_of(const Expression& expression) const;
+
+  // compiler_call.cc
+  enum class CallForm { expression, statement };
+  ValueType compile_call(const Expression& call, CallForm form);
+  ValueType compile_builtin(const Builtin& builtin, const Expression& call, CallForm form);
+  ValueType compile_user_call(const Callee& callee, const Expression& call, CallForm form);
+  bool compile_argument(const FunctionParameter& parameter, const Expression& argument);
+  bool compile_reference(const FunctionParameter& parameter, const Expression& argument);
+  std::optional<Callee> find_function(std::string_view name) const;
+  void check_channel_call(const Builtin& builtin, const Expression& call);
+  std::optional<int> constant_channel(const Expression& argument, bool refuse_own,
+                                      std::string_view function);
+
+  // compiler_iso.cc
+  void compile_kind(const IsoBlock& block);
+  void compile_words(const IsoBlock& block, BlockTemplate& made);
+  void add_constant_word(const IsoWord& word, double value, BlockTemplate& made);
+  void add_computed_word(const IsoWord& word, BlockTemplate& made);
+  void compile_spindle(const IsoBlock& block, BlockTemplate& made);
+  void compile_setting_value(const ParameterSetting& setting);
+  void store_setting(const ParameterSetting& setting);
+  void check_template(const BlockTemplate& made);
+  std::uint32_t named_parameter_slot(const std::string& name);
+
+  // code
+  std::size_t emit(Op op, const Span& span, std::uint32_t operand = 0, std::uint8_t count = 0,
+                   std::uint16_t extra = 0);
+  void push_number(double number, const Span& span);
+  void push_text(std::string text, const Span& span);
+  void push_constant(const Constant& constant, const Span& span);
+  [[nodiscard]] std::uint32_t position() const;
+  void patch(std::size_t jump);  // to here
+  void patch_all(const std::vector<std::size_t>& jumps);
+  std::uint32_t new_slot();
+
+  CompilerContext context_;
+  Reporter& reporter_;
+  CompiledFile& file_;
+  std::vector<std::map<std::string, Symbol>> scopes_;
+  std::vector<Loop> loops_;
+  std::map<const FunctionDefinition*, std::uint32_t> function_index_;
+  const FunctionDefinition* function_ = nullptr;  // whose body is compiled; nullptr: file level
+  std::uint32_t function_slots_ = 0;
+  Span statement_span_;
+};
+
+}  // namespace stanok::lang

@@ -1,0 +1,244 @@
+// Code of declarations and assignments; scopes and names.
+#include <utility>
+
+#include "lang/compiler.h"
+#include "lang/number.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr double array_elements_max = 1e6;
+
+}  // namespace
+
+std::string_view type_name(Type type) {
+  switch (type) {
+    case Type::none:
+      return "void";
+    case Type::number:
+      return "num";
+    case Type::boolean:
+      return "bool";
+    case Type::string:
+      return "string";
+    case Type::axis:
+      return "axis";
+    case Type::unknown:
+      return "unknown";
+  }
+  return "";
+}
+
+const Compiler::Symbol* Compiler::find(std::string_view name) const {
+  const std::string wanted = folded(name);
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+    const auto found = scope->find(wanted);
+    if (found != scope->end()) return &found->second;
+  }
+  return nullptr;
+}
+
+// Constants that have no symbol here: built in, of this file (before it is compiled), of includes.
+std::optional<Constant> Compiler::find_constant(std::string_view name) const {
+  const std::string wanted = folded(name);
+  if (const auto number = find_builtin_constant(wanted)) return Constant{Type::number, *number, {}};
+  const auto look_in = [&](std::uint16_t file) -> std::optional<Constant> {
+    const auto& constants = context_.names[file].constants;
+    const auto found = constants.find(wanted);
+    if (found == constants.end()) return std::nullopt;
+    return found->second;
+  };
+  if (auto own = look_in(context_.file)) return own;
+  for (const std::uint16_t file : file_.includes) {
+    if (auto included = look_in(file)) return included;
+  }
+  return std::nullopt;
+}
+
+Compiler::Symbol* Compiler::declare(std::string_view name, const Span& span, Symbol symbol) {
+  const std::string wanted = folded(name);
+  const Symbol* const outer = find(name);
+  const bool function = context_.names[context_.file].functions.contains(wanted);
+  if (outer != nullptr || function) {
+    Diagnostic& diagnostic =
+        reporter_.error("E3002", span, "`" + std::string(name) + "` is declared already",
+                        "same name as an earlier one");
+    if (outer != nullptr) {
+      diagnostic.notes.push_back({"declared here first", file_.source.place(outer->span)});
+    }
+    return nullptr;
+  }
+  symbol.slot = new_slot();
+  symbol.file_level = function_ == nullptr;
+  symbol.span = span;
+  return &scopes_.back().emplace(wanted, std::move(symbol)).first->second;
+}
+
+void Compiler::load(const Symbol& symbol, const Span& span) {
+  const Op op = symbol.file_level  ? Op::load_file
+                : symbol.reference ? Op::load_reference
+                                   : Op::load_local;
+  emit(op, span, symbol.slot);
+}
+
+void Compiler::store(const Symbol& symbol, const Span& span) {
+  const Op op = symbol.file_level  ? Op::store_file
+                : symbol.reference ? Op::store_reference
+                                   : Op::store_local;
+  emit(op, span, symbol.slot);
+}
+
+std::vector<std::string_view> Compiler::known_names() const {
+  std::vector<std::string_view> names;
+  for (const auto& scope : scopes_) {
+    for (const auto& [name, symbol] : scope) names.push_back(name);
+  }
+  for (const auto& [name, index] : context_.names[context_.file].functions) names.push_back(name);
+  for (const std::uint16_t file : file_.includes) {
+    for (const auto& [name, index] : context_.names[file].functions) names.push_back(name);
+    for (const auto& [name, constant] : context_.names[file].constants) names.push_back(name);
+  }
+  for (const Builtin& builtin : builtins()) names.push_back(builtin.name);
+  return names;
+}
+
+void Compiler::report_unknown(std::string_view name, const Span& span, std::string_view what) {
+  Diagnostic& diagnostic = reporter_.error(
+      "E3001", span, "unknown " + std::string(what) + " `" + std::string(name) + "`",
+      "not declared here");
+  const std::string_view nearest = nearest_name(name, known_names());
+  if (!nearest.empty()) diagnostic.help.push_back("did you mean `" + std::string(nearest) + "`?");
+}
+
+void Compiler::compile_kind(const Declaration& declaration) {
+  for (const DeclaredItem& item : declaration.items) compile_item(declaration, item);
+}
+
+void Compiler::compile_item(const Declaration& declaration, const DeclaredItem& item) {
+  const bool array = !item.dimensions.empty() || item.dimension_from_list;
+  if (declaration.constant && !item.initial && !item.has_list) {
+    reporter_.error("E3007", item.span, "a constant needs a value", "no value");
+    return;
+  }
+  if (declaration.type == Type::axis && !item.initial) {
+    reporter_.error("E3007", item.span, "an axis variable needs an axis", "no value");
+    return;
+  }
+  if (array) {
+    compile_array(item, declaration.type);
+  } else {
+    compile_initial(item, declaration.type);
+  }
+  Symbol symbol;
+  symbol.type.type = declaration.type;
+  symbol.type.dimensions = array ? static_cast<int>(item.dimensions.size()) : 0;
+  if (item.dimension_from_list) symbol.type.dimensions = 1;
+  symbol.read_only = declaration.constant;
+  if (declaration.constant && item.initial) symbol.constant = constant_of(*item.initial);
+  const Symbol* const declared = declare(item.name, item.span, std::move(symbol));
+  if (declared != nullptr) store(*declared, item.span);
+}
+
+void Compiler::compile_initial(const DeclaredItem& item, Type type) {
+  if (item.has_list) {
+    reporter_.error("E3004", item.span, "a list is a value for arrays only", "not an array");
+  } else if (item.initial) {
+    require(*item.initial, type, "the initial value");
+  } else if (type == Type::string) {
+    push_text("", item.span);
+  } else {
+    push_number(0.0, item.span);
+  }
+}
+
+void Compiler::compile_array(const DeclaredItem& item, Type type) {
+  if (item.dimension_from_list && !item.has_list) {
+    reporter_.error("E3017", item.span, "an array without a size needs a list of values", "");
+    return;
+  }
+  if (item.dimension_from_list) {
+    push_number(static_cast<double>(item.initial_list.size()), item.span);
+  }
+  double size = 1.0;
+  for (const Expression& dimension : item.dimensions) {
+    if (!require(dimension, Type::number, "the size")) return;
+    const auto constant = constant_of(dimension);
+    if (!constant) continue;
+    size *= constant->number;
+    if (is_integer(constant->number) && constant->number >= 1.0 && size <= array_elements_max) {
+      continue;
+    }
+    reporter_.error("E3017", dimension.span,
+                    "the size of an array is a whole number from 1 to 1000000", "not a size");
+    return;
+  }
+  const auto dimensions =
+      static_cast<std::uint8_t>(item.dimension_from_list ? 1 : item.dimensions.size());
+  emit(Op::new_array, item.span, type == Type::string ? 1 : 0, dimensions);
+  if (item.initial) {
+    reporter_.error("E3004", item.initial->span, "an array takes a list of values", "not a list")
+        .help.push_back("write `{...}`");
+    return;
+  }
+  for (const Expression& value : item.initial_list) {
+    if (!require(value, type, "the element")) return;
+  }
+  if (item.has_list) {
+    emit(Op::fill_array, item.span, static_cast<std::uint32_t>(item.initial_list.size()));
+  }
+}
+
+void Compiler::compile_kind(const Assignment& assignment) {
+  const Expression& target = assignment.target;
+  const Symbol* const found = find(target.text);
+  if (found == nullptr) {
+    if (find_constant(target.text)) {
+      reporter_.error("E3013", target.span, "`" + target.text + "` is a constant",
+                      "cannot be changed");
+    } else {
+      report_unknown(target.text, target.span, "variable");
+    }
+    return;
+  }
+  const Symbol symbol = *found;
+  if (symbol.read_only) {
+    reporter_
+        .error("E3013", target.span, "`" + target.text + "` is a constant", "cannot be changed")
+        .notes.push_back({"declared here", file_.source.place(symbol.span)});
+    return;
+  }
+  const bool element = target.node == Node::element;
+  ValueType type = element ? compile_element_address(target) : symbol.type;
+  if (!type.known()) return;
+  if (type.dimensions != 0) {
+    reporter_.error("E3004", target.span, "an array cannot be assigned as a whole",
+                    "name an element");
+    return;
+  }
+  if (assignment.combined) {
+    if (element) {
+      const auto parts = static_cast<std::uint8_t>(target.children.size() + 1);
+      emit(Op::duplicate, target.span, 0, parts);
+      emit(Op::element, target.span, 0, static_cast<std::uint8_t>(target.children.size()));
+    } else {
+      load(symbol, target.span);
+    }
+  }
+  if (!require(assignment.value, type.type, "the value")) return;
+  if (assignment.combined && type.type == Type::string && *assignment.combined == Operation::add) {
+    emit(Op::join_texts, assignment.value.span);
+  } else if (assignment.combined && type.type == Type::number) {
+    emit(Op::compute, statement_span_, 0, 0, static_cast<std::uint16_t>(*assignment.combined));
+  } else if (assignment.combined) {
+    reporter_.error("E3004", target.span,
+                    "this operator does not work on a " + std::string(type_name(type.type)), "");
+    return;
+  }
+  if (element) {
+    emit(Op::store_element, target.span, 0, static_cast<std::uint8_t>(target.children.size()));
+  } else {
+    store(symbol, target.span);
+  }
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,71 @@
+#include "lang/interpreter.h"
+
+#include <utility>
+
+#include "lang/loader.h"
+#include "lang/program_run.h"
+
+namespace stanok::lang {
+
+struct Interpreter::State {
+  State(const ChannelDescription& of_channel, const Tables& tables)
+      : channel(of_channel), run(channel, tables) {}
+
+  ChannelDescription channel;
+  ProgramRun run;
+};
+
+Expected<std::shared_ptr<const Program>, Diagnostics> compile(std::string_view name,
+                                                              const Files& files,
+                                                              const ChannelDescription* channel,
+                                                              Diagnostics& warnings) {
+  return Loader(files, channel, warnings).load(name);
+}
+
+std::string_view file_name(const Program& program, std::uint16_t file) {
+  return file < program.files.size() ? std::string_view(program.files[file]->source.name())
+                                     : std::string_view();
+}
+
+const std::vector<ConstantDispatch>& constant_dispatches(const Program& program) {
+  return program.dispatches;
+}
+
+std::size_t line_count(const Program& program) {
+  return program.files[0]->source.line_count();
+}
+
+Interpreter::Interpreter(const ChannelDescription& channel, const Tables& tables, const Files&)
+    : state_(std::make_unique<State>(channel, tables)) {}
+
+Interpreter::~Interpreter() = default;
+
+void Interpreter::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
+  state_->run.start(std::move(program), position_B);
+}
+
+Step Interpreter::next(Command& command) {
+  return state_->run.next(command);
+}
+
+void Interpreter::answer(const Answer& answer) {
+  state_->run.answer(answer);
+}
+
+const Diagnostic& Interpreter::error() const {
+  return state_->run.error();
+}
+
+Origin Interpreter::origin() const {
+  return state_->run.origin();
+}
+
+std::uint64_t Interpreter::blocks() const {
+  return state_->run.blocks();
+}
+
+void Interpreter::set_block_skip(std::uint16_t levels) {
+  state_->run.set_block_skip(levels);
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,196 @@
+#include "lang/loader.h"
+
+#include <limits>
+
+#include "lang/parser.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr std::size_t files_max = 256;
+
+// Calls `visit` for every list of statements inside `statement`.
+template <class Visit>
+void for_each_body(const Statement& statement, Visit visit) {
+  if (const auto* compound = std::get_if<Compound>(&statement.kind)) visit(compound->body);
+  if (const auto* branch = std::get_if<If>(&statement.kind)) {
+    visit(branch->then_body);
+    visit(branch->else_body);
+  }
+  if (const auto* loop = std::get_if<While>(&statement.kind)) visit(loop->body);
+  if (const auto* loop = std::get_if<DoWhile>(&statement.kind)) visit(loop->body);
+  if (const auto* loop = std::get_if<For>(&statement.kind)) visit(loop->body);
+  if (const auto* choice = std::get_if<Switch>(&statement.kind)) {
+    for (const SwitchCase& one : choice->cases) visit(one.body);
+  }
+  if (const auto* function = std::get_if<FunctionDefinition>(&statement.kind)) {
+    visit(function->body);
+  }
+}
+
+}  // namespace
+
+Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings)
+    : files_(files),
+      channel_(channel),
+      warnings_(warnings),
+      program_(std::make_shared<Program>()) {}
+
+Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_view name) {
+  auto text = files_.read(name, {});
+  if (!text) return tl::unexpected(Diagnostics{text.error()});
+  add_file(std::move(*text));
+  // Files found on the way are appended; each is parsed once.
+  for (std::size_t i = 0; i < loaded_.size(); ++i) {
+    const auto index = static_cast<FileIndex>(i);
+    parse(index);
+    follow_includes(index);
+    follow_calls(index, loaded_[i].tree);
+  }
+  check_end(0);
+  compile_all();
+  return result();
+}
+
+std::optional<Loader::FileIndex> Loader::add_file(std::shared_ptr<const SourceText> text) {
+  const auto known = index_by_path_.find(text->path);
+  if (known != index_by_path_.end()) return known->second;
+  if (loaded_.size() >= files_max) return std::nullopt;
+  const auto index = static_cast<FileIndex>(loaded_.size());
+  index_by_path_.emplace(text->path, index);
+  program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text))));
+  LoadedFile file;
+  file.reporter = std::make_unique<Reporter>(program_->files.back()->source);
+  loaded_.push_back(std::move(file));
+  return index;
+}
+
+std::optional<Loader::FileIndex> Loader::find_file(std::string_view name, FileIndex from) {
+  const std::pair key(from, std::string(name));
+  const auto known = program_->file_by_name.find(key);
+  if (known != program_->file_by_name.end()) return known->second;
+  if (failures_.contains(key)) return std::nullopt;
+  auto text = files_.read(name, program_->files[from]->source.path());
+  if (!text) {
+    failures_.emplace(key, text.error());
+    return std::nullopt;
+  }
+  const auto index = add_file(std::move(*text));
+  if (!index) {
+    Diagnostic diagnostic;
+    diagnostic.code = "E8003";
+    diagnostic.message = "a program has at most 256 files";
+    failures_.emplace(key, std::move(diagnostic));
+    return std::nullopt;
+  }
+  program_->file_by_name.emplace(key, *index);
+  return index;
+}
+
+void Loader::parse(FileIndex index) {
+  const Source& source = program_->files[index]->source;
+  Reporter& reporter = *loaded_[index].reporter;
+  if (source.lone_frame_mark().length != 0) {
+    reporter.warning("W210", source.lone_frame_mark(), "a frame mark without its second",
+                     "only one line with %");
+  }
+  ParserContext context;
+  context.channel = index == 0 ? channel_ : nullptr;
+  context.included_functions = [this, index](std::string_view name) {
+    const auto file = find_file(name, index);
+    return file ? defined_functions(program_->files[*file]->source) : std::set<std::string>{};
+  };
+  Parser parser(source, reporter, std::move(context));
+  StatementList tree = parser.parse_program();
+  loaded_[index].tree = std::move(tree);
+}
+
+void Loader::follow_includes(FileIndex index) {
+  for (const Statement& statement : loaded_[index].tree) {
+    if (const auto* include = std::get_if<IncludeDirective>(&statement.kind)) {
+      follow_include(index, statement, *include);
+    }
+  }
+}
+
+void Loader::follow_include(FileIndex index, const Statement& statement,
+                            const IncludeDirective& directive) {
+  const auto file = find_file(directive.file, index);
+  if (file) {
+    program_->files[index]->includes.push_back(*file);
+    Place& place = loaded_[*file].included_at;
+    if (place.line == 0) place = program_->files[index]->source.place(statement.span);
+    return;
+  }
+  const Diagnostic& failure = failures_.at({index, directive.file});
+  Diagnostic& diagnostic =
+      loaded_[index].reporter->error(failure.code, directive.file_span, failure.message,
+                                     failure.label.empty() ? "cannot be read" : failure.label);
+  diagnostic.notes = failure.notes;
+  diagnostic.help = failure.help;
+}
+
+void Loader::follow_calls(FileIndex index, const StatementList& list) {
+  for (const Statement& statement : list) {
+    if (const auto* call = std::get_if<CallStatement>(&statement.kind)) follow_call(index, *call);
+    for_each_body(statement, [&](const StatementList& body) { follow_calls(index, body); });
+  }
+}
+
+// call ("name"): the file belongs to the program; when it is missing, that is known only when the
+// call is reached.
+void Loader::follow_call(FileIndex index, const CallStatement& statement) {
+  const Expression& call = statement.call;
+  const bool names_file = folded(call.text) == "call" && call.children.size() == 1 &&
+                          call.children[0].node == Node::string;
+  if (!names_file) return;
+  const std::string& name = call.children[0].text;
+  if (program_->file_by_name.contains({index, name})) return;
+  const auto file = find_file(name, index);
+  loaded_[index].reporter->warning("W710", call.children[0].span,
+                                   file ? "\"" + name + "\" is called without being included"
+                                        : "\"" + name + "\" is not included and was not found",
+                                   "not included");
+}
+
+void Loader::check_end(FileIndex index) {
+  Reporter& reporter = *loaded_[index].reporter;
+  const bool ends = reporter.is_soft(std::numeric_limits<std::size_t>::max() - 1);
+  const StatementList& tree = loaded_[index].tree;
+  if (ends || reporter.error_count() != 0) return;
+  const Source& source = program_->files[index]->source;
+  const std::size_t offset = tree.empty() ? source.begin() : source.end();
+  reporter.warning("W211", {offset, 0, source.line_number(offset)},
+                   "the program ends without M2, M30 or M99", "it ends here like M30");
+}
+
+void Loader::compile_all() {
+  std::vector<FileNames> names(loaded_.size());
+  std::vector<std::unique_ptr<Compiler>> compilers;
+  for (std::size_t i = 0; i < loaded_.size(); ++i) {
+    const ChannelDescription* const channel = i == 0 ? channel_ : nullptr;
+    compilers.push_back(std::make_unique<Compiler>(CompilerContext{
+        *program_, static_cast<FileIndex>(i), channel, names, *loaded_[i].reporter}));
+  }
+  // Included files stand behind those that include them, and their constants come first.
+  for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);
+  for (std::size_t i = 0; i < loaded_.size(); ++i) compilers[i]->compile(loaded_[i].tree);
+}
+
+Expected<std::shared_ptr<const Program>, Diagnostics> Loader::result() {
+  Diagnostics errors;
+  Diagnostics warnings;
+  for (LoadedFile& file : loaded_) {
+    for (Diagnostic& diagnostic : file.reporter->take()) {
+      if (file.included_at.line != 0)
+        diagnostic.notes.push_back({"included here", file.included_at});
+      const bool error = diagnostic.severity == Severity::error;
+      (error ? errors : warnings).push_back(std::move(diagnostic));
+    }
+  }
+  warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return program_;
+}
+
+}  // namespace stanok::lang

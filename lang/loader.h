@@ -1,0 +1,60 @@
+// Loads a program: finds its files, parses and compiles them, and collects what there is to say.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lang/compiler.h"
+#include "lang/interpreter.h"
+#include "lang/program.h"
+#include "lang/reporter.h"
+#include "lang/tree.h"
+
+namespace stanok::lang {
+
+class Loader {
+ public:
+  Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings);
+
+  [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> load(std::string_view name);
+
+ private:
+  using FileIndex = std::uint16_t;
+
+  // A file while it is loaded; parallel to Program::files.
+  struct LoadedFile {
+    std::unique_ptr<Reporter> reporter;
+    StatementList tree;
+    Place included_at;  // line 0: the program itself
+  };
+
+  // Index of the file that `from` calls `name`; reads and registers it. Nothing with `failure_` set
+  // when it cannot be read.
+  std::optional<FileIndex> find_file(std::string_view name, FileIndex from);
+  std::optional<FileIndex> add_file(std::shared_ptr<const SourceText> text);
+  void parse(FileIndex index);
+  void follow_includes(FileIndex index);
+  void follow_include(FileIndex index, const Statement& statement,
+                      const IncludeDirective& directive);
+  void follow_calls(FileIndex index, const StatementList& list);
+  void follow_call(FileIndex index, const CallStatement& statement);
+  void check_end(FileIndex index);
+  void compile_all();
+  Expected<std::shared_ptr<const Program>, Diagnostics> result();
+
+  const Files& files_;
+  const ChannelDescription* channel_;
+  Diagnostics& warnings_;
+  std::shared_ptr<Program> program_;
+  std::vector<LoadedFile> loaded_;
+  std::map<std::string, FileIndex> index_by_path_;
+  std::map<std::pair<FileIndex, std::string>, Diagnostic> failures_;
+};
+
+}  // namespace stanok::lang

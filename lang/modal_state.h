@@ -1,0 +1,82 @@
+// The modal state of a channel program: what earlier blocks left in force.
+//
+// A value: copied to be saved, replaced to be reset. Frames: the position is kept in the active
+// workpiece system W, so that a programmed coordinate stays what was programmed to the last bit;
+// p_B = p_W + offset().
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/diagnostic.h"
+#include "lang/code_table.h"
+#include "lang/command.h"
+#include "lang/environment.h"
+
+namespace stanok::lang {
+
+// Axis k of the channel, as a set.
+[[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) {
+  return static_cast<AxisSet>(1U << axis);
+}
+
+inline constexpr double mm_per_inch = 25.4;
+
+struct ModalState {
+  // The active code of each group in tenths (G1 = 10), and the line that set it; 0 = default.
+  std::array<CodeNumber, group_count> codes{};
+  std::array<std::uint32_t, group_count> lines{};
+
+  // F as programmed, and with lengths in mm. Not known at start and after a change of feed mode.
+  bool feed_known = false;
+  double feed_programmed = 0.0;
+  double feed_mm = 0.0;
+
+  double speed_rev_per_min = 0.0;
+  bool spindle_running = false;
+  bool mist = false;
+  bool flood = false;
+  bool feed_override = true;
+  bool spindle_override = true;
+
+  int tool_prepared = -1;  // T; -1: none since the program started
+  int tool_active = 0;
+
+  ToolLength length;
+  PathControl path;
+
+  int work_offset_number = 1;     // 1 = G54
+  AxisValues work_offset{};       // of the table
+  AxisValues local_shift{};       // G52
+  AxisValues axis_shift{};        // G92
+  bool axis_shift_active = true;  // false after G92.2
+  AxisValues position_W{};
+
+  [[nodiscard]] CodeNumber code(Group group) const {
+    return codes[static_cast<std::size_t>(group)];
+  }
+  void set(Group group, CodeNumber number, std::uint32_t line) {
+    codes[static_cast<std::size_t>(group)] = number;
+    lines[static_cast<std::size_t>(group)] = line;
+  }
+  // "G17 is active since line 4"
+  [[nodiscard]] Note origin_of(Group group) const;
+
+  [[nodiscard]] bool incremental() const { return code(Group::distance) == 910; }
+  [[nodiscard]] bool inches() const { return code(Group::units) == 200; }
+  [[nodiscard]] bool diameters() const { return code(Group::diameter) == 70; }
+  [[nodiscard]] Plane plane() const;
+  [[nodiscard]] FeedMode feed_mode() const;
+  // Everything between W and B, per axis.
+  [[nodiscard]] AxisValues offset() const;
+
+  // Keeps the point in B where it is while the offset changes from `offset_before` to offset().
+  void reexpress_position(const AxisValues& offset_before);
+  // Takes the point from B. Coordinates that agree to 1e-9 keep their programmed bits.
+  void adopt_position(const AxisValues& position_B);
+};
+
+// The state at the start of a program, after M2, M30 and reset. Position and offsets are zero.
+[[nodiscard]] ModalState default_modal_state(ChannelKind kind);
+
+}  // namespace stanok::lang

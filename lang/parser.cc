@@ -1,0 +1,240 @@
+#include "lang/parser.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace stanok::lang {
+namespace {
+
+bool is_high_level(const Statement& statement) {
+  return !std::holds_alternative<IsoBlock>(statement.kind) &&
+         !std::holds_alternative<IncludeDirective>(statement.kind) &&
+         !std::holds_alternative<KinematicsDirective>(statement.kind) &&
+         !std::holds_alternative<NumberedProgram>(statement.kind);
+}
+
+bool ends_program(const IsoBlock& block) {
+  return std::any_of(block.words.begin(), block.words.end(), [](const IsoWord& word) {
+    const int code = word.name.code;
+    return word.name.letter == 'M' && (code == 20 || code == 300 || code == 990);
+  });
+}
+
+// DO1, END2: Fanuc loops.
+bool is_numbered(std::string_view name, std::string_view word) {
+  return name.size() > word.size() && name.starts_with(word) &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(), is_digit);
+}
+
+}  // namespace
+
+Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
+    : source_(source),
+      reporter_(reporter),
+      context_(std::move(context)),
+      scanner_(source, reporter),
+      functions_(defined_functions(source)) {}
+
+StatementList Parser::parse_program() {
+  StatementList list;
+  while (!scanner_.at_end()) parse_statement(list);
+  return list;
+}
+
+std::optional<IsoBlock> Parser::parse_block(const Source& source, const Span& span) {
+  Reporter silent(source);
+  Parser parser(source, silent, {});
+  parser.scanner_.move_to(span.offset, span.line);
+  parser.scanner_.skip_blanks(LineEnds::significant);
+  parser.take_block_number();
+  auto statement = parser.parse_iso();
+  if (!statement) return std::nullopt;
+  return std::get<IsoBlock>(std::move(statement->kind));
+}
+
+void Parser::parse_statement(StatementList& list) {
+  if (take_plain_lines(list)) return;
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.at_end()) return;
+  if (scanner_.at_line_end()) return scanner_.skip_line_end();
+  const char c = scanner_.character();
+  if (c == ';') return scanner_.at_line_start() ? scanner_.skip_to_line_end() : scanner_.advance(1);
+  if (c == '}') {
+    reporter_.error("E2003", scanner_.here(), "`}` without `{`", "nothing to close");
+    return scanner_.advance(1);
+  }
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  const int skip_level = take_block_skip();
+  take_block_number();
+  if (scanner_.at_line_end()) return;
+  auto statement = parse_kind();
+  if (!statement) {
+    keep_faulty(list, start, line);
+    return recover(start);
+  }
+  statement->span = scanner_.span_from(start, line);
+  statement->skip_level = skip_level;
+  if (skip_level != 0 && is_high_level(*statement)) {
+    reporter_
+        .error("E2005", {start, 1, line}, "block skip before a high-level statement",
+               "only ISO blocks, directives and O-lines can be skipped")
+        .help.push_back("use `if ($skip[1]) { ... }`");
+    return;
+  }
+  const IsoBlock* const block = std::get_if<IsoBlock>(&statement->kind);
+  if (block != nullptr && !inside_braces() && skip_level == 0 && ends_program(*block)) {
+    reporter_.soften_from(scanner_.offset());
+  }
+  list.push_back(std::move(*statement));
+}
+
+bool Parser::take_plain_lines(StatementList& list) {
+  if (!scanner_.at_line_start() || scanner_.at_end()) return false;
+  const std::string_view text = source_.text();
+  const char* const begin = text.data() + scanner_.offset();
+  const char* const end = text.data() + source_.end();
+  const Surroundings surroundings =
+      inside_braces() ? Surroundings::braces : Surroundings::file_level;
+  const char* at = begin;
+  std::uint32_t lines = 0;
+  bool any_words = false;
+  BlockWords words;
+  for (const char* line = at; line != end; line = at, ++lines) {
+    if (!read_plain_line(at, end, surroundings, words)) break;
+    if (!is_plain_block(words, context_.channel)) {
+      at = line;
+      break;
+    }
+    any_words = any_words || !words.empty();
+  }
+  if (at == begin) return false;
+  const std::size_t from = scanner_.offset();
+  const auto to = static_cast<std::size_t>(at - text.data());
+  if (any_words) {
+    Statement statement;
+    statement.span = {from, 1, scanner_.line()};
+    statement.kind = PlainLines{from, to, scanner_.line(), surroundings};
+    list.push_back(std::move(statement));
+  }
+  scanner_.move_to(to, scanner_.line() + lines);
+  return true;
+}
+
+int Parser::take_block_skip() {
+  if (scanner_.character() != '/' || !scanner_.at_line_start()) return 0;
+  scanner_.advance(1);
+  int level = 1;
+  const char digit = scanner_.character();
+  if (digit >= '1' && digit <= '9') {
+    level = digit - '0';
+    scanner_.advance(1);
+  }
+  scanner_.skip_blanks(LineEnds::significant);
+  return level;
+}
+
+void Parser::take_block_number() {
+  if (upper_case(scanner_.character()) != 'N' || !is_digit(scanner_.character(1))) return;
+  scanner_.advance(1);
+  while (is_digit(scanner_.character())) scanner_.advance(1);
+  if (scanner_.character() == '.') scanner_.advance(1);
+  while (is_digit(scanner_.character())) scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+}
+
+Parser::MaybeStatement Parser::parse_kind() {
+  const char c = scanner_.character();
+  const char next = scanner_.character(1);
+  if (c == '#') return is_name_start(next) ? parse_directive() : parse_iso();
+  const bool o_line = is_digit(next) || next == '<' || next == '[' || next == '#';
+  if (upper_case(c) == 'O' && o_line) return parse_o_line();
+  if (c == '{') return parse_compound();
+  if (c == '(' || c == '@' || c == '^' || c == '$') return parse_iso();
+  if (is_letter(c) && !is_name_start(next)) return parse_iso();
+  if (is_name_start(c)) return parse_named_start();
+  const Token token = scanner_.peek(LineEnds::significant);
+  const bool foreign =
+      static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20;
+  if (foreign) {
+    reporter_.error("E1001", token.span, "illegal character",
+                    "only comments and strings may hold it");
+  } else {
+    report_unexpected(token, "a statement");
+  }
+  return std::nullopt;
+}
+
+// A statement that begins with at least two letters.
+Parser::MaybeStatement Parser::parse_named_start() {
+  const std::string name = folded(scanner_.name_ahead());
+  const char behind = scanner_.character(name.size());
+  const bool macro_condition = (name == "if" || name == "while") && behind == '[';
+  if (macro_condition || name == "goto" || is_numbered(name, "do") || is_numbered(name, "end")) {
+    return parse_macro_line();
+  }
+  if (type_of_keyword(name) || name == "const" || name == "shared") {
+    return parse_declaration_or_function();
+  }
+  if (is_keyword(name)) return parse_keyword(name);
+  if (is_named_address(name)) return parse_iso();
+  if (behind == '[' && bracket_function(std::string_view(name).substr(1))) return parse_iso();
+  return parse_simple();
+}
+
+// To the next place where a statement can begin.
+void Parser::recover(std::size_t start) {
+  if (scanner_.offset() == start) scanner_.advance(1);
+  while (!scanner_.at_line_end()) {
+    if (scanner_.character() == '}' && inside_braces()) return;
+    const bool done = scanner_.character() == ';';
+    scanner_.advance(1);
+    if (done) return;
+  }
+}
+
+void Parser::keep_faulty(StatementList& list, std::size_t start, std::uint32_t line) {
+  if (!reporter_.is_soft(start)) return;
+  Statement statement;
+  statement.span = {start, 1, line};
+  statement.kind = FaultyText{reporter_.last_error()};
+  list.push_back(std::move(statement));
+}
+
+bool Parser::accept(std::string_view symbol) {
+  if (!scanner_.peek(line_ends_).is(symbol)) return false;
+  scanner_.take(line_ends_);
+  return true;
+}
+
+bool Parser::expect(std::string_view symbol, std::string_view after) {
+  if (accept(symbol)) return true;
+  const Token token = scanner_.peek(line_ends_);
+  const std::string wanted = "`" + std::string(symbol) + "` after " + std::string(after);
+  report_unexpected(token, wanted);
+  return false;
+}
+
+void Parser::report_unexpected(const Token& token, std::string_view expected) {
+  const std::string found =
+      token.kind == TokenKind::end
+          ? (scanner_.at_end() ? "the end of the text" : "the end of the line")
+          : "`" + std::string(token.text) + "`";
+  Span span = token.span;
+  if (span.length == 0) span.length = 1;
+  Diagnostic& diagnostic =
+      reporter_.error("E2001", span, "expected " + std::string(expected) + ", found " + found,
+                      "expected " + std::string(expected));
+  if (token.is("=")) diagnostic.help.push_back("to compare, write `==`");
+}
+
+bool Parser::finish_line() {
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.character() == ';') scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.at_line_end() || (scanner_.character() == '}' && inside_braces())) return true;
+  report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line");
+  return false;
+}
+
+}  // namespace stanok::lang

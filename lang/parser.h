@@ -1,0 +1,143 @@
+// Makes the tree of a program text; every error is reported, and reading goes on behind it.
+//
+// The kind of a statement follows from its first characters (docs/language.md, "Statements").
+// Functions that return nothing have reported why; the statement they belong to is then skipped.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/environment.h"
+#include "lang/reporter.h"
+#include "lang/scanner.h"
+#include "lang/tree.h"
+
+namespace stanok::lang {
+
+// Names (folded) of the functions that a text defines, found without reading it in full.
+[[nodiscard]] std::set<std::string> defined_functions(const Source& source);
+
+// What the parser asks of the compilation: the functions an included file defines.
+using IncludedFunctions = std::function<std::set<std::string>(std::string_view file)>;
+
+struct ParserContext {
+  const ChannelDescription* channel = nullptr;  // nullptr: channel-dependent checks are left out
+  IncludedFunctions included_functions;
+};
+
+class Parser {
+ public:
+  Parser(const Source& source, Reporter& reporter, ParserContext context);
+
+  [[nodiscard]] StatementList parse_program();
+  // Reads the ISO block at `span` alone, to find the places of its words.
+  [[nodiscard]] static std::optional<IsoBlock> parse_block(const Source& source, const Span& span);
+
+ private:
+  using MaybeExpression = std::optional<Expression>;
+  using MaybeStatement = std::optional<Statement>;
+
+  // parser.cc: statements and their kinds
+  void parse_statement(StatementList& list);
+  bool take_plain_lines(StatementList& list);
+  MaybeStatement parse_kind();
+  MaybeStatement parse_named_start();
+  int take_block_skip();
+  void take_block_number();
+  void recover(std::size_t start);
+  void keep_faulty(StatementList& list, std::size_t start, std::uint32_t line);
+  bool inside_braces() const { return brace_depth_ > 0; }
+  bool expect(std::string_view symbol, std::string_view after);
+  bool accept(std::string_view symbol);
+  void report_unexpected(const Token& token, std::string_view expected);
+  // Ends a statement that ends with its line.
+  bool finish_line();
+
+  // parser_statement.cc: high-level statements
+  MaybeStatement parse_keyword(std::string_view keyword);
+  std::optional<StatementList> parse_body(std::string_view of);
+  MaybeStatement parse_compound();
+  MaybeStatement parse_if();
+  MaybeStatement parse_while();
+  MaybeStatement parse_do();
+  MaybeStatement parse_for();
+  MaybeStatement parse_switch();
+  std::optional<SwitchCase> parse_case();
+  MaybeStatement parse_return();
+  MaybeStatement parse_simple();
+  MaybeStatement parse_jump(std::string_view keyword);
+  MaybeExpression parse_condition();
+
+  // parser_declaration.cc: variables and functions
+  MaybeStatement parse_declaration_or_function();
+  MaybeStatement parse_items(Declaration declaration);
+  bool parse_dimensions(DeclaredItem& item);
+  bool parse_initial(DeclaredItem& item);
+  MaybeStatement parse_function(Type result, const Token& name);
+  std::optional<FunctionParameter> parse_parameter();
+  bool check_declared_name(const Token& name);
+
+  // parser_iso.cc: ISO blocks
+  MaybeStatement parse_iso();
+  bool parse_iso_part(IsoBlock& block);
+  bool parse_word(IsoBlock& block);
+  bool parse_long_word(IsoBlock& block, std::string_view name);
+  bool parse_plain_value(IsoWord& word);
+  bool parse_parameter_setting(IsoBlock& block);
+  bool parse_comment(IsoBlock& block);
+  bool add_word(IsoBlock& block, IsoWord word);
+  bool end_iso_in_braces();
+  bool is_named_address(std::string_view name) const;
+  Expression comment_text(std::string_view text, const Span& span);
+
+  // parser_bracket.cc: values and expressions of the RS274 kind
+  MaybeExpression parse_value();
+  MaybeExpression parse_unsigned_value();
+  MaybeExpression parse_bracket();
+  MaybeExpression parse_bracket_binary(int level);
+  MaybeExpression parse_bracket_function(std::string_view name);
+  MaybeExpression parse_parameter_reference();
+
+  // parser_directive.cc
+  MaybeStatement parse_directive();
+  MaybeStatement parse_include();
+  MaybeStatement parse_kinematics();
+  MaybeStatement parse_o_line();
+  MaybeStatement parse_macro_line();
+
+  // parser_expression.cc
+  MaybeExpression parse_expression(LineEnds line_ends);
+  MaybeExpression parse_conditional();
+  MaybeExpression parse_binary(int level);
+  MaybeExpression parse_unary();
+  MaybeExpression parse_power();
+  MaybeExpression parse_primary();
+  MaybeExpression parse_name();
+  MaybeExpression parse_system_variable();
+  MaybeExpression parse_group();
+  bool parse_list(std::string_view close, std::vector<Expression>& list);
+  [[nodiscard]] bool is_call(const Token& name);
+
+  const Source& source_;
+  Reporter& reporter_;
+  ParserContext context_;
+  Scanner scanner_;
+  std::set<std::string> functions_;
+  LineEnds line_ends_ = LineEnds::blank;  // of the expression at hand
+  int brace_depth_ = 0;
+  int group_depth_ = 0;
+  std::string_view closing_ = ";";  // what ends the simple statement at hand
+};
+
+// Keywords and names that a program may not declare.
+[[nodiscard]] bool is_keyword(std::string_view folded_name);
+[[nodiscard]] bool is_reserved_word(std::string_view folded_name);
+[[nodiscard]] std::optional<Type> type_of_keyword(std::string_view folded_name);
+// Functions in brackets: ABS, ACOS, ... with the name of the function that computes them.
+[[nodiscard]] std::optional<std::string_view> bracket_function(std::string_view folded_name);
+
+}  // namespace stanok::lang

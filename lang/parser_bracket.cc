@@ -1,0 +1,226 @@
+// Values of the RS274 kind: numbers, #parameters, [expressions] and function[argument].
+#include <array>
+#include <utility>
+
+#include "lang/number.h"
+#include "lang/parser.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr int nesting_max = 64;
+
+// Functions in brackets and the function of high-level text that computes the same.
+constexpr auto bracket_functions =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"abs", "abs"},
+                                                                  {"acos", "acos"},
+                                                                  {"asin", "asin"},
+                                                                  {"atan", "atan2"},
+                                                                  {"cos", "cos"},
+                                                                  {"exists", "exists"},
+                                                                  {"exp", "exp"},
+                                                                  {"fix", "floor"},
+                                                                  {"fup", "ceil"},
+                                                                  {"ln", "ln"},
+                                                                  {"round", "round"},
+                                                                  {"sin", "sin"},
+                                                                  {"sqrt", "sqrt"},
+                                                                  {"tan", "tan"}});
+
+struct BracketOperator {
+  std::string_view name;
+  int level;  // 0 binds weakest
+  Operation operation;
+};
+
+constexpr auto bracket_operators = std::to_array<BracketOperator>({
+    {"and", 0, Operation::bracket_and},
+    {"or", 0, Operation::bracket_or},
+    {"xor", 0, Operation::bracket_xor},
+    {"eq", 1, Operation::bracket_equal},
+    {"ne", 1, Operation::bracket_not_equal},
+    {"gt", 1, Operation::bracket_greater},
+    {"ge", 1, Operation::bracket_greater_equal},
+    {"lt", 1, Operation::bracket_less},
+    {"le", 1, Operation::bracket_less_equal},
+    {"+", 2, Operation::add},
+    {"-", 2, Operation::subtract},
+    {"*", 3, Operation::multiply},
+    {"/", 3, Operation::divide},
+    {"mod", 3, Operation::modulo},
+    {"**", 4, Operation::power},
+});
+constexpr int level_count = 5;
+
+Expression call_of(std::string_view function, const Span& span, Expression argument) {
+  Expression call;
+  call.node = Node::call;
+  call.span = span;
+  call.text = function;
+  call.children.push_back(std::move(argument));
+  return call;
+}
+
+}  // namespace
+
+std::optional<std::string_view> bracket_function(std::string_view folded_name) {
+  for (const auto& [name, function] : bracket_functions) {
+    if (name == folded_name) return function;
+  }
+  return std::nullopt;
+}
+
+// [+|-] unsigned value
+Parser::MaybeExpression Parser::parse_value() {
+  const char sign = scanner_.character();
+  if (sign != '+' && sign != '-') return parse_unsigned_value();
+  const Span span = scanner_.here();
+  scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  auto operand = parse_value();
+  if (!operand) return std::nullopt;
+  Expression unary;
+  unary.node = Node::unary;
+  unary.operation = sign == '-' ? Operation::negate : Operation::identity;
+  unary.span = joined(span, operand->span);
+  unary.children.push_back(std::move(*operand));
+  return unary;
+}
+
+Parser::MaybeExpression Parser::parse_unsigned_value() {
+  const char c = scanner_.character();
+  if (c == '#') return parse_parameter_reference();
+  if (c == '[') return parse_bracket();
+  if (is_letter(c)) {
+    const std::string_view name = scanner_.name_ahead();
+    if (bracket_function(folded(name))) return parse_bracket_function(name);
+  }
+  const char* const first = source_.text().data() + scanner_.offset();
+  const char* const end = source_.text().data() + source_.end();
+  const char* at = first;
+  Expression number;
+  bool whole = false;
+  if (!is_digit(c) && c != '.') {
+    report_unexpected(scanner_.peek(LineEnds::significant), "a number");
+    return std::nullopt;
+  }
+  if (!read_number(at, end, number.number, whole)) {
+    reporter_.error("E1002", scanner_.here(), "a number needs a digit", "no digit");
+    return std::nullopt;
+  }
+  number.span = scanner_.here(static_cast<std::uint32_t>(at - first));
+  scanner_.advance(static_cast<std::size_t>(at - first));
+  return number;
+}
+
+// #5, #<name>, ##5, #[...]
+Parser::MaybeExpression Parser::parse_parameter_reference() {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  scanner_.advance(1);
+  Expression parameter;
+  if (scanner_.character() == '<') {
+    scanner_.advance(1);
+    while (!scanner_.at_line_end() && scanner_.character() != '>') {
+      if (!is_blank(scanner_.character())) parameter.text += lower_case(scanner_.character());
+      scanner_.advance(1);
+    }
+    if (scanner_.at_line_end() || parameter.text.empty()) {
+      reporter_.error("E2001", scanner_.span_from(start, line), "a parameter name is `#<name>`",
+                      "incomplete");
+      return std::nullopt;
+    }
+    scanner_.advance(1);
+    parameter.node = Node::named_parameter;
+  } else {
+    auto number = parse_unsigned_value();
+    if (!number) return std::nullopt;
+    parameter.node = Node::parameter;
+    parameter.children.push_back(std::move(*number));
+  }
+  parameter.span = scanner_.span_from(start, line);
+  return parameter;
+}
+
+Parser::MaybeExpression Parser::parse_bracket() {
+  if (group_depth_ >= nesting_max) {
+    reporter_.error("E2030", scanner_.here(), "more than 64 nested brackets", "too deep");
+    return std::nullopt;
+  }
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  scanner_.advance(1);
+  ++group_depth_;
+  auto inner = parse_bracket_binary(0);
+  --group_depth_;
+  if (!inner) return std::nullopt;
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.character() != ']') {
+    report_unexpected(scanner_.peek(LineEnds::significant), "an operator or `]`");
+    return std::nullopt;
+  }
+  scanner_.advance(1);
+  inner->span = scanner_.span_from(start, line);
+  return inner;
+}
+
+Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
+  scanner_.skip_blanks(LineEnds::significant);
+  if (level == level_count) return parse_value();
+  auto left = parse_bracket_binary(level + 1);
+  while (left) {
+    scanner_.skip_blanks(LineEnds::significant);
+    const Token token = scanner_.peek(LineEnds::significant);
+    const std::string name = folded(token.text);
+    const BracketOperator* found = nullptr;
+    for (const BracketOperator& candidate : bracket_operators) {
+      if (candidate.name == name && candidate.level == level) found = &candidate;
+    }
+    if (found == nullptr) break;
+    scanner_.take(LineEnds::significant);
+    auto right = parse_bracket_binary(level + 1);
+    if (!right) return std::nullopt;
+    Expression binary;
+    binary.node = Node::binary;
+    binary.operation = found->operation;
+    binary.span = joined(left->span, right->span);
+    binary.children.push_back(std::move(*left));
+    binary.children.push_back(std::move(*right));
+    left = std::move(binary);
+  }
+  return left;
+}
+
+Parser::MaybeExpression Parser::parse_bracket_function(std::string_view name) {
+  const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
+  const std::string_view function = *bracket_function(folded(name));
+  scanner_.advance(name.size());
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.character() != '[') {
+    report_unexpected(scanner_.peek(LineEnds::significant), "`[` after the function");
+    return std::nullopt;
+  }
+  auto argument = parse_bracket();
+  if (!argument) return std::nullopt;
+  Expression call = call_of(function, joined(name_span, argument->span), std::move(*argument));
+  if (function == "exists") {
+    call.node = Node::exists;
+    if (call.children[0].node == Node::named_parameter) return call;
+    reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
+    return std::nullopt;
+  }
+  if (function != "atan2") return call;
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.character() != '/' || scanner_.character(1) != '[') {
+    report_unexpected(scanner_.peek(LineEnds::significant), "`/[` after ATAN[...]");
+    return std::nullopt;
+  }
+  scanner_.advance(1);
+  auto second = parse_bracket();
+  if (!second) return std::nullopt;
+  call.span = joined(call.span, second->span);
+  call.children.push_back(std::move(*second));
+  return call;
+}
+
+}  // namespace stanok::lang

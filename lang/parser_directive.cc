@@ -1,0 +1,130 @@
+// Directives, O-lines and the macro lines of other controls.
+#include <array>
+#include <utility>
+
+#include "lang/parser.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr auto directives =
+    std::to_array<std::string_view>({"include", "kinematics", "workpiece", "workpiece_pos",
+                                     "feedlaw", "tool_overhang", "adaptive"});
+
+}  // namespace
+
+Parser::MaybeStatement Parser::parse_directive() {
+  const Span hash = scanner_.here();
+  scanner_.advance(1);
+  const std::string_view name = scanner_.name_ahead();
+  const Span span = joined(hash, scanner_.here(static_cast<std::uint32_t>(name.size())));
+  const std::string wanted = folded(name);
+  scanner_.advance(name.size());
+  if (wanted == "include") return parse_include();
+  if (wanted == "kinematics") return parse_kinematics();
+  for (const std::string_view known : directives) {
+    if (wanted != known) continue;
+    reporter_.error("E2090", span, "`#" + wanted + "` is not supported in this release",
+                    "known directive");
+    scanner_.skip_to_line_end();
+    return std::nullopt;
+  }
+  Diagnostic& diagnostic = reporter_.error(
+      "E2010", span, "unknown directive `#" + std::string(name) + "`", "no such directive");
+  const std::string_view nearest = nearest_name(name, {directives.begin(), directives.end()});
+  if (!nearest.empty()) diagnostic.help.push_back("did you mean `#" + std::string(nearest) + "`?");
+  scanner_.skip_to_line_end();
+  return std::nullopt;
+}
+
+Parser::MaybeStatement Parser::parse_include() {
+  const Token file = scanner_.take(LineEnds::significant);
+  if (file.kind != TokenKind::string) {
+    report_unexpected(file, "a file name in quotes after `#include`");
+    return std::nullopt;
+  }
+  if (inside_braces()) {
+    reporter_.error("E2012", file.span, "`#include` inside braces", "belongs at file level");
+    return std::nullopt;
+  }
+  if (!finish_line()) return std::nullopt;
+  if (context_.included_functions) {
+    functions_.merge(context_.included_functions(file.string));
+  }
+  Statement statement;
+  statement.kind = IncludeDirective{file.string, file.span};
+  return statement;
+}
+
+Parser::MaybeStatement Parser::parse_kinematics() {
+  line_ends_ = LineEnds::significant;
+  KinematicsDirective directive;
+  const Span span = scanner_.here();
+  if (!expect("(", "`#kinematics`")) return std::nullopt;
+  if (!parse_list(")", directive.arguments) || !finish_line()) return std::nullopt;
+  if (directive.arguments.size() != 2) {
+    reporter_
+        .error("E3005", span, "`#kinematics` takes two arguments",
+               "scheme and channel are expected")
+        .help.push_back("write e.g. `#kinematics (1, 1)`");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
+}
+
+// O100 begins a numbered program; the flow words of O-lines are recognised.
+Parser::MaybeStatement Parser::parse_o_line() {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  scanner_.advance(1);
+  int number = 0;
+  int digits = 0;
+  for (; is_digit(scanner_.character()); ++digits) {
+    if (digits < 9) number = number * 10 + (scanner_.character() - '0');
+    scanner_.advance(1);
+  }
+  scanner_.skip_blanks(LineEnds::significant);
+  while (scanner_.character() == '(' && digits > 0) {
+    if (!scanner_.read_parenthesis_comment()) return std::nullopt;
+    scanner_.skip_blanks(LineEnds::significant);
+  }
+  if (scanner_.character() == ';' && !inside_braces()) scanner_.skip_to_line_end();
+  if (digits == 0 || !scanner_.at_line_end()) {
+    scanner_.skip_to_line_end();
+    reporter_
+        .error("E2090", scanner_.span_from(start, line),
+               "O-words are not supported in this release", "flow control of RS274/NGC")
+        .help.push_back("use functions, `if`, `while` and `for` of the high-level language");
+    return std::nullopt;
+  }
+  if (inside_braces() || digits > 8) {
+    reporter_.error("E2012", {start, static_cast<std::uint32_t>(digits + 1), line},
+                    inside_braces() ? "a numbered program inside braces"
+                                    : "a program number has at most 8 digits",
+                    "");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = NumberedProgram{number};
+  return statement;
+}
+
+Parser::MaybeStatement Parser::parse_macro_line() {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  const std::string name = folded(scanner_.name_ahead());
+  scanner_.skip_to_line_end();
+  std::string equivalent = "if (condition) { ... }";
+  if (name == "while" || name.starts_with("do") || name.starts_with("end")) {
+    equivalent = "while (condition) { ... }";
+  }
+  reporter_
+      .error("E2040", scanner_.span_from(start, line),
+             "macro lines of other controls are not supported in this release", "")
+      .help.push_back("write `" + equivalent + "`");
+  return std::nullopt;
+}
+
+}  // namespace stanok::lang

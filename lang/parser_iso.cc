@@ -1,0 +1,367 @@
+// ISO blocks: words, parameter settings, comments.
+#include <algorithm>
+#include <array>
+
+#include "lang/number.h"
+#include "lang/parser.h"
+
+namespace stanok::lang {
+namespace {
+
+// Longest ISO line (docs/language.md, "Limits").
+constexpr std::size_t line_max = 4096;
+
+// Addresses of more than one letter that every channel has.
+constexpr auto registered_addresses =
+    std::to_array<std::string_view>({"S_n", "S_k", "dS", "dl", "Smin", "Smax", "n_s", "L_A", "L_B",
+                                     "n_n", "n_k", "dn", "v_n", "v_k", "dv", "SPOS"});
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+Expression string_expression(std::string text, const Span& span) {
+  Expression expression;
+  expression.node = Node::string;
+  expression.span = span;
+  expression.text = std::move(text);
+  return expression;
+}
+
+// str (value, decimals)
+Expression as_text(Expression value, int decimals) {
+  Expression count;
+  count.number = decimals;
+  count.span = value.span;
+  Expression call;
+  call.node = Node::call;
+  call.span = value.span;
+  call.text = "str";
+  call.children.push_back(std::move(value));
+  call.children.push_back(std::move(count));
+  return call;
+}
+
+Expression concatenated(Expression left, Expression right) {
+  Expression sum;
+  sum.node = Node::binary;
+  sum.operation = Operation::add;
+  sum.span = left.span;
+  sum.children.push_back(std::move(left));
+  sum.children.push_back(std::move(right));
+  return sum;
+}
+
+// #5 or #<name> at the beginning of `text`; the length taken, 0 if there is none.
+std::size_t read_comment_parameter(std::string_view text, const Span& span, Expression& parameter) {
+  parameter = {};
+  parameter.span = span;
+  if (text.size() > 1 && text[1] == '<') {
+    const std::size_t close = text.find('>');
+    if (close == std::string_view::npos) return 0;
+    parameter.node = Node::named_parameter;
+    parameter.text = text.substr(2, close - 2);
+    return close + 1;
+  }
+  std::size_t length = 1;
+  Expression number;
+  for (; length < text.size() && is_digit(text[length]); ++length) {
+    number.number = number.number * 10.0 + (text[length] - '0');
+  }
+  number.span = span;
+  parameter.node = Node::parameter;
+  parameter.children.push_back(std::move(number));
+  return length == 1 ? 0 : length;
+}
+
+// %d, %.2f at the beginning of `text`: sets `decimals`; the length taken, 0 if there is none.
+std::size_t read_format(std::string_view text, int& decimals) {
+  if (text.starts_with("%d")) {
+    decimals = 0;
+    return 2;
+  }
+  if (text.starts_with("%f")) {
+    decimals = 6;
+    return 2;
+  }
+  if (text.size() < 4 || text[1] != '.' || !is_digit(text[2]) || lower_case(text[3]) != 'f') {
+    return 0;
+  }
+  decimals = text[2] - '0';
+  return 4;
+}
+
+}  // namespace
+
+bool Parser::is_named_address(std::string_view name) const {
+  std::size_t behind = name.size();
+  while (is_blank(scanner_.character(behind))) ++behind;
+  if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
+  const auto same = [&](std::string_view known) { return folded(known) == folded(name); };
+  if (std::any_of(registered_addresses.begin(), registered_addresses.end(), same)) return true;
+  if (context_.channel == nullptr) return false;
+  return std::any_of(context_.channel->axes.begin(), context_.channel->axes.end(),
+                     [&](const AxisDescription& axis) { return same(axis.word); });
+}
+
+Parser::MaybeStatement Parser::parse_iso() {
+  IsoBlock block;
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  while (true) {
+    scanner_.skip_blanks(LineEnds::significant);
+    const char c = scanner_.character();
+    if (scanner_.at_line_end() || (c == '}' && inside_braces())) break;
+    if (c == ';' && inside_braces()) {
+      if (!end_iso_in_braces()) return std::nullopt;
+      break;
+    }
+    if (c == ';') {
+      scanner_.skip_to_line_end();
+      break;
+    }
+    if (!parse_iso_part(block)) return std::nullopt;
+  }
+  if (scanner_.offset() - start > line_max) {
+    reporter_.error("E1007", {start, 1, line}, "the block is longer than 4096 bytes", "too long");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(block);
+  return statement;
+}
+
+bool Parser::end_iso_in_braces() {
+  scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.at_line_end() || scanner_.character() == '}') return true;
+  reporter_
+      .error("E2004", scanner_.here(), "text behind the `;` of an ISO block inside braces",
+             "only `}` or a // comment may follow here")
+      .help.push_back("put each ISO block on its own line");
+  return false;
+}
+
+bool Parser::parse_iso_part(IsoBlock& block) {
+  const char c = scanner_.character();
+  if (c == '(') return parse_comment(block);
+  if (c == '#') return parse_parameter_setting(block);
+  if (is_letter(c)) return parse_word(block);
+  if (c == '$') {
+    scanner_.advance(1);
+    auto value = parse_value();
+    if (!value) return false;
+    block.spindle = std::move(*value);
+    return true;
+  }
+  if (c == '@' || c == '^' || c == ',') {
+    reporter_.error("E2090", scanner_.here(),
+                    std::string("`") + c + "` words are not supported in this release",
+                    c == ',' ? "corner chamfer and rounding" : "polar coordinates");
+    return false;
+  }
+  if ((is_digit(c) || c == '.') && !block.words.empty()) {
+    reporter_.error("E1003", scanner_.here(), "blank inside a number", "a number goes on here")
+        .help.push_back("write the number without blanks, or the missing address");
+    return false;
+  }
+  if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) {
+    reporter_.error("E1001", scanner_.peek(LineEnds::significant).span, "illegal character",
+                    "only comments and strings may hold it");
+    return false;
+  }
+  report_unexpected(scanner_.peek(LineEnds::significant), "a word");
+  return false;
+}
+
+bool Parser::parse_word(IsoBlock& block) {
+  const std::string_view name = scanner_.name_ahead();
+  if (name.size() > 1 && is_name_start(name[1])) return parse_long_word(block, name);
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  IsoWord word;
+  word.name.letter = upper_case(name[0]);
+  if (word.name.letter == 'N' || word.name.letter == 'O') {
+    reporter_.error("E2006", scanner_.here(), "a block or program number inside a block",
+                    "must stand at the beginning of the line");
+    return false;
+  }
+  std::size_t digits = 1;
+  while (is_digit(scanner_.character(digits))) ++digits;
+  std::size_t behind = digits;
+  while (is_blank(scanner_.character(behind))) ++behind;
+  const bool equals = scanner_.character(behind) == '=' && scanner_.character(behind + 1) != '=';
+  if (equals && digits > 1) return parse_long_word(block, name.substr(0, digits));
+  scanner_.advance(equals ? behind + 1 : 1);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (equals) {
+    auto value = parse_expression(LineEnds::significant);
+    if (!value) return false;
+    word.value = std::move(*value);
+  } else if (!parse_plain_value(word)) {
+    return false;
+  }
+  word.span = scanner_.span_from(start, line);
+  return add_word(block, std::move(word));
+}
+
+// A number, or a value of the RS274 kind.
+bool Parser::parse_plain_value(IsoWord& word) {
+  const char* const first = source_.text().data() + scanner_.offset();
+  const char* const end = source_.text().data() + source_.end();
+  const char* at = first;
+  word.value.span = scanner_.here();
+  if (!read_number(at, end, word.value.number, word.whole)) {
+    auto value = parse_value();
+    if (value) word.value = std::move(*value);
+    return value.has_value();
+  }
+  scanner_.advance(static_cast<std::size_t>(at - first));
+  word.value.span.length = static_cast<std::uint32_t>(at - first);
+  if (scanner_.character() != '.') return true;
+  reporter_.error("E1002", scanner_.here(), "a number with two decimal points", "second point");
+  return false;
+}
+
+// H1=2, R5=..., S_n=0.1, X2=50, Xsin[30]
+bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
+  const bool has_index = name.size() > 1 && is_digit(name[1]);
+  IsoWord word;
+  if (!has_index && !is_named_address(name)) {
+    if (bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
+      word.name.letter = upper_case(name[0]);
+      scanner_.advance(1);
+      auto value = parse_value();
+      if (!value) return false;
+      word.value = std::move(*value);
+      word.span = scanner_.span_from(start, line);
+      return add_word(block, std::move(word));
+    }
+    reporter_.error("E2007", name_span, "unknown word `" + std::string(name) + "` in a block",
+                    "a word is a letter and a number, or a named address and `=`");
+    return false;
+  }
+  const char letter = upper_case(name[0]);
+  if (has_index && (letter == 'G' || letter == 'M')) {
+    reporter_
+        .error("E2011", name_span, "`" + std::string(name) + "=` is no word",
+               "a code takes no `=` behind its number")
+        .help.push_back("for spindle 2 write e.g. `M3 $2`");
+    return false;
+  }
+  scanner_.advance(name.size());
+  scanner_.skip_blanks(LineEnds::significant);
+  scanner_.advance(1);
+  auto value = parse_expression(LineEnds::significant);
+  if (!value) return false;
+  word.span = scanner_.span_from(start, line);
+  word.value = std::move(*value);
+  if (has_index && letter == 'R') {
+    Expression target;
+    target.node = Node::r_parameter;
+    target.span = name_span;
+    for (const char digit : name.substr(1)) target.number = target.number * 10.0 + (digit - '0');
+    block.settings.push_back({std::move(target), std::move(word.value)});
+    return true;
+  }
+  word.name.name = name;
+  std::transform(word.name.name.begin(), word.name.name.end(), word.name.name.begin(), upper_case);
+  return add_word(block, std::move(word));
+}
+
+bool Parser::add_word(IsoBlock& block, IsoWord word) {
+  const char letter = word.name.letter;
+  const bool is_code = letter == 'G' || letter == 'M';
+  if (is_code && word.value.node == Node::number) {
+    const double tenths = word.value.number * 10.0;
+    if (!is_integer(tenths) || tenths < 0.0 || tenths > 32767.0) {
+      reporter_.error("E4004", word.span, "unknown code", "no such code");
+      return false;
+    }
+    word.name.code = static_cast<int>(std::lround(tenths));
+  }
+  const auto same_name = [&](const IsoWord& other) {
+    return other.name.letter == letter && other.name.name == word.name.name;
+  };
+  const auto count = std::count_if(block.words.begin(), block.words.end(), same_name);
+  if (is_code ? count >= CodeList::capacity : count > 0) {
+    const std::string name = letter != 0 ? std::string(1, letter) : word.name.name;
+    reporter_.error(is_code ? "E4005" : "E4001", word.span,
+                    is_code ? "more than 8 `" + name + "` words in one block"
+                            : "`" + name + "` twice in one block",
+                    is_code ? "one too many" : "second word of this address");
+    return false;
+  }
+  block.words.push_back(std::move(word));
+  return true;
+}
+
+bool Parser::parse_parameter_setting(IsoBlock& block) {
+  auto target = parse_parameter_reference();
+  if (!target) return false;
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.character() != '=') {
+    report_unexpected(scanner_.peek(LineEnds::significant), "`=` after the parameter");
+    return false;
+  }
+  scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  auto value = parse_value();
+  if (!value) return false;
+  block.settings.push_back({std::move(*target), std::move(*value)});
+  return true;
+}
+
+bool Parser::parse_comment(IsoBlock& block) {
+  const Span span = scanner_.here();
+  const auto comment = scanner_.read_parenthesis_comment();
+  if (!comment) return false;
+  const std::size_t comma = comment->find(',');
+  if (comma == std::string_view::npos) return true;
+  const std::string word = folded(trimmed(comment->substr(0, comma)));
+  const std::string_view text = comment->substr(comma + 1);
+  if (word == "msg") {
+    block.comments.push_back(
+        {Message::Kind::message, string_expression(std::string(trimmed(text)), span)});
+  } else if (word == "debug" || word == "print") {
+    const auto kind = word == "debug" ? Message::Kind::message : Message::Kind::log;
+    block.comments.push_back({kind, comment_text(trimmed(text), span)});
+  } else if (word == "log" || word == "logopen" || word == "logclose" || word == "logappend" ||
+             word == "probeopen" || word == "probeclose") {
+    reporter_.error(
+        "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
+        "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
+        "active comment");
+    return false;
+  }
+  return true;
+}
+
+// The text of (DEBUG,...) and (PRINT,...) with its parameters put in.
+Expression Parser::comment_text(std::string_view text, const Span& span) {
+  Expression whole = string_expression("", span);
+  std::string literal;
+  int decimals = 6;
+  for (std::size_t at = 0; at < text.size();) {
+    Expression parameter;
+    std::size_t length = 0;
+    if (text[at] == '#') length = read_comment_parameter(text.substr(at), span, parameter);
+    if (length != 0) {
+      whole = concatenated(std::move(whole), string_expression(literal, span));
+      whole = concatenated(std::move(whole), as_text(std::move(parameter), decimals));
+      literal.clear();
+    } else if (text[at] == '%') {
+      length = read_format(text.substr(at), decimals);
+    }
+    if (length == 0) literal += text[at++];
+    at += length;
+  }
+  return concatenated(std::move(whole), string_expression(literal, span));
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,150 @@
+#include "lang/plain_block.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lang/block_execution.h"
+#include "lang/number.h"
+#include "lang/source.h"
+
+namespace stanok::lang {
+namespace {
+
+// Longest line that is an ISO block (docs/language.md, "Limits").
+constexpr std::ptrdiff_t line_max = 4096;
+
+// Largest code, in tenths: M999.9 and what a CodeNumber holds.
+constexpr double code_number_max = 9999.0;
+
+bool is_plain_byte(char c) {
+  return (static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7F) ||
+         c == '\t';
+}
+
+// Goes to the line end; false when a byte on the way needs a closer look.
+bool skip_to_line_end(const char*& at, const char* end) {
+  while (at != end && !is_line_end(*at)) {
+    if (!is_plain_byte(*at)) return false;
+    ++at;
+  }
+  return true;
+}
+
+// Comments of the form (WORD,...) may have an effect.
+bool may_be_active(const char* at, const char* end) {
+  while (at != end && is_blank(*at)) ++at;
+  const char* const first = at;
+  while (at != end && is_letter(*at)) ++at;
+  const char* const last = at;
+  while (at != end && is_blank(*at)) ++at;
+  return last != first && at != end && *at == ',';
+}
+
+bool skip_parentheses(const char*& at, const char* end) {
+  ++at;
+  if (may_be_active(at, end)) return false;
+  for (; at != end && *at != ')'; ++at) {
+    if (!is_plain_byte(*at) || *at == '(') return false;
+  }
+  if (at == end) return false;
+  ++at;
+  return true;
+}
+
+bool add_code(CodeList& list, double number) {
+  const double tenths = number * 10.0;
+  if (!is_integer(tenths) || tenths < 0.0 || tenths > code_number_max) return false;
+  if (list.count == CodeList::capacity) return false;
+  list.numbers[static_cast<std::size_t>(list.count++)] =
+      static_cast<CodeNumber>(std::lround(tenths));
+  return true;
+}
+
+bool add_word(BlockWords& words, char letter, double value, bool whole) {
+  if (letter == 'G') return add_code(words.g, value);
+  if (letter == 'M') return add_code(words.m, value);
+  const LetterSet bit = letter_bit(letter);
+  if ((words.letters & bit) != 0 || letter == 'N' || letter == 'O') return false;
+  words.letters |= bit;
+  if (whole) words.whole |= bit;
+  words.values[static_cast<std::size_t>(letter_index(letter))] = value;
+  return true;
+}
+
+bool skip_block_number(const char*& at, const char* end) {
+  const char* cursor = at + 1;
+  const char* const first = cursor;
+  while (cursor != end && (is_digit(*cursor) || *cursor == '.')) ++cursor;
+  if (cursor == first || !is_digit(*first)) return false;
+  if (std::count(first, cursor, '.') > 1) return false;
+  at = cursor;
+  return true;
+}
+
+// The words of a line up to its end; `at` is left there.
+bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words) {
+  bool any = false;
+  while (at != end) {
+    const char c = *at;
+    if (is_blank(c)) {
+      ++at;
+    } else if (is_letter(c)) {
+      ++at;
+      while (at != end && is_blank(*at)) ++at;
+      double value = 0.0;
+      bool whole = false;
+      if (!read_number(at, end, value, whole)) return false;
+      if (!add_word(words, upper_case(c), value, whole)) return false;
+      if (at != end && (*at == '.' || *at == '=')) return false;
+      any = true;
+    } else if (is_line_end(c)) {
+      return true;
+    } else if (c == '(') {
+      if (!skip_parentheses(at, end)) return false;
+    } else if (c == ';') {
+      if (any && surroundings == Surroundings::braces) return false;
+      return skip_to_line_end(at, end);
+    } else if (c == '/' && at + 1 != end && at[1] == '/') {
+      return skip_to_line_end(at, end);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+void skip_line_end(const char*& at, const char* end) {
+  if (at == end) return;
+  const bool pair = *at == '\r' && at + 1 != end && at[1] == '\n';
+  at += pair ? 2 : 1;
+}
+
+}  // namespace
+
+bool read_plain_line(const char*& at, const char* end, Surroundings surroundings,
+                     BlockWords& words) {
+  words.clear();
+  const char* cursor = at;
+  while (cursor != end && is_blank(*cursor)) ++cursor;
+  if (cursor != end && (*cursor == 'N' || *cursor == 'n') && !skip_block_number(cursor, end)) {
+    return false;
+  }
+  if (!read_words(cursor, end, surroundings, words) || cursor - at > line_max) return false;
+  skip_line_end(cursor, end);
+  at = cursor;
+  return true;
+}
+
+bool is_plain_block(const BlockWords& words, const ChannelDescription* channel) {
+  for (const CodeNumber number : words.g) {
+    const Code* const code = find_code('G', number);
+    if (code == nullptr || code->action == nullptr) return false;
+  }
+  for (const CodeNumber number : words.m) {
+    const Code* const code = find_code('M', number);
+    if (code == nullptr || code->action == nullptr || changes_program_flow(*code)) return false;
+  }
+  return !dwells_suspiciously_long(words) && !check_block(words, channel);
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,26 @@
+// Plain ISO lines: letters with plain numbers, block numbers, comments. They are executed straight
+// from the text, which makes them fast and lets a program of any length be held as it is.
+//
+// What is plain is decided when the program is loaded. Everything else (expressions, strings,
+// parameters, block skip, program flow, faulty lines) goes the way of tokens, tree and code, so
+// that this reader never has to explain an error.
+#pragma once
+
+#include "lang/block_words.h"
+#include "lang/environment.h"
+
+namespace stanok::lang {
+
+// Where the line stands: inside { } a `;` after words is no comment.
+enum class Surroundings : std::uint8_t { file_level, braces };
+
+// Reads the line at `at` into `words` and puts `at` behind its line end. False, with `at` unchanged
+// and `words` undefined, when the line is not plain. Lines without words are plain too.
+[[nodiscard]] bool read_plain_line(const char*& at, const char* end, Surroundings surroundings,
+                                   BlockWords& words);
+
+// Whether a block read from a plain line may be executed without its tree: all of its codes exist,
+// are supported and leave the flow of the program alone, and the static rules hold.
+[[nodiscard]] bool is_plain_block(const BlockWords& words, const ChannelDescription* channel);
+
+}  // namespace stanok::lang

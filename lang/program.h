@@ -1,0 +1,24 @@
+// A compiled program: the code of its file and of all files it includes or calls.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lang/code.h"
+#include "lang/interpreter.h"
+
+namespace stanok::lang {
+
+class Program {
+ public:
+  std::vector<std::unique_ptr<CompiledFile>> files;  // 0 is the program itself
+  // (file that names, name as written) -> file; for includes and `call`
+  std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> file_by_name;
+  std::vector<std::string> named_parameters;  // #<_name> and #<name>, by slot
+  std::vector<ConstantDispatch> dispatches;
+};
+
+}  // namespace stanok::lang

@@ -1,0 +1,283 @@
+#include "lang/program_run.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/assert.h"
+#include "lang/actions.h"
+#include "lang/block_execution.h"
+#include "lang/parser.h"
+#include "lang/reporter.h"
+
+namespace stanok::lang {
+namespace {
+
+// Instructions or lines without a command that one call of next() executes.
+constexpr int work_bound = 20000;
+
+constexpr std::size_t parameter_count = 5603;
+constexpr std::size_t r_parameter_count = 1000;
+
+// The words of a block, with their spans, from its tree.
+std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
+  auto block = Parser::parse_block(source, block_span);
+  return block ? std::move(block->words) : std::vector<IsoWord>{};
+}
+
+}  // namespace
+
+ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
+    : channel_(channel),
+      tables_(tables),
+      channel_words_(channel),
+      around_{modal_, channel_words_, channel_, tables_, queue_},
+      r_parameters_(r_parameter_count, 0.0) {}
+
+void ProgramRun::reset(std::shared_ptr<const Program> program) {
+  program_ = std::move(program);
+  queue_.clear();
+  plain_ = {};
+  block_ = 0;
+  stack_.clear();
+  slots_.clear();
+  file_slots_.clear();
+  frames_.clear();
+  for (const auto& one : program_->files) {
+    file_slots_.push_back(slots_.size());
+    slots_.resize(slots_.size() + one->file_slots);
+  }
+  parameters_.assign(parameter_count, 0.0);
+  named_parameters_.assign(program_->named_parameters.size(),
+                           std::numeric_limits<double>::quiet_NaN());
+  frames_.push_back({});
+  frames_.back().slots = slots_.size();
+  answer_use_ = AnswerUse::position_only;
+  answer_owed_ = false;
+  channel_error_.clear();
+  error_ = {};
+}
+
+void ProgramRun::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
+  reset(std::move(program));
+  const int tool_active = modal_.tool_active;
+  modal_ = default_modal_state(channel_.kind);
+  modal_.tool_active = tool_active;
+  modal_.work_offset = tables_.work_offset(modal_.work_offset_number).value_or(AxisValues{});
+  const AxisValues offset = modal_.offset();
+  for (std::size_t i = 0; i < offset.size(); ++i) modal_.position_W[i] = position_B[i] - offset[i];
+  queue_.set_origin({}, 0);
+  queue_.emit(frame_of(modal_));
+  queue_.emit(modal_.length);
+  phase_ = Phase::running;
+}
+
+Step ProgramRun::next(Command& command) {
+  if (answer_owed_) return Step::waiting;
+  for (int work = 0; work < work_bound; ++work) {
+    if (!queue_.empty()) return deliver(command);
+    switch (phase_) {
+      case Phase::idle:
+      case Phase::ended:
+        return Step::ended;
+      case Phase::failed:
+        return Step::failed;
+      case Phase::running:
+        break;
+    }
+    if (plain_.at == plain_.end) {
+      step();
+    } else if (run_plain_line(command)) {
+      return Step::command;
+    }
+  }
+  return Step::working;
+}
+
+Step ProgramRun::deliver(Command& command) {
+  queue_.take(command);
+  answer_owed_ = std::holds_alternative<Request>(command.payload);
+  return Step::command;
+}
+
+// Executes the next plain line. True when it made `command` without the queue.
+bool ProgramRun::run_plain_line(Command& command) {
+  const char* const start = plain_.at;
+  const std::uint32_t line = plain_.line++;
+  const bool good = read_plain_line(plain_.at, plain_.end, plain_.surroundings, words_);
+  STANOK_ASSERT(good);
+  if (words_.empty()) return false;
+  const Origin origin{frames_.back().file, line};
+  ++block_;
+  Move* move = std::get_if<Move>(&command.payload);
+  if (move == nullptr) move = &command.payload.emplace<Move>();
+  ActiveBlock block(words_, around_, line);
+  if (execute_simple_move(block, *move)) {
+    command.origin = origin;
+    command.block = block_;
+    return true;
+  }
+  const auto offset = static_cast<std::size_t>(start - file().source.text().data());
+  const auto length = static_cast<std::uint32_t>(file().source.line_at(offset).size());
+  execute({offset, length, line}, nullptr);
+  return false;
+}
+
+void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* places) {
+  queue_.set_origin({frames_.back().file, block_span.line}, block_);
+  ActiveBlock block(words_, around_, block_span.line);
+  execute_block(block);
+  if (!block.failed()) return follow_flow(block);
+  if (places != nullptr) {
+    fail_block(std::move(*block.fault), block_span, *places);
+  } else {
+    fail_block(std::move(*block.fault), block_span, places_of_words(file().source, block_span));
+  }
+}
+
+void ProgramRun::follow_flow(const ActiveBlock& block) {
+  switch (block.flow) {
+    case Flow::next:
+      break;
+    case Flow::end_of_program:
+      end_program(block.end_kind);
+      break;
+    case Flow::call_numbered:
+      call_numbered();
+      break;
+    case Flow::return_from_subprogram:
+      leave_subprogram();
+      break;
+  }
+}
+
+// What M2 and M30 reset is told to the channel before the end itself.
+void ProgramRun::end_program(ProgramEndKind kind) {
+  if (modal_.spindle_running) queue_.emit(SpindleCommand{.spindle = -1});
+  if (modal_.mist || modal_.flood) queue_.emit(CoolantCommand{});
+  if (!modal_.feed_override || !modal_.spindle_override) queue_.emit(OverrideControl{});
+  queue_.emit(ProgramEnd{kind});
+  phase_ = Phase::ended;
+}
+
+// What an operator or a Request may have changed while the axes stood.
+void ProgramRun::read_tables_again() {
+  const AxisValues before = modal_.offset();
+  modal_.work_offset = tables_.work_offset(modal_.work_offset_number).value_or(modal_.work_offset);
+  if (modal_.offset() == before) return;
+  modal_.reexpress_position(before);
+  queue_.emit(frame_of(modal_));
+}
+
+void ProgramRun::answer(const Answer& answer) {
+  if (!std::exchange(answer_owed_, false)) return;
+  if (answer.position_valid) modal_.adopt_position(answer.position_B);
+  if (queue_.empty()) read_tables_again();
+  switch (std::exchange(answer_use_, AnswerUse::position_only)) {
+    case AnswerUse::position_only:
+      if (!answer.ok) fail_with_answer("E5010", answer);
+      break;
+    case AnswerUse::push_truth:
+      channel_error_ = answer.ok ? "" : answer.text;
+      push(value_of(answer.ok));
+      break;
+    case AnswerUse::push_number:
+      if (answer.ok) {
+        push(value_of(answer.number));
+      } else {
+        fail_with_answer("E6003", answer);
+      }
+      break;
+    case AnswerUse::statement:
+      take_statement_answer(answer);
+      break;
+    case AnswerUse::fail_run:
+      fail_with(std::move(error_after_answer_));
+      break;
+  }
+}
+
+// A statement whose value nobody reads: a false result must not be lost.
+void ProgramRun::take_statement_answer(const Answer& answer) {
+  push(value_of(answer.ok));
+  if (answer.ok) return;
+  channel_error_ = answer.text;
+  fail(statement_code_, "`" + std::string(statement_name_) + "` failed: " + answer.text,
+       "returned false");
+}
+
+// The text of an answer may begin with the code of its reason.
+void ProgramRun::fail_with_answer(std::string_view code, const Answer& answer) {
+  const std::string_view text = answer.text;
+  const std::size_t blank = text.find(' ');
+  const bool coded = text.size() > 2 && (text[0] == 'E' || text[0] == 'A') && is_digit(text[1]) &&
+                     blank != std::string_view::npos;
+  if (coded) {
+    fail(text.substr(0, blank), std::string(text.substr(blank + 1)));
+  } else {
+    fail(code, text.empty() ? "the channel refused this" : std::string(text));
+  }
+}
+
+Origin ProgramRun::origin() const {
+  if (frames_.empty() || !program_) return {};
+  const Frame& frame = frames_.back();
+  if (plain_.at != plain_.end) return {frame.file, plain_.line};
+  return {frame.file, span().line};
+}
+
+const Span& ProgramRun::span() const {
+  const CompiledFile& current = file();
+  const std::uint32_t next = frames_.back().position;
+  const std::size_t index = next == 0 ? 0 : next - 1;
+  return current.spans[std::min(index, current.spans.size() - 1)];
+}
+
+std::vector<std::string> ProgramRun::call_stack() const {
+  std::vector<std::string> lines;
+  for (std::size_t i = frames_.size(); i-- > 1;) {
+    const Frame& frame = frames_[i];
+    const Frame& caller = frames_[i - 1];
+    const CompiledFile& calling = *program_->files[caller.file];
+    const Place place = calling.source.place(calling.spans[caller.position - 1]);
+    const std::string name = frame.function != nullptr ? frame.function->signature.name + "()"
+                                                       : program_->files[frame.file]->source.name();
+    lines.push_back("in " + name + ", called at " + place.file + ":" + std::to_string(place.line) +
+                    ":" + std::to_string(place.column));
+  }
+  return lines;
+}
+
+void ProgramRun::fail(std::string_view code, std::string message, std::string label) {
+  fail_at(span(), code, std::move(message), std::move(label));
+}
+
+void ProgramRun::fail_at(const Span& at, std::string_view code, std::string message,
+                         std::string label) {
+  fail_with(diagnostic_at(file().source, code, at, std::move(message), std::move(label)));
+}
+
+void ProgramRun::fail_block(BlockFault fault, const Span& block_span,
+                            const std::vector<IsoWord>& places) {
+  Span at = block_span;
+  for (const IsoWord& word : places) {
+    const bool same = word.name.letter == fault.word.letter && word.name.name == fault.word.name &&
+                      (word.name.letter != 0 || !word.name.name.empty());
+    if (same && (fault.word.code < 0 || word.name.code == fault.word.code)) at = word.span;
+  }
+  Diagnostic diagnostic = diagnostic_at(file().source, fault.code, at, std::move(fault.message),
+                                        std::move(fault.label));
+  diagnostic.notes = std::move(fault.notes);
+  diagnostic.help = std::move(fault.help);
+  fail_with(std::move(diagnostic));
+}
+
+// The commands of the faulty block are dropped: motion stops at the end of the block before.
+void ProgramRun::fail_with(Diagnostic diagnostic) {
+  if (diagnostic.stack.empty()) diagnostic.stack = call_stack();
+  error_ = std::move(diagnostic);
+  queue_.clear();
+  phase_ = Phase::failed;
+}
+
+}  // namespace stanok::lang

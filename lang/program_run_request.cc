@@ -1,0 +1,196 @@
+// What a run asks of its channel, and calls of programs.
+#include <algorithm>
+#include <utility>
+
+#include "lang/number.h"
+#include "lang/program_run.h"
+#include "lang/reporter.h"
+
+namespace stanok::lang {
+namespace {
+
+// Functions, call, M98 together (docs/language.md, "Limits").
+constexpr std::size_t call_depth_max = 64;
+
+constexpr int terminate_code_min = 1000;
+constexpr int terminate_code_max = 9999;
+
+}  // namespace
+
+void ProgramRun::ask(Request request, AnswerUse use) {
+  queue_.set_origin({frames_.back().file, span().line}, block_);
+  answer_use_ = use;
+  queue_.emit(std::move(request));
+}
+
+// The channel a call names: it must exist and, where `refuse_own`, not be the own one.
+std::optional<int> ProgramRun::channel_of(double number, bool refuse_own) {
+  if (!is_integer(number)) {
+    fail("E3010", "a channel id is a whole number", "not a channel");
+    return std::nullopt;
+  }
+  const int id = static_cast<int>(std::lround(number));
+  if (std::find(channel_.channels.begin(), channel_.channels.end(), id) ==
+      channel_.channels.end()) {
+    fail("E6001", "there is no channel " + std::to_string(id), "unknown channel");
+    return std::nullopt;
+  }
+  if (refuse_own && id == channel_.id) {
+    fail("E6002", "this function cannot name the own channel", "this is the own channel");
+    return std::nullopt;
+  }
+  return id;
+}
+
+void ProgramRun::ask_builtin(const Instruction& instruction) {
+  const Builtin& builtin = builtins()[instruction.operand];
+  const std::size_t first = stack_.size() - instruction.count;
+  Request request;
+  request.kind = builtin.request;
+  request.text = builtin.request_text;
+  request.statement = instruction.extra != 0;
+  if (builtin.takes_channel) {
+    const auto channel = channel_of(stack_[first].number, builtin.refuses_own_channel);
+    if (!channel) return;
+    request.channel = *channel;
+  }
+  for (std::size_t i = 1; i < instruction.count; ++i) {
+    if (builtin.arguments[i] == 's') request.text = text_of(stack_[first + i]);
+    if (builtin.request == RequestKind::channel_wait) request.seconds = stack_[first + i].number;
+  }
+  stack_.resize(first);
+  AnswerUse use = AnswerUse::position_only;
+  if (builtin.result == Type::boolean) use = AnswerUse::push_truth;
+  if (builtin.result == Type::number) use = AnswerUse::push_number;
+  if (request.statement) {
+    use = AnswerUse::statement;
+    statement_code_ = builtin.failure_code;
+    statement_name_ = builtin.name;
+  }
+  ask(std::move(request), use);
+}
+
+void ProgramRun::ask_value(const Instruction& instruction) {
+  const SystemVariable& variable = system_variables()[instruction.operand];
+  Request request;
+  request.kind = RequestKind::machine_value;
+  request.text = variable.name;
+  if (instruction.count != 0) {
+    const auto index = pop_integer("the index");
+    if (!index) return;
+    request.index = *index;
+  }
+  ask(std::move(request), AnswerUse::push_number);
+}
+
+void ProgramRun::ask_kinematics() {
+  const double channel_number = pop_number();
+  const auto scheme = pop_integer("the kinematic scheme");
+  if (!scheme) return;
+  const auto channel = channel_of(channel_number, false);
+  if (!channel) return;
+  if (*channel == channel_.id && modal_.length.mode == LengthMode::tip) {
+    return fail("E5011", "the kinematic scheme cannot change while the tool tip is controlled",
+                "G43.4 is active");
+  }
+  Request request;
+  request.kind = RequestKind::kinematics;
+  request.channel = *channel;
+  request.number = *scheme;
+  ask(std::move(request), AnswerUse::position_only);
+}
+
+// The channel is told first; with its answer the run has failed with the code of the program.
+void ProgramRun::terminate() {
+  const Value text = pop();
+  const auto code = pop_integer("the code of terminate");
+  if (!code) return;
+  if (*code < terminate_code_min || *code > terminate_code_max) {
+    return fail("E3009", "the code of terminate lies between 1000 and 9999", "out of range");
+  }
+  error_after_answer_ = diagnostic_at(file().source, "U" + std::to_string(*code), span(),
+                                      text_of(text), "terminated by the program");
+  error_after_answer_.stack = call_stack();
+  Request request;
+  request.kind = RequestKind::terminate;
+  request.number = *code;
+  request.text = text_of(text);
+  ask(std::move(request), AnswerUse::fail_run);
+}
+
+bool ProgramRun::check_call_depth() {
+  if (frames_.size() <= call_depth_max) return true;
+  fail("E8001", "more than 64 nested calls", "one call too many");
+  return false;
+}
+
+// call ("file"): the file's variables are new for this call.
+void ProgramRun::call_file() {
+  const Value name = pop();
+  const auto found = program_->file_by_name.find({frames_.back().file, text_of(name)});
+  if (found == program_->file_by_name.end()) {
+    return fail("E7002", "\"" + text_of(name) + "\" is not part of this program",
+                "unknown subprogram");
+  }
+  if (!check_call_depth()) return;
+  Frame frame;
+  frame.file = found->second;
+  frame.slots = slots_.size();
+  frame.stack = stack_.size();
+  frame.counted_call = true;
+  frame.file_slots_before = file_slots_[frame.file];
+  file_slots_[frame.file] = slots_.size();
+  slots_.resize(slots_.size() + program_->files[frame.file]->file_slots);
+  frames_.push_back(frame);
+}
+
+// M98 P L: a program of this file, then of the included ones.
+void ProgramRun::call_numbered() {
+  const double number = words_.value('P');
+  const double repeats = words_.has('L') ? words_.value('L') : 1.0;
+  if (!is_integer(number) || !is_integer(repeats) || repeats < 0.0) {
+    return fail("E3010", "P and L of `M98` are whole numbers", "not a whole number");
+  }
+  if (repeats == 0.0 || !check_call_depth()) return;
+  const int wanted = static_cast<int>(std::lround(number));
+  std::vector<std::uint16_t> candidates{frames_.back().file};
+  candidates.insert(candidates.end(), file().includes.begin(), file().includes.end());
+  for (const std::uint16_t candidate : candidates) {
+    const auto& programs = program_->files[candidate]->numbered_programs;
+    const auto found = programs.find(wanted);
+    if (found == programs.end()) continue;
+    Frame frame;
+    frame.file = candidate;
+    frame.position = found->second;
+    frame.entry = found->second;
+    frame.slots = slots_.size();
+    frame.stack = stack_.size();
+    frame.counted_call = true;
+    frame.repeats = static_cast<int>(std::lround(repeats)) - 1;
+    frames_.push_back(frame);
+    return;
+  }
+  fail("E7002", "there is no program O" + std::to_string(wanted), "unknown program");
+}
+
+// M99, M17 or the end of a called text: back to the caller, or once more; in the main program it
+// begins again.
+void ProgramRun::leave_subprogram() {
+  std::size_t depth = frames_.size();
+  while (depth > 1 && !frames_[depth - 1].counted_call) --depth;
+  if (depth <= 1) return end_program(ProgramEndKind::restart);
+  frames_.resize(depth);
+  Frame& frame = frames_.back();
+  slots_.resize(frame.slots);
+  stack_.resize(frame.stack);
+  plain_ = {};
+  if (frame.repeats > 0) {
+    --frame.repeats;
+    frame.position = frame.entry;
+    return;
+  }
+  if (frame.file_slots_before) file_slots_[frame.file] = *frame.file_slots_before;
+  frames_.pop_back();
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,93 @@
+#include "lang/reporter.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace stanok::lang {
+namespace {
+
+constexpr std::size_t errors_max = 100;
+
+// Levenshtein distance, case-insensitive.
+std::size_t edits(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      const bool same = lower_case(from[i]) == lower_case(to[k]);
+      const std::size_t replaced = diagonal + (same ? 0 : 1);
+      diagonal = row[k + 1];
+      row[k + 1] = std::min({replaced, row[k] + 1, row[k + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+Diagnostic diagnostic_at(const Source& source, std::string_view code, const Span& span,
+                         std::string message, std::string label) {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.place = source.place(span);
+  diagnostic.message = std::move(message);
+  diagnostic.label = std::move(label);
+  diagnostic.source_line = source.line_at(span.offset);
+  return diagnostic;
+}
+
+std::string_view nearest_name(std::string_view name,
+                              const std::vector<std::string_view>& candidates) {
+  std::string_view best;
+  std::size_t best_edits = name.size() <= 3 ? 2 : 3;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t count = edits(name, candidate);
+    if (count < best_edits) {
+      best = candidate;
+      best_edits = count;
+    }
+  }
+  return best;
+}
+
+Diagnostic& Reporter::error(std::string_view code, const Span& span, std::string message,
+                            std::string label) {
+  Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
+  ++error_count_;
+  last_error_ = diagnostic;
+  if (is_soft(span.offset)) diagnostic.severity = Severity::warning;
+  return keep(std::move(diagnostic));
+}
+
+Diagnostic& Reporter::warning(std::string_view code, const Span& span, std::string message,
+                              std::string label) {
+  Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
+  diagnostic.severity = Severity::warning;
+  return keep(std::move(diagnostic));
+}
+
+void Reporter::add(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::error) {
+    ++error_count_;
+    last_error_ = diagnostic;
+  }
+  keep(std::move(diagnostic));
+}
+
+Diagnostic& Reporter::keep(Diagnostic diagnostic) {
+  if (diagnostics_.size() >= errors_max) {
+    overflow_ = std::move(diagnostic);
+    return overflow_;
+  }
+  diagnostics_.push_back(std::move(diagnostic));
+  return diagnostics_.back();
+}
+
+Diagnostics Reporter::take() {
+  return std::exchange(diagnostics_, {});
+}
+
+}  // namespace stanok::lang

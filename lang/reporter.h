@@ -1,0 +1,62 @@
+// Collects what is said about one program text while it is read and compiled.
+//
+// Up to 100 errors a text; after that the compiler goes on silently. Errors in text after the end
+// of the program (after M2, M30) are kept as warnings, because that text may never be reached.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "lang/source.h"
+
+namespace stanok::lang {
+
+class Reporter {
+ public:
+  explicit Reporter(const Source& source) : source_(source) {}
+
+  // The diagnostic may be completed by the caller (notes, help) until the next report.
+  Diagnostic& error(std::string_view code, const Span& span, std::string message,
+                    std::string label = {});
+  Diagnostic& warning(std::string_view code, const Span& span, std::string message,
+                      std::string label = {});
+
+  // A diagnostic made elsewhere.
+  void add(Diagnostic diagnostic);
+
+  // Errors from `offset` on are warnings: text that only subprogram calls can reach.
+  void soften_from(std::size_t offset) { soft_offset_ = std::min(soft_offset_, offset); }
+  [[nodiscard]] bool is_soft(std::size_t offset) const { return offset >= soft_offset_; }
+
+  // Number of errors reported so far, softened ones included.
+  [[nodiscard]] std::size_t error_count() const { return error_count_; }
+  // The last error as it was reported first, for text that is an error only when reached.
+  [[nodiscard]] const Diagnostic& last_error() const { return last_error_; }
+  [[nodiscard]] Diagnostics take();
+
+ private:
+  Diagnostic& keep(Diagnostic diagnostic);
+
+  const Source& source_;
+  Diagnostics diagnostics_;
+  Diagnostic last_error_;
+  Diagnostic overflow_;  // takes what comes after the hundredth error
+  std::size_t error_count_ = 0;
+  std::size_t soft_offset_ = std::numeric_limits<std::size_t>::max();
+};
+
+// A diagnostic at `span` of `source`, with the source line for the picture.
+[[nodiscard]] Diagnostic diagnostic_at(const Source& source, std::string_view code,
+                                       const Span& span, std::string message, std::string label);
+
+// The candidate that is most like `name` (at most 2 edits, fewer for short names), or an empty
+// view.
+[[nodiscard]] std::string_view nearest_name(std::string_view name,
+                                            const std::vector<std::string_view>& candidates);
+
+}  // namespace stanok::lang

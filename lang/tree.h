@@ -1,0 +1,213 @@
+// The tree of a program text: what stands there, not yet what it means.
+//
+// Plain ISO lines are leaves that only know where they stand in the text.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lang/active_block.h"
+#include "lang/plain_block.h"
+#include "lang/source.h"
+
+namespace stanok::lang {
+
+enum class Type : std::uint8_t { none, number, boolean, string, axis, unknown };
+
+// "num", "bool", ...
+[[nodiscard]] std::string_view type_name(Type type);
+
+enum class Operation : std::uint8_t {
+  add,
+  subtract,
+  multiply,
+  divide,
+  modulo,
+  power,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  not_equal,
+  logical_and,
+  logical_or,
+  negate,
+  identity,
+  logical_not,
+  // In brackets: numbers only, 1 and 0 for true and false, equal within 1e-6.
+  bracket_equal,
+  bracket_not_equal,
+  bracket_greater,
+  bracket_greater_equal,
+  bracket_less,
+  bracket_less_equal,
+  bracket_and,
+  bracket_or,
+  bracket_xor,
+};
+
+enum class Node : std::uint8_t {
+  number,
+  boolean,
+  string,
+  name,     // a variable or constant
+  element,  // children: indices; text: array
+  call,     // children: arguments; text: function
+  unary,
+  binary,
+  conditional,      // condition ? first : second
+  parameter,        // #n; child: the number
+  named_parameter,  // #<name>
+  r_parameter,      // R5
+  exists,           // EXISTS[#<name>]
+  axis,             // an axis name as a value
+  system_variable,  // $name, $name[index]
+};
+
+struct Expression {
+  Node node = Node::number;
+  Span span;
+  Operation operation = Operation::add;
+  double number = 0.0;  // number; boolean: 1 or 0; r_parameter: its index
+  std::string text;     // names as written, strings as meant
+  std::vector<Expression> children;
+};
+
+struct Statement;
+using StatementList = std::vector<Statement>;
+
+struct PlainLines {
+  std::size_t begin = 0;  // offsets, whole lines
+  std::size_t end = 0;
+  std::uint32_t first_line = 0;
+  Surroundings surroundings = Surroundings::file_level;
+};
+
+struct IsoWord {
+  Span span;
+  WordName name;  // G and M with a constant number: code is set
+  Expression value;
+  bool whole = false;  // a plain number without decimal point
+};
+
+// #5=..., #<name>=..., R5=...
+struct ParameterSetting {
+  Expression target;
+  Expression value;
+};
+
+struct ActiveComment {
+  Message::Kind kind = Message::Kind::message;
+  Expression text;
+};
+
+struct IsoBlock {
+  std::vector<ActiveComment> comments;
+  std::vector<IsoWord> words;
+  std::optional<Expression> spindle;  // after $
+  std::vector<ParameterSetting> settings;
+};
+
+struct IncludeDirective {
+  std::string file;
+  Span file_span;
+};
+struct KinematicsDirective {
+  std::vector<Expression> arguments;
+};
+struct NumberedProgram {
+  int number = 0;
+};
+
+struct DeclaredItem {
+  std::string name;
+  Span span;
+  std::vector<Expression> dimensions;
+  bool dimension_from_list = false;  // num a[] = {...}
+  std::optional<Expression> initial;
+  std::vector<Expression> initial_list;
+  bool has_list = false;
+};
+struct Declaration {
+  Type type = Type::number;
+  bool constant = false;
+  std::vector<DeclaredItem> items;
+};
+struct Assignment {
+  Expression target;
+  std::optional<Operation> combined;  // += and the like
+  Expression value;
+};
+struct CallStatement {
+  Expression call;
+};
+struct Compound {
+  StatementList body;
+};
+struct If {
+  Expression condition;
+  StatementList then_body;
+  StatementList else_body;
+};
+struct While {
+  Expression condition;
+  StatementList body;
+};
+struct DoWhile {
+  StatementList body;
+  Expression condition;
+};
+struct For {
+  StatementList start;
+  std::optional<Expression> condition;
+  StatementList step;
+  StatementList body;
+};
+struct SwitchCase {
+  std::vector<Expression> values;  // empty: default
+  Span span;
+  StatementList body;
+};
+struct Switch {
+  Expression value;
+  std::vector<SwitchCase> cases;
+};
+struct Break {};
+struct Continue {};
+struct Return {
+  std::optional<Expression> value;
+};
+struct FunctionParameter {
+  Type type = Type::number;
+  bool reference = false;
+  bool array = false;
+  std::string name;
+  Span span;
+  std::optional<Expression> initial;
+};
+struct FunctionDefinition {
+  Type result = Type::none;
+  std::string name;
+  Span name_span;
+  std::vector<FunctionParameter> parameters;
+  StatementList body;
+};
+// Text with an error that nothing reaches unless a subprogram call does.
+struct FaultyText {
+  Diagnostic diagnostic;
+};
+
+struct Statement {
+  Span span;
+  int skip_level = 0;  // 1..9: leading /
+  std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, NumberedProgram,
+               Declaration, Assignment, CallStatement, Compound, If, While, DoWhile, For, Switch,
+               Break, Continue, Return, FunctionDefinition, FaultyText>
+      kind;
+};
+
+}  // namespace stanok::lang

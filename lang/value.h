@@ -1,0 +1,55 @@
+// Values of high-level text while a program runs.
+//
+// Types are known when a program is compiled, so a value carries no tag: numbers, bools (1, 0) and
+// axes (their index) are the number, strings and arrays the object. A reference to a variable is
+// its slot, to an array element the array and the element's index.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lang/tree.h"
+
+namespace stanok::lang {
+
+struct Object;
+
+struct Value {
+  double number = 0.0;
+  std::shared_ptr<Object> object;
+};
+
+struct Object {
+  std::string text;             // string
+  std::vector<Value> elements;  // array, row by row
+  std::size_t columns = 0;      // array of two dimensions; 0: one dimension
+};
+
+[[nodiscard]] inline Value value_of(double number) {
+  return {number, nullptr};
+}
+[[nodiscard]] inline Value value_of(bool truth) {
+  return {truth ? 1.0 : 0.0, nullptr};
+}
+[[nodiscard]] Value value_of(std::string text);
+[[nodiscard]] inline const std::string& text_of(const Value& value) {
+  static const std::string empty;
+  return value.object ? value.object->text : empty;
+}
+
+// Why a computation has no result.
+struct ArithmeticFault {
+  const char* code;
+  const char* message;
+};
+
+// The result of an operation on two numbers (one for unary ones), comparisons as 1 and 0. Nothing,
+// with `fault` set, for a division by zero, an invalid argument or an overflow.
+[[nodiscard]] std::optional<double> computed(Operation operation, double left, double right,
+                                             ArithmeticFault& fault);
+
+}  // namespace stanok::lang

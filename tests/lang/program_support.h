@@ -1,0 +1,175 @@
+// Runs program texts in tests: files in memory, tables in memory, all commands of a run in a list.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lang/interpreter.h"
+
+namespace stanok::lang::testing {
+
+class MemoryFiles : public Files {
+ public:
+  std::map<std::string, std::string> texts;
+
+  [[nodiscard]] Expected<std::shared_ptr<const SourceText>, Diagnostic> read(
+      std::string_view name, std::string_view) const override {
+    const auto found = texts.find(std::string(name));
+    if (found != texts.end()) {
+      return std::make_shared<const SourceText>(
+          SourceText{found->first, found->first, found->second});
+    }
+    Diagnostic missing;
+    missing.code = "E7001";
+    missing.message = "file not found: " + std::string(name);
+    return tl::unexpected(missing);
+  }
+};
+
+class MemoryTables : public Tables {
+ public:
+  std::map<int, AxisValues> offsets;
+  std::map<int, Tool> tools;
+  AxisValues zero{};
+
+  [[nodiscard]] std::optional<AxisValues> work_offset(int number) const override {
+    const auto found = offsets.find(number);
+    if (found != offsets.end()) return found->second;
+    return number >= 1 && number <= 309 ? std::optional(AxisValues{}) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<Tool> tool(int number) const override {
+    const auto found = tools.find(number);
+    return found == tools.end() ? std::nullopt : std::optional(found->second);
+  }
+  [[nodiscard]] AxisValues scheme_zero() const override { return zero; }
+};
+
+inline ChannelDescription mill_xyzbc() {
+  ChannelDescription channel;
+  channel.name = "work";
+  channel.axes = {{"X", false, 0.0, 0},
+                  {"Y", false, 0.0, 1},
+                  {"Z", false, 0.0, 2},
+                  {"B", true, 0.0, -1},
+                  {"C", true, 360.0, -1}};
+  channel.spindles = {1};
+  channel.channels = {1, 2};
+  channel.schemes = {{1, 1}, {1, 2}};
+  return channel;
+}
+
+inline ChannelDescription master_channel() {
+  ChannelDescription channel;
+  channel.id = 2;
+  channel.name = "master";
+  channel.kind = ChannelKind::master;
+  channel.channels = {1, 2};
+  channel.schemes = {{1, 1}, {1, 2}};
+  return channel;
+}
+
+// A program that is compiled and run to its end (or its failure).
+class ProgramTest : public ::testing::Test {
+ protected:
+  // What the channel answers to a request; ok without a position by default.
+  using Answering = std::function<Answer(const Request&)>;
+
+  std::vector<Diagnostic> load_errors(const std::string& text) {
+    files.texts["main.nc"] = text;
+    warnings.clear();
+    auto program = compile("main.nc", files, &channel, warnings);
+    return program ? Diagnostics{} : program.error();
+  }
+
+  // All commands behind FrameChange and ToolLength of the default state. Fails the test when the
+  // program does not load.
+  std::vector<Command> run(const std::string& text) {
+    files.texts["main.nc"] = text;
+    warnings.clear();
+    commands.clear();
+    error = {};
+    auto program = compile("main.nc", files, &channel, warnings);
+    if (!program) {
+      for (const Diagnostic& diagnostic : program.error()) ADD_FAILURE() << to_text(diagnostic);
+      return {};
+    }
+    interpreter = std::make_unique<Interpreter>(channel, tables, files);
+    interpreter->start(*program, start_B);
+    drain();
+    EXPECT_GE(commands.size(), 2u);
+    if (commands.size() >= 2) commands.erase(commands.begin(), commands.begin() + 2);
+    return commands;
+  }
+
+  void drain() {
+    Command command;
+    for (int steps = 0; steps < 1000000; ++steps) {
+      last_step = interpreter->next(command);
+      if (last_step == Step::ended) return;
+      if (last_step == Step::failed) {
+        error = interpreter->error();
+        return;
+      }
+      if (last_step == Step::command) commands.push_back(command);
+      if (last_step == Step::waiting) {
+        const auto* request = std::get_if<Request>(&commands.back().payload);
+        ASSERT_NE(request, nullptr);
+        interpreter->answer(answering ? answering(*request) : Answer{});
+      }
+    }
+    ADD_FAILURE() << "the program does not end";
+  }
+
+  template <class Payload_>
+  std::vector<Payload_> all() const {
+    std::vector<Payload_> list;
+    for (const Command& command : commands) {
+      if (const auto* payload = std::get_if<Payload_>(&command.payload)) list.push_back(*payload);
+    }
+    return list;
+  }
+
+  std::vector<Move> moves(const std::string& text) {
+    run(text);
+    EXPECT_EQ(error.code, "") << to_text(error);
+    return all<Move>();
+  }
+
+  // Texts of all messages of a run.
+  std::vector<std::string> messages(const std::string& text) {
+    run(text);
+    EXPECT_EQ(error.code, "") << to_text(error);
+    std::vector<std::string> list;
+    for (const Message& message : all<Message>()) list.push_back(message.text);
+    return list;
+  }
+
+  // Code of the only load error, or of the failure of the run; "" when there is none.
+  std::string error_code(const std::string& text) {
+    const auto errors = load_errors(text);
+    if (!errors.empty()) {
+      error = errors.front();
+      return error.code;
+    }
+    run(text);
+    return error.code;
+  }
+
+  ChannelDescription channel = mill_xyzbc();
+  MemoryFiles files;
+  MemoryTables tables;
+  AxisValues start_B{};
+  Answering answering;
+  Diagnostics warnings;
+  std::unique_ptr<Interpreter> interpreter;
+  std::vector<Command> commands;
+  Diagnostic error;
+  Step last_step = Step::ended;
+};
+
+}  // namespace stanok::lang::testing
