@@ -48,8 +48,7 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
       cursor_.enter(queue);
     }
     time = run(queue, control, time);
-    if (motion_.s < cursor_.chunk().length) break;
-    if (!finish_chunk(queue, out)) break;
+    if (!has_run_chunk() || !finish_chunk(queue, out)) break;
     out.cycle_left = time;
     if (time <= 0.0) break;
   }
@@ -60,6 +59,14 @@ bool Interpolator::may_enter(const PathQueue& queue, std::uint64_t chunk_limit) 
   if (queue.chunks.empty()) return false;
   const Chunk& next = queue.chunks.front();
   return next.sequence < chunk_limit && (next.last || queue.chunks.size() > 1);
+}
+
+// Whether the chunk at hand lies behind. Close to rest s comes to its end, to rounding, before the
+// motion does.
+bool Interpolator::has_run_chunk() const RT_SAFE {
+  if (is_nominal_) return !cursor_.has_phase();
+  const double length = cursor_.chunk().length;
+  return cursor_.chunk().last ? at_rest() && motion_.s == length : motion_.s >= length;
 }
 
 bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
@@ -139,15 +146,15 @@ bool Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SA
     return false;
   }
   cursor_.go_to(queue, length);
+  const double beyond = motion_.s - length;
   const bool chain_ends = cursor_.chunk().last;
   if (chain_ends) {
-    stand_at_end(cursor_.piece(queue));
+    stand_here(queue);
     out.chain_ended = true;
   }
   cursor_.leave(queue);
   ++chunks_done_;
   if (chain_ends) return true;
-  const double beyond = motion_.s - length;
   cursor_.enter(queue);
   planner_.shift(length);
   motion_.s = beyond;
@@ -155,10 +162,13 @@ bool Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SA
   return true;
 }
 
-void Interpolator::stand_at_end(const Piece& piece) RT_SAFE {
-  standing_point_ = piece.geometry.end;
+// The axes stand at the point of the path at hand from now on.
+void Interpolator::stand_here(const PathQueue& queue) RT_SAFE {
+  const Piece& piece = cursor_.piece(queue);
   JetPoint point;
   JetPoint axes;
+  evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point);
+  for (std::size_t k = 0; k < point.size(); ++k) standing_point_[k] = point[k].value;
   derivatives_to_zero(point, standing_point_);
   to_axes(piece.transform, point, axes);
   for (std::size_t k = 0; k < axes.size(); ++k) standing_axes_[k] = axes[k].value;
@@ -197,6 +207,7 @@ PathState Interpolator::state(const PathQueue& queue, const FeedControl& control
 
 void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
   if (cursor_.has_chunk()) {
+    stand_here(queue);
     cursor_.leave(queue);
     ++chunks_done_;
   }
@@ -204,7 +215,10 @@ void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
   queue.chunks.pop_front(queue.chunks.size());
   queue.pieces.pop_front(queue.pieces.size());
   queue.phases.pop_front(queue.phases.size());
-  motion_ = {};
+  is_nominal_ = true;
+  phase_time_first_ = 0.0;
+  phase_cycles_ = 0.0;
+  planner_.forget();
 }
 
 }  // namespace stanok::motion

@@ -67,11 +67,12 @@ class Interpolator {
   // Runs for `time` within the chunk at hand, or, under override, beyond its end; returns what is
   // left of it.
   [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
+  [[nodiscard]] bool has_run_chunk() const RT_SAFE;
   [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
   void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE;
-  void stand_at_end(const Piece& piece) RT_SAFE;
+  void stand_here(const PathQueue& queue) RT_SAFE;
   void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) const
       RT_SAFE;
   [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;

@@ -30,11 +30,12 @@ double highest_speed(const PathMotion& from, double v_target, double j) RT_SAFE 
   return std::max({from.v, v_target, from.a > 0.0 ? eased_speed(from.v, from.a, j) : 0.0});
 }
 
-// Where a run comes down to speed v for the last time; its start when it is never faster.
+// Where a run comes down to speed v for the last time: its start when it is never faster, nowhere
+// (infinity) when it stays faster.
 double place_of_speed(const PhaseRun& run, double v) RT_SAFE {
   for (std::size_t k = run.size(); k > 0; --k) {
     const Phase& phase = run[k - 1];
-    if (phase.v_end >= v) return phase.s_end;
+    if (phase.v_end > v) return k == run.size() ? unlimited : phase.s_end;
     if (phase.v < v && phase.a <= 0.0) continue;
     // Falling through v within the phase: v + a t + j t^2 / 2, the later root.
     const double root2 = phase.a * phase.a - 2.0 * phase.j * (phase.v - v);
@@ -43,7 +44,7 @@ double place_of_speed(const PhaseRun& run, double v) RT_SAFE {
         phase.j == 0.0 ? (v - phase.v) / phase.a : (-phase.a - std::sqrt(root2)) / phase.j;
     if (t >= 0.0 && t <= phase.duration) return motion_at(phase, t).s;
   }
-  return run.size() == 0 ? 0.0 : run[0].s;
+  return run[0].s;
 }
 
 // The fastest place of a run.
@@ -212,7 +213,7 @@ OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, doub
       limits = lower;
     }
   }
-  if (is_faster(std::abs(from.a), limits.a) || then.s > sight_.end(last)) return {};
+  if (!can_slow_down(from, limits) || then.s > sight_.end(last)) return {};
   const double v_high = std::max(
       {from.v, then.v,
        std::min(highest_speed(from, v, limits.j), std::max(from.v, then.v) + limits.a * time)});
@@ -298,7 +299,9 @@ OverridePlanner::Outlook OverridePlanner::survey(const PathMotion& from, std::si
           sight_.start(next) - from.s - length_of(change_speed(from, v, outlook.limits), from.s);
       outlook.binding_speed = v_cap;
       if (slack < 0.0) return outlook;
-      if (!outlook.tight.found || slack < outlook.tight.slack) {
+      // A faster piece behind a slower one must wait until the slower one is served.
+      const Tight& tight = outlook.tight;
+      if (!tight.found || (slack < tight.slack && v <= tight.v)) {
         outlook.tight = {
             .found = true, .piece = next, .slack = slack, .v = v, .limits = outlook.limits};
       }
@@ -313,10 +316,11 @@ OverridePlanner::Outlook OverridePlanner::survey(const PathMotion& from, std::si
   return outlook;
 }
 
-// Whether a run, which at most speeds up first and then slows down, keeps the speed of every piece.
+// Whether a run, which at most speeds up first and then slows down, and its last speed held from
+// there on, keep the speed of every piece.
 bool OverridePlanner::keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
     RT_SAFE {
-  if (run.size() == 0) return true;
+  if (run.size() == 0) return true;  // the speed at hand is held, which the caller knows to be kept
   const PathMotion peak = peak_of(run);
   for (std::size_t piece = first; piece <= last; ++piece) {
     const double v_cap = cap(piece, caps) * (1.0 + speed_tolerance);
@@ -370,7 +374,8 @@ void OverridePlanner::stop(const PathMotion& from, const Outlook& outlook) RT_SA
       length_of(run, from.s) + reach >= room) {
     // Part of the limits: too soft, it ends behind the wall, or the deceleration there is cannot be
     // taken away before the motion turns back.
-    double soft = std::max(0.2, 0.5 * from.a * from.a / (from.v * outlook.limits.j));
+    const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * outlook.limits.j) : 0.0;
+    double soft = std::clamp(least, 0.2, 1.0);
     double hard = 1.0;
     constexpr int halvings = 50;
     for (int k = 0; k < halvings; ++k) {

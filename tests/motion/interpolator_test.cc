@@ -134,6 +134,28 @@ TEST(Interpolator, CycleUsesNoHeap) {
   } while (out.state == PathState::moving);
 }
 
+TEST(Interpolator, DroppedPathLeavesTheAxesWhereTheyStand) {
+  ChainMaker chain(limits);
+  chain.line(50.0, 60.0).end_chain().line(50.0, 60.0).end_chain();
+  const MotionConfig config = three_axes(limits);
+  PathQueue queue;
+  LookAhead look_ahead(config);
+  for (const auto& built : chain.built()) look_ahead.add(built);
+  ASSERT_TRUE(look_ahead.deliver(queue));
+  Interpolator interpolator(config);
+  InterpolatorOutput out;
+  for (int k = 0; k < 300; ++k) interpolator.advance(queue, {}, out);
+  while (!interpolator.at_rest()) interpolator.advance(queue, {.hold = true}, out);
+  const double stopped_at = out.axes[0].value;
+  interpolator.drop_path(queue);
+  EXPECT_TRUE(queue.pieces.empty());
+  EXPECT_TRUE(queue.phases.empty());
+  interpolator.advance(queue, {}, out);
+  EXPECT_EQ(out.state, PathState::idle);
+  EXPECT_EQ(out.axes[0].value, stopped_at);
+  EXPECT_EQ(out.chunks_done, 2U);
+}
+
 TEST(Interpolator, StandsWhereItIsTold) {
   Interpolator interpolator(three_axes(limits));
   kinematics::Transform transform;
