@@ -14,9 +14,10 @@
 
 namespace stanok::motion {
 
-// Tuned for a profile that keeps accelerating inside the blend; rounder shapes are slower there.
-inline constexpr double blend_beta = 0.4;
-inline constexpr double blend_gamma = 0.1;
+// The fastest shape for a profile that passes the sharpest point at constant speed under a limit of
+// jerk: least q''' for a given deviation and reach (docs/motion.md#blends).
+inline constexpr double blend_beta = 0.6;
+inline constexpr double blend_gamma = 0.15;
 
 // How far the path may leave the programmed one: mm for linear axes (Euclidean over X, Y, Z), deg
 // for every rotary axis against its synchronous linear course.

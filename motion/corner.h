@@ -1,4 +1,7 @@
 // What becomes of the join between two blocks: passed as it is, blended, or a stop.
+//
+// Which of the last two is faster depends on the limits: a blend saves the full stop but must be
+// passed slowly over its whole length. docs/motion.md#blends.
 #pragma once
 
 #include "motion/path.h"
@@ -13,5 +16,11 @@ enum class Join : std::uint8_t {
 
 // Judges the join at which `incoming` ends and `outgoing` starts.
 [[nodiscard]] Join judge_join(const Piece& incoming, const Piece& outgoing);
+
+// Whether the axes come through sooner when they stop at the corner instead of taking `blend`,
+// whose bounds are known. Ramps are counted at the limits of either block, within half of its
+// length.
+[[nodiscard]] bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+                                  const MotionConfig& config);
 
 }  // namespace stanok::motion

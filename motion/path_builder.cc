@@ -156,13 +156,15 @@ bool PathBuilder::join_by_blend(Pending& next) {
     curve.length = blend->shape.length;
     curve.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
     curve.rapid = incoming.rapid && outgoing.rapid;
+    curve.bounds = piece_bounds(curve, config_);
+    if (is_stop_faster(incoming, curve, outgoing, config_)) return false;
     if (soft_limit_excess(curve, config_)) return false;
     if (blend->reach < left) {
       emit_pending(incoming.length - blend->reach, curve.geometry.start);
     } else {
       curve.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
     }
-    emit(curve);
+    built_.push_back({curve, false});
     next.from = blend->reach;
     next.from_point = curve.geometry.end;
     return true;
@@ -178,10 +180,6 @@ void PathBuilder::emit_pending(double to, const Point& to_point) {
     piece.geometry = rest.geometry;
     piece.length = rest.length;
   }
-  emit(piece);
-}
-
-void PathBuilder::emit(Piece piece) {
   piece.bounds = piece_bounds(piece, config_);
   built_.push_back({piece, false});
 }

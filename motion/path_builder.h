@@ -62,7 +62,6 @@ class PathBuilder {
   void join(const Pending& next);
   [[nodiscard]] bool join_by_blend(Pending& next);
   void emit_pending(double to, const Point& to_point);
-  void emit(Piece piece);
   void stop();
 
   MotionConfig config_;
