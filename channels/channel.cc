@@ -320,9 +320,38 @@ void Channel::resume() RT_SAFE {
 }
 
 void Channel::begin_reset() RT_SAFE {
+  alarm_stays_ = false;
+  if (resetting_) return;
   resetting_ = true;
   reset_sent_ = false;
   control_.hold = true;
+}
+
+void Channel::fault(std::string_view code, std::string_view text) RT_SAFE {
+  if (alarm_stays_) return;
+  raise_alarm(code, text, path_.tag);
+  begin_reset();
+  alarm_stays_ = true;
+  power_off_wanted_ = true;
+}
+
+void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
+  if (feedback.empty()) return;
+  drives_answer_ = true;
+  drives_ready_ = true;
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
+    drives_answer_ = drives_answer_ && drive.valid;
+    if (!drives_[i].enabled) {
+      drive_was_ready_[i] = false;
+      continue;
+    }
+    drives_ready_ = drives_ready_ && drive.valid && drive.enabled;
+    if (drive_was_ready_[i] && !drive.valid) fault("A3001", "a drive does not answer");
+    if (drive_was_ready_[i] && drive.fault) fault("A3002", "a drive reports a fault");
+    drive_was_ready_[i] = drive_was_ready_[i] || (drive.valid && drive.enabled);
+  }
 }
 
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
@@ -347,6 +376,8 @@ void Channel::continue_reset() RT_SAFE {
     load_ = load_ == Outcome::pending ? Outcome::failed : load_;
     switch_ = switch_ == Outcome::pending ? Outcome::failed : switch_;
     state_ = has_program_ ? ChannelState::ready : ChannelState::idle;
+    if (alarm_stays_) state_ = ChannelState::alarm;
+    alarm_stays_ = false;
     transform_ = {};
     transform_.scheme = find_scheme(scheme_);
     interpolator_.stand_at(axes_M(), transform_);

@@ -37,6 +37,7 @@ struct ChannelFigures {
   double cycle_s = 0.001;
   bool stops_go_on = false;  // M0 and M60 continue at once (simulate)
   std::array<AxisFigures, motion::axes_max> axes{};
+  std::array<int, motion::axes_max> machine_axis{};  // index among all axes of the machine
   std::array<double, motion::axes_max> start{};
   std::array<SpindleConfig, spindles_max> spindles{};
   int spindle_count = 0;
@@ -59,6 +60,8 @@ class Channel {
   void select_scheme(int scheme);
 
   void advance(std::int64_t cycle) RT_SAFE;
+  // A drive that is lost or faulty stops the channel along its path. Empty feedback: ideal drives.
+  void watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE;
   void fill(ChannelOutput& output) const RT_SAFE;
 
   // Effects, asked for by the coordinator. Each is legal in every state or says so.
@@ -67,6 +70,9 @@ class Channel {
   void begin_run() RT_SAFE;  // state ready only
   void hold() RT_SAFE;
   void resume() RT_SAFE;
+  // Reaction to a fault: stops along the path, forgets the run, drives off; the alarm stays until
+  // reset.
+  void fault(std::string_view code, std::string_view text) RT_SAFE;
   void begin_reset() RT_SAFE;  // stops along the path, then forgets the run
   void begin_switch(int scheme) RT_SAFE;
   void power_off_at_rest() RT_SAFE { power_off_wanted_ = true; }
@@ -83,6 +89,9 @@ class Channel {
   [[nodiscard]] ChannelState state() const RT_SAFE { return state_; }
   [[nodiscard]] bool has_program() const RT_SAFE { return has_program_; }
   [[nodiscard]] bool is_powered() const RT_SAFE { return powered_; }
+  [[nodiscard]] bool drives_answer() const RT_SAFE { return drives_answer_; }
+  // Every drive that is commanded on holds its axis.
+  [[nodiscard]] bool drives_ready() const RT_SAFE { return drives_ready_; }
   [[nodiscard]] bool is_standing() const RT_SAFE { return interpolator_.at_rest(); }
   [[nodiscard]] bool is_resetting() const RT_SAFE { return resetting_; }
   [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
@@ -140,6 +149,10 @@ class Channel {
   bool resetting_ = false;
   bool reset_sent_ = false;
   bool power_off_wanted_ = false;
+  bool alarm_stays_ = false;  // after the reset under way
+  bool drives_answer_ = true;
+  bool drives_ready_ = true;
+  std::array<bool, motion::axes_max> drive_was_ready_{};  // since it was commanded on
   bool overrides_enabled_ = true;
   Outcome load_ = Outcome::succeeded;
   Outcome switch_ = Outcome::succeeded;

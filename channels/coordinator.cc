@@ -5,6 +5,9 @@
 namespace stanok::channels {
 namespace {
 
+// A drive needs several polls of the bus from switch-on to holding its axis.
+constexpr double drives_ready_within_s = 3.0;
+
 lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
   switch (action) {
     case OperatorAction::program_load:
@@ -72,7 +75,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   if (channel == nullptr && event.channel != 0) {
     return reply(event.id, refusal("E6001", "no such channel"));
   }
-  if (apply_at_once(event, channel)) return reply(event.id, success());
+  if (const auto verdict = apply_at_once(event, channel)) return reply(event.id, *verdict);
   if (channel == nullptr) return reply(event.id, refusal("E6001", "a channel must be named"));
   const auto slot = std::find_if(errands_.begin() + channels_max, errands_.end(),
                                  [](const Errand& errand) RT_SAFE { return !errand.active; });
@@ -86,41 +89,55 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->text = event.text;
 }
 
-// Commands that take effect in this cycle, whatever the state.
-bool Coordinator::apply_at_once(const OperatorEvent& event, Channel* channel) RT_SAFE {
-  bool taken = true;
+// Commands that take effect in this cycle, whatever the state. Nothing: the event is an errand.
+std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEvent& event,
+                                                               Channel* channel) RT_SAFE {
   const auto each = [&](auto&& effect) RT_SAFE {
     for (int k = 0; k < channel_count_; ++k) {
       Channel& candidate = *channels_[static_cast<std::size_t>(k)];
       if (channel == nullptr || channel == &candidate) effect(candidate);
     }
+    return std::optional<Verdict>(success());
   };
   switch (event.action) {
     case OperatorAction::machine_on:
-      each([](Channel& c) RT_SAFE { c.power(true); });
-      break;
+      return switch_on(channel);
     case OperatorAction::machine_off:
+      return each([](Channel& c) RT_SAFE {
+        c.begin_reset();
+        c.power_off_at_rest();
+      });
     case OperatorAction::machine_estop:
-      each([](Channel& c) RT_SAFE { c.begin_reset(); });
-      each([](Channel& c) RT_SAFE { c.power_off_at_rest(); });
-      break;
+      return each([](Channel& c) RT_SAFE { c.fault("A1001", "emergency stop by an operator"); });
     case OperatorAction::program_hold:
-      each([](Channel& c) RT_SAFE { c.hold(); });
-      break;
+      return each([](Channel& c) RT_SAFE { c.hold(); });
     case OperatorAction::program_resume:
-      each([](Channel& c) RT_SAFE { c.resume(); });
-      break;
+      return each([](Channel& c) RT_SAFE { c.resume(); });
     case OperatorAction::override_feed:
     case OperatorAction::override_rapid:
     case OperatorAction::override_spindle:
-      each([&](Channel& c) RT_SAFE { set_overrides(event, c); });
-      break;
+      return each([&](Channel& c) RT_SAFE { set_overrides(event, c); });
     case OperatorAction::alarm_acknowledge:
-      break;
+      return success();
     default:
-      taken = false;
+      return std::nullopt;
   }
-  return taken;
+}
+
+Coordinator::Verdict Coordinator::switch_on(Channel* channel) RT_SAFE {
+  for (int k = 0; k < channel_count_; ++k) {
+    const Channel& candidate = *channels_[static_cast<std::size_t>(k)];
+    if (channel != nullptr && channel != &candidate) continue;
+    if (!candidate.drives_answer()) return refusal("A3001", "a drive does not answer");
+    if (candidate.state() == ChannelState::alarm) {
+      return refusal("E6004", "a channel has an alarm; reset it first");
+    }
+  }
+  for (int k = 0; k < channel_count_; ++k) {
+    Channel& candidate = *channels_[static_cast<std::size_t>(k)];
+    if (channel == nullptr || channel == &candidate) candidate.power(true);
+  }
+  return success();
 }
 
 void Coordinator::set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE {
@@ -236,6 +253,11 @@ Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT
     return refusal("E6004", "the channel has an alarm; reset it first");
   if (!target.has_program()) return refusal("E6005", "no program is loaded");
   if (!target.is_powered()) return refusal("E6006", "the machine is off");
+  if (!target.drives_ready()) {
+    const double waited = static_cast<double>(errand.cycles) * cycle_s_;
+    return waited < drives_ready_within_s ? pending()
+                                          : refusal("E6008", "the drives are not ready");
+  }
   if (!target.is_quiet()) return pending();
   target.begin_run();
   owner_[static_cast<std::size_t>(errand.target)] = errand.asker;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "channels/channel.h"
@@ -72,7 +73,9 @@ class Coordinator {
   [[nodiscard]] Verdict step_terminate(const Errand& errand) RT_SAFE;
   [[nodiscard]] bool waits_on(int waiter, int awaited) const RT_SAFE;
   [[nodiscard]] Channel* channel_with_id(int id, int& index) const RT_SAFE;
-  [[nodiscard]] bool apply_at_once(const OperatorEvent& event, Channel* channel) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> apply_at_once(const OperatorEvent& event, Channel* channel)
+      RT_SAFE;
+  [[nodiscard]] Verdict switch_on(Channel* channel) RT_SAFE;
   void set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE;
   void reply(std::uint64_t id, const Verdict& verdict) RT_SAFE;
 

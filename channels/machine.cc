@@ -26,6 +26,7 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
     figures.axes[k] = {axis.resolution, axis.kmv, axis.brake_s, axis.power_s};
     figures.start[k] = axis.start;
+    figures.machine_axis[k] = channel.axes[k];
   }
   for (const int id : channel.spindles) {
     const auto spindle =
@@ -131,7 +132,10 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     static_cast<void>(parts.inputs.push(record));
     parts.coordinator->take(event);
   }
-  for (const auto& seat : parts.seats) seat->channel.advance(parts.cycle);
+  for (const auto& seat : parts.seats) {
+    seat->channel.watch_drives(inputs.feedback);
+    seat->channel.advance(parts.cycle);
+  }
   parts.coordinator->step();
   output.cycle = parts.cycle;
   output.channel_count = static_cast<std::int32_t>(parts.seats.size());

@@ -26,6 +26,7 @@ struct AxisFeedback {
   double position = 0.0;
   bool valid = false;  // an answer not older than the bus timeout
   bool fault = false;
+  bool enabled = false;  // the drive holds the axis (CiA 402: operation enabled)
 };
 
 struct CycleInputs {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "base/fixed_text.h"
 
@@ -25,6 +27,10 @@ enum class OperatorAction : std::uint8_t {
   kinematics_select,  // number = scheme
   alarm_acknowledge,
 };
+
+// The action by its name as in the command table ("program_hold"); nothing for any other text.
+[[nodiscard]] std::optional<OperatorAction> operator_action(std::string_view name);
+[[nodiscard]] std::string_view name_of(OperatorAction action);
 
 struct OperatorEvent {
   std::uint64_t id = 0;  // of the reply; 0: nobody waits for one

@@ -1,0 +1,73 @@
+#include "client/job_options.h"
+
+#include <charconv>
+
+namespace stanok::client {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Standard cycles stand in the source tree beside build/, or below share/ when installed.
+std::vector<fs::path> cycle_folders() {
+  std::vector<fs::path> folders;
+  std::error_code ignored;
+  const fs::path binary = fs::read_symlink("/proc/self/exe", ignored);
+  for (const char* candidate : {"../../../programs/cycles", "../share/stanok/cycles"}) {
+    const fs::path folder = (binary.parent_path() / candidate).lexically_normal();
+    if (!binary.empty() && fs::is_directory(folder, ignored)) folders.push_back(folder);
+  }
+  return folders;
+}
+
+int integer(const std::string& text, const std::string& option) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw CLI::ValidationError(option, "'" + text + "' is not a whole number");
+  }
+  return value;
+}
+
+}  // namespace
+
+void add_job_options(CLI::App& command, JobOptions& options) {
+  command.add_option("--machine", options.machine_file, "machine file (TOML)")->required();
+  command.add_option("--channel", options.channel, "channel of PROGRAM")->capture_default_str();
+  command.add_option("--scheme", options.schemes, "CH=ID: kinematic scheme active at the start");
+  command.add_option("--program-root", options.program_root, "folder where programs are searched");
+  command.add_flag("--json", options.json, "print JSON");
+}
+
+std::pair<int, std::string> channel_assignment(const std::string& text, const std::string& option) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals + 1 == text.size()) {
+    throw CLI::ValidationError(option, "'" + text + "' is not of the form CH=...");
+  }
+  return {integer(text.substr(0, equals), option), text.substr(equals + 1)};
+}
+
+std::vector<std::pair<int, int>> scheme_choices(const JobOptions& options) {
+  std::vector<std::pair<int, int>> choices;
+  for (const std::string& text : options.schemes) {
+    const auto [channel, id] = channel_assignment(text, "--scheme");
+    choices.emplace_back(channel, integer(id, "--scheme"));
+  }
+  return choices;
+}
+
+LocatedProgram locate(const std::string& program) {
+  const fs::path path(program);
+  const fs::path folder = path.parent_path();
+  return {path.filename().string(), folder.empty() ? fs::path(".") : folder};
+}
+
+std::vector<fs::path> search_roots(const std::vector<LocatedProgram>& programs,
+                                   const JobOptions& options) {
+  std::vector<fs::path> roots;
+  for (const LocatedProgram& program : programs) roots.push_back(program.folder);
+  if (!options.program_root.empty()) roots.emplace_back(options.program_root);
+  for (const fs::path& folder : cycle_folders()) roots.push_back(folder);
+  return roots;
+}
+
+}  // namespace stanok::client

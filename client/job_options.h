@@ -1,0 +1,40 @@
+// What the off-line commands have in common: machine file, program, channel, schemes, search roots.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stanok::client {
+
+struct JobOptions {
+  std::string machine_file;
+  int channel = 1;
+  std::vector<std::string> schemes;  // "CH=ID"
+  std::string program_root;
+  bool json = false;
+};
+
+void add_job_options(CLI::App& command, JobOptions& options);
+
+// "CH=TEXT" -> channel and text; throws CLI::ValidationError when it is not of this form.
+[[nodiscard]] std::pair<int, std::string> channel_assignment(const std::string& text,
+                                                             const std::string& option);
+[[nodiscard]] std::vector<std::pair<int, int>> scheme_choices(const JobOptions& options);
+
+// A program named on the command line: its folder becomes the first search root, its name what is
+// left.
+struct LocatedProgram {
+  std::string name;
+  std::filesystem::path folder;
+};
+[[nodiscard]] LocatedProgram locate(const std::string& program);
+
+// Search roots: folders of the programs, --program-root, standard cycles beside the program or
+// installed.
+[[nodiscard]] std::vector<std::filesystem::path> search_roots(
+    const std::vector<LocatedProgram>& programs, const JobOptions& options);
+
+}  // namespace stanok::client

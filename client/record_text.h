@@ -1,0 +1,17 @@
+// The JSON line of one prepared record, as `stanok interpret` prints it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lang/command.h"
+#include "motion/path.h"
+
+namespace stanok::client {
+
+// Appends the line with its end of line to `text`. `words` are the axis words of the channel;
+// `block` belongs to a Move and holds its end in the workpiece system.
+void append_record(std::string& text, const lang::Command& command, const motion::PathBlock* block,
+                   const std::vector<std::string>& words);
+
+}  // namespace stanok::client

@@ -1,0 +1,241 @@
+#include "client/simulate_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "client/diagnostic_output.h"
+#include "client/job_options.h"
+#include "client/operator_events_file.h"
+#include "config/machine_file.h"
+#include "protocol/version.h"
+#include "runtime/log_observer.h"
+#include "runtime/simulation.h"
+#include "runtime/trace_writer.h"
+
+namespace stanok::client {
+namespace {
+
+constexpr int exit_failed = 1;
+constexpr int exit_until_reached = 4;
+constexpr int exit_interrupted = 130;
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int /*signal*/) {
+  interrupted = 1;
+}
+
+struct SimulateOptions {
+  JobOptions job;
+  std::string program;
+  std::vector<std::string> runs;         // CH=FILE
+  std::vector<std::string> tip_traces;   // CH=FILE.csv
+  std::vector<std::string> axis_traces;  // CH=FILE.csv
+  std::string log;
+  std::string events;
+  double until_s = -1.0;
+  bool drives = false;
+};
+
+// Progress on a terminal: machine time against wall time, at most four times a second.
+class ProgressLine final : public runtime::CycleObserver {
+ public:
+  explicit ProgressLine(double cycle_s) : cycle_s_(cycle_s), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~ProgressLine() override {
+    if (printed_) std::fputs("\r\033[K", stderr);
+  }
+  void observe(const channels::CycleOutput& output) override {
+    constexpr std::int64_t interval = 1 << 16;  // cycles
+    if (!shown_ || output.cycle % interval != 0) return;
+    printed_ = true;
+    std::fprintf(stderr, "\rmachine time %.0f s", static_cast<double>(output.cycle) * cycle_s_);
+    for (int k = 0; k < output.channel_count; ++k) {
+      const auto& channel = output.channels[static_cast<std::size_t>(k)];
+      if (channel.running) std::fprintf(stderr, "  ch %d line %u", channel.id, channel.tag.line);
+    }
+    std::fputs("\033[K", stderr);
+  }
+
+ private:
+  double cycle_s_;
+  bool shown_;
+  bool printed_ = false;
+};
+
+nlohmann::ordered_json axis_values(const std::vector<std::string>& words,
+                                   const motion::Point& point) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (std::size_t k = 0; k < words.size(); ++k) json[words[k]] = point[k];
+  return json;
+}
+
+nlohmann::ordered_json run_json(const channels::RunReport& run,
+                                const channels::ChannelConfig& channel, double cycle_s) {
+  nlohmann::ordered_json json;
+  json["program"] = run.program;
+  json["ok"] = run.ok;
+  json["blocks"] = run.blocks;
+  json["time_s"] = static_cast<double>(run.end_cycle - run.start_cycle) * cycle_s;
+  json["path_mm"] = run.path_mm;
+  json["end"] = axis_values(channel.words, run.end_W);
+  json["end_axes"] = axis_values(channel.words, run.end_M);
+  json["max_lookahead_blocks"] = run.lookahead_max_blocks;
+  return json;
+}
+
+nlohmann::ordered_json channel_json(const runtime::SimulationResult& result,
+                                    const channels::ChannelConfig& channel) {
+  nlohmann::ordered_json json;
+  json["id"] = channel.id;
+  json["time_s"] = 0.0;
+  json["alarms"] = nlohmann::ordered_json::array();
+  for (const channels::AlarmReport& alarm : result.alarms) {
+    if (alarm.channel != channel.id) continue;
+    json["alarms"].push_back({{"code", alarm.diagnostic.code},
+                              {"text", alarm.diagnostic.message},
+                              {"file", alarm.diagnostic.place.file},
+                              {"line", alarm.diagnostic.place.line}});
+  }
+  double time_s = 0.0;
+  json["runs"] = nlohmann::ordered_json::array();
+  for (const channels::RunReport& run : result.runs) {
+    if (run.channel != channel.id) continue;
+    time_s += static_cast<double>(run.end_cycle - run.start_cycle) * result.cycle_s;
+    json["runs"].push_back(run_json(run, channel, result.cycle_s));
+  }
+  json["time_s"] = time_s;
+  return json;
+}
+
+double microseconds(std::int64_t nanoseconds) {
+  return static_cast<double>(nanoseconds) * 1e-3;
+}
+
+nlohmann::ordered_json result_json(const runtime::SimulationResult& result,
+                                   const channels::MachineConfig& machine) {
+  nlohmann::ordered_json json;
+  json["ok"] = result.ok;
+  json["cycle_s"] = result.cycle_s;
+  json["cycles"] = result.cycles;
+  json["machine_time_s"] = result.machine_time_s;
+  json["wall_s"] = result.wall_s;
+  json["channels"] = nlohmann::ordered_json::array();
+  for (const auto& channel : machine.channels)
+    json["channels"].push_back(channel_json(result, channel));
+  json["rt"]["cycle_us"] = {{"p50", microseconds(result.cycle_time.percentile(0.5))},
+                            {"p99", microseconds(result.cycle_time.percentile(0.99))},
+                            {"p999", microseconds(result.cycle_time.percentile(0.999))},
+                            {"max", microseconds(result.cycle_time.max())}};
+  return json;
+}
+
+void print_summary(const runtime::SimulationResult& result) {
+  for (const channels::RunReport& run : result.runs) {
+    std::printf("channel %d  %-28s %8lu blocks  %10.3f s  %12.3f mm  %s\n", run.channel,
+                run.program.c_str(), static_cast<unsigned long>(run.blocks),
+                static_cast<double>(run.end_cycle - run.start_cycle) * result.cycle_s, run.path_mm,
+                run.ok ? "ok" : "failed");
+  }
+  std::printf(
+      "machine time %.3f s in %.2f s (%.0f times real time), cycle p50 %.1f us p99.9 %.1f us\n",
+      result.machine_time_s, result.wall_s, result.machine_time_s / result.wall_s,
+      microseconds(result.cycle_time.percentile(0.5)),
+      microseconds(result.cycle_time.percentile(0.999)));
+}
+
+int outcome(const runtime::SimulationResult& result) {
+  if (interrupted != 0) return exit_interrupted;
+  if (result.until_reached) return exit_until_reached;
+  int code = result.ok ? 0 : exit_failed;
+  for (const auto* reports : {&result.load_diagnostics, &result.alarms}) {
+    for (const auto& report : *reports) code = std::max(code, exit_code_of(report.diagnostic));
+  }
+  return code;
+}
+
+int run(const SimulateOptions& given) {
+  runtime::SimulationOptions options;
+  options.file = config::read_machine_file(given.job.machine_file);
+  options.schemes = scheme_choices(given.job);
+  options.until_s = given.until_s;
+  if (given.drives) options.drives = runtime::DriveChoice::simulated;
+  if (!given.events.empty()) options.events = read_operator_events(given.events);
+  std::vector<LocatedProgram> programs;
+  const auto add_program = [&](int channel, const std::string& file) {
+    programs.push_back(locate(file));
+    options.programs.push_back({channel, programs.back().name});
+  };
+  if (!given.program.empty()) add_program(given.job.channel, given.program);
+  for (const std::string& text : given.runs) {
+    const auto [channel, file] = channel_assignment(text, "--run");
+    add_program(channel, file);
+  }
+  if (options.programs.empty()) throw CLI::RequiredError("PROGRAM or --run");
+  options.program_roots = search_roots(programs, given.job);
+
+  std::vector<std::unique_ptr<runtime::CycleObserver>> owned;
+  owned.push_back(std::make_unique<ProgressLine>(options.file.machine.cycle_us * 1e-6));
+  for (const std::string& text : given.tip_traces) {
+    const auto [channel, file] = channel_assignment(text, "--tip-trace");
+    owned.push_back(std::make_unique<runtime::TipTrace>(options.file.machine, channel, file));
+  }
+  for (const std::string& text : given.axis_traces) {
+    const auto [channel, file] = channel_assignment(text, "--axis-trace");
+    owned.push_back(std::make_unique<runtime::AxisTrace>(options.file.machine, channel, file));
+  }
+  runtime::LogObserver* log = nullptr;
+  if (!given.log.empty()) {
+    auto observer = std::make_unique<runtime::LogObserver>(options.file.machine, given.log,
+                                                           std::string(protocol::version));
+    log = observer.get();
+    owned.push_back(std::move(observer));
+  }
+  std::vector<runtime::CycleObserver*> observers;
+  for (const auto& observer : owned) observers.push_back(observer.get());
+
+  std::signal(SIGINT, on_interrupt);
+  const auto result = runtime::simulate(options, observers, [] { return interrupted != 0; });
+  const std::string log_error = log == nullptr ? std::string() : log->close();
+  if (!log_error.empty()) std::fprintf(stderr, "error: %s\n", log_error.c_str());
+  owned.clear();
+  for (const auto& report : result.load_diagnostics) print(report.diagnostic);
+  for (const auto& report : result.alarms) {
+    if (result.load_diagnostics.empty() || report.diagnostic.place.line > 0)
+      print(report.diagnostic);
+  }
+  if (result.load_diagnostics.empty()) {
+    for (const std::string& refusal : result.refusals)
+      std::fprintf(stderr, "error: %s\n", refusal.c_str());
+  }
+  if (given.job.json) {
+    std::printf("%s\n", result_json(result, options.file.machine).dump().c_str());
+  } else {
+    print_summary(result);
+  }
+  const int code = outcome(result);
+  return code == 0 && !log_error.empty() ? exit_failed : code;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = app.add_subcommand("simulate", "run programs on the virtual clock");
+  command->add_option("PROGRAM", options->program, "part program");
+  add_job_options(*command, options->job);
+  command->add_option("--run", options->runs, "CH=FILE: run FILE on channel CH; may be repeated");
+  command->add_option("--tip-trace", options->tip_traces,
+                      "CH=FILE.csv: programmed point per cycle");
+  command->add_option("--axis-trace", options->axis_traces, "CH=FILE.csv: machine axes per cycle");
+  command->add_option("--log", options->log, "LCM log of all set-points, states and inputs");
+  command->add_option("--until", options->until_s, "stop after this machine time, s");
+  command->add_flag("--drives", options->drives, "run the simulated drives; else they are ideal");
+  command->add_option("--events", options->events, "operator events, one JSON object a line");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,162 @@
+#include "runtime/assembly.h"
+
+#include <array>
+#include <stdexcept>
+
+#include "drives/modbus/modbus_bus.h"
+#include "plant/direct_bus.h"
+#include "plant/machine_drives.h"
+#include "plant/modbus_server.h"
+#include "runtime/program_files.h"
+
+namespace stanok::runtime {
+namespace {
+
+constexpr std::size_t axes_of_machine_max = 64;
+
+}  // namespace
+
+struct Assembly::Parts {
+  explicit Parts(AssemblyOptions given)
+      : options(std::move(given)),
+        files(options.program_roots),
+        machine(options.file.machine, files, options.machine),
+        axis_count(options.file.machine.axes.size()) {
+    if (axis_count > axes_of_machine_max) {
+      throw std::invalid_argument(options.file.machine.file + ": more than " +
+                                  std::to_string(axes_of_machine_max) + " axes");
+    }
+    if (options.output_capacity > 0) {
+      outputs = std::make_unique<Ring<channels::CycleOutput>>(options.output_capacity);
+    }
+    make_bus();
+  }
+
+  void make_bus() {
+    const Duration cycle = options.file.machine.cycle_us * 1e-6 * second;
+    drives::BusConfig& bus_config = options.file.bus;
+    switch (options.drives) {
+      case DriveChoice::ideal:
+        return;
+      case DriveChoice::simulated:
+        bus_config = plant::simulated_bus(options.file);
+        bus = std::make_unique<plant::DirectBus>(bus_config, plant::drives_of(options.file), cycle);
+        return;
+      case DriveChoice::embedded:
+        server = std::make_unique<plant::ModbusServer>(plant::ServerConfig{},
+                                                       plant::drives_of(options.file));
+        server->start();
+        bus_config = plant::simulated_bus(options.file);
+        bus_config.port = server->port();
+        break;
+      case DriveChoice::real:
+        if (bus_config.kind != drives::BusKind::none) break;
+        throw config::ConfigError({{.file = options.file.path.string(),
+                                    .text = "real drives need a section [drives]; add it, or use "
+                                            "embedded drives"}});
+    }
+    bus = std::make_unique<drives::ModbusBus>(bus_config, cycle);
+  }
+
+  // Feedback of the drives as the machine takes it.
+  void read_drives() RT_SAFE {
+    bus->read({raw_feedback.data(), axis_count});
+    for (std::size_t k = 0; k < axis_count; ++k) {
+      const drives::DriveFeedback& raw = raw_feedback[k];
+      const bool fault = raw.state == drives::DriveState::fault ||
+                         raw.state == drives::DriveState::fault_reaction_active ||
+                         raw.following_error_exceeded;
+      feedback[k] = {.position = raw.position,
+                     .valid = raw.valid,
+                     .fault = fault,
+                     .enabled = raw.state == drives::DriveState::operation_enabled};
+    }
+  }
+
+  void write_drives() RT_SAFE {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(output.channel_count); ++c) {
+      const channels::ChannelOutput& channel = output.channels[c];
+      const std::vector<int>& axes = options.file.machine.channels[c].axes;
+      for (std::size_t k = 0; k < axes.size(); ++k) {
+        drives::DriveTarget& target = targets[static_cast<std::size_t>(axes[k])];
+        target.position = channel.axes[k].position;
+        target.velocity = channel.axes[k].velocity;
+        target.enabled = channel.drives[k].enabled;
+        target.brake_closed = channel.drives[k].brake_closed;
+      }
+    }
+    bus->write({targets.data(), axis_count});
+  }
+
+  AssemblyOptions options;
+  ProgramFiles files;
+  channels::Machine machine;
+  std::unique_ptr<Ring<channels::CycleOutput>> outputs;
+  std::uint64_t outputs_lost = 0;
+  std::size_t axis_count;
+  std::unique_ptr<plant::ModbusServer> server;
+  std::unique_ptr<drives::DriveBus> bus;
+  channels::CycleOutput output;
+  std::array<drives::DriveFeedback, axes_of_machine_max> raw_feedback{};
+  std::array<channels::AxisFeedback, axes_of_machine_max> feedback{};
+  std::array<drives::DriveTarget, axes_of_machine_max> targets{};
+};
+
+Assembly::Assembly(AssemblyOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {}
+
+Assembly::~Assembly() {
+  stop();
+}
+
+channels::Machine& Assembly::machine() {
+  return parts_->machine;
+}
+
+const config::MachineFile& Assembly::file() const {
+  return parts_->options.file;
+}
+
+void Assembly::start() {
+  if (parts_->bus) parts_->bus->start();
+}
+
+void Assembly::stop() {
+  if (parts_->bus) parts_->bus->stop();
+  if (parts_->server) parts_->server->stop();
+}
+
+const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorEvent> events)
+    RT_SAFE {
+  Parts& parts = *parts_;
+  channels::CycleInputs inputs{.events = events, .feedback = {}};
+  if (parts.bus) {
+    parts.read_drives();
+    inputs.feedback = {parts.feedback.data(), parts.axis_count};
+  }
+  parts.machine.cycle(inputs, parts.output);
+  if (parts.bus) parts.write_drives();
+  if (parts.outputs && !parts.outputs->push(parts.output)) ++parts.outputs_lost;
+  return parts.output;
+}
+
+Ring<channels::CycleOutput>& Assembly::outputs() {
+  return *parts_->outputs;
+}
+
+std::uint64_t Assembly::outputs_lost() const RT_SAFE {
+  return parts_->outputs_lost;
+}
+
+DriveChoice Assembly::drives() const {
+  return parts_->options.drives;
+}
+
+drives::BusStatus Assembly::drive_status() const {
+  return parts_->bus ? parts_->bus->status() : drives::BusStatus{};
+}
+
+int Assembly::embedded_port() const {
+  return parts_->server ? parts_->server->port() : 0;
+}
+
+}  // namespace stanok::runtime

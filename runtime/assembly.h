@@ -1,0 +1,70 @@
+// Assembly: a Machine with its drives and its output ring, put together from a machine file.
+//
+// One cycle is read drives, machine cycle, write drives, hand the output on. No clock, no threads
+// of its own but the bus', no sockets towards people: daemon and simulation call `cycle` at their
+// own pace.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/ring.h"
+#include "base/rt_safe.h"
+#include "channels/machine.h"
+#include "config/machine_file.h"
+#include "drives/bus.h"
+
+namespace stanok::runtime {
+
+enum class DriveChoice {
+  ideal,      // set-points only; every axis is where it should be
+  simulated,  // simulated drives on the clock of the cycle: repeatable to the bit
+  embedded,   // simulated drives behind a real Modbus TCP server on loopback
+  real,       // the bus of the machine file
+};
+
+struct AssemblyOptions {
+  config::MachineFile file;
+  DriveChoice drives = DriveChoice::ideal;
+  std::vector<std::filesystem::path> program_roots;
+  channels::MachineOptions machine;
+  // Cycles kept for a slow reader of `outputs`; more are counted as lost. 0: there is no reader.
+  std::size_t output_capacity = 1024;
+};
+
+class Assembly {
+ public:
+  explicit Assembly(AssemblyOptions options);
+  ~Assembly();
+  Assembly(const Assembly&) = delete;
+  Assembly& operator=(const Assembly&) = delete;
+
+  [[nodiscard]] channels::Machine& machine();
+  [[nodiscard]] const config::MachineFile& file() const;
+
+  // Starts and stops the drive bus; nothing else.
+  void start();
+  void stop();
+
+  // One real-time cycle. The output stays valid until the next call.
+  const channels::CycleOutput& cycle(std::span<const channels::OperatorEvent> events) RT_SAFE;
+
+  // Every cycle's output for the publisher; a full ring drops the newest, counted. Only with a
+  // capacity.
+  [[nodiscard]] Ring<channels::CycleOutput>& outputs();
+  [[nodiscard]] std::uint64_t outputs_lost() const RT_SAFE;
+
+  [[nodiscard]] DriveChoice drives() const;
+  [[nodiscard]] drives::BusStatus drive_status() const;
+  // Port of the simulated drives, 0 when they are not embedded.
+  [[nodiscard]] int embedded_port() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace stanok::runtime

@@ -1,0 +1,215 @@
+#include "runtime/dry_run.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "channels/channel_description.h"
+#include "channels/motion_config.h"
+#include "channels/scheme_switch.h"
+
+namespace stanok::runtime {
+namespace {
+
+constexpr std::size_t diagnostics_max = 100;  // per program, as at load
+
+const channels::ChannelConfig& channel_with_id(const channels::MachineConfig& machine, int id) {
+  const auto found = std::find_if(machine.channels.begin(), machine.channels.end(),
+                                  [id](const channels::ChannelConfig& c) { return c.id == id; });
+  if (found == machine.channels.end()) {
+    throw std::invalid_argument(machine.file + " has no channel " + std::to_string(id));
+  }
+  return *found;
+}
+
+motion::Point start_of(const channels::MachineConfig& machine,
+                       const channels::ChannelConfig& channel) {
+  motion::Point point{};
+  for (std::size_t k = 0; k < channel.axes.size(); ++k) {
+    point[k] = machine.axes[static_cast<std::size_t>(channel.axes[k])].start;
+  }
+  return point;
+}
+
+}  // namespace
+
+DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
+               const lang::Files& files)
+    : channel_(channel_with_id(machine, channel)),
+      files_(files),
+      motion_(channels::motion_config(machine, channel_)),
+      description_(channels::channel_description(machine, channel_)),
+      live_(machine.tables),
+      tables_(live_, machine, channel_),
+      schemes_(channels::make_schemes(channel_)),
+      blocks_(motion_, channel_),
+      builder_(motion_),
+      interpreter_(description_, tables_, files) {
+  const int id = scheme < 0 ? channel_.scheme : scheme;
+  const auto found = schemes_.find(id);
+  if (found != schemes_.end()) scheme_ = found->second.get();
+  if (scheme_ == nullptr && !channel_.axes.empty()) {
+    throw std::invalid_argument("channel " + std::to_string(channel) + " has no kinematic scheme " +
+                                std::to_string(id));
+  }
+  blocks_.restart(scheme_, start_of(machine, channel_));
+  if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
+  builder_.restart(blocks_.position_W());
+}
+
+DryRunResult DryRun::run(const std::string& program, Reachability reachability,
+                         const RecordSink& record, const RequestSink& request) {
+  DryRunResult result;
+  auto compiled = lang::compile(program, files_, &description_, result.diagnostics);
+  if (!compiled) {
+    const Diagnostics& errors = compiled.error();
+    result.diagnostics.insert(result.diagnostics.end(), errors.begin(), errors.end());
+    return result;
+  }
+  program_ = *compiled;
+  interpreter_.start(program_, blocks_.position_B());
+  lang::Command command;
+  while (result.diagnostics.size() < diagnostics_max) {
+    switch (interpreter_.next(command)) {
+      case lang::Step::command:
+        result.blocks = std::max(result.blocks, command.block);
+        take(command, reachability, record, request, result.diagnostics);
+        break;
+      case lang::Step::working:
+      case lang::Step::waiting:
+        break;
+      case lang::Step::ended:
+        return result;
+      case lang::Step::failed:
+        result.diagnostics.push_back(interpreter_.error());
+        return result;
+    }
+  }
+  return result;
+}
+
+void DryRun::take(const lang::Command& command, Reachability reachability, const RecordSink& record,
+                  const RequestSink& request, Diagnostics& diagnostics) {
+  if (const auto* move = std::get_if<lang::Move>(&command.payload)) {
+    return take_move(command, *move, reachability, record, diagnostics);
+  }
+  record(command, nullptr);
+  if (const auto* wish = std::get_if<lang::Request>(&command.payload)) {
+    return take_request(command, *wish, request);
+  }
+  if (blocks_.take_state(command.payload) && reachability == Reachability::checked) {
+    builder_.finish();
+    builder_.built().clear();
+    builder_.restart(blocks_.position_W());
+  }
+}
+
+void DryRun::take_move(const lang::Command& command, const lang::Move& move,
+                       Reachability reachability, const RecordSink& record,
+                       Diagnostics& diagnostics) {
+  const motion::BlockTag tag{0, command.block, command.origin.line, command.origin.file};
+  auto block = blocks_.block(move, tag);
+  const auto refuse = [&](Diagnostic diagnostic) {
+    diagnostic.place.file = std::string(lang::file_name(*program_, command.origin.file));
+    diagnostic.place.line = static_cast<int>(command.origin.line);
+    diagnostics.push_back(std::move(diagnostic));
+  };
+  if (!block) return refuse(block.error());
+  record(command, &*block);
+  if (reachability == Reachability::unchecked) return;
+  if (const auto pose = builder_.add(*block)) {
+    refuse(channels::unreachable_pose(*pose, channel_, ""));
+    builder_.restart(blocks_.position_W());
+  }
+  builder_.built().clear();
+}
+
+void DryRun::take_request(const lang::Command& command, const lang::Request& request,
+                          const RequestSink& sink) {
+  const bool own = request.kind == lang::RequestKind::kinematics && request.channel == channel_.id;
+  if (own) {
+    switch_scheme(request.number);
+  } else {
+    sink(request, command);
+  }
+  lang::Answer answer;
+  answer.position_B = blocks_.position_B();
+  answer.position_valid = true;
+  interpreter_.answer(answer);
+}
+
+void DryRun::switch_scheme(int id) {
+  const auto found = schemes_.find(id);
+  if (found == schemes_.end()) return;
+  motion::Point axes_M{};
+  kinematics::inverse(blocks_.transform(), blocks_.position_W(), axes_M);
+  scheme_ = found->second.get();
+  for (const auto& parking : scheme_->config().parking) {
+    axes_M[static_cast<std::size_t>(parking.axis)] = parking.position;
+  }
+  for (const auto& [axis, position] : scheme_->config().retract) {
+    axes_M[static_cast<std::size_t>(axis)] = position;
+  }
+  blocks_.change_scheme(scheme_, axes_M);
+  tables_.set_scheme_zero(scheme_->config().zero);
+  builder_.restart(blocks_.position_W());
+}
+
+namespace {
+
+// Walks from the first program into the programs that it dispatches, each pair of channel, scheme
+// and program once.
+class Check {
+ public:
+  Check(const channels::MachineConfig& machine, const lang::Files& files)
+      : machine_(machine), files_(files) {}
+
+  void follow(int channel, int scheme, const std::string& program) {
+    if (!visited_.insert({channel, scheme, program}).second) return;
+    std::map<int, int> schemes;
+    DryRun dry_run(machine_, channel, scheme, files_);
+    auto result = dry_run.run(
+        program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
+        [&](const lang::Request& request, const lang::Command&) {
+          if (request.kind == lang::RequestKind::kinematics)
+            schemes[request.channel] = request.number;
+          const bool dispatches = request.kind == lang::RequestKind::channel_run ||
+                                  request.kind == lang::RequestKind::channel_load;
+          if (!dispatches) return;
+          const auto active = schemes.find(request.channel);
+          follow(request.channel, active == schemes.end() ? -1 : active->second, request.text);
+        });
+    for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
+  }
+
+  Diagnostics diagnostics;
+
+ private:
+  void keep(Diagnostic&& diagnostic) {
+    const bool known =
+        std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& other) {
+          return other.code == diagnostic.code && other.place.file == diagnostic.place.file &&
+                 other.place.line == diagnostic.place.line &&
+                 other.place.column == diagnostic.place.column &&
+                 other.message == diagnostic.message;
+        });
+    if (!known) diagnostics.push_back(std::move(diagnostic));
+  }
+
+  const channels::MachineConfig& machine_;
+  const lang::Files& files_;
+  std::set<std::tuple<int, int, std::string>> visited_;
+};
+
+}  // namespace
+
+Diagnostics check_program(const channels::MachineConfig& machine, int channel, int scheme,
+                          const std::string& program, const lang::Files& files) {
+  Check check(machine, files);
+  check.follow(channel, scheme, program);
+  return std::move(check.diagnostics);
+}
+
+}  // namespace stanok::runtime

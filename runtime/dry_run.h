@@ -1,0 +1,76 @@
+// DryRun: a program through interpreter and block preparation without a machine; for `interpret`,
+// `check` and the background check.
+//
+// Nothing is executed: requests are answered as if all went well, switches of kinematics take
+// effect at once with the axes that leave the scheme at their parked positions. One object per
+// channel and run.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/diagnostic.h"
+#include "channels/block_preparation.h"
+#include "channels/live_tables.h"
+#include "channels/preparation.h"
+#include "config/machine_file.h"
+#include "lang/interpreter.h"
+
+namespace stanok::runtime {
+
+// One record after block preparation; `block` only for motion. Both are valid during the call.
+using RecordSink =
+    std::function<void(const lang::Command& command, const motion::PathBlock* block)>;
+
+// What a dry run does at a request to another channel.
+using RequestSink = std::function<void(const lang::Request& request, const lang::Command& command)>;
+
+struct DryRunResult {
+  Diagnostics diagnostics;  // errors, and warnings of the load
+  std::uint64_t blocks = 0;
+};
+
+enum class Reachability { unchecked, checked };  // every pose against the axis limits
+
+class DryRun {
+ public:
+  // `scheme` < 0: the one active at power-on. Throws std::invalid_argument when channel or scheme
+  // do not exist.
+  DryRun(const channels::MachineConfig& machine, int channel, int scheme, const lang::Files& files);
+
+  [[nodiscard]] DryRunResult run(const std::string& program, Reachability reachability,
+                                 const RecordSink& record, const RequestSink& request);
+
+  [[nodiscard]] const channels::ChannelConfig& channel() const { return channel_; }
+
+ private:
+  void take(const lang::Command& command, Reachability reachability, const RecordSink& record,
+            const RequestSink& request, Diagnostics& diagnostics);
+  void take_move(const lang::Command& command, const lang::Move& move, Reachability reachability,
+                 const RecordSink& record, Diagnostics& diagnostics);
+  void take_request(const lang::Command& command, const lang::Request& request,
+                    const RequestSink& sink);
+  void switch_scheme(int id);
+
+  const channels::ChannelConfig& channel_;
+  const lang::Files& files_;
+  motion::MotionConfig motion_;
+  lang::ChannelDescription description_;
+  channels::LiveTables live_;
+  channels::ChannelTables tables_;
+  channels::SchemeSet schemes_;
+  channels::BlockPreparation blocks_;
+  motion::PathBuilder builder_;
+  lang::Interpreter interpreter_;
+  std::shared_ptr<const lang::Program> program_;
+  const kinematics::Scheme* scheme_ = nullptr;
+};
+
+// Everything that can be known of a program before a run: follows #kinematics, channel_run and
+// channel_load with constant arguments into the worker programs. All diagnostics, each once.
+[[nodiscard]] Diagnostics check_program(const channels::MachineConfig& machine, int channel,
+                                        int scheme, const std::string& program,
+                                        const lang::Files& files);
+
+}  // namespace stanok::runtime

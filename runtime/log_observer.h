@@ -1,0 +1,33 @@
+// LogObserver: writes the whole stream of a simulation into one LCM log.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "recording/log_writer.h"
+#include "recording/message_stream.h"
+#include "runtime/simulation.h"
+
+namespace stanok::runtime {
+
+class LogObserver final : public CycleObserver {
+ public:
+  // Throws std::runtime_error when the file cannot be written.
+  LogObserver(const channels::MachineConfig& machine, const std::string& path, std::string version);
+
+  void observe(const channels::CycleOutput& output) override { stream_->cycle(output); }
+  void observe(const channels::Event& event) override { stream_->event(event); }
+  void observe(const channels::InputRecord& input) override { stream_->input(input); }
+
+  // Empty, or why the log ends early.
+  [[nodiscard]] std::string close();
+
+ private:
+  std::unique_ptr<recording::LogWriter> writer_;
+  std::unique_ptr<recording::MessageStream> stream_;
+};
+
+// Compiler and its version: bit identity is promised for equal builds.
+[[nodiscard]] std::string this_build();
+
+}  // namespace stanok::runtime

@@ -1,0 +1,162 @@
+#include "runtime/program_files.h"
+
+#include <fcntl.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+namespace stanok::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+using Text = std::shared_ptr<const lang::SourceText>;
+
+// An open file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+Diagnostic diagnostic(const char* code, std::string message, std::string help) {
+  Diagnostic d;
+  d.code = code;
+  d.message = std::move(message);
+  if (!help.empty()) d.help = {std::move(help)};
+  return d;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+// Why a name may not be used, or an empty text.
+std::string fault_of(std::string_view name) {
+  if (name.empty()) return "a file name is empty";
+  if (name.front() == '/') return "a file name must be relative";
+  if (name.find('\\') != std::string_view::npos) return "a file name uses / and never \\";
+  if (name.size() > 1 && name[1] == ':') return "a file name must not name a drive";
+  for (const char c : name) {
+    if (static_cast<unsigned char>(c) < ' ') return "a file name must not hold control characters";
+  }
+  for (const fs::path& part : fs::path(name)) {
+    if (part == "..") return "a file name must not contain ..";
+  }
+  return "";
+}
+
+int open_beneath(const fs::path& folder, std::string_view name) {
+  const Descriptor root(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!root.is_open()) return -1;
+  open_how how{};
+  how.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;
+  how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
+  return static_cast<int>(
+      ::syscall(SYS_openat2, root.number(), std::string(name).c_str(), &how, sizeof(how)));
+}
+
+Expected<std::string, Diagnostic> read_all(int file, std::string_view name) {
+  struct stat status{};
+  if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
+    return Unexpected<Diagnostic>(
+        diagnostic("E7003", std::string(name) + " is not a regular file", ""));
+  }
+  std::string text(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t filled = 0;
+  while (filled < text.size()) {
+    const ssize_t count = ::read(file, text.data() + filled, text.size() - filled);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const std::string reason = std::generic_category().message(errno);
+      return Unexpected<Diagnostic>(
+          diagnostic("E7004", "cannot read " + std::string(name) + ": " + reason, ""));
+    }
+    if (count == 0) break;
+    filled += static_cast<std::size_t>(count);
+  }
+  text.resize(filled);
+  return text;
+}
+
+// A file whose name differs in capitals only; the help of "file not found".
+std::string similar_name(const fs::path& folder, std::string_view name) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder / fs::path(name).parent_path(), ignored)) {
+    const std::string candidate = entry.path().filename().string();
+    if (lower(candidate) == lower(fs::path(name).filename().string())) {
+      return "there is " + (fs::path(name).parent_path() / candidate).string() +
+             "; capitals matter in file names";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+ProgramFiles::ProgramFiles(std::vector<fs::path> roots) : roots_(std::move(roots)) {}
+
+std::vector<fs::path> ProgramFiles::folders_for(std::string_view from) const {
+  std::vector<fs::path> folders;
+  if (!from.empty()) folders.push_back(fs::path(from).parent_path());
+  for (const fs::path& root : roots_) {
+    for (const char* part : {"", "programs", "subprograms", "cycles"})
+      folders.push_back(root / part);
+  }
+  for (fs::path& folder : folders) {
+    if (folder.empty()) folder = ".";
+  }
+  return folders;
+}
+
+Expected<Text, Diagnostic> ProgramFiles::read(std::string_view name, std::string_view from) const {
+  if (const std::string fault = fault_of(name); !fault.empty()) {
+    return Unexpected<Diagnostic>(diagnostic("E7002", fault + ": " + std::string(name),
+                                             "name it as it stands below the program root"));
+  }
+  const auto folders = folders_for(from);
+  for (const fs::path& folder : folders) {
+    const Descriptor file(open_beneath(folder, name));
+    if (!file.is_open()) {
+      if (errno == EXDEV || errno == ELOOP) {
+        return Unexpected<Diagnostic>(
+            diagnostic("E7002", std::string(name) + " leads out of the program root", ""));
+      }
+      continue;
+    }
+    auto text = read_all(file.number(), name);
+    if (!text) return Unexpected<Diagnostic>(text.error());
+    auto source = std::make_shared<lang::SourceText>();
+    source->name = std::string(name);
+    source->path = (folder / name).lexically_normal().string();
+    source->text = std::move(*text);
+    return Text(std::move(source));
+  }
+  std::string help;
+  for (const fs::path& folder : folders) {
+    if (help.empty()) help = similar_name(folder, name);
+  }
+  if (help.empty()) help = "check the name and the program root";
+  return Unexpected<Diagnostic>(diagnostic("E7001", "file not found: " + std::string(name), help));
+}
+
+}  // namespace stanok::runtime

@@ -1,0 +1,31 @@
+// ProgramFiles: finds and reads program texts beneath a list of root folders (docs/language.md,
+// "File names").
+//
+// Names are relative and stay beneath the root that they are found in, through symbolic links too
+// (openat2, RESOLVE_BENEATH). A text is read once and whole; only regular files are read. Any
+// thread; holds no state but the roots.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "lang/environment.h"
+
+namespace stanok::runtime {
+
+class ProgramFiles final : public lang::Files {
+ public:
+  // Searched in order after the folder of the text that names the file; each with its programs/,
+  // subprograms/ and cycles/.
+  explicit ProgramFiles(std::vector<std::filesystem::path> roots);
+
+  [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
+      std::string_view name, std::string_view from) const override;
+
+ private:
+  [[nodiscard]] std::vector<std::filesystem::path> folders_for(std::string_view from) const;
+
+  std::vector<std::filesystem::path> roots_;
+};
+
+}  // namespace stanok::runtime

@@ -1,0 +1,137 @@
+#include "runtime/simulation.h"
+
+#include <chrono>
+#include <ctime>
+
+namespace stanok::runtime {
+namespace {
+
+constexpr std::int64_t interruption_interval = 1024;  // cycles between two looks at `interrupted`
+
+std::int64_t thread_time_ns() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return time.tv_sec * 1'000'000'000 + time.tv_nsec;
+}
+
+class Simulation {
+ public:
+  Simulation(const SimulationOptions& options, const std::vector<CycleObserver*>& observers)
+      : options_(options),
+        observers_(observers),
+        assembly_({.file = options.file,
+                   .drives = options.drives,
+                   .program_roots = options.program_roots,
+                   .machine = {.on_at_start = true, .stops_go_on = true},
+                   .output_capacity = 0}),
+        machine_(assembly_.machine()) {
+    for (const auto& [channel, scheme] : options.schemes) {
+      if (!machine_.select_scheme_at_start(channel, scheme)) {
+        result_.refusals.push_back("E5201 channel " + std::to_string(channel) +
+                                   " has no kinematic scheme " + std::to_string(scheme));
+      }
+    }
+    result_.cycle_s = options.file.machine.cycle_us * 1e-6;
+  }
+
+  SimulationResult run(const std::function<bool()>& interrupted) {
+    const auto begin = std::chrono::steady_clock::now();
+    start_programs();
+    const auto cycles_until = static_cast<std::int64_t>(options_.until_s / result_.cycle_s + 0.5);
+    while (result_.refusals.empty()) {
+      prepare_all();
+      if (events_.empty() && next_event_ == options_.events.size() && machine_.is_idle()) break;
+      result_.until_reached = options_.until_s >= 0.0 && output_->cycle >= cycles_until;
+      if (result_.until_reached) break;
+      if (output_->cycle % interruption_interval == 0 && interrupted()) break;
+      cycle();
+    }
+    result_.wall_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report();
+  }
+
+ private:
+  void start_programs() {
+    for (const ChannelProgram& program : options_.programs) {
+      channels::OperatorEvent event;
+      event.id = events_.size() + 1;
+      event.action = channels::OperatorAction::program_run;
+      event.channel = program.channel;
+      event.text = FixedText<256>(program.program);
+      events_.push_back(event);
+    }
+  }
+
+  void prepare_all() {
+    bool worked = true;
+    while (worked) {
+      worked = false;
+      for (int k = 0; k < static_cast<int>(options_.file.machine.channels.size()); ++k) {
+        while (machine_.prepare(k) == channels::Progress::worked) worked = true;
+      }
+    }
+  }
+
+  void cycle() {
+    while (next_event_ < options_.events.size() &&
+           options_.events[next_event_].cycle <= output_->cycle + 1) {
+      events_.push_back(options_.events[next_event_++].event);
+    }
+    const std::int64_t begin = thread_time_ns();
+    output_ = &assembly_.cycle(events_);
+    result_.cycle_time.add(thread_time_ns() - begin);
+    events_.clear();
+    hand_on();
+  }
+
+  void hand_on() {
+    channels::InputRecord input;
+    while (machine_.input_records().pop(input)) {
+      for (CycleObserver* observer : observers_) observer->observe(input);
+    }
+    for (CycleObserver* observer : observers_) observer->observe(*output_);
+    channels::Event event;
+    while (machine_.events().pop(event)) {
+      for (CycleObserver* observer : observers_) observer->observe(event);
+    }
+    channels::OperatorReply reply;
+    while (machine_.replies().pop(reply)) {
+      if (reply.ok) continue;
+      const std::string code(reply.code.view());
+      result_.refusals.push_back(code + (code.empty() ? "" : " ") + std::string(reply.text.view()));
+    }
+  }
+
+  SimulationResult report() {
+    result_.cycles = output_->cycle;
+    result_.machine_time_s = static_cast<double>(output_->cycle) * result_.cycle_s;
+    result_.runs = machine_.runs();
+    result_.alarms = machine_.alarms();
+    result_.load_diagnostics = machine_.load_diagnostics();
+    result_.ok = result_.refusals.empty() && result_.alarms.empty() && !result_.until_reached &&
+                 machine_.is_idle();
+    for (const channels::RunReport& run : result_.runs) result_.ok = result_.ok && run.ok;
+    return result_;
+  }
+
+  const SimulationOptions& options_;
+  const std::vector<CycleObserver*>& observers_;
+  Assembly assembly_;
+  channels::Machine& machine_;
+  channels::CycleOutput before_first_{};
+  const channels::CycleOutput* output_ = &before_first_;
+  std::vector<channels::OperatorEvent> events_;
+  std::size_t next_event_ = 0;
+  SimulationResult result_;
+};
+
+}  // namespace
+
+SimulationResult simulate(const SimulationOptions& options,
+                          const std::vector<CycleObserver*>& observers,
+                          const std::function<bool()>& interrupted) {
+  return Simulation(options, observers).run(interrupted);
+}
+
+}  // namespace stanok::runtime

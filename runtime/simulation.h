@@ -1,0 +1,69 @@
+// Simulation: the whole runtime on a virtual clock, as fast as the processor goes, repeatable to
+// the bit.
+//
+// The same Machine, the same cycle as in the daemon; a cycle runs only when every preparation is
+// blocked. Time is cycle x cycle time.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/histogram.h"
+#include "channels/machine.h"
+#include "config/machine_file.h"
+#include "runtime/assembly.h"
+
+namespace stanok::runtime {
+
+struct ChannelProgram {
+  int channel = 1;
+  std::string program;
+};
+
+// An operator's event at a cycle (`--events`).
+struct TimedEvent {
+  std::int64_t cycle = 0;
+  channels::OperatorEvent event;
+};
+
+struct SimulationOptions {
+  config::MachineFile file;
+  std::vector<std::filesystem::path> program_roots;
+  std::vector<ChannelProgram> programs;
+  std::vector<std::pair<int, int>> schemes;  // channel, scheme at start
+  std::vector<TimedEvent> events;            // ascending cycles
+  DriveChoice drives = DriveChoice::ideal;   // or simulated
+  double until_s = -1.0;                     // < 0: until all channels are idle
+};
+
+struct SimulationResult {
+  bool ok = false;
+  bool until_reached = false;
+  double cycle_s = 0.001;
+  std::int64_t cycles = 0;
+  double machine_time_s = 0.0;
+  double wall_s = 0.0;
+  std::vector<channels::RunReport> runs;
+  std::vector<channels::AlarmReport> alarms;
+  std::vector<channels::AlarmReport> load_diagnostics;
+  std::vector<std::string> refusals;  // programs that did not start: code and reason
+  Histogram cycle_time;               // processor time of one cycle over all channels
+};
+
+// What looks at every cycle: traces, logs. Events are those since the cycle before.
+class CycleObserver {
+ public:
+  virtual ~CycleObserver() = default;
+  virtual void observe(const channels::CycleOutput& output) = 0;
+  virtual void observe(const channels::Event& event) { static_cast<void>(event); }
+  virtual void observe(const channels::InputRecord& input) { static_cast<void>(input); }
+};
+
+// Runs to the end. `interrupted` is asked now and then; true ends the simulation where it is.
+[[nodiscard]] SimulationResult simulate(const SimulationOptions& options,
+                                        const std::vector<CycleObserver*>& observers,
+                                        const std::function<bool()>& interrupted);
+
+}  // namespace stanok::runtime

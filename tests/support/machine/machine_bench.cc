@@ -1,0 +1,136 @@
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::testing {
+
+Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> MemoryFiles::read(
+    std::string_view name, std::string_view from) const {
+  static_cast<void>(from);
+  const auto found = texts.find(std::string(name));
+  if (found == texts.end()) {
+    Diagnostic missing;
+    missing.code = "E7001";
+    missing.message = "file not found: " + std::string(name);
+    return Unexpected<Diagnostic>(missing);
+  }
+  auto source = std::make_shared<lang::SourceText>();
+  source->name = found->first;
+  source->path = found->first;
+  source->text = found->second;
+  return std::shared_ptr<const lang::SourceText>(source);
+}
+
+channels::MachineConfig two_channel_machine() {
+  channels::MachineConfig machine;
+  machine.name = "bench";
+  machine.file = "bench.toml";
+  for (const char* name : {"X", "Y", "Z", "B", "C"}) {
+    channels::AxisConfig axis;
+    axis.name = name;
+    axis.rotary = *name == 'B' || *name == 'C';
+    axis.limits.linear = !axis.rotary;
+    axis.limits.position_min = axis.rotary ? -motion::unlimited : -500.0;
+    axis.limits.position_max = axis.rotary ? motion::unlimited : 500.0;
+    axis.limits.velocity_max = axis.rotary ? 120.0 : 250.0;
+    axis.limits.acceleration_max = axis.rotary ? 1200.0 : 2500.0;
+    axis.limits.jerk_max = axis.rotary ? 24000.0 : 50000.0;
+    axis.limits.rapid_max = axis.limits.velocity_max;
+    machine.axes.push_back(axis);
+  }
+  channels::SpindleConfig spindle;
+  spindle.speed_max = 18000.0;
+  machine.spindles.push_back(spindle);
+
+  channels::ChannelConfig work;
+  work.id = 1;
+  work.name = "work";
+  work.axes = {0, 1, 2, 3, 4};
+  work.words = {"X", "Y", "Z", "B", "C"};
+  work.spindles = {1};
+  work.scheme = 1;
+  kinematics::SchemeConfig three_axes;
+  three_axes.id = 1;
+  three_axes.type = "cartesian";
+  three_axes.axes = {0, 1, 2};
+  three_axes.linear = {0, 1, 2};
+  three_axes.parking = {{.axis = 3}, {.axis = 4}};
+  kinematics::SchemeConfig five_axes;
+  five_axes.id = 2;
+  five_axes.type = "head_table";
+  five_axes.axes = {0, 1, 2, 3, 4};
+  five_axes.linear = {0, 1, 2};
+  five_axes.head_axis = 3;
+  five_axes.table_axis = 4;
+  five_axes.pivot_to_spindle = {0.0, 0.0, -200.0};
+  work.schemes = {three_axes, five_axes};
+  channels::ChannelConfig master;
+  master.id = 2;
+  master.name = "master";
+  master.kind = lang::ChannelKind::master;
+  machine.channels = {work, master};
+  return machine;
+}
+
+MachineBench::MachineBench(channels::MachineConfig config)
+    : config_(std::move(config)),
+      machine_(std::make_unique<channels::Machine>(
+          config_, files_, channels::MachineOptions{.on_at_start = true, .stops_go_on = true})) {}
+
+void MachineBench::ask(channels::OperatorAction action, int channel, const std::string& text,
+                       double value, int number) {
+  channels::OperatorEvent event;
+  event.id = next_id_++;
+  event.action = action;
+  event.channel = channel;
+  event.value = value;
+  event.number = number;
+  event.text = FixedText<256>(text);
+  events_.push_back(event);
+}
+
+const channels::CycleOutput& MachineBench::cycle() {
+  bool worked = true;
+  while (worked) {
+    worked = false;
+    for (int k = 0; k < static_cast<int>(config_.channels.size()); ++k) {
+      while (machine_->prepare(k) == channels::Progress::worked) worked = true;
+    }
+  }
+  machine_->cycle({.events = events_, .feedback = {}}, output_);
+  events_.clear();
+  channels::OperatorReply reply;
+  while (machine_->replies().pop(reply)) replies_.push_back(reply);
+  channels::Event event;
+  while (machine_->events().pop(event)) {
+  }
+  channels::InputRecord input;
+  while (machine_->input_records().pop(input)) {
+  }
+  return output_;
+}
+
+void MachineBench::run_to_end(const std::function<void(const channels::CycleOutput&)>& watch,
+                              int cycles_max) {
+  for (int n = 0; n < cycles_max; ++n) {
+    const bool asked = !events_.empty();
+    cycle();
+    if (watch) watch(output_);
+    if (!asked && machine_->is_idle()) return;
+  }
+  ADD_FAILURE() << "the machine is not idle after " << cycles_max << " cycles";
+}
+
+const channels::ChannelOutput& MachineBench::channel(int id) const {
+  for (const auto& candidate : output_.channels) {
+    if (candidate.id == id) return candidate;
+  }
+  ADD_FAILURE() << "no channel " << id;
+  return output_.channels[0];
+}
+
+std::vector<std::string> MachineBench::alarm_codes() const {
+  std::vector<std::string> codes;
+  for (const auto& alarm : machine_->alarms()) codes.push_back(alarm.diagnostic.code);
+  return codes;
+}
+
+}  // namespace stanok::testing

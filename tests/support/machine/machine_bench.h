@@ -1,0 +1,66 @@
+// MachineBench: a machine in memory, its programs in memory, and a virtual clock; for tests of
+// channels and above.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "channels/machine.h"
+
+namespace stanok::testing {
+
+// Program texts by name; nothing on disk.
+class MemoryFiles final : public lang::Files {
+ public:
+  std::map<std::string, std::string> texts;
+
+  [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
+      std::string_view name, std::string_view from) const override;
+};
+
+// Three linear axes 250 mm/s, 2500 mm/s2, 50000 mm/s3 and B, C 120 deg/s, 1200, 24000 on channel 1
+// with the schemes 1 (cartesian X Y Z, B and C parked at 0) and 2 (head_table, pivot 200 mm);
+// channel 2 is a master channel.
+[[nodiscard]] channels::MachineConfig two_channel_machine();
+
+class MachineBench {
+ public:
+  explicit MachineBench(channels::MachineConfig config = two_channel_machine());
+
+  void program(const std::string& name, const std::string& text) { files_.texts[name] = text; }
+
+  // Asks for an operator's action in the next cycle.
+  void ask(channels::OperatorAction action, int channel, const std::string& text = "",
+           double value = 0.0, int number = 0);
+  void run(int channel, const std::string& program) {
+    ask(channels::OperatorAction::program_run, channel, program);
+  }
+
+  // One cycle, all preparations blocked before; returns its output.
+  const channels::CycleOutput& cycle();
+  // Until all channels are idle; fails the test after `cycles_max`. `watch` sees every cycle.
+  void run_to_end(const std::function<void(const channels::CycleOutput&)>& watch = {},
+                  int cycles_max = 200000);
+
+  [[nodiscard]] channels::Machine& machine() { return *machine_; }
+  [[nodiscard]] const channels::CycleOutput& output() const { return output_; }
+  [[nodiscard]] const channels::ChannelOutput& channel(int id) const;
+  [[nodiscard]] std::vector<std::string> alarm_codes() const;
+  [[nodiscard]] const std::vector<channels::OperatorReply>& replies() const { return replies_; }
+
+ private:
+  channels::MachineConfig config_;
+  MemoryFiles files_;
+  std::unique_ptr<channels::Machine> machine_;
+  channels::CycleOutput output_;
+  std::vector<channels::OperatorEvent> events_;
+  std::vector<channels::OperatorReply> replies_;
+  std::uint64_t next_id_ = 1;
+};
+
+}  // namespace stanok::testing
