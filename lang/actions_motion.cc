@@ -78,7 +78,7 @@ void resolve_feed(ActiveBlock& block, Move& move) {
       move.kind == MoveKind::arc || (move.words & block.channel_words.linear_axes()) != 0;
   const bool inverse_time = move.feed_mode == FeedMode::inverse_time;
   if (inverse_time && !block.has('F')) {
-    block.fail("E4021", {}, "a motion block in G93 needs its own F", "no F")
+    block.fail("E4023", {}, "a motion block in G93 needs its own F", "no F")
         .notes.push_back(modal.origin_of(Group::feed_mode));
     return;
   }

@@ -119,7 +119,7 @@ void Compiler::compile_kind(const KinematicsDirective& directive) {
     known += (known.empty() ? "" : ", ") + std::to_string(id);
   }
   Diagnostic& diagnostic =
-      reporter_.error("E5003", scheme.span,
+      reporter_.error("E5201", scheme.span,
                       "channel " + std::to_string(*target) + " has no kinematic scheme " +
                           std::string(file_.source.text(scheme.span)),
                       "unknown scheme");

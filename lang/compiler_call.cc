@@ -133,7 +133,7 @@ std::optional<int> Compiler::constant_channel(const Expression& argument, bool r
   }
   if (refuse_own && id == context_.channel->id) {
     reporter_
-        .error("E6002", argument.span, "`" + std::string(function) + "` on the own channel",
+        .error("E6031", argument.span, "`" + std::string(function) + "` on the own channel",
                "this is the own channel")
         .help.push_back("to stop here use M0, to begin again M99, to end terminate ()");
     return std::nullopt;

@@ -185,7 +185,7 @@ void ProgramRun::answer(const Answer& answer) {
       if (answer.ok) {
         push(value_of(answer.number));
       } else {
-        fail_with_answer("E6003", answer);
+        fail_with_answer("E6032", answer);
       }
       break;
     case AnswerUse::statement:

@@ -36,7 +36,7 @@ std::optional<int> ProgramRun::channel_of(double number, bool refuse_own) {
     return std::nullopt;
   }
   if (refuse_own && id == channel_.id) {
-    fail("E6002", "this function cannot name the own channel", "this is the own channel");
+    fail("E6031", "this function cannot name the own channel", "this is the own channel");
     return std::nullopt;
   }
   return id;
@@ -129,7 +129,7 @@ void ProgramRun::call_file() {
   const Value name = pop();
   const auto found = program_->file_by_name.find({frames_.back().file, text_of(name)});
   if (found == program_->file_by_name.end()) {
-    return fail("E7002", "\"" + text_of(name) + "\" is not part of this program",
+    return fail("E7005", "\"" + text_of(name) + "\" is not part of this program",
                 "unknown subprogram");
   }
   if (!check_call_depth()) return;
@@ -170,7 +170,7 @@ void ProgramRun::call_numbered() {
     frames_.push_back(frame);
     return;
   }
-  fail("E7002", "there is no program O" + std::to_string(wanted), "unknown program");
+  fail("E7005", "there is no program O" + std::to_string(wanted), "unknown program");
 }
 
 // M99, M17 or the end of a called text: back to the caller, or once more; in the main program it

@@ -17,8 +17,8 @@ TEST(Catalogue, IsSortedByCodeAndEveryCodeIsThereOnce) {
   }
 }
 
-TEST(Catalogue, EveryCodeIsALetterAndFourDigits) {
-  const std::regex form("[EWA][0-9]{4}");
+TEST(Catalogue, EveryCodeIsALetterAndFourDigitsOrThreeForEarlyWarnings) {
+  const std::regex form("[EWA][0-9]{4}|W[0-9]{3}");
   for (const CatalogueRow& row : catalogue()) {
     EXPECT_TRUE(std::regex_match(std::string(row.code), form)) << row.code;
   }

@@ -125,8 +125,8 @@ TEST_F(MasterProgram, ReportsErrorsOfIncludedFilesAtTheirOwnPlace) {
 
 TEST_F(MasterProgram, RefusesConstantsThatCannotBeRight) {
   EXPECT_EQ(error_code("channel_wait (3);\nM30"), "E6001");
-  EXPECT_EQ(error_code("channel_wait (2);\nM30"), "E6002");
-  EXPECT_EQ(error_code("#kinematics (7, 1)\nM30"), "E5003");
+  EXPECT_EQ(error_code("channel_wait (2);\nM30"), "E6031");
+  EXPECT_EQ(error_code("#kinematics (7, 1)\nM30"), "E5201");
   EXPECT_EQ(error_code("#kinematics (1, 9)\nM30"), "E6001");
 }
 
