@@ -149,6 +149,15 @@ bool Machine::is_idle() const RT_SAFE {
                      [](const auto& seat) RT_SAFE { return seat->channel.is_quiet(); });
 }
 
+bool Machine::waits_for_operator() const RT_SAFE {
+  return std::all_of(parts_->seats.begin(), parts_->seats.end(), [](const auto& seat) RT_SAFE {
+    const Channel& channel = seat->channel;
+    const bool is_held =
+        channel.state() == ChannelState::held && channel.is_standing() && !channel.is_resetting();
+    return channel.is_quiet() || is_held;
+  });
+}
+
 Ring<Event>& Machine::events() {
   return parts_->events;
 }

@@ -40,7 +40,8 @@ class Simulation {
     const auto cycles_until = static_cast<std::int64_t>(options_.until_s / result_.cycle_s + 0.5);
     while (result_.refusals.empty()) {
       prepare_all();
-      if (events_.empty() && next_event_ == options_.events.size() && machine_.is_idle()) break;
+      if (events_.empty() && next_event_ == options_.events.size() && machine_.waits_for_operator())
+        break;
       result_.until_reached = options_.until_s >= 0.0 && output_->cycle >= cycles_until;
       if (result_.until_reached) break;
       if (output_->cycle % interruption_interval == 0 && interrupted()) break;

@@ -168,6 +168,7 @@ TEST(Machine, RefusesToSwitchTheKinematicsOfARunningChannel) {
   bench.run(2, "master.nc");
   bench.run_to_end();
   EXPECT_THAT(bench.alarm_codes(), Contains("E5202"));
+  EXPECT_EQ(bench.channel(1).state, ChannelState::held) << "the run of a failed owner is held";
 }
 
 TEST(Machine, CycleNeverUsesTheHeap) {

@@ -43,7 +43,8 @@ class MachineBench {
 
   // One cycle, all preparations blocked before; returns its output.
   const channels::CycleOutput& cycle();
-  // Until all channels are idle; fails the test after `cycles_max`. `watch` sees every cycle.
+  // Until nothing happens any more without an operator; fails the test after `cycles_max`. `watch`
+  // sees every cycle.
   void run_to_end(const std::function<void(const channels::CycleOutput&)>& watch = {},
                   int cycles_max = 200000);
 
