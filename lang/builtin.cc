@@ -181,19 +181,30 @@ bool in_upper_case(Arguments a, Value& result) {
   std::transform(text.begin(), text.end(), text.begin(), upper_case);
   return set_text(result, std::move(text));
 }
-// Without decimals: the shortest text that reads back as the same number.
+// The shortest text that reads back as the same number; with an exponent only where figures would
+// be counted otherwise.
+std::string shortest_text(double number) {
+  char text[64];
+  int digits = 1;
+  for (; digits < 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
+    if (std::strtod(text, nullptr) == number) break;
+  }
+  std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
+  const int exponent = std::atoi(std::string(text).substr(std::string(text).find('e') + 1).c_str());
+  if (exponent < -5 || exponent > 15) {
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+  } else {
+    std::snprintf(text, sizeof text, "%.*f", std::max(digits - 1 - exponent, 0), number);
+  }
+  return text;
+}
+
 bool as_text(Arguments a, Value& result) {
+  if (a.size() < 2) return set_text(result, shortest_text(a[0].number));
+  if (!is_integer(a[1].number) || a[1].number < 0.0 || a[1].number > 17.0) return false;
   char text[400];
-  if (a.size() > 1) {
-    if (!is_integer(a[1].number) || a[1].number < 0.0 || a[1].number > 17.0) return false;
-    std::snprintf(text, sizeof text, "%.*f", static_cast<int>(std::lround(a[1].number)),
-                  a[0].number);
-    return set_text(result, text);
-  }
-  for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, a[0].number);
-    if (std::strtod(text, nullptr) == a[0].number) break;
-  }
+  std::snprintf(text, sizeof text, "%.*f", static_cast<int>(std::lround(a[1].number)), a[0].number);
   return set_text(result, text);
 }
 bool as_number(Arguments a, Value& result) {

@@ -13,8 +13,8 @@ namespace stanok::lang {
 
 struct ActiveBlock;
 
-// Modal groups (docs/language.md, "G and M codes"). One code of a group at a time; non-modal codes
-// have no group.
+// Modal groups in the order of their numbers (docs/language.md, "G and M codes"): `motion` is 1,
+// `polar` 17. One code of a group at a time; non-modal codes have no group.
 enum class Group : std::uint8_t {
   motion,
   plane,
@@ -27,13 +27,13 @@ enum class Group : std::uint8_t {
   transformation,
   return_level,
   scaling,
-  mirror,
   work_offset,
   path_mode,
   spindle_mode,
   diameter,
   rotation,
   polar,
+  mirror,
   stop,
   tool,
   spindle,

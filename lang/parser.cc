@@ -59,6 +59,7 @@ void Parser::parse_statement(StatementList& list) {
   if (scanner_.at_line_end()) return scanner_.skip_line_end();
   const char c = scanner_.character();
   if (c == ';') return scanner_.at_line_start() ? scanner_.skip_to_line_end() : scanner_.advance(1);
+  if (c == '}' && inside_braces()) return;
   if (c == '}') {
     reporter_.error("E2003", scanner_.here(), "`}` without `{`", "nothing to close");
     return scanner_.advance(1);
@@ -168,7 +169,9 @@ Parser::MaybeStatement Parser::parse_kind() {
 // A statement that begins with at least two letters.
 Parser::MaybeStatement Parser::parse_named_start() {
   const std::string name = folded(scanner_.name_ahead());
-  const char behind = scanner_.character(name.size());
+  std::size_t next = name.size();
+  while (is_blank(scanner_.character(next))) ++next;
+  const char behind = scanner_.character(next);
   const bool macro_condition = (name == "if" || name == "while") && behind == '[';
   if (macro_condition || name == "goto" || is_numbered(name, "do") || is_numbered(name, "end")) {
     return parse_macro_line();

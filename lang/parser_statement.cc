@@ -87,6 +87,7 @@ std::optional<StatementList> Parser::parse_body(std::string_view of) {
   }
   StatementList body;
   ++brace_depth_;
+  scanner_.skip_blanks(LineEnds::significant);
   while (!scanner_.at_end() && scanner_.character() != '}') {
     parse_statement(body);
     if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
