@@ -209,7 +209,10 @@ std::size_t SpeedPlan::later_start(const Key& left, const Key& right,
       if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
     }
     if (next == npos || next >= right.boundary || boundaries_[next] >= reach) break;
-    if (!pays(limits, limits_between(boundaries_[next], reach))) break;
+    if (slowest_.value(left.boundary, next) < left.v ||
+        !pays(limits, limits_between(boundaries_[next], reach))) {
+      break;
+    }
     Segment later;
     if (fit({.boundary = next, .v = left.v}, right, unlimited, later) != Fit::fits) break;
     const double waited = distance(left.boundary, next) / left.v;
@@ -240,7 +243,10 @@ std::size_t SpeedPlan::earlier_end(const Key& left, const Key& right,
       if (a_[i] <= limits.a || j_[i] <= limits.j) next = i;
     }
     if (next == npos || next <= left.boundary || boundaries_[next] <= reach) break;
-    if (!pays(limits, limits_between(reach, boundaries_[next]))) break;
+    if (slowest_.value(next - 1, right.boundary - 1) < right.v ||
+        !pays(limits, limits_between(reach, boundaries_[next]))) {
+      break;
+    }
     Segment earlier;
     if (fit(left, {.boundary = next, .v = right.v}, unlimited, earlier) != Fit::fits) break;
     const double waited = distance(next, right.boundary) / right.v;
@@ -313,117 +319,11 @@ bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending
   // lowered.
   const bool ends_inside = end < right.boundary && (left_at >= boundaries_[end] || right.v > v);
   const bool begins_inside = begin > left.boundary && (reached <= boundaries_[begin] || left.v > v);
-  if (ends_inside) pending.push_back({.boundary = end, .v = v});
-  if (begins_inside) pending.push_back({.boundary = begin, .v = v});
+  if (ends_inside) pending.push_back({.boundary = end, .v = std::min(v, boundary_limit(end))});
+  if (begins_inside) {
+    pending.push_back({.boundary = begin, .v = std::min(v, boundary_limit(begin))});
+  }
   return ends_inside || begins_inside;
-}
-
-bool SpeedPlan::add_stair(Key& left, const Key& right, std::size_t far_end, Direction direction,
-                          std::vector<Key>& pending) {
-  const bool forward = direction == Direction::forward;
-  const Key& from = forward ? left : right;
-  Key key = best_stair(from, far_end, forward ? right.boundary : left.boundary);
-  const RampLimits limits =
-      limits_over(std::min(from.boundary, key.boundary), std::max(from.boundary, key.boundary));
-  const double wait = stair_wait(from, key.boundary, key.v);
-  if (forward) {
-    left.begins_stair = true;
-    left.stair = {.first = left.boundary,
-                  .last = key.boundary,
-                  .v0 = left.v,
-                  .v1 = key.v,
-                  .top = key.v,
-                  .wait_first = wait,
-                  .up = limits,
-                  .down = limits};
-  } else {
-    key.begins_stair = true;
-    key.stair = {.first = key.boundary,
-                 .last = right.boundary,
-                 .v0 = key.v,
-                 .v1 = right.v,
-                 .top = key.v,
-                 .wait_last = wait,
-                 .up = limits,
-                 .down = limits};
-  }
-  pending.push_back(key);
-  return true;
-}
-
-// Tries boundaries further and further out and takes the first one at which the stair comes close
-// to the limit; a stair that is too short spends its time on jerk, one too long below the limits.
-SpeedPlan::Key SpeedPlan::best_stair(const Key& from, std::size_t nearest, std::size_t stop) const {
-  constexpr double close = 0.8;
-  Key best{.boundary = nearest, .v = from.v};
-  double best_part = 0.0;
-  const bool forward = stop > from.boundary;
-  const std::size_t room = forward ? stop - nearest : nearest - stop;
-  for (std::size_t step = 0; step < room; step += std::max<std::size_t>(1, step / 2)) {
-    const std::size_t end = forward ? nearest + step : nearest - step;
-    const double rise = boundary_limit(end) - from.v;
-    if (rise <= 0.0) break;
-    const double v = stair_speed(from, end);
-    const double part = (v - from.v) / rise;
-    if (part > best_part) {
-      best = {.boundary = end, .v = v};
-      best_part = part;
-    }
-    if (part >= close) break;
-  }
-  return best;
-}
-
-// The highest speed of a stair that ends at boundary `end`, its ramp as far out as possible.
-double SpeedPlan::stair_speed(const Key& from, std::size_t end) const {
-  const RampLimits limits = limits_over(std::min(from.boundary, end), std::max(from.boundary, end));
-  const double length = distance(from.boundary, end);
-  const auto latest = [&](double v) {
-    return from.v > 0.0 ? std::max(length - ramp_distance(from.v, v, limits), 0.0) : 0.0;
-  };
-  double high = std::min(boundary_limit(end), reachable_speed(from.v, length, limits));
-  if (high <= from.v) return from.v;
-  if (stair_fits(from, end, high, latest(high), limits)) return high;
-  double low = from.v;
-  constexpr int halvings = 10;
-  for (int k = 0; k < halvings; ++k) {
-    const double v = 0.5 * (low + high);
-    (stair_fits(from, end, v, latest(v), limits) ? low : high) = v;
-  }
-  return low;
-}
-
-// The shortest wait before the ramp of a stair that keeps the limits.
-double SpeedPlan::stair_wait(const Key& from, std::size_t end, double v) const {
-  const RampLimits limits = limits_over(std::min(from.boundary, end), std::max(from.boundary, end));
-  const double length = distance(from.boundary, end);
-  if (from.v <= 0.0 || v <= from.v || stair_fits(from, end, v, 0.0, limits)) return 0.0;
-  double high = std::max(length - ramp_distance(from.v, v, limits), 0.0);
-  double low = 0.0;
-  constexpr int halvings = 10;
-  for (int k = 0; k < halvings; ++k) {
-    const double wait = 0.5 * (low + high);
-    (stair_fits(from, end, v, wait, limits) ? high : low) = wait;
-  }
-  return high;
-}
-
-// Whether the stair from the key point outward to boundary `end`, `wait` of length at the key's
-// speed and then up to `v`, keeps the speed of every piece.
-bool SpeedPlan::stair_fits(const Key& from, std::size_t end, double v, double wait,
-                           const RampLimits& limits) const {
-  const bool forward = end > from.boundary;
-  const std::size_t count = forward ? end - from.boundary : from.boundary - end;
-  const double length = ramp_distance(from.v, v, limits);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t piece = forward ? from.boundary + k : from.boundary - 1 - k;
-    if (v_[piece] >= v) continue;
-    if (v_[piece] < from.v) return false;
-    const double far_side = distance(from.boundary, forward ? piece + 1 : piece);
-    const double reached = wait + distance_from_slow_end(from.v, v, limits, v_[piece]);
-    if (reached < far_side) return false;
-  }
-  return wait + length <= distance(from.boundary, end) * (1.0 + 1e-12);
 }
 
 void SpeedPlan::append_phases(const Segment& segment, std::vector<Phase>& phases) const {

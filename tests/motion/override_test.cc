@@ -206,6 +206,71 @@ TEST(Override, BackAtOneHundredPercentCostsLittleTime) {
   EXPECT_LT(static_cast<double>(planned.size()), 1.05 * static_cast<double>(nominal.size()));
 }
 
+TEST(Override, ComesToRestAtTheEndOfWhatArrivedAndGoesOnWhenMoreDoes) {
+  ChainMaker chain(limits);
+  for (int k = 0; k < 8000; ++k) chain.line(0.1, 100.0);
+  chain.end_chain();
+  const MotionConfig config = three_axes(limits);
+  LookAhead look_ahead(config);
+  for (const auto& built : chain.built()) look_ahead.add(built);
+  PathQueue prepared;
+  ASSERT_TRUE(look_ahead.deliver(prepared));
+  ASSERT_GT(prepared.chunks.size(), 3U);
+  PathQueue queue;
+  double arrived = 0.0;
+  const auto deliver_one = [&] {
+    const Chunk chunk = prepared.chunks.front();
+    for (std::uint32_t k = 0; k < chunk.pieces; ++k)
+      ASSERT_TRUE(queue.pieces.push(prepared.pieces[k]));
+    for (std::uint32_t k = 0; k < chunk.phases; ++k)
+      ASSERT_TRUE(queue.phases.push(prepared.phases[k]));
+    ASSERT_TRUE(queue.chunks.push(chunk));
+    prepared.pieces.pop_front(chunk.pieces);
+    prepared.phases.pop_front(chunk.phases);
+    prepared.chunks.pop_front();
+    arrived += chunk.length;
+  };
+  deliver_one();
+  Interpolator interpolator(config);
+  std::vector<Sample> samples(1);
+  const auto run = [&](int cycles) {
+    for (int k = 0; k < cycles; ++k) {
+      Sample sample;
+      interpolator.advance(queue, {}, sample.out);
+      samples.push_back(sample);
+    }
+  };
+  run(10);
+  EXPECT_EQ(samples.back().out.state, PathState::idle);  // one chunk alone is not entered
+  deliver_one();
+  run(5000);
+  EXPECT_EQ(samples.back().out.state, PathState::starved);
+  EXPECT_EQ(samples.back().out.s_speed, 0.0);
+  EXPECT_NEAR(samples.back().out.axes[0].value, arrived, 1e-9);
+  while (!prepared.chunks.empty()) deliver_one();
+  run(15000);
+  EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
+  EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
+}
+
+TEST(Override, LimitsHoldAcrossChunks) {
+  ChainMaker chain(limits);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int k = 0; k < 9000; ++k)
+    chain.line(0.02 + 0.1 * part(random), k % 500 < 250 ? 60.0 : 110.0);
+  chain.end_chain();
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    RandomOperator settings(seed, 0.004);
+    const auto samples = run_path(three_axes(limits), chain.built(),
+                                  [&](int k) { return k < 30000 ? settings(k) : FeedControl{}; });
+    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
+    EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
+    EXPECT_NEAR(samples.back().s, chain.length(), 1e-9 * chain.length());
+  }
+}
+
 TEST(Override, CycleUsesNoHeap) {
   std::mt19937_64 random(5);
   const ChainMaker chain = random_chain(random, 300, -2.5);

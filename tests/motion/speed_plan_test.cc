@@ -1,0 +1,152 @@
+// Key points, plateaus and stairs: how close to the limits the plan comes, and that it keeps them.
+#include "motion/speed_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace stanok::motion {
+namespace {
+
+constexpr RampLimits machine{.a = 2000.0, .j = 50000.0};
+
+struct Planned {
+  std::vector<Phase> phases;
+  double duration = 0.0;
+  double length = 0.0;
+};
+
+Planned plan(const std::vector<SpeedPiece>& pieces) {
+  SpeedPlan planner;
+  EXPECT_TRUE(planner.plan(pieces, 0.0));
+  Planned planned;
+  for (const Segment& segment : planner.segments()) planner.append_phases(segment, planned.phases);
+  for (const Phase& phase : planned.phases) planned.duration += phase.duration;
+  planned.length = planner.boundary(pieces.size());
+  return planned;
+}
+
+// Every phase against every piece it touches, sampled closely.
+void expect_limits(const std::vector<SpeedPiece>& pieces, const Planned& planned) {
+  std::size_t piece = 0;
+  double end = pieces[0].length;
+  for (const Phase& phase : planned.phases) {
+    constexpr int samples = 40;
+    for (int k = 0; k <= samples; ++k) {
+      const PathMotion motion = motion_at(phase, phase.duration * k / samples);
+      while (piece + 1 < pieces.size() && motion.s > end + 1e-9) end += pieces[++piece].length;
+      if (motion.s > end - 1e-9 || motion.s < end - pieces[piece].length + 1e-9) continue;
+      ASSERT_LE(motion.v, pieces[piece].v * (1.0 + 1e-9)) << "piece " << piece;
+      ASSERT_LE(std::abs(motion.a), pieces[piece].ramp.a * (1.0 + 1e-9)) << "piece " << piece;
+      ASSERT_LE(std::abs(motion.j), pieces[piece].ramp.j * (1.0 + 1e-9)) << "piece " << piece;
+    }
+  }
+}
+
+TEST(SpeedPlan, OnePieceTakesTheTimeOfTwoRampsAndACruise) {
+  const Planned planned = plan({{.length = 100.0, .v = 80.0, .ramp = machine}});
+  EXPECT_NEAR(planned.duration, 100.0 / 80.0 + ramp_duration(0.0, 80.0, machine), 1e-12);
+}
+
+TEST(SpeedPlan, PiecesOfOneSpeedAreLikeOne) {
+  std::vector<SpeedPiece> many(200, {.length = 0.5, .v = 80.0, .ramp = machine});
+  const Planned planned = plan(many);
+  EXPECT_NEAR(planned.duration, 100.0 / 80.0 + ramp_duration(0.0, 80.0, machine), 1e-11);
+  EXPECT_LE(planned.phases.size(), 7U);
+}
+
+TEST(SpeedPlan, SlowPieceIsPassedAtItsSpeedAndLeftAtOnce) {
+  // 50 mm, a slow millimetre, 50 mm: by symmetry two equal halves, each with its own cruise.
+  const Planned planned = plan({{.length = 50.0, .v = 100.0, .ramp = machine},
+                                {.length = 1.0, .v = 20.0, .ramp = machine},
+                                {.length = 50.0, .v = 100.0, .ramp = machine}});
+  const double ramps = ramp_distance(0.0, 100.0, machine) + ramp_distance(100.0, 20.0, machine);
+  const double half = ramp_duration(0.0, 100.0, machine) + ramp_duration(100.0, 20.0, machine) +
+                      (50.0 - ramps) / 100.0;
+  EXPECT_NEAR(planned.duration, 2.0 * half + 1.0 / 20.0, 1e-11);
+}
+
+TEST(SpeedPlan, PoorLimitsOfASlowPieceDoNotSpoilTheRampBehindIt) {
+  const RampLimits poor{.a = 100.0, .j = 2000.0};
+  const Planned planned = plan({{.length = 50.0, .v = 100.0, .ramp = machine},
+                                {.length = 0.02, .v = 30.0, .ramp = poor},
+                                {.length = 0.02, .v = 20.0, .ramp = poor},
+                                {.length = 0.02, .v = 30.0, .ramp = poor},
+                                {.length = 50.0, .v = 100.0, .ramp = machine}});
+  const double ramps = ramp_distance(0.0, 100.0, machine) + ramp_distance(100.0, 20.0, machine);
+  const double half = ramp_duration(0.0, 100.0, machine) + ramp_duration(100.0, 20.0, machine) +
+                      (50.0 - ramps) / 100.0;
+  EXPECT_LT(planned.duration, 2.0 * half + 0.06 / 20.0 + 1e-9);
+}
+
+TEST(SpeedPlan, PathAndItsMirrorImageTakeTheSameTime) {
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int k = 0; k < 50; ++k) {
+    std::vector<SpeedPiece> pieces;
+    for (int i = 0; i < 30; ++i) {
+      pieces.push_back(
+          {.length = 0.5 + 5.0 * part(random), .v = 10.0 + 150.0 * part(random), .ramp = machine});
+    }
+    const double there = plan(pieces).duration;
+    std::reverse(pieces.begin(), pieces.end());
+    EXPECT_NEAR(plan(pieces).duration, there, 0.01 * there);
+  }
+}
+
+// A limit that rises like v dv/ds = a: against it the plan may lose about a^2 / 2J in speed, twice
+// that for what is held between stairs.
+TEST(SpeedPlan, SlowlyRisingLimitIsFollowedClosely) {
+  for (const double slope : {50.0, 200.0, 500.0}) {
+    std::vector<SpeedPiece> pieces;
+    double ideal = 0.0;
+    double ideal_with_loss = 0.0;
+    const double loss = slope * slope / machine.j;
+    for (double s = 0.0; s < 60.0; s += 0.05) {
+      const double v = std::sqrt(900.0 + 2.0 * slope * s);
+      pieces.push_back({.length = 0.05, .v = v, .ramp = machine});
+      ideal += 0.05 / v;
+      ideal_with_loss += 0.05 / (v - loss);
+    }
+    const double v_end = pieces.back().v;
+    const double start_and_end =
+        ramp_duration(0.0, 30.0, machine) + ramp_duration(v_end, 0.0, machine);
+    EXPECT_GT(plan(pieces).duration, ideal);
+    EXPECT_LT(plan(pieces).duration, 1.02 * ideal_with_loss + start_and_end) << "slope " << slope;
+  }
+}
+
+TEST(SpeedPlan, LimitsAreKeptOnRandomRunsOfPieces) {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    std::vector<SpeedPiece> pieces;
+    const double exponent = -3.0 + 3.0 * part(random);
+    double v = 50.0;
+    for (int k = 0; k < 120; ++k) {
+      v = std::clamp(v * std::exp(part(random) - 0.5), 1.0, 400.0);
+      pieces.push_back(
+          {.length = std::pow(10.0, exponent + part(random)),
+           .v = v,
+           .ramp = {.a = 100.0 + 2000.0 * part(random), .j = 1000.0 + 50000.0 * part(random)}});
+    }
+    const Planned planned = plan(pieces);
+    expect_limits(pieces, planned);
+    EXPECT_EQ(planned.phases.back().s_end, planned.length);
+    EXPECT_EQ(planned.phases.back().v_end, 0.0);
+    for (std::size_t k = 1; k < planned.phases.size(); ++k) {
+      EXPECT_EQ(planned.phases[k].s, planned.phases[k - 1].s_end);
+    }
+  }
+}
+
+TEST(SpeedPlan, StartTooFastToStopIsToldSo) {
+  SpeedPlan planner;
+  EXPECT_FALSE(planner.plan({{.length = 1.0, .v = 200.0, .ramp = machine}}, 200.0));
+}
+
+}  // namespace
+}  // namespace stanok::motion
