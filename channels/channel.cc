@@ -59,7 +59,7 @@ void Channel::work_items(std::int64_t cycle) RT_SAFE {
     if (resetting_ || (state_ == ChannelState::held && running_)) return;
     if (!finish_activity()) return;
     if (link_.items.empty() || !interpolator_.at_rest()) return;
-    if (link_.path.chunks.popped() < link_.items.front().after_chunk) return;
+    if (path_.chunks_done < link_.items.front().after_chunk) return;
     static_cast<void>(link_.items.pop(item_));
     execute(item_, cycle);
   }
@@ -70,6 +70,9 @@ bool Channel::finish_activity() RT_SAFE {
   switch (activity_) {
     case Activity::none:
       return true;
+    case Activity::frame:
+      if (activity_began_ == cycle_) return false;
+      break;
     case Activity::dwell:
       if (activity_cycles_-- > 0) return false;
       break;
@@ -93,6 +96,7 @@ bool Channel::finish_activity() RT_SAFE {
 
 void Channel::wait(Activity activity, double seconds) RT_SAFE {
   activity_ = activity;
+  activity_began_ = cycle_;
   activity_cycles_ = ceiling(seconds / figures_.cycle_s - dwell_rounding);
 }
 
@@ -115,8 +119,10 @@ void Channel::execute(const Item& item, std::int64_t cycle) RT_SAFE {
     case ItemKind::reset_done:
       break;  // an answer to a reset that is over
     case ItemKind::transform:
+      // The axes stand for one cycle in the new frame, so that every trace begins where they are.
       transform_ = *item.transform;
       interpolator_.stand_at(axes_M(), transform_);
+      wait(Activity::frame, 0.0);
       break;
     case ItemKind::dwell:
       wait(Activity::dwell, item.value);
@@ -181,11 +187,17 @@ void Channel::set_axes(lang::AxisSet axes, bool free) RT_SAFE {
   }
 }
 
+// Chunks that may be entered now: those before the next item, and none while an item is at work.
+std::uint64_t Channel::chunk_limit(std::uint64_t available) const RT_SAFE {
+  if (activity_ != Activity::none) return path_.chunks_done;
+  if (link_.items.empty()) return available;
+  return std::min(available, link_.items.front().after_chunk);
+}
+
 void Channel::move() RT_SAFE {
   // Read before the items: a chunk seen here was pushed after the items that precede it.
   const std::uint64_t available = link_.path.chunks.pushed();
-  const std::uint64_t limit =
-      link_.items.empty() ? available : std::min(available, link_.items.front().after_chunk);
+  const std::uint64_t limit = chunk_limit(available);
   motion::FeedControl control = control_;
   if (!overrides_enabled_) control.feed_override = 1.0;
   if (!link_.path.chunks.empty())
@@ -227,7 +239,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.moving = path_.state == motion::PathState::moving;
   output.running = running_;
   output.run = run_;
-  output.waiting = activity_ != Activity::none;
+  output.waiting = activity_ != Activity::none && activity_ != Activity::frame;
   output.scheme = scheme_;
   output.tag = running_ ? path_.tag : motion::BlockTag{};
   output.feed_commanded = path_.feed_commanded;

@@ -109,7 +109,7 @@ class Channel {
   }
 
  private:
-  enum class Activity : std::uint8_t { none, dwell, spindle, brakes, request, stop };
+  enum class Activity : std::uint8_t { none, frame, dwell, spindle, brakes, request, stop };
 
   void work_items(std::int64_t cycle) RT_SAFE;
   [[nodiscard]] bool finish_activity() RT_SAFE;
@@ -117,6 +117,7 @@ class Channel {
   void end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;
+  [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
   void continue_reset() RT_SAFE;
   void wait(Activity activity, double seconds) RT_SAFE;
@@ -165,7 +166,8 @@ class Channel {
   std::uint64_t blocks_ = 0;
   Activity activity_ = Activity::none;
   std::int64_t activity_cycles_ = 0;
-  Item item_;  // the item being executed
+  std::int64_t activity_began_ = 0;  // when the activity began
+  Item item_;                        // the item being executed
   ShortText text_;
 };
 

@@ -1,6 +1,7 @@
 #include "runtime/trace_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 
@@ -57,6 +58,8 @@ TipTrace::TipTrace(const channels::MachineConfig& machine, int channel, std::str
 void TipTrace::begin_run(std::uint32_t run) {
   run_ = run;
   moved_ = false;
+  stands_ = false;
+  standing_rows_.clear();
   ++runs_;
   file_ = std::make_unique<OutputFile>(runs_ == 1 ? path_ : path_ + "." + std::to_string(runs_));
   write_header(file_->stream(), "t,line,feed", words_);
@@ -69,25 +72,44 @@ void TipTrace::observe(const channels::CycleOutput& output) {
   if (runs && (file_ == nullptr || channel->run != run_)) begin_run(channel->run);
   if (runs && channel->moving && !moved_) {
     moved_ = true;
-    if (const auto* rest = output_of(before_, channel_)) write_row(before_, *rest);
+    if (const auto* rest = output_of(before_, channel_)) write(row(before_, *rest));
   }
-  if (runs && moved_) write_row(output, *channel);
   if (!moved_ || !runs) before_ = output;
+  if (!runs || !moved_) return;
+  if (!channel->moving && stands_) {
+    standing_rows_ += row(output, *channel);
+    return;
+  }
+  write(standing_rows_ + row(output, *channel));
+  standing_rows_.clear();
+  stands_ = !channel->moving;
 }
 
-void TipTrace::write_row(const channels::CycleOutput& output,
-                         const channels::ChannelOutput& channel) {
-  std::FILE* stream = file_->stream();
-  std::fprintf(stream, "%.16e,%u,%.16e", static_cast<double>(output.cycle) * cycle_s_,
-               channel.tag.line, channel.feed_commanded);
-  const auto count = static_cast<std::size_t>(channel.axis_count);
-  for (std::size_t k = 0; k < count; ++k) std::fprintf(stream, ",%.16e", channel.point_W[k].value);
-  for (std::size_t k = 0; k < count; ++k) std::fprintf(stream, ",%.16e", channel.point_W[k].first);
-  for (std::size_t k = 0; k < count; ++k) {
-    std::fprintf(stream, ",%.16e", channel.point_W[k].second);
+std::string TipTrace::row(const channels::CycleOutput& output,
+                          const channels::ChannelOutput& channel) const {
+  constexpr std::size_t number_max = 32;  // characters
+  std::array<char, number_max> number{};
+  std::string text;
+  const auto append = [&](const char* format, auto value) {
+    text.append(number.data(), static_cast<std::size_t>(
+                                   std::snprintf(number.data(), number.size(), format, value)));
+  };
+  append("%.16e", static_cast<double>(output.cycle) * cycle_s_);
+  append(",%u", channel.tag.line);
+  append(",%.16e", channel.feed_commanded);
+  using Field = double kinematics::Jet::*;
+  for (const Field field : {&kinematics::Jet::value, &kinematics::Jet::first,
+                            &kinematics::Jet::second, &kinematics::Jet::third}) {
+    for (int k = 0; k < channel.axis_count; ++k) {
+      append(",%.16e", channel.point_W[static_cast<std::size_t>(k)].*field);
+    }
   }
-  for (std::size_t k = 0; k < count; ++k) std::fprintf(stream, ",%.16e", channel.point_W[k].third);
-  std::fputc('\n', stream);
+  text += '\n';
+  return text;
+}
+
+void TipTrace::write(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), file_->stream());
 }
 
 AxisTrace::AxisTrace(const channels::MachineConfig& machine, int channel, const std::string& path)

@@ -1,8 +1,9 @@
 // Traces: one CSV row per cycle, every number with 17 digits, for judges and plots
 // (docs/messages.md, "Traces").
 //
-// The tip trace follows the programmed point in the workpiece system, a file per program run; the
-// axis trace follows the machine axes of a channel through every cycle. Values are those at the
+// The tip trace follows the programmed point in the workpiece system, a file per program run, from
+// the last cycle at rest before the first move to the first one at rest after the last; the axis
+// trace follows the machine axes of a channel through every cycle. Values are those at the
 // cycle instant, derivatives are the analytic ones.
 #pragma once
 
@@ -37,7 +38,9 @@ class TipTrace final : public CycleObserver {
 
  private:
   void begin_run(std::uint32_t run);
-  void write_row(const channels::CycleOutput& output, const channels::ChannelOutput& channel);
+  [[nodiscard]] std::string row(const channels::CycleOutput& output,
+                                const channels::ChannelOutput& channel) const;
+  void write(const std::string& text);
 
   int channel_;
   double cycle_s_;
@@ -47,6 +50,8 @@ class TipTrace final : public CycleObserver {
   int runs_ = 0;
   std::uint32_t run_ = 0;
   bool moved_ = false;
+  bool stands_ = false;           // the row of the first cycle at rest is written
+  std::string standing_rows_;     // of the rest since then; written when it moves on
   channels::CycleOutput before_;  // the last cycle at rest before the first move
 };
 

@@ -69,6 +69,18 @@ TEST(Machine, DwellLastsTheProgrammedCycles) {
   EXPECT_EQ(cycles_of("G4 P0.25\nM30\n") - cycles_of("M30\n"), 250);
 }
 
+TEST(Machine, StandsDuringTheDwellBetweenMoves) {
+  MachineBench bench;
+  bench.program("p.nc", "G21 G90\nG1 X1 F600\nG4 P0.2\nX2\nM30\n");
+  bench.run(1, "p.nc");
+  int at_rest = 0;
+  bench.run_to_end([&](const CycleOutput& output) {
+    if (output.channels[0].axes[0].position == 1.0) ++at_rest;
+  });
+  EXPECT_GE(at_rest, 200);
+  EXPECT_LE(at_rest, 203);
+}
+
 TEST(Machine, MasterProgramSwitchesKinematicsAndRunsTheWorker) {
   MachineBench bench;
   bench.program("three.nc", "G21 G90 G54\nG1 X10 Y5 Z-2 F3000\nM30\n");
