@@ -103,13 +103,13 @@ void LookAhead::clear() {
   v_start_ = 0.0;
   plan_at_blocks_ = 2 * blocks_beyond;
   rest_phases_.clear();
-  rest_pieces_ = 0;
+  rest_keys_.clear();
   ready_.clear();
 }
 
 void LookAhead::plan_window(bool chain_ends) {
   if (!plan_.plan(speeds_, v_start_)) {
-    commit_rest_of_last_plan(chain_ends);
+    run_last_plan_on(chain_ends);
     if (window_.empty()) return;
     const bool stops = plan_.plan(speeds_, v_start_);
     STANOK_ASSERT(stops);
@@ -127,7 +127,7 @@ void LookAhead::plan_window(bool chain_ends) {
   plan_at_blocks_ = 2 * blocks_beyond;
 }
 
-// Commits the window up to a boundary with a = 0.
+// Commits the window up to a boundary with a = 0 and keeps what the plan holds for the rest.
 void LookAhead::commit(std::size_t boundary, bool chain_ends) {
   const double s_end = plan_.boundary(boundary);
   std::vector<Phase> phases;
@@ -138,16 +138,48 @@ void LookAhead::commit(std::size_t boundary, bool chain_ends) {
   }
   rest_phases_.swap(phases_);
   shift(rest_phases_, s_end);
-  rest_pieces_ = window_.size() - boundary;
+  rest_keys_.clear();
+  for (const Segment& segment : plan_.segments()) {
+    if (segment.last <= boundary) continue;
+    rest_keys_.push_back({.pieces = segment.last - boundary,
+                          .s = plan_.boundary(segment.last) - s_end,
+                          .v = segment.v1});
+  }
   const double v = phases.back().v_end;
   commit_chunks(boundary, phases, chain_ends);
   forget(boundary, v);
 }
 
+// The pieces that came since cannot be joined at the speed of the last cut: the last plan is run as
+// it is up to its next key point from which they can be; at the latest that is where it ends, at
+// rest.
+void LookAhead::run_last_plan_on(bool chain_ends) {
+  STANOK_ASSERT(!rest_keys_.empty());
+  std::size_t k = 0;
+  for (; k + 1 < rest_keys_.size(); ++k) {
+    const auto first = speeds_.begin() + static_cast<std::ptrdiff_t>(rest_keys_[k].pieces);
+    if (plan_.plan({first, speeds_.end()}, rest_keys_[k].v)) break;
+  }
+  const RestKey key = rest_keys_[k];
+  std::vector<Phase> phases;
+  split_phases(rest_phases_, key.s, phases);
+  commit_chunks(key.pieces, phases, chain_ends && key.pieces == window_.size());
+  forget(key.pieces, key.v);
+  shift(rest_phases_, key.s);
+  rest_keys_.erase(rest_keys_.begin(), rest_keys_.begin() + static_cast<std::ptrdiff_t>(k + 1));
+  for (RestKey& rest : rest_keys_) {
+    rest.pieces -= key.pieces;
+    rest.s -= key.s;
+  }
+}
+
 // Puts the first pieces of the window and the phases over them into chunks of the size allowed.
 void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends) {
+  double s_first = 0.0;
+  double s_last = 0.0;
   for (std::size_t first = 0; first < pieces;) {
     const std::size_t last = std::min(pieces, first + chunk_pieces_max);
+    for (std::size_t k = first; k < last; ++k) s_last += window_[k].length;
     Committed committed;
     const auto begin = window_.begin();
     committed.pieces.assign(begin + static_cast<std::ptrdiff_t>(first),
@@ -155,28 +187,18 @@ void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bo
     if (last == pieces) {
       committed.phases.swap(phases);
     } else {
-      split_phases(phases, plan_.boundary(last), committed.phases);
+      split_phases(phases, s_last, committed.phases);
     }
-    shift(committed.phases, plan_.boundary(first));
+    shift(committed.phases, s_first);
     committed.chunk = {.pieces = static_cast<std::uint32_t>(committed.pieces.size()),
                        .phases = static_cast<std::uint32_t>(committed.phases.size()),
                        .last = chain_ends && last == pieces,
-                       .length = plan_.boundary(last) - plan_.boundary(first),
+                       .length = s_last - s_first,
                        .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
     ready_.push_back(std::move(committed));
     first = last;
+    s_first = s_last;
   }
-}
-
-// The pieces that came since cannot be joined at the speed of the last cut: what the last plan held
-// for the rest of its window, down to rest, is run as it is.
-void LookAhead::commit_rest_of_last_plan(bool chain_ends) {
-  STANOK_ASSERT(rest_pieces_ > 0);
-  const std::size_t pieces = rest_pieces_;
-  commit_chunks(pieces, rest_phases_, chain_ends && pieces == window_.size());
-  rest_pieces_ = 0;
-  rest_phases_.clear();
-  forget(pieces, 0.0);
 }
 
 // Takes committed pieces out of the window; what remains starts at speed `v`.

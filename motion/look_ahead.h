@@ -41,10 +41,17 @@ class LookAhead {
     std::vector<Phase> phases;
     Chunk chunk;
   };
+  // A state with a = 0 after so many pieces, s of path.
+  struct RestKey {
+    std::size_t pieces = 0;
+    double s = 0.0;
+    double v = 0.0;
+  };
+
   void plan_window(bool chain_ends);
   void commit(std::size_t boundary, bool chain_ends);
   void commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends);
-  void commit_rest_of_last_plan(bool chain_ends);
+  void run_last_plan_on(bool chain_ends);
   void forget(std::size_t pieces, double v);
 
   [[nodiscard]] std::uint64_t blocks_after(std::size_t boundary) const;
@@ -62,9 +69,10 @@ class LookAhead {
 
   SpeedPlan plan_;
   std::vector<Phase> phases_;  // of the plan, s from the start of the window
-  // What the last plan held for the pieces it did not commit: a way to rest, always.
+  // What the last plan held for the pieces it did not commit: a way to rest, always, and the key
+  // points on it.
   std::vector<Phase> rest_phases_;
-  std::size_t rest_pieces_ = 0;
+  std::vector<RestKey> rest_keys_;
 
   std::deque<Committed> ready_;
   std::uint64_t delivered_ = 0;
