@@ -62,6 +62,8 @@ constexpr auto rows = std::to_array<CatalogueRow>({
      "correct the program and load it again"},
     {"E2030", "nesting too deep", end, "simplify; 64 levels are the limit",
      "correct the program and load it again"},
+    {"E2031", "an expression or statement that is too long", end, "split it",
+     "correct the program and load it again"},
     {"E2040", "a macro line of another control", end, "write it with if, while and for",
      "correct the program and load it again"},
     {"E2090", "not supported in this release", end, "see docs/language.md for what is there",

@@ -122,6 +122,21 @@ class Parser {
   bool parse_list(std::string_view close, std::vector<Expression>& list);
   [[nodiscard]] bool is_call(const Token& name);
 
+  // One level of nesting in an expression, for as long as it lives.
+  class Nesting {
+   public:
+    explicit Nesting(Parser& parser) : parser_(parser) { ++parser_.nesting_; }
+    ~Nesting() { --parser_.nesting_; }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+    // False, with a report, when the limit is exceeded.
+    [[nodiscard]] bool allowed();
+
+   private:
+    Parser& parser_;
+  };
+  bool count_operator(const Span& span);
+
   const Source& source_;
   Reporter& reporter_;
   ParserContext context_;
@@ -129,7 +144,9 @@ class Parser {
   std::set<std::string> functions_;
   LineEnds line_ends_ = LineEnds::blank;  // of the expression at hand
   int brace_depth_ = 0;
-  int group_depth_ = 0;
+  int else_if_depth_ = 0;
+  int nesting_ = 0;                 // of the expression at hand
+  int operator_count_ = 0;          // in it
   std::string_view closing_ = ";";  // what ends the simple statement at hand
 };
 

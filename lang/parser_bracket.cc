@@ -8,8 +8,6 @@
 namespace stanok::lang {
 namespace {
 
-constexpr int nesting_max = 64;
-
 // Functions in brackets and the function of high-level text that computes the same.
 constexpr auto bracket_functions =
     std::to_array<std::pair<std::string_view, std::string_view>>({{"abs", "abs"},
@@ -72,6 +70,8 @@ std::optional<std::string_view> bracket_function(std::string_view folded_name) {
 
 // [+|-] unsigned value
 Parser::MaybeExpression Parser::parse_value() {
+  Nesting nesting(*this);
+  if (!nesting.allowed()) return std::nullopt;
   const char sign = scanner_.character();
   if (sign != '+' && sign != '-') return parse_unsigned_value();
   const Span span = scanner_.here();
@@ -115,6 +115,8 @@ Parser::MaybeExpression Parser::parse_unsigned_value() {
 
 // #5, #<name>, ##5, #[...]
 Parser::MaybeExpression Parser::parse_parameter_reference() {
+  Nesting nesting(*this);
+  if (!nesting.allowed()) return std::nullopt;
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
@@ -143,16 +145,10 @@ Parser::MaybeExpression Parser::parse_parameter_reference() {
 }
 
 Parser::MaybeExpression Parser::parse_bracket() {
-  if (group_depth_ >= nesting_max) {
-    reporter_.error("E2030", scanner_.here(), "more than 64 nested brackets", "too deep");
-    return std::nullopt;
-  }
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
-  ++group_depth_;
   auto inner = parse_bracket_binary(0);
-  --group_depth_;
   if (!inner) return std::nullopt;
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != ']') {
@@ -177,6 +173,7 @@ Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
       if (candidate.name == name && candidate.level == level) found = &candidate;
     }
     if (found == nullptr) break;
+    if (!count_operator(token.span)) return std::nullopt;
     scanner_.take(LineEnds::significant);
     auto right = parse_bracket_binary(level + 1);
     if (!right) return std::nullopt;

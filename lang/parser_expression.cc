@@ -9,6 +9,7 @@ namespace stanok::lang {
 namespace {
 
 constexpr int nesting_max = 64;
+constexpr int operators_max = 1000;
 
 struct BinaryOperator {
   std::string_view symbol;
@@ -76,12 +77,29 @@ bool is_letter_with_index(std::string_view name) {
 
 Parser::MaybeExpression Parser::parse_expression(LineEnds line_ends) {
   const LineEnds outer = std::exchange(line_ends_, line_ends);
+  if (nesting_ == 0) operator_count_ = 0;
   auto expression = parse_conditional();
   line_ends_ = outer;
   return expression;
 }
 
+bool Parser::Nesting::allowed() {
+  if (parser_.nesting_ <= nesting_max) return true;
+  parser_.reporter_.error("E2030", parser_.scanner_.here(), "an expression nested too deep",
+                          "more than 64 levels");
+  return false;
+}
+
+// Chains of operators become deep trees.
+bool Parser::count_operator(const Span& span) {
+  if (++operator_count_ <= operators_max) return true;
+  reporter_.error("E2031", span, "an expression with more than 1000 operators", "one too many");
+  return false;
+}
+
 Parser::MaybeExpression Parser::parse_conditional() {
+  Nesting nesting(*this);
+  if (!nesting.allowed()) return std::nullopt;
   auto condition = parse_binary(0);
   if (!condition || !accept("?")) return condition;
   auto first = parse_conditional();
@@ -109,6 +127,7 @@ Parser::MaybeExpression Parser::parse_binary(int level) {
           .help.push_back("join them with `&&`, e.g. `aa < bb && bb < cc`");
       return std::nullopt;
     }
+    if (!count_operator(token.span)) return std::nullopt;
     scanner_.take(line_ends_);
     auto right = parse_binary(level + 1);
     if (!right) return std::nullopt;
@@ -122,13 +141,9 @@ Parser::MaybeExpression Parser::parse_unary() {
   const bool minus = token.is("-");
   if (!minus && !token.is("+") && !token.is("!")) return parse_power();
   scanner_.take(line_ends_);
-  if (++group_depth_ > nesting_max) {
-    reporter_.error("E2030", token.span, "more than 64 nested operators", "too deep");
-    --group_depth_;
-    return std::nullopt;
-  }
+  Nesting nesting(*this);
+  if (!nesting.allowed()) return std::nullopt;
   auto operand = parse_unary();
-  --group_depth_;
   if (!operand) return std::nullopt;
   const Operation operation = minus           ? Operation::negate
                               : token.is("+") ? Operation::identity
@@ -140,6 +155,8 @@ Parser::MaybeExpression Parser::parse_unary() {
 Parser::MaybeExpression Parser::parse_power() {
   auto base = parse_primary();
   if (!base || !accept("**")) return base;
+  Nesting nesting(*this);
+  if (!nesting.allowed()) return std::nullopt;
   auto exponent = parse_unary();
   if (!exponent) return std::nullopt;
   return binary_of(Operation::power, std::move(*base), std::move(*exponent));
@@ -169,14 +186,8 @@ Parser::MaybeExpression Parser::parse_primary() {
 }
 
 Parser::MaybeExpression Parser::parse_group() {
-  const Token open = scanner_.take(line_ends_);
-  if (group_depth_ >= nesting_max) {
-    reporter_.error("E2030", open.span, "more than 64 nested parentheses", "too deep");
-    return std::nullopt;
-  }
-  ++group_depth_;
+  scanner_.take(line_ends_);
   auto inner = parse_conditional();
-  --group_depth_;
   if (!inner || !expect(")", "the expression")) return std::nullopt;
   return inner;
 }
@@ -255,18 +266,12 @@ Parser::MaybeExpression Parser::parse_system_variable() {
 // expressions separated by commas, up to and with `close`
 bool Parser::parse_list(std::string_view close, std::vector<Expression>& list) {
   if (accept(close)) return true;
-  if (group_depth_ >= nesting_max) {
-    reporter_.error("E2030", scanner_.here(), "more than 64 nested parentheses", "too deep");
-    return false;
-  }
-  ++group_depth_;
   bool good = true;
   do {
     auto element = parse_conditional();
     good = element.has_value();
     if (good) list.push_back(std::move(*element));
   } while (good && accept(","));
-  --group_depth_;
   return good && expect(close, "the last value");
 }
 

@@ -145,6 +145,7 @@ bool Parser::end_iso_in_braces() {
 }
 
 bool Parser::parse_iso_part(IsoBlock& block) {
+  operator_count_ = 0;
   const char c = scanner_.character();
   if (c == '(') return parse_comment(block);
   if (c == '#') return parse_parameter_setting(block);

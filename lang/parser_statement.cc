@@ -8,6 +8,7 @@ namespace stanok::lang {
 namespace {
 
 constexpr int nesting_max = 64;
+constexpr int else_if_max = 1000;
 
 constexpr auto keywords = std::to_array<std::string_view>(
     {"if",     "else", "while", "for",    "do",   "switch", "case",  "default", "break", "continue",
@@ -131,13 +132,13 @@ Parser::MaybeStatement Parser::parse_if() {
   scanner_.take(LineEnds::blank);
   const Token next = scanner_.peek(LineEnds::blank);
   if (next.kind == TokenKind::name && folded(next.text) == "if") {
-    if (++brace_depth_ > nesting_max * 2) {
-      reporter_.error("E2030", next.span, "too many `else if`", "too deep");
-      --brace_depth_;
+    if (else_if_depth_ >= else_if_max) {
+      reporter_.error("E2031", next.span, "more than 1000 `else if` in a row", "one too many");
       return std::nullopt;
     }
+    ++else_if_depth_;
     auto other = parse_if();
-    --brace_depth_;
+    --else_if_depth_;
     if (!other) return std::nullopt;
     other->span = next.span;
     statement.else_body.push_back(std::move(*other));
@@ -263,6 +264,11 @@ Parser::MaybeStatement Parser::parse_jump(std::string_view keyword) {
 // An assignment or a call.
 Parser::MaybeStatement Parser::parse_simple() {
   line_ends_ = LineEnds::blank;
+  const Token name = scanner_.peek(LineEnds::blank);
+  if (name.kind != TokenKind::name) {
+    report_unexpected(name, "an assignment or a call");
+    return std::nullopt;
+  }
   auto target = parse_name();
   if (!target) return std::nullopt;
   if (target->node == Node::call) {
