@@ -34,8 +34,8 @@ inline MotionConfig three_axes(const Limits& limits, double cycle_s = 0.001) {
   return config;
 }
 
-// Appends pieces one after another. Straight pieces run along X, so that any succession of them is
-// continuous; arcs turn in the plane YZ... each one starts where the last piece ended.
+// Appends pieces, each of which starts where the last one ended. Straight pieces run along X, so
+// that any succession of them is smooth.
 class ChainMaker {
  public:
   explicit ChainMaker(const Limits& limits) : limits_(limits) {}
