@@ -27,7 +27,7 @@ struct Plan {
 };
 
 constexpr Plan full{41913, 2690.0, 144, 4, 24, {0.002, 0.12, 0.50}};
-constexpr Plan small{1200, 13.0, 8, 2, 3, {0.01, 0.3, 2.0}};
+constexpr Plan small{600, 11.0, 4, 2, 2, {0.01, 0.3, 2.0}};
 
 // From 0 at t <= 0 to 1 at t >= 1, three derivatives continuous.
 double smooth_step(double t) {

@@ -25,7 +25,7 @@ struct Plan {
 };
 
 constexpr Plan full{173103, 2990.0, 400, 5, 5, {0.0008, 0.12, 0.30}};
-constexpr Plan small{2500, 20.0, 12, 2, 5, {0.004, 0.2, 0.8}};
+constexpr Plan small{1500, 15.0, 6, 2, 5, {0.004, 0.2, 0.8}};
 
 using Vector = std::array<double, 3>;
 
