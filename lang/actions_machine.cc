@@ -1,4 +1,5 @@
 // Actions of feed, speed, tool, coolant, dwell and program end.
+#include <algorithm>
 #include <cmath>
 
 #include "lang/actions.h"
@@ -7,9 +8,17 @@
 namespace stanok::lang {
 namespace {
 
-SpindleCommand spindle_command(const ActiveBlock& block, SpindleAction action) {
+// The spindle that $ names: 0 the master spindle, -1 all.
+SpindleCommand spindle_command(ActiveBlock& block, SpindleAction action) {
   SpindleCommand command;
   command.spindle = block.words.spindle_named ? block.words.spindle : 0;
+  const std::vector<int>& known = block.channel.spindles;
+  const bool exists = command.spindle == 0 || command.spindle == -1 ||
+                      std::find(known.begin(), known.end(), command.spindle) != known.end();
+  if (!exists) {
+    block.fail("E4053", {}, "the channel has no spindle " + std::to_string(command.spindle),
+               "unknown spindle");
+  }
   command.action = action;
   command.speed_rev_per_min = block.modal.speed_rev_per_min;
   return command;

@@ -225,6 +225,10 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
     block.fail(fault.code, fault.word, fault.message, fault.label).notes = fault.notes;
     return;
   }
+  const bool turns_spindle = block.has('S') || codes.has(Group::spindle);
+  if (block.words.spindle_named && !turns_spindle) {
+    block.fail("E4003", {}, "nothing in this block uses the spindle after `$`", "unused word");
+  }
   for (const NamedWord& word : block.words.named) {
     if (block.channel_words.axis_called(word.name) >= 0) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",

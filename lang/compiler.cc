@@ -72,12 +72,21 @@ void Compiler::compile_statement(const Statement& statement) {
   }
   std::visit([this](const auto& kind) { compile_kind(kind); }, statement.kind);
   if (reporter_.error_count() != errors && reporter_.is_soft(statement.span.offset)) {
-    file_.code.resize(start);
-    file_.spans.resize(start);
+    drop_code_from(start);
     compile_kind(FaultyText{reporter_.last_error()});
     return;
   }
   if (skip) patch(*skip);
+}
+
+void Compiler::drop_code_from(std::size_t start) {
+  file_.code.resize(start);
+  file_.spans.resize(start);
+  const auto dropped = [start](std::size_t jump) { return jump >= start; };
+  for (Loop& loop : loops_) {
+    std::erase_if(loop.breaks, dropped);
+    std::erase_if(loop.continues, dropped);
+  }
 }
 
 void Compiler::compile_kind(const PlainLines& lines) {

@@ -73,6 +73,7 @@ class Compiler {
   void compile_list(const StatementList& list);
   void compile_statement(const Statement& statement);
   void compile_body(const StatementList& list);  // with its own scope
+  void drop_code_from(std::size_t start);
   void compile_kind(const PlainLines& lines);
   void compile_kind(const IncludeDirective&);
   void compile_kind(const KinematicsDirective& directive);

@@ -58,7 +58,8 @@ void Parser::parse_statement(StatementList& list) {
   if (scanner_.at_end()) return;
   if (scanner_.at_line_end()) return scanner_.skip_line_end();
   const char c = scanner_.character();
-  if (c == ';') return scanner_.at_line_start() ? scanner_.skip_to_line_end() : scanner_.advance(1);
+  if (c == ';')
+    return scanner_.at_line_start() ? scanner_.skip_line_comment() : scanner_.advance(1);
   if (c == '}' && inside_braces()) return;
   if (c == '}') {
     reporter_.error("E2003", scanner_.here(), "`}` without `{`", "nothing to close");

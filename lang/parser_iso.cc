@@ -93,17 +93,20 @@ std::size_t read_format(std::string_view text, int& decimals) {
   return 4;
 }
 
+// Addresses of feed laws and spindle positions.
+bool is_registered_address(std::string_view name) {
+  return std::any_of(registered_addresses.begin(), registered_addresses.end(),
+                     [&](std::string_view known) { return folded(known) == folded(name); });
+}
+
 }  // namespace
 
 bool Parser::is_named_address(std::string_view name) const {
   std::size_t behind = name.size();
   while (is_blank(scanner_.character(behind))) ++behind;
   if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
-  const auto same = [&](std::string_view known) { return folded(known) == folded(name); };
-  if (std::any_of(registered_addresses.begin(), registered_addresses.end(), same)) return true;
-  if (context_.channel == nullptr) return false;
-  return std::any_of(context_.channel->axes.begin(), context_.channel->axes.end(),
-                     [&](const AxisDescription& axis) { return same(axis.word); });
+  if (is_registered_address(name)) return true;
+  return context_.channel != nullptr && ChannelWords(*context_.channel).axis_called(name) >= 0;
 }
 
 Parser::MaybeStatement Parser::parse_iso() {
@@ -119,7 +122,7 @@ Parser::MaybeStatement Parser::parse_iso() {
       break;
     }
     if (c == ';') {
-      scanner_.skip_to_line_end();
+      scanner_.skip_line_comment();
       break;
     }
     if (!parse_iso_part(block)) return std::nullopt;
@@ -253,6 +256,12 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
         .error("E2011", name_span, "`" + std::string(name) + "=` is no word",
                "a code takes no `=` behind its number")
         .help.push_back("for spindle 2 write e.g. `M3 $2`");
+    return false;
+  }
+  if (!has_index && is_registered_address(name)) {
+    reporter_.error("E2090", name_span,
+                    "`" + std::string(name) + "` is not supported in this release",
+                    "address of a feed law or spindle position");
     return false;
   }
   scanner_.advance(name.size());

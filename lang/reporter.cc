@@ -7,7 +7,8 @@
 namespace stanok::lang {
 namespace {
 
-constexpr std::size_t errors_max = 100;
+// Of each severity.
+constexpr std::size_t diagnostics_max = 100;
 
 // Levenshtein distance, case-insensitive.
 std::size_t edits(std::string_view from, std::string_view to) {
@@ -77,11 +78,15 @@ void Reporter::add(Diagnostic diagnostic) {
   keep(std::move(diagnostic));
 }
 
+// Errors and warnings have their own limits: warnings never hide an error.
 Diagnostic& Reporter::keep(Diagnostic diagnostic) {
-  if (diagnostics_.size() >= errors_max) {
+  const bool error = diagnostic.severity == Severity::error;
+  std::size_t& kept = error ? errors_kept_ : warnings_kept_;
+  if (kept >= diagnostics_max) {
     overflow_ = std::move(diagnostic);
     return overflow_;
   }
+  ++kept;
   diagnostics_.push_back(std::move(diagnostic));
   return diagnostics_.back();
 }

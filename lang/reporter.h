@@ -1,7 +1,8 @@
 // Collects what is said about one program text while it is read and compiled.
 //
-// Up to 100 errors a text; after that the compiler goes on silently. Errors in text after the end
-// of the program (after M2, M30) are kept as warnings, because that text may never be reached.
+// Up to 100 errors and 100 warnings a text; after that the compiler goes on silently. Errors in
+// text after the end of the program (after M2, M30) are kept as warnings, because that text may
+// never be reached.
 #pragma once
 
 #include <algorithm>
@@ -47,6 +48,8 @@ class Reporter {
   Diagnostic last_error_;
   Diagnostic overflow_;  // takes what comes after the hundredth error
   std::size_t error_count_ = 0;
+  std::size_t errors_kept_ = 0;
+  std::size_t warnings_kept_ = 0;
   std::size_t soft_offset_ = std::numeric_limits<std::size_t>::max();
 };
 

@@ -71,6 +71,12 @@ void Scanner::skip_to_line_end() {
   while (!at_line_end()) ++offset_;
 }
 
+void Scanner::skip_line_comment() {
+  const std::size_t start = offset_;
+  skip_to_line_end();
+  check_comment(start, offset_);
+}
+
 void Scanner::skip_blanks(LineEnds line_ends) {
   while (!at_end()) {
     const char c = character();
@@ -80,9 +86,7 @@ void Scanner::skip_blanks(LineEnds line_ends) {
       if (line_ends == LineEnds::significant) return;
       skip_line_end();
     } else if (c == '/' && character(1) == '/') {
-      const std::size_t start = offset_;
-      skip_to_line_end();
-      check_comment(start, offset_);
+      skip_line_comment();
     } else if (c == '/' && character(1) == '*') {
       if (!skip_block_comment()) return;
     } else {

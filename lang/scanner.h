@@ -55,6 +55,8 @@ class Scanner {
   // Blanks and // and /* */ comments; the last may span lines. In line mode line ends stop it.
   void skip_blanks(LineEnds line_ends);
   void skip_to_line_end();
+  // A comment that goes to the line end.
+  void skip_line_comment();
   // Over the line end (LF, CRLF or CR) at which the scanner stands.
   void skip_line_end();
   // A ( ) comment from its opening parenthesis; its text, or nothing when it does not close.

@@ -165,6 +165,20 @@ TEST_F(ControlFlow, ReportsTextBehindTheEndOnlyWhenItIsReached) {
   EXPECT_EQ(error_code("M98 P7\nM30\nO7\nG0 X1 G99.9\nM99\n"), "E4004");
 }
 
+TEST_F(ControlFlow, DropsTheJumpsOfFaultyTextBehindTheEnd) {
+  EXPECT_EQ(error_code(
+                "M30\nwhile (true) { if (true) { break; } if (false) { continue; unknown = 1; } }\n"
+                "do { if (true) { break; bad = 1; } } while (false);\n"),
+            "");
+  EXPECT_EQ(warnings.size(), 2u);
+}
+
+TEST_F(ControlFlow, NeverHidesAnErrorBehindWarnings) {
+  std::string text;
+  for (int i = 0; i < 150; ++i) text += "G4 P500\n";
+  EXPECT_EQ(error_code(text + "G0 X1 X2\nM30\n"), "E4001");
+}
+
 struct FaultCase {
   const char* text;
   const char* code;
@@ -206,8 +220,10 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"unknown_function (1);", "E3001"}, FaultCase{"/if (true) { }", "E2005"},
         FaultCase{"#includ \"a.nc\"", "E2010"}, FaultCase{"#workpiece (0)", "E2090"},
         FaultCase{"#kinematics (1)", "E3005"}, FaultCase{"IF [1 EQ 1] GOTO 5", "E2040"},
-        FaultCase{"O<name> sub", "E2090"}, FaultCase{"shared num aa;", "E2090"},
-        FaultCase{"terminate (5, \"low\");", "E3009"}, FaultCase{"channel_wait (1);", "E6031"},
+        FaultCase{"O<name> sub", "E2090"}, FaultCase{"G1 X1 F1 S_n=2", "E2090"},
+        FaultCase{"M3 $7", "E4053"}, FaultCase{"G0 X1 $1", "E4003"}, FaultCase{"H1=3", "E4003"},
+        FaultCase{"shared num aa;", "E2090"}, FaultCase{"terminate (5, \"low\");", "E3009"},
+        FaultCase{"channel_wait (1);", "E6031"},
         FaultCase{"num cc = 9;\nchannel_wait (cc);", "E6001"},
         FaultCase{"num cc = 1.5;\nchannel_wait (cc);", "E3010"}));
 
