@@ -5,6 +5,7 @@
 
 #include "client/diagnostic_output.h"
 #include "client/job_options.h"
+#include "client/noun_command.h"
 #include "config/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
@@ -43,7 +44,38 @@ int run(const CheckOptions& options) {
   return exit_code;
 }
 
+// A machine file that can be read is summed up; ConfigError shows every fault of one that cannot.
+int check_machine(const std::string& path, bool as_json) {
+  const auto file = config::read_machine_file(path);
+  if (as_json) {
+    nlohmann::ordered_json json;
+    json["ok"] = true;
+    json["machine"] = file.machine.name;
+    json["axes"] = file.machine.axes.size();
+    json["channels"] = file.machine.channels.size();
+    std::printf("%s\n", json.dump().c_str());
+    return 0;
+  }
+  std::printf("%s: %zu axes, %zu channels, cycle %d us: no errors\n", file.machine.name.c_str(),
+              file.machine.axes.size(), file.machine.channels.size(), file.machine.cycle_us);
+  return 0;
+}
+
 }  // namespace
+
+void add_machine_check_command(CLI::App& app, int& exit_code) {
+  struct Options {
+    std::string path;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = noun_command(app, "machine", "the machine as a whole")
+                          .add_subcommand("check", "find errors of a machine file");
+  command->add_option("MACHINE", options->path, "machine file (TOML)")->required();
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback(
+      [options, &exit_code] { exit_code = check_machine(options->path, options->json); });
+}
 
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();

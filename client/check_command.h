@@ -7,5 +7,6 @@
 namespace stanok::client {
 
 void add_check_command(CLI::App& app, int& exit_code);
+void add_machine_check_command(CLI::App& app, int& exit_code);
 
 }  // namespace stanok::client

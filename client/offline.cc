@@ -9,6 +9,7 @@ namespace stanok::client {
 
 void add_offline_commands(CLI::App& app, int& exit_code) {
   add_check_command(app, exit_code);
+  add_machine_check_command(app, exit_code);
   add_interpret_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_explain_command(app, exit_code);
