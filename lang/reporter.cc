@@ -92,6 +92,10 @@ Diagnostic& Reporter::keep(Diagnostic diagnostic) {
 }
 
 Diagnostics Reporter::take() {
+  const auto before = [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  };
+  std::stable_sort(diagnostics_.begin(), diagnostics_.end(), before);
   return std::exchange(diagnostics_, {});
 }
 

@@ -38,6 +38,7 @@ class Reporter {
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   // The last error as it was reported first, for text that is an error only when reached.
   [[nodiscard]] const Diagnostic& last_error() const { return last_error_; }
+  // Everything reported, in the order of the text.
   [[nodiscard]] Diagnostics take();
 
  private:
