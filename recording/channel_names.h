@@ -1,0 +1,39 @@
+// Names of the LCM channels of one machine: STANOK_<MACHINE>_CH<n>_SETPOINT and its siblings.
+//
+// Upper case; what is no letter or digit in the machine's name becomes '_'; a machine name that is
+// too long is cut so that every name keeps within LCM's 63 bytes. Strings are made once, so that
+// the stream of every cycle only looks them up.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "channels/output.h"
+
+namespace stanok::recording {
+
+inline constexpr std::size_t channel_name_max = 63;  // bytes, LCM's limit
+
+enum class Topic { setpoint, state, drive, event, input, program, log_meta };
+inline constexpr std::size_t topic_count = 7;
+
+class ChannelNames {
+ public:
+  explicit ChannelNames(std::string_view machine);
+
+  // `channel` 1..channels_max, or 0 for what belongs to the machine: STANOK_<MACHINE>_EVENT.
+  // LOG_META always belongs to the machine.
+  [[nodiscard]] const std::string& name(int channel, Topic topic) const;
+
+ private:
+  std::array<std::array<std::string, topic_count>, channels::channels_max + 1> names_;
+};
+
+// The topic a channel name ends with, for readers of logs: "SETPOINT"; empty when it is none of
+// ours.
+[[nodiscard]] std::string_view topic_of(std::string_view channel_name);
+[[nodiscard]] std::string_view name_of(Topic topic);
+
+}  // namespace stanok::recording

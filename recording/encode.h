@@ -1,0 +1,45 @@
+// Records of the runtime to LCM messages and back. Pure functions; nothing is lost on the way back
+// that a verification or a picture needs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stanok_messages/channel_state_t.hpp>
+#include <stanok_messages/drive_status_t.hpp>
+#include <stanok_messages/event_t.hpp>
+#include <stanok_messages/input_t.hpp>
+#include <stanok_messages/setpoint_t.hpp>
+#include <string_view>
+
+#include "channels/machine.h"
+#include "channels/output.h"
+
+namespace stanok::recording {
+
+// The three fields every message begins with.
+struct Stamp {
+  std::int64_t utime = 0;  // us
+  std::int64_t cycle = 0;
+  std::int64_t seq = 0;
+};
+
+[[nodiscard]] setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp);
+[[nodiscard]] channel_state_t to_state(const channels::ChannelOutput& output,
+                                       std::string_view program, const Stamp& stamp);
+// `feedback` in the order of the channel's axes.
+[[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,
+                                             std::span<const channels::AxisFeedback> feedback,
+                                             const Stamp& stamp);
+[[nodiscard]] event_t to_event(const channels::Event& event, const Stamp& stamp);
+[[nodiscard]] input_t to_input(const channels::InputRecord& record, const Stamp& stamp);
+
+// Second and third derivatives of the programmed point are not in the message: they come back as 0.
+[[nodiscard]] channels::ChannelOutput from_setpoint(const setpoint_t& message);
+[[nodiscard]] channels::Event from_event(const event_t& message);
+[[nodiscard]] channels::InputRecord from_input(const input_t& message);
+
+// Text of a byte array that ends with NUL or fills it, and the reverse; longer text is cut.
+[[nodiscard]] std::string_view text_of(std::span<const std::uint8_t> bytes);
+void put_text(std::string_view text, std::span<std::uint8_t> bytes);
+
+}  // namespace stanok::recording

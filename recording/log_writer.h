@@ -1,0 +1,70 @@
+// Writes a standard LCM log, readable by lcm-logplayer and lcm-spy, in pieces of bounded size.
+//
+// The event's time is the message's utime. Writes go through one large buffer; when the file cannot
+// be written any more (disk full), the writer stops, keeps the reason in its status and ignores the
+// rest: motion goes on. A new piece begins with the last LOG_META, so that it stands alone.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/expected.h"
+#include "recording/message_sink.h"
+
+namespace stanok::recording {
+
+struct LogError {
+  int system_error = 0;  // errno
+  std::string text;      // "cannot write run.lcm: No space left on device"
+};
+
+struct LogStatus {
+  std::int64_t events = 0;
+  std::int64_t bytes = 0;  // over all pieces
+  int pieces = 0;
+  std::optional<LogError> error;  // set: nothing is written any more
+};
+
+class LogWriter : public MessageSink {
+ public:
+  // Pieces are FILE, then FILE with .2, .3, ... before its extension, each of `size_max_bytes` at
+  // most plus one message; 0: one piece without bound. An existing file is replaced.
+  [[nodiscard]] static Expected<std::unique_ptr<LogWriter>, LogError> open(
+      const std::filesystem::path& file, std::int64_t size_max_bytes = 0);
+  ~LogWriter() override;
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
+
+  void send(const std::string& channel, std::int64_t utime,
+            std::span<const std::uint8_t> bytes) override;
+
+  // Hands what is buffered to the operating system. False: see status().error.
+  bool flush();
+  [[nodiscard]] const LogStatus& status() const { return status_; }
+
+ private:
+  struct Piece;
+  LogWriter(std::filesystem::path file, std::int64_t size_max_bytes);
+  bool begin_piece();
+  bool end_piece();
+  void write(const std::string& channel, std::int64_t utime, std::span<const std::uint8_t> bytes);
+  void fail(const char* what);
+
+  std::filesystem::path file_;
+  std::int64_t size_max_bytes_;
+  std::unique_ptr<Piece> piece_;
+  std::int64_t piece_bytes_ = 0;
+  std::string meta_channel_;
+  std::vector<std::uint8_t> meta_;  // the last LOG_META
+  LogStatus status_;
+};
+
+// The name of piece `number` of a log, from 1.
+[[nodiscard]] std::filesystem::path piece_name(const std::filesystem::path& file, int number);
+
+}  // namespace stanok::recording

@@ -1,0 +1,128 @@
+#include "recording/message_stream.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <stanok_messages/program_chunk_t.hpp>
+#include <utility>
+
+#include "base/assert.h"
+
+namespace stanok::recording {
+namespace {
+
+constexpr std::int64_t meta_period_us = 60'000'000;
+constexpr std::int64_t state_period_us = 50'000;
+
+std::int64_t cycles_in(std::int64_t period_us, int cycle_us) {
+  return std::max<std::int64_t>(1, period_us / cycle_us);
+}
+
+program_chunk_t chunk_of(const TextRecord& record, std::size_t offset) {
+  program_chunk_t chunk;
+  std::memset(&chunk, 0, sizeof chunk);
+  const std::size_t length = std::min(sizeof chunk.text, record.text.size() - offset);
+  chunk.channel = record.channel;
+  chunk.run = static_cast<std::int32_t>(record.run);
+  chunk.file = static_cast<std::int16_t>(record.file);
+  chunk.kind = static_cast<std::int8_t>(record.kind);
+  chunk.size = static_cast<std::int64_t>(record.text.size());
+  chunk.offset = static_cast<std::int64_t>(offset);
+  chunk.length = static_cast<std::int32_t>(length);
+  put_text(record.name, chunk.name);
+  std::copy_n(record.text.begin() + static_cast<std::ptrdiff_t>(offset), length, chunk.text);
+  return chunk;
+}
+
+}  // namespace
+
+MessageStream::MessageStream(LogDescription description, std::vector<MessageSink*> sinks)
+    : description_(std::move(description)),
+      names_(description_.machine),
+      sinks_(std::move(sinks)),
+      buffer_(static_cast<std::size_t>(log_meta_t{}.getEncodedSize())),
+      meta_period_(cycles_in(meta_period_us, description_.cycle_us)),
+      state_period_(cycles_in(state_period_us, description_.cycle_us)),
+      next_meta_cycle_(std::numeric_limits<std::int64_t>::min()) {}
+
+template <class Message>
+void MessageStream::send(const Message& message, int channel, Topic topic) {
+  const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
+  STANOK_ASSERT(size > 0);
+  const std::span<const std::uint8_t> bytes(buffer_.data(), static_cast<std::size_t>(size));
+  for (MessageSink* sink : sinks_) sink->send(names_.name(channel, topic), message.utime, bytes);
+}
+
+Stamp MessageStream::next_stamp(std::int64_t cycle, int channel, Topic topic) {
+  STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
+  return {.utime = description_.utime_start + cycle * description_.cycle_us,
+          .cycle = cycle,
+          .seq = next_seq_[static_cast<std::size_t>(channel)][static_cast<std::size_t>(topic)]++};
+}
+
+void MessageStream::cycle(const channels::CycleOutput& output) {
+  send_meta_when_due(output.cycle);
+  for (int i = 0; i < output.channel_count; ++i) {
+    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(i)];
+    if (channel.axis_count > 0) {
+      send(to_setpoint(channel, next_stamp(output.cycle, channel.id, Topic::setpoint)), channel.id,
+           Topic::setpoint);
+    }
+    state_when_due(output.cycle, channel);
+  }
+}
+
+void MessageStream::event(const channels::Event& event) {
+  send_meta_when_due(event.cycle);
+  send(to_event(event, next_stamp(event.cycle, event.channel, Topic::event)), event.channel,
+       Topic::event);
+}
+
+void MessageStream::input(const channels::InputRecord& record) {
+  send_meta_when_due(record.cycle);
+  send(to_input(record, next_stamp(record.cycle, record.channel, Topic::input)), record.channel,
+       Topic::input);
+}
+
+void MessageStream::text(const TextRecord& record) {
+  send_meta_when_due(record.cycle);
+  const auto hash = static_cast<std::int64_t>(text_hash(record.text));
+  std::size_t offset = 0;
+  do {
+    program_chunk_t chunk = chunk_of(record, offset);
+    const Stamp stamp = next_stamp(record.cycle, record.channel, Topic::program);
+    chunk.utime = stamp.utime;
+    chunk.cycle = stamp.cycle;
+    chunk.seq = stamp.seq;
+    chunk.hash = hash;
+    send(chunk, record.channel, Topic::program);
+    offset += static_cast<std::size_t>(chunk.length);
+  } while (offset < record.text.size());
+}
+
+void MessageStream::drives(std::int64_t cycle, const channels::ChannelOutput& output,
+                           std::span<const channels::AxisFeedback> feedback) {
+  send_meta_when_due(cycle);
+  send(to_drive_status(output, feedback, next_stamp(cycle, output.id, Topic::drive)), output.id,
+       Topic::drive);
+}
+
+void MessageStream::set_program(int channel, std::string_view name) {
+  STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
+  programs_[static_cast<std::size_t>(channel)] = name;
+}
+
+void MessageStream::send_meta_when_due(std::int64_t cycle) {
+  if (cycle < next_meta_cycle_) return;
+  next_meta_cycle_ = cycle + meta_period_;
+  send(to_log_meta(description_, next_stamp(cycle, 0, Topic::log_meta)), 0, Topic::log_meta);
+}
+
+void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (cycle % state_period_ != 0) return;
+  const std::string& program = programs_[static_cast<std::size_t>(output.id)];
+  send(to_state(output, program, next_stamp(cycle, output.id, Topic::state)), output.id,
+       Topic::state);
+}
+
+}  // namespace stanok::recording

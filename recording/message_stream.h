@@ -1,0 +1,72 @@
+// The stream of messages of one machine: what is sent when, numbered and stamped, to all sinks.
+//
+// LOG_META comes first and every 60 s of machine time; SETPOINT every cycle for every channel with
+// axes; STATE of every channel 20 times a second; events, inputs and texts as they come. Time
+// stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread (publisher or
+// `simulate`), never for the real-time cycle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "channels/machine.h"
+#include "channels/output.h"
+#include "recording/channel_names.h"
+#include "recording/log_description.h"
+#include "recording/message_sink.h"
+
+namespace stanok::recording {
+
+enum class TextKind : std::int8_t { program, machine_file, scheme, tables, initial_state };
+
+// A text that the outcome depends on.
+struct TextRecord {
+  std::int64_t cycle = 0;
+  std::int32_t channel = 0;  // 0: the machine
+  std::uint32_t run = 0;     // program run that reads it
+  std::uint16_t file = 0;    // index by which set-points name it
+  TextKind kind = TextKind::program;
+  std::string_view name;
+  std::string_view text;
+};
+
+class MessageStream {
+ public:
+  // The sinks outlive the stream.
+  MessageStream(LogDescription description, std::vector<MessageSink*> sinks);
+
+  void cycle(const channels::CycleOutput& output);
+  void event(const channels::Event& event);
+  void input(const channels::InputRecord& record);
+  void text(const TextRecord& record);
+  // `feedback` in the order of the channel's axes; rate is the caller's choice.
+  void drives(std::int64_t cycle, const channels::ChannelOutput& output,
+              std::span<const channels::AxisFeedback> feedback);
+
+  // Shown in the STATE messages of the channel from now on.
+  void set_program(int channel, std::string_view name);
+
+  [[nodiscard]] const LogDescription& description() const { return description_; }
+
+ private:
+  [[nodiscard]] Stamp next_stamp(std::int64_t cycle, int channel, Topic topic);
+  void send_meta_when_due(std::int64_t cycle);
+  void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  template <class Message>
+  void send(const Message& message, int channel, Topic topic);
+
+  LogDescription description_;
+  ChannelNames names_;
+  std::vector<MessageSink*> sinks_;
+  std::vector<std::uint8_t> buffer_;
+  std::array<std::array<std::int64_t, topic_count>, channels::channels_max + 1> next_seq_{};
+  std::array<std::string, channels::channels_max + 1> programs_;
+  std::int64_t meta_period_;   // cycles
+  std::int64_t state_period_;  // cycles
+  std::int64_t next_meta_cycle_;
+};
+
+}  // namespace stanok::recording
