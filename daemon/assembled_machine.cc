@@ -1,0 +1,60 @@
+#include "daemon/assembled_machine.h"
+
+namespace stanok::daemon {
+
+AssembledMachine::AssembledMachine(runtime::Assembly& assembly, const Recorder& recorder,
+                                   std::filesystem::path program_root)
+    : assembly_(assembly), recorder_(recorder), program_root_(std::move(program_root)) {}
+
+void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
+  const std::lock_guard lock(mutex_);
+  rights_ = rights;
+}
+
+void AssembledMachine::cycle() RT_SAFE {
+  cycles_ = assembly_.cycle(events_.take()).cycle;
+}
+
+void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
+  channels::InputRecord record;
+  record.cycle = cycles_;
+  record.kind = channels::InputKind::overrun;
+  record.value = static_cast<double>(periods);
+  // A full ring loses the note, not the overrun: the loop counts it.
+  static_cast<void>(assembly_.machine().input_records().push(record));
+}
+
+void AssembledMachine::on_output(const channels::CycleOutput& output) {
+  const std::lock_guard lock(mutex_);
+  newest_ = output;
+}
+
+channels::CycleOutput AssembledMachine::newest_output() {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+LoopFigures AssembledMachine::loop_figures() {
+  return loop_ == nullptr ? LoopFigures{} : loop_->figures();
+}
+
+RealTimeRights AssembledMachine::real_time_rights() {
+  const std::lock_guard lock(mutex_);
+  return rights_;
+}
+
+std::string AssembledMachine::drive_choice() {
+  switch (assembly_.drives()) {
+    case runtime::DriveChoice::ideal:
+      return "ideal";
+    case runtime::DriveChoice::simulated:
+      return "simulated";
+    case runtime::DriveChoice::embedded:
+      return "embedded";
+    case runtime::DriveChoice::real:
+      return "real";
+  }
+  return "";
+}
+
+}  // namespace stanok::daemon

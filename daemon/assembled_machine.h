@@ -1,0 +1,70 @@
+// AssembledMachine: the runtime's assembly between the real-time loop and the operator's side.
+//
+// The loop calls `cycle`; the publisher thread brings the outputs; the operator server asks through
+// RunningMachine. What passes from one to the other are the event queue, the newest output under a
+// lock outside of real time, and the figures of the loop.
+#pragma once
+
+#include <mutex>
+
+#include "daemon/event_queue.h"
+#include "daemon/publisher_thread.h"
+#include "daemon/real_time_loop.h"
+#include "daemon/recorder.h"
+#include "daemon/running_machine.h"
+#include "runtime/assembly.h"
+
+namespace stanok::daemon {
+
+class AssembledMachine final : public RunningMachine, public CyclicWork, public CycleListener {
+ public:
+  // All outlive the machine.
+  AssembledMachine(runtime::Assembly& assembly, const Recorder& recorder,
+                   std::filesystem::path program_root);
+
+  // To be told before the server starts.
+  void set_loop(RealTimeLoop& loop) { loop_ = &loop; }
+  // Any thread.
+  void set_real_time_rights(const RealTimeRights& rights);
+
+  void cycle() RT_SAFE override;
+  void note_overrun(std::int64_t periods) RT_SAFE override;
+
+  void on_output(const channels::CycleOutput& output) override;
+
+  [[nodiscard]] const config::MachineFile& file() const override { return assembly_.file(); }
+  [[nodiscard]] const std::filesystem::path& program_root() const override { return program_root_; }
+  [[nodiscard]] bool submit(const channels::OperatorEvent& event) override {
+    return events_.put(event);
+  }
+  [[nodiscard]] channels::CycleOutput newest_output() override;
+  [[nodiscard]] std::vector<channels::RunReport> runs() override {
+    return assembly_.machine().runs();
+  }
+  [[nodiscard]] std::vector<channels::AlarmReport> alarms() override {
+    return assembly_.machine().alarms();
+  }
+  [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
+    return assembly_.machine().load_diagnostics();
+  }
+  [[nodiscard]] channels::TablesConfig tables() override { return assembly_.machine().tables(); }
+  [[nodiscard]] LoopFigures loop_figures() override;
+  [[nodiscard]] RealTimeRights real_time_rights() override;
+  [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
+  [[nodiscard]] std::string drive_choice() override;
+  [[nodiscard]] drives::BusStatus drive_status() override { return assembly_.drive_status(); }
+  [[nodiscard]] RecordingStatus recording_status() override { return recorder_.status(); }
+
+ private:
+  runtime::Assembly& assembly_;
+  const Recorder& recorder_;
+  std::filesystem::path program_root_;
+  EventQueue events_;
+  std::int64_t cycles_ = 0;
+  RealTimeLoop* loop_ = nullptr;
+  std::mutex mutex_;
+  channels::CycleOutput newest_;
+  RealTimeRights rights_;
+};
+
+}  // namespace stanok::daemon

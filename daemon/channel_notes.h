@@ -1,0 +1,21 @@
+// ChannelNotes: what the operator's side remembers of a channel beyond its newest output.
+//
+// Written when the machine has accepted a command; belongs to the operator server's thread.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace stanok::daemon {
+
+struct ChannelNotes {
+  std::string program;  // loaded last
+  double rapid_override_percent = 100.0;
+  double spindle_override_percent = 100.0;
+  std::size_t alarms_acknowledged = 0;  // of the machine's list of alarms, from its beginning
+};
+
+// By channel id.
+using NotesOfChannels = std::map<int, ChannelNotes>;
+
+}  // namespace stanok::daemon

@@ -1,0 +1,134 @@
+#include "daemon/daemon.h"
+
+#include <spdlog/spdlog.h>
+
+#include <atomic>
+#include <thread>
+
+#include "daemon/assembled_machine.h"
+#include "daemon/operator_server.h"
+#include "daemon/preparation_threads.h"
+#include "daemon/state_directory.h"
+#include "protocol/socket_location.h"
+#include "protocol/version.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t ns_per_us = 1000;
+constexpr int real_time_priority =
+    80;  // above what the system runs by default, below its watchdogs
+constexpr int exit_machine_fault = 7;
+
+std::string build_description() {
+#ifdef NDEBUG
+  constexpr const char* kind = "release";
+#else
+  constexpr const char* kind = "with debug code";
+#endif
+  return "gcc-compatible " + std::string(__VERSION__) + ", " + kind;
+}
+
+RecorderOptions recorder_options(const DaemonOptions& options, const config::MachineFile& file) {
+  RecorderOptions chosen;
+  if (options.lcm != "off") chosen.lcm_url = options.lcm.empty() ? file.lcm_url : options.lcm;
+  if (!options.log_directory.empty()) {
+    chosen.log_file = log_file_name(options.log_directory, file.machine.name);
+  }
+  return chosen;
+}
+
+runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
+                                          const config::MachineFile& file,
+                                          const fs::path& program_root) {
+  runtime::AssemblyOptions chosen;
+  chosen.file = file;
+  chosen.drives = options.drives.value_or(runtime::DriveChoice::embedded);
+  chosen.program_roots = {program_root};
+  return chosen;
+}
+
+// The real-time thread; its rights are taken before its first cycle and told once.
+class RealTimeThread {
+ public:
+  RealTimeThread(RealTimeLoop& loop, AssembledMachine& machine)
+      : loop_(loop), thread_([&loop, &machine] {
+          const RealTimeRights rights = take_real_time_rights(real_time_priority);
+          for (const std::string& note : rights.notes) spdlog::warn("real time: {}", note);
+          machine.set_real_time_rights(rights);
+          loop.run();
+        }) {}
+  ~RealTimeThread() {
+    loop_.stop();
+    thread_.join();
+  }
+  RealTimeThread(const RealTimeThread&) = delete;
+  RealTimeThread& operator=(const RealTimeThread&) = delete;
+
+ private:
+  RealTimeLoop& loop_;
+  std::thread thread_;
+};
+
+CycleRings rings_of(runtime::Assembly& assembly) {
+  channels::Machine& machine = assembly.machine();
+  return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies()};
+}
+
+// The drive bus runs while this lives.
+struct RunningDrives {
+  explicit RunningDrives(runtime::Assembly& used) : assembly(used) { assembly.start(); }
+  ~RunningDrives() { assembly.stop(); }
+  RunningDrives(const RunningDrives&) = delete;
+  RunningDrives& operator=(const RunningDrives&) = delete;
+  runtime::Assembly& assembly;
+};
+
+}  // namespace
+
+int run_daemon(const DaemonOptions& options) {
+  const config::MachineFile file = config::read_machine_file(options.machine_file);
+  const std::string& name = file.machine.name;
+  const fs::path program_root =
+      options.program_root.empty() ? fs::current_path() : fs::absolute(options.program_root);
+  const StateDirectory state(options.state_directory.empty()
+                                 ? protocol::default_state_directory(name)
+                                 : options.state_directory);
+  ListeningSocket socket(options.socket.empty() ? protocol::default_socket(name, state.path())
+                                                : options.socket);
+
+  runtime::Assembly assembly(assembly_options(options, file, program_root));
+  Recorder recorder(file, build_description(), recorder_options(options, file));
+  AssembledMachine machine(assembly, recorder, program_root);
+  MonotonicClock clock;
+  RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);
+  machine.set_loop(loop);
+  OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()});
+
+  std::atomic<bool> has_failed{false};
+  const auto fail = [&](const std::string& reason) {
+    spdlog::critical("{}; the machine is stopped", reason);
+    has_failed = true;
+    server.end();
+  };
+  const RunningDrives drives(assembly);
+  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server}, fail);
+  const PreparationThreads preparation(
+      static_cast<int>(file.machine.channels.size()),
+      [&](int index) { return assembly.machine().prepare(index); },
+      [&](int index, const std::string& reason) {
+        fail("preparation of channel " +
+             std::to_string(file.machine.channels[static_cast<std::size_t>(index)].id) + ": " +
+             reason);
+      });
+  const RealTimeThread real_time(loop, machine);
+  spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
+               file.machine.cycle_us, machine.drive_choice(), socket.path().string());
+  server.run();
+  spdlog::info("stanokd ends");
+  return has_failed ? exit_machine_fault : 0;
+}
+
+}  // namespace stanok::daemon

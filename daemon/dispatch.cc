@@ -1,0 +1,223 @@
+#include "daemon/dispatch.h"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "channels/operator_action.h"
+#include "daemon/inventory.h"
+#include "protocol/discovery.h"
+#include "protocol/machine_request.h"
+#include "protocol/version.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+using protocol::Method;
+
+constexpr double usual_rate_hz = 10.0;
+
+Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, int channel = 0) {
+  return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
+}
+
+// Commands that make sense for the machine as a whole name no channel.
+bool concerns_machine(const Method& method) {
+  return protocol::noun(method) == "machine";
+}
+
+void log_command(const SessionState& session, const protocol::Request& request,
+                 const Outcome& outcome) {
+  const std::string parameters =
+      request.parameters.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (outcome) {
+    spdlog::info("session {} ({}): {} {}: done", session.id, session.peer, request.method,
+                 parameters);
+  } else {
+    spdlog::warn("session {} ({}): {} {}: {} {}", session.id, session.peer, request.method,
+                 parameters, outcome.error().code, outcome.error().message);
+  }
+}
+
+}  // namespace
+
+Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
+                   std::function<void()> on_shutdown)
+    : machine_(machine),
+      description_(std::move(description)),
+      on_shutdown_(std::move(on_shutdown)),
+      desk_(machine, notes_),
+      report_(machine, notes_),
+      started_(std::chrono::steady_clock::now()) {}
+
+const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
+  static const std::map<std::string_view, Query> table = {
+      {"machine.status", [](Dispatch& d, const json&) { return d.report_.machine(); }},
+      {"channel.list", [](Dispatch& d, const json&) { return d.report_.channel_list(); }},
+      {"channel.status",
+       [](Dispatch& d, const json& p) { return d.report_.channel(d.channel_or_first(p)); }},
+      {"program.list",
+       [](Dispatch& d, const json&) { return program_list(d.machine_.program_root()); }},
+      {"kinematics.list",
+       [](Dispatch& d, const json& p) { return d.report_.kinematics_list(d.channel_or_first(p)); }},
+      {"kinematics.status",
+       [](Dispatch& d, const json& p) { return d.report_.kinematics(d.channel_or_first(p)); }},
+      {"drive.list", [](Dispatch& d, const json&) { return drive_list(d.machine_); }},
+      {"drive.status", [](Dispatch& d, const json&) { return drive_status(d.machine_); }},
+      {"alarm.list",
+       [](Dispatch& d, const json& p) { return d.report_.alarms_standing(p.value("channel", 0)); }},
+      {"alarm.history",
+       [](Dispatch& d, const json& p) { return d.report_.alarm_history(p.value("channel", 0)); }},
+      {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
+      {"offset.list", [](Dispatch& d, const json&) { return offset_list(d.machine_); }},
+      {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
+      {"system.info", [](Dispatch& d, const json&) { return d.system_info(); }},
+      {"rpc.discover",
+       [](Dispatch&, const json&) { return protocol::discovery_document(protocol::version); }},
+  };
+  return table;
+}
+
+void Dispatch::handle(SessionState& session, const protocol::Request& request, Answer answer) {
+  const Method* method = protocol::find_method(request.method);
+  const auto parameters = admitted(session, method, request);
+  if (!parameters) return answer(Unexpected<Failure>(parameters.error()));
+  if (!method->action.empty()) {
+    // Sessions may go before the answer comes; the log entry must not need them.
+    return command(*method, *parameters,
+                   [who = session, request, answer = std::move(answer)](const Outcome& outcome) {
+                     log_command(who, request, outcome);
+                     answer(outcome);
+                   });
+  }
+  if (const auto query = queries().find(method->name); query != queries().end()) {
+    return answer(query->second(*this, *parameters));
+  }
+  if (method->name == "system.shutdown") {
+    log_command(session, request, json());
+    answer(json{{"accepted", true}});
+    return on_shutdown_();
+  }
+  answer(change_session(session, *method, *parameters));
+}
+
+// The checked parameters, if the session may call the method and the channel exists.
+Expected<json, Failure> Dispatch::admitted(const SessionState& session, const Method* method,
+                                           const protocol::Request& request) const {
+  if (method == nullptr) {
+    return fail(FailureKind::method_not_found, "E9002",
+                "unknown method \"" + request.method + "\"");
+  }
+  if (session.role < method->role) {
+    return fail(FailureKind::not_permitted, "E9004",
+                request.method + " needs the role " +
+                    std::string(protocol::role_name(method->role)) + "; this session is " +
+                    std::string(protocol::role_name(session.role)));
+  }
+  if (method->availability == protocol::Availability::later) {
+    return fail(FailureKind::not_supported, "E9005",
+                request.method + " is not supported in this release");
+  }
+  auto parameters = protocol::checked_parameters(*method, request.parameters);
+  if (!parameters) return parameters;
+  const int channel = parameters->value("channel", 0);
+  if (channel != 0 && !has_channel(channel)) {
+    return fail(FailureKind::refused, "E6001", "no such channel: " + std::to_string(channel),
+                channel);
+  }
+  return parameters;
+}
+
+void Dispatch::command(const Method& method, const json& parameters, Answer answer) {
+  const protocol::MachineRequest request = protocol::machine_request(method, parameters);
+  const auto action = channels::operator_action(request.action);
+  if (!action) {
+    return answer(fail(FailureKind::internal, "", "no action " + std::string(request.action)));
+  }
+  channels::OperatorEvent event;
+  event.action = *action;
+  event.channel = concerns_machine(method) ? 0 : channel_or_first(parameters);
+  event.number = request.number;
+  event.value = request.value;
+  event.text = FixedText<256>(request.text);
+  const bool begins_run = *action == channels::OperatorAction::program_run ||
+                          *action == channels::OperatorAction::program_start;
+  const bool waits = begins_run && parameters.value("wait", "accepted") == "done";
+  desk_.submit(event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));
+}
+
+Outcome Dispatch::change_session(SessionState& session, const Method& method,
+                                 const json& parameters) {
+  if (method.name == "session.role") {
+    const auto wanted = parameters["role"] == "observer" ? protocol::Role::observer
+                                                         : protocol::Role::machine_operator;
+    session.role = std::min(session.role, wanted);
+    return json{{"role", protocol::role_name(session.role)}};
+  }
+  const bool is_watch = method.name == "channel.watch";
+  const json topics = is_watch ? json::array({"channels", "events"}) : parameters["topics"];
+  const double rate_hz = parameters.value("rate_hz", usual_rate_hz);
+  const int channel = is_watch ? channel_or_first(parameters) : 0;
+  session.subscription = Subscription(topics, rate_hz, channel);
+  return json{{"topics", topics}, {"rate_hz", rate_hz}};
+}
+
+bool Dispatch::has_channel(int id) const {
+  const auto& channels = machine_.file().machine.channels;
+  return std::any_of(channels.begin(), channels.end(),
+                     [&](const auto& channel) { return channel.id == id; });
+}
+
+int Dispatch::channel_or_first(const json& parameters) const {
+  return parameters.value("channel", machine_.file().machine.channels.front().id);
+}
+
+json Dispatch::hello(const SessionState& session) const {
+  json channels = json::array();
+  for (const auto& channel : machine_.file().machine.channels) {
+    channels.push_back({{"id", channel.id}, {"name", channel.name}});
+  }
+  return {{"server", "stanokd"},
+          {"version", protocol::version},
+          {"api", protocol::api_version},
+          {"machine", machine_.file().machine.name},
+          {"channels", std::move(channels)},
+          {"session", session.id},
+          {"role", protocol::role_name(session.role)}};
+}
+
+json Dispatch::snapshot(const Subscription& subscription) const {
+  json state = json::object();
+  if (subscription.wants("machine")) state["machine"] = report_.machine();
+  if (subscription.wants("drives")) state["drives"] = drive_status(machine_);
+  if (!subscription.wants("channels")) return state;
+  if (subscription.channel() == 0) {
+    state["channels"] = report_.channels();
+  } else {
+    state["channels"][std::to_string(subscription.channel())] =
+        report_.channel(subscription.channel());
+  }
+  return state;
+}
+
+json Dispatch::system_info() const {
+  const auto uptime = std::chrono::steady_clock::now() - started_;
+  return {{"server", "stanokd"},
+          {"version", protocol::version},
+          {"api", protocol::api_version},
+          {"build", description_.build},
+          {"pid", getpid()},
+          {"uptime_s", std::chrono::duration<double>(uptime).count()},
+          {"machine", machine_.file().machine.name},
+          {"machine_file", machine_.file().path.string()},
+          {"state_directory", description_.state_directory.string()},
+          {"socket", description_.socket.string()},
+          {"program_root", machine_.program_root().string()},
+          {"clients", clients_}};
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,77 @@
+// Dispatch: one request of one session in, its answer out.
+//
+// Looks the method up in the command table, checks role and parameters, then answers itself, hands
+// the command to the machine (CommandDesk) or changes the session. No sockets; belongs to the
+// operator server's thread.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "daemon/command_desk.h"
+#include "daemon/status_report.h"
+#include "daemon/subscription.h"
+#include "protocol/json_rpc.h"
+
+namespace stanok::daemon {
+
+// Who asks, and what was agreed with it.
+struct SessionState {
+  int id = 0;
+  protocol::Role role = protocol::Role::observer;
+  std::string peer;  // for logs: "uid 1000, pid 4711"
+  Subscription subscription;
+};
+
+// What the daemon knows of itself, for system.info.
+struct DaemonDescription {
+  std::string build;
+  std::filesystem::path state_directory;
+  std::filesystem::path socket;
+};
+
+class Dispatch {
+ public:
+  // All outlive the dispatch. `on_shutdown` begins the orderly end and returns.
+  Dispatch(RunningMachine& machine, DaemonDescription description,
+           std::function<void()> on_shutdown);
+
+  // Calls `answer` once, now or later; the session may be gone by then.
+  void handle(SessionState& session, const protocol::Request& request, Answer answer);
+
+  void on_reply(const channels::OperatorReply& reply) { desk_.on_reply(reply); }
+  void tick(SteadyTime now) { desk_.tick(now); }
+  void set_clients(std::size_t clients) { clients_ = clients; }
+
+  // Parameters of the server's first message.
+  [[nodiscard]] nlohmann::json hello(const SessionState& session) const;
+  // What a subscription shows.
+  [[nodiscard]] nlohmann::json snapshot(const Subscription& subscription) const;
+
+ private:
+  using Query = nlohmann::json (*)(Dispatch& self, const nlohmann::json& parameters);
+  // The methods that only look, by name.
+  [[nodiscard]] static const std::map<std::string_view, Query>& queries();
+
+  [[nodiscard]] Expected<nlohmann::json, protocol::Failure> admitted(
+      const SessionState& session, const protocol::Method* method,
+      const protocol::Request& request) const;
+  void command(const protocol::Method& method, const nlohmann::json& parameters, Answer answer);
+  [[nodiscard]] Outcome change_session(SessionState& session, const protocol::Method& method,
+                                       const nlohmann::json& parameters);
+  [[nodiscard]] int channel_or_first(const nlohmann::json& parameters) const;
+  [[nodiscard]] bool has_channel(int id) const;
+  [[nodiscard]] nlohmann::json system_info() const;
+
+  RunningMachine& machine_;
+  DaemonDescription description_;
+  std::function<void()> on_shutdown_;
+  NotesOfChannels notes_;
+  CommandDesk desk_;
+  StatusReport report_;
+  std::size_t clients_ = 0;
+  SteadyTime started_;
+};
+
+}  // namespace stanok::daemon

@@ -1,0 +1,23 @@
+// What the machine is made of, as JSON: drives, tools, offsets, programs, recorder
+// (docs/protocol.md, "Results").
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "daemon/running_machine.h"
+
+namespace stanok::daemon {
+
+[[nodiscard]] nlohmann::json drive_list(const RunningMachine& machine);
+[[nodiscard]] nlohmann::json drive_status(RunningMachine& machine);
+[[nodiscard]] nlohmann::json tool_list(RunningMachine& machine);
+[[nodiscard]] nlohmann::json offset_list(RunningMachine& machine);
+[[nodiscard]] nlohmann::json log_status(RunningMachine& machine);
+
+// Regular files beneath the root, by name; links are not followed, hidden files and folders left
+// out. "complete" is false when there are more than `files_max`.
+[[nodiscard]] nlohmann::json program_list(const std::filesystem::path& root,
+                                          std::size_t files_max = 10000);
+
+}  // namespace stanok::daemon

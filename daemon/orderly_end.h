@@ -1,0 +1,34 @@
+// OrderlyEnd: how the daemon ends: feed hold of all channels, then drives off, then the end.
+//
+// Begun by SIGINT, SIGTERM or system.shutdown. A machine that does not come to rest in time does
+// not keep the daemon alive: the drives' watchdogs stop the axes (docs/operating.md, "E-stop").
+#pragma once
+
+#include <chrono>
+
+#include "daemon/running_machine.h"
+
+namespace stanok::daemon {
+
+class OrderlyEnd {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  explicit OrderlyEnd(RunningMachine& machine) : machine_(machine) {}
+
+  // Does nothing the second time.
+  void begin(Time now);
+  [[nodiscard]] bool has_begun() const { return stage_ != Stage::not_begun; }
+  // To be called often. True: the daemon may end.
+  [[nodiscard]] bool step(Time now);
+
+ private:
+  enum class Stage { not_begun, holding, switching_off, done };
+  void submit(channels::OperatorAction action);
+
+  RunningMachine& machine_;
+  Stage stage_ = Stage::not_begun;
+  Time deadline_{};
+};
+
+}  // namespace stanok::daemon

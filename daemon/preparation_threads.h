@@ -1,0 +1,37 @@
+// PreparationThreads: one thread per channel that works ahead of its motion.
+//
+// Each calls `prepare(channel)` again and again and sleeps a millisecond when the channel is
+// blocked: commit horizon full, sync point, nothing to do. An exception is a fault of ours; it ends
+// that thread and is told to `on_fault`.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "channels/machine.h"
+
+namespace stanok::daemon {
+
+class PreparationThreads {
+ public:
+  using Prepare = std::function<channels::Progress(int index)>;
+  using OnFault = std::function<void(int index, const std::string& reason)>;
+
+  // Channels count from 0. Both functions are called from several threads.
+  PreparationThreads(int channels, Prepare prepare, OnFault on_fault);
+  // Stops the threads and waits for them.
+  ~PreparationThreads() = default;
+  PreparationThreads(const PreparationThreads&) = delete;
+  PreparationThreads& operator=(const PreparationThreads&) = delete;
+
+ private:
+  void run(const std::stop_token& stop, int index) const;
+
+  Prepare prepare_;
+  OnFault on_fault_;
+  std::vector<std::jthread> threads_;  // last: the threads use the members above
+};
+
+}  // namespace stanok::daemon

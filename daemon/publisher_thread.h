@@ -1,0 +1,61 @@
+// PublisherThread: brings what the cycle left in its rings to everybody who is interested.
+//
+// The only consumer of the rings. Every output, event and input record goes to every listener, in
+// the order of the cycle, outside of real time. Listeners are called from this thread only.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/ring.h"
+#include "channels/operator_event.h"
+#include "channels/output.h"
+
+namespace stanok::daemon {
+
+class CycleListener {
+ public:
+  CycleListener() = default;
+  virtual ~CycleListener() = default;
+  CycleListener(const CycleListener&) = delete;
+  CycleListener& operator=(const CycleListener&) = delete;
+
+  virtual void on_output(const channels::CycleOutput& output) { static_cast<void>(output); }
+  virtual void on_event(const channels::Event& event) { static_cast<void>(event); }
+  virtual void on_input(const channels::InputRecord& input) { static_cast<void>(input); }
+  virtual void on_reply(const channels::OperatorReply& reply) { static_cast<void>(reply); }
+};
+
+struct CycleRings {
+  Ring<channels::CycleOutput>& outputs;
+  Ring<channels::Event>& events;
+  Ring<channels::InputRecord>& inputs;
+  Ring<channels::OperatorReply>& replies;
+};
+
+// Hands over what is in the rings now. Returns how many records there were.
+std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& listeners);
+
+class PublisherThread {
+ public:
+  using OnFault = std::function<void(const std::string& reason)>;
+
+  // Rings and listeners outlive the thread.
+  PublisherThread(const CycleRings& rings, std::vector<CycleListener*> listeners, OnFault on_fault);
+  // Drains the rings a last time and waits for the thread.
+  ~PublisherThread() = default;
+  PublisherThread(const PublisherThread&) = delete;
+  PublisherThread& operator=(const PublisherThread&) = delete;
+
+ private:
+  void run(const std::stop_token& stop) const;
+
+  CycleRings rings_;
+  std::vector<CycleListener*> listeners_;
+  OnFault on_fault_;
+  std::jthread thread_;  // last: it uses the members above
+};
+
+}  // namespace stanok::daemon

@@ -1,0 +1,60 @@
+// RunningMachine: what the operator's side may ask of the machine that runs.
+//
+// Everything here is called from the operator server's thread, and nothing of it waits for the
+// cycle. Tests put a machine of their own behind it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "channels/machine.h"
+#include "config/machine_file.h"
+#include "daemon/real_time_loop.h"
+#include "daemon/real_time_rights.h"
+#include "drives/bus.h"
+
+namespace stanok::daemon {
+
+// Where the records of the machine go.
+struct RecordingStatus {
+  std::string lcm_url;  // empty: switched off
+  bool lcm_open = false;
+  std::int64_t lcm_sent = 0;
+  std::int64_t lcm_lost = 0;
+  std::string log_file;  // empty: no log is written
+  std::int64_t log_bytes = 0;
+  std::int64_t log_events = 0;
+  std::string log_error;  // why logging stopped; empty: it did not
+};
+
+class RunningMachine {
+ public:
+  RunningMachine() = default;
+  virtual ~RunningMachine() = default;
+  RunningMachine(const RunningMachine&) = delete;
+  RunningMachine& operator=(const RunningMachine&) = delete;
+
+  [[nodiscard]] virtual const config::MachineFile& file() const = 0;
+  [[nodiscard]] virtual const std::filesystem::path& program_root() const = 0;
+
+  // Into the next cycle. False: no room.
+  [[nodiscard]] virtual bool submit(const channels::OperatorEvent& event) = 0;
+
+  // The output of the newest cycle that has been handed on; cycle 0 before the first one.
+  [[nodiscard]] virtual channels::CycleOutput newest_output() = 0;
+  [[nodiscard]] virtual std::vector<channels::RunReport> runs() = 0;
+  [[nodiscard]] virtual std::vector<channels::AlarmReport> alarms() = 0;
+  [[nodiscard]] virtual std::vector<channels::AlarmReport> load_diagnostics() = 0;
+  [[nodiscard]] virtual channels::TablesConfig tables() = 0;
+
+  [[nodiscard]] virtual LoopFigures loop_figures() = 0;
+  [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
+  [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;
+  // "ideal", "embedded", "real".
+  [[nodiscard]] virtual std::string drive_choice() = 0;
+  [[nodiscard]] virtual drives::BusStatus drive_status() = 0;
+  [[nodiscard]] virtual RecordingStatus recording_status() = 0;
+};
+
+}  // namespace stanok::daemon

@@ -1,0 +1,114 @@
+#include "daemon/session.h"
+
+#include <spdlog/spdlog.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/write.hpp>
+#include <utility>
+
+namespace stanok::daemon {
+namespace {
+
+namespace asio = boost::asio;
+
+// How long a client that is dropped may take to read why.
+constexpr auto last_word_time = std::chrono::seconds(2);
+
+using boost::system::error_code;
+
+// Who runs the daemon, and root, may do everything; others were let in by the socket's group.
+protocol::Role role_of(const ucred& credentials) {
+  const bool is_owner = credentials.uid == getuid() || credentials.uid == 0;
+  return is_owner ? protocol::Role::integrator : protocol::Role::machine_operator;
+}
+
+SessionState state_of(Session::Socket& socket, int id) {
+  SessionState state;
+  state.id = id;
+  ucred credentials{};
+  socklen_t size = sizeof credentials;
+  if (getsockopt(socket.native_handle(), SOL_SOCKET, SO_PEERCRED, &credentials, &size) == 0) {
+    state.role = role_of(credentials);
+    state.peer =
+        "uid " + std::to_string(credentials.uid) + ", pid " + std::to_string(credentials.pid);
+  } else {
+    state.peer = "unknown";
+  }
+  return state;
+}
+
+}  // namespace
+
+Session::Session(Socket socket, int id)
+    : socket_(std::move(socket)), state_(state_of(socket_, id)) {}
+
+void Session::start(OnFrame on_frame, OnEnd on_end) {
+  on_frame_ = std::move(on_frame);
+  on_end_ = std::move(on_end);
+  spdlog::info("session {} ({}) begins as {}", state_.id, state_.peer,
+               protocol::role_name(state_.role));
+  read();
+}
+
+void Session::read() {
+  socket_.async_read_some(asio::buffer(received_),
+                          [self = shared_from_this()](const error_code& error, std::size_t bytes) {
+                            if (error) return self->close();
+                            self->take(bytes);
+                            if (self->socket_.is_open() && !self->dropping_) self->read();
+                          });
+}
+
+void Session::take(std::size_t bytes) {
+  if (!frames_.is_within_frame()) frame_begun_ = std::chrono::steady_clock::now();
+  frames_.append({received_.data(), bytes});
+  bool had_frame = false;
+  while (const auto frame = frames_.next()) {
+    if (dropping_ || !socket_.is_open()) return;
+    on_frame_(*this, *frame);
+    had_frame = true;
+  }
+  if (had_frame) frame_begun_ = std::chrono::steady_clock::now();
+}
+
+void Session::send(std::string line) {
+  if (dropping_ || !socket_.is_open()) return;
+  const bool was_empty = output_.empty();
+  if (!output_.push(std::move(line)))
+    return drop("E9009", "the client does not read what it is sent");
+  if (was_empty) write();
+}
+
+void Session::drop(const std::string& code, const std::string& reason) {
+  if (dropping_ || !socket_.is_open()) return;
+  spdlog::warn("session {} ({}) is dropped: {}", state_.id, state_.peer, reason);
+  const bool was_empty = output_.empty();
+  output_.end_with(protocol::notification_line("dropped", {{"code", code}, {"reason", reason}}));
+  dropping_ = true;
+  last_word_until_ = std::chrono::steady_clock::now() + last_word_time;
+  if (was_empty) write();
+}
+
+void Session::write() {
+  asio::async_write(socket_, asio::buffer(output_.front()),
+                    [self = shared_from_this()](const error_code& error, std::size_t) {
+                      if (error) return self->close();
+                      self->output_.pop_front();
+                      if (!self->output_.empty()) return self->write();
+                      if (self->dropping_) self->close();
+                    });
+}
+
+void Session::close() {
+  error_code ignored;
+  if (socket_.is_open()) {
+    socket_.shutdown(Socket::shutdown_both, ignored);
+    socket_.close(ignored);
+    spdlog::info("session {} ({}) ends", state_.id, state_.peer);
+  }
+  if (on_end_) std::exchange(on_end_, nullptr)(state_.id);
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,67 @@
+// stanokd: the runtime daemon. Command line and exit codes; everything else is in daemon/daemon.h.
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "daemon/daemon.h"
+#include "protocol/version.h"
+
+namespace {
+
+using stanok::daemon::DaemonOptions;
+using stanok::runtime::DriveChoice;
+
+constexpr int exit_failed = 1;
+constexpr int exit_usage = 2;
+
+struct CommandLine {
+  DaemonOptions options;
+  bool check_only = false;
+};
+
+void add_options(CLI::App& app, CommandLine& given) {
+  static const std::map<std::string, DriveChoice> choices = {{"real", DriveChoice::real},
+                                                             {"embedded", DriveChoice::embedded}};
+  app.add_option("--machine", given.options.machine_file, "machine file (TOML)")->required();
+  app.add_option("--state", given.options.state_directory, "state directory");
+  app.add_option("--socket", given.options.socket, "socket for operators");
+  app.add_option("--lcm", given.options.lcm, "LCM URL, or off");
+  app.add_option("--program-root", given.options.program_root, "folder of the part programs");
+  app.add_option("--drives", given.options.drives, "real, or embedded: simulated ones inside")
+      ->transform(CLI::CheckedTransformer(choices));
+  app.add_option("--log", given.options.log_directory, "folder to write an LCM log into");
+  app.add_flag("--check-config", given.check_only, "read the machine file, say what is wrong, end");
+}
+
+int run(const CommandLine& given) {
+  if (given.check_only) {
+    const auto file = stanok::config::read_machine_file(given.options.machine_file);
+    std::printf("%s: %zu channels, %zu axes, no errors\n", file.machine.name.c_str(),
+                file.machine.channels.size(), file.machine.axes.size());
+    return 0;
+  }
+  return stanok::daemon::run_daemon(given.options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_logger_mt("stanokd"));
+  CLI::App app("stanokd: runs a machine");
+  app.set_version_flag("--version", std::string(stanok::protocol::version));
+  CommandLine given;
+  add_options(app, given);
+  try {
+    app.parse(argc, argv);
+    return run(given);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_usage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stanokd: %s\n", error.what());
+    return exit_failed;
+  }
+}
