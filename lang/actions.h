@@ -41,6 +41,9 @@ void use_machine_coordinates(ActiveBlock& block, CodeNumber code);  // G53
 void move_straight(ActiveBlock& block, CodeNumber code);            // G0 G1
 void move_in_arc(ActiveBlock& block, CodeNumber code);              // G2 G3
 
+// Drilling and boring cycles (actions_cycle.cc)
+void drill_hole(ActiveBlock& block, CodeNumber code);  // G73 G81 G82 G83 G85 G86 G89
+
 // Parts of a motion shared by its kinds.
 
 // The ends of the programmed axes, absolute in W (M under G53); others stay where they are.

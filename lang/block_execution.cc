@@ -40,7 +40,7 @@ BlockFault fault_at(std::string_view code, WordName word, std::string message, s
 std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
   const std::string name = code_text(code.letter, code.number);
   const WordName word{code.letter, code.number, {}};
-  if (kind == ChannelKind::master && code.availability == Availability::not_master) {
+  if (kind == ChannelKind::master && code.availability != Availability::everywhere) {
     return fault_at("E4009", word, "`" + name + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }

@@ -22,6 +22,18 @@ namespace stanok::lang {
 
 inline constexpr double mm_per_inch = 25.4;
 
+// A sequence of drilling cycles: what stays valid from hole to hole. Levels along the tool axis in
+// W, mm.
+struct DrillingCycle {
+  double initial_level = 0.0;
+  double retract_level = 0.0;  // R
+  double bottom = 0.0;         // Z
+  double peck = 0.0;           // Q
+  double dwell_s = -1.0;       // P; below zero: none
+  bool has_retract_level = false;
+  bool has_bottom = false;
+};
+
 struct ModalState {
   // The active code of each group in tenths (G1 = 10), and the line that set it; 0 = default.
   std::array<CodeNumber, group_count> codes{};
@@ -44,6 +56,7 @@ struct ModalState {
 
   ToolLength length;
   PathControl path;
+  DrillingCycle cycle;
 
   int work_offset_number = 1;     // 1 = G54
   AxisValues work_offset{};       // of the table

@@ -1,0 +1,5 @@
+; A cycle that lacks something.
+F100
+G83 X1 Z-1 R1
+; expect error 3:1 E4063
+M30
