@@ -17,7 +17,8 @@ namespace {
 // How far G73 lifts to break the chip, and G83 stays off the last depth when it comes back.
 constexpr double peck_lift_mm = 0.254;
 
-constexpr int repeats_max = 1000000;
+// Moves that one block may make; all of them are held at once.
+constexpr double moves_max = 100000.0;
 
 WordName code_word(CodeNumber code) {
   return {'G', code, {}};
@@ -82,6 +83,20 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
     block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
         .notes.push_back(block.modal.origin_of(Group::feed_mode));
   }
+}
+
+// Holes that the block makes: L, bounded together with the pecks of each.
+std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
+  const DrillingCycle& cycle = block.modal.cycle;
+  const double depth = cycle.retract_level - cycle.bottom;
+  const double moves = pecks(code) ? 3.0 * std::ceil(depth / cycle.peck) + 4.0 : 6.0;
+  if (moves > moves_max) {
+    block.fail("E4063", {block.has('Q') ? 'Q' : '\0', -1, {}}, "Q makes too many pecks",
+               "too small");
+    return std::nullopt;
+  }
+  if (!block.has('L')) return 1;
+  return block.integer('L', 0, static_cast<int>(moves_max / moves));
 }
 
 // Moves of one hole along the tool axis.
@@ -176,14 +191,10 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   take_cycle_words(block, *axis);
   check_cycle(block, code);
   if (block.failed()) return;
-  int repeats = 1;
-  if (block.has('L')) {
-    const auto count = block.integer('L', 0, repeats_max);
-    if (!count) return;
-    repeats = *count;
-  }
+  const auto repeats = repeats_of(block, code);
+  if (!repeats) return;
   Hole hole(block, *axis);
-  for (int i = 0; i < repeats && !block.failed(); ++i) {
+  for (int i = 0; i < *repeats && !block.failed(); ++i) {
     Move positioning;
     resolve_ends(block, positioning);
     positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(*axis));
