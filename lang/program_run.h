@@ -140,6 +140,7 @@ class ProgramRun {
   std::uint64_t block_ = 0;  // ISO blocks executed
   std::uint16_t block_skip_ = 0;
 
+  ArrayLedger array_ledger_ = std::make_shared<std::size_t>(0);
   std::vector<Value> stack_;
   std::vector<Value> slots_;
   std::vector<std::size_t> file_slots_;  // first slot of each file

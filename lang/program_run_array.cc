@@ -8,8 +8,9 @@
 namespace stanok::lang {
 namespace {
 
-// All variables of a channel together (docs/language.md, "Limits"): elements of one array.
+// docs/language.md, "Limits"; the second are 64 MiB.
 constexpr double elements_max = 1e6;
+constexpr std::size_t elements_of_run_max = (std::size_t{64} << 20) / sizeof(Value);
 
 }  // namespace
 
@@ -51,9 +52,15 @@ void ProgramRun::make_array(const Instruction& instruction) {
   if (!whole || sizes[0] < 0.5 || sizes[1] < 0.5 || count > elements_max) {
     return fail("E3017", "the size of an array is a whole number from 1 to 1000000", "not a size");
   }
+  const auto elements = static_cast<std::size_t>(std::llround(count));
+  if (*array_ledger_ + elements > elements_of_run_max) {
+    return fail("E8002", "the arrays of the program need more than 64 MiB", "one too many");
+  }
   Value array;
   array.object = std::make_shared<Object>();
-  array.object->elements.resize(static_cast<std::size_t>(std::llround(count)));
+  array.object->elements.resize(elements);
+  array.object->ledger = array_ledger_;
+  *array_ledger_ += elements;
   if (instruction.count == 2) {
     array.object->columns = static_cast<std::size_t>(std::lround(sizes[1]));
   }

@@ -10,7 +10,6 @@
 namespace stanok::lang {
 namespace {
 
-constexpr std::size_t stack_max = 1u << 20;
 constexpr std::size_t text_max = 4096;
 
 std::uint32_t jump_target(const Instruction& instruction) {
@@ -49,7 +48,6 @@ void ProgramRun::step() {
   Frame& frame = frames_.back();
   const CompiledFile& current = file();
   const Instruction instruction = current.code[frame.position++];
-  if (stack_.size() > stack_max) return fail("E8002", "the program needs too much memory");
   execute_instruction(instruction);
 }
 

@@ -23,8 +23,19 @@ struct Value {
   std::shared_ptr<Object> object;
 };
 
+// Array elements that a run holds at this moment, all arrays together.
+using ArrayLedger = std::shared_ptr<std::size_t>;
+
 struct Object {
+  Object() = default;
+  Object(const Object&) = delete;
+  Object& operator=(const Object&) = delete;
+  ~Object() {
+    if (ledger) *ledger -= elements.size();
+  }
+
   std::string text;             // string
+  ArrayLedger ledger;           // array; its elements are entered there
   std::vector<Value> elements;  // array, row by row
   std::size_t columns = 0;      // array of two dimensions; 0: one dimension
 };

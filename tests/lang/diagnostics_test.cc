@@ -1,0 +1,189 @@
+// Every code of the language is raised by some program, at the right place.
+#include "tests/lang/program_support.h"
+
+namespace stanok::lang::testing {
+namespace {
+
+std::string repeated(const char* piece, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
+struct FaultCase {
+  std::string text;
+  const char* code;
+  int line;
+  int column;
+};
+
+class Fault : public ProgramTest, public ::testing::WithParamInterface<FaultCase> {};
+
+TEST_P(Fault, IsReportedAtItsPlace) {
+  tables.tools[1] = {1, {0.0, 0.0, 10.0}, 0.0};
+  channel.axes.resize(4);  // X Y Z B
+  EXPECT_EQ(error_code(GetParam().text + "\nM30\n"), GetParam().code) << to_text(error);
+  EXPECT_EQ(error.place.line, GetParam().line) << to_text(error);
+  EXPECT_EQ(error.place.column, GetParam().column) << to_text(error);
+  EXPECT_FALSE(error.message.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, Fault,
+    ::testing::Values(FaultCase{"G0 X1 \xD0\xA4", "E1001", 1, 7}, FaultCase{"?", "E2001", 1, 1},
+                      FaultCase{"G0 X1\n\x01", "E1001", 2, 1},
+                      FaultCase{"G0 X1 (open", "E1006", 1, 7}, FaultCase{"/* open", "E1006", 1, 1},
+                      FaultCase{"G0 X1 (a (b))", "E1008", 1, 10},
+                      FaultCase{"G0 X1" + repeated(" ", 5000) + "Y1", "E1007", 1, 1},
+                      FaultCase{"G0 X1 N5", "E2006", 1, 7}, FaultCase{"G0 XY5", "E2007", 1, 4},
+                      FaultCase{"M2=3", "E2011", 1, 1},
+                      FaultCase{"{\n#include \"a.nc\"\n}", "E2012", 2, 10},
+                      FaultCase{"{\nO100\n}", "E2012", 2, 1}, FaultCase{"G0 @5", "E2090", 1, 4},
+                      FaultCase{"G1 X1,R2", "E2090", 1, 6}, FaultCase{"(LOG,text)", "E2090", 1, 1},
+                      FaultCase{"G0 X" + repeated("-", 70) + "1", "E2030", 1, 69},
+                      FaultCase{repeated("{", 65) + repeated("}", 65), "E2030", 1, 65}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Blocks, Fault,
+    ::testing::Values(FaultCase{"G0G9G90G91.1G94G21G17G40G49 X1", "E4005", 1, 25},
+                      FaultCase{"G80\nX1", "E4012", 2, 1}, FaultCase{"G1 X1 F-5", "E4022", 1, 7},
+                      FaultCase{"S-1", "E4022", 1, 1}, FaultCase{"G93\nG1 X1", "E4023", 2, 1},
+                      FaultCase{"G1 X1", "E4020", 1, 1},
+                      FaultCase{"G95 F1\nG94 G1 X1", "E4020", 2, 1},
+                      FaultCase{"F100\nG53 G2 X1 I1", "E4041", 2, 1},
+                      FaultCase{"G91\nG53 G0 X1", "E4042", 2, 1}, FaultCase{"M6", "E4051", 1, 1},
+                      FaultCase{"G4 S5", "E4052", 1, 4}, FaultCase{"G4", "E4007", 1, 1},
+                      FaultCase{"G54.1 P301", "E4008", 1, 7}, FaultCase{"G54.1", "E4007", 1, 1},
+                      FaultCase{"T7", "E5002", 1, 1}, FaultCase{"G43 H7", "E5002", 1, 5},
+                      FaultCase{"G43 H1.5", "E4008", 1, 5}, FaultCase{"G10 L2 X1", "E4007", 1, 1},
+                      FaultCase{"G10 L1 P1", "E2090", 1, 5}, FaultCase{"G0 C1", "E4010", 1, 4},
+                      FaultCase{"G64 P-1", "E4008", 1, 5}, FaultCase{"M98", "E4007", 1, 1},
+                      FaultCase{"M98 P5", "E7005", 1, 1}, FaultCase{"G77 X1", "E2090", 1, 1},
+                      FaultCase{"G41 D1", "E2090", 1, 1}, FaultCase{"G=17.33", "E4004", 1, 1},
+                      FaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Runs, Fault,
+    ::testing::Values(FaultCase{"G43.4 H1\n#kinematics (1, 1)", "E5011", 2, 1},
+                      FaultCase{"num aa = 0;\nnum bb = 1/aa;", "E3008", 2, 10},
+                      FaultCase{"num aa[900000], bb[900000], cc[900000], dd[900000];", "E8002", 1,
+                                41}));
+
+class Diagnostics_ : public ProgramTest {
+ protected:
+  void refuse_all() {
+    answering = [](const Request&) {
+      Answer answer;
+      answer.ok = false;
+      answer.text = "E6006 the machine is off";
+      return answer;
+    };
+  }
+};
+
+TEST_F(Diagnostics_, OfRefusedStatementsNameTheFunctionAndTheReason) {
+  refuse_all();
+  const std::pair<const char*, const char*> cases[] = {
+      {"channel_wait (2);", "E6010"},  {"channel_load (2, \"a\");", "E6011"},
+      {"channel_start (2);", "E6012"}, {"channel_run (2, \"a\");", "E6013"},
+      {"channel_stop (2);", "E6014"},  {"channel_reset (2);", "E6015"}};
+  for (const auto& [text, code] : cases) {
+    EXPECT_EQ(error_code(std::string(text) + "\nM30\n"), code);
+    EXPECT_NE(error.message.find("the machine is off"), std::string::npos);
+  }
+}
+
+TEST_F(Diagnostics_, OfOtherRefusalsCarryTheCodeOfTheReason) {
+  refuse_all();
+  EXPECT_EQ(error_code("#kinematics (2, 1)\nM30\n"), "E6006");
+  EXPECT_EQ(error.message, "the machine is off");
+  EXPECT_EQ(error_code("num aa = channel_state (2);\nM30\n"), "E6006");
+  answering = [](const Request&) {
+    Answer answer;
+    answer.ok = false;
+    return answer;
+  };
+  EXPECT_EQ(error_code("#kinematics (2, 1)\nM30\n"), "E5010");
+  EXPECT_EQ(error_code("num aa = channel_state (2);\nM30\n"), "E6032");
+}
+
+TEST_F(Diagnostics_, NameAMissingWorkOffset) {
+  class FewOffsets : public MemoryTables {
+   public:
+    [[nodiscard]] std::optional<AxisValues> work_offset(int number) const override {
+      return number <= 6 ? std::optional(AxisValues{}) : std::nullopt;
+    }
+  };
+  FewOffsets few;
+  files.texts["main.nc"] = "G0 X1\nG59.1\nM30\n";
+  const auto program = compile("main.nc", files, &channel, warnings);
+  ASSERT_TRUE(program);
+  Interpreter one(channel, few, files);
+  one.start(*program, {});
+  Command command;
+  while (one.next(command) == Step::command) {
+  }
+  EXPECT_EQ(one.error().code, "E5001");
+  EXPECT_EQ(one.error().place.line, 2);
+}
+
+TEST_F(Diagnostics_, NameAPlaneWithoutAxes) {
+  channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}};
+  EXPECT_EQ(error_code("F1 G2 X5 I2.5\nM30\n"), "E4036");
+  EXPECT_EQ(error.notes.at(0).text, "G17 is active by default");
+}
+
+TEST_F(Diagnostics_, CountCharactersNotBytes) {
+  EXPECT_EQ(error_code("(\xD0\xA4\xD0\xA4) G0 X1 X2\nM30\n"), "E4001");
+  EXPECT_EQ(error.place.column, 12);
+  EXPECT_EQ(error.place.end_column, 14);
+}
+
+TEST_F(Diagnostics_, WarnOfEncodingAndFrames) {
+  run("(\xFF)\n; \xFF\nG0 X1\nM30\n");
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].code, "W110");
+  EXPECT_EQ(warnings[1].place.line, 2);
+  run("%\nG0 X1\nM30\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, "W210");
+  run("G0 X1\nM30\n%\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].place.line, 3);
+}
+
+TEST_F(Diagnostics_, ShowTheCallStack) {
+  EXPECT_EQ(error_code("void inner (num dd) { G1 X=1/dd }\nvoid outer () {\n  inner (0); }\n"
+                       "outer ();\nM30\n"),
+            "E3008");
+  EXPECT_EQ(error.stack, (std::vector<std::string>{"in inner(), called at main.nc:3:3",
+                                                   "in outer(), called at main.nc:4:1"}));
+}
+
+TEST_F(Diagnostics_, LimitTheNumberOfFiles) {
+  std::string text;
+  for (int i = 0; i < 256; ++i) {
+    const std::string name = "file" + std::to_string(i) + ".nc";
+    files.texts[name] = "M99\n";
+    text += "#include \"" + name + "\"\n";
+  }
+  EXPECT_EQ(error_code(text + "M30\n"), "E8003");
+  EXPECT_EQ(error.place.line, 256);
+}
+
+TEST_F(Diagnostics_, KeepTheMotionBeforeTheFaultyBlock) {
+  run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
+  EXPECT_EQ(error.code, "E5002");
+  EXPECT_EQ(all<Move>().size(), 2u);
+  EXPECT_EQ(all<ToolPrepare>().size(), 0u);
+  EXPECT_EQ(interpreter->next(commands.front()), Step::failed);
+}
+
+TEST_F(Diagnostics_, FreeTheMemoryOfArraysThatAreGone) {
+  EXPECT_EQ(error_code("void use () { num big[500000]; big[0] = 1; }\n"
+                       "for (num nn_ = 0; nn_ < 20; nn_++) { use (); }\nM30\n"),
+            "");
+}
+
+}  // namespace
+}  // namespace stanok::lang::testing
