@@ -262,10 +262,18 @@ void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes) {
   }
 }
 
-void run_actions(ActiveBlock& block, BlockCodes& codes) {
+// In the order of their phases; codes of one phase stay as written.
+void sort_by_phase(BlockCodes& codes) {
   const auto first = codes.rows.begin();
-  std::stable_sort(first, first + codes.count,
-                   [](const Code* a, const Code* b) { return a->phase < b->phase; });
+  for (auto next = first; next != first + codes.count; ++next) {
+    const auto later = std::upper_bound(
+        first, next, *next, [](const Code* a, const Code* b) { return a->phase < b->phase; });
+    std::rotate(later, next, next + 1);
+  }
+}
+
+void run_actions(ActiveBlock& block, BlockCodes& codes) {
+  sort_by_phase(codes);
   for (int i = 0; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[static_cast<std::size_t>(i)];
     row.action(block, row.number);

@@ -320,56 +320,10 @@ constexpr auto rows = std::to_array<Builtin>({
     channel("channel_state", Type::number, "n", RequestKind::channel_state, ""),
 });
 
-struct NamedNumber {
-  std::string_view name;
-  double number;
-};
-
-constexpr auto constants = std::to_array<NamedNumber>({
-    {"pi", std::numbers::pi},
-    {"ch_idle", 0.0},
-    {"ch_ready", 1.0},
-    {"ch_running", 2.0},
-    {"ch_held", 3.0},
-    {"ch_alarm", 4.0},
-    {"gv_modal", 1.0},
-    {"gv_feed", 2.0},
-    {"gv_spindle", 4.0},
-    {"gv_tool", 8.0},
-    {"gv_frames", 16.0},
-    {"gv_coolant", 32.0},
-    {"gv_all", 63.0},
-});
-
 constexpr auto later_names = std::to_array<std::string_view>(
     {"mark_wait", "mark_wait_soft", "mark_set", "mark_clear", "mark_is_set", "settable_zs",
      "settable_tool", "gettable_tool", "gettable_zs", "save_gvector", "restore_gvector", "has_arg",
      "arg"});
-
-constexpr auto variables = std::to_array<SystemVariable>({
-    {"channel", Type::number, Type::none, false},
-    {"line", Type::number, Type::none, false},
-    {"program", Type::string, Type::none, false},
-    {"prog_pos", Type::number, Type::axis, false},
-    {"g", Type::number, Type::number, false},
-    {"feed", Type::number, Type::none, false},
-    {"speed", Type::number, Type::none, false},
-    {"tool", Type::number, Type::none, false},
-    {"tool_next", Type::number, Type::none, false},
-    {"tool_length", Type::number, Type::none, false},
-    {"tool_radius", Type::number, Type::none, false},
-    {"skip", Type::boolean, Type::number, true},
-    {"pos", Type::number, Type::axis, true},
-    {"pos_mcs", Type::number, Type::axis, true},
-    {"feed_act", Type::number, Type::none, true},
-    {"speed_act", Type::number, Type::number, true},
-    {"ovr_feed", Type::number, Type::none, true},
-    {"in", Type::boolean, Type::number, true},
-    {"ain", Type::number, Type::number, true},
-    {"homed", Type::boolean, Type::axis, true},
-    {"axis_channel", Type::number, Type::axis, true},
-    {"kinematics", Type::number, Type::number, true},
-});
 
 }  // namespace
 
@@ -383,26 +337,8 @@ std::span<const Builtin> builtins() {
   return rows;
 }
 
-std::optional<double> find_builtin_constant(std::string_view folded_name) {
-  for (const NamedNumber& constant : constants) {
-    if (constant.name == folded_name) return constant.number;
-  }
-  return std::nullopt;
-}
-
 bool is_later_builtin(std::string_view folded_name) {
   return std::find(later_names.begin(), later_names.end(), folded_name) != later_names.end();
-}
-
-const SystemVariable* find_system_variable(std::string_view folded_name) {
-  for (const SystemVariable& variable : variables) {
-    if (variable.name == folded_name) return &variable;
-  }
-  return nullptr;
-}
-
-std::span<const SystemVariable> system_variables() {
-  return variables;
 }
 
 }  // namespace stanok::lang

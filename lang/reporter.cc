@@ -1,6 +1,7 @@
 #include "lang/reporter.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -92,11 +93,15 @@ Diagnostic& Reporter::keep(Diagnostic diagnostic) {
 }
 
 Diagnostics Reporter::take() {
-  const auto before = [](const Diagnostic& a, const Diagnostic& b) {
-    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
-  };
-  std::stable_sort(diagnostics_.begin(), diagnostics_.end(), before);
-  return std::exchange(diagnostics_, {});
+  std::multimap<std::pair<int, int>, Diagnostic> by_place;
+  for (Diagnostic& diagnostic : diagnostics_) {
+    const std::pair place(diagnostic.place.line, diagnostic.place.column);
+    by_place.emplace(place, std::move(diagnostic));
+  }
+  diagnostics_.clear();
+  Diagnostics ordered;
+  for (auto& [place, diagnostic] : by_place) ordered.push_back(std::move(diagnostic));
+  return ordered;
 }
 
 }  // namespace stanok::lang
