@@ -62,6 +62,8 @@ const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
        [](Dispatch& d, const json& p) { return d.report_.channel(d.channel_or_first(p)); }},
       {"program.list",
        [](Dispatch& d, const json&) { return program_list(d.machine_.program_root()); }},
+      {"program.history",
+       [](Dispatch& d, const json& p) { return d.report_.program_history(p.value("channel", 0)); }},
       {"kinematics.list",
        [](Dispatch& d, const json& p) { return d.report_.kinematics_list(d.channel_or_first(p)); }},
       {"kinematics.status",

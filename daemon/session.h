@@ -37,6 +37,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   // Tells the client why, and ends the session when it has read that, or at `last_word_until`.
   void drop(const std::string& code, const std::string& reason);
+  [[nodiscard]] bool is_dropped() const { return dropping_; }
   [[nodiscard]] bool has_overstayed(Time now) const { return dropping_ && now > last_word_until_; }
   void close();
 

@@ -300,6 +300,24 @@ json StatusReport::alarm_history(int channel) const {
   return alarm_rows(channel, false);
 }
 
+json StatusReport::program_history(int channel) const {
+  const double cycle_s = machine_.file().machine.cycle_us * 1e-6;
+  const std::int64_t now = machine_.newest_output().cycle;
+  json rows = json::array();
+  for (const channels::RunReport& run : machine_.runs()) {
+    if (channel != 0 && run.channel != channel) continue;
+    const std::int64_t end = run.ended ? run.end_cycle : now;
+    rows.push_back({{"channel", run.channel},
+                    {"program", run.program},
+                    {"blocks", run.blocks},
+                    {"time_s", static_cast<double>(end - run.start_cycle) * cycle_s},
+                    {"path_mm", run.path_mm},
+                    {"ended", run.ended},
+                    {"ok", run.ok}});
+  }
+  return {{"runs", std::move(rows)}};
+}
+
 json StatusReport::alarm_rows(int channel, bool standing_only) const {
   const auto output = machine_.newest_output();
   const auto alarms = machine_.alarms();

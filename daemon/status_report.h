@@ -28,6 +28,8 @@ class StatusReport {
   // `channel` 0: of all channels.
   [[nodiscard]] nlohmann::json alarms_standing(int channel) const;
   [[nodiscard]] nlohmann::json alarm_history(int channel) const;
+  // Runs of one channel, or of all for 0, in the order of their start.
+  [[nodiscard]] nlohmann::json program_history(int channel) const;
 
  private:
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,

@@ -132,6 +132,8 @@ constexpr auto table = std::to_array<Method>({
     {"program.reset", machine_operator, "end the program and clear the channel's alarms",
      of_channel, "program_reset"},
     {"program.list", observer, "program files beneath the program root"},
+    {"program.history", observer, "program runs since the daemon started, with blocks and times",
+     of_channel},
     later("program.step", machine_operator, "single block on or off"),
     later("program.search", machine_operator, "find a block and collect its modal state"),
 
