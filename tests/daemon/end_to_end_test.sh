@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# The whole daemon in real time, operated by the real `stanok`: on, run, hold, resume, estop, a
+# program with errors, shutdown. Embedded drives, no LCM; everything lives in a temporary folder.
+#
+# usage: end_to_end_test.sh STANOKD STANOK MACHINE_FILE
+set -euo pipefail
+
+readonly stanokd=$1 machine_file=$3
+folder=$(mktemp -d)
+readonly folder
+operate=("$2" --socket "$folder/op.sock")
+
+stop_daemon() {
+  if [[ -n ${daemon:-} ]]; then kill -KILL "$daemon" 2>/dev/null || true; fi
+  rm -rf "$folder"
+}
+trap stop_daemon EXIT
+
+fail() {
+  printf 'FAILED: %s\n' "$1" >&2
+  "${operate[@]}" channel status --json >&2 || true
+  cat "$folder/stanokd.err" >&2
+  exit 1
+}
+
+# expect_exit CODE ARGUMENT...: what `stanok ARGUMENT...` printed goes to $output.
+expect_exit() {
+  local wanted=$1 code=0
+  shift
+  output=$("${operate[@]}" "$@" 2>"$folder/stanok.err") || code=$?
+  [[ $code == "$wanted" ]] || fail "stanok $*: exit code $code, not $wanted: $(cat "$folder/stanok.err")"
+}
+
+# wait_for TEXT: until `channel status --json` contains the text.
+wait_for() {
+  local k
+  for ((k = 0; k < 600; ++k)); do
+    expect_exit 0 channel status --json
+    [[ $output == *"$1"* ]] && return
+    sleep 0.05
+  done
+  fail "channel status never showed $1"
+}
+
+expect_output() {
+  [[ $output == *"$1"* ]] || fail "$2: no $1 in: $output"
+}
+
+printf 'G21 G90 G17 G54\nG0 X1 Y1\nG1 X3 F600\nM30\n' >"$folder/short.nc"
+printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F600\nM30\n' >"$folder/long.nc"
+printf 'G21 G90\nG1 X1 F\nM30\n' >"$folder/wrong.nc"
+
+"$stanokd" --machine "$machine_file" --drives embedded --lcm off --state "$folder/state" \
+  --socket "$folder/op.sock" --program-root "$folder" --log "$folder/log" 2>"$folder/stanokd.err" &
+daemon=$!
+for ((k = 0; k < 600; ++k)); do
+  [[ -S $folder/op.sock ]] && break
+  kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
+  sleep 0.05
+done
+
+expect_exit 0 channel status --json
+expect_output '"state":"Reset"' "before anything was asked"
+expect_exit 1 program run short.nc # the machine is off
+
+# A second daemon is refused, by state directory and by name of the first.
+second=0
+"$stanokd" --machine "$machine_file" --drives embedded --lcm off --state "$folder/state" \
+  --socket "$folder/second.sock" --program-root "$folder" 2>"$folder/second.err" || second=$?
+[[ $second == 1 ]] || fail "a second daemon ended with $second"
+grep -q "pid $daemon" "$folder/second.err" || fail "the second daemon does not name the first"
+
+expect_exit 0 machine on
+expect_exit 0 program run short.nc --wait --json
+expect_output '"ok":true' "the short program"
+expect_output '"blocks":' "the short program"
+expect_exit 0 channel status --json
+expect_output '"state":"Reset"' "after the run"
+expect_output '"X":3.0' "end of the run, programmed X"
+expect_output '"program":"short.nc"' "after the run"
+
+expect_exit 6 program run wrong.nc --wait --json
+expect_output '"file":"wrong.nc"' "a program with errors"
+expect_output '"line":2' "a program with errors"
+
+expect_exit 0 program run long.nc
+wait_for '"line":3'
+expect_exit 0 program hold
+wait_for '"program_status":"Interrupted"'
+wait_for '"speed_mm_s":0.0'
+held=$output
+sleep 0.2
+expect_exit 0 channel status --json
+[[ ${output#*\"position\"} == "${held#*\"position\"}" ]] || fail "the axes move while held"
+expect_exit 0 program resume
+wait_for '"program_status":"Running"'
+
+expect_exit 0 machine estop
+wait_for '"program_status":"Canceled"'
+wait_for '"code":"A1001"'
+for ((k = 0; k < 200; ++k)); do
+  expect_exit 0 machine status --json
+  [[ $output == *'"on":false'* ]] && break
+  sleep 0.05
+done
+expect_output '"on":false' "after the emergency stop"
+
+# From there back to work: every channel has the alarm.
+expect_exit 1 machine on
+expect_exit 0 program reset
+expect_exit 0 program reset --channel 2
+expect_exit 0 machine on
+expect_exit 0 program run short.nc --wait
+
+expect_exit 0 system shutdown
+code=0
+wait "$daemon" || code=$?
+daemon=
+[[ $code == 0 ]] || fail "the daemon ended with $code"
+[[ ! -e $folder/op.sock ]] || fail "the socket is still there"
+[[ -s $(ls "$folder"/log/*.lcm) ]] || fail "no log was written"
+expect_exit 3 machine status # nobody is there any more
+echo "end to end: passed"

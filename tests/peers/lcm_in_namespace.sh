@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# The LCM stream of the daemon against LCM's own tools, in a network namespace with a loopback only.
+#
+# lcm-logger records what stanokd publishes on the default URL while a program runs; missing
+# sequence numbers of the set-points are counted and printed, not judged: UDP may lose under load.
+# Then lcm-logplayer plays the recorder's own log file, and must hand on every event of it.
+# Exit code 77 (skipped) where namespaces or LCM's tools are not to be had.
+#
+# usage: lcm_in_namespace.sh STANOKD STANOK MACHINE_FILE
+set -euo pipefail
+
+skip() {
+  echo "skipped: $1"
+  exit 77
+}
+
+if [[ ${STANOK_IN_NAMESPACE:-no} == no ]]; then
+  for tool in unshare ip lcm-logger lcm-logplayer python3; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed"
+  done
+  enter=(unshare --net)
+  "${enter[@]}" true 2>/dev/null || enter=(unshare --map-root-user --net)
+  "${enter[@]}" true 2>/dev/null || skip "unshare is refused: no network namespace"
+  STANOK_IN_NAMESPACE=yes exec "${enter[@]}" "$0" "$@"
+fi
+
+readonly stanokd=$1 stanok=$2 machine_file=$3
+readonly url='udpm://239.255.76.67:7667?ttl=0'
+here=$(dirname "${BASH_SOURCE[0]}")
+folder=$(mktemp -d)
+readonly here folder
+started=()
+
+end_all() {
+  for pid in "${started[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
+  rm -rf "$folder"
+}
+trap end_all EXIT
+
+fail() {
+  printf 'FAILED: %s\n' "$1" >&2
+  cat "$folder"/*.err >&2
+  exit 1
+}
+
+operate() {
+  "$stanok" --socket "$folder/op.sock" "$@" || fail "stanok $*"
+}
+
+summary() {
+  python3 "$here/log_summary.py" "$@" || fail "$1 cannot be read"
+}
+
+# count FILE WORD: number of messages on the channels that contain WORD.
+count() {
+  summary "$@" | awk '$1 == "sum" { print $3 }'
+}
+
+ip link set lo up multicast on || skip "the loopback of the namespace cannot be set up"
+ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
+
+printf 'G21 G90 G17 G54\nG0 X0 Y0\nG64 P0.01\nG1 X40 F3000\nG3 X0 Y0 I-20\nG1 X0\nM30\n' \
+  >"$folder/part.nc"
+
+lcm-logger --quiet --lcm-url="$url" "$folder/peer.lcm" 2>"$folder/logger.err" &
+logger=$!
+started+=("$logger")
+"$stanokd" --machine "$machine_file" --drives embedded --lcm "$url" --state "$folder/state" \
+  --socket "$folder/op.sock" --program-root "$folder" --log "$folder/log" 2>"$folder/stanokd.err" &
+daemon=$!
+started+=("$daemon")
+for ((k = 0; k < 600; ++k)); do
+  [[ -S $folder/op.sock ]] && break
+  kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
+  sleep 0.05
+done
+
+operate machine on
+operate program run part.nc --wait --json
+operate log status --json
+operate system shutdown
+wait "$daemon" || fail "the daemon ended with $?"
+sleep 0.5 # lcm-logger writes to its file ten times a second
+kill -INT "$logger"
+wait "$logger" || true
+
+echo "recorded by lcm-logger:"
+summary "$folder/peer.lcm"
+[[ $(count "$folder/peer.lcm" SETPOINT) -gt 0 ]] || fail "nothing was recorded"
+printf 'set-points: '
+summary "$folder/peer.lcm" SETPOINT | tail -n 1
+
+own=$(ls "$folder"/log/*.lcm)
+echo "written by the recorder:"
+summary "$own"
+lcm-logplayer --speed=1000 --lcm-url="file://$folder/played.lcm?mode=w" "$own" \
+  >"$folder/player.out" 2>"$folder/player.err" || fail "lcm-logplayer cannot play the log"
+wanted=$(count "$own" "")
+played=$(count "$folder/played.lcm" "")
+echo "lcm-logplayer: $played of $wanted events of the recorder's log"
+[[ $played == "$wanted" ]] || fail "lcm-logplayer lost events of a file"
