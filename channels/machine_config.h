@@ -23,7 +23,7 @@ struct HomingConfig {
 // Where the position loop is closed: in the drive, or in the cycle by the position regulator.
 enum class FeedbackPlace { drive, cycle };
 
-// Position regulator of one axis, U in mm/s or deg/s (docs/motion.md#regulator):
+// Position regulator of one axis, U in mm/s or deg/s (V. Kombarov, V. Sorokin, eq. 16):
 //   U = kp e + kd (change of e in a cycle) + kint (sum of e over the cycles) + kv V + ka A + kr J
 struct RegulatorConfig {
   FeedbackPlace feedback = FeedbackPlace::drive;
