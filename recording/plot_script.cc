@@ -1,0 +1,279 @@
+#include "recording/plot_script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "recording/gnuplot.h"
+
+namespace stanok::recording {
+namespace {
+
+constexpr std::array colours{"#1f4e79", "#c8553d", "#3a7d44", "#b8860b",
+                             "#7a5c99", "#2a8c8c", "#a23b72", "#5c6b73"};
+constexpr const char* feed_colour = "#b9c2c9";
+
+// Pixels.
+constexpr int width = 1200;
+constexpr int time_height = 520;
+constexpr int panel_height = 150;
+constexpr int panel_margin = 130;  // above and below all panels
+constexpr double path_width = 1040.0;
+constexpr double path_height_max = 900.0;
+constexpr int path_margin = 160;
+
+constexpr double slimmest = 0.22;  // height of a drawing, of its width
+constexpr double padding = 0.06;   // around data, of their range
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+
+  [[nodiscard]] double span() const { return high - low; }
+  [[nodiscard]] std::string text() const { return "[" + number(low) + ":" + number(high) + "]"; }
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  // The same middle, that span.
+  [[nodiscard]] Range widened(double span) const {
+    const double middle = 0.5 * (low + high);
+    return {middle - 0.5 * span, middle + 0.5 * span};
+  }
+  [[nodiscard]] Range padded() const {
+    return widened(span() > 0.0 ? span() * (1.0 + 2.0 * padding) : 1.0);
+  }
+};
+
+struct View {
+  const char* name;
+  const char* title;
+  std::size_t horizontal, vertical;  // of X, Y, Z
+};
+constexpr std::array views{View{"path-top", "Path from the top", 0, 1},
+                           View{"path-front", "Path from the front", 0, 2},
+                           View{"path-side", "Path from the side", 1, 2}};
+
+struct Quantity {
+  const char* name;
+  const char* title;
+  const char* per;  // after mm or deg
+  PeakSeries AxisPlot::* series;
+};
+constexpr std::array quantities{
+    Quantity{"velocity", "Axis velocity", "/s", &AxisPlot::velocity},
+    Quantity{"acceleration", "Axis acceleration", "/s²", &AxisPlot::acceleration},
+    Quantity{"jerk", "Axis jerk", "/s³", &AxisPlot::jerk}};
+
+std::string run_label(const RunPlot& run) {
+  return "run " + std::to_string(run.run) + ", scheme " + std::to_string(run.scheme);
+}
+
+std::string line_style(std::size_t index, const char* line_width) {
+  return std::string(" with lines lw ") + line_width + " lc rgb '" +
+         colours[index % colours.size()] + "'";
+}
+
+std::string block_name(const char* name, std::size_t index) {
+  return "$" + std::string(name) + std::to_string(index + 1);
+}
+
+class ScriptText {
+ public:
+  explicit ScriptText(const ChannelPlot& plot) : plot_(plot) {}
+
+  [[nodiscard]] PlotScript script() && {
+    text_ = "# Pictures of channel " + std::to_string(plot_.channel) +
+            ", made by `stanok log plot`; draws them again: gnuplot " + file_stem() + ".gnuplot\n";
+    add_data();
+    add_look();
+    if (!plot_.runs.empty()) {
+      for (const View& view : views) add_path(view);
+      add_speed();
+    }
+    for (const Quantity& quantity : quantities) add_axes(quantity);
+    return {std::move(text_), std::move(pictures_)};
+  }
+
+ private:
+  [[nodiscard]] std::string file_stem() const { return "ch" + std::to_string(plot_.channel); }
+
+  void add_data() {
+    for (std::size_t i = 0; i < plot_.runs.size(); ++i) {
+      add_path_data(block_name("path", i), plot_.runs[i].path);
+      add_series(block_name("speed", i), plot_.runs[i].speed);
+    }
+    add_series("$feed", plot_.feed);
+    for (const Quantity& quantity : quantities) {
+      for (std::size_t k = 0; k < plot_.axes.size(); ++k) {
+        add_series(block_name(quantity.name, k), plot_.axes[k].*quantity.series);
+      }
+    }
+  }
+
+  void add_path_data(const std::string& block, const ThinnedPath& path) {
+    text_ += block + " << END\n";
+    for (const auto& stretch : path.stretches()) {
+      for (const PlotPoint& p : stretch) {
+        text_ += number(p[0]) + " " + number(p[1]) + " " + number(p[2]) + "\n";
+      }
+      text_ += "\n";
+    }
+    text_ += "END\n";
+  }
+
+  void add_series(const std::string& block, const PeakSeries& series) {
+    text_ += block + " << END\n";
+    for (const TimePoint& p : series.points()) {
+      text_ += number(p.time) + " " + number(p.value) + "\n";
+    }
+    text_ += "END\n";
+  }
+
+  void add_look() {
+    text_ +=
+        "set encoding utf8\n"
+        "set border 3 lc rgb '#9aa3a9' lw 1\n"
+        "set tics nomirror out scale 0.6 textcolor rgb '#4a4f54'\n"
+        "set grid lc rgb '#e7eaec' lw 1 lt 1\n"
+        "set xlabel textcolor rgb '#2b2f33'\n"
+        "set ylabel textcolor rgb '#2b2f33'\n"
+        "set key top right outside horizontal samplen 2 textcolor rgb '#2b2f33'\n";
+  }
+
+  // The body once as PNG, once as SVG.
+  void add_picture(const std::string& name, int height, const std::function<void()>& add_body) {
+    const std::string size = std::to_string(width) + "," + std::to_string(height);
+    for (const auto& [ending, terminal] :
+         {std::pair("png", "pngcairo noenhanced background rgb 'white' font 'Sans,12' size "),
+          std::pair("svg", "svg noenhanced background rgb 'white' font 'Sans,14' size ")}) {
+      const std::string file = file_stem() + "-" + name + "." + ending;
+      text_ += std::string("set terminal ") + terminal + size + "\nset output '" + file + "'\n";
+      add_body();
+      text_ += "unset output\n";
+      pictures_.push_back(file);
+    }
+  }
+
+  // Above the drawing, to the left.
+  void add_title(const std::string& title) {
+    std::string place = "channel " + std::to_string(plot_.channel);
+    if (!plot_.machine.empty()) place = plot_.machine + ", " + place;
+    text_ += "set title " + gnuplot_text(title + " – " + place) +
+             " font ',15' textcolor rgb '#2b2f33'\n";
+  }
+
+  void add_path(const View& view) {
+    const auto& across = plot_.point_axes[view.horizontal];
+    const auto& up = plot_.point_axes[view.vertical];
+    if (!across || !up) return;
+    Range horizontal = path_range(view.horizontal).padded();
+    Range vertical = path_range(view.vertical).padded();
+    vertical = vertical.widened(std::max(vertical.span(), slimmest * horizontal.span()));
+    horizontal = horizontal.widened(
+        std::max(horizontal.span(), vertical.span() * path_width / path_height_max));
+    const int height =
+        path_margin + static_cast<int>(path_width * vertical.span() / horizontal.span());
+    add_picture(view.name, height, [&] {
+      add_title(view.title);
+      text_ += "set size ratio -1\n";
+      text_ += "set xlabel " + gnuplot_text(plot_.axes[*across].axis.word + " [mm]") + "\n";
+      text_ += "set ylabel " + gnuplot_text(plot_.axes[*up].axis.word + " [mm]") + "\n";
+      text_ += "set xrange " + horizontal.text() + "\nset yrange " + vertical.text() + "\nplot ";
+      for (std::size_t i = 0; i < plot_.runs.size(); ++i) {
+        text_ += (i == 0 ? "" : ", \\\n  ") + block_name("path", i) + " using " +
+                 std::to_string(view.horizontal + 1) + ":" + std::to_string(view.vertical + 1) +
+                 line_style(i, "1.2") + " title " + gnuplot_text(run_label(plot_.runs[i]));
+      }
+      text_ += "\nset size noratio\n";
+    });
+  }
+
+  [[nodiscard]] Range path_range(std::size_t coordinate) const {
+    Range range;
+    bool is_first = true;
+    for (const RunPlot& run : plot_.runs) {
+      for (const auto& stretch : run.path.stretches()) {
+        for (const PlotPoint& point : stretch) {
+          if (is_first) range = {point[coordinate], point[coordinate]};
+          is_first = false;
+          range.include(point[coordinate]);
+        }
+      }
+    }
+    return range;
+  }
+
+  void add_speed() {
+    Range speeds;
+    for (const TimePoint& point : plot_.feed.points()) speeds.include(point.value);
+    for (const RunPlot& run : plot_.runs) {
+      for (const TimePoint& point : run.speed.points()) speeds.include(point.value);
+    }
+    if (speeds.span() <= 0.0) speeds = {0.0, 1.0};
+    speeds.high += padding * speeds.span();
+    add_picture("path-speed", time_height, [&] {
+      add_title("Path speed");
+      text_ += "set xlabel 'time [s]'\nset ylabel 'path speed [mm/s]'\n";
+      text_ += "set xrange " + time_range().text() + "\nset yrange " + speeds.text() + "\n";
+      text_ += std::string("plot $feed with steps lw 1.5 lc rgb '") + feed_colour +
+               "' title 'feed commanded'";
+      for (std::size_t i = 0; i < plot_.runs.size(); ++i) {
+        text_ += ", \\\n  " + block_name("speed", i) + line_style(i, "1.2") + " title " +
+                 gnuplot_text(run_label(plot_.runs[i]));
+      }
+      text_ += "\n";
+    });
+  }
+
+  [[nodiscard]] Range time_range() const {
+    return {plot_.time_begin, std::max(plot_.time_end, plot_.time_begin + 1e-3)};
+  }
+
+  // One panel for each axis, one below the other, over the same time.
+  void add_axes(const Quantity& quantity) {
+    if (plot_.axes.empty()) return;
+    const int count = static_cast<int>(plot_.axes.size());
+    const int height = panel_margin + panel_height * count;
+    const double bottom = 60.0 / height;
+    const double top = 1.0 - 60.0 / height;
+    add_picture(quantity.name, height, [&] {
+      add_title(quantity.title);
+      text_ += "set xrange " + time_range().text() + "\nset xlabel\nset ytics autofreq\n";
+      text_ += "set multiplot layout " + std::to_string(count) + ",1 margins 0.085,0.985," +
+               number(bottom) + "," + number(top) + " spacing 0," + number(18.0 / height) + "\n";
+      for (int k = 0; k < count; ++k)
+        add_panel(quantity, static_cast<std::size_t>(k), k + 1 == count);
+      text_ += "unset multiplot\nunset label 1\nset format x\n";
+    });
+  }
+
+  void add_panel(const Quantity& quantity, std::size_t index, bool is_last) {
+    const AxisPlot& axis = plot_.axes[index];
+    const std::string unit = (axis.axis.rotary ? "deg" : "mm") + std::string(quantity.per);
+    Range values;
+    for (const TimePoint& point : (axis.*quantity.series).points()) values.include(point.value);
+    const double peak = std::max(-values.low, values.high);
+    std::array<char, 64> peak_text{};
+    std::snprintf(peak_text.data(), peak_text.size(), "peak %.4g ", peak);
+    if (index > 0) text_ += "unset title\n";
+    text_ += is_last ? "set format x\nset xlabel 'time [s]'\n" : "set format x ''\nunset xlabel\n";
+    text_ += "set ylabel " + gnuplot_text(axis.axis.name + " [" + unit + "]") + "\n";
+    text_ += "set yrange " + values.padded().text() + "\n";
+    text_ += "set label 1 " + gnuplot_text(peak_text.data() + unit) +
+             " at graph 0.995,0.9 right font ',10' textcolor rgb '#6b737a' front\n";
+    text_ += "plot " + block_name(quantity.name, index) + line_style(index, "1") + " notitle\n";
+  }
+
+  const ChannelPlot& plot_;
+  std::string text_;
+  std::vector<std::string> pictures_;
+};
+
+}  // namespace
+
+PlotScript plot_script(const ChannelPlot& plot) {
+  return ScriptText(plot).script();
+}
+
+}  // namespace stanok::recording
