@@ -21,9 +21,10 @@ double length_along(const ActiveBlock& block, const AxisDescription& axis) {
 void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
   const WordName word{'G', 530, {}};
   if (block.modal.length.mode == LengthMode::tip) {
-    block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "")
-        .notes.push_back(block.modal.origin_of(Group::length));
-    block.fault->help.push_back("switch it off with `G49` before");
+    BlockFault& fault =
+        block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "");
+    fault.notes.push_back(block.modal.origin_of(Group::length));
+    fault.help.push_back("switch it off with `G49` before");
   } else if (code > 10) {
     block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
   } else if (block.modal.incremental()) {
@@ -57,11 +58,9 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     if ((block.programmed & axis_bit(i)) == 0) continue;
     const AxisDescription& axis = block.channel.axes[i];
     const double value = block.values[i];
-    if (block.machine_coordinates) {
-      move.end[i] = value;
-    } else if (block.modal.incremental()) {
+    if (block.modal.incremental()) {
       move.end[i] += value;
-    } else if (axis.modulo_deg > 0.0) {
+    } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates) {
       move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);
     } else {
       move.end[i] = value;

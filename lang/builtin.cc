@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <numbers>
 
 #include "lang/number.h"
@@ -48,9 +50,9 @@ bool set_text(Value& result, std::string text) {
   return true;
 }
 
-template <double (*function)(double)>
+template <double (*Function)(double)>
 bool unary(Arguments a, Value& result) {
-  return set(result, function(a[0].number));
+  return set(result, Function(a[0].number));
 }
 
 double tangent(double x) {
@@ -114,10 +116,10 @@ bool largest(Arguments a, Value& result) {
   for (const Value& value : a) most = std::max(most, value.number);
   return set(result, most);
 }
-template <Operation operation>
+template <Operation Which>
 bool arithmetic(Arguments a, Value& result) {
   ArithmeticFault fault{};
-  const auto number = computed(operation, a[0].number, a[1].number, fault);
+  const auto number = computed(Which, a[0].number, a[1].number, fault);
   return number && set(result, *number);
 }
 bool hypotenuse(Arguments a, Value& result) {
@@ -185,13 +187,11 @@ bool in_upper_case(Arguments a, Value& result) {
 // be counted otherwise.
 std::string shortest_text(double number) {
   char text[64];
-  int digits = 1;
-  for (; digits < 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
-    if (std::strtod(text, nullptr) == number) break;
-  }
-  std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
-  const int exponent = std::atoi(std::string(text).substr(std::string(text).find('e') + 1).c_str());
+  int digits = 0;
+  do {
+    std::snprintf(text, sizeof text, "%.*e", digits++, number);
+  } while (digits < 17 && std::strtod(text, nullptr) != number);
+  const auto exponent = static_cast<int>(std::strtol(std::strchr(text, 'e') + 1, nullptr, 10));
   if (exponent < -5 || exponent > 15) {
     std::snprintf(text, sizeof text, "%.*g", digits, number);
   } else {

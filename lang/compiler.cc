@@ -10,32 +10,69 @@ Compiler::Compiler(CompilerContext context)
       file_(*context_.program.files[context_.file]) {}
 
 void Compiler::declare_names(const StatementList& tree) {
-  FileNames& names = context_.names[context_.file];
   for (const Statement& statement : tree) {
-    const auto* const function = std::get_if<FunctionDefinition>(&statement.kind);
-    if (function == nullptr) continue;
-    const auto index = static_cast<std::uint32_t>(file_.functions.size());
-    if (!names.functions.emplace(folded(function->name), index).second) {
-      reporter_.error("E3002", function->name_span,
-                      "the function `" + function->name + "` is defined twice",
-                      "second definition");
-      continue;
+    if (const auto* const declaration = std::get_if<Declaration>(&statement.kind)) {
+      declare_constants(*declaration);
     }
-    FunctionCode code;
-    code.signature = {function->result, function->name, function->name_span, function->parameters};
-    file_.functions.push_back(std::move(code));
-    function_index_[function] = index;
   }
   for (const Statement& statement : tree) {
-    const auto* const declaration = std::get_if<Declaration>(&statement.kind);
-    if (declaration == nullptr || !declaration->constant) continue;
-    for (const DeclaredItem& item : declaration->items) {
-      if (!item.initial) continue;
-      auto constant = constant_of(*item.initial);
-      if (constant && constant->type == declaration->type) {
-        names.constants.emplace(folded(item.name), std::move(*constant));
-      }
+    if (const auto* const function = std::get_if<FunctionDefinition>(&statement.kind)) {
+      declare_function(*function);
     }
+  }
+}
+
+void Compiler::declare_constants(const Declaration& declaration) {
+  if (!declaration.constant) return;
+  for (const DeclaredItem& item : declaration.items) {
+    if (!item.initial) continue;
+    auto constant = constant_of(*item.initial);
+    if (constant && constant->type == declaration.type) {
+      context_.names[context_.file].constants.emplace(folded(item.name), std::move(*constant));
+    }
+  }
+}
+
+void Compiler::declare_function(const FunctionDefinition& function) {
+  const auto index = static_cast<std::uint32_t>(file_.functions.size());
+  FileNames& names = context_.names[context_.file];
+  if (!names.functions.emplace(folded(function.name), index).second) {
+    reporter_.error("E3002", function.name_span,
+                    "the function `" + function.name + "` is defined twice", "second definition");
+    return;
+  }
+  FunctionCode code;
+  code.signature = {function.result, function.name, function.name_span, function.parameters};
+  fold_default_values(code.signature);
+  file_.functions.push_back(std::move(code));
+  function_index_[&function] = index;
+}
+
+// Default values become literals, so that every file that calls the function can use them.
+void Compiler::fold_default_values(FunctionSignature& signature) {
+  bool has_default = false;
+  for (FunctionParameter& parameter : signature.parameters) {
+    if (has_default && !parameter.initial) {
+      reporter_.error("E3007", parameter.span, "parameters with default values come last",
+                      "no default value");
+      return;
+    }
+    if (!parameter.initial) continue;
+    has_default = true;
+    const auto value = constant_of(*parameter.initial);
+    if (!value || value->type != parameter.type || parameter.reference || parameter.array) {
+      reporter_.error("E3007", parameter.initial->span,
+                      "a default value is a constant " + std::string(type_name(parameter.type)) +
+                          " for a parameter by value",
+                      "not such a constant");
+      return;
+    }
+    parameter.initial->node = value->type == Type::string    ? Node::string
+                              : value->type == Type::boolean ? Node::boolean
+                                                             : Node::number;
+    parameter.initial->number = value->number;
+    parameter.initial->text = value->text;
+    parameter.initial->children.clear();
   }
 }
 

@@ -69,7 +69,10 @@ class Compiler {
     std::vector<std::size_t> continues;
   };
 
-  // compiler.cc: statements
+  // compiler.cc: names and statements
+  void declare_constants(const Declaration& declaration);
+  void declare_function(const FunctionDefinition& function);
+  void fold_default_values(FunctionSignature& signature);
   void compile_list(const StatementList& list);
   void compile_statement(const Statement& statement);
   void compile_body(const StatementList& list);  // with its own scope

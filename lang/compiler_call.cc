@@ -187,9 +187,11 @@ Compiler::ValueType Compiler::compile_user_call(const Callee& callee, const Expr
   }
   for (std::size_t i = 0; i < most; ++i) {
     const FunctionParameter& parameter = signature.parameters[i];
-    const bool good = i < given ? compile_argument(parameter, call.children[i])
-                                : compile_argument(parameter, *parameter.initial);
-    if (!good) return {};
+    if (i >= given && parameter.initial) {
+      push_constant(constant_of(*parameter.initial).value_or(Constant{}), call.span);
+    } else if (!compile_argument(parameter, call.children[i])) {
+      return {};
+    }
   }
   file_.callees.push_back(callee);
   emit(Op::call, call.span, static_cast<std::uint32_t>(file_.callees.size() - 1));

@@ -281,6 +281,7 @@ std::optional<Constant> Compiler::constant_of(const Expression& expression) cons
       if (!operand || operand->type != (logical ? Type::boolean : Type::number)) break;
       ArithmeticFault fault{};
       const auto result = computed(expression.operation, operand->number, 0.0, fault);
+      if (!result) break;
       return Constant{operand->type, *result, {}};
     }
     case Node::binary: {

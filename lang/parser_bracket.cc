@@ -190,7 +190,7 @@ Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
 
 Parser::MaybeExpression Parser::parse_bracket_function(std::string_view name) {
   const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
-  const std::string_view function = *bracket_function(folded(name));
+  const std::string_view function = bracket_function(folded(name)).value_or("");
   scanner_.advance(name.size());
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != '[') {

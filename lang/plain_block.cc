@@ -81,6 +81,16 @@ bool skip_block_number(const char*& at, const char* end) {
   return true;
 }
 
+// Address and number; `at` is left behind them.
+bool read_word(const char*& at, const char* end, BlockWords& words) {
+  const char letter = upper_case(*at++);
+  while (at != end && is_blank(*at)) ++at;
+  double value = 0.0;
+  bool whole = false;
+  if (!read_number(at, end, value, whole) || !add_word(words, letter, value, whole)) return false;
+  return at == end || (*at != '.' && *at != '=');
+}
+
 // The words of a line up to its end; `at` is left there.
 bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words) {
   bool any = false;
@@ -89,13 +99,7 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
     if (is_blank(c)) {
       ++at;
     } else if (is_letter(c)) {
-      ++at;
-      while (at != end && is_blank(*at)) ++at;
-      double value = 0.0;
-      bool whole = false;
-      if (!read_number(at, end, value, whole)) return false;
-      if (!add_word(words, upper_case(c), value, whole)) return false;
-      if (at != end && (*at == '.' || *at == '=')) return false;
+      if (!read_word(at, end, words)) return false;
       any = true;
     } else if (is_line_end(c)) {
       return true;

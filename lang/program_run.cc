@@ -127,7 +127,7 @@ void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* pla
   queue_.set_origin({frames_.back().file, block_span.line}, block_);
   ActiveBlock block(words_, around_, block_span.line);
   execute_block(block);
-  if (!block.failed()) return follow_flow(block);
+  if (!block.fault) return follow_flow(block);
   if (places != nullptr) {
     fail_block(std::move(*block.fault), block_span, *places);
   } else {

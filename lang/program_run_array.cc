@@ -90,7 +90,8 @@ bool ProgramRun::pop_element(std::size_t indices, std::shared_ptr<Object>& array
     return false;
   }
   const std::size_t columns = plane ? array->columns : 1;
-  const double rows = static_cast<double>(array->elements.size() / columns);
+  const std::size_t row_count = array->elements.size() / columns;
+  const auto rows = static_cast<double>(row_count);
   const double limits[2] = {rows, plane ? static_cast<double>(columns) : 1.0};
   for (std::size_t i = 0; i < indices; ++i) {
     if (is_integer(index[i]) && index[i] > -0.5 && index[i] < limits[i] - 0.5) continue;

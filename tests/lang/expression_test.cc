@@ -65,6 +65,14 @@ TEST_F(Expression_, JoinsAndComparesStrings) {
       (std::vector<std::string>{"0.1 1e+21 a\"\\\tb"}));
 }
 
+TEST_F(Expression_, WritesNumbersSoThatTheyReadBack) {
+  EXPECT_EQ(messages("msg (str (999.9999999999999));\nmsg (str (0));\nmsg (str (-33.3));\n"
+                     "msg (str (123456789012345));\nmsg (str (0.00001));\nmsg (str (1e-7));\n"
+                     "msg (str (2/3));\nM30\n"),
+            (std::vector<std::string>{"999.9999999999999", "0", "-33.3", "123456789012345",
+                                      "0.00001", "1e-07", "0.6666666666666666"}));
+}
+
 TEST_F(Expression_, ComputesOnlyWhatDecides) {
   EXPECT_EQ(messages("num zero;\nif (zero != 0 && 1 / zero > 1) { msg (\"no\"); }\n"
                      "if (zero == 0 || 1 / zero > 1) { msg (\"yes\"); }\nM30\n"),
