@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "recording/setpoint_walk.h"
 
@@ -17,6 +18,7 @@ class Gathering {
  public:
   Gathering(const LogContents& contents, int channel) : contents_(contents) {
     plot_.channel = channel;
+    plot_.runs.reserve(plot_runs_max);  // line_ points into it
     if (contents.description) plot_.machine = contents.description->machine;
   }
 
@@ -71,13 +73,21 @@ class Gathering {
         std::hypot(point[0] - last_point_[0], point[1] - last_point_[1], point[2] - last_point_[2]);
     const bool is_new = begin_run(output);
     RunPlot& run = plot_.runs.back();
-    const bool continues = was_running_ && !is_new && step <= step_max;
-    run.path.add(point,
-                 continues ? ThinnedPath::Joint::continues : ThinnedPath::Joint::begins_stretch);
+    if (!was_running_ || is_new || step > step_max) line_ = nullptr;
+    add_point(point, output.feed_commanded > 0.0 ? run.path : plot_.rapid);
     run.speed.add(time, output.path_speed);
     was_running_ = true;
     last_point_ = point;
     last_time_ = time;
+  }
+
+  // Feed and rapid traverse are lines of their own that meet in a point.
+  void add_point(const PlotPoint& point, ThinnedPath& line) {
+    if (line_ != &line) {
+      line.add(line_ == nullptr ? point : last_point_, ThinnedPath::Joint::begins_stretch);
+    }
+    line.add(point, ThinnedPath::Joint::continues);
+    line_ = &line;
   }
 
   // True when the set-point is the first one of a run or scheme.
@@ -95,6 +105,7 @@ class Gathering {
   const LogContents& contents_;
   ChannelPlot plot_;
   bool was_running_ = false;
+  ThinnedPath* line_ = nullptr;  // that the last point was added to; none: the next one begins anew
   int last_run_ = -1;
   int last_scheme_ = -1;
   PlotPoint last_point_{};

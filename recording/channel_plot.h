@@ -15,7 +15,7 @@ namespace stanok::recording {
 struct RunPlot {
   int run = 0;
   int scheme = 0;
-  ThinnedPath path;  // programmed point, workpiece system: X, Y, Z
+  ThinnedPath path;  // programmed point at feed, workpiece system: X, Y, Z
   PeakSeries speed;  // mm/s
 };
 
@@ -32,6 +32,7 @@ struct ChannelPlot {
   double time_begin = 0.0;  // s since the begin of the log
   double time_end = 0.0;
   std::vector<RunPlot> runs;  // in order of time; runs_max at most, the last holds the rest
+  ThinnedPath rapid;          // programmed point in rapid traverse, all runs
   PeakSeries feed;            // mm/s, as commanded before override
   std::vector<AxisPlot> axes;
   std::array<std::optional<std::size_t>, 3> point_axes;  // channel axis of X, Y, Z

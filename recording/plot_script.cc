@@ -1,8 +1,12 @@
 #include "recording/plot_script.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "recording/gnuplot.h"
 
@@ -11,19 +15,22 @@ namespace {
 
 constexpr std::array colours{"#1f4e79", "#c8553d", "#3a7d44", "#b8860b",
                              "#7a5c99", "#2a8c8c", "#a23b72", "#5c6b73"};
-constexpr const char* feed_colour = "#b9c2c9";
+constexpr const char* quiet_colour = "#b4bec6";  // what is no result: commanded feed, rapid
 
 // Pixels.
 constexpr int width = 1200;
 constexpr int time_height = 520;
 constexpr int panel_height = 150;
-constexpr int panel_margin = 130;  // above and below all panels
-constexpr double path_width = 1040.0;
-constexpr double path_height_max = 900.0;
-constexpr int path_margin = 160;
+constexpr int panels_top = 64;
+constexpr int panels_bottom = 62;
+constexpr int panel_gap = 30;
+constexpr double path_width = 1060.0;
+constexpr double path_height_max = 800.0;
+constexpr int path_margin = 130;
+constexpr int title_depth = 20;  // of the middle of its text below the edge
 
 constexpr double slimmest = 0.22;  // height of a drawing, of its width
-constexpr double padding = 0.06;   // around data, of their range
+constexpr double padding = 0.08;   // around data, of their range
 
 struct Range {
   double low = 0.0;
@@ -69,6 +76,24 @@ std::string run_label(const RunPlot& run) {
   return "run " + std::to_string(run.run) + ", scheme " + std::to_string(run.scheme);
 }
 
+// Whole numbers from 100 on, else three digits.
+std::string rounded(double value) {
+  if (std::abs(value) >= 100.0) return number(std::round(value));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+// 1, 2 or 5 times a power of ten: two to five steps in the range.
+double tic_step(const Range& range) {
+  const double at_least = range.span() / 5.0;
+  const double power = std::pow(10.0, std::floor(std::log10(at_least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= at_least) return factor * power;
+  }
+  return 10.0 * power;
+}
+
 std::string line_style(std::size_t index, const char* line_width) {
   return std::string(" with lines lw ") + line_width + " lc rgb '" +
          colours[index % colours.size()] + "'";
@@ -103,6 +128,7 @@ class ScriptText {
       add_path_data(block_name("path", i), plot_.runs[i].path);
       add_series(block_name("speed", i), plot_.runs[i].speed);
     }
+    add_path_data("$rapid", plot_.rapid);
     add_series("$feed", plot_.feed);
     for (const Quantity& quantity : quantities) {
       for (std::size_t k = 0; k < plot_.axes.size(); ++k) {
@@ -138,7 +164,7 @@ class ScriptText {
         "set grid lc rgb '#e7eaec' lw 1 lt 1\n"
         "set xlabel textcolor rgb '#2b2f33'\n"
         "set ylabel textcolor rgb '#2b2f33'\n"
-        "set key top right outside horizontal samplen 2 textcolor rgb '#2b2f33'\n";
+        "set key top right outside horizontal Left reverse samplen 2 textcolor rgb '#2b2f33'\n";
   }
 
   // The body once as PNG, once as SVG.
@@ -150,17 +176,18 @@ class ScriptText {
       const std::string file = file_stem() + "-" + name + "." + ending;
       text_ += std::string("set terminal ") + terminal + size + "\nset output '" + file + "'\n";
       add_body();
-      text_ += "unset output\n";
+      text_ += "unset label\nunset output\n";
       pictures_.push_back(file);
     }
   }
 
-  // Above the drawing, to the left.
-  void add_title(const std::string& title) {
+  // At the left, on the line of the legend.
+  void add_title(const std::string& title, int height) {
     std::string place = "channel " + std::to_string(plot_.channel);
     if (!plot_.machine.empty()) place = plot_.machine + ", " + place;
-    text_ += "set title " + gnuplot_text(title + " – " + place) +
-             " font ',15' textcolor rgb '#2b2f33'\n";
+    text_ += "set label 2 " + gnuplot_text(title + " – " + place) + " at screen 0.012, screen " +
+             number(1.0 - static_cast<double>(title_depth) / height) +
+             " left font ',15' textcolor rgb '#2b2f33'\n";
   }
 
   void add_path(const View& view) {
@@ -175,33 +202,37 @@ class ScriptText {
     const int height =
         path_margin + static_cast<int>(path_width * vertical.span() / horizontal.span());
     add_picture(view.name, height, [&] {
-      add_title(view.title);
+      add_title(view.title, height);
       text_ += "set size ratio -1\n";
       text_ += "set xlabel " + gnuplot_text(plot_.axes[*across].axis.word + " [mm]") + "\n";
       text_ += "set ylabel " + gnuplot_text(plot_.axes[*up].axis.word + " [mm]") + "\n";
-      text_ += "set xrange " + horizontal.text() + "\nset yrange " + vertical.text() + "\nplot ";
+      text_ += "set xrange " + horizontal.text() + "\nset yrange " + vertical.text() + "\n";
+      const std::string columns =
+          " using " + std::to_string(view.horizontal + 1) + ":" + std::to_string(view.vertical + 1);
+      text_ +=
+          "plot $rapid" + columns + " with lines lw 1 lc rgb '" + quiet_colour + "' title 'rapid'";
       for (std::size_t i = 0; i < plot_.runs.size(); ++i) {
-        text_ += (i == 0 ? "" : ", \\\n  ") + block_name("path", i) + " using " +
-                 std::to_string(view.horizontal + 1) + ":" + std::to_string(view.vertical + 1) +
-                 line_style(i, "1.2") + " title " + gnuplot_text(run_label(plot_.runs[i]));
+        text_ += ", \\\n  " + block_name("path", i) + columns + line_style(i, "1.4") + " title " +
+                 gnuplot_text(run_label(plot_.runs[i]));
       }
       text_ += "\nset size noratio\n";
     });
   }
 
+  // Of what is moved at feed; the frame cuts rapid traverse, unless there is nothing else.
   [[nodiscard]] Range path_range(std::size_t coordinate) const {
-    Range range;
-    bool is_first = true;
-    for (const RunPlot& run : plot_.runs) {
-      for (const auto& stretch : run.path.stretches()) {
+    std::optional<Range> range;
+    const auto include = [&](const ThinnedPath& path) {
+      for (const auto& stretch : path.stretches()) {
         for (const PlotPoint& point : stretch) {
-          if (is_first) range = {point[coordinate], point[coordinate]};
-          is_first = false;
-          range.include(point[coordinate]);
+          if (!range) range = {point[coordinate], point[coordinate]};
+          range->include(point[coordinate]);
         }
       }
-    }
-    return range;
+    };
+    for (const RunPlot& run : plot_.runs) include(run.path);
+    if (!range) include(plot_.rapid);
+    return range.value_or(Range{});
   }
 
   void add_speed() {
@@ -213,10 +244,10 @@ class ScriptText {
     if (speeds.span() <= 0.0) speeds = {0.0, 1.0};
     speeds.high += padding * speeds.span();
     add_picture("path-speed", time_height, [&] {
-      add_title("Path speed");
+      add_title("Path speed", time_height);
       text_ += "set xlabel 'time [s]'\nset ylabel 'path speed [mm/s]'\n";
       text_ += "set xrange " + time_range().text() + "\nset yrange " + speeds.text() + "\n";
-      text_ += std::string("plot $feed with steps lw 1.5 lc rgb '") + feed_colour +
+      text_ += std::string("plot $feed with steps lw 1.5 lc rgb '") + quiet_colour +
                "' title 'feed commanded'";
       for (std::size_t i = 0; i < plot_.runs.size(); ++i) {
         text_ += ", \\\n  " + block_name("speed", i) + line_style(i, "1.2") + " title " +
@@ -234,17 +265,20 @@ class ScriptText {
   void add_axes(const Quantity& quantity) {
     if (plot_.axes.empty()) return;
     const int count = static_cast<int>(plot_.axes.size());
-    const int height = panel_margin + panel_height * count;
-    const double bottom = 60.0 / height;
-    const double top = 1.0 - 60.0 / height;
+    const int height = panels_top + panels_bottom + panel_height * count;
+    const double bottom = static_cast<double>(panels_bottom) / height;
+    const double top = 1.0 - static_cast<double>(panels_top) / height;
     add_picture(quantity.name, height, [&] {
-      add_title(quantity.title);
-      text_ += "set xrange " + time_range().text() + "\nset xlabel\nset ytics autofreq\n";
-      text_ += "set multiplot layout " + std::to_string(count) + ",1 margins 0.085,0.985," +
-               number(bottom) + "," + number(top) + " spacing 0," + number(18.0 / height) + "\n";
-      for (int k = 0; k < count; ++k)
+      add_title(quantity.title, height);
+      text_ += "set xrange " + time_range().text() + "\nset xlabel\n";
+      text_ += "set multiplot layout " + std::to_string(count) + ",1 margins 0.105,0.985," +
+               number(bottom) + "," + number(top) + " spacing 0," +
+               number(static_cast<double>(panel_gap) / height) + "\n";
+      for (int k = 0; k < count; ++k) {
         add_panel(quantity, static_cast<std::size_t>(k), k + 1 == count);
-      text_ += "unset multiplot\nunset label 1\nset format x\n";
+        text_ += "unset label\n";
+      }
+      text_ += "unset multiplot\nset format x\nset ytics autofreq\n";
     });
   }
 
@@ -253,15 +287,14 @@ class ScriptText {
     const std::string unit = (axis.axis.rotary ? "deg" : "mm") + std::string(quantity.per);
     Range values;
     for (const TimePoint& point : (axis.*quantity.series).points()) values.include(point.value);
-    const double peak = std::max(-values.low, values.high);
-    std::array<char, 64> peak_text{};
-    std::snprintf(peak_text.data(), peak_text.size(), "peak %.4g ", peak);
-    if (index > 0) text_ += "unset title\n";
-    text_ += is_last ? "set format x\nset xlabel 'time [s]'\n" : "set format x ''\nunset xlabel\n";
+    const Range shown = values.padded();
+    const std::string peak = "peak " + rounded(std::max(-values.low, values.high)) + " " + unit;
+    text_ += is_last ? "set format x\nset xlabel 'time [s]' textcolor rgb '#2b2f33'\n"
+                     : "set format x ''\nunset xlabel\n";
     text_ += "set ylabel " + gnuplot_text(axis.axis.name + " [" + unit + "]") + "\n";
-    text_ += "set yrange " + values.padded().text() + "\n";
-    text_ += "set label 1 " + gnuplot_text(peak_text.data() + unit) +
-             " at graph 0.995,0.9 right font ',10' textcolor rgb '#6b737a' front\n";
+    text_ += "set yrange " + shown.text() + "\nset ytics " + number(tic_step(shown)) + "\n";
+    text_ += "set label 1 " + gnuplot_text(peak) +
+             " at graph 1, graph 1 offset 0,0.6 right font ',10' textcolor rgb '#5f676d'\n";
     text_ += "plot " + block_name(quantity.name, index) + line_style(index, "1") + " notitle\n";
   }
 
