@@ -1,0 +1,127 @@
+// Messages: there and back, the same bytes twice, names that LCM takes, a disk that is full, a bus.
+#include "recording/message_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <lcm/lcm-cpp.hpp>
+#include <string>
+
+#include "recording/decode.h"
+#include "recording/log_export.h"
+#include "recording/publisher.h"
+#include "tests/recording/recorded_log.h"
+
+namespace stanok::recording {
+namespace {
+
+TEST(Encode, GivesASetpointBackToTheBit) {
+  channels::ChannelOutput output = output_of(7).channels[0];
+  output.axes[0].position = 0.1 + 0.2;
+  output.axes[0].jerk = -1e-300;
+  output.axes[0].position_code = -9007199254740993;  // no double holds it
+  output.tag = {.run = 1, .block = 5'000'000'000, .line = 12, .file = 3};
+  output.state = channels::ChannelState::held;
+  output.drives[1] = {.enabled = true, .brake_closed = false};
+  const setpoint_t message = to_setpoint(output, {.utime = 7000, .cycle = 7, .seq = 7});
+  Bytes bytes(static_cast<std::size_t>(message.getEncodedSize()));
+  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  const auto decoded = decode<setpoint_t>(bytes);
+  ASSERT_TRUE(decoded);
+  const channels::ChannelOutput back = from_setpoint(*decoded);
+  EXPECT_EQ(back.axes[0].position, output.axes[0].position);
+  EXPECT_EQ(back.axes[0].jerk, output.axes[0].jerk);
+  EXPECT_EQ(back.axes[0].position_code, output.axes[0].position_code);
+  EXPECT_EQ(back.point_W[0].value, output.point_W[0].value);
+  EXPECT_EQ(back.tag.block, output.tag.block);
+  EXPECT_EQ(back.tag.line, output.tag.line);
+  EXPECT_EQ(back.state, output.state);
+  EXPECT_TRUE(back.running);
+  EXPECT_TRUE(back.drives[1].enabled);
+  EXPECT_FALSE(back.drives[1].brake_closed);
+  EXPECT_TRUE(back.drives[0].brake_closed);
+}
+
+TEST(Decode, RefusesBytesThatAreNotExactlyOneMessage) {
+  const setpoint_t message = to_setpoint(output_of(0).channels[0], {});
+  Bytes bytes(static_cast<std::size_t>(message.getEncodedSize()) + 1);
+  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  EXPECT_FALSE(decode<setpoint_t>(bytes));
+  bytes.resize(bytes.size() - 2);
+  EXPECT_FALSE(decode<setpoint_t>(bytes));
+  EXPECT_FALSE(decode<setpoint_t>({}));
+}
+
+TEST(MessageStream, WritesTheSameBytesTwice) {
+  const auto first = test_file("1.lcm");
+  const auto second = test_file("2.lcm");
+  record(first, 300);
+  record(second, 300);
+  EXPECT_FALSE(bytes_of(first).empty());
+  EXPECT_EQ(bytes_of(first), bytes_of(second));
+}
+
+TEST(ChannelNames, KeepWithinTheLimitOfLcm) {
+  const ChannelNames names(std::string(200, 'm'));
+  for (int channel = 0; channel <= channels::channels_max; ++channel) {
+    for (std::size_t topic = 0; topic < topic_count; ++topic) {
+      EXPECT_LE(names.name(channel, static_cast<Topic>(topic)).size(), 63U);
+    }
+  }
+  EXPECT_EQ(ChannelNames("e-7 x").name(2, Topic::setpoint), "STANOK_E_7_X_CH2_SETPOINT");
+}
+
+TEST(LogWriter, TellsOfAFullDiskAndGoesOnWithoutIt) {
+  auto writer = LogWriter::open("/dev/full");
+  ASSERT_TRUE(writer);
+  MessageStream stream(small_machine(), {writer->get()});
+  for (int cycle = 0; cycle < 5000; ++cycle) stream.cycle(output_of(cycle));
+  EXPECT_FALSE((*writer)->flush());
+  ASSERT_TRUE((*writer)->status().error);
+  EXPECT_EQ((*writer)->status().error->system_error, ENOSPC);
+}
+
+void keep_position(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
+                   const setpoint_t* setpoint, std::vector<double>* positions) {
+  positions->push_back(setpoint->position[0]);
+}
+
+TEST(Publisher, ReachesASubscriberOnTheBus) {
+  Publisher publisher("memq://");
+  ASSERT_TRUE(publisher.good());
+  std::vector<double> positions;
+  publisher.bus()->subscribeFunction("STANOK_MILL_CH1_SETPOINT", &keep_position, &positions);
+  MessageStream stream(small_machine(), {&publisher});
+  for (int cycle = 0; cycle < 3; ++cycle) stream.cycle(output_of(cycle));
+  while (publisher.bus()->handleTimeout(0) > 0) {
+  }
+  EXPECT_EQ(positions, (std::vector<double>{0.0, 0.01 * 1.0, 0.01 * 2.0}));
+}
+
+TEST(LogExport, WritesOneRowForEveryCycle) {
+  const auto file = test_file("lcm");
+  record(file, 120);
+  const auto contents = read_contents(file);
+  ASSERT_TRUE(contents);
+  const auto csv = test_file("csv");
+  std::FILE* stream = std::fopen(csv.c_str(), "w");
+  ASSERT_NE(stream, nullptr);
+  const auto rows = export_setpoints(file, *contents, 1, stream);
+  std::fclose(stream);
+  ASSERT_TRUE(rows);
+  EXPECT_EQ(*rows, 120);
+  std::ifstream lines(csv);
+  std::string heading;
+  std::string first;
+  std::getline(lines, heading);
+  std::getline(lines, first);
+  EXPECT_NE(heading.find("X1_mm,X1_velocity_mm_per_s"), std::string::npos);
+  EXPECT_NE(heading.find("tip_C_deg"), std::string::npos);
+  EXPECT_NE(first.find(",33.3,"), std::string::npos);
+  EXPECT_EQ(std::count(heading.begin(), heading.end(), ','),
+            std::count(first.begin(), first.end(), ','));
+}
+
+}  // namespace
+}  // namespace stanok::recording
