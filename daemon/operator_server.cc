@@ -61,6 +61,7 @@ struct OperatorServer::Parts {
   void accept();
   void admit(LocalSocket::socket socket);
   void answer_frame(Session& session, const protocol::Frame& frame);
+  [[nodiscard]] std::size_t clients() const;
   bool make_room();
   void forget(int id);
   void await_signal();
@@ -100,19 +101,26 @@ void OperatorServer::Parts::accept() {
 
 void OperatorServer::Parts::admit(LocalSocket::socket socket) {
   const auto session = std::make_shared<Session>(std::move(socket), ++last_session);
-  const bool has_room = sessions.size() < limits.clients_max || make_room();
+  const bool has_room = clients() < limits.clients_max || make_room();
   sessions.emplace(session->state().id, session);
   session->start([this](Session& from, const protocol::Frame& frame) { answer_frame(from, frame); },
                  [this](int id) { forget(id); });
   if (!has_room) return session->drop("E9008", "too many clients");
-  dispatch.set_clients(sessions.size());
+  dispatch.set_clients(clients());
   session->send(protocol::notification_line("hello", dispatch.hello(session->state())));
+}
+
+// Who has been told to go lingers until it has read that, but has no place any more.
+std::size_t OperatorServer::Parts::clients() const {
+  return static_cast<std::size_t>(
+      std::count_if(sessions.begin(), sessions.end(),
+                    [](const auto& entry) { return !entry.second->is_dropped(); }));
 }
 
 // Ends the session of the observer who has been here longest.
 bool OperatorServer::Parts::make_room() {
   const auto observer = std::find_if(sessions.begin(), sessions.end(), [](const auto& entry) {
-    return entry.second->state().role == protocol::Role::observer;
+    return !entry.second->is_dropped() && entry.second->state().role == protocol::Role::observer;
   });
   if (observer == sessions.end()) return false;
   observer->second->drop("E9008", "an operator needs the place");
@@ -121,7 +129,7 @@ bool OperatorServer::Parts::make_room() {
 
 void OperatorServer::Parts::forget(int id) {
   sessions.erase(id);
-  dispatch.set_clients(sessions.size());
+  dispatch.set_clients(clients());
 }
 
 void OperatorServer::Parts::answer_frame(Session& session, const protocol::Frame& frame) {

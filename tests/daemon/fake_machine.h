@@ -1,0 +1,126 @@
+// FakeMachine: a machine that remembers what it was asked and answers as the test says.
+//
+// Two channels: 1 "work" with axes X and B, 2 "master". Locked, because a server's thread may ask
+// while the test changes it.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <mutex>
+
+#include "daemon/running_machine.h"
+
+namespace stanok::daemon {
+
+inline config::MachineFile two_channel_machine() {
+  config::MachineFile file;
+  file.machine.name = "fake";
+  file.machine.axes.resize(2);
+  file.machine.axes[0].name = "X2";
+  file.machine.axes[1].name = "B";
+  channels::ChannelConfig work;
+  work.id = 1;
+  work.name = "work";
+  work.axes = {0, 1};
+  work.words = {"X", "B"};
+  work.schemes.resize(2);
+  work.schemes[0].id = 1;
+  work.schemes[0].type = "cartesian";
+  work.schemes[0].axes = {0};
+  work.schemes[1].id = 2;
+  work.schemes[1].type = "head_table";
+  work.schemes[1].axes = {0, 1};
+  channels::ChannelConfig master;
+  master.id = 2;
+  master.name = "master";
+  master.kind = lang::ChannelKind::master;
+  file.machine.channels = {work, master};
+  return file;
+}
+
+class FakeMachine final : public RunningMachine {
+ public:
+  // What is done with an event that was taken; called without the lock.
+  std::function<void(const channels::OperatorEvent&)> on_submit;
+
+  FakeMachine() {
+    output.cycle = 1;
+    output.channel_count = 2;
+    output.channels[0].id = 1;
+    output.channels[0].axis_count = 2;
+    output.channels[0].scheme = 1;
+    output.channels[1].id = 2;
+  }
+
+  // Changes the machine under the lock.
+  void change(const std::function<void(FakeMachine&)>& action) {
+    const std::lock_guard lock(mutex_);
+    action(*this);
+  }
+  [[nodiscard]] std::vector<channels::OperatorEvent> submitted() {
+    const std::lock_guard lock(mutex_);
+    return submitted_;
+  }
+
+  [[nodiscard]] const config::MachineFile& file() const override { return file_; }
+  [[nodiscard]] const std::filesystem::path& program_root() const override { return root; }
+  [[nodiscard]] bool submit(const channels::OperatorEvent& event) override {
+    {
+      const std::lock_guard lock(mutex_);
+      if (is_full) return false;
+      submitted_.push_back(event);
+    }
+    if (on_submit) on_submit(event);
+    return true;
+  }
+  [[nodiscard]] channels::CycleOutput newest_output() override { return copy(output); }
+  [[nodiscard]] std::vector<channels::RunReport> runs() override { return copy(run_reports); }
+  [[nodiscard]] std::vector<channels::AlarmReport> alarms() override { return copy(alarm_reports); }
+  [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
+    return copy(diagnostics);
+  }
+  [[nodiscard]] channels::TablesConfig tables() override { return {}; }
+  [[nodiscard]] LoopFigures loop_figures() override { return {}; }
+  [[nodiscard]] RealTimeRights real_time_rights() override { return {}; }
+  [[nodiscard]] std::uint64_t outputs_lost() override { return 0; }
+  [[nodiscard]] std::string drive_choice() override { return "ideal"; }
+  [[nodiscard]] drives::BusStatus drive_status() override { return {}; }
+  [[nodiscard]] RecordingStatus recording_status() override { return {}; }
+
+  // Changed by tests, from another thread only within `change`.
+  bool is_full = false;
+  channels::CycleOutput output;
+  std::vector<channels::RunReport> run_reports;
+  std::vector<channels::AlarmReport> alarm_reports;
+  std::vector<channels::AlarmReport> diagnostics;
+  std::filesystem::path root = std::filesystem::temp_directory_path();
+
+ private:
+  template <class Value>
+  Value copy(const Value& value) {
+    const std::lock_guard lock(mutex_);
+    return value;
+  }
+
+  std::mutex mutex_;
+  config::MachineFile file_ = two_channel_machine();
+  std::vector<channels::OperatorEvent> submitted_;
+};
+
+inline channels::OperatorReply accepted(std::uint64_t id) {
+  channels::OperatorReply reply;
+  reply.id = id;
+  return reply;
+}
+
+inline channels::OperatorReply refused(std::uint64_t id, std::string_view code,
+                                       std::string_view text) {
+  channels::OperatorReply reply;
+  reply.id = id;
+  reply.ok = false;
+  reply.code = FixedText<8>(code);
+  reply.text = FixedText<240>(text);
+  return reply;
+}
+
+}  // namespace stanok::daemon
