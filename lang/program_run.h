@@ -107,7 +107,6 @@ class ProgramRun {
   void call_numbered();
   bool check_call_depth();
   std::optional<int> channel_of(double number, bool refuse_own);
-  void enter(Frame frame);
   void leave_subprogram();
 
   // Failing
