@@ -59,7 +59,7 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
 // Codes of the catalogue as string literals begin with them: "E4031", "E7001 file not found";
 // comments do not count.
 std::set<std::string> codes_in(const std::string& line) {
-  static const std::regex code(R"re("([EWA][0-9]{4})[" ])re");
+  static const std::regex code(R"re("([EA][0-9]{4}|W[0-9]{3,4})[" ])re");
   const std::string source = line.substr(0, line.find("//"));
   std::set<std::string> codes;
   for (auto match = std::sregex_iterator(source.begin(), source.end(), code);
