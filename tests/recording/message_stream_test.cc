@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <lcm/lcm-cpp.hpp>
+#include <span>
 #include <string>
 
 #include "recording/decode.h"
@@ -45,11 +46,13 @@ TEST(Encode, GivesASetpointBackToTheBit) {
 
 TEST(Decode, RefusesBytesThatAreNotExactlyOneMessage) {
   const setpoint_t message = to_setpoint(output_of(0).channels[0], {});
-  Bytes bytes(static_cast<std::size_t>(message.getEncodedSize()) + 1);
+  const auto size = static_cast<std::size_t>(message.getEncodedSize());
+  Bytes bytes(size + 1);
   message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  EXPECT_FALSE(decode<setpoint_t>(bytes));
-  bytes.resize(bytes.size() - 2);
-  EXPECT_FALSE(decode<setpoint_t>(bytes));
+  const std::span<const std::uint8_t> all(bytes);
+  EXPECT_TRUE(decode<setpoint_t>(all.first(size)));
+  EXPECT_FALSE(decode<setpoint_t>(all));
+  EXPECT_FALSE(decode<setpoint_t>(all.first(size - 1)));
   EXPECT_FALSE(decode<setpoint_t>({}));
 }
 
