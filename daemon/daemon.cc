@@ -23,12 +23,16 @@ constexpr int real_time_priority =
 constexpr int exit_machine_fault = 7;
 
 std::string build_description() {
-#ifdef NDEBUG
-  constexpr const char* kind = "release";
+#ifdef __OPTIMIZE__
+  constexpr const char* kind = "optimised";
 #else
-  constexpr const char* kind = "with debug code";
+  constexpr const char* kind = "not optimised";
 #endif
-  return "gcc-compatible " + std::string(__VERSION__) + ", " + kind;
+#ifdef __clang__
+  return "clang " + std::string(__clang_version__) + ", " + kind;
+#else
+  return "g++ " + std::string(__VERSION__) + ", " + kind;
+#endif
 }
 
 RecorderOptions recorder_options(const DaemonOptions& options, const config::MachineFile& file) {

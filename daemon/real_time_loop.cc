@@ -35,8 +35,8 @@ void RealTimeLoop::run_once() {
 }
 
 void RealTimeLoop::skip_passed_wake_ups(std::int64_t now_ns) {
-  if (now_ns < due_ns_) return;
-  const std::int64_t passed = (now_ns - due_ns_) / period_ns_ + 1;
+  if (now_ns <= due_ns_) return;
+  const std::int64_t passed = (now_ns - due_ns_ + period_ns_ - 1) / period_ns_;
   due_ns_ += passed * period_ns_;
   ++figures_.overruns;
   figures_.periods_skipped += passed;

@@ -1,0 +1,327 @@
+// Dispatch: roles, parameters, queries, commands and their answers, against a fake machine.
+#include "daemon/dispatch.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <optional>
+
+#include "channels/operator_action.h"
+#include "daemon/inventory.h"
+#include "tests/daemon/fake_machine.h"
+#include "tests/daemon/temporary_directory.h"
+
+namespace stanok::daemon {
+namespace {
+
+using channels::OperatorAction;
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+using protocol::Role;
+using namespace std::chrono_literals;
+
+class DispatchTest : public testing::Test {
+ protected:
+  DispatchTest() { session.role = Role::integrator; }
+
+  // The answer; nothing while it is still to come.
+  std::shared_ptr<std::optional<Outcome>> ask(const std::string& method,
+                                              json parameters = json::object()) {
+    const auto slot = std::make_shared<std::optional<Outcome>>();
+    protocol::Request request;
+    request.id = 1;
+    request.method = method;
+    request.parameters = std::move(parameters);
+    dispatch.handle(session, request, [slot](const Outcome& outcome) {
+      EXPECT_FALSE(slot->has_value()) << "answered twice";
+      *slot = outcome;
+    });
+    return slot;
+  }
+  json result(const std::string& method, json parameters = json::object()) {
+    const auto slot = ask(method, std::move(parameters));
+    EXPECT_TRUE(slot->has_value() && slot->value().has_value()) << method;
+    return slot->has_value() && slot->value() ? *slot->value() : json();
+  }
+  Failure failure(const std::string& method, json parameters = json::object()) {
+    const auto slot = ask(method, std::move(parameters));
+    EXPECT_TRUE(slot->has_value() && !slot->value().has_value()) << method;
+    return slot->has_value() && !slot->value() ? slot->value().error() : Failure{};
+  }
+  void tick(std::chrono::milliseconds after) { dispatch.tick(SteadyTime{} + 1h + after); }
+
+  FakeMachine machine;
+  bool shutdown_asked = false;
+  SessionState session;
+  Dispatch dispatch{machine, {"test", "/state", "/socket"}, [this] { shutdown_asked = true; }};
+};
+
+TEST_F(DispatchTest, ObeysTheRoleOfEveryMethod) {
+  for (const protocol::Method& method : protocol::methods()) {
+    for (const Role role : {Role::observer, Role::machine_operator, Role::integrator}) {
+      session.role = role;
+      const auto slot = ask(std::string(method.name), {{"nonsense", 1}});
+      ASSERT_TRUE(slot->has_value() && !slot->value().has_value()) << method.name;
+      const FailureKind kind = slot->value().error().kind;
+      EXPECT_EQ(kind == FailureKind::not_permitted, role < method.role) << method.name;
+    }
+  }
+}
+
+TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
+  for (const protocol::Method& method : protocol::methods()) {
+    json parameters = json::object();
+    for (const auto& parameter : method.parameters) {
+      if (parameter.presence == protocol::Presence::optional) continue;
+      if (parameter.type == protocol::ParameterType::text) {
+        parameters[std::string(parameter.name)] = "a.nc";
+      } else if (parameter.type == protocol::ParameterType::choice) {
+        parameters[std::string(parameter.name)] = parameter.choices.front();
+      } else if (parameter.type == protocol::ParameterType::text_list) {
+        parameters[std::string(parameter.name)] = json::array({parameter.choices.front()});
+      } else {
+        parameters[std::string(parameter.name)] = parameter.maximum;
+      }
+    }
+    session.role = Role::integrator;
+    const std::size_t before = machine.submitted().size();
+    const auto slot = ask(std::string(method.name), parameters);
+    if (method.availability == protocol::Availability::later) {
+      ASSERT_TRUE(slot->has_value()) << method.name;
+      EXPECT_EQ(slot->value().error().kind, FailureKind::not_supported) << method.name;
+      EXPECT_EQ(slot->value().error().code, "E9005");
+    } else if (method.action.empty()) {
+      ASSERT_TRUE(slot->has_value()) << method.name;
+      EXPECT_TRUE(slot->value().has_value())
+          << method.name << ": " << slot->value().error().message;
+    } else {
+      ASSERT_EQ(machine.submitted().size(), before + 1) << method.name;
+      EXPECT_EQ(channels::name_of(machine.submitted().back().action), method.action);
+      dispatch.on_reply(accepted(machine.submitted().back().id));
+      ASSERT_TRUE(slot->has_value()) << method.name;
+      EXPECT_EQ(*slot->value(), json({{"accepted", true}}));
+    }
+  }
+  EXPECT_TRUE(shutdown_asked);
+}
+
+TEST_F(DispatchTest, SaysWhatIsUnknown) {
+  EXPECT_EQ(failure("machine.fly").kind, FailureKind::method_not_found);
+  EXPECT_EQ(failure("machine.fly").code, "E9002");
+  EXPECT_EQ(failure("channel.status", {{"chanel", 1}}).code, "E9003");
+  EXPECT_EQ(failure("channel.status", {{"channel", 3}}).code, "E6001");
+  EXPECT_EQ(failure("program.hold", {{"channel", 3}}).code, "E6001");
+}
+
+TEST_F(DispatchTest, ShowsAChannelWithTheWordsOfOpc) {
+  struct Case {
+    channels::ChannelState state;
+    bool waiting;
+    const char* state_word;
+    const char* program_word;
+  };
+  using channels::ChannelState;
+  for (const Case& c : {Case{ChannelState::idle, false, "Reset", "Stopped"},
+                        Case{ChannelState::ready, false, "Reset", "Stopped"},
+                        Case{ChannelState::running, false, "Active", "Running"},
+                        Case{ChannelState::running, true, "Active", "Waiting"},
+                        Case{ChannelState::held, false, "Interrupted", "Interrupted"},
+                        Case{ChannelState::alarm, false, "Interrupted", "Canceled"}}) {
+    machine.output.channels[0].state = c.state;
+    machine.output.channels[0].waiting = c.waiting;
+    const json status = result("channel.status");
+    EXPECT_EQ(status["state"], c.state_word);
+    EXPECT_EQ(status["program_status"], c.program_word);
+  }
+  machine.output.channels[0].point_W[0].value = 12.5;
+  machine.output.channels[0].axes[0].position = -3.25;
+  machine.output.channels[0].feed_override = 0.75;
+  const json status = result("channel.status", {{"channel", 1}});
+  EXPECT_EQ(status["position"], json({{"X", 12.5}, {"B", 0.0}}));
+  EXPECT_EQ(status["axes"]["X2"]["position"], -3.25);
+  EXPECT_EQ(status["override"]["feed"], 75.0);
+  for (const char* member :
+       {"id", "name", "state", "program_status", "alarm", "program", "line", "block", "scheme",
+        "position", "feed_mm_s", "override", "remaining_s"}) {
+    EXPECT_TRUE(status.contains(member)) << member;
+  }
+}
+
+TEST_F(DispatchTest, RemembersOverridesThatTheMachineTook) {
+  const auto slot = ask("override.rapid", {{"percent", 40}});
+  EXPECT_EQ(result("channel.status")["override"]["rapid"], 100.0);
+  ASSERT_EQ(machine.submitted().size(), 1U);
+  EXPECT_DOUBLE_EQ(machine.submitted()[0].value, 0.4);
+  dispatch.on_reply(accepted(machine.submitted()[0].id));
+  EXPECT_EQ(result("channel.status")["override"]["rapid"], 40.0);
+}
+
+TEST_F(DispatchTest, PassesARefusalOfTheMachineOn) {
+  const auto slot = ask("program.start", {{"channel", 2}});
+  EXPECT_EQ(machine.submitted()[0].channel, 2);
+  dispatch.on_reply(refused(machine.submitted()[0].id, "E6005", "no program is loaded"));
+  ASSERT_TRUE(slot->has_value());
+  EXPECT_EQ(slot->value().error().kind, FailureKind::refused);
+  EXPECT_EQ(slot->value().error().code, "E6005");
+  EXPECT_EQ(slot->value().error().channel, 2);
+}
+
+TEST_F(DispatchTest, TellsTheFirstErrorOfAProgramWithItsPlace) {
+  const auto error_at = [](int line, const char* code) {
+    channels::AlarmReport report;
+    report.channel = 1;
+    report.diagnostic.code = code;
+    report.diagnostic.message = "unknown word";
+    report.diagnostic.place = {"part.nc", line, 5, line, 6};
+    return report;
+  };
+  machine.diagnostics = {error_at(1, "E1111")};  // of an earlier load
+  const auto slot = ask("program.load", {{"program", "part.nc"}});
+  machine.diagnostics.push_back(error_at(12, "E1002"));
+  machine.diagnostics.push_back(error_at(13, "E1003"));
+  dispatch.on_reply(refused(machine.submitted()[0].id, "", "part.nc"));
+  ASSERT_TRUE(slot->has_value());
+  const Failure failure = slot->value().error();
+  EXPECT_EQ(failure.kind, FailureKind::program_error);
+  EXPECT_EQ(failure.code, "E1002");
+  EXPECT_EQ(failure.place.line, 12);
+  EXPECT_EQ(failure.message, "unknown word (and 1 more)");
+}
+
+class WaitForTheEnd : public DispatchTest {
+ protected:
+  void begin() {
+    slot = ask("program.run", {{"program", "part.nc"}, {"wait", "done"}});
+    channels::RunReport report;
+    report.channel = 1;
+    report.run = 4;
+    report.program = "part.nc";
+    report.start_cycle = 1000;
+    machine.run_reports = {report};
+    dispatch.on_reply(accepted(machine.submitted()[0].id));
+    EXPECT_FALSE(slot->has_value());
+    tick(10ms);
+    EXPECT_FALSE(slot->has_value()) << "the run is not over";
+  }
+  void end(bool ok) {
+    machine.run_reports[0].ended = true;
+    machine.run_reports[0].ok = ok;
+    machine.run_reports[0].blocks = 7;
+    machine.run_reports[0].end_cycle = 3500;
+    tick(20ms);
+    tick(30ms);
+    ASSERT_TRUE(slot->has_value());
+  }
+  std::shared_ptr<std::optional<Outcome>> slot;
+};
+
+TEST_F(WaitForTheEnd, AnswersWithTheFiguresOfTheRun) {
+  begin();
+  end(true);
+  const json done = *slot->value();
+  EXPECT_EQ(done["program"], "part.nc");
+  EXPECT_EQ(done["blocks"], 7);
+  EXPECT_DOUBLE_EQ(done["time_s"], 2.5);  // 2500 cycles of 1 ms
+}
+
+TEST_F(WaitForTheEnd, AnswersWithTheAlarmThatEndedIt) {
+  begin();
+  channels::AlarmReport alarm;
+  alarm.channel = 1;
+  alarm.cycle = 3500;
+  alarm.diagnostic.code = "A3001";
+  alarm.diagnostic.message = "following error";
+  machine.alarm_reports = {alarm};
+  end(false);
+  EXPECT_EQ(slot->value().error().kind, FailureKind::machine_fault);
+  EXPECT_EQ(slot->value().error().code, "A3001");
+}
+
+TEST_F(WaitForTheEnd, SaysThatSomebodyElseEndedIt) {
+  begin();
+  end(false);
+  EXPECT_EQ(slot->value().error().code, "E9010");
+}
+
+TEST_F(DispatchTest, SaysWhenTheQueueIsFull) {
+  machine.is_full = true;
+  EXPECT_EQ(failure("program.start").code, "E9007");
+}
+
+TEST_F(DispatchTest, GivesUpWhenTheCycleStands) {
+  tick(0ms);
+  const auto slot = ask("program.start");
+  tick(1900ms);
+  EXPECT_FALSE(slot->has_value());
+  machine.output.cycle = 2;
+  tick(2100ms);
+  tick(4000ms);
+  EXPECT_FALSE(slot->has_value()) << "it goes on, however slowly";
+  tick(4200ms);
+  ASSERT_TRUE(slot->has_value());
+  EXPECT_EQ(slot->value().error().code, "E9006");
+  dispatch.on_reply(accepted(machine.submitted()[0].id));  // too late: nobody is asked twice
+}
+
+TEST_F(DispatchTest, ListsAlarmsUntilTheyAreAcknowledged) {
+  channels::AlarmReport alarm;
+  alarm.channel = 1;
+  alarm.diagnostic.code = "E7001";
+  alarm.diagnostic.place = {"part.nc", 3, 1, 3, 2};
+  machine.alarm_reports = {alarm};
+  const json standing = result("alarm.list");
+  ASSERT_EQ(standing["alarms"].size(), 1U);
+  EXPECT_EQ(standing["alarms"][0]["line"], 3);
+  EXPECT_FALSE(standing["alarms"][0]["remedy"].get<std::string>().empty());
+  const auto slot = ask("alarm.ack");
+  dispatch.on_reply(accepted(machine.submitted()[0].id));
+  EXPECT_TRUE(result("alarm.list")["alarms"].empty());
+  EXPECT_EQ(result("alarm.history")["alarms"][0]["acknowledged"], true);
+  machine.output.channels[0].state = channels::ChannelState::alarm;
+  EXPECT_EQ(result("alarm.list")["alarms"].size(), 1U) << "the channel still has it";
+}
+
+TEST_F(DispatchTest, LetsRolesGoDownOnly) {
+  EXPECT_EQ(result("session.role", {{"role", "observer"}})["role"], "observer");
+  EXPECT_EQ(result("session.role", {{"role", "operator"}})["role"], "observer");
+  EXPECT_EQ(failure("program.hold").kind, FailureKind::not_permitted);
+}
+
+TEST_F(DispatchTest, NamesTheFirstChannelWhenNoneIsNamedAndNoneForTheMachine) {
+  ask("program.hold");
+  EXPECT_EQ(machine.submitted().back().channel, 1);
+  ask("machine.estop");
+  EXPECT_EQ(machine.submitted().back().channel, 0);
+}
+
+TEST_F(DispatchTest, ShowsSchemesAndTheirAxes) {
+  const json list = result("kinematics.list");
+  ASSERT_EQ(list["schemes"].size(), 2U);
+  EXPECT_EQ(list["schemes"][0]["active"], true);
+  EXPECT_EQ(list["schemes"][1]["axes"], json::array({"X", "B"}));
+  const json active = result("kinematics.status");
+  EXPECT_EQ(active["scheme"], 1);
+  EXPECT_EQ(active["axes"][0]["takes_part"], true);
+  EXPECT_EQ(active["axes"][1]["takes_part"], false);
+}
+
+TEST(ProgramList, NamesFilesBeneathTheRootAndFollowsNoLinks) {
+  namespace fs = std::filesystem;
+  const TemporaryDirectory root;
+  fs::create_directories(root.path() / "sub" / ".hidden");
+  std::ofstream(root.path() / "b.nc") << "M30\n";
+  std::ofstream(root.path() / "sub" / "a.nc") << "G0X1\nM30\n";
+  std::ofstream(root.path() / "sub" / ".hidden" / "c.nc") << "x";
+  fs::create_symlink("/etc/passwd", root.path() / "link.nc");
+  fs::create_directory_symlink("/", root.path() / "all");
+  const json list = program_list(root.path());
+  EXPECT_EQ(list["programs"],
+            json::parse(R"([{"name":"b.nc","bytes":4},{"name":"sub/a.nc","bytes":9}])"));
+  EXPECT_EQ(list["complete"], true);
+  EXPECT_EQ(program_list(root.path(), 1)["complete"], false);
+  EXPECT_TRUE(program_list("/nonexistent")["programs"].empty());
+}
+
+}  // namespace
+}  // namespace stanok::daemon
