@@ -152,8 +152,8 @@ TEST(Workloads, AreShortAtSmallScaleUnderTheSameNames) {
   EXPECT_EQ(blade.name, full_blade().name);
   const TextReading car_reading = read_program(car.program.text());
   const TextReading blade_reading = read_program(blade.program.text());
-  EXPECT_EQ(car_reading.blocks, 1200);
-  EXPECT_EQ(blade_reading.blocks, 2500);
+  EXPECT_EQ(car_reading.blocks, 600);
+  EXPECT_EQ(blade_reading.blocks, 1500);
   EXPECT_LT(car_reading.chord_time_s + blade_reading.chord_time_s, 40.0);
 }
 
