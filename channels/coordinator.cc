@@ -223,7 +223,7 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
     case RequestKind::channel_state:
       return success(static_cast<double>(target.state()));
     default:
-      return refusal("E2099", "not supported in this release");
+      return refusal("E2090", "not supported in this release");
   }
 }
 
