@@ -2,22 +2,12 @@
 
 #include <charconv>
 
+#include "runtime/standard_cycles.h"
+
 namespace stanok::client {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Standard cycles stand in the source tree beside build/, or below share/ when installed.
-std::vector<fs::path> cycle_folders() {
-  std::vector<fs::path> folders;
-  std::error_code ignored;
-  const fs::path binary = fs::read_symlink("/proc/self/exe", ignored);
-  for (const char* candidate : {"../../../programs/cycles", "../share/stanok/cycles"}) {
-    const fs::path folder = (binary.parent_path() / candidate).lexically_normal();
-    if (!binary.empty() && fs::is_directory(folder, ignored)) folders.push_back(folder);
-  }
-  return folders;
-}
 
 int integer(const std::string& text, const std::string& option) {
   int value = 0;
@@ -66,7 +56,7 @@ std::vector<fs::path> search_roots(const std::vector<LocatedProgram>& programs,
   std::vector<fs::path> roots;
   for (const LocatedProgram& program : programs) roots.push_back(program.folder);
   if (!options.program_root.empty()) roots.emplace_back(options.program_root);
-  for (const fs::path& folder : cycle_folders()) roots.push_back(folder);
+  for (const fs::path& folder : runtime::standard_cycle_folders()) roots.push_back(folder);
   return roots;
 }
 

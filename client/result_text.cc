@@ -105,7 +105,7 @@ Colour state_colour(const std::string& state) {
 }
 
 std::string cell_text(const json& value) {
-  if (value.is_null()) return "-";
+  if (value.is_null() || value.empty()) return "-";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_integer()) return value.dump();

@@ -4,7 +4,10 @@ namespace stanok::daemon {
 
 AssembledMachine::AssembledMachine(runtime::Assembly& assembly, const Recorder& recorder,
                                    std::filesystem::path program_root)
-    : assembly_(assembly), recorder_(recorder), program_root_(std::move(program_root)) {}
+    : assembly_(assembly),
+      inputs_(assembly.machine().input_records()),
+      recorder_(recorder),
+      program_root_(std::move(program_root)) {}
 
 void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
   const std::lock_guard lock(mutex_);
@@ -21,7 +24,7 @@ void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
   record.kind = channels::InputKind::overrun;
   record.value = static_cast<double>(periods);
   // A full ring loses the note, not the overrun: the loop counts it.
-  static_cast<void>(assembly_.machine().input_records().push(record));
+  static_cast<void>(inputs_.push(record));
 }
 
 void AssembledMachine::on_output(const channels::CycleOutput& output) {

@@ -57,6 +57,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
 
  private:
   runtime::Assembly& assembly_;
+  Ring<channels::InputRecord>& inputs_;
   const Recorder& recorder_;
   std::filesystem::path program_root_;
   EventQueue events_;

@@ -11,6 +11,7 @@
 #include "daemon/state_directory.h"
 #include "protocol/socket_location.h"
 #include "protocol/version.h"
+#include "runtime/standard_cycles.h"
 
 namespace stanok::daemon {
 namespace {
@@ -50,7 +51,8 @@ runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
   runtime::AssemblyOptions chosen;
   chosen.file = file;
   chosen.drives = options.drives.value_or(runtime::DriveChoice::embedded);
-  chosen.program_roots = {program_root};
+  chosen.program_roots = runtime::standard_cycle_folders();
+  chosen.program_roots.insert(chosen.program_roots.begin(), program_root);
   return chosen;
 }
 

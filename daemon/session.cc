@@ -47,8 +47,8 @@ Session::Session(Socket socket, int id)
 void Session::start(OnFrame on_frame, OnEnd on_end) {
   on_frame_ = std::move(on_frame);
   on_end_ = std::move(on_end);
-  spdlog::info("session {} ({}) begins as {}", state_.id, state_.peer,
-               protocol::role_name(state_.role));
+  spdlog::debug("session {} ({}) begins as {}", state_.id, state_.peer,
+                protocol::role_name(state_.role));
   read();
 }
 
@@ -106,7 +106,7 @@ void Session::close() {
   if (socket_.is_open()) {
     socket_.shutdown(Socket::shutdown_both, ignored);
     socket_.close(ignored);
-    spdlog::info("session {} ({}) ends", state_.id, state_.peer);
+    spdlog::debug("session {} ({}) ends", state_.id, state_.peer);
   }
   if (on_end_) std::exchange(on_end_, nullptr)(state_.id);
 }

@@ -1,6 +1,7 @@
 #include "runtime/assembly.h"
 
 #include <array>
+#include <atomic>
 #include <stdexcept>
 
 #include "drives/modbus/modbus_bus.h"
@@ -13,6 +14,7 @@ namespace stanok::runtime {
 namespace {
 
 constexpr std::size_t axes_of_machine_max = 64;
+constexpr int fault_reset_polls = 5;  // of the bus, so that the demand reaches the drive for sure
 
 }  // namespace
 
@@ -30,6 +32,8 @@ struct Assembly::Parts {
       outputs = std::make_unique<Ring<channels::CycleOutput>>(options.output_capacity);
     }
     make_bus();
+    reset_cycles =
+        fault_reset_polls * options.file.bus.poll_ms * 1000 / options.file.machine.cycle_us;
   }
 
   void make_bus() {
@@ -85,14 +89,42 @@ struct Assembly::Parts {
         target.brake_closed = channel.drives[k].brake_closed;
       }
     }
+    carry_out_fault_resets();
     bus->write({targets.data(), axis_count});
+  }
+
+  // Who resets a channel or switches the machine on wants its drives back: the faults they stand in
+  // are acknowledged, with the drive switched off meanwhile.
+  void note_fault_resets(std::span<const channels::OperatorEvent> events) RT_SAFE {
+    using channels::OperatorAction;
+    for (const channels::OperatorEvent& event : events) {
+      const bool is_reset = event.action == OperatorAction::program_reset;
+      if (!is_reset && event.action != OperatorAction::machine_on) continue;
+      for (const channels::ChannelConfig& channel : options.file.machine.channels) {
+        if (is_reset && channel.id != event.channel) continue;
+        for (const int axis : channel.axes) {
+          const auto k = static_cast<std::size_t>(axis);
+          if (raw_feedback[k].state == drives::DriveState::fault)
+            fault_reset_cycles[k] = reset_cycles;
+        }
+      }
+    }
+  }
+
+  void carry_out_fault_resets() RT_SAFE {
+    for (std::size_t k = 0; k < axis_count; ++k) {
+      targets[k].fault_reset = fault_reset_cycles[k] > 0;
+      if (fault_reset_cycles[k] == 0) continue;
+      --fault_reset_cycles[k];
+      targets[k].enabled = false;
+    }
   }
 
   AssemblyOptions options;
   ProgramFiles files;
   channels::Machine machine;
   std::unique_ptr<Ring<channels::CycleOutput>> outputs;
-  std::uint64_t outputs_lost = 0;
+  std::atomic<std::uint64_t> outputs_lost{0};  // counted in the cycle, read by operators
   std::size_t axis_count;
   std::unique_ptr<plant::ModbusServer> server;
   std::unique_ptr<drives::DriveBus> bus;
@@ -100,6 +132,8 @@ struct Assembly::Parts {
   std::array<drives::DriveFeedback, axes_of_machine_max> raw_feedback{};
   std::array<channels::AxisFeedback, axes_of_machine_max> feedback{};
   std::array<drives::DriveTarget, axes_of_machine_max> targets{};
+  std::array<int, axes_of_machine_max> fault_reset_cycles{};  // still to go with the demand
+  int reset_cycles = 0;
 };
 
 Assembly::Assembly(AssemblyOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {}
@@ -131,6 +165,7 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
   channels::CycleInputs inputs{.events = events, .feedback = {}};
   if (parts.bus) {
     parts.read_drives();
+    parts.note_fault_resets(events);
     inputs.feedback = {parts.feedback.data(), parts.axis_count};
   }
   parts.machine.cycle(inputs, parts.output);

@@ -5,59 +5,14 @@
 # usage: end_to_end_test.sh STANOKD STANOK MACHINE_FILE
 set -euo pipefail
 
-readonly stanokd=$1 machine_file=$3
-folder=$(mktemp -d)
-readonly folder
-operate=("$2" --socket "$folder/op.sock")
-
-stop_daemon() {
-  if [[ -n ${daemon:-} ]]; then kill -KILL "$daemon" 2>/dev/null || true; fi
-  rm -rf "$folder"
-}
-trap stop_daemon EXIT
-
-fail() {
-  printf 'FAILED: %s\n' "$1" >&2
-  "${operate[@]}" channel status --json >&2 || true
-  cat "$folder/stanokd.err" >&2
-  exit 1
-}
-
-# expect_exit CODE ARGUMENT...: what `stanok ARGUMENT...` printed goes to $output.
-expect_exit() {
-  local wanted=$1 code=0
-  shift
-  output=$("${operate[@]}" "$@" 2>"$folder/stanok.err") || code=$?
-  [[ $code == "$wanted" ]] || fail "stanok $*: exit code $code, not $wanted: $(cat "$folder/stanok.err")"
-}
-
-# wait_for TEXT: until `channel status --json` contains the text.
-wait_for() {
-  local k
-  for ((k = 0; k < 600; ++k)); do
-    expect_exit 0 channel status --json
-    [[ $output == *"$1"* ]] && return
-    sleep 0.05
-  done
-  fail "channel status never showed $1"
-}
-
-expect_output() {
-  [[ $output == *"$1"* ]] || fail "$2: no $1 in: $output"
-}
+# shellcheck source=tests/daemon/running_daemon.sh
+source "$(dirname "${BASH_SOURCE[0]}")/running_daemon.sh"
 
 printf 'G21 G90 G17 G54\nG0 X1 Y1\nG1 X3 F600\nM30\n' >"$folder/short.nc"
 printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F600\nM30\n' >"$folder/long.nc"
 printf 'G21 G90\nG1 X1 F\nM30\n' >"$folder/wrong.nc"
 
-"$stanokd" --machine "$machine_file" --drives embedded --lcm off --state "$folder/state" \
-  --socket "$folder/op.sock" --program-root "$folder" --log "$folder/log" 2>"$folder/stanokd.err" &
-daemon=$!
-for ((k = 0; k < 600; ++k)); do
-  [[ -S $folder/op.sock ]] && break
-  kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
-  sleep 0.05
-done
+start_daemon --log "$folder/log"
 
 expect_exit 0 channel status --json
 expect_output '"state":"Reset"' "before anything was asked"
@@ -113,10 +68,7 @@ expect_exit 0 machine on
 expect_exit 0 program run short.nc --wait
 
 expect_exit 0 system shutdown
-code=0
-wait "$daemon" || code=$?
-daemon=
-[[ $code == 0 ]] || fail "the daemon ended with $code"
+expect_end 0
 [[ ! -e $folder/op.sock ]] || fail "the socket is still there"
 [[ -s $(ls "$folder"/log/*.lcm) ]] || fail "no log was written"
 expect_exit 3 machine status # nobody is there any more

@@ -1,0 +1,69 @@
+# Sourced by the tests that operate a real daemon with the real `stanok`: a temporary folder, a daemon
+# in it, and expectations that say what went wrong.
+#
+# usage of those tests: TEST STANOKD STANOK MACHINE_FILE
+# shellcheck shell=bash
+readonly stanokd=$1 machine_file=$3
+folder=$(mktemp -d)
+readonly folder
+operate=("$2" --socket "$folder/op.sock")
+daemon=
+
+stop_daemon() {
+  if [[ -n $daemon ]]; then kill -KILL "$daemon" 2>/dev/null || true; fi
+  rm -rf "$folder"
+}
+trap stop_daemon EXIT
+
+fail() {
+  printf 'FAILED: %s\n' "$1" >&2
+  "${operate[@]}" channel status --json >&2 || true
+  cat "$folder/stanokd.err" >&2
+  exit 1
+}
+
+# start_daemon [ARGUMENT...]: returns when it answers.
+# shellcheck disable=SC2120
+start_daemon() {
+  "$stanokd" --machine "$machine_file" --drives embedded --lcm off --state "$folder/state" \
+    --socket "$folder/op.sock" --program-root "$folder" "$@" 2>>"$folder/stanokd.err" &
+  daemon=$!
+  local k
+  for ((k = 0; k < 600; ++k)); do
+    "${operate[@]}" system info >/dev/null 2>&1 && return
+    kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
+    sleep 0.05
+  done
+  fail "the daemon does not answer"
+}
+
+# expect_end CODE: the daemon has ended, or does so now.
+expect_end() {
+  local code=0
+  wait "$daemon" || code=$?
+  daemon=
+  [[ $code == "$1" ]] || fail "the daemon ended with $code, not $1"
+}
+
+# expect_exit CODE ARGUMENT...: what `stanok ARGUMENT...` printed goes to $output.
+expect_exit() {
+  local wanted=$1 code=0
+  shift
+  output=$("${operate[@]}" "$@" 2>"$folder/stanok.err") || code=$?
+  [[ $code == "$wanted" ]] || fail "stanok $*: exit code $code, not $wanted: $(cat "$folder/stanok.err")"
+}
+
+# wait_for TEXT: until `channel status --json` contains the text.
+wait_for() {
+  local k
+  for ((k = 0; k < 600; ++k)); do
+    expect_exit 0 channel status --json
+    [[ $output == *"$1"* ]] && return
+    sleep 0.05
+  done
+  fail "channel status never showed $1"
+}
+
+expect_output() {
+  [[ $output == *"$1"* ]] || fail "$2: no $1 in: $output"
+}
