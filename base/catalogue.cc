@@ -233,6 +233,8 @@ constexpr auto rows = std::to_array<CatalogueRow>({
      "correct the program and load it again"},
     {"E6032", "a value that the channel could not give", end, "see the text",
      "correct the program and start it again"},
+    {"E6033", "a command that the machine cannot execute", end,
+     "see docs/language.md for what is there", "correct the program and load it again"},
     {"E7001", "file not found", end, "check the name and the program root",
      "correct the program and load it again"},
     {"E7002", "a file name that must not be used", end,

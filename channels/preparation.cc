@@ -233,6 +233,16 @@ void Preparation::take(const lang::Command& command) {
             task_ = Task::idle;
           },
           [&](const lang::Request& request) { add_request(command, request); },
+          [&](const lang::SplineMove&) { refuse(command, "a spline block"); },
+          [&](const lang::SynchronousMove&) { refuse(command, "a thread"); },
+          [&](const lang::ProbeMove&) { refuse(command, "probing"); },
+          [&](const lang::TransformationChange&) { refuse(command, "a face transformation"); },
+          [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
+          [&](const lang::OutputCommand&) { refuse(command, "an output"); },
+          [&](const lang::MachineFunction&) { refuse(command, "a machine function"); },
+          [&](const lang::MarkCommand&) { refuse(command, "a mark"); },
+          [&](const lang::WorkpieceAnnouncement&) {},
+          [&](const lang::WorkpiecePosition&) {},
       },
       command.payload);
 }
@@ -274,6 +284,17 @@ void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag
   item.text = ShortText(diagnostic.message);
   push(item);
   task_ = Task::idle;
+}
+
+// What the language knows and the machine cannot do yet stops the program before it.
+void Preparation::refuse(const lang::Command& command, std::string_view what) {
+  const motion::BlockTag tag = tag_of(command);
+  Diagnostic diagnostic;
+  diagnostic.code = "E6033";
+  diagnostic.message = "the machine cannot execute " + std::string(what) + " in this release";
+  diagnostic.place.file = std::string(lang::file_name(*program_, tag.file));
+  diagnostic.place.line = static_cast<int>(tag.line);
+  fail(diagnostic, tag);
 }
 
 void Preparation::end_chain() {

@@ -51,6 +51,7 @@ class Preparation {
   void take_state(const lang::Command& command);
   void add_move(const lang::Command& command, const lang::Move& move);
   void add_request(const lang::Command& command, const lang::Request& request);
+  void refuse(const lang::Command& command, std::string_view what);
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
 
   // Path and items, in program order.

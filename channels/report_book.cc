@@ -9,6 +9,8 @@ ReportBook::ReportBook() : run_records_(256), alarm_records_(256) {}
 void ReportBook::name_run(int channel, std::uint32_t run, const std::string& program) {
   const std::lock_guard lock(mutex_);
   programs_[{channel, run}] = program;
+  const auto known = runs_.find({channel, run});
+  if (known != runs_.end()) known->second.program = program;
 }
 
 void ReportBook::explain(int channel, std::uint32_t run, const Diagnostic& diagnostic) {

@@ -93,8 +93,24 @@ const char* name_of(lang::RequestKind kind) {
       return "tool_table_write";
     case RequestKind::offset_table_write:
       return "offset_table_write";
+    case RequestKind::tool_table_read:
+      return "tool_table_read";
+    case RequestKind::offset_table_read:
+      return "offset_table_read";
     case RequestKind::machine_value:
       return "machine_value";
+    case RequestKind::probe_result:
+      return "probe_result";
+    case RequestKind::input_wait:
+      return "input_wait";
+    case RequestKind::mark_wait:
+      return "mark_wait";
+    case RequestKind::mark_state:
+      return "mark_state";
+    case RequestKind::shared_read:
+      return "shared_read";
+    case RequestKind::shared_write:
+      return "shared_write";
   }
   return "";
 }
@@ -111,6 +127,30 @@ const char* name_of(lang::SpindleAction action) {
       return "stop";
     case lang::SpindleAction::orient:
       return "orient";
+  }
+  return "";
+}
+
+const char* name_of(lang::Transformation transformation) {
+  switch (transformation) {
+    case lang::Transformation::off:
+      return "off";
+    case lang::Transformation::polar_face:
+      return "polar_face";
+    case lang::Transformation::cylinder:
+      return "cylinder";
+  }
+  return "";
+}
+
+const char* name_of(lang::MarkCommand::Kind kind) {
+  switch (kind) {
+    case lang::MarkCommand::Kind::set:
+      return "mark_set";
+    case lang::MarkCommand::Kind::clear:
+      return "mark_clear";
+    case lang::MarkCommand::Kind::wait_soft:
+      return "mark_wait_soft";
   }
   return "";
 }
@@ -155,6 +195,39 @@ struct Fields {
            move.counter_clockwise);
   }
 
+  void end_fields() const {
+    text += R"(,"end":)";
+    append_axes(text, words, block->end);
+  }
+
+  void operator()(const lang::SplineMove& spline) const {
+    kind("spline");
+    end_fields();
+    append(text, R"(,"feed":{},"feed_mode":"{}","plane":"{}","degree":{},"points":[)",
+           spline.base.feed, name_of(spline.base.feed_mode), name_of(spline.base.plane),
+           spline.degree);
+    for (std::size_t k = 0; k < spline.points.size(); ++k) {
+      append(text, "{}[{},{}]", k == 0 ? "" : ",", spline.points[k][0], spline.points[k][1]);
+    }
+    append(text, R"(],"weights":[{}])", fmt::join(spline.weights, ","));
+  }
+  void operator()(const lang::SynchronousMove& move) const {
+    kind(move.kind == lang::SynchronousMove::Kind::thread ? "thread" : "rigid_tap");
+    end_fields();
+    append(text, R"(,"spindle":{},"lead":{},"start_angle":{})", move.spindle, move.lead_mm_per_rev,
+           move.start_angle_deg);
+  }
+  void operator()(const lang::ProbeMove& probe) const {
+    kind("probe");
+    end_fields();
+    append(text, R"(,"feed":{},"until_contact":{},"alarm_when_missed":{})", probe.line.feed,
+           probe.until_contact, probe.alarm_when_missed);
+  }
+  void operator()(const lang::TransformationChange& change) const {
+    kind("offset");
+    append(text, R"(,"what":"transformation","mode":"{}","radius":{})", name_of(change.kind),
+           change.radius_mm);
+  }
   void operator()(const lang::Dwell& dwell) const {
     kind("dwell");
     append(text, R"(,"seconds":{})", dwell.seconds);
@@ -163,6 +236,12 @@ struct Fields {
     kind("spindle");
     append(text, R"(,"spindle":{},"action":"{}","speed":{})", spindle.spindle,
            name_of(spindle.action), spindle.speed_rev_per_min);
+  }
+  void operator()(const lang::CuttingSpeedMode& mode) const {
+    kind("spindle");
+    append(text, R"(,"spindle":{},"action":"{}","speed":{},"limit":{})", mode.spindle,
+           mode.constant ? "cutting_speed" : "constant_speed", mode.speed_m_per_min,
+           mode.limit_rev_per_min);
   }
   void operator()(const lang::CoolantCommand& coolant) const {
     kind("coolant");
@@ -174,7 +253,7 @@ struct Fields {
   }
   void operator()(const lang::ToolChange& tool) const {
     kind("tool");
-    append(text, R"(,"action":"change","tool":{})", tool.tool);
+    append(text, R"(,"action":"{}","tool":{})", tool.by_number_only ? "set" : "change", tool.tool);
   }
   void operator()(const lang::ToolLength& length) const {
     kind("offset");
@@ -192,6 +271,33 @@ struct Fields {
     kind("sync");
     append(text, R"(,"what":"override","feed":{},"spindle":{})", control.feed_enabled,
            control.spindle_enabled);
+  }
+  void operator()(const lang::OutputCommand& output) const {
+    kind("output");
+    append(text, R"(,"analog":{},"with_motion":{},"number":{},"value":{})", output.analog,
+           output.with_motion, output.number, output.value);
+  }
+  void operator()(const lang::MachineFunction& function) const {
+    kind("sync");
+    append(text, R"(,"what":"machine_function","code":{},"p":{},"q":{})", function.code, function.p,
+           function.q);
+  }
+  void operator()(const lang::MarkCommand& mark) const {
+    kind("channel");
+    append(text, R"(,"what":"{}","number":{},"channels":{})", name_of(mark.kind), mark.id,
+           mark.channels);
+  }
+  void operator()(const lang::WorkpieceAnnouncement& workpiece) const {
+    kind("sync");
+    append(text,
+           R"(,"what":"workpiece","type":{},"machining_type":{},"size":[{}],"zero":[{}],"cell":{})",
+           workpiece.type, workpiece.machining_type, fmt::join(workpiece.size_mm, ","),
+           fmt::join(workpiece.zero_mm, ","), workpiece.screen_resolution_mm);
+  }
+  void operator()(const lang::WorkpiecePosition& position) const {
+    kind("sync");
+    append(text, R"(,"what":"workpiece_position","position":[{}],"angles":[{}])",
+           fmt::join(position.position_mm, ","), fmt::join(position.angles_deg, ","));
   }
   void operator()(const lang::Message& message) const {
     kind("message");

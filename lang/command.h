@@ -57,6 +57,40 @@ struct Move {
   std::array<double, 2> centre{};  // absolute, in the plane's (first, second) axes: XY, ZX, YZ
 };
 
+// G5, G5.1, G5.2: one NURBS curve in the plane of `base`, from its start to base.end. Other axes
+// move linearly with the parameter. Knots are uniform, clamped at both ends.
+struct SplineMove {
+  Move base;  // kind, end, feed, path mode, plane
+  int degree = 3;
+  std::vector<std::array<double, 2>> points;  // control points after the start, absolute in W
+  std::vector<double> weights;                // start first; empty: all 1
+};
+
+// G33, G33.1, G74, G84: a line on which the path follows the angle of a spindle.
+struct SynchronousMove {
+  enum class Kind : std::uint8_t { thread, rigid_tap };
+  Move line;  // end and path mode; the feed comes from the spindle
+  Kind kind = Kind::thread;
+  int spindle = 0;  // as in SpindleCommand
+  double lead_mm_per_rev = 0.0;
+  double start_angle_deg = 0.0;      // Q
+  double return_speed_factor = 1.0;  // G33.1 I
+};
+
+// G38.2 to G38.5: a line that ends when the probe changes. RequestKind::probe_result follows it.
+struct ProbeMove {
+  Move line;
+  bool until_contact = true;      // .2, .3; else until contact is lost
+  bool alarm_when_missed = true;  // .2, .4
+};
+
+enum class Transformation : std::uint8_t { off, polar_face, cylinder };  // G13.1, G12.1, G7.1
+
+struct TransformationChange {
+  Transformation kind = Transformation::off;
+  double radius_mm = 0.0;  // cylinder
+};
+
 struct Dwell {
   double seconds = 0.0;
 };
@@ -70,6 +104,14 @@ struct SpindleCommand {
   double angle_deg = 0.0;  // orient
 };
 
+// G96 and G97.
+struct CuttingSpeedMode {
+  int spindle = 0;        // as in SpindleCommand
+  bool constant = false;  // G96
+  double speed_m_per_min = 0.0;
+  double limit_rev_per_min = 0.0;  // D; 0: none
+};
+
 struct CoolantCommand {
   bool mist = false;   // M7
   bool flood = false;  // M8
@@ -80,6 +122,7 @@ struct ToolPrepare {
 };
 struct ToolChange {
   int tool = 0;
+  bool by_number_only = false;  // M61: nothing moves
 };
 
 enum class LengthMode : std::uint8_t { off, length, tip };  // G49, G43/G43.1/G43.2, G43.4
@@ -103,8 +146,48 @@ struct FrameChange {
 };
 
 struct OverrideControl {
-  bool feed_enabled = true;
-  bool spindle_enabled = true;
+  bool feed_enabled = true;       // M48 M49 M50
+  bool spindle_enabled = true;    // M48 M49 M51
+  bool adaptive_enabled = false;  // M52
+  bool feed_stop_enabled = true;  // M53
+};
+
+// M62 to M65, M67, M68.
+struct OutputCommand {
+  bool analog = false;
+  bool with_motion = false;  // M62, M63, M67: at the start of the next move
+  int number = 0;            // P, E
+  double value = 0.0;        // digital: 1 on, 0 off
+};
+
+// M100 to M899: an output of the machine builder's.
+struct MachineFunction {
+  int code = 0;
+  double p = 0.0;
+  double q = 0.0;
+};
+
+// mark_set, mark_clear, mark_wait_soft: they travel in the queue.
+struct MarkCommand {
+  enum class Kind : std::uint8_t { set, clear, wait_soft };
+  Kind kind = Kind::set;
+  int id = 0;
+  std::uint32_t channels = 0;  // wait_soft: bit k stands for channel k, the own one included
+};
+
+// #workpiece, for displays and simulation.
+struct WorkpieceAnnouncement {
+  int type = 0;            // 0 box, 1 cylinder along Z
+  int machining_type = 0;  // 0 milling, 1 turning
+  double screen_resolution_mm = 0.0;
+  std::array<double, 3> size_mm{};  // cylinder: diameter, inner diameter, length
+  std::array<double, 3> zero_mm{};  // program zero from the corner with the smallest coordinates
+};
+
+// #workpiece_pos: in the machine system.
+struct WorkpiecePosition {
+  std::array<double, 3> position_mm{};
+  std::array<double, 3> angles_deg{};  // Euler, intrinsic Z-X'-Z''
 };
 
 struct Message {
@@ -151,7 +234,15 @@ enum class RequestKind : std::uint8_t {
   tool_table_write,  // effects of settable_tool, settable_zs: text = parameter, number = index,
                      // value
   offset_table_write,
+  tool_table_read,  // as the writes; the answer carries the value
+  offset_table_read,
   machine_value,  // text = system variable, number = index
+  probe_result,   // after a ProbeMove; ok: the probe changed, probe_B is where
+  input_wait,     // M66: number = input, index = mode L, flag analog, seconds; number: the value
+  mark_wait,      // number = id, channels
+  mark_state,     // channel, number = id
+  shared_read,    // text = name, index = element
+  shared_write,   // the same, value or value_text
 };
 
 struct Request {
@@ -159,9 +250,12 @@ struct Request {
   int channel = 0;
   int number = 0;
   int index = 0;
+  bool analog = false;
+  std::uint32_t channels = 0;  // bit k stands for channel k
   double seconds = -1.0;
   double value = 0.0;
   std::string text;
+  std::string value_text;
   bool statement = false;  // statement form: a false answer raises an alarm in the calling channel
 };
 
@@ -173,11 +267,23 @@ struct Answer {
   std::string text;  // string value, or the reason of a false: "E7001 file not found: a.nc"
   AxisValues position_B{};
   bool position_valid = false;
+  AxisValues probe_B{};
 };
 
-using Payload = std::variant<Move, Dwell, SpindleCommand, CoolantCommand, ToolPrepare, ToolChange,
-                             ToolLength, FrameChange, OverrideControl, Message, ModalReport,
-                             ProgramStop, ProgramEnd, Request>;
+using Payload = std::variant<Move, SplineMove, SynchronousMove, ProbeMove, TransformationChange,
+                             Dwell, SpindleCommand, CuttingSpeedMode, CoolantCommand, ToolPrepare,
+                             ToolChange, ToolLength, FrameChange, OverrideControl, OutputCommand,
+                             MachineFunction, MarkCommand, WorkpieceAnnouncement, WorkpiecePosition,
+                             Message, ModalReport, ProgramStop, ProgramEnd, Request>;
+
+// The Move in a payload that moves axes along a path, or nullptr.
+[[nodiscard]] inline const Move* move_of(const Payload& payload) {
+  if (const auto* move = std::get_if<Move>(&payload)) return move;
+  if (const auto* spline = std::get_if<SplineMove>(&payload)) return &spline->base;
+  if (const auto* synchronous = std::get_if<SynchronousMove>(&payload)) return &synchronous->line;
+  if (const auto* probe = std::get_if<ProbeMove>(&payload)) return &probe->line;
+  return nullptr;
+}
 
 // Where a command comes from: the program file (index in the job's file list) and the line,
 // 1-based.

@@ -92,7 +92,7 @@ DryRunResult DryRun::run(const std::string& program, Reachability reachability,
 
 void DryRun::take(const lang::Command& command, Reachability reachability, const RecordSink& record,
                   const RequestSink& request, Diagnostics& diagnostics) {
-  if (const auto* move = std::get_if<lang::Move>(&command.payload)) {
+  if (const lang::Move* const move = lang::move_of(command.payload)) {
     return take_move(command, *move, reachability, record, diagnostics);
   }
   record(command, nullptr);

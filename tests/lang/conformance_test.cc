@@ -77,7 +77,7 @@ class Describer {
     return "prepare T" + std::to_string(tool.tool);
   }
   std::string operator()(const ToolChange& tool) const {
-    return "change T" + std::to_string(tool.tool);
+    return (tool.by_number_only ? "set T" : "change T") + std::to_string(tool.tool);
   }
   std::string operator()(const ToolLength& length) const {
     if (length.mode == LengthMode::off) return "length off";
@@ -90,7 +90,81 @@ class Describer {
     return "frame " + std::to_string(frame.work_offset) + axes_text(frame.offset, 0xFF);
   }
   std::string operator()(const OverrideControl& control) const {
-    return control.feed_enabled ? "overrides on" : "overrides off";
+    std::string text =
+        control.feed_enabled == control.spindle_enabled
+            ? (control.feed_enabled ? "overrides on" : "overrides off")
+            : (control.feed_enabled ? "feed override only" : "spindle override only");
+    if (control.adaptive_enabled) text += " adaptive";
+    if (!control.feed_stop_enabled) text += " no feed stop";
+    return text;
+  }
+  std::string operator()(const SplineMove& spline) const {
+    std::string text = "spline " + std::to_string(spline.degree);
+    text += axes_text(spline.base.end, spline.base.words);
+    for (const auto& point : spline.points)
+      text += " (" + number_text(point[0]) + " " + number_text(point[1]) + ")";
+    for (const double weight : spline.weights) text += " w" + number_text(weight);
+    return text + " F" + number_text(spline.base.feed);
+  }
+  std::string operator()(const SynchronousMove& move) const {
+    const bool thread = move.kind == SynchronousMove::Kind::thread;
+    std::string text = thread ? "thread" : "rigid tap";
+    text +=
+        axes_text(move.line.end, move.line.words) + " lead " + number_text(move.lead_mm_per_rev);
+    if (move.start_angle_deg != 0.0) text += " angle " + number_text(move.start_angle_deg);
+    if (move.spindle != 0) text += " $" + std::to_string(move.spindle);
+    if (move.return_speed_factor != 1.0) text += " return " + number_text(move.return_speed_factor);
+    return text;
+  }
+  std::string operator()(const ProbeMove& probe) const {
+    return std::string("probe ") + (probe.until_contact ? "contact" : "loss") +
+           (probe.alarm_when_missed ? " or alarm" : "") +
+           axes_text(probe.line.end, probe.line.words) + " F" + number_text(probe.line.feed);
+  }
+  std::string operator()(const TransformationChange& change) const {
+    static const char* const names[] = {"off", "polar face", "cylinder"};
+    std::string text = std::string("transformation ") + names[static_cast<int>(change.kind)];
+    if (change.radius_mm != 0.0) text += " " + number_text(change.radius_mm);
+    return text;
+  }
+  std::string operator()(const CuttingSpeedMode& mode) const {
+    if (!mode.constant) return "cutting speed off";
+    std::string text = "cutting speed " + number_text(mode.speed_m_per_min);
+    if (mode.limit_rev_per_min > 0.0) text += " limit " + number_text(mode.limit_rev_per_min);
+    if (mode.spindle != 0) text += " $" + std::to_string(mode.spindle);
+    return text;
+  }
+  std::string operator()(const OutputCommand& output) const {
+    return std::string(output.analog ? "analog output " : "output ") +
+           std::to_string(output.number) + " " + number_text(output.value) +
+           (output.with_motion ? " with motion" : "");
+  }
+  std::string operator()(const MachineFunction& function) const {
+    std::string text = "machine function " + std::to_string(function.code);
+    if (function.p != 0.0) text += " P" + number_text(function.p);
+    if (function.q != 0.0) text += " Q" + number_text(function.q);
+    return text;
+  }
+  std::string operator()(const MarkCommand& mark) const {
+    static const char* const names[] = {"mark set ", "mark clear ", "mark wait soft "};
+    std::string text = names[static_cast<int>(mark.kind)] + std::to_string(mark.id);
+    for (int k = 0; k < 32; ++k)
+      if ((mark.channels >> k & 1U) != 0) text += " " + std::to_string(k);
+    return text;
+  }
+  std::string operator()(const WorkpieceAnnouncement& workpiece) const {
+    std::string text = workpiece.type == 0 ? "workpiece box" : "workpiece cylinder";
+    text += workpiece.machining_type == 0 ? " milling" : " turning";
+    text += " " + number_text(workpiece.screen_resolution_mm);
+    for (const double part : workpiece.size_mm) text += " " + number_text(part);
+    for (const double part : workpiece.zero_mm) text += " " + number_text(part);
+    return text;
+  }
+  std::string operator()(const WorkpiecePosition& position) const {
+    std::string text = "workpiece position";
+    for (const double part : position.position_mm) text += " " + number_text(part);
+    for (const double part : position.angles_deg) text += " " + number_text(part);
+    return text;
   }
   std::string operator()(const Message& message) const {
     static const char* const names[] = {"message", "warning", "log"};
@@ -106,25 +180,24 @@ class Describer {
     return names[static_cast<int>(end.kind)];
   }
   std::string operator()(const Request& request) const {
-    static const char* const names[] = {"sync",
-                                        "kinematics",
-                                        "channel_load",
-                                        "channel_start",
-                                        "channel_run",
-                                        "channel_wait",
-                                        "channel_stop",
-                                        "channel_reset",
-                                        "channel_state",
-                                        "spindle_to_axis",
-                                        "axis_to_spindle",
-                                        "terminate",
-                                        "write tool",
-                                        "write offset",
-                                        "read"};
+    static const char* const names[] = {
+        "sync",          "kinematics",      "channel_load",    "channel_start",
+        "channel_run",   "channel_wait",    "channel_stop",    "channel_reset",
+        "channel_state", "spindle_to_axis", "axis_to_spindle", "terminate",
+        "write tool",    "write offset",    "read tool",       "read offset",
+        "read",          "probe result",    "wait for input",  "mark wait",
+        "mark state",    "read shared",     "write shared"};
     std::string text = std::string("request ") + names[static_cast<int>(request.kind)];
     if (request.channel != 0) text += " channel " + std::to_string(request.channel);
     if (request.number != 0) text += " " + std::to_string(request.number);
     if (!request.text.empty()) text += " " + request.text;
+    if (request.kind == RequestKind::shared_read || request.kind == RequestKind::shared_write)
+      text += "[" + std::to_string(request.index) + "]";
+    if (request.kind == RequestKind::shared_write)
+      text += request.value_text.empty() ? " " + number_text(request.value)
+                                         : " \"" + request.value_text + "\"";
+    for (int k = 0; k < 32; ++k)
+      if ((request.channels >> k & 1U) != 0) text += " with " + std::to_string(k);
     if (request.kind == RequestKind::offset_table_write) text += " " + number_text(request.value);
     if (request.seconds >= 0.0) text += " timeout " + number_text(request.seconds);
     return text;
