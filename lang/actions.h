@@ -21,7 +21,7 @@ void switch_coolant(ActiveBlock& block, CodeNumber code);       // M7 M8 M9
 void switch_overrides(ActiveBlock& block, CodeNumber code);     // M48 M49
 void stop_program(ActiveBlock& block, CodeNumber code);         // M0 M1 M60
 void end_program(ActiveBlock& block, CodeNumber code);          // M2 M30
-void call_program(ActiveBlock& block, CodeNumber code);         // M98
+void call_program(ActiveBlock& block, CodeNumber code);         // M98 M198
 void return_from_program(ActiveBlock& block, CodeNumber code);  // M99 M17
 // For codes whose whole effect is that they are the active code of their group.
 void only_modal(ActiveBlock& block, CodeNumber code);

@@ -168,12 +168,14 @@ void end_program(ActiveBlock& block, CodeNumber code) {
   block.end_kind = code == 20 ? ProgramEndKind::end : ProgramEndKind::end_and_rewind;
 }
 
-void call_program(ActiveBlock& block, CodeNumber) {
+void call_program(ActiveBlock& block, CodeNumber code) {
   if (!block.has('P')) {
-    block.fail("E4007", {'M', 980, {}}, "`M98` needs the number of a program", "no P");
+    block.fail("E4007", {'M', code, {}},
+               "`" + code_text('M', code) + "` needs the number of a program", "no P");
     return;
   }
   block.flow = Flow::call_numbered;
+  block.flow_code = code;
 }
 
 void return_from_program(ActiveBlock& block, CodeNumber) {

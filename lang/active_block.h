@@ -61,6 +61,7 @@ struct ActiveBlock : BlockSurroundings {
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
 
   Flow flow = Flow::next;
+  CodeNumber flow_code = 0;  // M98 or M198
   ProgramEndKind end_kind = ProgramEndKind::end;
 
   std::optional<BlockFault> fault;

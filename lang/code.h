@@ -39,12 +39,11 @@ enum class Op : std::uint8_t {
   new_array,          // (size... -> array), `count` dimensions; operand 1: of strings
   fill_array,         // (array value... -> array), operand values
   parameter,          // (n -> #n)
-  store_parameter,    // (n value -> )
-  named_parameter,    // ( -> #<name>): slot `operand` of the channel's named parameters
-  store_named_parameter,
-  parameter_exists,
-  r_parameter,  // ( -> Rn), n = operand
-  store_r_parameter,
+  named_parameter,    // ( -> #<name>): slot `operand` of the program's named parameters
+  named_parameter_exists,
+  predefined_parameter,  // ( -> value of predefined_parameters()[operand])
+  r_parameter,           // ( -> Rn), n = operand
+  settings,              // settings[operand], their numbers and values on the stack
   compute,             // (left right -> result): Operation `extra`; unary ones (operand -> result)
   join_texts,          // (string string -> string)
   texts_equal,         // (string string -> bool)
@@ -56,18 +55,20 @@ enum class Op : std::uint8_t {
   call,             // callees[operand], arguments on the stack
   return_value,
   return_nothing,
-  builtin,        // builtins()[operand] with `count` arguments
-  system_value,   // system_variables()[operand]; count 1: with an index on the stack
-  plain_lines,    // plain_lines[operand]
-  block,          // blocks[operand], its computed words on the stack
-  message,        // (string -> ): Message::Kind `extra`
-  request,        // builtins()[operand] asked from the channel; extra 1: statement form
-  request_value,  // system_variables()[operand] asked from the channel
-  kinematics,     // (scheme channel -> )
-  terminate,      // (code text -> )
-  call_file,      // (name -> )
-  channel_error,  // ( -> string)
-  raise,          // faults[operand]: a faulty statement was reached
+  call_o_sub,         // o_calls[operand], `count` arguments and a computed number on the stack
+  return_from_o_sub,  // count 1: (value -> )
+  builtin,            // builtins()[operand] with `count` arguments
+  system_value,       // system_variables()[operand]; count 1: with an index on the stack
+  plain_lines,        // plain_lines[operand]
+  block,              // blocks[operand], its computed words on the stack
+  message,            // (string -> ): Message::Kind `extra`
+  request,            // builtins()[operand] asked from the channel; extra 1: statement form
+  request_value,      // system_variables()[operand] asked from the channel
+  kinematics,         // (scheme channel -> )
+  terminate,          // (code text -> )
+  call_file,          // (name -> )
+  channel_error,      // ( -> string)
+  raise,              // faults[operand]: a faulty statement was reached
   end_of_text,
 };
 
@@ -103,12 +104,25 @@ struct FunctionCode {
   FunctionSignature signature;
   std::uint32_t entry = 0;
   std::uint32_t slots = 0;
+  bool o_subprogram = false;
 };
 
 // A function of this or an included file.
 struct Callee {
   std::uint16_t file = 0;
   std::uint32_t function = 0;
+};
+
+// A call by an O-line; a computed one finds its subprogram when it is reached.
+struct OCallCode {
+  Callee callee;
+  bool computed = false;
+};
+
+// #n=..., #<name>=..., R5=... of one block, in the order written.
+struct SettingTarget {
+  enum class Kind : std::uint8_t { numbered, named, r_parameter } kind = Kind::numbered;
+  std::uint32_t slot = 0;  // named, r_parameter
 };
 
 // The code of one file. `spans` stands parallel to `code`.
@@ -124,9 +138,12 @@ struct CompiledFile {
   std::vector<BlockTemplate> blocks;
   std::vector<FunctionCode> functions;
   std::vector<Callee> callees;
+  std::vector<OCallCode> o_calls;
+  std::vector<std::vector<SettingTarget>> settings;
   std::vector<Diagnostic> faults;
-  std::map<int, std::uint32_t> numbered_programs;  // O number -> instruction
-  std::vector<std::uint16_t> includes;             // files whose functions can be called here
+  std::map<int, std::uint32_t> numbered_programs;      // O number -> instruction
+  std::map<std::string, std::uint32_t> o_subprograms;  // label -> index in functions
+  std::vector<std::uint16_t> includes;                 // files whose functions can be called here
   std::uint32_t file_slots = 0;
 };
 

@@ -211,7 +211,7 @@ constexpr auto rows = std::to_array<Code>({
     m(730, state, P::functions_before, "", everywhere, later, "save and auto-restore"),
     m(980, subprogram, P::stop, "PL", everywhere, call_program, "subprogram call"),
     m(990, subprogram, P::stop, "", everywhere, return_from_program, "return from subprogram"),
-    m(1980, subprogram, P::stop, "PL", everywhere, later, "call of another file"),
+    m(1980, subprogram, P::stop, "PL", everywhere, call_program, "call of another file"),
     m(9020, spindle_axis, P::spindle_axis, "", not_master, later, "spindle becomes an axis"),
     m(9030, spindle_axis, P::spindle_axis, "", not_master, later, "axis becomes a spindle"),
 });

@@ -19,6 +19,9 @@ void Compiler::declare_names(const StatementList& tree) {
     if (const auto* const function = std::get_if<FunctionDefinition>(&statement.kind)) {
       declare_function(*function);
     }
+    if (const auto* const subprogram = std::get_if<OSubprogram>(&statement.kind)) {
+      declare_o_subprogram(*subprogram);
+    }
   }
 }
 
@@ -81,10 +84,14 @@ void Compiler::compile(const StatementList& tree) {
   compile_list(tree);
   emit(Op::end_of_text, {file_.source.end(), 0, file_.source.line_number(file_.source.end())});
   for (const Statement& statement : tree) {
-    const auto* const function = std::get_if<FunctionDefinition>(&statement.kind);
-    if (function == nullptr) continue;
-    const auto index = function_index_.find(function);
-    if (index != function_index_.end()) compile_function(*function, index->second);
+    if (const auto* const function = std::get_if<FunctionDefinition>(&statement.kind)) {
+      const auto index = function_index_.find(function);
+      if (index != function_index_.end()) compile_function(*function, index->second);
+    }
+    if (const auto* const subprogram = std::get_if<OSubprogram>(&statement.kind)) {
+      const auto index = o_subprogram_index_.find(subprogram);
+      if (index != o_subprogram_index_.end()) compile_o_subprogram(*subprogram, index->second);
+    }
   }
 }
 
@@ -220,7 +227,7 @@ void Compiler::patch_all(const std::vector<std::size_t>& jumps) {
 }
 
 std::uint32_t Compiler::new_slot() {
-  return function_ != nullptr ? function_slots_++ : file_.file_slots++;
+  return routine_ != Routine::none ? routine_slots_++ : file_.file_slots++;
 }
 
 }  // namespace stanok::lang

@@ -26,7 +26,8 @@ struct Constant {
 
 // What a file offers to the files that include it. Names are folded.
 struct FileNames {
-  std::map<std::string, std::uint32_t> functions;  // index in CompiledFile::functions
+  std::map<std::string, std::uint32_t> functions;      // index in CompiledFile::functions
+  std::map<std::string, std::uint32_t> o_subprograms;  // the same, by label
   std::map<std::string, Constant> constants;
 };
 
@@ -65,6 +66,7 @@ class Compiler {
     Span span;
   };
   struct Loop {
+    std::string label;                // of O-lines
     std::vector<std::size_t> breaks;  // jumps to patch
     std::vector<std::size_t> continues;
   };
@@ -91,12 +93,15 @@ class Compiler {
   void compile_kind(const DoWhile& loop);
   void compile_kind(const For& loop);
   void compile_kind(const Switch& statement);
-  void compile_kind(const Break&);
-  void compile_kind(const Continue&);
+  void compile_kind(const Break& leave);
+  void compile_kind(const Continue& next);
+  Loop* find_loop(const std::string& label, std::string_view keyword);
   void compile_kind(const Return& statement);
   void compile_kind(const FunctionDefinition&);
   void compile_condition(const Expression& condition);
   void compile_function(const FunctionDefinition& function, std::uint32_t index);
+  void begin_routine(std::uint32_t index);
+  void end_routine(std::uint32_t index);
   void check_cases(const Switch& statement);
 
   // compiler_variable.cc: declarations and assignments
@@ -141,14 +146,23 @@ class Compiler {
   std::optional<int> constant_channel(const Expression& argument, bool refuse_own,
                                       std::string_view function);
 
+  // compiler_o_line.cc
+  void declare_o_subprogram(const OSubprogram& subprogram);
+  void compile_o_subprogram(const OSubprogram& subprogram, std::uint32_t index);
+  void compile_kind(const OSubprogram&);
+  void compile_kind(const OCall& call);
+  void compile_kind(const OReturn& statement);
+  void compile_kind(const ORepeat& loop);
+  std::optional<Callee> find_o_subprogram(const OLabel& label);
+
   // compiler_iso.cc
   void compile_kind(const IsoBlock& block);
   void compile_words(const IsoBlock& block, BlockTemplate& made);
   void add_constant_word(const IsoWord& word, double value, BlockTemplate& made);
   void add_computed_word(const IsoWord& word, BlockTemplate& made);
   void compile_spindle(const IsoBlock& block, BlockTemplate& made);
-  void compile_setting_value(const ParameterSetting& setting);
-  void store_setting(const ParameterSetting& setting);
+  void compile_settings(const std::vector<ParameterSetting>& settings);
+  std::optional<SettingTarget> compile_setting(const ParameterSetting& setting);
   void check_template(const BlockTemplate& made);
   std::uint32_t named_parameter_slot(const std::string& name);
 
@@ -169,8 +183,11 @@ class Compiler {
   std::vector<std::map<std::string, Symbol>> scopes_;
   std::vector<Loop> loops_;
   std::map<const FunctionDefinition*, std::uint32_t> function_index_;
-  const FunctionDefinition* function_ = nullptr;  // whose body is compiled; nullptr: file level
-  std::uint32_t function_slots_ = 0;
+  std::map<const OSubprogram*, std::uint32_t> o_subprogram_index_;
+  enum class Routine { none, function, o_subprogram };
+  Routine routine_ = Routine::none;               // what is compiled; none: text of the file
+  const FunctionDefinition* function_ = nullptr;  // of Routine::function
+  std::uint32_t routine_slots_ = 0;
   Span statement_span_;
 };
 

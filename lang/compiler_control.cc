@@ -64,7 +64,7 @@ void Compiler::compile_kind(const While& loop) {
   const std::uint32_t start = position();
   compile_condition(loop.condition);
   const std::size_t end = emit(Op::jump_if_false, loop.condition.span);
-  loops_.emplace_back();
+  loops_.push_back({loop.label, {}, {}});
   compile_body(loop.body);
   for (const std::size_t jump : loops_.back().continues) file_.code[jump].operand = start;
   emit(Op::jump, loop.condition.span, start);
@@ -75,7 +75,7 @@ void Compiler::compile_kind(const While& loop) {
 
 void Compiler::compile_kind(const DoWhile& loop) {
   const std::uint32_t start = position();
-  loops_.emplace_back();
+  loops_.push_back({loop.label, {}, {}});
   compile_body(loop.body);
   patch_all(loops_.back().continues);
   compile_condition(loop.condition);
@@ -119,7 +119,7 @@ void Compiler::compile_kind(const Switch& statement) {
   Symbol symbol;
   symbol.type = type;
   symbol.slot = new_slot();
-  symbol.file_level = function_ == nullptr;
+  symbol.file_level = routine_ == Routine::none;
   store(symbol, statement.value.span);
   std::vector<std::size_t> ends;
   const SwitchCase* otherwise = nullptr;
@@ -173,26 +173,34 @@ void Compiler::check_cases(const Switch& statement) {
   }
 }
 
-void Compiler::compile_kind(const Break&) {
-  if (loops_.empty()) {
-    reporter_.error("E3016", statement_span_, "`break` outside a loop", "no loop to leave");
-    return;
+// The innermost loop, or the one of that label.
+Compiler::Loop* Compiler::find_loop(const std::string& label, std::string_view keyword) {
+  for (auto loop = loops_.rbegin(); loop != loops_.rend(); ++loop) {
+    if (label.empty() || loop->label == label) return &*loop;
   }
-  loops_.back().breaks.push_back(emit(Op::jump, statement_span_));
+  reporter_.error("E3016", statement_span_,
+                  label.empty() ? "`" + std::string(keyword) + "` outside a loop"
+                                : "`" + std::string(keyword) + "` outside the loop O" + label,
+                  "no loop that is meant");
+  return nullptr;
 }
 
-void Compiler::compile_kind(const Continue&) {
-  if (loops_.empty()) {
-    reporter_.error("E3016", statement_span_, "`continue` outside a loop", "no loop to go on");
-    return;
-  }
-  loops_.back().continues.push_back(emit(Op::jump, statement_span_));
+void Compiler::compile_kind(const Break& leave) {
+  Loop* const loop = find_loop(leave.label, "break");
+  if (loop != nullptr) loop->breaks.push_back(emit(Op::jump, statement_span_));
+}
+
+void Compiler::compile_kind(const Continue& next) {
+  Loop* const loop = find_loop(next.label, "continue");
+  if (loop != nullptr) loop->continues.push_back(emit(Op::jump, statement_span_));
 }
 
 void Compiler::compile_kind(const Return& statement) {
-  if (function_ == nullptr) {
+  if (routine_ != Routine::function) {
     reporter_.error("E3016", statement_span_, "`return` outside a function", "no function to leave")
-        .help.push_back("a program file ends with M30, a subprogram with M99");
+        .help.push_back(
+            "a program file ends with M30, a subprogram with M99, `O... sub` with "
+            "`O... return`");
     return;
   }
   const Type result = function_->result;
@@ -215,10 +223,8 @@ void Compiler::compile_kind(const FunctionDefinition&) {}
 
 void Compiler::compile_function(const FunctionDefinition& function, std::uint32_t index) {
   function_ = &function;
-  function_slots_ = 0;
-  loops_.clear();
-  file_.functions[index].entry = position();
-  scopes_.emplace_back();
+  routine_ = Routine::function;
+  begin_routine(index);
   for (const FunctionParameter& parameter : function.parameters) {
     Symbol symbol;
     symbol.type = {parameter.type, parameter.array ? -1 : 0};
@@ -232,9 +238,21 @@ void Compiler::compile_function(const FunctionDefinition& function, std::uint32_
                     "a path ends without `return`");
   }
   emit(Op::return_nothing, function.name_span);
-  scopes_.pop_back();
-  file_.functions[index].slots = function_slots_;
+  end_routine(index);
   function_ = nullptr;
+}
+
+void Compiler::begin_routine(std::uint32_t index) {
+  routine_slots_ = 0;
+  loops_.clear();
+  file_.functions[index].entry = position();
+  scopes_.emplace_back();
+}
+
+void Compiler::end_routine(std::uint32_t index) {
+  scopes_.pop_back();
+  file_.functions[index].slots = routine_slots_;
+  routine_ = Routine::none;
 }
 
 }  // namespace stanok::lang

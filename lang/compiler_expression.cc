@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "lang/compiler.h"
+#include "lang/predefined_parameter.h"
 
 namespace stanok::lang {
 namespace {
@@ -207,10 +208,20 @@ Compiler::ValueType Compiler::compile_parameter(const Expression& parameter) {
       emit(Op::parameter, parameter.span);
       return {Type::number, 0};
     case Node::named_parameter:
-      emit(Op::named_parameter, parameter.span, named_parameter_slot(parameter.text));
+      if (const PredefinedParameter* const row = find_predefined_parameter(parameter.text)) {
+        emit(Op::predefined_parameter, parameter.span,
+             static_cast<std::uint32_t>(row - predefined_parameters().data()));
+      } else {
+        emit(Op::named_parameter, parameter.span, named_parameter_slot(parameter.text));
+      }
       return {Type::number, 0};
     case Node::exists:
-      emit(Op::parameter_exists, parameter.span, named_parameter_slot(parameter.children[0].text));
+      if (find_predefined_parameter(parameter.children[0].text) != nullptr) {
+        push_number(1.0, parameter.span);
+      } else {
+        emit(Op::named_parameter_exists, parameter.span,
+             named_parameter_slot(parameter.children[0].text));
+      }
       return {Type::number, 0};
     default:
       break;

@@ -4,6 +4,7 @@
 
 #include "lang/block_execution.h"
 #include "lang/compiler.h"
+#include "lang/predefined_parameter.h"
 
 namespace stanok::lang {
 namespace {
@@ -46,17 +47,13 @@ void Compiler::compile_kind(const IsoBlock& block) {
   }
   BlockTemplate made;
   made.span = statement_span_;
-  for (const ParameterSetting& setting : block.settings) compile_setting_value(setting);
   compile_words(block, made);
   compile_spindle(block, made);
+  compile_settings(block.settings);
   check_template(made);
-  if (!block.words.empty() || block.spindle) {
-    file_.blocks.push_back(std::move(made));
-    emit(Op::block, statement_span_, static_cast<std::uint32_t>(file_.blocks.size() - 1));
-  }
-  for (auto setting = block.settings.rbegin(); setting != block.settings.rend(); ++setting) {
-    store_setting(*setting);
-  }
+  if (block.words.empty() && !block.spindle) return;
+  file_.blocks.push_back(std::move(made));
+  emit(Op::block, statement_span_, static_cast<std::uint32_t>(file_.blocks.size() - 1));
 }
 
 void Compiler::compile_words(const IsoBlock& block, BlockTemplate& made) {
@@ -117,27 +114,44 @@ void Compiler::compile_spindle(const IsoBlock& block, BlockTemplate& made) {
   made.words.spindle_named = true;
 }
 
-void Compiler::compile_setting_value(const ParameterSetting& setting) {
-  if (setting.target.node == Node::parameter) {
-    if (!require(setting.target.children[0], Type::number, "the parameter number")) return;
+// All values of the block are computed before the first setting takes effect.
+void Compiler::compile_settings(const std::vector<ParameterSetting>& settings) {
+  if (settings.empty()) return;
+  std::vector<SettingTarget> targets;
+  for (const ParameterSetting& setting : settings) {
+    const auto target = compile_setting(setting);
+    if (!target) return;
+    targets.push_back(*target);
   }
-  if (setting.target.node == Node::r_parameter && setting.target.number > 999.0) {
-    reporter_.error("E3015", setting.target.span, "there is no R-parameter of this number",
-                    "R0 to R999 exist");
-    return;
-  }
-  require(setting.value, Type::number, "the value of a parameter");
+  file_.settings.push_back(std::move(targets));
+  emit(Op::settings, settings.front().target.span,
+       static_cast<std::uint32_t>(file_.settings.size() - 1));
 }
 
-void Compiler::store_setting(const ParameterSetting& setting) {
-  const Span& span = setting.target.span;
-  if (setting.target.node == Node::parameter) {
-    emit(Op::store_parameter, span);
-  } else if (setting.target.node == Node::r_parameter) {
-    emit(Op::store_r_parameter, span, static_cast<std::uint32_t>(setting.target.number));
+std::optional<SettingTarget> Compiler::compile_setting(const ParameterSetting& setting) {
+  const Expression& parameter = setting.target;
+  SettingTarget target;
+  if (parameter.node == Node::parameter) {
+    if (!require(parameter.children[0], Type::number, "the parameter number")) return std::nullopt;
+  } else if (parameter.node == Node::r_parameter) {
+    target.kind = SettingTarget::Kind::r_parameter;
+    target.slot = static_cast<std::uint32_t>(parameter.number);
+    if (parameter.number > 999.0) {
+      reporter_.error("E3015", parameter.span, "there is no R-parameter of this number",
+                      "R0 to R999 exist");
+      return std::nullopt;
+    }
   } else {
-    emit(Op::store_named_parameter, span, named_parameter_slot(setting.target.text));
+    target.kind = SettingTarget::Kind::named;
+    target.slot = named_parameter_slot(parameter.text);
+    if (find_predefined_parameter(parameter.text) != nullptr) {
+      reporter_.error("E3013", parameter.span, "`#<" + parameter.text + ">` is predefined",
+                      "cannot be changed");
+      return std::nullopt;
+    }
   }
+  if (!require(setting.value, Type::number, "the value of a parameter")) return std::nullopt;
+  return target;
 }
 
 void Compiler::check_template(const BlockTemplate& made) {

@@ -69,7 +69,7 @@ Compiler::Symbol* Compiler::declare(std::string_view name, const Span& span, Sym
     return nullptr;
   }
   symbol.slot = new_slot();
-  symbol.file_level = function_ == nullptr;
+  symbol.file_level = routine_ == Routine::none;
   symbol.span = span;
   return &scopes_.back().emplace(wanted, std::move(symbol)).first->second;
 }

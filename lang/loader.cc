@@ -1,7 +1,10 @@
 #include "lang/loader.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "lang/number.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
@@ -26,6 +29,57 @@ void for_each_body(const Statement& statement, Visit visit) {
   if (const auto* function = std::get_if<FunctionDefinition>(&statement.kind)) {
     visit(function->body);
   }
+  if (const auto* loop = std::get_if<ORepeat>(&statement.kind)) visit(loop->body);
+  if (const auto* subprogram = std::get_if<OSubprogram>(&statement.kind)) visit(subprogram->body);
+}
+
+bool defines_subprogram(const StatementList& tree, const std::string& label) {
+  return std::any_of(tree.begin(), tree.end(), [&](const Statement& statement) {
+    const auto* subprogram = std::get_if<OSubprogram>(&statement.kind);
+    return subprogram != nullptr && subprogram->label.name == label;
+  });
+}
+
+bool defines_program(const StatementList& tree, int number) {
+  return std::any_of(tree.begin(), tree.end(), [&](const Statement& statement) {
+    const auto* program = std::get_if<NumberedProgram>(&statement.kind);
+    return program != nullptr && program->number == number;
+  });
+}
+
+// The program that M98, M198 or G65 of a block names by a plain number.
+struct NamedProgram {
+  int number = 0;
+  bool only_files = false;  // M198
+};
+std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
+  std::optional<NamedProgram> program;
+  const IsoWord* number = nullptr;
+  for (const IsoWord& word : block.words) {
+    const bool call = word.name.letter == 'M' && word.name.code == 980;
+    const bool file_call = word.name.letter == 'M' && word.name.code == 1980;
+    const bool macro = word.name.letter == 'G' && word.name.code == 650;
+    if (call || file_call || macro) program = NamedProgram{0, file_call};
+    if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;
+  }
+  if (!program || number == nullptr || !is_integer(number->value.number)) return std::nullopt;
+  program->number = static_cast<int>(std::lround(number->value.number));
+  return program;
+}
+
+std::vector<std::string> file_names_of_number(int number) {
+  const std::string digits = std::to_string(number);
+  const std::string padded = std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  return {"O" + padded + ".nc", digits + ".nc", "o" + digits + ".nc"};
+}
+
+std::vector<std::string> file_names_of_label(const OLabel& label) {
+  std::vector<std::string> names{label.written + ".ngc", label.written + ".nc"};
+  if (label.name != label.written) {
+    names.push_back(label.name + ".ngc");
+    names.push_back(label.name + ".nc");
+  }
+  return names;
 }
 
 }  // namespace
@@ -40,12 +94,17 @@ Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_v
   auto text = files_.read(name, {});
   if (!text) return tl::unexpected(Diagnostics{text.error()});
   add_file(std::move(*text));
-  // Files found on the way are appended; each is parsed once.
-  for (std::size_t i = 0; i < loaded_.size(); ++i) {
-    const auto index = static_cast<FileIndex>(i);
-    parse(index);
-    follow_includes(index);
-    follow_calls(index, loaded_[i].tree);
+  // Files found on the way are appended; each is parsed once. Whether a subprogram needs a file of
+  // its own is known when all included files are.
+  std::size_t parsed = 0;
+  for (std::size_t searched = 0; searched < loaded_.size(); ++searched) {
+    for (; parsed < loaded_.size(); ++parsed) {
+      const auto index = static_cast<FileIndex>(parsed);
+      parse(index);
+      follow_includes(index);
+      follow_calls(index, loaded_[parsed].tree);
+    }
+    follow_subprograms(static_cast<FileIndex>(searched), loaded_[searched].tree);
   }
   check_end(0);
   compile_all();
@@ -151,6 +210,54 @@ void Loader::follow_call(FileIndex index, const CallStatement& statement) {
                                    file ? "\"" + name + "\" is called without being included"
                                         : "\"" + name + "\" is not included and was not found",
                                    "not included");
+}
+
+// O... call, M98, M198, G65: what neither this file nor an included one holds is a file of its own.
+void Loader::follow_subprograms(FileIndex index, const StatementList& list) {
+  for (const Statement& statement : list) {
+    if (const auto* call = std::get_if<OCall>(&statement.kind)) follow_o_call(index, *call);
+    if (const auto* block = std::get_if<IsoBlock>(&statement.kind)) {
+      const auto program = program_of_block(*block);
+      if (program && !follow_number(index, program->number, program->only_files)) {
+        follow_number(index, program->number % 10000, program->only_files);
+      }
+    }
+    for_each_body(statement, [&](const StatementList& body) { follow_subprograms(index, body); });
+  }
+}
+
+void Loader::follow_o_call(FileIndex index, const OCall& call) {
+  const OLabel& label = call.label;
+  if (label.computed || program_->file_by_label.contains({index, label.name})) return;
+  const auto defines = [&](FileIndex file) {
+    return defines_subprogram(loaded_[file].tree, label.name);
+  };
+  const auto& includes = program_->files[index]->includes;
+  if (defines(index) || std::any_of(includes.begin(), includes.end(), defines)) return;
+  if (const auto file = first_file_of(file_names_of_label(label), index)) {
+    program_->file_by_label.emplace(std::pair(index, label.name), *file);
+  }
+}
+
+// Whether program `number` is known or was found.
+bool Loader::follow_number(FileIndex index, int number, bool only_files) {
+  const auto defines = [&](FileIndex file) { return defines_program(loaded_[file].tree, number); };
+  const auto& includes = program_->files[index]->includes;
+  if (!only_files && (defines(index) || std::any_of(includes.begin(), includes.end(), defines))) {
+    return true;
+  }
+  if (program_->file_by_number.contains({index, number})) return true;
+  const auto file = first_file_of(file_names_of_number(number), index);
+  if (file) program_->file_by_number.emplace(std::pair(index, number), *file);
+  return file.has_value();
+}
+
+std::optional<Loader::FileIndex> Loader::first_file_of(const std::vector<std::string>& names,
+                                                       FileIndex from) {
+  for (const std::string& name : names) {
+    if (const auto file = find_file(name, from)) return file;
+  }
+  return std::nullopt;
 }
 
 void Loader::check_end(FileIndex index) {

@@ -44,6 +44,10 @@ class Loader {
                       const IncludeDirective& directive);
   void follow_calls(FileIndex index, const StatementList& list);
   void follow_call(FileIndex index, const CallStatement& statement);
+  void follow_subprograms(FileIndex index, const StatementList& list);
+  void follow_o_call(FileIndex index, const OCall& call);
+  bool follow_number(FileIndex index, int number, bool only_files);
+  std::optional<FileIndex> first_file_of(const std::vector<std::string>& names, FileIndex from);
   void check_end(FileIndex index);
   void compile_all();
   Expected<std::shared_ptr<const Program>, Diagnostics> result();

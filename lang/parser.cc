@@ -7,7 +7,11 @@ namespace stanok::lang {
 namespace {
 
 bool is_high_level(const Statement& statement) {
+  if (const auto* leave = std::get_if<Break>(&statement.kind)) return leave->label.empty();
+  if (const auto* next = std::get_if<Continue>(&statement.kind)) return next->label.empty();
   return !std::holds_alternative<IsoBlock>(statement.kind) &&
+         !std::holds_alternative<OCall>(statement.kind) &&
+         !std::holds_alternative<OReturn>(statement.kind) &&
          !std::holds_alternative<IncludeDirective>(statement.kind) &&
          !std::holds_alternative<KinematicsDirective>(statement.kind) &&
          !std::holds_alternative<NumberedProgram>(statement.kind);
@@ -85,7 +89,8 @@ void Parser::parse_statement(StatementList& list) {
     return;
   }
   const IsoBlock* const block = std::get_if<IsoBlock>(&statement->kind);
-  if (block != nullptr && !inside_braces() && skip_level == 0 && ends_program(*block)) {
+  const bool top_level = !inside_braces() && o_depth_ == 0;
+  if (block != nullptr && top_level && skip_level == 0 && ends_program(*block)) {
     reporter_.soften_from(scanner_.offset());
   }
   list.push_back(std::move(*statement));

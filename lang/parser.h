@@ -106,8 +106,45 @@ class Parser {
   MaybeStatement parse_directive();
   MaybeStatement parse_include();
   MaybeStatement parse_kinematics();
-  MaybeStatement parse_o_line();
   MaybeStatement parse_macro_line();
+
+  // parser_o_line.cc
+  struct OLineAhead {
+    std::string label;  // folded, or digits without leading zeros
+    std::string written;
+    bool numbered = false;
+    std::string keyword;  // folded; empty: a program number
+    std::size_t label_length = 0;
+    std::size_t length = 0;  // with the keyword
+  };
+  // An O-line that opened something, until the line that closes it.
+  struct OpenOLine {
+    std::string label;
+    std::string keyword;
+    Span span;
+
+    [[nodiscard]] std::string text() const { return "O" + label + " " + keyword; }
+  };
+  std::optional<OLineAhead> o_line_ahead() const;
+  MaybeStatement parse_o_line();
+  MaybeStatement parse_program_number(const OLineAhead& line, const Span& span);
+  MaybeStatement parse_computed_call();
+  MaybeStatement parse_o_call(OLabel label);
+  MaybeStatement parse_o_sub(const OpenOLine& open, OLabel label);
+  MaybeStatement parse_o_return();
+  MaybeStatement parse_o_if(const OpenOLine& open);
+  MaybeStatement parse_o_while(const OpenOLine& open);
+  MaybeStatement parse_o_do(const OpenOLine& open);
+  MaybeStatement parse_o_repeat(const OpenOLine& open);
+  std::optional<std::string> parse_o_body(const OpenOLine& open,
+                                          const std::vector<std::string_view>& ends,
+                                          StatementList& body);
+  std::optional<std::string> take_o_end(const OpenOLine& open,
+                                        const std::vector<std::string_view>& ends);
+  MaybeExpression parse_o_bracket(std::string_view keyword);
+  MaybeExpression parse_o_condition(std::string_view keyword);
+  bool parse_optional_bracket(MaybeExpression& value);
+  bool finish_o_line();
 
   // parser_expression.cc
   MaybeExpression parse_expression(LineEnds line_ends);
@@ -144,6 +181,7 @@ class Parser {
   std::set<std::string> functions_;
   LineEnds line_ends_ = LineEnds::blank;  // of the expression at hand
   int brace_depth_ = 0;
+  int o_depth_ = 0;  // O-lines that are open
   int else_if_depth_ = 0;
   int nesting_ = 0;                 // of the expression at hand
   int operator_count_ = 0;          // in it

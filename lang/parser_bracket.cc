@@ -45,7 +45,7 @@ constexpr auto bracket_operators = std::to_array<BracketOperator>({
     {"-", 2, Operation::subtract},
     {"*", 3, Operation::multiply},
     {"/", 3, Operation::divide},
-    {"mod", 3, Operation::modulo},
+    {"mod", 3, Operation::bracket_modulo},
     {"**", 4, Operation::power},
 });
 constexpr int level_count = 5;
@@ -208,11 +208,14 @@ Parser::MaybeExpression Parser::parse_bracket_function(std::string_view name) {
   }
   if (function != "atan2") return call;
   scanner_.skip_blanks(LineEnds::significant);
-  if (scanner_.character() != '/' || scanner_.character(1) != '[') {
+  if (scanner_.character() == '/') {
+    scanner_.advance(1);
+    scanner_.skip_blanks(LineEnds::significant);
+  }
+  if (scanner_.character() != '[') {
     report_unexpected(scanner_.peek(LineEnds::significant), "`/[` after ATAN[...]");
     return std::nullopt;
   }
-  scanner_.advance(1);
   auto second = parse_bracket();
   if (!second) return std::nullopt;
   call.span = joined(call.span, second->span);

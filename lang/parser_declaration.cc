@@ -146,8 +146,8 @@ bool Parser::parse_initial(DeclaredItem& item) {
 }
 
 Parser::MaybeStatement Parser::parse_function(Type result, const Token& name) {
-  if (inside_braces()) {
-    reporter_.error("E2012", name.span, "a function inside braces",
+  if (inside_braces() || o_depth_ > 0) {
+    reporter_.error("E2012", name.span, "a function inside braces or O-lines",
                     "functions are defined at file level");
     return std::nullopt;
   }

@@ -1,4 +1,4 @@
-// Directives, O-lines and the macro lines of other controls.
+// Directives and the macro lines of other controls.
 #include <array>
 #include <utility>
 
@@ -43,8 +43,9 @@ Parser::MaybeStatement Parser::parse_include() {
     report_unexpected(file, "a file name in quotes after `#include`");
     return std::nullopt;
   }
-  if (inside_braces()) {
-    reporter_.error("E2012", file.span, "`#include` inside braces", "belongs at file level");
+  if (inside_braces() || o_depth_ > 0) {
+    reporter_.error("E2012", file.span, "`#include` inside braces or O-lines",
+                    "belongs at file level");
     return std::nullopt;
   }
   if (!finish_line()) return std::nullopt;
@@ -71,43 +72,6 @@ Parser::MaybeStatement Parser::parse_kinematics() {
   }
   Statement statement;
   statement.kind = std::move(directive);
-  return statement;
-}
-
-// O100 begins a numbered program; the flow words of O-lines are recognised.
-Parser::MaybeStatement Parser::parse_o_line() {
-  const std::size_t start = scanner_.offset();
-  const std::uint32_t line = scanner_.line();
-  scanner_.advance(1);
-  int number = 0;
-  int digits = 0;
-  for (; is_digit(scanner_.character()); ++digits) {
-    if (digits < 9) number = number * 10 + (scanner_.character() - '0');
-    scanner_.advance(1);
-  }
-  scanner_.skip_blanks(LineEnds::significant);
-  while (scanner_.character() == '(' && digits > 0) {
-    if (!scanner_.read_parenthesis_comment()) return std::nullopt;
-    scanner_.skip_blanks(LineEnds::significant);
-  }
-  if (scanner_.character() == ';' && !inside_braces()) scanner_.skip_to_line_end();
-  if (digits == 0 || !scanner_.at_line_end()) {
-    scanner_.skip_to_line_end();
-    reporter_
-        .error("E2090", scanner_.span_from(start, line),
-               "O-words are not supported in this release", "flow control of RS274/NGC")
-        .help.push_back("use functions, `if`, `while` and `for` of the high-level language");
-    return std::nullopt;
-  }
-  if (inside_braces() || digits > 8) {
-    reporter_.error("E2012", {start, static_cast<std::uint32_t>(digits + 1), line},
-                    inside_braces() ? "a numbered program inside braces"
-                                    : "a program number has at most 8 digits",
-                    "");
-    return std::nullopt;
-  }
-  Statement statement;
-  statement.kind = NumberedProgram{number};
   return statement;
 }
 

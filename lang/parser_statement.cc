@@ -82,7 +82,7 @@ std::optional<StatementList> Parser::parse_body(std::string_view of) {
     return std::nullopt;
   }
   scanner_.take(LineEnds::blank);
-  if (brace_depth_ >= nesting_max) {
+  if (brace_depth_ + o_depth_ >= nesting_max) {
     reporter_.error("E2030", open.span, "more than 64 nested braces", "too deep");
     return std::nullopt;
   }
@@ -156,7 +156,7 @@ Parser::MaybeStatement Parser::parse_while() {
   if (!condition) return std::nullopt;
   auto body = parse_body("while");
   if (!body) return std::nullopt;
-  return statement_of(While{std::move(*condition), std::move(*body)});
+  return statement_of(While{std::move(*condition), std::move(*body), {}});
 }
 
 Parser::MaybeStatement Parser::parse_do() {
@@ -171,7 +171,7 @@ Parser::MaybeStatement Parser::parse_do() {
   scanner_.take(LineEnds::blank);
   auto condition = parse_condition();
   if (!condition || !expect(";", "the condition of `do`")) return std::nullopt;
-  return statement_of(DoWhile{std::move(*body), std::move(*condition)});
+  return statement_of(DoWhile{std::move(*body), std::move(*condition), {}});
 }
 
 Parser::MaybeStatement Parser::parse_for() {

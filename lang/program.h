@@ -17,6 +17,10 @@ class Program {
   std::vector<std::unique_ptr<CompiledFile>> files;  // 0 is the program itself
   // (file that names, name as written) -> file; for includes and `call`
   std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> file_by_name;
+  // (file that calls, label of an O-line) -> file found for it
+  std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> file_by_label;
+  // (file that calls, number of M98, G65, M198) -> file found for it
+  std::map<std::pair<std::uint16_t, int>, std::uint16_t> file_by_number;
   std::vector<std::string> named_parameters;  // #<_name> and #<name>, by slot
   std::vector<ConstantDispatch> dispatches;
 };

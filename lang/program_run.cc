@@ -1,7 +1,6 @@
 #include "lang/program_run.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "base/assert.h"
@@ -16,7 +15,6 @@ namespace {
 // Instructions or lines without a command that one call of next() executes.
 constexpr int work_bound = 20000;
 
-constexpr std::size_t parameter_count = 5603;
 constexpr std::size_t r_parameter_count = 1000;
 
 // The words of a block, with their spans, from its tree.
@@ -35,6 +33,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
       r_parameters_(r_parameter_count, 0.0) {}
 
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
+  keep_channel_parameters();
   program_ = std::move(program);
   queue_.clear();
   plain_ = {};
@@ -47,10 +46,8 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
     file_slots_.push_back(slots_.size());
     slots_.resize(slots_.size() + one->file_slots);
   }
-  parameters_.assign(parameter_count, 0.0);
-  named_parameters_.assign(program_->named_parameters.size(),
-                           std::numeric_limits<double>::quiet_NaN());
-  frames_.push_back({});
+  begin_parameters();
+  frames_.emplace_back();
   frames_.back().slots = slots_.size();
   answer_use_ = AnswerUse::position_only;
   answer_owed_ = false;
@@ -143,7 +140,7 @@ void ProgramRun::follow_flow(const ActiveBlock& block) {
       end_program(block.end_kind);
       break;
     case Flow::call_numbered:
-      call_numbered();
+      call_numbered(block.flow_code);
       break;
     case Flow::return_from_subprogram:
       leave_subprogram();
@@ -240,8 +237,11 @@ std::vector<std::string> ProgramRun::call_stack() const {
     const Frame& caller = frames_[i - 1];
     const CompiledFile& calling = *program_->files[caller.file];
     const Place place = calling.source.place(calling.spans[caller.position - 1]);
-    const std::string name = frame.function != nullptr ? frame.function->signature.name + "()"
-                                                       : program_->files[frame.file]->source.name();
+    std::string name = program_->files[frame.file]->source.name();
+    if (frame.program_number != 0) name = "O" + std::to_string(frame.program_number);
+    if (frame.function != nullptr) {
+      name = frame.function->signature.name + (frame.function->o_subprogram ? "" : "()");
+    }
     lines.push_back("in " + name + ", called at " + place.file + ":" + std::to_string(place.line) +
                     ":" + std::to_string(place.column));
   }

@@ -4,7 +4,9 @@
 // instruction: at a bound of work, with a command, or at a Request whose answer is owed.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,10 +19,14 @@
 #include "lang/command_queue.h"
 #include "lang/interpreter.h"
 #include "lang/modal_state.h"
+#include "lang/predefined_parameter.h"
 #include "lang/program.h"
 #include "lang/value.h"
 
 namespace stanok::lang {
+
+// #1 to #30 belong to a call of an O-line or G65.
+inline constexpr std::size_t local_parameter_count = 30;
 
 class ProgramRun {
  public:
@@ -41,6 +47,19 @@ class ProgramRun {
   // What becomes of the answer to the Request delivered last.
   enum class AnswerUse { position_only, push_truth, push_number, statement, fail_run };
 
+  // RS274 parameters that belong to one call: #1 to #30 and #<name>.
+  struct LocalParameters {
+    std::array<double, local_parameter_count> numbered{};
+    std::vector<double> named;  // by slot; global ones are not used
+  };
+
+  // What only some calls keep until they return.
+  struct CallContext {
+    std::optional<LocalParameters> of_caller;      // the called text has parameters of its own
+    std::optional<BlockWords> arguments;           // of G65
+    std::optional<std::size_t> file_slots_before;  // where the file's variables were
+  };
+
   // A function or subprogram that is being executed.
   struct Frame {
     std::uint16_t file = 0;
@@ -48,10 +67,18 @@ class ProgramRun {
     std::size_t slots = 0;                   // first local slot
     std::size_t stack = 0;                   // height of the stack at entry
     const FunctionCode* function = nullptr;  // nullptr: text of a file
-    bool counted_call = false;               // M98 or call: M99 returns here
-    int repeats = 0;                         // M98 L: calls still to be made
+    int program_number = 0;                  // M98, G65; 0: a whole file
+    bool subprogram = false;                 // M98, G65, call, O-line: M99 returns from here
+    int repeats = 0;                         // L: calls still to be made
     std::uint32_t entry = 0;
-    std::optional<std::size_t> file_slots_before;  // `call`: where the file's variables were
+    std::unique_ptr<CallContext> context;
+  };
+
+  // Where a numbered program stands.
+  struct NumberedProgramPlace {
+    std::uint16_t file = 0;
+    std::uint32_t position = 0;
+    bool other_file = false;  // found by its name: its variables are new for the call
   };
 
   // Plain lines being executed.
@@ -81,15 +108,23 @@ class ProgramRun {
   bool execute_jump(const Instruction& instruction);
   bool execute_array(const Instruction& instruction);
   void execute_effect(const Instruction& instruction);
-  void call_function(const Callee& callee);
   void compute(const Instruction& instruction);
   void call_builtin(const Instruction& instruction);
   void push_system_value(const Instruction& instruction);
   [[nodiscard]] std::optional<double> modal_code_of_group(double index) const;
   void run_block(const Instruction& instruction);
   void send_message(const Instruction& instruction);
-  void return_from_function(bool with_value);
-  void access_parameter(const Instruction& instruction);
+
+  // program_run_parameter.cc
+  void load_parameter(const Instruction& instruction);
+  void load_numbered_parameter();
+  void take_settings(const std::vector<SettingTarget>& targets);
+  void store_numbered_parameter(double number, double value);
+  [[nodiscard]] ParameterView parameter_view() const;
+  void keep_channel_parameters();
+  void begin_parameters();
+  LocalParameters exchange_local_parameters(LocalParameters parameters);
+  [[nodiscard]] LocalParameters fresh_local_parameters() const;
 
   // program_run_array.cc
   void make_array(const Instruction& instruction);
@@ -103,11 +138,23 @@ class ProgramRun {
   void ask_value(const Instruction& instruction);
   void ask_kinematics();
   void terminate();
-  void call_file();
-  void call_numbered();
-  bool check_call_depth();
   std::optional<int> channel_of(double number, bool refuse_own);
+
+  // program_run_call.cc
+  void call_function(const Callee& callee);
+  void return_from_function(bool with_value);
+  void call_o_subprogram(const Instruction& instruction);
+  std::optional<Callee> find_o_subprogram(const OCallCode& call);
+  void return_from_o_subprogram(bool with_value);
+  void call_file();
+  void call_numbered(CodeNumber code);
+  std::optional<NumberedProgramPlace> find_numbered(int number, bool only_files);
+  void enter_numbered(const NumberedProgramPlace& place, int number, int repeats);
+  Frame subprogram_frame(std::uint16_t file) const;
+  void renew_file_variables(Frame& frame);
   void leave_subprogram();
+  void pop_frame();
+  bool check_call_depth();
 
   // Failing
   void fail(std::string_view code, std::string message, std::string label = {});
@@ -144,9 +191,12 @@ class ProgramRun {
   std::vector<Value> slots_;
   std::vector<std::size_t> file_slots_;  // first slot of each file
   std::vector<Frame> frames_;
-  std::vector<double> parameters_;        // #1 ... #5602
-  std::vector<double> named_parameters_;  // NaN: not set
-  std::vector<double> r_parameters_;      // R0 ... R999
+  std::vector<double> parameters_;                    // #1 ... #5602
+  std::vector<double> named_parameters_;              // by slot; NaN: not set
+  std::map<std::string, double> channel_parameters_;  // #<_name>, from run to run
+  std::vector<double> r_parameters_;                  // R0 ... R999
+  double o_value_ = 0.0;                              // #<_value>
+  bool o_value_returned_ = false;
 
   bool answer_owed_ = false;
   AnswerUse answer_use_ = AnswerUse::position_only;

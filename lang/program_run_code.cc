@@ -77,13 +77,13 @@ void ProgramRun::execute_instruction(const Instruction& instruction) {
     case Op::system_value:
       return push_system_value(instruction);
     case Op::parameter:
-    case Op::store_parameter:
     case Op::named_parameter:
-    case Op::store_named_parameter:
-    case Op::parameter_exists:
+    case Op::named_parameter_exists:
+    case Op::predefined_parameter:
     case Op::r_parameter:
-    case Op::store_r_parameter:
-      return access_parameter(instruction);
+      return load_parameter(instruction);
+    case Op::settings:
+      return take_settings(file().settings[instruction.operand]);
     default:
       return execute_effect(instruction);
   }
@@ -179,34 +179,15 @@ bool ProgramRun::execute_jump(const Instruction& instruction) {
     case Op::return_nothing:
       return_from_function(false);
       return true;
+    case Op::call_o_sub:
+      call_o_subprogram(instruction);
+      return true;
+    case Op::return_from_o_sub:
+      return_from_o_subprogram(instruction.count != 0);
+      return true;
     default:
       return false;
   }
-}
-
-void ProgramRun::call_function(const Callee& callee) {
-  if (!check_call_depth()) return;
-  const FunctionCode& function = program_->files[callee.file]->functions[callee.function];
-  Frame frame;
-  frame.file = callee.file;
-  frame.position = function.entry;
-  frame.slots = slots_.size();
-  frame.function = &function;
-  frame.stack = stack_.size() - function.signature.parameters.size();
-  slots_.resize(slots_.size() + function.slots);
-  for (std::size_t i = function.signature.parameters.size(); i-- > 0;) {
-    slots_[frame.slots + i] = pop();
-  }
-  frames_.push_back(frame);
-}
-
-void ProgramRun::return_from_function(bool with_value) {
-  Value result;
-  if (with_value) result = pop();
-  slots_.resize(frames_.back().slots);
-  stack_.resize(frames_.back().stack);
-  frames_.pop_back();
-  if (with_value) push(std::move(result));
 }
 
 void ProgramRun::compute(const Instruction& instruction) {
@@ -260,51 +241,6 @@ std::optional<double> ProgramRun::modal_code_of_group(double index) const {
   if (!is_integer(index) || index < 1.0 || index > 17.0) return std::nullopt;
   const auto group = static_cast<std::size_t>(std::lround(index)) - 1;
   return modal_.codes[group] / 10.0;
-}
-
-void ProgramRun::access_parameter(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::parameter: {
-      const auto number = pop_integer("a parameter number");
-      if (!number) return;
-      if (*number < 1 || static_cast<std::size_t>(*number) >= parameters_.size()) {
-        return fail("E3015", "there is no parameter #" + std::to_string(*number),
-                    "#1 to #5602 exist");
-      }
-      return push(value_of(parameters_[static_cast<std::size_t>(*number)]));
-    }
-    case Op::store_parameter: {
-      const double value = pop_number();
-      const auto number = pop_integer("a parameter number");
-      if (!number) return;
-      if (*number < 1 || static_cast<std::size_t>(*number) >= parameters_.size()) {
-        return fail("E3015", "there is no parameter #" + std::to_string(*number),
-                    "#1 to #5602 exist");
-      }
-      parameters_[static_cast<std::size_t>(*number)] = value;
-      return;
-    }
-    case Op::named_parameter: {
-      const double value = named_parameters_[instruction.operand];
-      if (std::isnan(value)) {
-        return fail(
-            "E3014",
-            "parameter #<" + program_->named_parameters[instruction.operand] + "> has no value",
-            "not set before");
-      }
-      return push(value_of(value));
-    }
-    case Op::store_named_parameter:
-      named_parameters_[instruction.operand] = pop_number();
-      return;
-    case Op::parameter_exists:
-      return push(value_of(!std::isnan(named_parameters_[instruction.operand])));
-    case Op::r_parameter:
-      return push(value_of(r_parameters_[instruction.operand]));
-    default:
-      r_parameters_[instruction.operand] = pop_number();
-      return;
-  }
 }
 
 void ProgramRun::execute_effect(const Instruction& instruction) {

@@ -1,4 +1,4 @@
-// What a run asks of its channel, and calls of programs.
+// What a run asks of its channel.
 #include <algorithm>
 #include <utility>
 
@@ -8,9 +8,6 @@
 
 namespace stanok::lang {
 namespace {
-
-// Functions, call, M98 together (docs/language.md, "Limits").
-constexpr std::size_t call_depth_max = 64;
 
 constexpr int terminate_code_min = 1000;
 constexpr int terminate_code_max = 9999;
@@ -116,81 +113,6 @@ void ProgramRun::terminate() {
   request.number = *code;
   request.text = text_of(text);
   ask(std::move(request), AnswerUse::fail_run);
-}
-
-bool ProgramRun::check_call_depth() {
-  if (frames_.size() <= call_depth_max) return true;
-  fail("E8001", "more than 64 nested calls", "one call too many");
-  return false;
-}
-
-// call ("file"): the file's variables are new for this call.
-void ProgramRun::call_file() {
-  const Value name = pop();
-  const auto found = program_->file_by_name.find({frames_.back().file, text_of(name)});
-  if (found == program_->file_by_name.end()) {
-    return fail("E7005", "\"" + text_of(name) + "\" is not part of this program",
-                "unknown subprogram");
-  }
-  if (!check_call_depth()) return;
-  Frame frame;
-  frame.file = found->second;
-  frame.slots = slots_.size();
-  frame.stack = stack_.size();
-  frame.counted_call = true;
-  frame.file_slots_before = file_slots_[frame.file];
-  file_slots_[frame.file] = slots_.size();
-  slots_.resize(slots_.size() + program_->files[frame.file]->file_slots);
-  frames_.push_back(frame);
-}
-
-// M98 P L: a program of this file, then of the included ones.
-void ProgramRun::call_numbered() {
-  const double number = words_.value('P');
-  const double repeats = words_.has('L') ? words_.value('L') : 1.0;
-  if (!is_integer(number) || !is_integer(repeats) || repeats < 0.0) {
-    return fail("E3010", "P and L of `M98` are whole numbers", "not a whole number");
-  }
-  if (repeats == 0.0 || !check_call_depth()) return;
-  const int wanted = static_cast<int>(std::lround(number));
-  std::vector<std::uint16_t> candidates{frames_.back().file};
-  candidates.insert(candidates.end(), file().includes.begin(), file().includes.end());
-  for (const std::uint16_t candidate : candidates) {
-    const auto& programs = program_->files[candidate]->numbered_programs;
-    const auto found = programs.find(wanted);
-    if (found == programs.end()) continue;
-    Frame frame;
-    frame.file = candidate;
-    frame.position = found->second;
-    frame.entry = found->second;
-    frame.slots = slots_.size();
-    frame.stack = stack_.size();
-    frame.counted_call = true;
-    frame.repeats = static_cast<int>(std::lround(repeats)) - 1;
-    frames_.push_back(frame);
-    return;
-  }
-  fail("E7005", "there is no program O" + std::to_string(wanted), "unknown program");
-}
-
-// M99, M17 or the end of a called text: back to the caller, or once more; in the main program it
-// begins again.
-void ProgramRun::leave_subprogram() {
-  std::size_t depth = frames_.size();
-  while (depth > 1 && !frames_[depth - 1].counted_call) --depth;
-  if (depth <= 1) return end_program(ProgramEndKind::restart);
-  frames_.resize(depth);
-  Frame& frame = frames_.back();
-  slots_.resize(frame.slots);
-  stack_.resize(frame.stack);
-  plain_ = {};
-  if (frame.repeats > 0) {
-    --frame.repeats;
-    frame.position = frame.entry;
-    return;
-  }
-  if (frame.file_slots_before) file_slots_[frame.file] = *frame.file_slots_before;
-  frames_.pop_back();
 }
 
 }  // namespace stanok::lang

@@ -38,7 +38,8 @@ enum class Operation : std::uint8_t {
   negate,
   identity,
   logical_not,
-  // In brackets: numbers only, 1 and 0 for true and false, equal within 1e-6.
+  // In brackets: numbers only, 1 and 0 for true and false, equal within 1e-6, MOD never negative.
+  bracket_modulo,
   bracket_equal,
   bracket_not_equal,
   bracket_greater,
@@ -123,6 +124,32 @@ struct NumberedProgram {
   int number = 0;
 };
 
+// Which subprogram or loop an O-line means: O100, O<name>, or O[...] in a call.
+struct OLabel {
+  std::string name;                    // folded, numbers without leading zeros
+  std::string written;                 // as it stands in the text
+  std::optional<Expression> computed;  // the number, when it is known at run time only
+  Span span;
+};
+struct OCall {
+  OLabel label;
+  std::vector<Expression> arguments;
+};
+struct OReturn {
+  std::optional<Expression> value;
+};
+// O... sub to O... endsub
+struct OSubprogram {
+  OLabel label;
+  StatementList body;
+  std::optional<Expression> value;  // behind endsub
+};
+struct ORepeat {
+  Expression count;
+  StatementList body;
+  std::string label;
+};
+
 struct DeclaredItem {
   std::string name;
   Span span;
@@ -156,10 +183,12 @@ struct If {
 struct While {
   Expression condition;
   StatementList body;
+  std::string label;  // of O-lines; empty: high-level text
 };
 struct DoWhile {
   StatementList body;
   Expression condition;
+  std::string label;
 };
 struct For {
   StatementList start;
@@ -176,8 +205,12 @@ struct Switch {
   Expression value;
   std::vector<SwitchCase> cases;
 };
-struct Break {};
-struct Continue {};
+struct Break {
+  std::string label;  // of O-lines: the loop that is meant; empty: the innermost one
+};
+struct Continue {
+  std::string label;
+};
 struct Return {
   std::optional<Expression> value;
 };
@@ -206,7 +239,8 @@ struct Statement {
   int skip_level = 0;  // 1..9: leading /
   std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, NumberedProgram,
                Declaration, Assignment, CallStatement, Compound, If, While, DoWhile, For, Switch,
-               Break, Continue, Return, FunctionDefinition, FaultyText>
+               Break, Continue, Return, FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat,
+               FaultyText>
       kind;
 };
 

@@ -5,7 +5,7 @@
 namespace stanok::lang {
 namespace {
 
-// RS274/NGC compares with this tolerance in brackets.
+// EQ and NE compare with this tolerance; LT, LE, GT and GE are exact (LinuxCNC).
 constexpr double bracket_tolerance = 1e-6;
 
 bool near(double a, double b) {
@@ -16,6 +16,12 @@ bool near(double a, double b) {
 double floored_remainder(double left, double right) {
   const double rest = std::fmod(left, right);
   return rest != 0.0 && (rest < 0.0) != (right < 0.0) ? rest + right : rest;
+}
+
+// Remainder that is never negative.
+double positive_remainder(double left, double right) {
+  const double rest = std::fmod(left, right);
+  return rest < 0.0 ? rest + std::abs(right) : rest;
 }
 
 double truth(bool claim) {
@@ -34,6 +40,8 @@ double raw_result(Operation operation, double left, double right) {
       return left / right;
     case Operation::modulo:
       return floored_remainder(left, right);
+    case Operation::bracket_modulo:
+      return positive_remainder(left, right);
     case Operation::power:
       return std::pow(left, right);
     case Operation::less:
@@ -67,13 +75,13 @@ double raw_result(Operation operation, double left, double right) {
     case Operation::bracket_not_equal:
       return truth(!near(left, right));
     case Operation::bracket_greater:
-      return truth(left > right && !near(left, right));
+      return truth(left > right);
     case Operation::bracket_greater_equal:
-      return truth(left > right || near(left, right));
+      return truth(left >= right);
     case Operation::bracket_less:
-      return truth(left < right && !near(left, right));
+      return truth(left < right);
     case Operation::bracket_less_equal:
-      return truth(left < right || near(left, right));
+      return truth(left <= right);
   }
   return 0.0;
 }
@@ -89,7 +97,8 @@ Value value_of(std::string text) {
 
 std::optional<double> computed(Operation operation, double left, double right,
                                ArithmeticFault& fault) {
-  const bool divides = operation == Operation::divide || operation == Operation::modulo;
+  const bool divides = operation == Operation::divide || operation == Operation::modulo ||
+                       operation == Operation::bracket_modulo;
   if (divides && right == 0.0) {
     fault = {"E3008", "division by zero"};
     return std::nullopt;

@@ -1,0 +1,39 @@
+// RS274 parameters that the interpreter knows itself: #<_line>, #<_x>, #5420, #5220, ...
+//
+// They are read-only. Meanings and numbers are those of LinuxCNC ("G-code overview", numbered and
+// predefined named parameters); lengths stand in programmed units, X in diameters where these are
+// programmed, codes in tenths as in #<_motion_mode> = 382.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "lang/active_block.h"
+
+namespace stanok::lang {
+
+// What predefined parameters are read from.
+struct ParameterView {
+  const BlockSurroundings& around;
+  std::uint32_t line = 0;
+  int call_level = 0;           // 0: main program
+  double value = 0.0;           // of the last O-subprogram
+  bool value_returned = false;  // it had one
+};
+
+struct PredefinedParameter {
+  std::string_view name;  // folded, with its _
+  double (*read)(const ParameterView&) = nullptr;
+};
+
+[[nodiscard]] std::span<const PredefinedParameter> predefined_parameters();
+// The row of #<name> by its folded name, or nullptr.
+[[nodiscard]] const PredefinedParameter* find_predefined_parameter(std::string_view folded_name);
+
+// The value of #number if it shows the state of the machine; nothing for the numbers that programs
+// set.
+[[nodiscard]] std::optional<double> machine_parameter(int number, const ParameterView& view);
+
+}  // namespace stanok::lang
