@@ -1,8 +1,15 @@
 #include "client/check_command.h"
 
-#include <algorithm>
-#include <cstdio>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "client/check_report.h"
 #include "client/diagnostic_output.h"
 #include "client/job_options.h"
 #include "client/noun_command.h"
@@ -13,34 +20,130 @@
 namespace stanok::client {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CheckOptions {
   JobOptions job;
   std::vector<std::string> programs;
 };
 
+// A program to check and the folder that the operator named, if it was found there.
+struct Candidate {
+  std::string path;
+  fs::path folder;
+};
+
+// Name ends of part programs, as CAM systems and editors write them.
+constexpr std::array<std::string_view, 7> program_extensions{".nc",  ".ngc", ".cnc", ".gcode",
+                                                             ".tap", ".mpf", ".spf"};
+
+bool is_program(const fs::directory_entry& entry) {
+  std::string extension = entry.path().extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return entry.is_regular_file() && std::find(program_extensions.begin(), program_extensions.end(),
+                                              extension) != program_extensions.end();
+}
+
+std::vector<Candidate> programs_below(const std::string& folder) {
+  std::vector<Candidate> found;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, options)) {
+    if (is_program(entry)) found.push_back({entry.path().lexically_normal().string(), folder});
+  }
+  if (found.empty()) {
+    throw CLI::ValidationError("PROGRAM", "no part program (.nc, .ngc, ...) in " + folder);
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Candidate& a, const Candidate& b) { return a.path < b.path; });
+  return found;
+}
+
+int scheme_of(const JobOptions& job) {
+  for (const auto& [channel, id] : scheme_choices(job)) {
+    if (channel == job.channel) return id;
+  }
+  return -1;
+}
+
+CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
+                       const channels::MachineConfig& machine) {
+  const auto begin = std::chrono::steady_clock::now();
+  const LocatedProgram program = locate(candidate.path);
+  std::vector<LocatedProgram> roots{program};
+  if (!candidate.folder.empty()) roots.push_back({"", candidate.folder});
+  const runtime::ProgramFiles files(search_roots(roots, job));
+  auto result = runtime::check_program(machine, job.channel, scheme_of(job), program.name, files);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  return {candidate.path, std::move(result.diagnostics), result.blocks, time.count()};
+}
+
+// Shows on a terminal which program is at hand, and takes it away before anything else is printed.
+class Progress {
+ public:
+  Progress(std::size_t all, bool wanted) : all_(all), wanted_(wanted) {}
+
+  void show(std::size_t done, const std::string& file) const {
+    if (!wanted_) return;
+    constexpr std::size_t columns = 79;
+    std::fprintf(stderr, "%s%s", clear_line, progress_bar(done, all_, file, columns).c_str());
+    std::fflush(stderr);
+  }
+  void clear() const {
+    if (wanted_) std::fputs(clear_line, stderr);
+  }
+
+ private:
+  static constexpr const char* clear_line = "\r\033[K";  // ECMA-48 EL: to the end of the line
+
+  std::size_t all_;
+  bool wanted_;
+};
+
+std::vector<CheckedProgram> check_all(const std::vector<Candidate>& candidates,
+                                      const JobOptions& job) {
+  const auto machine = config::read_machine_file(job.machine_file);
+  const Terminal errors(STDERR_FILENO);
+  const Progress progress(candidates.size(), errors.is_terminal() && candidates.size() > 1);
+  std::vector<CheckedProgram> programs;
+  for (const Candidate& candidate : candidates) {
+    progress.show(programs.size(), candidate.path);
+    programs.push_back(checked(candidate, job, machine.machine));
+    progress.clear();
+    if (job.json) continue;
+    for (const Diagnostic& diagnostic : programs.back().diagnostics) print(diagnostic);
+  }
+  return programs;
+}
+
 int run(const CheckOptions& options) {
-  const auto machine = config::read_machine_file(options.job.machine_file);
-  int scheme = -1;
-  for (const auto& [channel, id] : scheme_choices(options.job)) {
-    if (channel == options.job.channel) scheme = id;
-  }
-  Diagnostics all;
+  std::vector<Candidate> candidates;
+  bool folders = false;
   for (const std::string& name : options.programs) {
-    const LocatedProgram program = locate(name);
-    const runtime::ProgramFiles files(search_roots({program}, options.job));
-    const Diagnostics found =
-        runtime::check_program(machine.machine, options.job.channel, scheme, program.name, files);
-    all.insert(all.end(), found.begin(), found.end());
+    if (!fs::is_directory(name)) {
+      candidates.push_back({name, {}});
+      continue;
+    }
+    folders = true;
+    const auto found = programs_below(name);
+    candidates.insert(candidates.end(), found.begin(), found.end());
   }
+  const auto programs = check_all(candidates, options.job);
   int exit_code = 0;
-  auto json = nlohmann::ordered_json::array();
-  for (const Diagnostic& diagnostic : all) {
-    exit_code = std::max(exit_code, exit_code_of(diagnostic));
-    json.push_back(to_json(diagnostic));
-    if (!options.job.json) print(diagnostic);
+  auto all = nlohmann::ordered_json::array();
+  for (const CheckedProgram& program : programs) {
+    for (const Diagnostic& diagnostic : program.diagnostics) {
+      exit_code = std::max(exit_code, exit_code_of(diagnostic));
+      all.push_back(to_json(diagnostic));
+    }
   }
-  if (options.job.json) std::printf("%s\n", json.dump().c_str());
-  if (!options.job.json && all.empty()) std::printf("no errors\n");
+  if (options.job.json) {
+    std::printf("%s\n", (folders ? summary_json(programs) : all).dump().c_str());
+  } else if (folders) {
+    std::fputs(summary_table(programs, Terminal(STDOUT_FILENO)).c_str(), stdout);
+  } else if (all.empty()) {
+    std::printf("no errors\n");
+  }
   return exit_code;
 }
 
@@ -80,7 +183,8 @@ void add_machine_check_command(CLI::App& app, int& exit_code) {
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "find errors of programs without running them");
-  command->add_option("PROGRAM", options->programs, "part programs")->required();
+  command->add_option("PROGRAM", options->programs, "part programs, or folders of them")
+      ->required();
   add_job_options(*command, options->job);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

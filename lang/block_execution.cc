@@ -53,6 +53,24 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
   return std::nullopt;
 }
 
+// G80 beside G0 to G3 is customary and says nothing more: they end a cycle as well. True when `row`
+// is such a G80; one that came before is taken out.
+bool only_ends_cycle(BlockCodes& codes, const Code& row) {
+  constexpr CodeNumber end_of_cycle = 800;
+  constexpr CodeNumber last_plain_motion = 30;
+  for (int i = 0; i < codes.count; ++i) {
+    auto* const place = codes.rows.begin() + i;
+    if ((*place)->group != Group::motion || row.group != Group::motion) continue;
+    if (row.number == end_of_cycle) return (*place)->number <= last_plain_motion;
+    if ((*place)->number != end_of_cycle || row.number > last_plain_motion) return false;
+    std::copy(place + 1, codes.rows.begin() + codes.count, place);
+    --codes.count;
+    codes.groups &= ~group_bit(Group::motion);
+    return false;
+  }
+  return false;
+}
+
 std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
                                    const ChannelKind* kind) {
   if (number == code_computed_later) return std::nullopt;
@@ -69,6 +87,7 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   if (kind != nullptr) {
     if (auto fault = unavailable(*row, *kind)) return fault;
   }
+  if (only_ends_cycle(codes, *row)) return std::nullopt;
   if ((codes.groups & row->groups) != 0) {
     for (int i = 0; i < codes.count; ++i) {
       const Code& other = *codes.rows[static_cast<std::size_t>(i)];

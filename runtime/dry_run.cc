@@ -182,20 +182,21 @@ class Check {
           follow(request.channel, active == schemes.end() ? -1 : active->second, request.text);
         });
     for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
+    found.blocks += result.blocks;
   }
 
-  Diagnostics diagnostics;
+  DryRunResult found;
 
  private:
   void keep(Diagnostic&& diagnostic) {
-    const bool known =
-        std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& other) {
+    const bool known = std::any_of(
+        found.diagnostics.begin(), found.diagnostics.end(), [&](const Diagnostic& other) {
           return other.code == diagnostic.code && other.place.file == diagnostic.place.file &&
                  other.place.line == diagnostic.place.line &&
                  other.place.column == diagnostic.place.column &&
                  other.message == diagnostic.message;
         });
-    if (!known) diagnostics.push_back(std::move(diagnostic));
+    if (!known) found.diagnostics.push_back(std::move(diagnostic));
   }
 
   const channels::MachineConfig& machine_;
@@ -205,11 +206,11 @@ class Check {
 
 }  // namespace
 
-Diagnostics check_program(const channels::MachineConfig& machine, int channel, int scheme,
-                          const std::string& program, const lang::Files& files) {
+DryRunResult check_program(const channels::MachineConfig& machine, int channel, int scheme,
+                           const std::string& program, const lang::Files& files) {
   Check check(machine, files);
   check.follow(channel, scheme, program);
-  return std::move(check.diagnostics);
+  return std::move(check.found);
 }
 
 }  // namespace stanok::runtime

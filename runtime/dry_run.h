@@ -68,9 +68,10 @@ class DryRun {
 };
 
 // Everything that can be known of a program before a run: follows #kinematics, channel_run and
-// channel_load with constant arguments into the worker programs. All diagnostics, each once.
-[[nodiscard]] Diagnostics check_program(const channels::MachineConfig& machine, int channel,
-                                        int scheme, const std::string& program,
-                                        const lang::Files& files);
+// channel_load with constant arguments into the worker programs. All diagnostics, each once, and
+// the blocks of all programs together.
+[[nodiscard]] DryRunResult check_program(const channels::MachineConfig& machine, int channel,
+                                         int scheme, const std::string& program,
+                                         const lang::Files& files);
 
 }  // namespace stanok::runtime

@@ -78,6 +78,10 @@ TEST(ExitCode, IsSixWhenAProgramHasErrors) {
   const std::string bad = (folder / "bad.nc").string();
   EXPECT_EQ(std::system(("echo 'G1 X1 F' > " + bad).c_str()), 0);
   EXPECT_EQ(exit_code_of("check " + bad + " --machine " + machine_file), 6);
+  std::filesystem::create_directory(folder / "below");
+  EXPECT_EQ(exit_code_of("check " + (folder / "below").string() + " --machine " + machine_file), 2);
+  std::filesystem::rename(bad, folder / "below" / "BAD.NC");
+  EXPECT_EQ(exit_code_of("check " + folder.string() + " --machine " + machine_file), 6);
   std::filesystem::remove_all(folder);
 }
 

@@ -1,0 +1,33 @@
+// What `stanok check` found in each program: as a table, as JSON, and as a line that shows how far
+// it is.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "client/terminal.h"
+
+namespace stanok::client {
+
+struct CheckedProgram {
+  std::string file;  // as on the command line, or found below its folder
+  Diagnostics diagnostics;
+  std::uint64_t blocks = 0;
+  double seconds = 0.0;  // wall time of the check
+};
+
+// One row for each program and their sum: file, blocks, errors, warnings, time.
+[[nodiscard]] std::string summary_table(const std::vector<CheckedProgram>& programs,
+                                        const Terminal& terminal);
+
+// {"files": [{"file", "blocks", "errors", "warnings", "seconds", "diagnostics"}], "totals": {...}}.
+[[nodiscard]] nlohmann::ordered_json summary_json(const std::vector<CheckedProgram>& programs);
+
+// "[=====>    ]  12 of 40  flange.nc", for a terminal of that many columns.
+[[nodiscard]] std::string progress_bar(std::size_t done, std::size_t all, const std::string& file,
+                                       std::size_t columns);
+
+}  // namespace stanok::client
