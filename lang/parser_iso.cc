@@ -62,8 +62,10 @@ std::size_t read_comment_parameter(std::string_view text, const Span& span, Expr
     const std::size_t close = text.find('>');
     if (close == std::string_view::npos) return 0;
     parameter.node = Node::named_parameter;
-    parameter.text = text.substr(2, close - 2);
-    return close + 1;
+    for (const char c : text.substr(2, close - 2)) {
+      if (!is_blank(c)) parameter.text += lower_case(c);
+    }
+    return parameter.text.empty() ? 0 : close + 1;
   }
   std::size_t length = 1;
   Expression number;

@@ -1,10 +1,12 @@
-// docs/language.md says the truth: its examples load or are rejected, its table of codes is the one
-// of the interpreter. After a change of the code table write that part anew with
+// docs/language.md and docs/programming.md say the truth: their examples load or are rejected, the
+// tables of codes, functions and system variables are those of the interpreter. After a change of
+// one of them write these parts anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/lang_tests --gtest_filter='LanguageDocument.*'
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 
+#include "lang/builtin.h"
 #include "lang/code_table.h"
 #include "tests/lang/program_support.h"
 
@@ -12,12 +14,20 @@ namespace stanok::lang::testing {
 namespace {
 
 const std::string path = std::string(STANOK_SOURCE_DIR) + "/docs/language.md";
-constexpr std::string_view codes_begin =
-    "<!-- codes: written by a test, see tests/lang/language_document_test.cc -->\n";
-constexpr std::string_view codes_end = "<!-- end of codes -->";
 
-std::string read_document() {
-  std::ifstream stream(path);
+// A part between its two marks is written by this test.
+struct WrittenPart {
+  std::string name;
+  std::string text;
+
+  [[nodiscard]] std::string begin() const {
+    return "<!-- " + name + ": written by a test, see tests/lang/language_document_test.cc -->\n";
+  }
+  [[nodiscard]] std::string end() const { return "<!-- end of " + name + " -->"; }
+};
+
+std::string read_document(const std::string& file = path) {
+  std::ifstream stream(file);
   std::stringstream text;
   text << stream.rdbuf();
   return text.str();
@@ -50,17 +60,103 @@ std::string code_table_text() {
   return text + "\n";
 }
 
+const char* type_name(Type type) {
+  switch (type) {
+    case Type::number:
+      return "num";
+    case Type::boolean:
+      return "bool";
+    case Type::string:
+      return "string";
+    case Type::axis:
+      return "axis";
+    default:
+      return "";
+  }
+}
+
+// The word for one letter of Builtin::arguments.
+std::string argument_name(char letter) {
+  switch (letter) {
+    case 'n':
+      return "num";
+    case 'b':
+      return "bool";
+    case 's':
+      return "string";
+    case 'a':
+      return "axis";
+    case 'x':
+      return "axis or name";
+    case 'p':
+      return "name or num";
+    default:
+      return "...";
+  }
+}
+
+std::string signature_of(const Builtin& function) {
+  std::string text;
+  const std::size_t required =
+      function.arguments.size() - static_cast<std::size_t>(function.optional_arguments);
+  for (std::size_t i = 0; i < function.arguments.size(); ++i) {
+    if (i == required) text += i == 0 ? "[" : " [";
+    if (i > 0) text += ", ";
+    text += argument_name(function.arguments[i]);
+  }
+  if (function.optional_arguments > 0) text += "]";
+  return std::string(function.name) + " (" + text + ")";
+}
+
+std::string function_table_text() {
+  std::string text = "\n| function | result |\n|---|---|\n";
+  for (const Builtin& function : builtins()) {
+    text += "| `" + signature_of(function) + "` | " + type_name(function.result) + " |\n";
+  }
+  return text + "\n";
+}
+
+std::string variable_table_text() {
+  std::string text = "\n| variable | type | known |\n|---|---|---|\n";
+  for (const SystemVariable& variable : system_variables()) {
+    const std::string index = variable.index == Type::axis     ? "[axis]"
+                              : variable.index == Type::number ? "[num]"
+                                                               : "";
+    text += "| `$" + std::string(variable.name) + index + "` | " + type_name(variable.result) +
+            " | " + (variable.of_machine ? "when the axes stand" : "at once") + " |\n";
+  }
+  return text + "\n";
+}
+
+std::vector<WrittenPart> written_parts() {
+  return {{"codes", code_table_text()},
+          {"functions", function_table_text()},
+          {"system variables", variable_table_text()}};
+}
+
 class LanguageDocument : public ProgramTest {
  protected:
+  // Tools of any number; the channel that the first comment of an example names.
+  void prepare_machine_of(const std::string& text) {
+    for (int number = 1; number <= 20; ++number) {
+      tables.tools[number] = {number, {0.0, 0.0, 100.0}, 3.0};
+    }
+    channel = text.starts_with("// master") ? master_channel() : mill_xyzbc();
+    if (text.starts_with("// lathe")) {
+      channel.kind = ChannelKind::lathe;
+      channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}};
+    }
+  }
+
   struct Example {
     std::string text;
     bool loads;
     int line;
   };
 
-  static std::vector<Example> examples() {
+  static std::vector<Example> examples(const std::string& file) {
     std::vector<Example> list;
-    std::istringstream stream(read_document());
+    std::istringstream stream(read_document(file));
     std::string line;
     bool inside = false;
     for (int number = 1; std::getline(stream, line); ++number) {
@@ -78,7 +174,7 @@ class LanguageDocument : public ProgramTest {
 };
 
 TEST_F(LanguageDocument, HasExamplesThatLoadAndExamplesThatAreRejected) {
-  const auto list = examples();
+  const auto list = examples(path);
   EXPECT_GT(list.size(), 15u);
   for (const Example& example : list) {
     const auto errors = load_errors(example.text);
@@ -88,17 +184,36 @@ TEST_F(LanguageDocument, HasExamplesThatLoadAndExamplesThatAreRejected) {
   }
 }
 
-TEST_F(LanguageDocument, HasTheCodesOfTheInterpreter) {
-  std::string text = read_document();
-  const std::size_t begin = text.find(codes_begin) + codes_begin.size();
-  const std::size_t end = text.find(codes_end);
-  ASSERT_LE(begin, end);
-  if (std::getenv("STANOK_WRITE_DOCS") != nullptr) {
-    std::ofstream(path) << text.substr(0, begin) + code_table_text() + text.substr(end);
-    text = read_document();
+TEST_F(LanguageDocument, HasTheTablesOfTheInterpreter) {
+  for (const WrittenPart& part : written_parts()) {
+    std::string text = read_document();
+    const std::size_t begin = text.find(part.begin()) + part.begin().size();
+    const std::size_t end = text.find(part.end());
+    ASSERT_LE(begin, end) << part.name;
+    if (std::getenv("STANOK_WRITE_DOCS") != nullptr) {
+      std::ofstream(path) << text.substr(0, begin) + part.text + text.substr(end);
+      text = read_document();
+    }
+    EXPECT_EQ(text.substr(begin, text.find(part.end()) - begin), part.text)
+        << part.name << ": write it anew as described in this file";
   }
-  EXPECT_EQ(text.substr(begin, text.find(codes_end) - begin), code_table_text())
-      << "write it anew as described in this file";
+}
+
+// The guide shows the text of errors: what it prints is what the program before it gives.
+TEST_F(LanguageDocument, GuideHasExamplesThatRunAndTheErrorsOfThoseThatDoNot) {
+  const std::string guide = std::string(STANOK_SOURCE_DIR) + "/docs/programming.md";
+  const std::string text = read_document(guide);
+  const auto list = examples(guide);
+  EXPECT_GT(list.size(), 15u);
+  for (const Example& example : list) {
+    prepare_machine_of(example.text);
+    const std::string code = error_code(example.text);
+    EXPECT_EQ(code.empty(), example.loads) << guide << ":" << example.line << "\n"
+                                           << to_text(error);
+    if (code.empty()) continue;
+    const std::string shown = "error[" + code + "]: " + error.message;
+    EXPECT_NE(text.find(shown), std::string::npos) << guide << ":" << example.line << "\n" << shown;
+  }
 }
 
 }  // namespace

@@ -171,6 +171,9 @@ class Reader:
     def program_end(self):
         return False
 
+    def finish(self):  # the end of the text
+        return False
+
 
 def events_of(program, tool_table, parameters):
     """Runs rs274 on the program; raises Refused or Unknown."""
