@@ -60,21 +60,6 @@ std::string code_table_text() {
   return text + "\n";
 }
 
-const char* type_name(Type type) {
-  switch (type) {
-    case Type::number:
-      return "num";
-    case Type::boolean:
-      return "bool";
-    case Type::string:
-      return "string";
-    case Type::axis:
-      return "axis";
-    default:
-      return "";
-  }
-}
-
 // The word for one letter of Builtin::arguments.
 std::string argument_name(char letter) {
   switch (letter) {
@@ -111,7 +96,8 @@ std::string signature_of(const Builtin& function) {
 std::string function_table_text() {
   std::string text = "\n| function | result |\n|---|---|\n";
   for (const Builtin& function : builtins()) {
-    text += "| `" + signature_of(function) + "` | " + type_name(function.result) + " |\n";
+    text +=
+        "| `" + signature_of(function) + "` | " + std::string(type_name(function.result)) + " |\n";
   }
   return text + "\n";
 }
@@ -122,8 +108,9 @@ std::string variable_table_text() {
     const std::string index = variable.index == Type::axis     ? "[axis]"
                               : variable.index == Type::number ? "[num]"
                                                                : "";
-    text += "| `$" + std::string(variable.name) + index + "` | " + type_name(variable.result) +
-            " | " + (variable.of_machine ? "when the axes stand" : "at once") + " |\n";
+    text += "| `$" + std::string(variable.name) + index + "` | " +
+            std::string(type_name(variable.result)) + " | " +
+            (variable.of_machine ? "when the axes stand" : "at once") + " |\n";
   }
   return text + "\n";
 }

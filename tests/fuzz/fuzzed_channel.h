@@ -1,0 +1,69 @@
+// What the fuzz targets give the interpreter: a text as the only file, tables, a five-axis mill or
+// a lathe.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lang/interpreter.h"
+
+namespace stanok::lang::fuzz {
+
+class OneFile final : public Files {
+ public:
+  explicit OneFile(std::string text)
+      : text_(
+            std::make_shared<const SourceText>(SourceText{"fuzz.nc", "fuzz.nc", std::move(text)})) {
+  }
+
+  [[nodiscard]] Expected<std::shared_ptr<const SourceText>, Diagnostic> read(
+      std::string_view name, std::string_view) const override {
+    if (name == text_->name) return text_;
+    Diagnostic missing;
+    missing.code = "E7001";
+    missing.message = "file not found: " + std::string(name);
+    return tl::unexpected(missing);
+  }
+
+ private:
+  std::shared_ptr<const SourceText> text_;
+};
+
+class SomeTables final : public Tables {
+ public:
+  [[nodiscard]] std::optional<AxisValues> work_offset(int number) const override {
+    if (number < 1 || number > 309) return std::nullopt;
+    return AxisValues{0.5 * number, 1.0, -2.0};
+  }
+  [[nodiscard]] std::optional<Tool> tool(int number) const override {
+    if (number < 1 || number > 9) return std::nullopt;
+    Tool tool;
+    tool.number = number;
+    tool.length_mm = {0.0, 0.0, 10.0 * number};
+    tool.radius_mm = 0.5 * number;
+    return tool;
+  }
+  [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
+};
+
+inline ChannelDescription mill() {
+  ChannelDescription channel;
+  channel.axes = {{"X", false, 0.0, 0},
+                  {"Y", false, 0.0, 1},
+                  {"Z", false, 0.0, 2},
+                  {"B", true, 0.0, -1},
+                  {"C", true, 360.0, -1}};
+  channel.spindles = {1, 2};
+  channel.channels = {1, 2};
+  channel.schemes = {{1, 1}, {1, 2}};
+  return channel;
+}
+
+inline ChannelDescription lathe() {
+  ChannelDescription channel = mill();
+  channel.kind = ChannelKind::lathe;
+  channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}, {"C", true, 0.0, -1}};
+  return channel;
+}
+
+}  // namespace stanok::lang::fuzz

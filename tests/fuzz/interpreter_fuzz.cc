@@ -1,0 +1,68 @@
+// libFuzzer target: any bytes as a program to run, on a mill or a lathe by the first bit. Every
+// step is bounded; after a failure there is a diagnostic; numbers in motion are finite.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "tests/fuzz/fuzzed_channel.h"
+
+using namespace stanok;
+using namespace stanok::lang;
+
+namespace {
+
+constexpr int steps_max = 3000;  // a loop for ever is a valid program
+
+void check(const Command& command) {
+  const Move* const move = move_of(command.payload);
+  if (move == nullptr) return;
+  for (const double value : move->end) {
+    if (!std::isfinite(value)) std::abort();
+  }
+  if (!std::isfinite(move->feed) || move->feed < 0.0) std::abort();
+}
+
+Answer answer_to(const Command& command) {
+  Answer answer;
+  const auto* const request = std::get_if<Request>(&command.payload);
+  answer.ok = request == nullptr || request->number % 5 != 4;
+  answer.number = 2.0;
+  answer.text = "E6006 the machine is off";
+  return answer;
+}
+
+void run(const ChannelDescription& channel, const Files& files) {
+  Diagnostics warnings;
+  const auto program = compile("fuzz.nc", files, &channel, warnings);
+  if (!program) return;
+  const fuzz::SomeTables tables;
+  Interpreter interpreter(channel, tables, files);
+  interpreter.start(*program, {});
+  Command command;
+  for (int step = 0; step < steps_max; ++step) {
+    switch (interpreter.next(command)) {
+      case Step::command:
+        check(command);
+        break;
+      case Step::working:
+        break;
+      case Step::waiting:
+        interpreter.answer(answer_to(command));
+        break;
+      case Step::ended:
+        return;
+      case Step::failed:
+        if (interpreter.error().code.empty()) std::abort();
+        return;
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const fuzz::OneFile files(std::string(reinterpret_cast<const char*>(bytes), size));
+  const bool turns = size > 0 && (bytes[0] & 1U) != 0;
+  run(turns ? fuzz::lathe() : fuzz::mill(), files);
+  return 0;
+}

@@ -1,0 +1,27 @@
+// libFuzzer target: any bytes as a program to load. It loads, or there are errors with places
+// inside the text, at most 100 of them.
+#include <cstdint>
+#include <cstdlib>
+
+#include "tests/fuzz/fuzzed_channel.h"
+
+using namespace stanok;
+using namespace stanok::lang;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const fuzz::OneFile files(std::string(reinterpret_cast<const char*>(bytes), size));
+  const ChannelDescription channel = fuzz::mill();
+  for (const ChannelDescription* one :
+       {&channel, static_cast<const ChannelDescription*>(nullptr)}) {
+    Diagnostics warnings;
+    const auto program = compile("fuzz.nc", files, one, warnings);
+    if (program) continue;
+    constexpr std::size_t errors_max = 101;  // the last says that there are more
+    const Diagnostics& errors = program.error();
+    if (errors.empty() || errors.size() > errors_max) std::abort();
+    for (const Diagnostic& error : errors) {
+      if (error.code.empty() || error.place.line < 0 || to_text(error).empty()) std::abort();
+    }
+  }
+  return 0;
+}
