@@ -72,7 +72,7 @@ void run(benchmark::State& state, const std::string& text) {
   if (!program) return state.SkipWithError(program.error().front().message.c_str());
   Interpreter interpreter(channel, tables, files);
   std::uint64_t blocks = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     interpreter.start(*program, {});
     Command command;
     for (Step step = interpreter.next(command); step != Step::ended;
@@ -110,7 +110,7 @@ BENCHMARK(computed_blocks)->Unit(benchmark::kMillisecond);
 void load(benchmark::State& state) {
   const OneFile files(plain_text(false, true));
   const ChannelDescription channel = five_axes();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     Diagnostics warnings;
     benchmark::DoNotOptimize(compile("program.nc", files, &channel, warnings));
   }

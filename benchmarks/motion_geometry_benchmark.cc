@@ -65,7 +65,7 @@ Piece right_angle() {
 void evaluate_all_along(benchmark::State& state, const Piece& piece) {
   motion::JetPoint point;
   double x = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     x += 0.618033988749895;
     if (x > 1.0) x -= 1.0;
     motion::evaluate(piece, x * piece.length, point);
@@ -114,7 +114,7 @@ void build_five_axis_blocks(benchmark::State& state) {
   block.transform = &transform;
   builder.restart({50.0, 0.0, 0.0, 20.0, 0.0});
   int n = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const double angle = 0.004 * ++n;
     block.end = {50.0 * std::cos(angle), 50.0 * std::sin(angle), 3.0 * std::sin(0.3 * angle),
                  20.0 + 5.0 * std::sin(0.7 * angle), 20.0 * angle};
@@ -133,7 +133,7 @@ void bounds_of_a_blend(benchmark::State& state) {
   Piece piece = right_angle();
   piece.transform = &transform;
   const motion::MotionConfig config = mill();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const motion::PieceBounds bounds = motion::piece_bounds(piece, config);
     benchmark::DoNotOptimize(bounds);
   }

@@ -68,7 +68,7 @@ const std::vector<PathBuilder::Built>& dense_path() {
 void plan_pieces(benchmark::State& state) {
   const auto& path = dense_path();
   const MotionConfig config = five_axes();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     LookAhead look_ahead(config);
     for (const auto& built : path) look_ahead.add(built);
     benchmark::DoNotOptimize(look_ahead.is_empty());
@@ -89,7 +89,7 @@ void run_cycles(benchmark::State& state, const FeedControl& even, const FeedCont
   InterpolatorOutput out;
   std::size_t next = 0;
   std::uint64_t cycle = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     if (queue.chunks.size() < 3) {
       state.PauseTiming();
       while (look_ahead.deliver(queue)) {

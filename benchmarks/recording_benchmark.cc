@@ -50,7 +50,7 @@ class LogFile {
 void encode_setpoint(benchmark::State& state) {
   const channels::CycleOutput output = moving_output();
   std::array<std::uint8_t, 1024> buffer{};
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const setpoint_t message = to_setpoint(output.channels[0], {});
     benchmark::DoNotOptimize(message.encode(buffer.data(), 0, static_cast<int>(buffer.size())));
     benchmark::ClobberMemory();
@@ -68,7 +68,7 @@ void write_cycle(benchmark::State& state) {
   }
   MessageStream stream(five_axes(), {writer->get()});
   channels::CycleOutput output = moving_output();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     stream.cycle(output);
     ++output.cycle;
   }
@@ -86,7 +86,7 @@ void read_event(benchmark::State& state) {
     for (; output.cycle < 10'000; ++output.cycle) stream.cycle(output);
   }
   auto reader = LogReader::open(file.path());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     if (!reader) {
       state.SkipWithError(reader.error().text.c_str());
       break;

@@ -28,6 +28,7 @@ std::vector<RunReport> ReportBook::runs() {
   const std::lock_guard lock(mutex_);
   drain_runs();
   std::vector<RunReport> reports;
+  reports.reserve(order_.size());
   for (const RunKey& key : order_) reports.push_back(runs_.at(key));
   return reports;
 }

@@ -54,6 +54,7 @@ LocatedProgram locate(const std::string& program) {
 std::vector<fs::path> search_roots(const std::vector<LocatedProgram>& programs,
                                    const JobOptions& options) {
   std::vector<fs::path> roots;
+  roots.reserve(programs.size() + 1);
   for (const LocatedProgram& program : programs) roots.push_back(program.folder);
   if (!options.program_root.empty()) roots.emplace_back(options.program_root);
   for (const fs::path& folder : runtime::standard_cycle_folders()) roots.push_back(folder);

@@ -129,7 +129,7 @@ void add_method(CLI::App& app, const Method& method,
 
 }  // namespace
 
-void add_operator_commands(CLI::App& app, std::function<void(const OperatorCall&)> on_call) {
+void add_operator_commands(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
   for (const Method& method : protocol::methods()) add_method(app, method, on_call);
 }
 

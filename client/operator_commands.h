@@ -26,6 +26,6 @@ struct OperatorCall {
 
 // `on_call` is called while the command line is parsed, with checked parameters. A value that does
 // not fit its parameter ends parsing with CLI::ValidationError.
-void add_operator_commands(CLI::App& app, std::function<void(const OperatorCall&)> on_call);
+void add_operator_commands(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call);
 
 }  // namespace stanok::client

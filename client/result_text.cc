@@ -89,6 +89,7 @@ std::string list_text(const ListView& view, const json& list, const Terminal& te
   TextTable table(view.columns);
   for (const json& entry : list) {
     std::vector<std::string> cells;
+    cells.reserve(view.columns.size());
     for (const std::string& column : view.columns)
       cells.push_back(cell_text(entry.value(column, json())));
     table.add_row(std::move(cells));

@@ -151,6 +151,7 @@ void OperatorServer::Parts::answer_frame(Session& session, const protocol::Frame
 // Sessions may end while something is sent to them; the copy keeps the loop whole.
 std::vector<std::shared_ptr<Session>> OperatorServer::Parts::all_sessions() const {
   std::vector<std::shared_ptr<Session>> all;
+  all.reserve(sessions.size());
   for (const auto& [id, session] : sessions) all.push_back(session);
   return all;
 }

@@ -104,8 +104,8 @@ void Session::write() {
 void Session::close() {
   error_code ignored;
   if (socket_.is_open()) {
-    static_cast<void>(socket_.shutdown(Socket::shutdown_both, ignored));
-    static_cast<void>(socket_.close(ignored));
+    ignored = socket_.shutdown(Socket::shutdown_both, ignored);
+    ignored = socket_.close(ignored);
     spdlog::debug("session {} ({}) ends", state_.id, state_.peer);
   }
   if (on_end_) std::exchange(on_end_, nullptr)(state_.id);

@@ -56,12 +56,12 @@ constexpr Parameter rate{.name = "rate_hz",
                          .minimum = 0.1,
                          .maximum = 50,
                          .help = "most status messages per second; default 10"};
-constexpr Parameter role{.name = "role",
-                         .type = ParameterType::choice,
-                         .presence = Presence::required,
-                         .spelling = Spelling::positional,
-                         .choices = role_choices,
-                         .help = "role to go down to; there is no way back up"};
+constexpr Parameter lower_role{.name = "role",
+                               .type = ParameterType::choice,
+                               .presence = Presence::required,
+                               .spelling = Spelling::positional,
+                               .choices = role_choices,
+                               .help = "role to go down to; there is no way back up"};
 
 constexpr Parameter percent(double minimum, double maximum) {
   return {.name = "percent",
@@ -84,7 +84,7 @@ constexpr std::array of_spindle{percent(50, 150), channel};
 constexpr std::array of_scheme{scheme, channel};
 constexpr std::array of_subscription{topics, rate};
 constexpr std::array of_watch{channel, rate};
-constexpr std::array of_role{role};
+constexpr std::array of_role{lower_role};
 
 // ---- rows
 // -------------------------------------------------------------------------------------------------------
