@@ -6,7 +6,7 @@
 # Then lcm-logplayer plays the recorder's own log file, and must hand on every event of it.
 # Exit code 77 (skipped) where namespaces or LCM's tools are not to be had.
 #
-# usage: lcm_in_namespace.sh STANOKD STANOK MACHINE_FILE
+# usage: lcm_in_namespace.sh STANOKD STANOK MACHINE_FILE [SECONDS]   (length of the program, default 4)
 set -euo pipefail
 
 skip() {
@@ -24,7 +24,7 @@ if [[ ${STANOK_IN_NAMESPACE:-no} == no ]]; then
   STANOK_IN_NAMESPACE=yes exec "${enter[@]}" "$0" "$@"
 fi
 
-readonly stanokd=$1 stanok=$2 machine_file=$3
+readonly stanokd=$1 stanok=$2 machine_file=$3 seconds=${4:-4}
 readonly url='udpm://239.255.76.67:7667?ttl=0'
 here=$(dirname "${BASH_SOURCE[0]}")
 folder=$(mktemp -d)
@@ -59,8 +59,12 @@ count() {
 ip link set lo up multicast on || skip "the loopback of the namespace cannot be set up"
 ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
 
-printf 'G21 G90 G17 G54\nG0 X0 Y0\nG64 P0.01\nG1 X40 F3000\nG3 X0 Y0 I-20\nG1 X0\nM30\n' \
-  >"$folder/part.nc"
+# A line of 0.8 s and half a circle of 1.26 s, there and back.
+{
+  printf 'G21 G90 G17 G54\nG0 X0 Y0\nG64 P0.01\n'
+  for ((k = 0; k < (seconds + 3) / 4; ++k)); do printf 'G1 X40 F3000\nG3 X0 Y0 I-20\nG1 X40\nG3 X0 Y0 I-20\n'; done
+  printf 'M30\n'
+} >"$folder/part.nc"
 
 lcm-logger --quiet --lcm-url="$url" "$folder/peer.lcm" 2>"$folder/logger.err" &
 logger=$!
