@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <atomic>
+#include <optional>
 #include <thread>
 
 #include "daemon/assembled_machine.h"
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::int64_t ns_per_us = 1000;
 constexpr int real_time_priority =
     80;  // above what the system runs by default, below its watchdogs
+constexpr int drive_bus_priority = 60;
 constexpr int exit_machine_fault = 7;
 
 std::string build_description() {
@@ -83,9 +85,12 @@ CycleRings rings_of(runtime::Assembly& assembly) {
   return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies()};
 }
 
-// The drive bus runs while this lives.
+// The drive bus runs while this lives. Late answers trip the drives' watchdogs.
 struct RunningDrives {
-  explicit RunningDrives(runtime::Assembly& used) : assembly(used) { assembly.start(); }
+  explicit RunningDrives(runtime::Assembly& used) : assembly(used) {
+    const FifoForNewThreads fifo(drive_bus_priority);
+    assembly.start();
+  }
   ~RunningDrives() { assembly.stop(); }
   RunningDrives(const RunningDrives&) = delete;
   RunningDrives& operator=(const RunningDrives&) = delete;
@@ -105,7 +110,9 @@ int run_daemon(const DaemonOptions& options) {
   ListeningSocket socket(options.socket.empty() ? protocol::default_socket(name, state.path())
                                                 : options.socket);
 
+  std::optional<FifoForNewThreads> fifo(drive_bus_priority);  // the server of embedded drives
   runtime::Assembly assembly(assembly_options(options, file, program_root));
+  fifo.reset();
   Recorder recorder(file, build_description(), recorder_options(options, file));
   AssembledMachine machine(assembly, recorder, program_root);
   MonotonicClock clock;

@@ -66,4 +66,19 @@ RealTimeRights take_real_time_rights(int priority) {
   return rights;
 }
 
+FifoForNewThreads::FifoForNewThreads(int priority) {
+  sched_param parameters{};
+  pthread_getschedparam(pthread_self(), &policy_before_, &parameters);
+  priority_before_ = parameters.sched_priority;
+  parameters.sched_priority = priority;
+  // Refused without the right to it; take_real_time_rights tells the operator so.
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+}
+
+FifoForNewThreads::~FifoForNewThreads() {
+  sched_param parameters{};
+  parameters.sched_priority = priority_before_;
+  pthread_setschedparam(pthread_self(), policy_before_, &parameters);
+}
+
 }  // namespace stanok::daemon

@@ -18,4 +18,19 @@ struct RealTimeRights {
 // For the calling thread, before its first cycle. Priority as of sched(7), 1..99.
 [[nodiscard]] RealTimeRights take_real_time_rights(int priority);
 
+// While it lives, threads that the calling thread starts inherit FIFO scheduling (sched(7)), where
+// the system grants it; the calling thread is as before afterwards. For threads that must answer
+// within milliseconds under load, below the cycle.
+class FifoForNewThreads {
+ public:
+  explicit FifoForNewThreads(int priority);
+  ~FifoForNewThreads();
+  FifoForNewThreads(const FifoForNewThreads&) = delete;
+  FifoForNewThreads& operator=(const FifoForNewThreads&) = delete;
+
+ private:
+  int policy_before_ = 0;
+  int priority_before_ = 0;
+};
+
 }  // namespace stanok::daemon
