@@ -25,9 +25,7 @@ std::array<int, 2> plane_axes(const motion::MotionConfig& motion, lang::Plane pl
 
 bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
   return a.scheme == b.scheme && a.mode == b.mode &&
-         a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame.offset == b.frame.offset &&
-         a.frame.rotated == b.frame.rotated && a.frame.cosine == b.frame.cosine &&
-         a.frame.sine == b.frame.sine;
+         a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame == b.frame;
 }
 
 double at(const motion::Point& point, int axis) {
@@ -86,12 +84,7 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
 
 bool BlockPreparation::set_frame(const lang::FrameChange& change) {
   kinematics::Transform next = transform();
-  next.frame.offset = change.offset;
-  const auto plane = plane_axes(motion_, change.rotation_plane);
-  next.frame.rotated = change.rotation_deg == 0.0 ? kinematics::Frame{}.rotated : plane;
-  const double angle = change.rotation_deg * std::numbers::pi / 180.0;
-  next.frame.cosine = change.rotation_deg == 0.0 ? 1.0 : std::cos(angle);
-  next.frame.sine = change.rotation_deg == 0.0 ? 0.0 : std::sin(angle);
+  next.frame = {change.offset, change.rotation, motion_.geometry};
   return take_transform(next);
 }
 

@@ -61,6 +61,11 @@ std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {
   return values;
 }
 
+// Beside the axes of its row, under the word of G10 L2.
+double ChannelTables::work_offset_rotation(int number) const {
+  return live_.offset(number, "R").value_or(0.0);
+}
+
 std::optional<lang::Tool> ChannelTables::tool(int number) const {
   const auto edge = live_.tool(number, 1);
   if (!edge) return std::nullopt;

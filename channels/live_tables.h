@@ -38,6 +38,7 @@ class ChannelTables final : public lang::Tables {
   ChannelTables(const LiveTables& live, const MachineConfig& machine, const ChannelConfig& channel);
 
   [[nodiscard]] std::optional<lang::AxisValues> work_offset(int number) const override;
+  [[nodiscard]] double work_offset_rotation(int number) const override;
   [[nodiscard]] std::optional<lang::Tool> tool(int number) const override;
   [[nodiscard]] lang::AxisValues scheme_zero() const override { return scheme_zero_; }
 

@@ -263,8 +263,10 @@ struct Fields {
   }
   void operator()(const lang::FrameChange& frame) const {
     kind("offset");
-    append(text, R"(,"what":"frame","work_offset":{},"rotation":{},"offset":)", frame.work_offset,
-           frame.rotation_deg);
+    const auto& rows = frame.rotation.rows();
+    append(text, R"(,"what":"frame","work_offset":{},"rotation":[[{}],[{}],[{}]],"offset":)",
+           frame.work_offset, fmt::join(rows[0], ","), fmt::join(rows[1], ","),
+           fmt::join(rows[2], ","));
     append_axes(text, words, frame.offset);
   }
   void operator()(const lang::OverrideControl& control) const {

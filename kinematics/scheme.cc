@@ -33,16 +33,31 @@ const SchemeType* find_type(std::string_view name) {
   return type == types.end() ? nullptr : type;
 }
 
+// X, Y and Z out of the axes of a channel; one that is missing is 0.
+template <class Scalar>
+std::array<Scalar, 3> geometry_of(const Frame& frame, const AxisVector<Scalar>& axes) RT_SAFE {
+  std::array<Scalar, 3> point{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (frame.geometry[k] >= 0) point[k] = axes[static_cast<std::size_t>(frame.geometry[k])];
+  }
+  return point;
+}
+
+template <class Scalar>
+void set_geometry(const Frame& frame, const std::array<Scalar, 3>& point, AxisVector<Scalar>& axes)
+    RT_SAFE {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (frame.geometry[k] >= 0) axes[static_cast<std::size_t>(frame.geometry[k])] = point[k];
+  }
+}
+
 // p_B = rotation * p_W + offset.
 template <class Scalar>
 AxisVector<Scalar> base_from_workpiece(const Frame& frame, const AxisVector<Scalar>& point_W)
     RT_SAFE {
   AxisVector<Scalar> point_B = point_W;
-  if (frame.sine != 0.0 || frame.cosine != 1.0) {
-    const auto first = static_cast<std::size_t>(frame.rotated[0]);
-    const auto second = static_cast<std::size_t>(frame.rotated[1]);
-    point_B[first] = frame.cosine * point_W[first] - frame.sine * point_W[second];
-    point_B[second] = frame.sine * point_W[first] + frame.cosine * point_W[second];
+  if (!frame.rotation.is_identity()) {
+    set_geometry(frame, frame.rotation.turned(geometry_of(frame, point_W)), point_B);
   }
   for (std::size_t axis = 0; axis < axes_max; ++axis) {
     point_B[axis] = point_B[axis] + frame.offset[axis];
@@ -107,13 +122,8 @@ void forward(const Transform& transform, const AxisVector<double>& axes_M,
   for (std::size_t axis = 0; axis < axes_max; ++axis) {
     point_W[axis] = point_B[axis] - frame.offset[axis];
   }
-  if (frame.sine == 0.0 && frame.cosine == 1.0) return;
-  const auto first = static_cast<std::size_t>(frame.rotated[0]);
-  const auto second = static_cast<std::size_t>(frame.rotated[1]);
-  const double along = point_W[first];
-  const double across = point_W[second];
-  point_W[first] = frame.cosine * along + frame.sine * across;
-  point_W[second] = frame.cosine * across - frame.sine * along;
+  if (frame.rotation.is_identity()) return;
+  set_geometry(frame, frame.rotation.turned_back(geometry_of(frame, point_W)), point_W);
 }
 
 }  // namespace stanok::kinematics

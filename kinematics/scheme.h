@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/rotation.h"
 #include "base/rt_safe.h"
 #include "kinematics/jet.h"
 
@@ -93,13 +94,14 @@ class Scheme {
 [[nodiscard]] std::string scheme_defect(const SchemeConfig& config);
 [[nodiscard]] std::vector<std::string> scheme_types();
 
-// Frame of the workpiece: p_B = rotation * p_W + offset, axis by axis in the channel's order. The
-// rotation (G68) turns the plane of two axes; rotary axes are only shifted.
+// Frame of the workpiece: p_B = rotation * p_W + offset. The rotation (G68) turns X, Y and Z; other
+// axes are only shifted.
 struct Frame {
   AxisVector<double> offset{};
-  std::array<int, 2> rotated{0, 1};  // axes of the turned plane, first towards second
-  double cosine = 1.0;
-  double sine = 0.0;
+  Rotation rotation;
+  std::array<int, 3> geometry{0, 1, 2};  // X, Y, Z by index in the channel; -1: it has none
+
+  [[nodiscard]] bool operator==(const Frame&) const = default;
 };
 
 // What path pieces carry: frame, scheme, tool and mode together, fixed for a run of blocks. Owned

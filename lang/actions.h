@@ -2,6 +2,8 @@
 // commands they give. One function serves a family of codes and is told which of them it is.
 #pragma once
 
+#include <initializer_list>
+
 #include "lang/active_block.h"
 #include "lang/code_table.h"
 
@@ -30,10 +32,34 @@ void only_modal(ActiveBlock& block, CodeNumber code);
 void select_work_offset(ActiveBlock& block, CodeNumber code);  // G54 ... G59.3 G54.1
 void shift_locally(ActiveBlock& block, CodeNumber code);       // G52
 void shift_axes(ActiveBlock& block, CodeNumber code);          // G92 G92.1 G92.2 G92.3
-void write_table(ActiveBlock& block, CodeNumber code);         // G10
 void compensate_length(ActiveBlock& block, CodeNumber code);   // G43 G43.1 G43.2 G43.4 G44 G49
+
+// Rotation, scaling and mirror (actions_rotation.cc, actions_scaling.cc)
+void rotate_system(ActiveBlock& block, CodeNumber code);    // G68
+void cancel_rotation(ActiveBlock& block, CodeNumber code);  // G69
+void scale_axes(ActiveBlock& block, CodeNumber code);       // G51
+void cancel_scaling(ActiveBlock& block, CodeNumber code);   // G50
+void mirror_axes(ActiveBlock& block, CodeNumber code);      // G51.1
+void cancel_mirror(ActiveBlock& block, CodeNumber code);    // G50.1
+
+// Table input (actions_table.cc)
+void write_table(ActiveBlock& block, CodeNumber code);  // G10
+
+// Reference points (actions_reference.cc)
+void go_to_reference_point(ActiveBlock& block, CodeNumber code);  // G28 G30
+void store_reference_point(ActiveBlock& block, CodeNumber code);  // G28.1 G30.1
+// Where the axes stand in M; not under tip control.
+[[nodiscard]] AxisValues machine_position(const ActiveBlock& block);
+
+// Parts that all changes of the frame share.
+
 // The frame as it is now, as a command.
 [[nodiscard]] FrameChange frame_of(const ModalState& modal);
+// Makes work offset `number` of the tables the active one, as far as it exists there.
+void take_work_offset(ModalState& modal, const Tables& tables, int number);
+// Tells the channel the frame after a change; the point stays where it is in B.
+void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before);
+void publish_frame(ActiveBlock& block, const WorkFrame& before);
 
 // Motion (actions_motion.cc, actions_arc.cc)
 void stop_at_block_end(ActiveBlock& block, CodeNumber code);        // G9
@@ -46,10 +72,26 @@ void drill_hole(ActiveBlock& block, CodeNumber code);  // G73 G81 G82 G83 G85 G8
 
 // Parts of a motion shared by its kinds.
 
+// Modes in which some codes have no meaning (mode_exclusion.cc).
+enum class Exclusion : std::uint8_t {
+  radius_compensation,  // G41, G42
+  tip_control,          // G43.4
+  transformation,       // G12.1, G7.1
+  drilling_cycle,
+  inverse_time,  // G93
+};
+// False, with the block failed, when axis words are programmed that are not `allowed`.
+[[nodiscard]] bool only_axes(ActiveBlock& block, CodeNumber code, AxisSet allowed);
+// Fails the block when one of `modes` is active. True when it failed.
+[[nodiscard]] bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
+                                    std::initializer_list<Exclusion> modes);
+
 // The ends of the programmed axes, absolute in W (M under G53); others stay where they are.
 void resolve_ends(const ActiveBlock& block, Move& move);
 // Feed and path mode; fails the block when a feed is missing.
 void resolve_feed(ActiveBlock& block, Move& move);
+// Tool length along an axis, as far as it lies between the axis and the programmed point, mm.
+[[nodiscard]] double length_along(const ActiveBlock& block, const AxisDescription& axis);
 // Puts the programmed point to the end of `move`.
 void advance_position(ActiveBlock& block, const Move& move);
 

@@ -19,6 +19,8 @@ struct ArcPlane {
   std::size_t second = 0;
   char first_centre = 'I';  // words of the centre
   char second_centre = 'J';
+  double first_gain = 1.0;  // of lengths, by scaling and mirror
+  double second_gain = 1.0;
 };
 
 std::string in_mm(double value) {
@@ -42,8 +44,18 @@ std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
     return std::nullopt;
   }
   static constexpr std::array centre_words{'I', 'J', 'K'};
-  return ArcPlane{static_cast<std::size_t>(first_axis), static_cast<std::size_t>(second_axis),
-                  centre_words[first], centre_words[second]};
+  ArcPlane plane{static_cast<std::size_t>(first_axis), static_cast<std::size_t>(second_axis),
+                 centre_words[first], centre_words[second]};
+  plane.first_gain = block.modal.map.gain(plane.first);
+  plane.second_gain = block.modal.map.gain(plane.second);
+  if (std::abs(plane.first_gain) != std::abs(plane.second_gain)) {
+    block
+        .fail("E4303", arc_code(code), "an arc while the axes of its plane are scaled differently",
+              "it would become an ellipse")
+        .notes.push_back(block.modal.origin_of(Group::scaling));
+    return std::nullopt;
+  }
+  return plane;
 }
 
 bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber code) {
@@ -85,16 +97,18 @@ std::optional<Point> centre_from_words(ActiveBlock& block, const ArcPlane& plane
           .notes.push_back(block.modal.origin_of(Group::arc_distance));
       return std::nullopt;
     }
-    return Point{block.length(plane.first_centre), block.length(plane.second_centre)};
+    const CoordinateMap& map = block.modal.map;
+    return Point{map.to_work(plane.first, block.length(plane.first_centre)),
+                 map.to_work(plane.second, block.length(plane.second_centre))};
   }
   const double i = block.has(plane.first_centre) ? block.length(plane.first_centre) : 0.0;
   const double j = block.has(plane.second_centre) ? block.length(plane.second_centre) : 0.0;
-  return Point{p0[0] + i, p0[1] + j};
+  return Point{p0[0] + plane.first_gain * i, p0[1] + plane.second_gain * j};
 }
 
-std::optional<Point> centre_from_radius(ActiveBlock& block, const Point& p0, const Point& p1,
-                                        bool counter_clockwise) {
-  const double radius = block.length('R');
+std::optional<Point> centre_from_radius(ActiveBlock& block, const ArcPlane& plane, const Point& p0,
+                                        const Point& p1, bool counter_clockwise) {
+  const double radius = std::abs(plane.first_gain) * block.length('R');
   const double dx = p1[0] - p0[0];
   const double dy = p1[1] - p0[1];
   const double chord = std::hypot(dx, dy);
@@ -145,13 +159,15 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
   Move move;
   move.kind = MoveKind::arc;
   move.plane = block.modal.plane();
-  move.counter_clockwise = code == 30;
+  const bool mirrored = plane->first_gain * plane->second_gain < 0.0;
+  move.counter_clockwise = (code == 30) != mirrored;
   resolve_ends(block, move);
   const AxisValues& start = block.modal.position_W;
   const Point p0{start[plane->first], start[plane->second]};
   const Point p1{move.end[plane->first], move.end[plane->second]};
-  const auto centre = block.has('R') ? centre_from_radius(block, p0, p1, move.counter_clockwise)
-                                     : centre_from_words(block, *plane, p0);
+  const auto centre = block.has('R')
+                          ? centre_from_radius(block, *plane, p0, p1, move.counter_clockwise)
+                          : centre_from_words(block, *plane, p0);
   if (!centre || !check_radii(block, p0, p1, *centre, code)) return;
   move.centre = *centre;
   if (block.has('P')) {

@@ -51,13 +51,16 @@ std::optional<std::size_t> tool_axis(ActiveBlock& block, CodeNumber code) {
 // Takes R, Z, Q and P of the block over into the sequence.
 void take_cycle_words(ActiveBlock& block, std::size_t axis) {
   DrillingCycle& cycle = block.modal.cycle;
-  const bool incremental = block.modal.incremental();
+  const CoordinateMap& map = block.modal.map;
+  const auto level = [&](double word, double from) {
+    return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
+  };
   if (block.has('R')) {
-    cycle.retract_level = block.length('R') + (incremental ? cycle.initial_level : 0.0);
+    cycle.retract_level = level(block.length('R'), cycle.initial_level);
     cycle.has_retract_level = true;
   }
   if ((block.programmed & axis_bit(axis)) != 0) {
-    cycle.bottom = block.values[axis] + (incremental ? cycle.retract_level : 0.0);
+    cycle.bottom = level(block.values[axis], cycle.retract_level);
     cycle.has_bottom = true;
   }
   if (block.has('Q')) cycle.peck = block.length('Q');

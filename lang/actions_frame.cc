@@ -15,19 +15,6 @@ int offset_number(CodeNumber code) {
   return code <= 590 ? (code - 540) / 10 + 1 : 6 + (code - 590);
 }
 
-// Tells the channel the frame after a change; the point stays where it is in B.
-void publish_frame(ActiveBlock& block, const AxisValues& offset_before, int number_before) {
-  block.modal.reexpress_position(offset_before);
-  const bool changed =
-      block.modal.offset() != offset_before || block.modal.work_offset_number != number_before;
-  if (changed) block.queue.emit(frame_of(block.modal));
-}
-
-// `offset_before` of an operation that leaves the number of the work offset alone.
-void publish_frame(ActiveBlock& block, const AxisValues& offset_before) {
-  publish_frame(block, offset_before, block.modal.work_offset_number);
-}
-
 void change_length(ActiveBlock& block, const ToolLength& after) {
   const ToolLength before = block.modal.length;
   if (before.mode == after.mode && before.tool == after.tool &&
@@ -40,12 +27,13 @@ void change_length(ActiveBlock& block, const ToolLength& after) {
     block.queue.emit(Request{});
     return;
   }
+  AxisValues distance_B{};
   for (std::size_t k = 0; k < 3; ++k) {
     const int axis = block.channel_words.geometry_axis(k);
     if (axis < 0) continue;
-    block.modal.position_W[static_cast<std::size_t>(axis)] +=
-        before.offset_mm[k] - after.offset_mm[k];
+    distance_B[static_cast<std::size_t>(axis)] = before.offset_mm[k] - after.offset_mm[k];
   }
+  block.modal.shift_position(distance_B);
 }
 
 // Length of the tool that H names, the active one without H.
@@ -65,42 +53,30 @@ std::optional<Tool> compensated_tool(ActiveBlock& block) {
   return tool;
 }
 
-void write_offset_page(ActiveBlock& block, int page, const AxisValues& values) {
-  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    if (!is_programmed(block, i)) continue;
-    Request request;
-    request.kind = RequestKind::offset_table_write;
-    request.text = block.channel.axes[i].word;
-    request.number = page;
-    request.index = static_cast<int>(i);
-    request.value = values[i];
-    block.queue.emit(request);
-  }
-}
-
-// Page of the offset table that the P of G10 means; P0 is the active one.
-std::optional<int> table_page(ActiveBlock& block) {
-  if (!block.has('P')) {
-    block.fail("E4007", {'G', 100, {}}, "`G10` needs P, the number of the work offset", "no P");
-    return std::nullopt;
-  }
-  const auto page = block.integer('P', 0, 309);
-  if (!page) return std::nullopt;
-  const int number = *page == 0 ? block.modal.work_offset_number : *page;
-  if (block.tables.work_offset(number)) return number;
-  block.fail("E5001", {'P', -1, {}}, "there is no work offset " + std::to_string(number),
-             "unknown work offset");
-  return std::nullopt;
-}
-
 }  // namespace
 
 FrameChange frame_of(const ModalState& modal) {
-  FrameChange frame;
-  frame.work_offset = modal.work_offset_number;
-  frame.offset = modal.offset();
-  frame.rotation_plane = modal.plane();
-  return frame;
+  const WorkFrame frame = modal.frame();
+  return {modal.work_offset_number, frame.offset, frame.rotation};
+}
+
+void take_work_offset(ModalState& modal, const Tables& tables, int number) {
+  modal.work_offset_number = number;
+  modal.work_offset = tables.work_offset(number).value_or(modal.work_offset);
+  modal.work_offset_rotation =
+      Rotation::about({0.0, 0.0, 1.0}, tables.work_offset_rotation(number));
+}
+
+void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before) {
+  const bool changed = block.modal.frame() != before;
+  if (changed) block.modal.reexpress_position(before);
+  if (changed || block.modal.work_offset_number != work_offset_before) {
+    block.queue.emit(frame_of(block.modal));
+  }
+}
+
+void publish_frame(ActiveBlock& block, const WorkFrame& before) {
+  publish_frame(block, before, block.modal.work_offset_number);
 }
 
 void select_work_offset(ActiveBlock& block, CodeNumber code) {
@@ -114,41 +90,50 @@ void select_work_offset(ActiveBlock& block, CodeNumber code) {
     if (!page) return;
     number = 9 + *page;
   }
-  const auto offset = block.tables.work_offset(number);
-  if (!offset) {
+  if (!block.tables.work_offset(number)) {
     block.fail("E5001", {'G', code, {}},
                "the machine has no work offset `" + code_text('G', code) + "`",
                "unknown work offset");
     return;
   }
-  const AxisValues before = block.modal.offset();
+  const WorkFrame before = block.modal.frame();
   const int number_before = block.modal.work_offset_number;
-  block.modal.work_offset = *offset;
-  block.modal.work_offset_number = number;
+  take_work_offset(block.modal, block.tables, number);
   publish_frame(block, before, number_before);
 }
 
 void shift_locally(ActiveBlock& block, CodeNumber) {
-  const AxisValues before = block.modal.offset();
+  const WorkFrame before = block.modal.frame();
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if (is_programmed(block, i)) block.modal.local_shift[i] = block.values[i];
   }
   publish_frame(block, before);
 }
 
+namespace {
+
+// The shift with which the point where the axes stand is called as the axis words say.
+AxisValues shift_to_words(const ActiveBlock& block) {
+  const ModalState& modal = block.modal;
+  AxisValues distance_W{};
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if (!is_programmed(block, i)) continue;
+    distance_W[i] = modal.position_W[i] - modal.map.to_work(i, block.values[i]);
+  }
+  AxisValues shift = turned(modal.rotation.rotation, modal.geometry, distance_W);
+  for (std::size_t i = 0; modal.axis_shift_active && i < shift.size(); ++i) {
+    shift[i] += modal.axis_shift[i];
+  }
+  return shift;
+}
+
+}  // namespace
+
 // G92 X..: the point where the axes stand is called X.. from here on.
 void shift_axes(ActiveBlock& block, CodeNumber code) {
-  const AxisValues before = block.modal.offset();
+  const WorkFrame before = block.modal.frame();
   if (code == 920) {
-    if (block.programmed == 0) {
-      block.fail("E4007", {'G', 920, {}}, "`G92` needs an axis word", "");
-      return;
-    }
-    for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-      const double shift = block.modal.axis_shift_active ? block.modal.axis_shift[i] : 0.0;
-      block.modal.axis_shift[i] =
-          is_programmed(block, i) ? shift + block.modal.position_W[i] - block.values[i] : shift;
-    }
+    block.modal.axis_shift = shift_to_words(block);
     block.modal.axis_shift_active = true;
   } else {
     if (code == 921) block.modal.axis_shift = {};
@@ -156,29 +141,10 @@ void shift_axes(ActiveBlock& block, CodeNumber code) {
   }
   publish_frame(block, before);
   for (std::size_t i = 0; code == 920 && i < block.channel.axes.size(); ++i) {
-    if (is_programmed(block, i)) block.modal.position_W[i] = block.values[i];
-  }
-}
-
-void write_table(ActiveBlock& block, CodeNumber) {
-  const double kind = block.has('L') ? block.value('L') : 0.0;
-  if (kind != 2.0 && kind != 20.0) {
-    block.fail("E2090", {block.has('L') ? 'L' : 'G', block.has('L') ? -1 : 100, {}},
-               "of `G10` only L2 and L20 are supported in this release", "");
-    return;
-  }
-  const auto page = table_page(block);
-  if (!page) return;
-  AxisValues values = block.values;
-  if (kind == 20.0) {
-    // The table value with which the point would stand at the programmed coordinates.
-    const AxisValues offset = block.modal.offset();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double shifts = offset[i] - block.modal.work_offset[i];
-      values[i] = block.modal.position_W[i] + offset[i] - shifts - values[i];
+    if (is_programmed(block, i)) {
+      block.modal.position_W[i] = block.modal.map.to_work(i, block.values[i]);
     }
   }
-  write_offset_page(block, *page, values);
 }
 
 void compensate_length(ActiveBlock& block, CodeNumber code) {

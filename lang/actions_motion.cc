@@ -12,12 +12,6 @@ double shortest_way(double programmed, double position, double modulo) {
   return turns == 0.0 ? programmed : programmed + turns * modulo;
 }
 
-// Tool length along an axis, as far as it lies between the axis and the programmed point.
-double length_along(const ActiveBlock& block, const AxisDescription& axis) {
-  if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
-  return block.modal.length.offset_mm[static_cast<std::size_t>(axis.geometry)];
-}
-
 void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
   const WordName word{'G', 530, {}};
   if (block.modal.length.mode == LengthMode::tip) {
@@ -35,6 +29,11 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
 
 }  // namespace
 
+double length_along(const ActiveBlock& block, const AxisDescription& axis) {
+  if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
+  return block.modal.length.offset_mm[static_cast<std::size_t>(axis.geometry)];
+}
+
 void stop_at_block_end(ActiveBlock& block, CodeNumber) {
   block.stop_at_end = true;
 }
@@ -50,6 +49,8 @@ void use_machine_coordinates(ActiveBlock& block, CodeNumber) {
 }
 
 void resolve_ends(const ActiveBlock& block, Move& move) {
+  const CoordinateMap& map = block.modal.map;
+  const bool mapped = map.active() && !block.machine_coordinates;
   move.words = block.programmed;
   move.end = block.modal.position_W;
   move.machine_coordinates = block.machine_coordinates;
@@ -59,11 +60,11 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     const AxisDescription& axis = block.channel.axes[i];
     const double value = block.values[i];
     if (block.modal.incremental()) {
-      move.end[i] += value;
+      move.end[i] += mapped ? map.gain(i) * value : value;
     } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates) {
       move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);
     } else {
-      move.end[i] = value;
+      move.end[i] = mapped ? map.to_work(i, value) : value;
     }
   }
 }
@@ -96,12 +97,12 @@ void advance_position(ActiveBlock& block, const Move& move) {
     return;
   }
   const AxisValues zero = block.tables.scheme_zero();
-  const AxisValues offset = block.modal.offset();
+  AxisValues position_B = block.modal.frame().base_from_work(block.modal.position_W);
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if ((move.words & axis_bit(i)) == 0) continue;
-    const double length = length_along(block, block.channel.axes[i]);
-    block.modal.position_W[i] = move.end[i] - zero[i] - length - offset[i];
+    position_B[i] = move.end[i] - zero[i] - length_along(block, block.channel.axes[i]);
   }
+  block.modal.adopt_position(position_B);
 }
 
 void move_straight(ActiveBlock& block, CodeNumber code) {

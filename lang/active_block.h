@@ -11,6 +11,7 @@
 #include "lang/channel_words.h"
 #include "lang/command_queue.h"
 #include "lang/environment.h"
+#include "lang/machine_points.h"
 #include "lang/modal_state.h"
 
 namespace stanok::lang {
@@ -42,6 +43,7 @@ struct BlockSurroundings {
   const ChannelDescription& channel;
   const Tables& tables;
   CommandQueue& queue;
+  MachinePoints& points;
 };
 
 struct ActiveBlock : BlockSurroundings {
@@ -59,6 +61,8 @@ struct ActiveBlock : BlockSurroundings {
   bool machine_coordinates = false;  // G53
   bool stop_at_end = false;          // G9
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
+
+  GroupSet kept_groups = 0;  // of which the block's code does not become the active one
 
   Flow flow = Flow::next;
   CodeNumber flow_code = 0;  // M98 or M198

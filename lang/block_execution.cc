@@ -296,7 +296,8 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
   for (int i = 0; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[static_cast<std::size_t>(i)];
     row.action(block, row.number);
-    if (row.group != Group::none && block.modal.code(row.group) != row.number) {
+    const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
+    if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
     }
   }

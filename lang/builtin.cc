@@ -10,6 +10,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "base/angle.h"
 #include "lang/number.h"
 #include "lang/source.h"
 
@@ -21,23 +22,6 @@ using Arguments = std::span<const Value>;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double near_tolerance = 1e-6;
 constexpr std::size_t string_max = 4096;
-
-// Sine of an angle in degrees, exact at all multiples of 30 where the sine is 0, 1/2 or 1.
-double sine_of_degrees(double angle) {
-  const double turn = std::fmod(angle, 360.0);
-  const double positive = turn < 0.0 ? turn + 360.0 : turn;
-  const double sign = positive >= 180.0 ? -1.0 : 1.0;
-  double folded_angle = positive >= 180.0 ? positive - 180.0 : positive;
-  if (folded_angle > 90.0) folded_angle = 180.0 - folded_angle;
-  if (folded_angle == 0.0) return 0.0;
-  if (folded_angle == 30.0) return sign * 0.5;
-  if (folded_angle == 90.0) return sign;
-  return sign * std::sin(folded_angle * degree);
-}
-
-double cosine_of_degrees(double angle) {
-  return sine_of_degrees(std::fmod(angle, 360.0) + 90.0);
-}
 
 bool set(Value& result, double number) {
   result = value_of(number);

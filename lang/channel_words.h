@@ -25,6 +25,7 @@ class ChannelWords {
   [[nodiscard]] int axis_called(std::string_view name) const;
   // Axis that is the channel's X, Y or Z (0, 1, 2), or -1.
   [[nodiscard]] int geometry_axis(std::size_t coordinate) const { return geometry_[coordinate]; }
+  [[nodiscard]] const std::array<int, 3>& geometry() const { return geometry_; }
   [[nodiscard]] AxisSet linear_axes() const { return linear_; }
 
  private:

@@ -17,6 +17,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/rotation.h"
+
 namespace stanok::lang {
 
 inline constexpr int axes_max = 8;
@@ -139,10 +141,9 @@ struct ToolLength {
 // The complete frame W -> base of the scheme: p_B = rotation * p_W + offset. Sent whenever it
 // changes.
 struct FrameChange {
-  int work_offset = 1;        // 1 = G54 ... 9 = G59.3, 10.. = G54.1 P1..
-  AxisValues offset{};        // work offset + G52 + G92, per axis (deg for rotary axes)
-  double rotation_deg = 0.0;  // G68 in `rotation_plane`
-  Plane rotation_plane = Plane::xy;
+  int work_offset = 1;  // 1 = G54 ... 9 = G59.3, 10.. = G54.1 P1..
+  AxisValues offset{};  // per axis (deg for rotary axes)
+  Rotation rotation;    // of the channel's X, Y, Z (G68, G10 L2 R)
 };
 
 struct OverrideControl {

@@ -52,9 +52,14 @@ class Tables {
   // Offset vector of a work offset (1 = G54 ...), per axis of the channel; nothing if it does not
   // exist.
   [[nodiscard]] virtual std::optional<AxisValues> work_offset(int number) const = 0;
+  // Rotation of a work offset in the XY plane, deg (G10 L2 R).
+  [[nodiscard]] virtual double work_offset_rotation(int) const { return 0.0; }
   [[nodiscard]] virtual std::optional<Tool> tool(int number) const = 0;
   // Position of the scheme's base B in M, per axis of the channel (G53 without tip transformation).
   [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
+  // Reference point 1 (G28) to 4 (G30 P4) in M, per axis of the channel, as the machine file has
+  // it.
+  [[nodiscard]] virtual AxisValues reference_point(int) const { return {}; }
 };
 
 // A program text as read once for a load; later changes on disk have no effect on a run.

@@ -74,28 +74,34 @@ FeedMode ModalState::feed_mode() const {
   }
 }
 
-AxisValues ModalState::offset() const {
-  AxisValues sum = work_offset;
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    sum[i] += local_shift[i];
-    if (axis_shift_active) sum[i] += axis_shift[i];
+WorkFrame ModalState::frame() const {
+  AxisValues shift = local_shift;
+  for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
+  const auto turned_centre = rotation.rotation.turned(rotation.centre);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (geometry[k] < 0 || rotation.rotation.is_identity()) continue;
+    shift[static_cast<std::size_t>(geometry[k])] += rotation.centre[k] - turned_centre[k];
   }
-  return sum;
+  WorkFrame frame{turned(work_offset_rotation, geometry, shift),
+                  work_offset_rotation * rotation.rotation, geometry};
+  for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
+  return frame;
 }
 
-void ModalState::reexpress_position(const AxisValues& offset_before) {
-  const AxisValues now = offset();
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i] != offset_before[i]) position_W[i] += offset_before[i] - now[i];
-  }
+void ModalState::reexpress_position(const WorkFrame& before) {
+  adopt_position(before.base_from_work(position_W));
 }
 
 void ModalState::adopt_position(const AxisValues& position_B) {
-  const AxisValues now = offset();
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const double position = position_B[i] - now[i];
-    if (std::abs(position - position_W[i]) > position_noise) position_W[i] = position;
+  const AxisValues position = frame().work_from_base(position_B);
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    if (std::abs(position[i] - position_W[i]) > position_noise) position_W[i] = position[i];
   }
+}
+
+void ModalState::shift_position(const AxisValues& distance_B) {
+  const AxisValues distance_W = turned_back(frame().rotation, geometry, distance_B);
+  for (std::size_t i = 0; i < distance_W.size(); ++i) position_W[i] += distance_W[i];
 }
 
 }  // namespace stanok::lang

@@ -2,7 +2,8 @@
 //
 // A value: copied to be saved, replaced to be reset. Frames: the position is kept in the active
 // workpiece system W, so that a programmed coordinate stays what was programmed to the last bit;
-// p_B = p_W + offset().
+// p_B = rotation * p_W + offset, see frame(). Between the words of a program and W stand scaling
+// and mirror (lang/coordinate_map.h).
 #pragma once
 
 #include <array>
@@ -11,7 +12,9 @@
 #include "base/diagnostic.h"
 #include "lang/code_table.h"
 #include "lang/command.h"
+#include "lang/coordinate_map.h"
 #include "lang/environment.h"
+#include "lang/work_frame.h"
 
 namespace stanok::lang {
 
@@ -32,6 +35,12 @@ struct DrillingCycle {
   double dwell_s = -1.0;       // P; below zero: none
   bool has_retract_level = false;
   bool has_bottom = false;
+};
+
+// G68: W is turned about a centre in the system that G54, G52 and G92 make.
+struct ProgrammedRotation {
+  Rotation rotation;
+  std::array<double, 3> centre{};  // X, Y, Z
 };
 
 struct ModalState {
@@ -60,9 +69,13 @@ struct ModalState {
 
   int work_offset_number = 1;     // 1 = G54
   AxisValues work_offset{};       // of the table
+  Rotation work_offset_rotation;  // G10 L2 R, of the table
   AxisValues local_shift{};       // G52
   AxisValues axis_shift{};        // G92
   bool axis_shift_active = true;  // false after G92.2
+  ProgrammedRotation rotation;    // G68
+  CoordinateMap map;              // G51, G51.1
+  GeometryAxes geometry{-1, -1, -1};
   AxisValues position_W{};
 
   [[nodiscard]] CodeNumber code(Group group) const {
@@ -80,13 +93,19 @@ struct ModalState {
   [[nodiscard]] bool diameters() const { return code(Group::diameter) == 70; }
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] FeedMode feed_mode() const;
-  // Everything between W and B, per axis.
-  [[nodiscard]] AxisValues offset() const;
+  // Everything between W and B: p_B = work offset + its rotation * (G52 + G92 + G68 * p_W).
+  [[nodiscard]] WorkFrame frame() const;
+  // What an absolute word would have to say, in mm and deg, for the axis to stay where it is.
+  [[nodiscard]] double programmed_position(std::size_t axis) const {
+    return map.to_program(axis, position_W[axis]);
+  }
 
-  // Keeps the point in B where it is while the offset changes from `offset_before` to offset().
-  void reexpress_position(const AxisValues& offset_before);
+  // Keeps the point in B where it is while the frame changes from `before` to frame().
+  void reexpress_position(const WorkFrame& before);
   // Takes the point from B. Coordinates that agree to 1e-9 keep their programmed bits.
   void adopt_position(const AxisValues& position_B);
+  // Moves the point in B, by a distance along the axes of B.
+  void shift_position(const AxisValues& distance_B);
 };
 
 // The state at the start of a program, after M2, M30 and reset. Position and offsets are zero.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lang/point_parameter.h"
+
 namespace stanok::lang {
 namespace {
 
@@ -13,20 +15,13 @@ constexpr std::string_view axis_letters = "XYZABCUVW";
 constexpr int axis_shift_first = 5211;   // G92
 constexpr int work_offset_first = 5221;  // G54; the next system 20 further on
 constexpr int work_offset_step = 20;
-constexpr int work_offset_count = 9;  // G54 to G59.3
+constexpr int work_offset_rotation = 9;  // behind the axes of a system
+constexpr int work_offset_count = 9;     // G54 to G59.3
 constexpr int tool_offset_first = 5401;
 constexpr int position_first = 5420;
 
 const ModalState& modal_of(const ParameterView& view) {
   return view.around.modal;
-}
-
-// The value an axis word would have: programmed units, diameters.
-double as_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
-  const AxisDescription& description = around.channel.axes[axis];
-  if (!description.rotary && around.modal.inches()) value /= mm_per_inch;
-  if (around.modal.diameters() && description.geometry == 0) value *= 2.0;
-  return value;
 }
 
 // The value of the axis called `letter`; 0 where the channel has none.
@@ -52,9 +47,14 @@ double flag(const ParameterView& view) {
   return modal_of(view).*Flag ? 1.0 : 0.0;
 }
 
+double position_of(const BlockSurroundings& around, char letter) {
+  const int axis = around.channel_words.axis_called(std::string_view(&letter, 1));
+  return axis < 0 ? 0.0 : programmed_position(around, static_cast<std::size_t>(axis));
+}
+
 template <char Letter>
 double position(const ParameterView& view) {
-  return of_axis(view.around, Letter, modal_of(view).position_W);
+  return position_of(view.around, Letter);
 }
 
 double spindle_runs(const ParameterView& view) {
@@ -140,9 +140,12 @@ std::optional<char> letter_in_block(int number, int first) {
 std::optional<double> work_offset_parameter(int number, const BlockSurroundings& around) {
   const int behind = number - work_offset_first;
   if (behind < 0 || behind >= work_offset_count * work_offset_step) return std::nullopt;
+  const int system = behind / work_offset_step + 1;
+  if (behind % work_offset_step == work_offset_rotation) {
+    return around.tables.work_offset_rotation(system);
+  }
   const auto letter = letter_in_block(behind % work_offset_step, 0);
   if (!letter) return std::nullopt;
-  const int system = behind / work_offset_step + 1;
   return of_axis(around, *letter, around.tables.work_offset(system).value_or(AxisValues{}));
 }
 
@@ -162,6 +165,21 @@ double tool_diameter(const BlockSurroundings& around) {
 }
 
 }  // namespace
+
+double as_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
+  return value / from_programmed(around, axis, 1.0);
+}
+
+double from_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
+  const AxisDescription& description = around.channel.axes[axis];
+  if (!description.rotary && around.modal.inches()) value *= mm_per_inch;
+  if (around.modal.diameters() && description.geometry == 0) value *= 0.5;
+  return value;
+}
+
+double programmed_position(const BlockSurroundings& around, std::size_t axis) {
+  return as_programmed(around, axis, around.modal.programmed_position(axis));
+}
 
 std::span<const PredefinedParameter> predefined_parameters() {
   return rows;
@@ -193,8 +211,9 @@ std::optional<double> machine_parameter(int number, const ParameterView& view) {
     return of_axis(around, *letter, modal.axis_shift);
   }
   if (const auto letter = letter_in_block(number, position_first)) {
-    return of_axis(around, *letter, modal.position_W);
+    return position_of(around, *letter);
   }
+  if (const auto point = point_parameter(number, around)) return point;
   if (const auto offset = work_offset_parameter(number, around)) return offset;
   return tool_offset_parameter(number, around);
 }

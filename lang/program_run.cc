@@ -29,7 +29,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
     : channel_(channel),
       tables_(tables),
       channel_words_(channel),
-      around_{modal_, channel_words_, channel_, tables_, queue_},
+      around_{modal_, channel_words_, channel_, tables_, queue_, points_},
       r_parameters_(r_parameter_count, 0.0) {}
 
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
@@ -60,9 +60,9 @@ void ProgramRun::start(std::shared_ptr<const Program> program, const AxisValues&
   const int tool_active = modal_.tool_active;
   modal_ = default_modal_state(channel_.kind);
   modal_.tool_active = tool_active;
-  modal_.work_offset = tables_.work_offset(modal_.work_offset_number).value_or(AxisValues{});
-  const AxisValues offset = modal_.offset();
-  for (std::size_t i = 0; i < offset.size(); ++i) modal_.position_W[i] = position_B[i] - offset[i];
+  modal_.geometry = channel_words_.geometry();
+  take_work_offset(modal_, tables_, modal_.work_offset_number);
+  modal_.position_W = modal_.frame().work_from_base(position_B);
   queue_.set_origin({}, 0);
   queue_.emit(frame_of(modal_));
   queue_.emit(modal_.length);
@@ -159,9 +159,9 @@ void ProgramRun::end_program(ProgramEndKind kind) {
 
 // What an operator or a Request may have changed while the axes stood.
 void ProgramRun::read_tables_again() {
-  const AxisValues before = modal_.offset();
-  modal_.work_offset = tables_.work_offset(modal_.work_offset_number).value_or(modal_.work_offset);
-  if (modal_.offset() == before) return;
+  const WorkFrame before = modal_.frame();
+  take_work_offset(modal_, tables_, modal_.work_offset_number);
+  if (modal_.frame() == before) return;
   modal_.reexpress_position(before);
   queue_.emit(frame_of(modal_));
 }

@@ -180,6 +180,7 @@ class ProgramRun {
   Phase phase_ = Phase::idle;
   ModalState modal_;
   CommandQueue queue_;
+  MachinePoints points_;
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand
   PlainCursor plain_;

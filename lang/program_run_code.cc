@@ -220,7 +220,7 @@ void ProgramRun::push_system_value(const Instruction& instruction) {
   double value = 0.0;
   if (name == "channel") value = channel_.id;
   if (name == "line") value = span().line;
-  if (name == "prog_pos") value = modal_.position_W[static_cast<std::size_t>(index)];
+  if (name == "prog_pos") value = programmed_position(around_, static_cast<std::size_t>(index));
   if (name == "feed") value = modal_.feed_programmed;
   if (name == "speed") value = modal_.speed_rev_per_min;
   if (name == "tool") value = modal_.tool_active;

@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "lang/number.h"
+#include "lang/point_parameter.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {
@@ -137,6 +138,7 @@ void ProgramRun::store_numbered_parameter(double number, double value) {
   if (index < 1 || static_cast<std::size_t>(index) >= parameter_count) {
     return fail("E3015", "there is no parameter #" + std::to_string(index), "#1 to #5602 exist");
   }
+  if (set_point_parameter(index, value, around_)) return;
   if (index >= machine_parameter_first && machine_parameter(index, parameter_view())) {
     return fail("E3013", "parameter #" + std::to_string(index) + " shows the state of the machine",
                 "cannot be set");

@@ -42,9 +42,8 @@ class Poses {
   Frame frame() {
     Frame frame;
     frame.offset = next();
-    const double angle = degrees_(engine_);
-    frame.cosine = std::cos(angle);
-    frame.sine = std::sin(angle);
+    const std::array axis{millimetres_(engine_), millimetres_(engine_), millimetres_(engine_)};
+    frame.rotation = Rotation::about(axis, degrees_(engine_));
     return frame;
   }
 
@@ -159,7 +158,9 @@ TEST(Scheme, UnknownTypeIsNoSchemeAndSaysSo) {
 
 TEST(Transform, IsTheIdentityWithoutScheme) {
   const Transform transform{.scheme = nullptr,
-                            .frame = {.offset = {1, 2, 3}, .cosine = 0.0, .sine = 1.0},
+                            .frame = {.offset = {1, 2, 3},
+                                      .rotation = Rotation::about({0, 0, 1}, 90),
+                                      .geometry = {0, 1, 2}},
                             .mode = PointMode::tip,
                             .tool = {{0, 0, -80}}};
   const AxisVector<double> point{0.1, 0.2, 0.3, 33.3, -7, 1e9, 0, -1};
@@ -170,7 +171,7 @@ TEST(Transform, IsTheIdentityWithoutScheme) {
   EXPECT_EQ(result, point);
 }
 
-TEST(Transform, TurnsTheRotatedPlaneThenAddsTheOffset) {
+TEST(Transform, TurnsXyzThenAddsTheOffset) {
   SchemeConfig config;
   config.type = "cartesian";
   config.axes = {0, 1, 2};
@@ -180,9 +181,7 @@ TEST(Transform, TurnsTheRotatedPlaneThenAddsTheOffset) {
   // sin 30).
   Transform transform{.scheme = scheme.get(), .frame = {}, .mode = PointMode::axes, .tool = {}};
   transform.frame.offset = {100, 200, 300};
-  transform.frame.rotated = {2, 0};
-  transform.frame.cosine = std::sqrt(3.0) / 2.0;
-  transform.frame.sine = 0.5;
+  transform.frame.rotation = Rotation::about({0, 1, 0}, 30);
   AxisVector<double> axes_M{};
   inverse(transform, AxisVector<double>{0, 5, 1}, axes_M);
   EXPECT_DOUBLE_EQ(axes_M[0], 100.5);

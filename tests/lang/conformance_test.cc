@@ -87,7 +87,15 @@ class Describer {
     return text;
   }
   std::string operator()(const FrameChange& frame) const {
-    return "frame " + std::to_string(frame.work_offset) + axes_text(frame.offset, 0xFF);
+    std::string text = "frame " + std::to_string(frame.work_offset);
+    text += axes_text(frame.offset, 0xFF);
+    if (frame.rotation.is_identity()) return text;
+    text += " turned";
+    for (const auto& row : frame.rotation.rows()) {
+      text +=
+          " (" + number_text(row[0]) + " " + number_text(row[1]) + " " + number_text(row[2]) + ")";
+    }
+    return text;
   }
   std::string operator()(const OverrideControl& control) const {
     std::string text =
@@ -198,7 +206,9 @@ class Describer {
                                          : " \"" + request.value_text + "\"";
     for (int k = 0; k < 32; ++k)
       if ((request.channels >> k & 1U) != 0) text += " with " + std::to_string(k);
-    if (request.kind == RequestKind::offset_table_write) text += " " + number_text(request.value);
+    if (request.kind == RequestKind::offset_table_write ||
+        request.kind == RequestKind::tool_table_write)
+      text += " " + number_text(request.value);
     if (request.seconds >= 0.0) text += " timeout " + number_text(request.seconds);
     return text;
   }

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"G54.1 P301", "E4008", 1, 7}, FaultCase{"G54.1", "E4007", 1, 1},
                       FaultCase{"T7", "E5002", 1, 1}, FaultCase{"G43 H7", "E5002", 1, 5},
                       FaultCase{"G43 H1.5", "E4008", 1, 5}, FaultCase{"G10 L2 X1", "E4007", 1, 1},
-                      FaultCase{"G10 L1 P1", "E2090", 1, 5}, FaultCase{"G0 C1", "E4010", 1, 4},
+                      FaultCase{"G10 L3 P1 X1", "E4008", 1, 5}, FaultCase{"G0 C1", "E4010", 1, 4},
                       FaultCase{"G64 P-1", "E4008", 1, 5}, FaultCase{"M98", "E4007", 1, 1},
                       FaultCase{"M98 P5", "E7005", 1, 1}, FaultCase{"G77 X1", "E2090", 1, 1},
                       FaultCase{"G41 D1", "E2090", 1, 1}, FaultCase{"G=17.33", "E4004", 1, 1},

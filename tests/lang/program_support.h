@@ -34,6 +34,8 @@ class MemoryFiles : public Files {
 class MemoryTables : public Tables {
  public:
   std::map<int, AxisValues> offsets;
+  std::map<int, double> rotations;
+  std::map<int, AxisValues> reference;
   std::map<int, Tool> tools;
   AxisValues zero{};
 
@@ -47,6 +49,14 @@ class MemoryTables : public Tables {
     return found == tools.end() ? std::nullopt : std::optional(found->second);
   }
   [[nodiscard]] AxisValues scheme_zero() const override { return zero; }
+  [[nodiscard]] double work_offset_rotation(int number) const override {
+    const auto found = rotations.find(number);
+    return found == rotations.end() ? 0.0 : found->second;
+  }
+  [[nodiscard]] AxisValues reference_point(int which) const override {
+    const auto found = reference.find(which);
+    return found == reference.end() ? AxisValues{} : found->second;
+  }
 };
 
 inline ChannelDescription mill_xyzbc() {

@@ -422,8 +422,7 @@ TEST(SoftLimits, HoldForTheLastTurnOfAHelixInATurnedFrame) {
   const auto scheme = head_table();
   kinematics::Transform transform;
   transform.scheme = scheme.get();
-  transform.frame.cosine = 0.0;
-  transform.frame.sine = 1.0;
+  transform.frame.rotation = Rotation::about({0, 0, 1}, 90);
   MotionConfig config = mill(5);
   const Point start{0.0, 0.0, 10.0};
   PathBlock helix = line_to({0.0, 40.0, 10.0});

@@ -103,8 +103,7 @@ TEST_P(BothModes, EveryAxisKeepsItsLimitsWithinPieceLimits) {
     transform.scheme = scheme.get();
     transform.mode = GetParam();
     transform.tool.nose_to_tip_mm = {0.0, 0.0, -80.0};
-    transform.frame.cosine = std::cos(0.3);
-    transform.frame.sine = std::sin(0.3);
+    transform.frame.rotation = Rotation::about({1, 2, 3}, 17);
     for (const auto& built : random_pieces(random, config, transform)) {
       expect_limits_kept(built.piece, config, random);
     }

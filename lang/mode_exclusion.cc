@@ -1,0 +1,64 @@
+// Modes in which a code has no meaning: one place that says so, with the line that set the mode.
+#include "lang/actions.h"
+
+namespace stanok::lang {
+namespace {
+
+struct ExcludedMode {
+  Exclusion exclusion;
+  Group group;
+  std::string_view name;
+  std::string_view remedy;
+};
+
+constexpr ExcludedMode modes[] = {
+    {Exclusion::radius_compensation, Group::radius_compensation, "radius compensation is active",
+     "switch it off with `G40` before"},
+    {Exclusion::tip_control, Group::length, "the tool tip is controlled",
+     "switch it off with `G49` before"},
+    {Exclusion::transformation, Group::transformation,
+     "a face or cylinder transformation is active", "switch it off with `G13.1` before"},
+    {Exclusion::drilling_cycle, Group::motion, "a drilling cycle is active",
+     "end it with `G80` before"},
+    {Exclusion::inverse_time, Group::feed_mode, "the feed is an inverse time",
+     "program `G94` or `G95` before"},
+};
+
+bool is_active(const ModalState& modal, Exclusion exclusion) {
+  switch (exclusion) {
+    case Exclusion::radius_compensation:
+      return modal.code(Group::radius_compensation) != 400;
+    case Exclusion::tip_control:
+      return modal.length.mode == LengthMode::tip;
+    case Exclusion::transformation:
+      return modal.code(Group::transformation) != 131;
+    case Exclusion::drilling_cycle: {
+      const CodeNumber code = modal.code(Group::motion);
+      return code == 730 || code == 740 || code == 760 || (code > 800 && code <= 890);
+    }
+    case Exclusion::inverse_time:
+      return modal.feed_mode() == FeedMode::inverse_time;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
+                      std::initializer_list<Exclusion> exclusions) {
+  for (const Exclusion exclusion : exclusions) {
+    if (!is_active(block.modal, exclusion)) continue;
+    for (const ExcludedMode& mode : modes) {
+      if (mode.exclusion != exclusion) continue;
+      BlockFault& fault = block.fail(
+          "E4301", {'G', code, {}},
+          "`" + code_text('G', code) + "` while " + std::string(mode.name), "not in this mode");
+      fault.notes.push_back(block.modal.origin_of(mode.group));
+      fault.help.emplace_back(mode.remedy);
+    }
+    return true;
+  }
+  return false;
+}
+
+}  // namespace stanok::lang

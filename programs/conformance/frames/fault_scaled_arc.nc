@@ -1,0 +1,4 @@
+G51 I2 J3
+G2 X1 Y1 I1 F100
+; expect error 2:1 E4303
+M30
