@@ -73,6 +73,7 @@ std::optional<lang::Tool> ChannelTables::tool(int number) const {
   tool.number = number;
   tool.length_mm = {edge->length_x, edge->length_y, edge->length + edge->wear_length};
   tool.radius_mm = edge->radius + edge->wear_radius;
+  tool.orientation = edge->orientation;
   return tool;
 }
 

@@ -9,6 +9,8 @@
 
 namespace stanok::lang {
 
+struct BlockCodes;
+
 // Feed, speed, tool and machine functions (actions_machine.cc)
 void take_feed(ActiveBlock& block, CodeNumber);
 void take_speed(ActiveBlock& block, CodeNumber);
@@ -60,6 +62,12 @@ void take_work_offset(ModalState& modal, const Tables& tables, int number);
 // Tells the channel the frame after a change; the point stays where it is in B.
 void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before);
 void publish_frame(ActiveBlock& block, const WorkFrame& before);
+
+// Radius compensation (actions_compensation.cc)
+void select_compensation(ActiveBlock& block, CodeNumber code);  // G40 G41 G41.1 G42 G42.1
+// Fails the block when radius compensation is active and forbids one of its codes, the modally
+// active motion among them.
+void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes);
 
 // Motion (actions_motion.cc, actions_arc.cc)
 void stop_at_block_end(ActiveBlock& block, CodeNumber code);        // G9

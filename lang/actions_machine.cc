@@ -155,12 +155,14 @@ void switch_overrides(ActiveBlock& block, CodeNumber code) {
 }
 
 // The operator may move the axes while the program stands: the position is read again afterwards.
+// Radius compensation needs the blocks behind M0 and M1.
 void stop_program(ActiveBlock& block, CodeNumber code) {
   const StopKind kind = code == 0    ? StopKind::program_stop
                         : code == 10 ? StopKind::optional_stop
                                      : StopKind::pallet_stop;
   block.queue.emit(ProgramStop{kind});
-  block.queue.emit(Request{});
+  const bool goes_on = block.modal.compensation.on() && kind != StopKind::pallet_stop;
+  if (!goes_on) block.queue.emit(Request{});
 }
 
 void end_program(ActiveBlock& block, CodeNumber code) {

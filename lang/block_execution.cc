@@ -361,6 +361,8 @@ void execute_block(ActiveBlock& block) {
     return;
   }
   block.dwell_word = dwell_word(block.words, codes);
+  refuse_while_compensated(block, codes);
+  if (block.failed()) return;
   apply_units(block, codes);
   collect_axis_words(block);
   if (auto fault = missing_axes(codes, block.programmed != 0)) {

@@ -43,6 +43,19 @@ struct ProgrammedRotation {
   std::array<double, 3> centre{};  // X, Y, Z
 };
 
+// G41 and G42 as selected: the tool is `radius_mm` off the contour, on its left or right side in
+// `plane`.
+struct RadiusCompensation {
+  enum class Side : std::uint8_t { off, left, right };
+  Side side = Side::off;
+  Plane plane = Plane::xy;
+  int orientation = 0;  // of a lathe tool, 0 to 9
+  double radius_mm = 0.0;
+
+  [[nodiscard]] bool on() const { return side != Side::off; }
+  bool operator==(const RadiusCompensation&) const = default;
+};
+
 struct ModalState {
   // The active code of each group in tenths (G1 = 10), and the line that set it; 0 = default.
   std::array<CodeNumber, group_count> codes{};
@@ -64,6 +77,7 @@ struct ModalState {
   int tool_active = 0;
 
   ToolLength length;
+  RadiusCompensation compensation;
   PathControl path;
   DrillingCycle cycle;
 

@@ -29,6 +29,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
     : channel_(channel),
       tables_(tables),
       channel_words_(channel),
+      compensation_(channel_words_),
       around_{modal_, channel_words_, channel_, tables_, queue_, points_},
       r_parameters_(r_parameter_count, 0.0) {}
 
@@ -36,6 +37,7 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   keep_channel_parameters();
   program_ = std::move(program);
   queue_.clear();
+  compensation_.reset();
   plain_ = {};
   block_ = 0;
   stack_.clear();
@@ -72,7 +74,11 @@ void ProgramRun::start(std::shared_ptr<const Program> program, const AxisValues&
 Step ProgramRun::next(Command& command) {
   if (answer_owed_) return Step::waiting;
   for (int work = 0; work < work_bound; ++work) {
-    if (!queue_.empty()) return deliver(command);
+    if (compensation_.engaged()) {
+      if (!compensation_.ready().empty()) return deliver(compensation_.ready(), command);
+      if (compensate()) continue;
+    }
+    if (!queue_.empty()) return deliver(queue_, command);
     switch (phase_) {
       case Phase::idle:
       case Phase::ended:
@@ -91,10 +97,24 @@ Step ProgramRun::next(Command& command) {
   return Step::working;
 }
 
-Step ProgramRun::deliver(Command& command) {
-  queue_.take(command);
+Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
+  queue.take(command);
   answer_owed_ = std::holds_alternative<Request>(command.payload);
   return Step::command;
+}
+
+// Leads one command through radius compensation, at the end of a run what is held there. False when
+// nothing was to do.
+bool ProgramRun::compensate() {
+  if (queue_.empty()) {
+    if (phase_ == Phase::running) return false;
+    compensation_.finish();
+    return !compensation_.ready().empty();
+  }
+  Command command;
+  queue_.take(command);
+  if (auto fault = compensation_.take(command)) fail_compensation(std::move(*fault));
+  return true;
 }
 
 // Executes the next plain line. True when it made `command` without the queue.
@@ -109,7 +129,7 @@ bool ProgramRun::run_plain_line(Command& command) {
   Move* move = std::get_if<Move>(&command.payload);
   if (move == nullptr) move = &command.payload.emplace<Move>();
   ActiveBlock block(words_, around_, line);
-  if (execute_simple_move(block, *move)) {
+  if (!compensation_.engaged() && execute_simple_move(block, *move)) {
     command.origin = origin;
     command.block = block_;
     return true;
@@ -123,8 +143,14 @@ bool ProgramRun::run_plain_line(Command& command) {
 void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* places) {
   queue_.set_origin({frames_.back().file, block_span.line}, block_);
   ActiveBlock block(words_, around_, block_span.line);
+  const AxisValues start_W = modal_.position_W;
   execute_block(block);
-  if (!block.fault) return follow_flow(block);
+  if (!block.fault) {
+    if (auto fault = compensation_.select(modal_.compensation, start_W)) {
+      return fail_compensation(std::move(*fault));
+    }
+    return follow_flow(block);
+  }
   if (places != nullptr) {
     fail_block(std::move(*block.fault), block_span, *places);
   } else {
@@ -168,7 +194,10 @@ void ProgramRun::read_tables_again() {
 
 void ProgramRun::answer(const Answer& answer) {
   if (!std::exchange(answer_owed_, false)) return;
-  if (answer.position_valid) modal_.adopt_position(answer.position_B);
+  if (answer.position_valid) {
+    modal_.adopt_position(answer.position_B);
+    compensation_.adopt_position();
+  }
   if (queue_.empty()) read_tables_again();
   switch (std::exchange(answer_use_, AnswerUse::position_only)) {
     case AnswerUse::position_only:
@@ -269,6 +298,17 @@ void ProgramRun::fail_block(BlockFault fault, const Span& block_span,
                                         std::move(fault.label));
   diagnostic.notes = std::move(fault.notes);
   diagnostic.help = std::move(fault.help);
+  fail_with(std::move(diagnostic));
+}
+
+// The block at fault may be one before the block at hand.
+void ProgramRun::fail_compensation(CompensationFault fault) {
+  const Source& source = program_->files[fault.origin.file]->source;
+  Diagnostic diagnostic =
+      diagnostic_at(source, fault.fault.code, span_of_line(source, fault.origin.line),
+                    std::move(fault.fault.message), std::move(fault.fault.label));
+  diagnostic.notes.push_back(modal_.origin_of(Group::radius_compensation));
+  diagnostic.help = std::move(fault.fault.help);
   fail_with(std::move(diagnostic));
 }
 

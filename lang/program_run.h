@@ -21,6 +21,7 @@
 #include "lang/modal_state.h"
 #include "lang/predefined_parameter.h"
 #include "lang/program.h"
+#include "lang/radius_compensation.h"
 #include "lang/value.h"
 
 namespace stanok::lang {
@@ -91,7 +92,9 @@ class ProgramRun {
 
   // program_run.cc
   void reset(std::shared_ptr<const Program> program);
-  Step deliver(Command& command);
+  Step deliver(CommandQueue& queue, Command& command);
+  bool compensate();
+  void fail_compensation(CompensationFault fault);
   bool run_plain_line(Command& command);
   // Executes words_; `places` nullptr: found in the text when they are needed.
   void execute(const Span& block_span, const std::vector<IsoWord>* places);
@@ -180,6 +183,7 @@ class ProgramRun {
   Phase phase_ = Phase::idle;
   ModalState modal_;
   CommandQueue queue_;
+  CompensationStage compensation_;
   MachinePoints points_;
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand

@@ -58,6 +58,9 @@ class Reporter {
 [[nodiscard]] Diagnostic diagnostic_at(const Source& source, std::string_view code,
                                        const Span& span, std::string message, std::string label);
 
+// What stands on a line of `source`, without blanks before it.
+[[nodiscard]] Span span_of_line(const Source& source, std::uint32_t line);
+
 // The candidate that is most like `name` (at most 2 edits, fewer for short names), or an empty
 // view.
 [[nodiscard]] std::string_view nearest_name(std::string_view name,

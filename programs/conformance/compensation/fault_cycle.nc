@@ -1,0 +1,6 @@
+; G81 X1 Z-1 R1 while the tool radius is compensated.
+F100 G42 D1 G1 X10 Y0
+G81 X1 Z-1 R1
+; expect: line X10 Y-1 F100
+; expect error 3:1 E4141
+M30
