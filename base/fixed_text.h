@@ -24,6 +24,29 @@ struct FixedText {
     return {characters.data(), static_cast<std::size_t>(end - characters.begin())};
   }
   [[nodiscard]] constexpr bool empty() const RT_SAFE { return characters[0] == '\0'; }
+
+  // Behind what is there, as far as it fits.
+  constexpr FixedText& append(std::string_view text) RT_SAFE {
+    const std::size_t length = view().size();
+    std::copy_n(text.begin(), std::min(text.size(), N - 1 - length),
+                characters.begin() + static_cast<std::ptrdiff_t>(length));
+    return *this;
+  }
+  constexpr FixedText& append(long number) RT_SAFE {
+    constexpr std::size_t digits_max = 20;
+    std::array<char, digits_max> digits{};
+    std::size_t first = digits_max;
+    auto rest = static_cast<unsigned long>(number);
+    if (number < 0) {
+      append("-");
+      rest = 0UL - rest;
+    }
+    do {
+      digits[--first] = static_cast<char>('0' + rest % 10);
+      rest /= 10;
+    } while (rest != 0);
+    return append(std::string_view(digits.data() + first, digits_max - first));
+  }
 };
 
 }  // namespace stanok

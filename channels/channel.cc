@@ -42,9 +42,12 @@ void Channel::select_scheme(int scheme) {
 
 void Channel::advance(std::int64_t cycle) RT_SAFE {
   cycle_ = cycle;
+  has_passed_mark_ = false;
   if (resetting_) continue_reset();
   work_items(cycle);
+  find_gate();
   move();
+  work_riders();
   show_remarks(cycle);
   for (Spindle& spindle : spindles_) spindle.advance(figures_.cycle_s);
   if (power_off_wanted_ && !resetting_ && interpolator_.at_rest()) {
@@ -60,6 +63,7 @@ void Channel::work_items(std::int64_t cycle) RT_SAFE {
     if (!finish_activity()) return;
     if (link_.items.empty() || !interpolator_.at_rest()) return;
     if (path_.chunks_done < link_.items.front().after_chunk) return;
+    if (link_.riders.popped() < link_.items.front().after_rider) return;
     static_cast<void>(link_.items.pop(item_));
     execute(item_, cycle);
   }
@@ -181,12 +185,6 @@ void Channel::execute(const Item& item, std::int64_t cycle) RT_SAFE {
   }
 }
 
-void Channel::set_axes(lang::AxisSet axes, bool free) RT_SAFE {
-  for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    if ((axes >> k & 1U) != 0) drives_[k] = {.enabled = free, .brake_closed = !free};
-  }
-}
-
 // Chunks that may be entered now: those before the next item, and none while an item is at work.
 std::uint64_t Channel::chunk_limit(std::uint64_t available) const RT_SAFE {
   if (activity_ != Activity::none) return path_.chunks_done;
@@ -200,6 +198,7 @@ void Channel::move() RT_SAFE {
   const std::uint64_t limit = chunk_limit(available);
   motion::FeedControl control = control_;
   if (!overrides_enabled_) control.feed_override = 1.0;
+  control.closed_from_block = closed_from_block();
   if (!link_.path.chunks.empty())
     lookahead_max_ = std::max(lookahead_max_, link_.path.chunks.front().lookahead_blocks);
   interpolator_.advance(link_.path, control, path_, limit);
@@ -239,7 +238,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.moving = path_.state == motion::PathState::moving;
   output.running = running_;
   output.run = run_;
-  output.waiting = activity_ != Activity::none && activity_ != Activity::frame;
+  output.waiting = (activity_ != Activity::none && activity_ != Activity::frame) || at_soft_mark_;
   output.scheme = scheme_;
   output.tag = running_ ? path_.tag : motion::BlockTag{};
   output.feed_commanded = path_.feed_commanded;
@@ -250,27 +249,21 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.drives = drives_;
 }
 
-void Channel::power(bool on) RT_SAFE {
-  powered_ = on;
-  const kinematics::Scheme* scheme = find_scheme(scheme_);
-  for (int k = 0; k < figures_.axis_count; ++k) {
-    const bool free = on && (scheme == nullptr || scheme->takes_part(k));
-    drives_[static_cast<std::size_t>(k)] = {.enabled = free, .brake_closed = !free};
-  }
-}
-
 void Channel::begin_load(const ShortText& program) RT_SAFE {
   load_ = Outcome::pending;
   Notice notice;
   notice.kind = NoticeKind::load;
-  notice.text = program;
+  notice.text = ReasonText(program.view());
   static_cast<void>(link_.notices.push(notice));
 }
 
 void Channel::begin_run() RT_SAFE {
   ++run_;
+  run_before_ok_ = run_ok_;
   running_ = true;
   run_ok_ = false;
+  was_reset_ = false;
+  marks_ = {};
   state_ = ChannelState::running;
   control_.hold = false;
   start_cycle_ = cycle_;
@@ -307,6 +300,7 @@ void Channel::end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE
   if (!running_) return;
   running_ = false;
   run_ok_ = ok;
+  end_cycle_ = cycle;
   overrides_enabled_ = true;
   control_.hold = false;
   state_ = ChannelState::ready;
@@ -339,33 +333,6 @@ void Channel::begin_reset() RT_SAFE {
   control_.hold = true;
 }
 
-void Channel::fault(std::string_view code, std::string_view text) RT_SAFE {
-  if (alarm_stays_) return;
-  raise_alarm(code, text, path_.tag);
-  begin_reset();
-  alarm_stays_ = true;
-  power_off_wanted_ = true;
-}
-
-void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
-  if (feedback.empty()) return;
-  drives_answer_ = true;
-  drives_ready_ = true;
-  for (int k = 0; k < figures_.axis_count; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
-    drives_answer_ = drives_answer_ && drive.valid;
-    if (!drives_[i].enabled) {
-      drive_was_ready_[i] = false;
-      continue;
-    }
-    drives_ready_ = drives_ready_ && drive.valid && drive.enabled;
-    if (drive_was_ready_[i] && !drive.valid) fault("A3001", "a drive does not answer");
-    if (drive_was_ready_[i] && drive.fault) fault("A3002", "a drive reports a fault");
-    drive_was_ready_[i] = drive_was_ready_[i] || (drive.valid && drive.enabled);
-  }
-}
-
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
 // dropped.
 void Channel::continue_reset() RT_SAFE {
@@ -381,9 +348,11 @@ void Channel::continue_reset() RT_SAFE {
   while (link_.items.pop(item)) {
     if (item.kind != ItemKind::reset_done) continue;
     interpolator_.drop_path(link_.path);
+    forget_riders();
     link_.remarks.pop_front(link_.remarks.size());
     end_run(false, blocks_, cycle_);
     resetting_ = false;
+    was_reset_ = true;
     control_.hold = false;
     load_ = load_ == Outcome::pending ? Outcome::failed : load_;
     switch_ = switch_ == Outcome::pending ? Outcome::failed : switch_;
@@ -397,28 +366,16 @@ void Channel::continue_reset() RT_SAFE {
   }
 }
 
-void Channel::begin_switch(int scheme) RT_SAFE {
-  switch_ = Outcome::pending;
-  Notice notice;
-  notice.kind = NoticeKind::switch_scheme;
-  notice.number = scheme;
-  notice.axes_M = axes_M();
-  for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    if (drives_[k].enabled) notice.enabled = static_cast<lang::AxisSet>(notice.enabled | (1U << k));
-  }
-  static_cast<void>(link_.notices.push(notice));
-}
-
-void Channel::answer(bool ok, double value, const FixedText<8>& code, const ShortText& text)
-    RT_SAFE {
+void Channel::answer(const ChannelAnswer& answer) RT_SAFE {
   if (activity_ != Activity::request) return;
   activity_ = Activity::none;
   Notice notice;
   notice.kind = NoticeKind::answer;
-  notice.ok = ok;
-  notice.value = value;
-  notice.code = code;
-  notice.text = text;
+  notice.ok = answer.ok;
+  notice.raises = answer.raises;
+  notice.value = answer.value;
+  notice.code = answer.code;
+  notice.text = answer.text;
   notice.axes_M = axes_M();
   static_cast<void>(link_.notices.push(notice));
 }
@@ -432,19 +389,38 @@ void Channel::raise_alarm(std::string_view code, std::string_view text, const mo
   record.cycle = cycle_;
   record.tag = tag;
   record.code = FixedText<8>(code);
-  record.text = FixedText<256>(text);
+  record.text = FixedText<1024>(text);
+  record.file = file_name(tag);
+  last_alarm_ = {run_, tag.line, record.code, record.file};
   static_cast<void>(books_.reports->alarm_records().push(record));
-  emit(cycle_, code, text, tag);
+  emit(cycle_, code, text.substr(0, text.find('\n')), tag);
 }
 
 void Channel::set_spindle_override(double factor) RT_SAFE {
   for (Spindle& spindle : spindles_) spindle.set_override(factor);
 }
 
+// The program at fault stops along its path and is over; the alarm stays until reset.
+void Channel::fail_run(std::string_view code, std::string_view text, const motion::BlockTag& tag)
+    RT_SAFE {
+  if (alarm_stays_) return;
+  raise_alarm(code, text, tag);
+  begin_reset();
+  alarm_stays_ = true;
+}
+
+const FileName& Channel::file_name(const motion::BlockTag& tag) const RT_SAFE {
+  return link_.file_names[std::min<std::size_t>(tag.file, link_.file_names.size() - 1)];
+}
+
+bool Channel::ended_well(std::uint32_t run) const RT_SAFE {
+  return run == run_ ? run_ok_ : run + 1 == run_ && run_before_ok_;
+}
+
 bool Channel::is_quiet() const RT_SAFE {
   return !running_ && !resetting_ && interpolator_.at_rest() && activity_ == Activity::none &&
-         link_.items.empty() && link_.notices.empty() && load_ != Outcome::pending &&
-         switch_ != Outcome::pending;
+         link_.items.empty() && link_.riders.empty() && link_.notices.empty() &&
+         load_ != Outcome::pending && switch_ != Outcome::pending;
 }
 
 void Channel::emit(std::int64_t cycle, std::string_view code, std::string_view text,

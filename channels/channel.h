@@ -14,6 +14,7 @@
 #include "channels/output.h"
 #include "channels/report_book.h"
 #include "channels/spindle.h"
+#include "lang/builtin.h"
 #include "motion/interpolator.h"
 
 namespace stanok::channels {
@@ -41,6 +42,23 @@ struct ChannelFigures {
   std::array<double, motion::axes_max> start{};
   std::array<SpindleConfig, spindles_max> spindles{};
   int spindle_count = 0;
+};
+
+// What a request of the program came to: `code` and `text` say why `ok` is false.
+struct ChannelAnswer {
+  bool ok = true;
+  bool raises = false;  // lang::Answer
+  double value = 0.0;
+  FixedText<8> code;
+  ReasonText text;
+};
+
+// The latest alarm of a channel.
+struct ChannelAlarm {
+  std::uint32_t run = 0;
+  std::uint32_t line = 0;
+  FixedText<8> code;
+  FileName file;
 };
 
 // Where events, alarms and run records go; owned by the machine.
@@ -76,8 +94,8 @@ class Channel {
   void begin_reset() RT_SAFE;  // stops along the path, then forgets the run
   void begin_switch(int scheme) RT_SAFE;
   void power_off_at_rest() RT_SAFE { power_off_wanted_ = true; }
-  // `code` and `text` say why `ok` is false.
-  void answer(bool ok, double value, const FixedText<8>& code, const ShortText& text) RT_SAFE;
+  void answer(const ChannelAnswer& answer) RT_SAFE;
+  void fail_run(std::string_view code, std::string_view text, const motion::BlockTag& tag) RT_SAFE;
   void raise_alarm(std::string_view code, std::string_view text, const motion::BlockTag& tag)
       RT_SAFE;
   void set_feed_override(double factor) RT_SAFE { control_.feed_override = factor; }
@@ -102,11 +120,31 @@ class Channel {
   [[nodiscard]] const ShortText& last_text() const RT_SAFE { return text_; }
   [[nodiscard]] std::uint32_t run() const RT_SAFE { return run_; }
   [[nodiscard]] bool has_ended(std::uint32_t run) const RT_SAFE { return run != run_ || !running_; }
-  [[nodiscard]] bool ended_well() const RT_SAFE { return run_ok_; }
+  // How the latest run, or the one before it, ended.
+  [[nodiscard]] bool ended_well(std::uint32_t run) const RT_SAFE;
+  [[nodiscard]] bool was_reset_since_run() const RT_SAFE { return was_reset_; }
+  [[nodiscard]] bool is_running() const RT_SAFE { return running_; }  // held or not
+  [[nodiscard]] std::int64_t start_cycle() const RT_SAFE { return start_cycle_; }
+  [[nodiscard]] std::int64_t end_cycle() const RT_SAFE { return end_cycle_; }
+  [[nodiscard]] const ChannelAlarm& last_alarm() const RT_SAFE { return last_alarm_; }
+  [[nodiscard]] const FileName& file_name(const motion::BlockTag& tag) const RT_SAFE;
   // The request of the own program that waits for the coordinator, or nullptr.
   [[nodiscard]] const Item* request() const RT_SAFE {
     return activity_ == Activity::request ? &item_ : nullptr;
   }
+
+  // Marks (channel_riders.cc).
+  [[nodiscard]] bool is_mark_set(int mark) const RT_SAFE {
+    return marks_[static_cast<std::size_t>(mark)];
+  }
+  // The next soft mark on the path, or nullptr; whether the channel stands there, and the one that
+  // it left behind in this cycle.
+  [[nodiscard]] const Rider* soft_mark() const RT_SAFE;
+  [[nodiscard]] bool is_at_soft_mark() const RT_SAFE { return at_soft_mark_; }
+  [[nodiscard]] const Rider* passed_mark() const RT_SAFE {
+    return has_passed_mark_ ? &passed_mark_ : nullptr;
+  }
+  void open_soft_mark() RT_SAFE { soft_mark_open_ = true; }
 
  private:
   enum class Activity : std::uint8_t { none, frame, dwell, spindle, brakes, request, stop };
@@ -117,6 +155,13 @@ class Channel {
   void end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;
+  void work_riders() RT_SAFE;
+  [[nodiscard]] bool rider_is_due() const RT_SAFE;
+  [[nodiscard]] bool pass_soft_mark(const Rider& mark, bool passed) RT_SAFE;
+  void execute(const Rider& rider) RT_SAFE;
+  void find_gate() RT_SAFE;
+  [[nodiscard]] std::uint64_t closed_from_block() const RT_SAFE;
+  void forget_riders() RT_SAFE;
   [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
   void continue_reset() RT_SAFE;
@@ -147,6 +192,8 @@ class Channel {
   bool has_program_ = false;
   bool running_ = false;
   bool run_ok_ = true;
+  bool run_before_ok_ = true;
+  bool was_reset_ = false;  // since the latest run
   bool resetting_ = false;
   bool reset_sent_ = false;
   bool power_off_wanted_ = false;
@@ -161,6 +208,7 @@ class Channel {
   std::uint32_t run_ = 0;
   std::int64_t cycle_ = 0;
   std::int64_t start_cycle_ = 0;
+  std::int64_t end_cycle_ = 0;
   double path_mm_ = 0.0;
   std::uint32_t lookahead_max_ = 0;
   std::uint64_t blocks_ = 0;
@@ -169,6 +217,14 @@ class Channel {
   std::int64_t activity_began_ = 0;  // when the activity began
   Item item_;                        // the item being executed
   ShortText text_;
+  ChannelAlarm last_alarm_;
+
+  std::array<bool, lang::mark_max + 1> marks_{};
+  std::uint64_t gate_ = 0;  // number of the rider that is the next soft mark, or of the next rider
+  bool at_soft_mark_ = false;
+  bool soft_mark_open_ = false;  // all partners are there
+  bool has_passed_mark_ = false;
+  Rider passed_mark_;
 };
 
 }  // namespace stanok::channels

@@ -2,6 +2,8 @@
 // (another).
 #pragma once
 
+#include <array>
+
 #include "base/ring.h"
 #include "channels/item.h"
 #include "motion/path_queue.h"
@@ -11,8 +13,11 @@ namespace stanok::channels {
 struct ChannelLink {
   motion::PathQueue path;      // preparation -> cycle
   Ring<Item> items{256};       // preparation -> cycle
+  Ring<Rider> riders{8192};    // preparation -> cycle
   Ring<Remark> remarks{1024};  // preparation -> cycle
   Ring<Notice> notices{16};    // cycle -> preparation
+  // Of the loaded program, by motion::BlockTag::file; written before its load_done item is pushed.
+  std::array<FileName, 256> file_names{};
 };
 
 }  // namespace stanok::channels

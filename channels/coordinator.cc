@@ -5,9 +5,6 @@
 namespace stanok::channels {
 namespace {
 
-// A drive needs several polls of the bus from switch-on to holding its axis.
-constexpr double drives_ready_within_s = 3.0;
-
 lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
   switch (action) {
     case OperatorAction::program_load:
@@ -21,10 +18,6 @@ lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
     default:
       return lang::RequestKind::channel_reset;
   }
-}
-
-bool is_busy(const Channel& channel) RT_SAFE {
-  return channel.state() == ChannelState::running || channel.state() == ChannelState::held;
 }
 
 }  // namespace
@@ -56,8 +49,19 @@ Coordinator::Verdict Coordinator::refusal(std::string_view code, std::string_vie
   Verdict verdict;
   verdict.ok = false;
   verdict.code = FixedText<8>(code);
-  verdict.text = ShortText(text);
+  verdict.text = ReasonText(text);
   return verdict;
+}
+
+Coordinator::Verdict Coordinator::refusal(std::string_view code, const Channel& channel,
+                                          std::string_view claim) RT_SAFE {
+  Verdict verdict = refusal(code, "channel ");
+  verdict.text.append(channel.id()).append(claim);
+  return verdict;
+}
+
+bool Coordinator::is_busy(const Channel& channel) RT_SAFE {
+  return channel.state() == ChannelState::running || channel.state() == ChannelState::held;
 }
 
 Channel* Coordinator::channel_with_id(int id, int& index) const RT_SAFE {
@@ -125,13 +129,22 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
 }
 
 Coordinator::Verdict Coordinator::switch_on(Channel* channel) RT_SAFE {
+  FixedText<64> waiting;
+  int alarms = 0;
   for (int k = 0; k < channel_count_; ++k) {
     const Channel& candidate = *channels_[static_cast<std::size_t>(k)];
     if (channel != nullptr && channel != &candidate) continue;
     if (!candidate.drives_answer()) return refusal("A3001", "a drive does not answer");
     if (candidate.state() == ChannelState::alarm) {
-      return refusal("E6004", "a channel has an alarm; reset it first");
+      ++alarms;
+      waiting.append(alarms > 1 ? ", " : "").append(candidate.id());
     }
+  }
+  if (alarms > 0) {
+    Verdict verdict = refusal("E6004", alarms > 1 ? "channels " : "channel ");
+    verdict.text.append(waiting.view()).append(" must be reset first: ");
+    verdict.text.append(alarms > 1 ? "they have alarms" : "it has an alarm");
+    return verdict;
   }
   for (int k = 0; k < channel_count_; ++k) {
     Channel& candidate = *channels_[static_cast<std::size_t>(k)];
@@ -151,8 +164,9 @@ void Coordinator::set_overrides(const OperatorEvent& event, Channel& channel) RT
 
 void Coordinator::step() RT_SAFE {
   adopt_requests();
+  work_marks();
   for (Errand& errand : errands_) {
-    if (!errand.active) continue;
+    if (!errand.active || is_asker_held(errand)) continue;
     const Verdict verdict = step(errand);
     ++errand.cycles;
     if (verdict.done) conclude(errand, verdict);
@@ -175,6 +189,7 @@ void Coordinator::adopt_requests() RT_SAFE {
     errand.asker = k;
     errand.kind = item->request.kind;
     errand.number = item->request.number;
+    errand.members = channels_with_ids(item->request.channels);
     errand.seconds = item->request.seconds;
     errand.tag = item->tag;
     errand.text = item->text;
@@ -182,11 +197,31 @@ void Coordinator::adopt_requests() RT_SAFE {
   }
 }
 
+// Stop of a channel holds its wait.
+bool Coordinator::is_asker_held(const Errand& errand) const RT_SAFE {
+  return errand.asker != operator_asker &&
+         channels_[static_cast<std::size_t>(errand.asker)]->state() == ChannelState::held;
+}
+
+// Bit k of `ids` stands for the channel with id k.
+ChannelSet Coordinator::channels_with_ids(std::uint32_t ids) const RT_SAFE {
+  ChannelSet set = 0;
+  for (int k = 0; k < channel_count_; ++k) {
+    if ((ids >> channels_[static_cast<std::size_t>(k)]->id() & 1U) != 0) set |= channel_bit(k);
+  }
+  return set;
+}
+
 void Coordinator::conclude(Errand& errand, const Verdict& verdict) RT_SAFE {
   errand.active = false;
   if (errand.asker == operator_asker) return reply(errand.reply_id, verdict);
-  channels_[static_cast<std::size_t>(errand.asker)]->answer(verdict.ok, verdict.number,
-                                                            verdict.code, verdict.text);
+  ChannelAnswer answer;
+  answer.ok = verdict.ok;
+  answer.raises = verdict.raises;
+  answer.value = verdict.number;
+  answer.code = verdict.code;
+  answer.text = verdict.text;
+  channels_[static_cast<std::size_t>(errand.asker)]->answer(answer);
 }
 
 void Coordinator::reply(std::uint64_t id, const Verdict& verdict) RT_SAFE {
@@ -202,7 +237,9 @@ void Coordinator::reply(std::uint64_t id, const Verdict& verdict) RT_SAFE {
 Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   using lang::RequestKind;
   if (errand.kind == RequestKind::sync) return success();
-  if (errand.kind == RequestKind::terminate) return step_terminate(errand);
+  // The interpreter ends the run with the alarm U<code> once it has this answer.
+  if (errand.kind == RequestKind::terminate) return success();
+  if (errand.kind == RequestKind::mark_wait) return step_mark_wait(errand);
   if (errand.target < 0) return refusal("E6001", "no such channel");
   Channel& target = *channels_[static_cast<std::size_t>(errand.target)];
   switch (errand.kind) {
@@ -222,129 +259,11 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
       return step_reset(errand, target);
     case RequestKind::channel_state:
       return success(static_cast<double>(target.state()));
+    case RequestKind::mark_state:
+      return success(target.is_mark_set(errand.number) ? 1.0 : 0.0);
     default:
       return refusal("E2090", "not supported in this release");
   }
-}
-
-Coordinator::Verdict Coordinator::step_load(Errand& errand, Channel& target) RT_SAFE {
-  if (errand.stage == 0) {
-    if (is_busy(target) || target.is_resetting())
-      return refusal("E6003", "the channel is running or held");
-    if (target.state() == ChannelState::alarm)
-      return refusal("E6004", "the channel has an alarm; reset it first");
-    target.begin_load(errand.text);
-    errand.stage = 1;
-    return pending();
-  }
-  if (target.load_outcome() == Outcome::pending) return pending();
-  if (target.load_outcome() == Outcome::failed) return refusal("", target.last_text().view());
-  return success();
-}
-
-Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT_SAFE {
-  if (target.state() == ChannelState::held) {
-    target.resume();
-    return success();
-  }
-  if (target.state() == ChannelState::running)
-    return refusal("E6003", "the channel is already running");
-  if (target.state() == ChannelState::alarm)
-    return refusal("E6004", "the channel has an alarm; reset it first");
-  if (!target.has_program()) return refusal("E6005", "no program is loaded");
-  if (!target.is_powered()) return refusal("E6006", "the machine is off");
-  if (!target.drives_ready()) {
-    const double waited = static_cast<double>(errand.cycles) * cycle_s_;
-    return waited < drives_ready_within_s ? pending()
-                                          : refusal("E6008", "the drives are not ready");
-  }
-  if (!target.is_quiet()) return pending();
-  target.begin_run();
-  owner_[static_cast<std::size_t>(errand.target)] = errand.asker;
-  return success();
-}
-
-Coordinator::Verdict Coordinator::step_run(Errand& errand, Channel& target) RT_SAFE {
-  if (errand.stage < 2) {
-    const Verdict loaded = step_load(errand, target);
-    if (!loaded.done || !loaded.ok) return loaded;
-    errand.stage = 2;
-  }
-  return step_start(errand, target);
-}
-
-Coordinator::Verdict Coordinator::step_wait(Errand& errand, const Channel& target) RT_SAFE {
-  if (errand.stage == 0) {
-    if (waits_on(errand.target, errand.asker))
-      return refusal("E6020", "channels would wait for each other for ever");
-    errand.awaited_run = target.run();
-    errand.stage = 1;
-  }
-  if (target.has_ended(errand.awaited_run)) {
-    if (target.run() == 0 || target.ended_well()) return success();
-    return refusal("E6010", "the awaited program ended abnormally");
-  }
-  if (errand.seconds >= 0.0 && static_cast<double>(errand.cycles) * cycle_s_ >= errand.seconds) {
-    return refusal("E6010", "the time given for waiting is over");
-  }
-  return pending();
-}
-
-Coordinator::Verdict Coordinator::step_stop(Errand& errand, Channel& target) RT_SAFE {
-  if (errand.stage == 0) {
-    if (!is_busy(target)) return refusal("E6007", "nothing was running");
-    target.hold();
-    errand.stage = 1;
-  }
-  if (!is_busy(target)) return success();
-  return target.is_standing() ? success() : pending();
-}
-
-Coordinator::Verdict Coordinator::step_reset(Errand& errand, Channel& target) RT_SAFE {
-  if (errand.stage == 0) {
-    target.begin_reset();
-    errand.stage = 1;
-    return pending();
-  }
-  return target.is_resetting() ? pending() : success();
-}
-
-Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& target) RT_SAFE {
-  if (errand.stage == 0) {
-    const bool own = errand.asker == errand.target;
-    if (!target.has_scheme(errand.number))
-      return refusal("E5201", "the channel has no such kinematic scheme");
-    if (!own && is_busy(target))
-      return refusal("E5202", "the channel whose kinematics shall change is running or held");
-    if (target.state() == ChannelState::alarm)
-      return refusal("E6004", "the channel has an alarm; reset it first");
-    if (!target.is_powered()) return refusal("E6006", "the machine is off");
-    if (!own && !target.is_quiet()) return pending();
-    target.begin_switch(errand.number);
-    errand.stage = 1;
-    return pending();
-  }
-  if (target.switch_outcome() == Outcome::pending) return pending();
-  if (target.switch_outcome() == Outcome::failed)
-    return refusal("E5204", target.last_text().view());
-  return success();
-}
-
-// The interpreter ends the run with the alarm U<code> once it has this answer.
-Coordinator::Verdict Coordinator::step_terminate(const Errand& errand) RT_SAFE {
-  static_cast<void>(errand);
-  return success();
-}
-
-// Whether channel `waiter` waits, over any number of channels, for channel `awaited`.
-bool Coordinator::waits_on(int waiter, int awaited) const RT_SAFE {
-  for (int hops = 0; hops < channel_count_ && waiter >= 0; ++hops) {
-    if (waiter == awaited) return true;
-    const Errand& errand = errands_[static_cast<std::size_t>(waiter)];
-    if (!errand.active || errand.kind != lang::RequestKind::channel_wait) return false;
-    waiter = errand.target;
-  }
-  return waiter == awaited;
 }
 
 // A program that ends abnormally takes the runs that it started along, as configured.
@@ -354,9 +273,10 @@ void Coordinator::follow_owners() RT_SAFE {
     const int owner = owner_[i];
     if (owner < 0) continue;
     const Channel& master = *channels_[static_cast<std::size_t>(owner)];
-    if (is_busy(master) && !master.is_resetting()) continue;
+    const std::uint32_t run = owner_run_[i];
+    if (!master.has_ended(run) && !master.is_resetting()) continue;
     owner_[i] = operator_asker;
-    if (master.ended_well() || !is_busy(*channels_[i])) continue;
+    if (master.ended_well(run) || !is_busy(*channels_[i])) continue;
     if (on_owner_failure_[i] == OwnerFailure::hold) channels_[i]->hold();
     if (on_owner_failure_[i] == OwnerFailure::reset) channels_[i]->begin_reset();
   }

@@ -13,6 +13,7 @@
 
 #include "channels/channel.h"
 #include "channels/operator_event.h"
+#include "channels/rendezvous.h"
 
 namespace stanok::channels {
 
@@ -27,6 +28,8 @@ class Coordinator {
   void step() RT_SAFE;
 
   [[nodiscard]] bool is_quiet() const RT_SAFE;
+  // Whether channel `index` waits, without a timeout, for other channels.
+  [[nodiscard]] bool is_waiting_for_channels(int index) const RT_SAFE;
 
  private:
   static constexpr int operator_asker = -1;
@@ -39,6 +42,7 @@ class Coordinator {
     lang::RequestKind kind = lang::RequestKind::sync;
     int target = -1;  // index of the channel concerned
     int number = 0;
+    ChannelSet members = 0;  // mark_wait
     double seconds = -1.0;
     int stage = 0;
     std::int64_t cycles = 0;  // since the errand began
@@ -51,13 +55,18 @@ class Coordinator {
   struct Verdict {
     bool done = true;
     bool ok = true;
+    bool raises = false;  // lang::Answer
     double number = 0.0;
     FixedText<8> code;
-    ShortText text;
+    ReasonText text;
   };
   static Verdict pending() RT_SAFE;
   static Verdict success(double number = 0.0) RT_SAFE;
   static Verdict refusal(std::string_view code, std::string_view text) RT_SAFE;
+  // "channel 2 <claim>"
+  static Verdict refusal(std::string_view code, const Channel& channel, std::string_view claim)
+      RT_SAFE;
+  [[nodiscard]] static bool is_busy(const Channel& channel) RT_SAFE;
 
   void adopt_requests() RT_SAFE;
   void conclude(Errand& errand, const Verdict& verdict) RT_SAFE;
@@ -66,12 +75,28 @@ class Coordinator {
   [[nodiscard]] Verdict step_load(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_start(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_run(Errand& errand, Channel& target) RT_SAFE;
-  [[nodiscard]] Verdict step_wait(Errand& errand, const Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_stop(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_reset(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
-  [[nodiscard]] Verdict step_terminate(const Errand& errand) RT_SAFE;
-  [[nodiscard]] bool waits_on(int waiter, int awaited) const RT_SAFE;
+
+  // Waits and marks (coordinator_waits.cc)
+  [[nodiscard]] Verdict step_wait(Errand& errand, const Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_mark_wait(const Errand& errand) RT_SAFE;
+  void work_marks() RT_SAFE;
+  void arrive_at_mark(int index) RT_SAFE;
+  void arrive_at_soft_mark(int index) RT_SAFE;
+  void work_soft_mark(int index) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> fault_of_arrival(int index) const RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> lost_partner(int index) const RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> deadlock(int index) const RT_SAFE;
+  [[nodiscard]] ChannelSet awaited_by(int index) const RT_SAFE;
+  void describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE;
+
+  [[nodiscard]] bool is_asker_held(const Errand& errand) const RT_SAFE;
+  [[nodiscard]] ChannelSet channels_with_ids(std::uint32_t ids) const RT_SAFE;
+  [[nodiscard]] Channel& channel(int index) const RT_SAFE {
+    return *channels_[static_cast<std::size_t>(index)];
+  }
   [[nodiscard]] Channel* channel_with_id(int id, int& index) const RT_SAFE;
   [[nodiscard]] std::optional<Verdict> apply_at_once(const OperatorEvent& event, Channel* channel)
       RT_SAFE;
@@ -88,6 +113,9 @@ class Coordinator {
       errands_{};  // first one per channel, then the operators'
   std::array<int, channels_max>
       owner_{};  // who started the run of a channel; operator_asker: an operator
+  std::array<std::uint32_t, channels_max> owner_run_{};  // in which run of the owner
+  Rendezvous rendezvous_;
+  ChannelSet released_ = 0;  // stood at a soft mark that is met now, and have not yet left it
 };
 
 }  // namespace stanok::channels

@@ -3,7 +3,7 @@
 //
 // Preparation -> cycle: items, in program order with the path (an item is due when the chunks
 // before it are done and the axes stand), and remarks, which travel with the path without stopping
-// it. Cycle -> preparation: notices. All plain data.
+// it, as riders do. Cycle -> preparation: notices. All plain data.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,8 @@
 namespace stanok::channels {
 
 using ShortText = FixedText<256>;
+using ReasonText = FixedText<1024>;  // of an answer: lines after the first are notes
+using FileName = FixedText<96>;
 
 enum class ItemKind : std::uint8_t {
   load_done,         // a program was compiled: flag = success, text = name or reason
@@ -42,6 +44,9 @@ struct RequestData {
   lang::RequestKind kind = lang::RequestKind::sync;
   std::int32_t channel = 0;
   std::int32_t number = 0;
+  std::int32_t index = 0;
+  bool analog = false;
+  std::uint32_t channels = 0;  // bit k: channel with id k
   double seconds = -1.0;
   double value = 0.0;
 };
@@ -50,6 +55,7 @@ struct Item {
   ItemKind kind = ItemKind::run_end;
   motion::BlockTag tag;
   std::uint64_t after_chunk = 0;  // chunks of the channel that come before it
+  std::uint64_t after_rider = 0;  // riders that come before it
   bool flag = false;
   std::int64_t number = 0;
   double value = 0.0;
@@ -76,11 +82,24 @@ struct Notice {
   std::uint32_t run = 0;
   std::int32_t number = 0;
   bool ok = true;
+  bool raises = false;  // lang::Answer
   double value = 0.0;
   motion::Point axes_M{};
   lang::AxisSet enabled = 0;
   FixedText<8> code;
-  ShortText text;
+  ReasonText text;
+};
+
+enum class RiderKind : std::uint8_t { mark_set, mark_clear, mark_wait };
+
+// What travels with the path and takes effect where block `before_block` (or a later one) begins.
+// Only a mark where the partners are not there yet stops the path.
+struct Rider {
+  RiderKind kind = RiderKind::mark_set;
+  motion::BlockTag tag;
+  std::uint64_t before_block = 0;
+  std::int32_t number = 0;     // mark
+  std::uint32_t channels = 0;  // mark_wait: bit k: channel with id k
 };
 
 // Texts shown when the path reaches their block; they never stop it.
@@ -91,5 +110,6 @@ struct Remark {
 };
 
 static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Notice>);
+static_assert(std::is_trivially_copyable_v<Rider>);
 
 }  // namespace stanok::channels

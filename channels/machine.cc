@@ -150,12 +150,15 @@ bool Machine::is_idle() const RT_SAFE {
 }
 
 bool Machine::waits_for_operator() const RT_SAFE {
-  return std::all_of(parts_->seats.begin(), parts_->seats.end(), [](const auto& seat) RT_SAFE {
-    const Channel& channel = seat->channel;
-    const bool is_held =
-        channel.state() == ChannelState::held && channel.is_standing() && !channel.is_resetting();
-    return channel.is_quiet() || is_held;
-  });
+  for (std::size_t k = 0; k < parts_->seats.size(); ++k) {
+    const Channel& channel = parts_->seats[k]->channel;
+    if (channel.is_quiet()) continue;
+    if (channel.is_resetting()) return false;
+    const bool is_held = channel.state() == ChannelState::held && channel.is_standing();
+    if (!is_held && !parts_->coordinator->is_waiting_for_channels(static_cast<int>(k)))
+      return false;
+  }
+  return true;
 }
 
 Ring<Event>& Machine::events() {

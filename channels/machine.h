@@ -88,7 +88,8 @@ class Machine {
   // All channels stand with nothing to do: no run, no switch, no request.
   [[nodiscard]] bool is_idle() const RT_SAFE;
 
-  // Nothing will happen any more without an operator: every channel is idle, or held and standing.
+  // Nothing will happen any more without an operator: every channel is idle, or held and standing,
+  // or waits for channels that are.
   [[nodiscard]] bool waits_for_operator() const RT_SAFE;
 
   // Out of the cycle; one consumer each.

@@ -99,6 +99,8 @@ void Preparation::load(const std::string& name) {
   if (compiled) {
     program_ = *compiled;
     program_name_ = name;
+    for (std::size_t k = 0; k < link_.file_names.size(); ++k)
+      link_.file_names[k] = FileName(lang::file_name(*program_, static_cast<std::uint16_t>(k)));
     done.flag = true;
     done.text = ShortText(name);
   } else {
@@ -127,6 +129,7 @@ void Preparation::take_answer(const Notice& notice) {
   if (task_ != Task::waiting_answer) return;
   lang::Answer answer;
   answer.ok = notice.ok;
+  answer.raises = notice.raises;
   answer.number = notice.value;
   answer.text = std::string(notice.code.view());
   if (!answer.text.empty()) answer.text += ' ';
@@ -151,6 +154,7 @@ void Preparation::reset() {
   chain_open_ = false;
   pending_items_.clear();
   pending_remarks_.clear();
+  pending_riders_.clear();
   push(item_of(ItemKind::reset_done, {}));
 }
 
@@ -240,7 +244,7 @@ void Preparation::take(const lang::Command& command) {
           [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
           [&](const lang::OutputCommand&) { refuse(command, "an output"); },
           [&](const lang::MachineFunction&) { refuse(command, "a machine function"); },
-          [&](const lang::MarkCommand&) { refuse(command, "a mark"); },
+          [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
           [&](const lang::WorkpieceAnnouncement&) {},
           [&](const lang::WorkpiecePosition&) {},
       },
@@ -271,9 +275,23 @@ void Preparation::add_move(const lang::Command& command, const lang::Move& move)
 
 void Preparation::add_request(const lang::Command& command, const lang::Request& request) {
   Item item = item_of(ItemKind::request, tag_of(command));
-  item.request = {request.kind, request.channel, request.number, request.seconds, request.value};
+  item.request = {request.kind,   request.channel,  request.number,  request.index,
+                  request.analog, request.channels, request.seconds, request.value};
   item.text = ShortText(request.text);
   push(item);
+}
+
+void Preparation::add_mark(const lang::Command& command, const lang::MarkCommand& mark) {
+  using Kind = lang::MarkCommand::Kind;
+  Rider rider;
+  rider.kind = mark.kind == Kind::set     ? RiderKind::mark_set
+               : mark.kind == Kind::clear ? RiderKind::mark_clear
+                                          : RiderKind::mark_wait;
+  rider.tag = tag_of(command);
+  rider.before_block = command.block + 1;
+  rider.number = mark.id;
+  rider.channels = mark.channels;
+  push_rider(rider);
 }
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
@@ -302,6 +320,7 @@ void Preparation::end_chain() {
   builder_.finish();
   collect_pieces();
   chain_open_ = false;
+  riders_in_chain_ = 0;
 }
 
 void Preparation::collect_pieces() {
@@ -311,7 +330,14 @@ void Preparation::collect_pieces() {
 
 void Preparation::push(Item item) {
   end_chain();
+  item.after_rider = link_.riders.pushed() + pending_riders_.size();
   pending_items_.push_back(item);
+}
+
+// A chain with very many riders ends: its path must be delivered before the ring is full of them.
+void Preparation::push_rider(const Rider& rider) {
+  pending_riders_.push_back(rider);
+  if (++riders_in_chain_ >= link_.riders.capacity() / 2) end_chain();
 }
 
 void Preparation::push_transform() {
@@ -325,6 +351,9 @@ void Preparation::push_transform() {
 bool Preparation::flush() {
   while (!pending_remarks_.empty() && link_.remarks.push(pending_remarks_.front()))
     pending_remarks_.pop_front();
+  while (!pending_riders_.empty() && link_.riders.push(pending_riders_.front()))
+    pending_riders_.pop_front();
+  if (!pending_riders_.empty()) return false;
   if (!look_ahead_.deliver(link_.path)) return false;
   while (!pending_items_.empty()) {
     Item& item = pending_items_.front();

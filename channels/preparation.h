@@ -51,6 +51,7 @@ class Preparation {
   void take_state(const lang::Command& command);
   void add_move(const lang::Command& command, const lang::Move& move);
   void add_request(const lang::Command& command, const lang::Request& request);
+  void add_mark(const lang::Command& command, const lang::MarkCommand& mark);
   void refuse(const lang::Command& command, std::string_view what);
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
 
@@ -58,6 +59,7 @@ class Preparation {
   void end_chain();
   void collect_pieces();
   void push(Item item);
+  void push_rider(const Rider& rider);
   void push_transform();
   [[nodiscard]] bool flush();
   [[nodiscard]] motion::BlockTag tag_of(const lang::Command& command) const;
@@ -87,6 +89,8 @@ class Preparation {
   lang::Command command_;
   std::deque<Item> pending_items_;
   std::deque<Remark> pending_remarks_;
+  std::deque<Rider> pending_riders_;
+  std::size_t riders_in_chain_ = 0;
 };
 
 }  // namespace stanok::channels

@@ -3,6 +3,19 @@
 #include <algorithm>
 
 namespace stanok::channels {
+namespace {
+
+void set_text(Diagnostic& diagnostic, std::string_view text) {
+  std::size_t end = std::min(text.find('\n'), text.size());
+  diagnostic.message = std::string(text.substr(0, end));
+  while (end < text.size()) {
+    const std::size_t begin = end + 1;
+    end = std::min(text.find('\n', begin), text.size());
+    diagnostic.notes.push_back({std::string(text.substr(begin, end - begin)), {}});
+  }
+}
+
+}  // namespace
 
 ReportBook::ReportBook() : run_records_(256), alarm_records_(256) {}
 
@@ -78,8 +91,10 @@ void ReportBook::drain_alarms() {
       report.diagnostic = explanation->second;
     } else {
       report.diagnostic.code = code;
-      report.diagnostic.message = std::string(record.text.view());
-      report.diagnostic.place.file = programs_[{record.channel, record.tag.run}];
+      set_text(report.diagnostic, record.text.view());
+      report.diagnostic.place.file = std::string(record.file.view());
+      if (record.file.empty())
+        report.diagnostic.place.file = programs_[{record.channel, record.tag.run}];
       report.diagnostic.place.line = static_cast<int>(record.tag.line);
     }
     alarms_.push_back(std::move(report));

@@ -36,7 +36,8 @@ struct AlarmRecord {
   std::int64_t cycle = 0;
   motion::BlockTag tag;
   FixedText<8> code;
-  FixedText<256> text;
+  FixedText<1024> text;  // lines after the first are notes
+  FixedText<96> file;    // of the program; empty: none
 };
 
 class ReportBook {

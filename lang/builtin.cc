@@ -227,7 +227,8 @@ constexpr Builtin channel(std::string_view name, Type result, std::string_view a
   row.request = request;
   row.failure_code = failure_code;
   row.takes_channel = true;
-  row.refuses_own_channel = request != RequestKind::channel_state;
+  row.refuses_own_channel =
+      request != RequestKind::channel_state && request != RequestKind::mark_state;
   return row;
 }
 
@@ -248,6 +249,16 @@ constexpr Builtin machine_value(std::string_view name) {
   row.effect = Effect::request;
   row.request = RequestKind::machine_value;
   row.request_text = name;
+  return row;
+}
+
+constexpr Builtin mark(std::string_view name, std::string_view arguments, MarkCommand::Kind kind) {
+  Builtin row;
+  row.name = name;
+  row.result = Type::none;
+  row.arguments = arguments;
+  row.effect = Effect::mark;
+  row.mark = kind;
   return row;
 }
 
@@ -302,12 +313,16 @@ constexpr auto rows = std::to_array<Builtin>({
     channel("channel_stop", Type::boolean, "n", RequestKind::channel_stop, "E6014"),
     channel("channel_reset", Type::boolean, "n", RequestKind::channel_reset, "E6015"),
     channel("channel_state", Type::number, "n", RequestKind::channel_state, ""),
+    effect("mark_wait", Type::none, "nn*", Effect::mark_wait),
+    mark("mark_wait_soft", "nn*", MarkCommand::Kind::wait_soft),
+    mark("mark_set", "n", MarkCommand::Kind::set),
+    mark("mark_clear", "n", MarkCommand::Kind::clear),
+    channel("mark_is_set", Type::boolean, "nn", RequestKind::mark_state, ""),
 });
 
-constexpr auto later_names = std::to_array<std::string_view>(
-    {"mark_wait", "mark_wait_soft", "mark_set", "mark_clear", "mark_is_set", "settable_zs",
-     "settable_tool", "gettable_tool", "gettable_zs", "save_gvector", "restore_gvector", "has_arg",
-     "arg"});
+constexpr auto later_names =
+    std::to_array<std::string_view>({"settable_zs", "settable_tool", "gettable_tool", "gettable_zs",
+                                     "save_gvector", "restore_gvector", "has_arg", "arg"});
 
 }  // namespace
 

@@ -23,6 +23,8 @@ enum class Effect : std::uint8_t {
   terminate,      // ends the program with an alarm
   call_file,      // runs another program file as a subprogram
   channel_error,  // why the last channel function returned false
+  mark,           // mark_set, mark_clear, mark_wait_soft: `mark`
+  mark_wait,
 };
 
 struct Builtin {
@@ -38,7 +40,11 @@ struct Builtin {
   std::string_view failure_code;  // statement form that returned false
   bool takes_channel = false;     // the first argument is a channel id
   bool refuses_own_channel = false;
+  MarkCommand::Kind mark = MarkCommand::Kind::set;
 };
+
+// Marks of programs are 0 to 99, those of the machine builder 100 to 199.
+inline constexpr int mark_max = 199;
 
 // The row of a function by its folded name, or nullptr.
 [[nodiscard]] const Builtin* find_builtin(std::string_view folded_name);

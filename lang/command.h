@@ -264,8 +264,10 @@ struct Request {
 // stands, so that incremental programming goes on from where the axes really are.
 struct Answer {
   bool ok = true;
+  bool raises = false;  // the call itself was an error: it ends the program, whatever its form
   double number = 0.0;
-  std::string text;  // string value, or the reason of a false: "E7001 file not found: a.nc"
+  std::string text;  // string value, or the reason of a false: "E7001 file not found: a.nc"; lines
+                     // after the first are notes to it
   AxisValues position_B{};
   bool position_valid = false;
   AxisValues probe_B{};

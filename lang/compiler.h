@@ -142,6 +142,7 @@ class Compiler {
   bool compile_argument(const FunctionParameter& parameter, const Expression& argument);
   bool compile_reference(const FunctionParameter& parameter, const Expression& argument);
   std::optional<Callee> find_function(std::string_view name) const;
+  void check_mark_call(const Expression& call);
   void check_channel_call(const Builtin& builtin, const Expression& call);
   std::optional<int> constant_channel(const Expression& argument, bool refuse_own,
                                       std::string_view function);

@@ -105,6 +105,11 @@ Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expr
     case Effect::channel_error:
       emit(Op::channel_error, call.span);
       break;
+    case Effect::mark:
+    case Effect::mark_wait:
+      check_mark_call(call);
+      emit(Op::mark, call.span, row, count);
+      break;
   }
   return {builtin.result, 0};
 }
@@ -139,6 +144,19 @@ std::optional<int> Compiler::constant_channel(const Expression& argument, bool r
     return std::nullopt;
   }
   return id;
+}
+
+// Mark and partners, where they are constant.
+void Compiler::check_mark_call(const Expression& call) {
+  const Expression& mark = call.children[0];
+  const auto constant = constant_of(mark);
+  if (constant &&
+      (!is_integer(constant->number) || constant->number < 0.0 || constant->number > mark_max)) {
+    reporter_.error("E6023", mark.span, "marks are the whole numbers 0 to 199", "no mark");
+  }
+  for (std::size_t i = 1; i < call.children.size(); ++i) {
+    static_cast<void>(constant_channel(call.children[i], false, call.text));
+  }
 }
 
 void Compiler::check_channel_call(const Builtin& builtin, const Expression& call) {

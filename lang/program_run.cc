@@ -199,6 +199,7 @@ void ProgramRun::answer(const Answer& answer) {
     compensation_.adopt_position();
   }
   if (queue_.empty()) read_tables_again();
+  if (!answer.ok && answer.raises) return fail_with_answer("E5010", answer);
   switch (std::exchange(answer_use_, AnswerUse::position_only)) {
     case AnswerUse::position_only:
       if (!answer.ok) fail_with_answer("E5010", answer);
@@ -232,9 +233,10 @@ void ProgramRun::take_statement_answer(const Answer& answer) {
        "returned false");
 }
 
-// The text of an answer may begin with the code of its reason.
+// The text of an answer may begin with the code of its reason, and have notes on further lines.
 void ProgramRun::fail_with_answer(std::string_view code, const Answer& answer) {
-  const std::string_view text = answer.text;
+  const std::string_view whole = answer.text;
+  const std::string_view text = whole.substr(0, whole.find('\n'));
   const std::size_t blank = text.find(' ');
   const bool coded = text.size() > 2 && (text[0] == 'E' || text[0] == 'A') && is_digit(text[1]) &&
                      blank != std::string_view::npos;
@@ -242,6 +244,11 @@ void ProgramRun::fail_with_answer(std::string_view code, const Answer& answer) {
     fail(text.substr(0, blank), std::string(text.substr(blank + 1)));
   } else {
     fail(code, text.empty() ? "the channel refused this" : std::string(text));
+  }
+  for (std::size_t end = text.size(); end < whole.size();) {
+    const std::size_t begin = end + 1;
+    end = std::min(whole.find('\n', begin), whole.size());
+    error_.notes.push_back({std::string(whole.substr(begin, end - begin)), {}});
   }
 }
 

@@ -265,6 +265,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return terminate();
     case Op::call_file:
       return call_file();
+    case Op::mark:
+      return take_mark(instruction);
     case Op::channel_error:
       return push(value_of(channel_error_));
     case Op::raise:

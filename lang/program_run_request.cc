@@ -54,10 +54,16 @@ void ProgramRun::ask_builtin(const Instruction& instruction) {
   for (std::size_t i = 1; i < instruction.count; ++i) {
     if (builtin.arguments[i] == 's') request.text = text_of(stack_[first + i]);
     if (builtin.request == RequestKind::channel_wait) request.seconds = stack_[first + i].number;
+    if (builtin.request == RequestKind::mark_state) {
+      const auto mark = mark_of(stack_[first + i].number);
+      if (!mark) return;
+      request.number = *mark;
+    }
   }
   stack_.resize(first);
   AnswerUse use = AnswerUse::position_only;
   if (builtin.result == Type::boolean) use = AnswerUse::push_truth;
+  if (builtin.request == RequestKind::mark_state) use = AnswerUse::push_number;
   if (builtin.result == Type::number) use = AnswerUse::push_number;
   if (request.statement) {
     use = AnswerUse::statement;

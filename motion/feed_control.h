@@ -1,12 +1,19 @@
-// What the operator asks of a channel's feed in a cycle.
+// What operator and program ask of a channel's feed in a cycle.
 #pragma once
+
+#include <cstdint>
+#include <limits>
 
 namespace stanok::motion {
 
 struct FeedControl {
+  static constexpr std::uint64_t no_gate = std::numeric_limits<std::uint64_t>::max();
+
   double feed_override = 1.0;   // 0..2, of programmed feed
   double rapid_override = 1.0;  // 0..1
   bool hold = false;            // feed hold: come to rest on the path
+  // A gate: the path comes to rest before the first piece of this block or a later one.
+  std::uint64_t closed_from_block = no_gate;
 
   [[nodiscard]] bool is_nominal() const {
     return feed_override == 1.0 && rapid_override == 1.0 && !hold;

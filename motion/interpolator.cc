@@ -20,6 +20,12 @@ void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetP
   }
 }
 
+// A gate lies on the path that is known.
+bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
+  return control.closed_from_block != FeedControl::no_gate && !queue.pieces.empty() &&
+         queue.pieces[queue.pieces.size() - 1].tag.block >= control.closed_from_block;
+}
+
 }  // namespace
 
 Interpolator::Interpolator(const MotionConfig& config)
@@ -44,19 +50,21 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
   constexpr int chunks_per_cycle_max = 64;
   for (int round = 0; round < chunks_per_cycle_max; ++round) {
     if (!cursor_.has_chunk()) {
-      if (control.hold || !may_enter(queue, chunk_limit)) break;
+      if (control.hold || !may_enter(queue, control, chunk_limit)) break;
       cursor_.enter(queue);
     }
     time = run(queue, control, time);
-    if (!has_run_chunk() || !finish_chunk(queue, out)) break;
+    if (!has_run_chunk() || !finish_chunk(queue, control, out)) break;
     out.cycle_left = time;
     if (time <= 0.0) break;
   }
   report(queue, control, out);
 }
 
-bool Interpolator::may_enter(const PathQueue& queue, std::uint64_t chunk_limit) const RT_SAFE {
+bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
+                             std::uint64_t chunk_limit) const RT_SAFE {
   if (queue.chunks.empty()) return false;
+  if (queue.pieces.front().tag.block >= control.closed_from_block) return false;
   const Chunk& next = queue.chunks.front();
   return next.sequence < chunk_limit && (next.last || queue.chunks.size() > 1);
 }
@@ -74,7 +82,8 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 }
 
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
-  const bool wants_nominal = control.is_nominal() && knows_next(queue);
+  const bool wants_nominal =
+      control.is_nominal() && knows_next(queue) && !sees_gate(queue, control);
   if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
   if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
   if (is_nominal_) planner_.forget();
@@ -89,7 +98,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   const double length = cursor_.chunk().length;
   if (at_rest() && std::abs(motion_.s - length) < rounding) motion_.s = length;
   advanced_ += motion_.s - before;
-  cursor_.go_to(queue, motion_.s);
+  cursor_.go_to(queue, motion_.s, control.closed_from_block);
   return left;
 }
 
@@ -137,11 +146,33 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   return unused;
 }
 
-// Leaves the chunk at hand behind. False: the chain goes on, but its next chunk is not there; the
-// chunk is kept.
-bool Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE {
+// The piece behind the one at hand lies behind a gate.
+bool Interpolator::is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
+    RT_SAFE {
+  const bool last_of_chunk = cursor_.pieces_left() <= 1;
+  if (last_of_chunk && (cursor_.chunk().last || queue.chunks.empty())) return false;
+  return queue.pieces[1].tag.block >= control.closed_from_block;
+}
+
+bool Interpolator::stands_at_gate(const PathQueue& queue, const FeedControl& control) const
+    RT_SAFE {
+  if (!at_rest()) return false;
+  if (!cursor_.has_chunk()) {
+    return !queue.chunks.empty() && queue.pieces.front().tag.block >= control.closed_from_block;
+  }
+  constexpr double rounding = 1e-9;  // mm
+  return is_next_piece_closed(queue, control) &&
+         motion_.s >= cursor_.piece_start() + cursor_.piece(queue).length - rounding;
+}
+
+// Leaves the chunk at hand behind. False: the chain goes on, but its next chunk is not there or
+// closed; the chunk is kept.
+bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
+                                InterpolatorOutput& out) RT_SAFE {
   const double length = cursor_.chunk().length;
-  if (!knows_next(queue)) {
+  const bool gate_here = !is_nominal_ && !cursor_.chunk().last && !queue.chunks.empty() &&
+                         queue.pieces[cursor_.pieces_left()].tag.block >= control.closed_from_block;
+  if (!knows_next(queue) || gate_here) {
     motion_ = {.s = length};
     return false;
   }
@@ -158,7 +189,7 @@ bool Interpolator::finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SA
   cursor_.enter(queue);
   planner_.shift(length);
   motion_.s = beyond;
-  cursor_.go_to(queue, beyond);
+  cursor_.go_to(queue, beyond, control.closed_from_block);
   return true;
 }
 
@@ -181,6 +212,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.chunks_done = chunks_done_;
   out.path_advanced = advanced_;
   out.s_speed = motion_.v;
+  out.at_gate = stands_at_gate(queue, control);
   if (!cursor_.has_chunk()) {
     out.state = PathState::idle;
     out.tag = last_tag_;

@@ -32,6 +32,7 @@ struct InterpolatorOutput {
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
   double path_advanced = 0.0;   // path length travelled in this cycle, mm (or deg)
+  bool at_gate = false;         // at rest before a gate of FeedControl
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
   bool chain_ended =
       false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
@@ -63,7 +64,8 @@ class Interpolator {
   [[nodiscard]] bool at_rest() const RT_SAFE;
 
  private:
-  [[nodiscard]] bool may_enter(const PathQueue& queue, std::uint64_t chunk_limit) const RT_SAFE;
+  [[nodiscard]] bool may_enter(const PathQueue& queue, const FeedControl& control,
+                               std::uint64_t chunk_limit) const RT_SAFE;
   // Runs for `time` within the chunk at hand, or, under override, beyond its end; returns what is
   // left of it.
   [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
@@ -71,7 +73,12 @@ class Interpolator {
   [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
   void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
-  [[nodiscard]] bool finish_chunk(PathQueue& queue, InterpolatorOutput& out) RT_SAFE;
+  [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
+                                  InterpolatorOutput& out) RT_SAFE;
+  [[nodiscard]] bool is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
+      RT_SAFE;
+  [[nodiscard]] bool stands_at_gate(const PathQueue& queue, const FeedControl& control) const
+      RT_SAFE;
   void stand_here(const PathQueue& queue) RT_SAFE;
   void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) const
       RT_SAFE;

@@ -20,8 +20,9 @@ void PathCursor::leave(PathQueue& queue) RT_SAFE {
   has_chunk_ = false;
 }
 
-void PathCursor::go_to(PathQueue& queue, double s) RT_SAFE {
-  while (pieces_left_ > 1 && s >= piece_start_ + queue.pieces.front().length) {
+void PathCursor::go_to(PathQueue& queue, double s, std::uint64_t closed_from_block) RT_SAFE {
+  while (pieces_left_ > 1 && s >= piece_start_ + queue.pieces.front().length &&
+         queue.pieces[1].tag.block < closed_from_block) {
     piece_start_ += queue.pieces.front().length;
     queue.pieces.pop_front();
     --pieces_left_;

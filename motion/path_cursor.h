@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/rt_safe.h"
+#include "motion/feed_control.h"
 #include "motion/path.h"
 #include "motion/path_queue.h"
 
@@ -27,8 +28,9 @@ class PathCursor {
   }
   [[nodiscard]] double piece_start() const RT_SAFE { return piece_start_; }
   // Goes on to the piece that contains s; a place between two pieces belongs to the second. The
-  // last piece of the chunk is kept.
-  void go_to(PathQueue& queue, double s) RT_SAFE;
+  // last piece of the chunk is kept, and the last one before a gate.
+  void go_to(PathQueue& queue, double s, std::uint64_t closed_from_block = FeedControl::no_gate)
+      RT_SAFE;
   // s within the piece at hand, exactly its length at the end of the chunk.
   [[nodiscard]] double s_in_piece(const PathQueue& queue, double s) const RT_SAFE;
 

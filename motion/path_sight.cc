@@ -5,6 +5,23 @@
 #include "motion/speed_piece.h"
 
 namespace stanok::motion {
+namespace {
+
+// How many of the first `count` pieces lie before block `closed`; blocks ascend.
+std::size_t open_pieces(const PathQueue& queue, std::size_t count, std::uint64_t closed) RT_SAFE {
+  std::size_t first = 0;
+  while (first < count) {
+    const std::size_t middle = first + (count - first) / 2;
+    if (queue.pieces[middle].tag.block < closed) {
+      first = middle + 1;
+    } else {
+      count = middle;
+    }
+  }
+  return first;
+}
+
+}  // namespace
 
 PathSight::PathSight() : kept_(2 * pieces_max) {}
 
@@ -15,6 +32,9 @@ void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const Fee
   reach_ = reach;
   first_ = cursor.piece_number();
   size_ = std::min<std::size_t>(cursor.pieces_seen(queue), pieces_max);
+  if (control.closed_from_block != FeedControl::no_gate) {
+    size_ = std::max<std::size_t>(open_pieces(queue, size_, control.closed_from_block), 1);
+  }
   starts_[0] = cursor.piece_start();
   starts_known_ = 0;
 }

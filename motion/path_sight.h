@@ -27,7 +27,7 @@ class PathSight {
   PathSight();
 
   // Looks along the path from the piece at hand, once a cycle. `reach`: the highest override, at
-  // least 1, that the present speed may come from.
+  // least 1, that the present speed may come from. A gate ahead is a wall.
   void look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
             double reach) RT_SAFE;
 

@@ -70,6 +70,37 @@ channels::MachineConfig two_channel_machine() {
   return machine;
 }
 
+channels::MachineConfig machine_of_one_axis_channels(int count) {
+  channels::MachineConfig machine;
+  machine.name = "lanes";
+  machine.file = "lanes.toml";
+  for (int k = 0; k < count; ++k) {
+    channels::AxisConfig axis;
+    axis.name = "X" + std::to_string(k + 1);
+    axis.limits.position_min = -500.0;
+    axis.limits.position_max = 500.0;
+    axis.limits.velocity_max = 250.0;
+    axis.limits.acceleration_max = 2500.0;
+    axis.limits.jerk_max = 50000.0;
+    axis.limits.rapid_max = axis.limits.velocity_max;
+    machine.axes.push_back(axis);
+    channels::ChannelConfig channel;
+    channel.id = k + 1;
+    channel.name = "lane" + std::to_string(k + 1);
+    channel.axes = {k};
+    channel.words = {"X"};
+    channel.scheme = 1;
+    kinematics::SchemeConfig scheme;
+    scheme.id = 1;
+    scheme.type = "cartesian";
+    scheme.axes = {0};
+    scheme.linear = {0, -1, -1};
+    channel.schemes = {scheme};
+    machine.channels.push_back(channel);
+  }
+  return machine;
+}
+
 MachineBench::MachineBench(channels::MachineConfig config)
     : config_(std::move(config)),
       machine_(std::make_unique<channels::Machine>(

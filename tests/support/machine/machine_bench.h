@@ -28,6 +28,10 @@ class MemoryFiles final : public lang::Files {
 // channel 2 is a master channel.
 [[nodiscard]] channels::MachineConfig two_channel_machine();
 
+// Channels 1 to `count` with one axis X each (machine axes X1, X2, ...): 250 mm/s, 2500 mm/s2,
+// 50000 mm/s3.
+[[nodiscard]] channels::MachineConfig machine_of_one_axis_channels(int count);
+
 class MachineBench {
  public:
   explicit MachineBench(channels::MachineConfig config = two_channel_machine());

@@ -1,0 +1,60 @@
+// Power, brakes and the watch over the drives of one channel; the switch of kinematics.
+#include "channels/channel.h"
+
+namespace stanok::channels {
+
+void Channel::power(bool on) RT_SAFE {
+  powered_ = on;
+  const kinematics::Scheme* scheme = find_scheme(scheme_);
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const bool free = on && (scheme == nullptr || scheme->takes_part(k));
+    drives_[static_cast<std::size_t>(k)] = {.enabled = free, .brake_closed = !free};
+  }
+}
+
+void Channel::set_axes(lang::AxisSet axes, bool free) RT_SAFE {
+  for (std::size_t k = 0; k < motion::axes_max; ++k) {
+    if ((axes >> k & 1U) != 0) drives_[k] = {.enabled = free, .brake_closed = !free};
+  }
+}
+
+void Channel::fault(std::string_view code, std::string_view text) RT_SAFE {
+  if (alarm_stays_) return;
+  raise_alarm(code, text, path_.tag);
+  begin_reset();
+  alarm_stays_ = true;
+  power_off_wanted_ = true;
+}
+
+void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
+  if (feedback.empty()) return;
+  drives_answer_ = true;
+  drives_ready_ = true;
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
+    drives_answer_ = drives_answer_ && drive.valid;
+    if (!drives_[i].enabled) {
+      drive_was_ready_[i] = false;
+      continue;
+    }
+    drives_ready_ = drives_ready_ && drive.valid && drive.enabled;
+    if (drive_was_ready_[i] && !drive.valid) fault("A3001", "a drive does not answer");
+    if (drive_was_ready_[i] && drive.fault) fault("A3002", "a drive reports a fault");
+    drive_was_ready_[i] = drive_was_ready_[i] || (drive.valid && drive.enabled);
+  }
+}
+
+void Channel::begin_switch(int scheme) RT_SAFE {
+  switch_ = Outcome::pending;
+  Notice notice;
+  notice.kind = NoticeKind::switch_scheme;
+  notice.number = scheme;
+  notice.axes_M = axes_M();
+  for (std::size_t k = 0; k < motion::axes_max; ++k) {
+    if (drives_[k].enabled) notice.enabled = static_cast<lang::AxisSet>(notice.enabled | (1U << k));
+  }
+  static_cast<void>(link_.notices.push(notice));
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,87 @@
+// What travels with the path: marks, from preparation to their place on it.
+#include <algorithm>
+
+#include "channels/channel.h"
+
+namespace stanok::channels {
+namespace {
+
+constexpr int riders_per_cycle = 256;  // bound of work
+
+}  // namespace
+
+// The riders that the path has passed, and those that come before its next item when that is due.
+void Channel::work_riders() RT_SAFE {
+  if (resetting_) return;
+  for (int n = 0; n < riders_per_cycle && !link_.riders.empty(); ++n) {
+    const Rider rider = link_.riders.front();
+    const bool passed =
+        path_.tag.run == rider.tag.run && path_.tag.block >= rider.before_block && !path_.at_gate;
+    if (!passed && !rider_is_due()) return;
+    if (rider.kind == RiderKind::mark_wait && !pass_soft_mark(rider, passed)) return;
+    execute(rider);
+    link_.riders.pop_front();
+  }
+}
+
+// The front rider is all that the channel waits for: at its gate, or before an item.
+bool Channel::rider_is_due() const RT_SAFE {
+  const std::uint64_t number = link_.riders.popped();
+  if (path_.at_gate && number <= gate_) return true;
+  if (link_.items.empty() || activity_ != Activity::none || !interpolator_.at_rest()) return false;
+  const Item& next = link_.items.front();
+  return path_.chunks_done >= next.after_chunk && number < next.after_rider;
+}
+
+// True when the channel leaves the mark behind.
+bool Channel::pass_soft_mark(const Rider& mark, bool passed) RT_SAFE {
+  if (!soft_mark_open_ && !passed) {
+    at_soft_mark_ = true;
+    return false;
+  }
+  if (!soft_mark_open_) {
+    fail_run("E6024", "the path came too fast to the mark to stop there", mark.tag);
+    return false;
+  }
+  passed_mark_ = mark;
+  has_passed_mark_ = true;
+  soft_mark_open_ = false;
+  at_soft_mark_ = false;
+  return true;
+}
+
+void Channel::execute(const Rider& rider) RT_SAFE {
+  switch (rider.kind) {
+    case RiderKind::mark_set:
+    case RiderKind::mark_clear:
+      marks_[static_cast<std::size_t>(rider.number)] = rider.kind == RiderKind::mark_set;
+      break;
+    case RiderKind::mark_wait:
+      break;
+  }
+}
+
+// Looks for the next soft mark among the riders that came since.
+void Channel::find_gate() RT_SAFE {
+  gate_ = std::max<std::uint64_t>(gate_, link_.riders.popped());
+  while (gate_ < link_.riders.pushed() && soft_mark() == nullptr) ++gate_;
+}
+
+const Rider* Channel::soft_mark() const RT_SAFE {
+  if (gate_ < link_.riders.popped() || gate_ >= link_.riders.pushed()) return nullptr;
+  const Rider& rider = link_.riders[gate_ - link_.riders.popped()];
+  return rider.kind == RiderKind::mark_wait ? &rider : nullptr;
+}
+
+std::uint64_t Channel::closed_from_block() const RT_SAFE {
+  const Rider* mark = soft_mark_open_ ? nullptr : soft_mark();
+  return mark == nullptr ? motion::FeedControl::no_gate : mark->before_block;
+}
+
+void Channel::forget_riders() RT_SAFE {
+  link_.riders.pop_front(link_.riders.size());
+  at_soft_mark_ = false;
+  soft_mark_open_ = false;
+}
+
+}  // namespace stanok::channels
