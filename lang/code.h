@@ -69,19 +69,7 @@ enum class Op : std::uint8_t {
   call_file,          // (name -> )
   channel_error,      // ( -> string)
   raise,              // faults[operand]: a faulty statement was reached
-  builtin,        // builtins()[operand] with `count` arguments
-  system_value,   // system_variables()[operand]; count 1: with an index on the stack
-  plain_lines,    // plain_lines[operand]
-  block,          // blocks[operand], its computed words on the stack
-  message,        // (string -> ): Message::Kind `extra`
-  request,        // builtins()[operand] asked from the channel; extra 1: statement form
-  request_value,  // system_variables()[operand] asked from the channel
-  kinematics,     // (scheme channel -> )
-  terminate,      // (code text -> )
-  call_file,      // (name -> )
-  channel_error,  // ( -> string)
-  mark,           // (id channel... -> ): builtins()[operand] with `count` arguments
-  raise,          // faults[operand]: a faulty statement was reached
+  mark,               // (id channel... -> ): builtins()[operand] with `count` arguments
   end_of_text,
 };
 

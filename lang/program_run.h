@@ -143,9 +143,6 @@ class ProgramRun {
   void terminate();
   void take_mark(const Instruction& instruction);
   std::optional<int> mark_of(double number);
-  void call_file();
-  void call_numbered();
-  bool check_call_depth();
   std::optional<int> channel_of(double number, bool refuse_own);
 
   // program_run_call.cc
