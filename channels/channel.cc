@@ -144,15 +144,28 @@ void Channel::execute(const Item& item, std::int64_t cycle) RT_SAFE {
     case ItemKind::tool_change:
       break;
     case ItemKind::override_control:
-      overrides_enabled_ = item.flag;
+      take_overrides(item.overrides);
+      break;
+    case ItemKind::output:
+      if (item.flag) {
+        books_.outputs->analog[static_cast<std::size_t>(item.number)] = item.value;
+      } else {
+        books_.outputs->set(static_cast<int>(item.number), item.value != 0.0);
+      }
+      break;
+    case ItemKind::machine_function:
+      emit(cycle, "", item.text.view(), item.tag);
       break;
     case ItemKind::program_stop:
-      if (item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop)) break;
+      if (item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop)) {
+        if (optional_stop_) hold(HoldCause::program_stop);
+        break;
+      }
       if (figures_.stops_go_on) {
         emit(cycle, "", "program stop: going on at once", item.tag);
         break;
       }
-      hold();
+      hold(HoldCause::program_stop);
       break;
     case ItemKind::request:
       activity_ = Activity::request;
@@ -197,7 +210,7 @@ void Channel::move() RT_SAFE {
   const std::uint64_t available = link_.path.chunks.pushed();
   const std::uint64_t limit = chunk_limit(available);
   motion::FeedControl control = control_;
-  if (!overrides_enabled_) control.feed_override = 1.0;
+  if (!overrides_.feed_enabled) control.feed_override = 1.0;
   control.closed_from_block = closed_from_block();
   if (!link_.path.chunks.empty())
     lookahead_max_ = std::max(lookahead_max_, link_.path.chunks.front().lookahead_blocks);
@@ -239,6 +252,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.running = running_;
   output.run = run_;
   output.waiting = (activity_ != Activity::none && activity_ != Activity::frame) || at_soft_mark_;
+  output.hold_cause = state_ == ChannelState::held ? hold_cause_ : HoldCause::none;
   output.scheme = scheme_;
   output.tag = running_ ? path_.tag : motion::BlockTag{};
   output.feed_commanded = path_.feed_commanded;
@@ -274,6 +288,7 @@ void Channel::begin_run() RT_SAFE {
   notice.kind = NoticeKind::start;
   notice.run = run_;
   notice.number = scheme_;
+  notice.block_skip = block_skip_;
   notice.axes_M = axes_M();
   static_cast<void>(link_.notices.push(notice));
   static_cast<void>(books_.reports->run_records().push(run_record()));
@@ -301,7 +316,8 @@ void Channel::end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE
   running_ = false;
   run_ok_ = ok;
   end_cycle_ = cycle;
-  overrides_enabled_ = true;
+  take_overrides({});
+  hold_wanted_ = false;
   control_.hold = false;
   state_ = ChannelState::ready;
   for (Spindle& spindle : spindles_) spindle.stop();
@@ -313,8 +329,9 @@ void Channel::end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE
   static_cast<void>(books_.reports->run_records().push(record));
 }
 
-void Channel::hold() RT_SAFE {
+void Channel::hold(HoldCause cause) RT_SAFE {
   if (!running_) return;
+  hold_cause_ = cause;
   control_.hold = true;
   state_ = ChannelState::held;
 }
@@ -371,6 +388,7 @@ void Channel::answer(const ChannelAnswer& answer) RT_SAFE {
   activity_ = Activity::none;
   Notice notice;
   notice.kind = NoticeKind::answer;
+  notice.block_skip = block_skip_;
   notice.ok = answer.ok;
   notice.raises = answer.raises;
   notice.value = answer.value;
@@ -394,10 +412,6 @@ void Channel::raise_alarm(std::string_view code, std::string_view text, const mo
   last_alarm_ = {run_, tag.line, record.code, record.file};
   static_cast<void>(books_.reports->alarm_records().push(record));
   emit(cycle_, code, text.substr(0, text.find('\n')), tag);
-}
-
-void Channel::set_spindle_override(double factor) RT_SAFE {
-  for (Spindle& spindle : spindles_) spindle.set_override(factor);
 }
 
 // The program at fault stops along its path and is over; the alarm stays until reset.

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "channels/channel_link.h"
 #include "channels/machine.h"
@@ -30,6 +31,7 @@ struct AxisFigures {
   double kmv = 10000.0;
   double brake_s = 0.0;  // time a brake takes to close or open
   double power_s = 0.0;  // time a drive takes to take over
+  bool is_homed = true;
 };
 
 struct ChannelFigures {
@@ -65,6 +67,7 @@ struct ChannelAlarm {
 struct CycleBooks {
   Ring<Event>* events = nullptr;
   ReportBook* reports = nullptr;
+  Signals* outputs = nullptr;
 };
 
 class Channel {
@@ -86,7 +89,9 @@ class Channel {
   void power(bool on) RT_SAFE;  // off: axes braked and drives off at standstill
   void begin_load(const ShortText& program) RT_SAFE;
   void begin_run() RT_SAFE;  // state ready only
-  void hold() RT_SAFE;
+  void hold(HoldCause cause) RT_SAFE;
+  // Feed hold of an operator: waits where the program does not let it act (M53).
+  void hold_by_operator() RT_SAFE;
   void resume() RT_SAFE;
   // Reaction to a fault: stops along the path, forgets the run, drives off; the alarm stays until
   // reset.
@@ -101,6 +106,8 @@ class Channel {
   void set_feed_override(double factor) RT_SAFE { control_.feed_override = factor; }
   void set_rapid_override(double factor) RT_SAFE { control_.rapid_override = factor; }
   void set_spindle_override(double factor) RT_SAFE;
+  void set_optional_stop(bool on) RT_SAFE { optional_stop_ = on; }
+  void set_block_skip(int level, bool on) RT_SAFE;
 
   // Claims.
   [[nodiscard]] int id() const RT_SAFE { return figures_.id; }
@@ -113,6 +120,25 @@ class Channel {
   [[nodiscard]] bool is_standing() const RT_SAFE { return interpolator_.at_rest(); }
   [[nodiscard]] bool is_resetting() const RT_SAFE { return resetting_; }
   [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
+  [[nodiscard]] std::int64_t cycle() const RT_SAFE { return cycle_; }
+  [[nodiscard]] double path_speed() const RT_SAFE { return path_.s_speed; }  // mm/s
+  [[nodiscard]] double feed_override() const RT_SAFE { return control_.feed_override; }
+  [[nodiscard]] std::uint16_t block_skip() const RT_SAFE { return block_skip_; }
+  [[nodiscard]] double position_W(int axis) const RT_SAFE {
+    return path_.point[static_cast<std::size_t>(axis)].value;
+  }
+  [[nodiscard]] double position_M(int axis) const RT_SAFE {
+    return path_.axes[static_cast<std::size_t>(axis)].value;
+  }
+  [[nodiscard]] bool is_homed(int axis) const RT_SAFE {
+    return figures_.axes[static_cast<std::size_t>(axis)].is_homed;
+  }
+  // rev/min, clockwise > 0; 0 is the master spindle. Nothing: the channel has no such spindle.
+  [[nodiscard]] std::optional<double> spindle_speed(int id) const RT_SAFE;
+  // Axis of the channel -> axis of the machine.
+  [[nodiscard]] int machine_axis(int axis) const RT_SAFE {
+    return figures_.machine_axis[static_cast<std::size_t>(axis)];
+  }
   [[nodiscard]] int scheme() const RT_SAFE { return scheme_; }
   [[nodiscard]] bool has_scheme(int scheme) const RT_SAFE { return find_scheme(scheme) != nullptr; }
   [[nodiscard]] Outcome load_outcome() const RT_SAFE { return load_; }
@@ -165,6 +191,8 @@ class Channel {
   [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
   void continue_reset() RT_SAFE;
+  void take_overrides(const lang::OverrideControl& overrides) RT_SAFE;
+  void apply_spindle_override() RT_SAFE;
   void wait(Activity activity, double seconds) RT_SAFE;
   void emit(std::int64_t cycle, std::string_view code, std::string_view text,
             const motion::BlockTag& tag) RT_SAFE;
@@ -201,7 +229,12 @@ class Channel {
   bool drives_answer_ = true;
   bool drives_ready_ = true;
   std::array<bool, motion::axes_max> drive_was_ready_{};  // since it was commanded on
-  bool overrides_enabled_ = true;
+  lang::OverrideControl overrides_;                       // which of them act
+  double spindle_override_ = 1.0;
+  HoldCause hold_cause_ = HoldCause::none;
+  bool hold_wanted_ = false;  // by an operator while M53 does not let it act
+  bool optional_stop_ = false;
+  std::uint16_t block_skip_ = 0;  // bit n: level n
   Outcome load_ = Outcome::succeeded;
   Outcome switch_ = Outcome::succeeded;
   int scheme_ = 0;

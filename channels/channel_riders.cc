@@ -1,4 +1,4 @@
-// What travels with the path: marks, from preparation to their place on it.
+// What travels with the path: marks and outputs, from preparation to their place on it.
 #include <algorithm>
 
 #include "channels/channel.h"
@@ -57,6 +57,12 @@ void Channel::execute(const Rider& rider) RT_SAFE {
       marks_[static_cast<std::size_t>(rider.number)] = rider.kind == RiderKind::mark_set;
       break;
     case RiderKind::mark_wait:
+      break;
+    case RiderKind::digital_output:
+      books_.outputs->set(rider.number, rider.value != 0.0);
+      break;
+    case RiderKind::analog_output:
+      books_.outputs->analog[static_cast<std::size_t>(rider.number)] = rider.value;
       break;
   }
 }

@@ -20,15 +20,22 @@ lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
   }
 }
 
+bool is_table_request(lang::RequestKind kind) RT_SAFE {
+  using lang::RequestKind;
+  return kind == RequestKind::tool_table_write || kind == RequestKind::offset_table_write ||
+         kind == RequestKind::tool_table_read || kind == RequestKind::offset_table_read;
+}
+
 }  // namespace
 
 Coordinator::Coordinator(std::span<Channel* const> channels,
                          const std::array<OwnerFailure, channels_max>& on_owner_failure,
-                         double cycle_s, Ring<OperatorReply>& replies)
+                         double cycle_s, Ring<OperatorReply>& replies, MachineStores stores)
     : channel_count_(static_cast<int>(channels.size())),
       on_owner_failure_(on_owner_failure),
       cycle_s_(cycle_s),
-      replies_(replies) {
+      replies_(replies),
+      stores_(stores) {
   std::copy(channels.begin(), channels.end(), channels_.begin());
   owner_.fill(operator_asker);
 }
@@ -114,7 +121,7 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
     case OperatorAction::machine_estop:
       return each([](Channel& c) RT_SAFE { c.fault("A1001", "emergency stop by an operator"); });
     case OperatorAction::program_hold:
-      return each([](Channel& c) RT_SAFE { c.hold(); });
+      return each([](Channel& c) RT_SAFE { c.hold_by_operator(); });
     case OperatorAction::program_resume:
       return each([](Channel& c) RT_SAFE { c.resume(); });
     case OperatorAction::override_feed:
@@ -123,6 +130,15 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return each([&](Channel& c) RT_SAFE { set_overrides(event, c); });
     case OperatorAction::alarm_acknowledge:
       return success();
+    case OperatorAction::optional_stop:
+      return each([&](Channel& c) RT_SAFE { c.set_optional_stop(event.number != 0); });
+    case OperatorAction::block_skip:
+    case OperatorAction::block_skip_off: {
+      if (event.number < 1 || event.number > 9)
+        return refusal("E6027", "levels of block skip are 1 to 9");
+      const bool on = event.action == OperatorAction::block_skip;
+      return each([&](Channel& c) RT_SAFE { c.set_block_skip(event.number, on); });
+    }
     default:
       return std::nullopt;
   }
@@ -188,6 +204,7 @@ void Coordinator::adopt_requests() RT_SAFE {
     errand.active = true;
     errand.asker = k;
     errand.kind = item->request.kind;
+    errand.request = item->request;
     errand.number = item->request.number;
     errand.members = channels_with_ids(item->request.channels);
     errand.seconds = item->request.seconds;
@@ -240,6 +257,11 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   // The interpreter ends the run with the alarm U<code> once it has this answer.
   if (errand.kind == RequestKind::terminate) return success();
   if (errand.kind == RequestKind::mark_wait) return step_mark_wait(errand);
+  if (errand.kind == RequestKind::shared_read || errand.kind == RequestKind::shared_write)
+    return step_shared(errand);
+  if (is_table_request(errand.kind)) return step_table(errand);
+  if (errand.kind == RequestKind::machine_value) return step_value(errand);
+  if (errand.kind == RequestKind::input_wait) return step_input_wait(errand);
   if (errand.target < 0) return refusal("E6001", "no such channel");
   Channel& target = *channels_[static_cast<std::size_t>(errand.target)];
   switch (errand.kind) {
@@ -277,7 +299,7 @@ void Coordinator::follow_owners() RT_SAFE {
     if (!master.has_ended(run) && !master.is_resetting()) continue;
     owner_[i] = operator_asker;
     if (master.ended_well(run) || !is_busy(*channels_[i])) continue;
-    if (on_owner_failure_[i] == OwnerFailure::hold) channels_[i]->hold();
+    if (on_owner_failure_[i] == OwnerFailure::hold) channels_[i]->hold(HoldCause::owner_failed);
     if (on_owner_failure_[i] == OwnerFailure::reset) channels_[i]->begin_reset();
   }
 }

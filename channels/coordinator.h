@@ -12,16 +12,25 @@
 #include <span>
 
 #include "channels/channel.h"
+#include "channels/live_tables.h"
 #include "channels/operator_event.h"
 #include "channels/rendezvous.h"
+#include "channels/shared_variables.h"
 
 namespace stanok::channels {
+
+// What belongs to the machine and not to one channel; owned by it.
+struct MachineStores {
+  SharedVariables* shared = nullptr;
+  LiveTables* tables = nullptr;
+  const Signals* inputs = nullptr;
+};
 
 class Coordinator {
  public:
   Coordinator(std::span<Channel* const> channels,
               const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s,
-              Ring<OperatorReply>& replies);
+              Ring<OperatorReply>& replies, MachineStores stores);
 
   void take(const OperatorEvent& event) RT_SAFE;
   // After all channels have done their cycle.
@@ -43,10 +52,12 @@ class Coordinator {
     int target = -1;  // index of the channel concerned
     int number = 0;
     ChannelSet members = 0;  // mark_wait
+    RequestData request;     // of a program
     double seconds = -1.0;
     int stage = 0;
     std::int64_t cycles = 0;  // since the errand began
     std::uint32_t awaited_run = 0;
+    bool input_before = false;  // input_wait: the input in the cycle before
     motion::BlockTag tag;
     ShortText text;
   };
@@ -78,6 +89,13 @@ class Coordinator {
   [[nodiscard]] Verdict step_stop(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_reset(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
+  // Values (coordinator_values.cc)
+  [[nodiscard]] Verdict step_shared(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict step_table(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict step_input_wait(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict step_value(const Errand& errand) RT_SAFE;
+  [[nodiscard]] std::optional<double> axis_value(std::string_view name, const Channel& asker,
+                                                 int axis) const RT_SAFE;
 
   // Waits and marks (coordinator_waits.cc)
   [[nodiscard]] Verdict step_wait(Errand& errand, const Channel& target) RT_SAFE;
@@ -109,6 +127,7 @@ class Coordinator {
   std::array<OwnerFailure, channels_max> on_owner_failure_{};
   double cycle_s_;
   Ring<OperatorReply>& replies_;
+  MachineStores stores_;
   std::array<Errand, channels_max + operator_errands>
       errands_{};  // first one per channel, then the operators'
   std::array<int, channels_max>

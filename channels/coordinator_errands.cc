@@ -61,7 +61,8 @@ Coordinator::Verdict Coordinator::step_run(Errand& errand, Channel& target) RT_S
 Coordinator::Verdict Coordinator::step_stop(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
     if (!is_busy(target)) return refusal("E6007", target, ": nothing was running");
-    target.hold();
+    target.hold(errand.asker == operator_asker ? HoldCause::operator_hold
+                                               : HoldCause::channel_stop);
     errand.stage = 1;
   }
   if (!is_busy(target)) return success();

@@ -29,7 +29,9 @@ enum class ItemKind : std::uint8_t {
   spindle,           // spindle command
   coolant,           // mist, flood
   tool_change,       // number = tool
-  override_control,  // M48, M49: flag = feed override acts
+  override_control,  // M48 to M53
+  output,            // M64, M65, M68: number, value, flag = analog
+  machine_function,  // M100 to M899: text
   program_stop,      // M0, M1, M60: number = lang::StopKind
   request,           // to the coordinator; preparation waits for the answer
   park_axes,         // axes = set: brakes closed, then drives off
@@ -46,6 +48,7 @@ struct RequestData {
   std::int32_t number = 0;
   std::int32_t index = 0;
   bool analog = false;
+  bool is_text = false;        // shared variables
   std::uint32_t channels = 0;  // bit k: channel with id k
   double seconds = -1.0;
   double value = 0.0;
@@ -62,6 +65,7 @@ struct Item {
   lang::AxisSet axes = 0;
   lang::SpindleCommand spindle;
   lang::CoolantCommand coolant;
+  lang::OverrideControl overrides;
   RequestData request;
   const kinematics::Transform* transform = nullptr;
   FixedText<8> code;
@@ -81,6 +85,7 @@ struct Notice {
   NoticeKind kind = NoticeKind::answer;
   std::uint32_t run = 0;
   std::int32_t number = 0;
+  std::uint16_t block_skip = 0;  // start, answer: levels that are skipped from now on
   bool ok = true;
   bool raises = false;  // lang::Answer
   double value = 0.0;
@@ -90,7 +95,13 @@ struct Notice {
   ReasonText text;
 };
 
-enum class RiderKind : std::uint8_t { mark_set, mark_clear, mark_wait };
+enum class RiderKind : std::uint8_t {
+  mark_set,
+  mark_clear,
+  mark_wait,
+  digital_output,
+  analog_output,
+};
 
 // What travels with the path and takes effect where block `before_block` (or a later one) begins.
 // Only a mark where the partners are not there yet stops the path.
@@ -98,7 +109,8 @@ struct Rider {
   RiderKind kind = RiderKind::mark_set;
   motion::BlockTag tag;
   std::uint64_t before_block = 0;
-  std::int32_t number = 0;     // mark
+  std::int32_t number = 0;     // mark, output
+  double value = 0.0;          // output
   std::uint32_t channels = 0;  // mark_wait: bit k: channel with id k
 };
 

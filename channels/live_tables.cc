@@ -1,12 +1,50 @@
 #include "channels/live_tables.h"
 
 #include <algorithm>
+#include <map>
 
 namespace stanok::channels {
 namespace {
 
 constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
 constexpr int tools_without_row_max = 99;  // present with length 0 and radius 0
+
+// In the order of ToolValue.
+std::array<double, tool_values> values_of(const ToolEdge& tool) {
+  return {tool.length,      tool.length_y,    tool.length_x, tool.radius,
+          tool.wear_length, tool.wear_radius, tool.overhang, static_cast<double>(tool.orientation),
+          tool.angle_front, tool.angle_back};
+}
+
+ToolEdge with_values(ToolEdge tool, const std::array<std::atomic<double>, tool_values>& values) {
+  tool.length = values[0];
+  tool.length_y = values[1];
+  tool.length_x = values[2];
+  tool.radius = values[3];
+  tool.wear_length = values[4];
+  tool.wear_radius = values[5];
+  tool.overhang = values[6];
+  tool.orientation = static_cast<int>(values[7].load());
+  tool.angle_front = values[8];
+  tool.angle_back = values[9];
+  return tool;
+}
+
+bool is_in_range(ToolValue value, double to) RT_SAFE {
+  constexpr double length_max = 1e5;  // mm
+  constexpr double angle_max = 360.0;
+  switch (value) {
+    case ToolValue::orientation:
+      return to >= 0.0 && to <= 9.0 && to == static_cast<double>(static_cast<int>(to));
+    case ToolValue::angle_front:
+    case ToolValue::angle_back:
+      return to >= -angle_max && to <= angle_max;
+    case ToolValue::radius:
+      return to >= 0.0 && to <= length_max;
+    default:
+      return to >= -length_max && to <= length_max;
+  }
+}
 
 }  // namespace
 
@@ -16,32 +54,103 @@ std::string work_offset_name(int number) {
   return "G54.1 P" + std::to_string(number - 9);
 }
 
-LiveTables::LiveTables(const TablesConfig& initial) : tables_(initial) {}
+LiveTables::LiveTables(const MachineConfig& machine)
+    : write_protected_(machine.tables_write_protected) {
+  for (const AxisConfig& axis : machine.axes) axes_.push_back(axis.name);
+  offsets_ = std::make_unique<std::atomic<double>[]>(work_offsets_max * axes_.size());
+  for (int number = 1; number <= work_offsets_max; ++number) {
+    const auto row = machine.tables.offsets.find(work_offset_name(number));
+    if (row == machine.tables.offsets.end()) continue;
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      const auto value = row->second.find(axes_[axis]);
+      if (value != row->second.end()) offsets_[cell(number, axis)] = value->second;
+    }
+  }
+  std::map<std::pair<int, int>, std::pair<ToolEdge, bool>> rows;
+  for (int number = 0; number <= tools_without_row_max; ++number) {
+    ToolEdge plain;
+    plain.number = number;
+    rows[{number, 1}] = {plain, true};
+  }
+  for (const ToolEdge& tool : machine.tables.tools) rows[{tool.number, tool.edge}] = {tool, false};
+  tools_ = std::make_unique<ToolRow[]>(rows.size());
+  for (auto& [key, row] : rows) {
+    ToolRow& made = tools_[tool_count_++];
+    made.fixed = row.first;
+    made.is_default = row.second;
+    const auto values = values_of(made.fixed);
+    for (std::size_t k = 0; k < values.size(); ++k) made.values[k] = values[k];
+  }
+}
+
+std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
+  const bool exists = number >= 1 && number <= work_offsets_max && axis >= 0 &&
+                      static_cast<std::size_t>(axis) < axes_.size();
+  if (!exists) return std::nullopt;
+  return offsets_[cell(number, static_cast<std::size_t>(axis))].load(std::memory_order_relaxed);
+}
+
+bool LiveTables::set_offset(int number, int axis, double value) RT_SAFE {
+  if (write_protected_ || !offset(number, axis)) return false;
+  offsets_[cell(number, static_cast<std::size_t>(axis))].store(value, std::memory_order_relaxed);
+  return true;
+}
 
 std::optional<double> LiveTables::offset(int number, const std::string& axis) const {
   if (number < 1 || number > work_offsets_max) return std::nullopt;
-  const std::lock_guard lock(mutex_);
-  const auto row = tables_.offsets.find(work_offset_name(number));
-  if (row == tables_.offsets.end()) return 0.0;
-  const auto value = row->second.find(axis);
-  return value == row->second.end() ? 0.0 : value->second;
+  const auto named = std::find(axes_.begin(), axes_.end(), axis);
+  if (named == axes_.end()) return 0.0;
+  return offset(number, static_cast<int>(named - axes_.begin()));
+}
+
+const LiveTables::ToolRow* LiveTables::find(int number, int edge) const RT_SAFE {
+  std::size_t first = 0;
+  std::size_t count = tool_count_;
+  while (first < count) {
+    const std::size_t middle = first + (count - first) / 2;
+    const ToolEdge& tool = tools_[middle].fixed;
+    const bool before = tool.number < number || (tool.number == number && tool.edge < edge);
+    (before ? first : count) = before ? middle + 1 : middle;
+  }
+  if (first == tool_count_) return nullptr;
+  const ToolRow& row = tools_[first];
+  return row.fixed.number == number && row.fixed.edge == edge ? &row : nullptr;
+}
+
+std::optional<double> LiveTables::tool_value(int number, int edge, int value) const RT_SAFE {
+  const ToolRow* row = find(number, edge);
+  if (row == nullptr || value < 1 || value > tool_values) return std::nullopt;
+  return row->values[static_cast<std::size_t>(value - 1)].load(std::memory_order_relaxed);
+}
+
+bool LiveTables::set_tool_value(int number, int edge, int value, double to) RT_SAFE {
+  if (write_protected_ || !tool_value(number, edge, value)) return false;
+  if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
+  ToolRow& row = tools_[static_cast<std::size_t>(find(number, edge) - tools_.get())];
+  row.values[static_cast<std::size_t>(value - 1)].store(to, std::memory_order_relaxed);
+  return true;
 }
 
 std::optional<ToolEdge> LiveTables::tool(int number, int edge) const {
-  const std::lock_guard lock(mutex_);
-  const auto row = std::find_if(
-      tables_.tools.begin(), tables_.tools.end(),
-      [&](const ToolEdge& tool) { return tool.number == number && tool.edge == edge; });
-  if (row != tables_.tools.end()) return *row;
-  if (number < 0 || number > tools_without_row_max || edge != 1) return std::nullopt;
-  ToolEdge plain;
-  plain.number = number;
-  return plain;
+  const ToolRow* row = find(number, edge);
+  if (row == nullptr) return std::nullopt;
+  return with_values(row->fixed, row->values);
 }
 
 TablesConfig LiveTables::snapshot() const {
-  const std::lock_guard lock(mutex_);
-  return tables_;
+  TablesConfig tables;
+  for (std::size_t k = 0; k < tool_count_; ++k) {
+    const ToolRow& row = tools_[k];
+    const ToolEdge now = with_values(row.fixed, row.values);
+    if (!row.is_default || values_of(now) != values_of(row.fixed)) tables.tools.push_back(now);
+  }
+  for (int number = 1; number <= work_offsets_max; ++number) {
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      const double value = offsets_[cell(number, axis)];
+      if (value != 0.0) tables.offsets[work_offset_name(number)][axes_[axis]] = value;
+    }
+  }
+  return tables;
 }
 
 ChannelTables::ChannelTables(const LiveTables& live, const MachineConfig& machine,

@@ -1,15 +1,19 @@
 // The live tables of the machine: tools and work offsets, read by all preparations, written by
 // programs and operators.
 //
-// Names: "G54".."G59", "G59.1".."G59.3", "G54.1 P1".. for the work offsets; absent rows are zero.
-// Any thread.
+// Which entries exist is fixed when the machine starts; each value is read and written atomically,
+// by programs in the cycle. Names: "G54".."G59", "G59.1".."G59.3", "G54.1 P1".. for the work
+// offsets; absent rows are zero. Any thread.
 #pragma once
 
-#include <map>
-#include <mutex>
+#include <array>
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "base/rt_safe.h"
 #include "channels/machine_config.h"
 #include "lang/environment.h"
 
@@ -18,18 +22,55 @@ namespace stanok::channels {
 // The table name of a work offset number: 1 = "G54" ... 7 = "G59.1", 10 = "G54.1 P1".
 [[nodiscard]] std::string work_offset_name(int number);
 
+// The values of a tool that programs read and write, by the number that settable_tool gives them.
+enum class ToolValue : std::uint8_t {
+  length = 1,
+  length_y,
+  length_x,
+  radius,
+  wear_length,
+  wear_radius,
+  overhang,
+  orientation,
+  angle_front,
+  angle_back,
+};
+inline constexpr int tool_values = 10;
+
 class LiveTables {
  public:
-  explicit LiveTables(const TablesConfig& initial);
+  explicit LiveTables(const MachineConfig& machine);
 
   // Offset of one axis (mm or deg); nothing when the work offset does not exist.
   [[nodiscard]] std::optional<double> offset(int number, const std::string& axis) const;
   [[nodiscard]] std::optional<ToolEdge> tool(int number, int edge) const;
   [[nodiscard]] TablesConfig snapshot() const;
 
+  // The cycle: single values. `axis` counts among all axes of the machine. Nothing, or false, when
+  // there is no such entry; a write also when the value is out of range or the tables are
+  // write-protected.
+  [[nodiscard]] std::optional<double> offset(int number, int axis) const RT_SAFE;
+  [[nodiscard]] bool set_offset(int number, int axis, double value) RT_SAFE;
+  [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
+  [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to) RT_SAFE;
+
  private:
-  mutable std::mutex mutex_;
-  TablesConfig tables_;
+  struct ToolRow {
+    ToolEdge fixed;           // number, edge, name, kind, shape
+    bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
+    std::array<std::atomic<double>, tool_values> values{};
+  };
+
+  [[nodiscard]] const ToolRow* find(int number, int edge) const RT_SAFE;
+  [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
+    return static_cast<std::size_t>(number - 1) * axes_.size() + axis;
+  }
+
+  std::vector<std::string> axes_;
+  bool write_protected_ = false;
+  std::unique_ptr<std::atomic<double>[]> offsets_;
+  std::unique_ptr<ToolRow[]> tools_;  // ascending by number and edge
+  std::size_t tool_count_ = 0;
 };
 
 // The tables as the interpreter of one channel sees them.

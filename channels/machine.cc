@@ -24,7 +24,8 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
   figures.stops_go_on = options.stops_go_on;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
-    figures.axes[k] = {axis.resolution, axis.kmv, axis.brake_s, axis.power_s};
+    const bool is_homed = options.on_at_start || axis.homing.order == 0;
+    figures.axes[k] = {axis.resolution, axis.kmv, axis.brake_s, axis.power_s, is_homed};
     figures.start[k] = axis.start;
     figures.machine_axis[k] = channel.axes[k];
   }
@@ -41,9 +42,10 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
 // One channel whole: both sides and the rings between them.
 struct Seat {
   Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
-       const lang::Files& files, const LiveTables& tables, CycleBooks books)
+       const lang::Files& files, const LiveTables& tables, SharedVariables& shared,
+       CycleBooks books)
       : schemes(make_schemes(config)),
-        preparation(machine, config, schemes, files, tables, link, *books.reports),
+        preparation(machine, config, schemes, files, tables, shared, link, *books.reports),
         channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,
                 config.scheme, link, books) {}
 
@@ -65,7 +67,8 @@ std::array<OwnerFailure, channels_max> owner_rules(const MachineConfig& config) 
 struct Machine::Parts {
   Parts(const MachineConfig& machine, const lang::Files& files, const MachineOptions& options)
       : config(machine),
-        tables(machine.tables),
+        tables(machine),
+        outputs_to_inputs(options.outputs_to_inputs),
         events(events_max),
         inputs(inputs_max),
         replies(replies_max) {
@@ -75,17 +78,46 @@ struct Machine::Parts {
     }
     std::vector<Channel*> channels;
     for (const ChannelConfig& channel : machine.channels) {
-      seats.push_back(std::make_unique<Seat>(machine, channel, options, files, tables,
-                                             CycleBooks{&events, &reports}));
+      seats.push_back(std::make_unique<Seat>(machine, channel, options, files, tables, shared,
+                                             CycleBooks{&events, &reports, &signals_out}));
       channels.push_back(&seats.back()->channel);
       if (options.on_at_start) channels.back()->power(true);
     }
-    coordinator = std::make_unique<Coordinator>(channels, owner_rules(machine),
-                                                machine.cycle_us * 1e-6, replies);
+    coordinator =
+        std::make_unique<Coordinator>(channels, owner_rules(machine), machine.cycle_us * 1e-6,
+                                      replies, MachineStores{&shared, &tables, &signals_in});
+  }
+
+  // Takes over what changed, and writes it down.
+  void take_signals(const Signals* given) RT_SAFE {
+    Signals next;
+    if (outputs_to_inputs) next = signals_out;
+    if (given != nullptr) next = *given;
+    if (next == signals_in) return;
+    InputRecord record;
+    record.cycle = cycle;
+    record.kind = InputKind::sensor;
+    for (int k = 0; k < Signals::digital_count; ++k) {
+      if (next.is_on(k) == signals_in.is_on(k)) continue;
+      record.method = k;
+      record.value = next.is_on(k) ? 1.0 : 0.0;
+      static_cast<void>(inputs.push(record));
+    }
+    for (std::size_t k = 0; k < next.analog.size(); ++k) {
+      if (next.analog[k] == signals_in.analog[k]) continue;
+      record.method = Signals::digital_count + static_cast<std::int32_t>(k);
+      record.value = next.analog[k];
+      static_cast<void>(inputs.push(record));
+    }
+    signals_in = next;
   }
 
   const MachineConfig& config;
   LiveTables tables;
+  SharedVariables shared;
+  bool outputs_to_inputs;
+  Signals signals_in;
+  Signals signals_out;
   ReportBook reports;
   Ring<Event> events;
   Ring<InputRecord> inputs;
@@ -132,12 +164,14 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     static_cast<void>(parts.inputs.push(record));
     parts.coordinator->take(event);
   }
+  parts.take_signals(inputs.signals);
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
     seat->channel.advance(parts.cycle);
   }
   parts.coordinator->step();
   output.cycle = parts.cycle;
+  output.signals = parts.signals_out;
   output.channel_count = static_cast<std::int32_t>(parts.seats.size());
   for (std::size_t k = 0; k < parts.seats.size(); ++k)
     parts.seats[k]->channel.fill(output.channels[k]);

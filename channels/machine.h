@@ -32,6 +32,7 @@ struct AxisFeedback {
 struct CycleInputs {
   std::span<const OperatorEvent> events;
   std::span<const AxisFeedback> feedback;  // machine axis order; empty: ideal drives
+  const Signals* signals = nullptr;        // nullptr: there are none
 };
 
 // One finished (or running) program run of a channel, for reports.
@@ -61,8 +62,9 @@ struct AlarmReport {
 enum class Progress { worked, blocked };
 
 struct MachineOptions {
-  bool on_at_start = false;  // drives enabled from the first cycle (simulate)
-  bool stops_go_on = false;  // M0 and M60 continue at once with a message (simulate)
+  bool on_at_start = false;        // drives enabled from the first cycle (simulate)
+  bool stops_go_on = false;        // M0 and M60 continue at once with a message (simulate)
+  bool outputs_to_inputs = false;  // where the inputs hold none
 };
 
 class Machine {

@@ -109,6 +109,7 @@ struct MachineConfig {
   std::vector<SpindleConfig> spindles;
   std::vector<ChannelConfig> channels;  // ascending ids
   TablesConfig tables;
+  bool tables_write_protected = false;  // against programs
 };
 
 }  // namespace stanok::channels

@@ -23,6 +23,9 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::override_spindle, "override_spindle"},
     {OperatorAction::kinematics_select, "kinematics_select"},
     {OperatorAction::alarm_acknowledge, "alarm_acknowledge"},
+    {OperatorAction::optional_stop, "optional_stop"},
+    {OperatorAction::block_skip, "block_skip"},
+    {OperatorAction::block_skip_off, "block_skip_off"},
 });
 
 }  // namespace

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string_view>
 
 #include "base/fixed_text.h"
 
@@ -26,11 +24,10 @@ enum class OperatorAction : std::uint8_t {
   override_spindle,   // value = 0.5..1.5
   kinematics_select,  // number = scheme
   alarm_acknowledge,
+  optional_stop,   // M1 stops: number = 1 yes, 0 no
+  block_skip,      // number = level 1..9 whose blocks are skipped from the next sync point on
+  block_skip_off,  // number = level
 };
-
-// The action by its name as in the command table ("program_hold"); nothing for any other text.
-[[nodiscard]] std::optional<OperatorAction> operator_action(std::string_view name);
-[[nodiscard]] std::string_view name_of(OperatorAction action);
 
 struct OperatorEvent {
   std::uint64_t id = 0;  // of the reply; 0: nobody waits for one

@@ -22,6 +22,15 @@ enum class ChannelState : std::uint8_t {
   alarm
 };  // CH_IDLE ... CH_ALARM
 
+// Why a channel is held.
+enum class HoldCause : std::uint8_t {
+  none,
+  operator_hold,
+  program_stop,  // M0, M1, M60
+  channel_stop,  // of another channel
+  owner_failed,  // on_owner_failure
+};
+
 // Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
 // integer codes of docs/motion.md#codes.
 struct AxisSetpoint {
@@ -40,6 +49,24 @@ struct DriveCommand {
   bool brake_closed = true;
 };
 
+// Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].
+struct Signals {
+  static constexpr int digital_count = 64;
+  static constexpr int analog_count = 16;
+
+  std::uint64_t digital = 0;  // bit n: signal n
+  std::array<double, analog_count> analog{};
+
+  [[nodiscard]] bool is_on(int number) const RT_SAFE {
+    return (digital >> static_cast<unsigned>(number) & 1U) != 0;
+  }
+  void set(int number, bool on) RT_SAFE {
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(number);
+    digital = on ? digital | bit : digital & ~bit;
+  }
+  friend bool operator==(const Signals&, const Signals&) = default;
+};
+
 struct ChannelOutput {
   std::int32_t id = 0;
   std::int32_t axis_count = 0;
@@ -48,6 +75,7 @@ struct ChannelOutput {
   bool running = false;   // a program run is under way, held or not
   std::uint32_t run = 0;  // of the channel, from 1
   bool waiting = false;   // in channel_wait, a mark, a dwell
+  HoldCause hold_cause = HoldCause::none;
   std::int32_t scheme = 0;
   motion::BlockTag tag;         // of the block at hand; line 0: no program runs
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
@@ -72,6 +100,7 @@ struct CycleOutput {
   std::int64_t cycle = 0;
   std::int32_t channel_count = 0;
   std::array<ChannelOutput, channels_max> channels{};
+  Signals signals;
 };
 
 static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_copyable_v<Event>);
@@ -84,8 +113,9 @@ struct InputRecord {
   std::int64_t cycle = 0;
   InputKind kind = InputKind::operator_event;
   std::int32_t channel = 0;  // 0: the machine
-  std::int32_t method =
-      0;  // operator_event: channels::OperatorAction; arrival: sequence number of the item
+  // operator_event: channels::OperatorAction; arrival: sequence number of the item; sensor: number
+  // of the input, analog ones counted on behind the digital ones.
+  std::int32_t method = 0;
   double value = 0.0;
   FixedText<256> text;
 };

@@ -49,10 +49,12 @@ SchemeSet make_schemes(const ChannelConfig& channel) {
 
 Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& channel,
                          const SchemeSet& schemes, const lang::Files& files,
-                         const LiveTables& tables, ChannelLink& link, ReportBook& reports)
+                         const LiveTables& tables, SharedVariables& shared, ChannelLink& link,
+                         ReportBook& reports)
     : config_(channel),
       schemes_(schemes),
       files_(files),
+      shared_(shared),
       link_(link),
       reports_(reports),
       motion_(motion_config(machine, channel)),
@@ -97,6 +99,11 @@ void Preparation::load(const std::string& name) {
   Diagnostics diagnostics;
   auto compiled = lang::compile(name, files_, &description_, diagnostics);
   if (compiled) {
+    if (auto faults = declare_shared(**compiled); !faults.empty()) {
+      compiled = Unexpected<Diagnostics>(std::move(faults));
+    }
+  }
+  if (compiled) {
     program_ = *compiled;
     program_name_ = name;
     for (std::size_t k = 0; k < link_.file_names.size(); ++k)
@@ -111,6 +118,14 @@ void Preparation::load(const std::string& name) {
   push(done);
 }
 
+Diagnostics Preparation::declare_shared(const lang::Program& program) {
+  Diagnostics faults;
+  for (const lang::SharedVariable& variable : lang::shared_variables(program)) {
+    if (auto fault = shared_.declare(variable)) faults.push_back(std::move(*fault));
+  }
+  return faults;
+}
+
 void Preparation::start(const Notice& notice) {
   run_ = notice.run;
   blocks_executed_ = 0;
@@ -120,6 +135,7 @@ void Preparation::start(const Notice& notice) {
   chain_open_ = false;
   push_transform();
   reports_.name_run(config_.id, run_, program_name_);
+  interpreter_.set_block_skip(notice.block_skip);
   interpreter_.start(program_, blocks_.position_B());
   scheme_switched_ = false;
   task_ = Task::running;
@@ -143,6 +159,7 @@ void Preparation::take_answer(const Notice& notice) {
   answer.position_B = blocks_.position_B();
   answer.position_valid = true;
   task_ = Task::running;
+  interpreter_.set_block_skip(notice.block_skip);
   interpreter_.answer(answer);
 }
 
@@ -217,7 +234,7 @@ void Preparation::take(const lang::Command& command) {
           [&](const lang::FrameChange&) { take_state(command); },
           [&](const lang::OverrideControl& control) {
             Item next = item(ItemKind::override_control);
-            next.flag = control.feed_enabled;
+            next.overrides = control;
             push(next);
           },
           [&](const lang::Message& message) {
@@ -242,8 +259,12 @@ void Preparation::take(const lang::Command& command) {
           [&](const lang::ProbeMove&) { refuse(command, "probing"); },
           [&](const lang::TransformationChange&) { refuse(command, "a face transformation"); },
           [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
-          [&](const lang::OutputCommand&) { refuse(command, "an output"); },
-          [&](const lang::MachineFunction&) { refuse(command, "a machine function"); },
+          [&](const lang::OutputCommand& output) { add_output(command, output); },
+          [&](const lang::MachineFunction& function) {
+            Item next = item(ItemKind::machine_function);
+            next.text = ShortText("M" + std::to_string(function.code));
+            push(next);
+          },
           [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
           [&](const lang::WorkpieceAnnouncement&) {},
           [&](const lang::WorkpiecePosition&) {},
@@ -261,24 +282,55 @@ void Preparation::add_move(const lang::Command& command, const lang::Move& move)
   auto block = blocks_.block(move, tag);
   if (!block) {
     Diagnostic diagnostic = block.error();
-    diagnostic.place.file = std::string(lang::file_name(*program_, tag.file));
-    diagnostic.place.line = static_cast<int>(tag.line);
+    lang::put_at_block(*program_, command.origin, diagnostic);
     return fail(diagnostic, tag);
   }
   chain_open_ = true;
   if (const auto unreachable = builder_.add(*block)) {
-    const std::string file(lang::file_name(*program_, tag.file));
-    return fail(unreachable_pose(*unreachable, config_, file), tag);
+    Diagnostic diagnostic = unreachable_pose(*unreachable, config_);
+    lang::put_at_block(*program_, command.origin, diagnostic);
+    return fail(diagnostic, tag);
   }
   collect_pieces();
 }
 
 void Preparation::add_request(const lang::Command& command, const lang::Request& request) {
   Item item = item_of(ItemKind::request, tag_of(command));
-  item.request = {request.kind,   request.channel,  request.number,  request.index,
-                  request.analog, request.channels, request.seconds, request.value};
+  RequestData& data = item.request;
+  data.kind = request.kind;
+  data.channel = request.channel;
+  data.number = request.number;
+  data.index = request.index;
+  data.analog = request.analog;
+  data.channels = request.channels;
+  data.seconds = request.seconds;
+  data.value = request.value;
   item.text = ShortText(request.text);
+  if (request.kind == lang::RequestKind::shared_read ||
+      request.kind == lang::RequestKind::shared_write) {
+    const SharedVariables::Cell cell = shared_.cell(request.text, request.index);
+    data.number = cell.number;
+    data.is_text = cell.is_text;
+    item.text = ShortText(request.value_text);
+  }
   push(item);
+}
+
+void Preparation::add_output(const lang::Command& command, const lang::OutputCommand& output) {
+  if (!output.with_motion) {
+    Item item = item_of(ItemKind::output, tag_of(command));
+    item.flag = output.analog;
+    item.number = output.number;
+    item.value = output.value;
+    return push(item);
+  }
+  Rider rider;
+  rider.kind = output.analog ? RiderKind::analog_output : RiderKind::digital_output;
+  rider.tag = tag_of(command);
+  rider.before_block = command.block;
+  rider.number = output.number;
+  rider.value = output.value;
+  push_rider(rider);
 }
 
 void Preparation::add_mark(const lang::Command& command, const lang::MarkCommand& mark) {
@@ -310,8 +362,7 @@ void Preparation::refuse(const lang::Command& command, std::string_view what) {
   Diagnostic diagnostic;
   diagnostic.code = "E6033";
   diagnostic.message = "the machine cannot execute " + std::string(what) + " in this release";
-  diagnostic.place.file = std::string(lang::file_name(*program_, tag.file));
-  diagnostic.place.line = static_cast<int>(tag.line);
+  lang::put_at_block(*program_, command.origin, diagnostic);
   fail(diagnostic, tag);
 }
 

@@ -14,6 +14,7 @@
 #include "channels/live_tables.h"
 #include "channels/machine.h"
 #include "channels/report_book.h"
+#include "channels/shared_variables.h"
 #include "lang/interpreter.h"
 #include "motion/look_ahead.h"
 #include "motion/path_builder.h"
@@ -29,8 +30,8 @@ using SchemeSet = std::map<int, std::unique_ptr<const kinematics::Scheme>>;
 class Preparation {
  public:
   Preparation(const MachineConfig& machine, const ChannelConfig& channel, const SchemeSet& schemes,
-              const lang::Files& files, const LiveTables& tables, ChannelLink& link,
-              ReportBook& reports);
+              const lang::Files& files, const LiveTables& tables, SharedVariables& shared,
+              ChannelLink& link, ReportBook& reports);
 
   [[nodiscard]] Progress step();
 
@@ -40,6 +41,7 @@ class Preparation {
   // Notices of the cycle.
   void obey(const Notice& notice);
   void load(const std::string& name);
+  [[nodiscard]] Diagnostics declare_shared(const lang::Program& program);
   void start(const Notice& notice);
   void take_answer(const Notice& notice);
   void reset();
@@ -51,6 +53,7 @@ class Preparation {
   void take_state(const lang::Command& command);
   void add_move(const lang::Command& command, const lang::Move& move);
   void add_request(const lang::Command& command, const lang::Request& request);
+  void add_output(const lang::Command& command, const lang::OutputCommand& output);
   void add_mark(const lang::Command& command, const lang::MarkCommand& mark);
   void refuse(const lang::Command& command, std::string_view what);
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
@@ -68,6 +71,7 @@ class Preparation {
   const ChannelConfig& config_;
   const SchemeSet& schemes_;
   const lang::Files& files_;
+  SharedVariables& shared_;
   ChannelLink& link_;
   ReportBook& reports_;
   motion::MotionConfig motion_;

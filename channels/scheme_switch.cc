@@ -66,13 +66,10 @@ std::string axis_word(const ChannelConfig& channel, int axis) {
   return channel.words[static_cast<std::size_t>(axis)];
 }
 
-Diagnostic unreachable_pose(const motion::Unreachable& pose, const ChannelConfig& channel,
-                            const std::string& file) {
+Diagnostic unreachable_pose(const motion::Unreachable& pose, const ChannelConfig& channel) {
   const std::string axis = axis_word(channel, pose.axis);
   Diagnostic diagnostic;
   diagnostic.code = "E5101";
-  diagnostic.place.file = file;
-  diagnostic.place.line = static_cast<int>(pose.tag.line);
   diagnostic.message = "axis " + axis + " would go to " + number(pose.position) +
                        ", its limit is " + number(pose.limit);
   diagnostic.help = {"check work offset, tool length and kinematic scheme, or move the workpiece"};

@@ -38,8 +38,8 @@ using SwitchPlan = std::vector<SwitchStep>;
 // The word by which programs call the axis.
 [[nodiscard]] std::string axis_word(const ChannelConfig& channel, int axis);
 
-// The program error of a pose that an axis cannot reach.
+// The program error of a pose that an axis cannot reach; its place is yet to be filled in.
 [[nodiscard]] Diagnostic unreachable_pose(const motion::Unreachable& pose,
-                                          const ChannelConfig& channel, const std::string& file);
+                                          const ChannelConfig& channel);
 
 }  // namespace stanok::channels

@@ -72,6 +72,7 @@ class MachineReader {
     read_table(*top_.machine, machine_keys(), section, scope);
     file_.machine.name = section.name;
     file_.machine.cycle_us = section.cycle_us;
+    file_.machine.tables_write_protected = section.tables_write_protected;
     if (!section.tables.empty()) read_tables_named(section.tables, scope);
   }
 

@@ -32,6 +32,7 @@ struct ProcessConfig {
 struct SimulationConfig {
   double drive_frequency_hz = 40.0;  // natural frequency of the position loop
   double drive_damping = 0.8;
+  bool outputs_to_inputs = false;  // outputs of programs come back as inputs of the same number
 };
 
 struct MachineFile {

@@ -66,6 +66,8 @@ const Keys<MachineSection>& machine_keys() {
        from(100, 20000)},
       {"tables", at<&MachineSection::tables>, optional, "",
        "file with tools and offsets at first start"},
+      {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",
+       "programs cannot write tools and offsets"},
   };
   return keys;
 }
@@ -90,6 +92,8 @@ const Keys<SimulationConfig>& simulation_keys() {
        "natural frequency of the simulated position loops", positive},
       {"drive_damping", at<&SimulationConfig::drive_damping>, optional, "", "their damping",
        positive},
+      {"outputs_to_inputs", at<&SimulationConfig::outputs_to_inputs>, optional, "",
+       "outputs of programs come back as inputs of the same number"},
   };
   return keys;
 }

@@ -14,6 +14,7 @@ struct MachineSection {
   std::string name;
   int cycle_us = 1000;
   std::string tables;  // file name; empty: none
+  bool tables_write_protected = false;
 };
 
 [[nodiscard]] const Keys<MachineSection>& machine_keys();

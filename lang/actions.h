@@ -23,12 +23,21 @@ void switch_spindle(ActiveBlock& block, CodeNumber code);       // M3 M4 M5
 void orient_spindle(ActiveBlock& block, CodeNumber code);       // M19
 void switch_coolant(ActiveBlock& block, CodeNumber code);       // M7 M8 M9
 void switch_overrides(ActiveBlock& block, CodeNumber code);     // M48 M49
+void switch_override(ActiveBlock& block, CodeNumber code);      // M50 M51 M52 M53
 void stop_program(ActiveBlock& block, CodeNumber code);         // M0 M1 M60
 void end_program(ActiveBlock& block, CodeNumber code);          // M2 M30
 void call_program(ActiveBlock& block, CodeNumber code);         // M98 M198
 void return_from_program(ActiveBlock& block, CodeNumber code);  // M99 M17
 // For codes whose whole effect is that they are the active code of their group.
 void only_modal(ActiveBlock& block, CodeNumber code);
+
+// What the modal state says about the overrides, as a command.
+[[nodiscard]] OverrideControl override_control_of(const ModalState& modal);
+
+// Inputs and outputs (actions_signal.cc)
+void switch_output(ActiveBlock& block, CodeNumber code);      // M62 M63 M64 M65
+void set_analog_output(ActiveBlock& block, CodeNumber code);  // M67 M68
+void wait_for_input(ActiveBlock& block, CodeNumber code);     // M66
 
 // Frames and tool length (actions_frame.cc)
 void select_work_offset(ActiveBlock& block, CodeNumber code);  // G54 ... G59.3 G54.1

@@ -151,7 +151,7 @@ void switch_overrides(ActiveBlock& block, CodeNumber code) {
   const bool enabled = code == 480;
   block.modal.feed_override = enabled;
   block.modal.spindle_override = enabled;
-  block.queue.emit(OverrideControl{enabled, enabled});
+  block.queue.emit(override_control_of(block.modal));
 }
 
 // The operator may move the axes while the program stands: the position is read again afterwards.

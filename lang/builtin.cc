@@ -262,6 +262,18 @@ constexpr Builtin mark(std::string_view name, std::string_view arguments, MarkCo
   return row;
 }
 
+constexpr Builtin table(std::string_view name, Type result, std::string_view arguments,
+                        RequestKind request) {
+  Builtin row;
+  row.name = name;
+  row.result = result;
+  row.arguments = arguments;
+  row.effect = Effect::table;
+  row.request = request;
+  if (result == Type::boolean) row.failure_code = "E5020";
+  return row;
+}
+
 constexpr auto rows = std::to_array<Builtin>({
     number("sin", "n", unary<sine_of_degrees>),
     number("cos", "n", unary<cosine_of_degrees>),
@@ -317,12 +329,15 @@ constexpr auto rows = std::to_array<Builtin>({
     mark("mark_wait_soft", "nn*", MarkCommand::Kind::wait_soft),
     mark("mark_set", "n", MarkCommand::Kind::set),
     mark("mark_clear", "n", MarkCommand::Kind::clear),
+    table("settable_zs", Type::boolean, "nnxn", RequestKind::offset_table_write),
+    table("settable_tool", Type::boolean, "nnpn", RequestKind::tool_table_write),
+    table("gettable_zs", Type::number, "nnx", RequestKind::offset_table_read),
+    table("gettable_tool", Type::number, "nnp", RequestKind::tool_table_read),
     channel("mark_is_set", Type::boolean, "nn", RequestKind::mark_state, ""),
 });
 
 constexpr auto later_names =
-    std::to_array<std::string_view>({"settable_zs", "settable_tool", "gettable_tool", "gettable_zs",
-                                     "save_gvector", "restore_gvector", "has_arg", "arg"});
+    std::to_array<std::string_view>({"save_gvector", "restore_gvector", "has_arg", "arg"});
 
 }  // namespace
 

@@ -25,12 +25,14 @@ enum class Effect : std::uint8_t {
   channel_error,  // why the last channel function returned false
   mark,           // mark_set, mark_clear, mark_wait_soft: `mark`
   mark_wait,
+  table,  // settable_zs and its kin: `request`
 };
 
 struct Builtin {
   std::string_view name;
   Type result = Type::number;
-  std::string_view arguments;  // n number, b bool, s string, a axis, * any number of numbers
+  std::string_view arguments;  // n number, b bool, s string, a axis, x an axis or its
+                               // name, p string or number, * any number of numbers
   int optional_arguments = 0;  // that many may be left out at the end
   Evaluation evaluate = nullptr;
   Effect effect = Effect::none;

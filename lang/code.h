@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "lang/block_words.h"
 #include "lang/command.h"
+#include "lang/interpreter.h"
 #include "lang/source.h"
 #include "lang/tree.h"
 
@@ -69,6 +70,11 @@ enum class Op : std::uint8_t {
   call_file,          // (name -> )
   channel_error,      // ( -> string)
   raise,              // faults[operand]: a faulty statement was reached
+  table,              // builtins()[operand] with `count` arguments; extra 1: statement form, 2: the
+                      // third argument is a number
+  workpiece,          // (number... -> ): extra 0 the workpiece, 1 its position
+  read_shared,        // (index... -> value): shared[operand], `count` indices
+  write_shared,       // (index... value -> )
   mark,               // (id channel... -> ): builtins()[operand] with `count` arguments
   end_of_text,
 };
@@ -137,6 +143,7 @@ struct CompiledFile {
   std::vector<std::string> texts;
   std::vector<PlainLines> plain_lines;
   std::vector<BlockTemplate> blocks;
+  std::vector<SharedVariable> shared;
   std::vector<FunctionCode> functions;
   std::vector<Callee> callees;
   std::vector<OCallCode> o_calls;

@@ -229,13 +229,12 @@ enum class RequestKind : std::uint8_t {
   channel_stop,
   channel_reset,
   channel_state,
-  spindle_to_axis,   // M902: number = spindle
-  axis_to_spindle,   // M903
-  terminate,         // number = code, text
-  tool_table_write,  // effects of settable_tool, settable_zs: text = parameter, number = index,
-                     // value
-  offset_table_write,
-  tool_table_read,  // as the writes; the answer carries the value
+  spindle_to_axis,     // M902: number = spindle
+  axis_to_spindle,     // M903
+  terminate,           // number = code, text
+  tool_table_write,    // number = tool, index = edge, channel = number of the value, value
+  offset_table_write,  // channel = table, number = page, index = axis of the channel or -1, value
+  tool_table_read,     // as the writes; the answer carries the value
   offset_table_read,
   machine_value,  // text = system variable, number = index
   probe_result,   // after a ProbeMove; ok: the probe changed, probe_B is where

@@ -148,6 +148,14 @@ void Compiler::compile_kind(const NumberedProgram& start) {
   }
 }
 
+void Compiler::compile_kind(const WorkpieceDirective& directive) {
+  for (const Expression& argument : directive.arguments) {
+    if (!require(argument, Type::number, "the argument")) return;
+  }
+  emit(Op::workpiece, statement_span_, 0, static_cast<std::uint8_t>(directive.arguments.size()),
+       directive.position ? 1 : 0);
+}
+
 void Compiler::compile_kind(const KinematicsDirective& directive) {
   const Expression& scheme = directive.arguments[0];
   const Expression& channel = directive.arguments[1];

@@ -62,6 +62,7 @@ class Compiler {
     bool file_level = true;
     bool reference = false;
     bool read_only = false;
+    int shared = -1;  // number among the shared variables of the file
     std::optional<Constant> constant;
     Span span;
   };
@@ -82,6 +83,7 @@ class Compiler {
   void compile_kind(const PlainLines& lines);
   void compile_kind(const IncludeDirective&);
   void compile_kind(const KinematicsDirective& directive);
+  void compile_kind(const WorkpieceDirective& directive);
   void compile_kind(const NumberedProgram& start);
   void compile_kind(const CallStatement& statement);
   void compile_kind(const FaultyText& text);
@@ -108,6 +110,7 @@ class Compiler {
   void compile_kind(const Declaration& declaration);
   void compile_kind(const Assignment& assignment);
   void compile_item(const Declaration& declaration, const DeclaredItem& item);
+  void compile_shared(const DeclaredItem& item, Type type);
   void compile_array(const DeclaredItem& item, Type type);
   void compile_initial(const DeclaredItem& item, Type type);
   Symbol* declare(std::string_view name, const Span& span, Symbol symbol);
@@ -142,6 +145,7 @@ class Compiler {
   bool compile_argument(const FunctionParameter& parameter, const Expression& argument);
   bool compile_reference(const FunctionParameter& parameter, const Expression& argument);
   std::optional<Callee> find_function(std::string_view name) const;
+  std::optional<Type> compile_entry_name(const Expression& argument, char letter);
   void check_mark_call(const Expression& call);
   void check_channel_call(const Builtin& builtin, const Expression& call);
   std::optional<int> constant_channel(const Expression& argument, bool refuse_own,

@@ -78,8 +78,15 @@ Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expr
     reporter_.error("E3004", call.span, "`" + call.text + "` has no value", "a statement only");
     return {};
   }
+  bool number_names_entry = false;
   for (std::size_t i = 0; i < given; ++i) {
     const char letter = i < most ? builtin.arguments[i] : 'n';
+    if (letter == 'x' || letter == 'p') {
+      const auto kind = compile_entry_name(call.children[i], letter);
+      if (!kind) return {};
+      number_names_entry = *kind == Type::number;
+      continue;
+    }
     if (!require(call.children[i], type_of_letter(letter), "the argument")) return {};
   }
   if (builtin.takes_channel) check_channel_call(builtin, call);
@@ -104,6 +111,10 @@ Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expr
       break;
     case Effect::channel_error:
       emit(Op::channel_error, call.span);
+      break;
+    case Effect::table:
+      emit(Op::table, call.span, row, count,
+           static_cast<std::uint16_t>((statement ? 1 : 0) + (number_names_entry ? 2 : 0)));
       break;
     case Effect::mark:
     case Effect::mark_wait:
@@ -144,6 +155,24 @@ std::optional<int> Compiler::constant_channel(const Expression& argument, bool r
     return std::nullopt;
   }
   return id;
+}
+
+// What names an entry of a table: an axis, bare or as a string; a tool value, as a string or
+// number.
+std::optional<Type> Compiler::compile_entry_name(const Expression& argument, char letter) {
+  if (letter == 'x' && argument.node == Node::axis) {
+    push_text(argument.text, argument.span);
+    return Type::string;
+  }
+  const ValueType type = compile_expression(argument);
+  if (type.is(Type::string) || (letter == 'p' && type.is(Type::number))) return type.type;
+  if (type.known()) {
+    reporter_.error("E3004", argument.span,
+                    letter == 'x' ? "the argument is an axis or its name as a string"
+                                  : "the argument is the name or number of a tool value",
+                    "other type");
+  }
+  return std::nullopt;
 }
 
 // Mark and partners, where they are constant.
@@ -234,6 +263,11 @@ bool Compiler::compile_argument(const FunctionParameter& parameter, const Expres
 bool Compiler::compile_reference(const FunctionParameter& parameter, const Expression& argument) {
   const Symbol* const symbol =
       argument.node == Node::name || argument.node == Node::element ? find(argument.text) : nullptr;
+  if (symbol != nullptr && symbol->shared >= 0) {
+    reporter_.error("E3004", argument.span, "a shared variable cannot be handed to be changed",
+                    "use an own variable");
+    return false;
+  }
   if (symbol == nullptr || symbol->read_only) {
     reporter_.error("E3004", argument.span,
                     "argument `" + parameter.name + "` must be a variable, it is changed",

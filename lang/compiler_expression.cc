@@ -77,6 +77,11 @@ Compiler::ValueType Compiler::compile_expression(const Expression& expression) {
 
 Compiler::ValueType Compiler::compile_name(const Expression& name) {
   if (const Symbol* const symbol = find(name.text)) {
+    if (symbol->shared >= 0 && symbol->type.dimensions != 0) {
+      reporter_.error("E3004", name.span, "a shared array cannot be used as a whole",
+                      "name an element");
+      return {};
+    }
     if (symbol->constant) {
       push_constant(*symbol->constant, name.span);
     } else {
@@ -119,7 +124,10 @@ Compiler::ValueType Compiler::compile_element_address(const Expression& element)
 Compiler::ValueType Compiler::compile_element(const Expression& element) {
   const ValueType type = compile_element_address(element);
   if (!type.known()) return {};
-  emit(Op::element, element.span, 0, static_cast<std::uint8_t>(element.children.size()));
+  const int shared = find(element.text)->shared;
+  emit(shared >= 0 ? Op::read_shared : Op::element, element.span,
+       shared >= 0 ? static_cast<std::uint32_t>(shared) : 0,
+       static_cast<std::uint8_t>(element.children.size()));
   return type;
 }
 

@@ -74,7 +74,13 @@ Compiler::Symbol* Compiler::declare(std::string_view name, const Span& span, Sym
   return &scopes_.back().emplace(wanted, std::move(symbol)).first->second;
 }
 
+// Of a shared array there is nothing to load: its elements are asked for one by one.
 void Compiler::load(const Symbol& symbol, const Span& span) {
+  if (symbol.shared >= 0) {
+    if (symbol.type.dimensions == 0)
+      emit(Op::read_shared, span, static_cast<std::uint32_t>(symbol.shared));
+    return;
+  }
   const Op op = symbol.file_level  ? Op::load_file
                 : symbol.reference ? Op::load_reference
                                    : Op::load_local;
@@ -82,6 +88,10 @@ void Compiler::load(const Symbol& symbol, const Span& span) {
 }
 
 void Compiler::store(const Symbol& symbol, const Span& span) {
+  if (symbol.shared >= 0) {
+    emit(Op::write_shared, span, static_cast<std::uint32_t>(symbol.shared));
+    return;
+  }
   const Op op = symbol.file_level  ? Op::store_file
                 : symbol.reference ? Op::store_reference
                                    : Op::store_local;
@@ -111,7 +121,13 @@ void Compiler::report_unknown(std::string_view name, const Span& span, std::stri
 }
 
 void Compiler::compile_kind(const Declaration& declaration) {
-  for (const DeclaredItem& item : declaration.items) compile_item(declaration, item);
+  for (const DeclaredItem& item : declaration.items) {
+    if (declaration.shared) {
+      compile_shared(item, declaration.type);
+    } else {
+      compile_item(declaration, item);
+    }
+  }
 }
 
 void Compiler::compile_item(const Declaration& declaration, const DeclaredItem& item) {
@@ -217,9 +233,11 @@ void Compiler::compile_kind(const Assignment& assignment) {
   }
   if (assignment.combined) {
     if (element) {
-      const auto parts = static_cast<std::uint8_t>(target.children.size() + 1);
-      emit(Op::duplicate, target.span, 0, parts);
-      emit(Op::element, target.span, 0, static_cast<std::uint8_t>(target.children.size()));
+      const auto indices = static_cast<std::uint8_t>(target.children.size());
+      const bool shared = symbol.shared >= 0;
+      emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + (shared ? 0 : 1)));
+      emit(shared ? Op::read_shared : Op::element, target.span,
+           shared ? static_cast<std::uint32_t>(symbol.shared) : 0, indices);
     } else {
       load(symbol, target.span);
     }
@@ -235,7 +253,10 @@ void Compiler::compile_kind(const Assignment& assignment) {
     return;
   }
   if (element) {
-    emit(Op::store_element, target.span, 0, static_cast<std::uint8_t>(target.children.size()));
+    const bool shared = symbol.shared >= 0;
+    emit(shared ? Op::write_shared : Op::store_element, target.span,
+         shared ? static_cast<std::uint32_t>(symbol.shared) : 0,
+         static_cast<std::uint8_t>(target.children.size()));
   } else {
     store(symbol, target.span);
   }

@@ -27,8 +27,22 @@ std::string_view file_name(const Program& program, std::uint16_t file) {
                                      : std::string_view();
 }
 
+void put_at_block(const Program& program, const Origin& origin, Diagnostic& diagnostic) {
+  const Source& source = program.files[origin.file]->source;
+  const Span words = source.words_of_line(origin.line);
+  diagnostic.place = source.place(words);
+  diagnostic.source_line = std::string(source.line_at(words.offset));
+}
+
 const std::vector<ConstantDispatch>& constant_dispatches(const Program& program) {
   return program.dispatches;
+}
+
+std::vector<SharedVariable> shared_variables(const Program& program) {
+  std::vector<SharedVariable> all;
+  for (const auto& file : program.files)
+    all.insert(all.end(), file->shared.begin(), file->shared.end());
+  return all;
 }
 
 std::size_t line_count(const Program& program) {

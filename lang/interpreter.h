@@ -27,6 +27,10 @@ class Program;  // a compiled program with all it includes; immutable, shared
 // File names of the job, by Origin::file.
 [[nodiscard]] std::string_view file_name(const Program& program, std::uint16_t file);
 
+// Puts a diagnostic that came up when a block was executed to its place: file, line, the columns of
+// its words, source line.
+void put_at_block(const Program& program, const Origin& origin, Diagnostic& diagnostic);
+
 // A constant channel_run/channel_load/#kinematics found in a program: `check` follows them.
 struct ConstantDispatch {
   RequestKind kind = RequestKind::channel_run;  // channel_run, channel_load, kinematics
@@ -36,6 +40,21 @@ struct ConstantDispatch {
   Place place;
 };
 [[nodiscard]] const std::vector<ConstantDispatch>& constant_dispatches(const Program& program);
+
+// A variable of all channels. Each program that uses it declares it with the same type and size.
+struct SharedVariable {
+  std::string name;  // folded
+  bool is_text = false;
+  bool is_bool = false;
+  std::uint32_t rows = 1;
+  std::uint32_t columns = 0;  // array of two dimensions
+  bool is_array = false;
+  Place place;
+
+  [[nodiscard]] std::uint32_t elements() const { return rows * (columns == 0 ? 1 : columns); }
+};
+// All shared variables that the files of a program declare.
+[[nodiscard]] std::vector<SharedVariable> shared_variables(const Program& program);
 
 // Number of lines of the main text, for progress.
 [[nodiscard]] std::size_t line_count(const Program& program);

@@ -72,6 +72,8 @@ struct ModalState {
   bool flood = false;
   bool feed_override = true;
   bool spindle_override = true;
+  bool adaptive_feed = false;  // M52
+  bool feed_stop = true;       // M53
 
   int tool_prepared = -1;  // T; -1: none since the program started
   int tool_active = 0;

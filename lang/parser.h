@@ -106,6 +106,7 @@ class Parser {
   MaybeStatement parse_directive();
   MaybeStatement parse_include();
   MaybeStatement parse_kinematics();
+  MaybeStatement parse_workpiece(bool position, const Span& name);
   MaybeStatement parse_macro_line();
 
   // parser_o_line.cc

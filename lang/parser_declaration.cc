@@ -74,9 +74,8 @@ Parser::MaybeStatement Parser::parse_declaration_or_function() {
   Declaration declaration;
   Token token = scanner_.take(LineEnds::blank);
   if (folded(token.text) == "shared") {
-    reporter_.error("E2090", token.span, "`shared` variables are not supported in this release",
-                    "");
-    return std::nullopt;
+    declaration.shared = true;
+    token = scanner_.take(LineEnds::blank);
   }
   if (folded(token.text) == "const") {
     declaration.constant = true;
@@ -93,7 +92,7 @@ Parser::MaybeStatement Parser::parse_declaration_or_function() {
   const std::size_t offset = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.take(LineEnds::blank);
-  if (!declaration.constant && scanner_.peek(LineEnds::blank).is("(")) {
+  if (!declaration.constant && !declaration.shared && scanner_.peek(LineEnds::blank).is("(")) {
     return parse_function(*type, name);
   }
   scanner_.move_to(offset, line);

@@ -22,6 +22,9 @@ Parser::MaybeStatement Parser::parse_directive() {
   scanner_.advance(name.size());
   if (wanted == "include") return parse_include();
   if (wanted == "kinematics") return parse_kinematics();
+  if (wanted == "workpiece" || wanted == "workpiece_pos") {
+    return parse_workpiece(wanted == "workpiece_pos", span);
+  }
   for (const std::string_view known : directives) {
     if (wanted != known) continue;
     reporter_.error("E2090", span, "`#" + wanted + "` is not supported in this release",
@@ -89,6 +92,31 @@ Parser::MaybeStatement Parser::parse_macro_line() {
              "macro lines of other controls are not supported in this release", "")
       .help.push_back("write `" + equivalent + "`");
   return std::nullopt;
+}
+
+Parser::MaybeStatement Parser::parse_workpiece(bool position, const Span& name) {
+  line_ends_ = LineEnds::significant;
+  WorkpieceDirective directive;
+  directive.position = position;
+  const std::string text = position ? "`#workpiece_pos`" : "`#workpiece`";
+  if (!expect("(", text)) return std::nullopt;
+  if (!parse_list(")", directive.arguments) || !finish_line()) return std::nullopt;
+  const std::size_t wanted = position ? 6 : 9;
+  if (directive.arguments.size() != wanted) {
+    reporter_
+        .error("E3005", name,
+               text + " takes " + std::to_string(wanted) + " arguments, not " +
+                   std::to_string(directive.arguments.size()),
+               "wrong number of arguments")
+        .help.push_back(position
+                            ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
+                            : "write `#workpiece (type, resolution, machining, X, Y, Z, zero_X, "
+                              "zero_Y, zero_Z)`");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
 }
 
 }  // namespace stanok::lang

@@ -15,6 +15,7 @@ namespace {
 // Instructions or lines without a command that one call of next() executes.
 constexpr int work_bound = 20000;
 
+constexpr double input_result_parameter = 5399.0;  // of M66
 constexpr std::size_t r_parameter_count = 1000;
 
 // The words of a block, with their spans, from its tree.
@@ -99,7 +100,10 @@ Step ProgramRun::next(Command& command) {
 
 Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
   queue.take(command);
-  answer_owed_ = std::holds_alternative<Request>(command.payload);
+  const auto* request = std::get_if<Request>(&command.payload);
+  answer_owed_ = request != nullptr;
+  if (answer_owed_ && request->kind == RequestKind::input_wait)
+    answer_use_ = AnswerUse::input_result;
   return Step::command;
 }
 
@@ -178,7 +182,9 @@ void ProgramRun::follow_flow(const ActiveBlock& block) {
 void ProgramRun::end_program(ProgramEndKind kind) {
   if (modal_.spindle_running) queue_.emit(SpindleCommand{.spindle = -1});
   if (modal_.mist || modal_.flood) queue_.emit(CoolantCommand{});
-  if (!modal_.feed_override || !modal_.spindle_override) queue_.emit(OverrideControl{});
+  const bool overrides_usual =
+      modal_.feed_override && modal_.spindle_override && !modal_.adaptive_feed && modal_.feed_stop;
+  if (!overrides_usual) queue_.emit(OverrideControl{});
   queue_.emit(ProgramEnd{kind});
   phase_ = Phase::ended;
 }
@@ -210,10 +216,16 @@ void ProgramRun::answer(const Answer& answer) {
       break;
     case AnswerUse::push_number:
       if (answer.ok) {
-        push(value_of(answer.number));
+        push(value_of(answer.number / std::exchange(answer_unit_, 1.0)));
       } else {
         fail_with_answer("E6032", answer);
       }
+      break;
+    case AnswerUse::input_result:
+      store_numbered_parameter(input_result_parameter, answer.ok ? answer.number : -1.0);
+      break;
+    case AnswerUse::push_text:
+      push(value_of(answer.text));
       break;
     case AnswerUse::statement:
       take_statement_answer(answer);

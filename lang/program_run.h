@@ -46,7 +46,15 @@ class ProgramRun {
   enum class Phase { idle, running, ended, failed };
 
   // What becomes of the answer to the Request delivered last.
-  enum class AnswerUse { position_only, push_truth, push_number, statement, fail_run };
+  enum class AnswerUse {
+    position_only,
+    push_truth,
+    push_number,
+    push_text,
+    input_result,
+    statement,
+    fail_run
+  };
 
   // RS274 parameters that belong to one call: #1 to #30 and #<name>.
   struct LocalParameters {
@@ -141,6 +149,14 @@ class ProgramRun {
   void ask_value(const Instruction& instruction);
   void ask_kinematics();
   void terminate();
+  void announce_workpiece(const Instruction& instruction);
+  bool check_workpiece(const std::vector<double>& arguments);
+  void ask_table(const Instruction& instruction);
+  bool name_offset(std::size_t first, Request& request);
+  bool name_tool_value(std::size_t first, bool by_number, Request& request);
+  void read_shared(const Instruction& instruction);
+  void write_shared(const Instruction& instruction);
+  bool pop_shared_element(const Instruction& instruction, Request& request);
   void take_mark(const Instruction& instruction);
   std::optional<int> mark_of(double number);
   std::optional<int> channel_of(double number, bool refuse_own);
@@ -206,6 +222,7 @@ class ProgramRun {
   bool o_value_returned_ = false;
 
   bool answer_owed_ = false;
+  double answer_unit_ = 1.0;  // mm or deg per unit of the number that is asked for
   AnswerUse answer_use_ = AnswerUse::position_only;
   std::string_view statement_code_;  // of the statement that asked
   std::string statement_name_;

@@ -265,6 +265,14 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return terminate();
     case Op::call_file:
       return call_file();
+    case Op::workpiece:
+      return announce_workpiece(instruction);
+    case Op::table:
+      return ask_table(instruction);
+    case Op::read_shared:
+      return read_shared(instruction);
+    case Op::write_shared:
+      return write_shared(instruction);
     case Op::mark:
       return take_mark(instruction);
     case Op::channel_error:

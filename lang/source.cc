@@ -104,6 +104,17 @@ std::size_t Source::line_count() const {
   return is_line_end(whole.back()) ? lines - 1 : lines;
 }
 
+Span Source::words_of_line(std::uint32_t line) const {
+  const std::string_view whole = text();
+  std::size_t start = 0;
+  for (std::uint32_t at = 1; at < line && start < whole.size(); ++at)
+    start = after_line_end(whole, line_end_from(whole, start));
+  std::size_t end = line_end_from(whole, start);
+  while (start < end && is_blank(whole[start])) ++start;
+  while (end > start && is_blank(whole[end - 1])) --end;
+  return {start, static_cast<std::uint32_t>(end - start), line};
+}
+
 Place Source::place(const Span& span) const {
   const std::string_view line = line_at(span.offset);
   const auto start = static_cast<std::size_t>(line.data() - text().data());

@@ -120,6 +120,11 @@ struct IncludeDirective {
 struct KinematicsDirective {
   std::vector<Expression> arguments;
 };
+// #workpiece, #workpiece_pos
+struct WorkpieceDirective {
+  bool position = false;
+  std::vector<Expression> arguments;
+};
 struct NumberedProgram {
   int number = 0;
 };
@@ -162,6 +167,7 @@ struct DeclaredItem {
 struct Declaration {
   Type type = Type::number;
   bool constant = false;
+  bool shared = false;  // one variable of all channels
   std::vector<DeclaredItem> items;
 };
 struct Assignment {
@@ -237,10 +243,10 @@ struct FaultyText {
 struct Statement {
   Span span;
   int skip_level = 0;  // 1..9: leading /
-  std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, NumberedProgram,
-               Declaration, Assignment, CallStatement, Compound, If, While, DoWhile, For, Switch,
-               Break, Continue, Return, FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat,
-               FaultyText>
+  std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, WorkpieceDirective,
+               NumberedProgram, Declaration, Assignment, CallStatement, Compound, If, While,
+               DoWhile, For, Switch, Break, Continue, Return, FunctionDefinition, OSubprogram,
+               OCall, OReturn, ORepeat, FaultyText>
       kind;
 };
 

@@ -75,6 +75,25 @@ constexpr Parameter percent(double minimum, double maximum) {
           .help = "percent of the programmed value"};
 }
 
+constexpr Parameter skip_level{.name = "level",
+                               .type = ParameterType::integer,
+                               .presence = Presence::required,
+                               .spelling = Spelling::positional,
+                               .carries = Carries::number,
+                               .minimum = 1,
+                               .maximum = 9,
+                               .help = "level of block skip: 1 for /, 2 to 9 for /2 to /9"};
+constexpr Parameter on_or_off{.name = "on",
+                              .type = ParameterType::integer,
+                              .presence = Presence::required,
+                              .spelling = Spelling::positional,
+                              .carries = Carries::number,
+                              .minimum = 0,
+                              .maximum = 1,
+                              .help = "1 on, 0 off"};
+
+constexpr std::array of_skip{skip_level, channel};
+constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_channel{channel};
 constexpr std::array of_program{program, channel, wait};
 constexpr std::array of_start{channel, wait};
@@ -131,6 +150,12 @@ constexpr auto table = std::to_array<Method>({
      "program_stop"},
     {"program.reset", machine_operator, "end the program and clear the channel's alarms",
      of_channel, "program_reset"},
+    {"program.optional_stop", machine_operator, "whether M1 stops the program", of_switch,
+     "optional_stop"},
+    {"program.skip", machine_operator, "skip the blocks of a level from the next sync point on",
+     of_skip, "block_skip"},
+    {"program.unskip", machine_operator, "execute the blocks of a level again", of_skip,
+     "block_skip_off"},
     {"program.list", observer, "program files beneath the program root"},
     {"program.history", observer, "program runs since the daemon started, with blocks and times",
      of_channel},

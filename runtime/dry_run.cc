@@ -41,7 +41,7 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
       files_(files),
       motion_(channels::motion_config(machine, channel_)),
       description_(channels::channel_description(machine, channel_)),
-      live_(machine.tables),
+      live_(machine),
       tables_(live_, machine, channel_),
       schemes_(channels::make_schemes(channel_)),
       blocks_(motion_, channel_),
@@ -112,15 +112,14 @@ void DryRun::take_move(const lang::Command& command, const lang::Move& move,
   const motion::BlockTag tag{0, command.block, command.origin.line, command.origin.file};
   auto block = blocks_.block(move, tag);
   const auto refuse = [&](Diagnostic diagnostic) {
-    diagnostic.place.file = std::string(lang::file_name(*program_, command.origin.file));
-    diagnostic.place.line = static_cast<int>(command.origin.line);
+    lang::put_at_block(*program_, command.origin, diagnostic);
     diagnostics.push_back(std::move(diagnostic));
   };
   if (!block) return refuse(block.error());
   record(command, &*block);
   if (reachability == Reachability::unchecked) return;
   if (const auto pose = builder_.add(*block)) {
-    refuse(channels::unreachable_pose(*pose, channel_, ""));
+    refuse(channels::unreachable_pose(*pose, channel_));
     builder_.restart(blocks_.position_W());
   }
   builder_.built().clear();

@@ -6,6 +6,22 @@
 namespace stanok::runtime {
 namespace {
 
+std::string_view text_of(channels::HoldCause cause) {
+  switch (cause) {
+    case channels::HoldCause::operator_hold:
+      return "feed hold by an operator";
+    case channels::HoldCause::program_stop:
+      return "program stop";
+    case channels::HoldCause::channel_stop:
+      return "channel_stop of another channel";
+    case channels::HoldCause::owner_failed:
+      return "the program that started it has failed";
+    case channels::HoldCause::none:
+      break;
+  }
+  return "";
+}
+
 constexpr std::int64_t interruption_interval = 1024;  // cycles between two looks at `interrupted`
 
 std::int64_t thread_time_ns() {
@@ -22,7 +38,9 @@ class Simulation {
         assembly_({.file = options.file,
                    .drives = options.drives,
                    .program_roots = options.program_roots,
-                   .machine = {.on_at_start = true, .stops_go_on = true},
+                   .machine = {.on_at_start = true,
+                               .stops_go_on = true,
+                               .outputs_to_inputs = options.file.simulation.outputs_to_inputs},
                    .output_capacity = 0}),
         machine_(assembly_.machine()) {
     for (const auto& [channel, scheme] : options.schemes) {
@@ -113,7 +131,24 @@ class Simulation {
     result_.ok = result_.refusals.empty() && result_.alarms.empty() && !result_.until_reached &&
                  machine_.is_idle();
     for (const channels::RunReport& run : result_.runs) result_.ok = result_.ok && run.ok;
+    if (result_.refusals.empty() && result_.alarms.empty() && !result_.until_reached)
+      name_stuck_channels();
     return result_;
+  }
+
+  // Nobody resumes a held channel here; those that wait for it wait for ever.
+  void name_stuck_channels() {
+    for (int k = 0; k < output_->channel_count; ++k) {
+      const channels::ChannelOutput& channel = output_->channels[static_cast<std::size_t>(k)];
+      if (!channel.running) continue;
+      const bool is_held = channel.state == channels::ChannelState::held;
+      if (!is_held && !channel.waiting) continue;
+      result_.refusals.push_back("E6025 channel " + std::to_string(channel.id) + " in line " +
+                                 std::to_string(channel.tag.line) +
+                                 (is_held
+                                      ? " stays held: " + std::string(text_of(channel.hold_cause))
+                                      : " waits for channels that do not go on"));
+    }
   }
 
   const SimulationOptions& options_;

@@ -101,10 +101,9 @@ channels::MachineConfig machine_of_one_axis_channels(int count) {
   return machine;
 }
 
-MachineBench::MachineBench(channels::MachineConfig config)
+MachineBench::MachineBench(channels::MachineConfig config, const channels::MachineOptions& options)
     : config_(std::move(config)),
-      machine_(std::make_unique<channels::Machine>(
-          config_, files_, channels::MachineOptions{.on_at_start = true, .stops_go_on = true})) {}
+      machine_(std::make_unique<channels::Machine>(config_, files_, options)) {}
 
 void MachineBench::ask(channels::OperatorAction action, int channel, const std::string& text,
                        double value, int number) {

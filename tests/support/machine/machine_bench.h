@@ -34,7 +34,9 @@ class MemoryFiles final : public lang::Files {
 
 class MachineBench {
  public:
-  explicit MachineBench(channels::MachineConfig config = two_channel_machine());
+  explicit MachineBench(channels::MachineConfig config = two_channel_machine(),
+                        const channels::MachineOptions& options = {.on_at_start = true,
+                                                                   .stops_go_on = true});
 
   void program(const std::string& name, const std::string& text) { files_.texts[name] = text; }
 

@@ -1,0 +1,40 @@
+// The operator's switches of one channel: overrides, hold, optional stop, block skip.
+#include "channels/channel.h"
+
+namespace stanok::channels {
+
+void Channel::take_overrides(const lang::OverrideControl& overrides) RT_SAFE {
+  overrides_ = overrides;
+  apply_spindle_override();
+  if (overrides_.feed_stop_enabled && hold_wanted_) hold_by_operator();
+}
+
+void Channel::apply_spindle_override() RT_SAFE {
+  const double factor = overrides_.spindle_enabled ? spindle_override_ : 1.0;
+  for (Spindle& spindle : spindles_) spindle.set_override(factor);
+}
+
+void Channel::set_spindle_override(double factor) RT_SAFE {
+  spindle_override_ = factor;
+  apply_spindle_override();
+}
+
+void Channel::hold_by_operator() RT_SAFE {
+  hold_wanted_ = running_ && !overrides_.feed_stop_enabled;
+  if (!hold_wanted_) hold(HoldCause::operator_hold);
+}
+
+void Channel::set_block_skip(int level, bool on) RT_SAFE {
+  const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(level));
+  block_skip_ = static_cast<std::uint16_t>(on ? block_skip_ | bit : block_skip_ & ~bit);
+}
+
+std::optional<double> Channel::spindle_speed(int id) const RT_SAFE {
+  for (int k = 0; k < figures_.spindle_count; ++k) {
+    const Spindle& spindle = spindles_[static_cast<std::size_t>(k)];
+    if (spindle.id() == id || (id == 0 && k == 0)) return spindle.speed();
+  }
+  return std::nullopt;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,206 @@
+// Tables, signals and system variables of the machine, as programs see them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "channels/machine.h"
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::MachineBench;
+using testing::two_channel_machine;
+
+std::vector<std::string> alarms_of(const std::string& text, MachineBench& bench) {
+  bench.program("p.nc", text + "M30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  return bench.alarm_codes();
+}
+
+std::vector<std::string> alarms_of(const std::string& text) {
+  MachineBench bench;
+  return alarms_of(text, bench);
+}
+
+TEST(Tables, WrittenOffsetHoldsFromTheNextBlock) {
+  MachineBench bench;
+  EXPECT_THAT(alarms_of("G54 G0 X10\nsettable_zs (1, 1, X, 5);\nG0 X10\n", bench), IsEmpty());
+  EXPECT_EQ(bench.channel(1).axes[0].position, 15.0);
+  EXPECT_EQ(bench.machine().tables().offsets.at("G54").at("X"), 5.0);
+}
+
+TEST(Tables, OffsetsAreInProgramUnitsAndReadBackSo) {
+  MachineBench bench;
+  EXPECT_THAT(alarms_of("G20\nsettable_zs (1, 2, \"Y\", 2);\nsettable_zs (1, 2, B, 30);\n"
+                        "if (gettable_zs (1, 2, Y) != 2) { terminate (1001, \"inch\"); }\n"
+                        "G21\nif (gettable_zs (1, 2, Y) != 50.8) { terminate (1002, \"mm\"); }\n",
+                        bench),
+              IsEmpty());
+  EXPECT_EQ(bench.machine().tables().offsets.at("G55").at("Y"), 50.8);
+  EXPECT_EQ(bench.machine().tables().offsets.at("G55").at("B"), 30.0);
+}
+
+TEST(Tables, EntriesThatDoNotExistAreFalseOrAnError) {
+  EXPECT_THAT(alarms_of("if (settable_zs (2, 1, X, 5) || settable_zs (1, 400, X, 5) ||\n"
+                        "settable_zs (1, 1, \"Q\", 5) || settable_tool (700, 1, \"length\", 5) ||\n"
+                        "settable_tool (3, 1, \"weight\", 5) || settable_tool (3, 1, 11, 5) ||\n"
+                        "settable_tool (3, 1, \"radius\", -1))\n{ terminate (1001, \"\"); }\n"),
+              IsEmpty());
+  EXPECT_THAT(alarms_of("settable_zs (1, 400, X, 5);\n"), ElementsAre("E5020"));
+  EXPECT_THAT(alarms_of("settable_tool (3, 2, \"length\", 5);\n"), ElementsAre("E5020"));
+  EXPECT_THAT(alarms_of("num depth = gettable_zs (1, 400, X);\n"), ElementsAre("E5021"));
+}
+
+TEST(Tables, ToolValuesGoByNameOrNumber) {
+  MachineBench bench;
+  EXPECT_THAT(
+      alarms_of("settable_tool (3, 1, \"length\", 80);\nsettable_tool (3, 1, 4, 6.5);\n"
+                "if (gettable_tool (3, 1, 1) != 80) { terminate (1001, \"\"); }\n"
+                "if (gettable_tool (3, 1, \"radius\") != 6.5) { terminate (1002, \"\"); }\n",
+                bench),
+      IsEmpty());
+  const TablesConfig tables = bench.machine().tables();
+  ASSERT_EQ(tables.tools.size(), 1U);
+  EXPECT_EQ(tables.tools[0].number, 3);
+  EXPECT_EQ(tables.tools[0].length, 80.0);
+}
+
+TEST(Tables, WriteProtectionOfTheMachineFileHolds) {
+  MachineConfig config = two_channel_machine();
+  config.tables_write_protected = true;
+  MachineBench bench(std::move(config));
+  EXPECT_THAT(alarms_of("settable_zs (1, 1, X, 5);\n", bench), ElementsAre("E5020"));
+}
+
+TEST(Signals, OutputsSwitchInTheirPlace) {
+  MachineBench bench;
+  bench.program("p.nc", "G1 X10 F6000\nM64 P3\nM62 P1\nX20\nM68 E2 Q1.5\nM65 P3\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) {
+    const double x = output.channels[0].axes[0].position;
+    if (x < 10.0) EXPECT_EQ(output.signals.digital, 0U);
+    if (x > 11.0 && x < 19.0) EXPECT_EQ(output.signals.digital, 0b1010U);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(bench.output().signals.digital, 0b0010U);
+  EXPECT_EQ(bench.output().signals.analog[2], 1.5);
+}
+
+TEST(Signals, OutputWithMotionDoesNotStopThePath) {
+  MachineBench bench;
+  bench.program("p.nc", "G64 P0.01\nG1 X50 F6000\nM62 P1 X100\nM67 E0 Q2\nX150\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) {
+    const AxisSetpoint& axis = output.channels[0].axes[0];
+    if (axis.position > 20.0 && axis.position < 130.0) EXPECT_NEAR(axis.velocity, 100.0, 1e-6);
+    EXPECT_EQ(output.signals.is_on(1), axis.position > 50.0) << axis.position;
+    if (axis.position < 100.0) EXPECT_EQ(output.signals.analog[0], 0.0);
+  });
+  EXPECT_EQ(bench.output().signals.analog[0], 2.0);
+}
+
+TEST(Signals, WaitForAnInputSeesEdgesLevelsAndTime) {
+  MachineBench bench(two_channel_machine(),
+                     {.on_at_start = true, .stops_go_on = true, .outputs_to_inputs = true});
+  bench.program("other.nc", "G4 P0.5\nM64 P7\nG4 P0.5\nM65 P7\nM30\n");
+  bench.program("p.nc",
+                "M66 P7 L0\nif (#5399 != 0) { terminate (1001, \"now\"); }\n"
+                "M66 P7 L1 Q5\nif (#5399 != 1 || $in[7] == false) { terminate (1002, \"rise\"); }\n"
+                "M66 P7 L3 Q5\nif (#5399 != 1) { terminate (1003, \"on\"); }\n"
+                "M66 P7 L2 Q5\nif (#5399 != 0) { terminate (1004, \"fall\"); }\n"
+                "M66 P7 L1 Q0.2\nif (#5399 != -1) { terminate (1005, \"time\"); }\n"
+                "M68 E3 Q2.5\nG4 P0.01\nM66 E3\n"
+                "if (#5399 != 2.5 || $ain[3] != 2.5) { terminate (1006, \"analog\"); }\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run(2, "other.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+}
+
+TEST(Signals, InputsThatChangeAreWrittenDown) {
+  MachineBench bench;
+  bench.cycle();
+  CycleOutput output;
+  Signals signals;
+  signals.set(5, true);
+  bench.machine().cycle({.events = {}, .feedback = {}, .signals = &signals}, output);
+  bench.machine().cycle({.events = {}, .feedback = {}, .signals = &signals}, output);
+  InputRecord record;
+  ASSERT_TRUE(bench.machine().input_records().pop(record));
+  EXPECT_EQ(record.kind, InputKind::sensor);
+  EXPECT_EQ(record.method, 5);
+  EXPECT_EQ(record.value, 1.0);
+  EXPECT_FALSE(bench.machine().input_records().pop(record));
+}
+
+TEST(Switches, OptionalStopStopsOnlyWhenItIsOn) {
+  MachineBench bench;
+  bench.program("p.nc", "G1 X1 F6000\nM1\nX2\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.channel(1).axes[0].position, 2.0);
+  bench.ask(OperatorAction::optional_stop, 1, "", 0.0, 1);
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.channel(1).state, ChannelState::held);
+  EXPECT_EQ(bench.channel(1).axes[0].position, 1.0);
+}
+
+TEST(Switches, BlockSkipIsTakenOverAtSyncPoints) {
+  MachineBench bench;
+  bench.program("p.nc",
+                "/2 X1 G0\nG4 P0.5\nsync ();\n/2 X3 G0\n"
+                "if ($skip[2] == false || $skip[1]) { terminate (1001, \"\"); }\nM30\n");
+  bench.run(1, "p.nc");
+  for (int n = 0; n < 100; ++n) bench.cycle();
+  bench.ask(OperatorAction::block_skip, 1, "", 0.0, 2);
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(bench.channel(1).axes[0].position, 1.0);
+}
+
+TEST(Switches, FeedHoldWaitsWhereTheProgramDoesNotLetItAct) {
+  MachineBench bench;
+  bench.program("p.nc", "G4 P0.1\nM53 P0\nG1 X50 F6000\nM53 P1\nG1 X100\nM30\n");
+  bench.run(1, "p.nc");
+  for (int n = 0; n < 300; ++n) bench.cycle();
+  bench.ask(OperatorAction::program_hold, 1);
+  bench.run_to_end();
+  EXPECT_EQ(bench.channel(1).state, ChannelState::held);
+  EXPECT_EQ(bench.channel(1).axes[0].position, 50.0);
+}
+
+TEST(SystemVariables, OfTheMachineTellWhatIsNow) {
+  MachineConfig config = two_channel_machine();
+  config.tables.offsets["G54"] = {{"X", 100.0}};
+  MachineBench bench(std::move(config));
+  EXPECT_THAT(
+      alarms_of("G0 X10 Y20\nS1000 M3\n"
+                "if (near ($pos[X], 10) == false) { terminate (1001, str ($pos[X])); }\n"
+                "if (near ($pos_mcs[X], 110) == false) { terminate (1002, str ($pos_mcs[X])); }\n"
+                "if ($feed_act != 0) { terminate (1003, str ($feed_act)); }\n"
+                "if ($speed_act[1] != 1000) { terminate (1004, str ($speed_act[1])); }\n"
+                "if ($ovr_feed != 100) { terminate (1005, str ($ovr_feed)); }\n"
+                "if ($homed[Y] == false) { terminate (1006, \"\"); }\n"
+                "if ($axis_channel[Z] != 1) { terminate (1007, str ($axis_channel[Z])); }\n"
+                "if ($kinematics[1] != 1) { terminate (1008, str ($kinematics[1])); }\n"
+                "if ($channel != 1 || $prog_pos[Y] != 20) { terminate (1009, \"\"); }\n"
+                "num begin = clock ();\nG4 P0.5\n"
+                "if (clock () - begin < 0.5) { terminate (1010, \"\"); }\n",
+                bench),
+      IsEmpty());
+}
+
+TEST(SystemVariables, OfThingsThatAreNotThereAreErrors) {
+  EXPECT_THAT(alarms_of("num speed_now = $speed_act[9];\n"), ElementsAre("E4053"));
+  EXPECT_THAT(alarms_of("num scheme_now = $kinematics[9];\n"), ElementsAre("E6001"));
+  EXPECT_THAT(alarms_of("if ($in[64]) { M0\n }\n"), ElementsAre("E6028"));
+  EXPECT_THAT(alarms_of("if ($skip[10]) { M0\n }\n"), ElementsAre("E6027"));
+}
+
+}  // namespace
+}  // namespace stanok::channels
