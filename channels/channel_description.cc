@@ -2,6 +2,7 @@
 #include "channels/channel_description.h"
 
 #include "channels/motion_config.h"
+#include "lang/channel_dialect.h"
 
 namespace stanok::channels {
 
@@ -24,11 +25,24 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
       description.axes[static_cast<std::size_t>(geometry[k])].geometry = static_cast<int>(k);
     }
   }
+  for (const auto& [code, meaning] : channel.codes) {
+    if (const auto read = lang::read_user_code(code, meaning)) {
+      description.user_codes.push_back(*read);
+    }
+  }
+  for (const auto& [letter, address] : channel.address_alias) {
+    description.address_alias.push_back({letter.front(), address});
+  }
   for (const ChannelConfig& any : machine.channels) {
     description.channels.push_back(any.id);
     for (const auto& scheme : any.schemes) description.schemes.emplace_back(any.id, scheme.id);
   }
   return description;
+}
+
+std::optional<std::string> fault_of_code(std::string_view code, std::string_view meaning) {
+  const auto read = lang::read_user_code(code, meaning);
+  return read ? std::nullopt : std::optional(read.error());
 }
 
 }  // namespace stanok::channels

@@ -1,6 +1,10 @@
 // What the interpreter of one channel needs of the machine file.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "channels/machine_config.h"
 #include "lang/environment.h"
 
@@ -8,5 +12,9 @@ namespace stanok::channels {
 
 [[nodiscard]] lang::ChannelDescription channel_description(const MachineConfig& machine,
                                                            const ChannelConfig& channel);
+
+// What is wrong with an entry of ChannelConfig::codes, if anything is.
+[[nodiscard]] std::optional<std::string> fault_of_code(std::string_view code,
+                                                       std::string_view meaning);
 
 }  // namespace stanok::channels

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "channels/channel_description.h"
 #include "channels/motion_config.h"
 #include "channels/output.h"
 #include "config/axis_section.h"
@@ -59,7 +60,9 @@ const Keys<ChannelFile>& channel_keys() {
       {"address_alias", at<&ChannelFile::channel, &ChannelConfig::address_alias>, optional, "",
        "free single letters that stand for named addresses (E = \"dS\")"},
       {"codes", at<&ChannelFile::channel, &ChannelConfig::codes>, optional, "",
-       "G and M codes of the user and the programs they call (G200 = \"cycles/groove.nc\")"},
+       "G and M codes of the user: the program they call (G200 = \"cycles/groove.nc\", G201 = "
+       "\"lib.nc:slot\" for a function of it), or M100 to M899 as output before, after or "
+       "with_motion (M120 = \"before wait\")"},
   };
   return keys;
 }
@@ -132,18 +135,12 @@ void check_spindles(const toml::table& table, const ChannelConfig& channel,
   }
 }
 
-// "G200", "M6", "G101.1".
-bool is_code(std::string_view name) {
-  return name.size() >= 2 && (name[0] == 'G' || name[0] == 'M') && name[1] >= '0' &&
-         name[1] <= '9' && name.find_first_not_of("0123456789.", 1) == std::string_view::npos;
-}
-
 void check_names(const toml::table& table, const Scope& scope) {
   if (const toml::table* codes = table["codes"].as_table()) {
     for (const auto& [key, node] : *codes) {
-      if (is_code(key.str())) continue;
-      scope.fault(key.source(),
-                  "'" + std::string(key.str()) + "' is no G or M code; write it as in G200");
+      const auto fault =
+          channels::fault_of_code(key.str(), node.value<std::string>().value_or("before"));
+      if (fault) scope.fault(key.source(), *fault);
     }
   }
   if (const toml::table* aliases = table["address_alias"].as_table()) {

@@ -28,6 +28,8 @@ void stop_program(ActiveBlock& block, CodeNumber code);         // M0 M1 M60
 void end_program(ActiveBlock& block, CodeNumber code);          // M2 M30
 void call_program(ActiveBlock& block, CodeNumber code);         // M98 M198
 void return_from_program(ActiveBlock& block, CodeNumber code);  // M99 M17
+// M100 to M899 that the machine file declares as outputs.
+void send_machine_function(ActiveBlock& block, CodeNumber code);
 // For codes whose whole effect is that they are the active code of their group.
 void only_modal(ActiveBlock& block, CodeNumber code);
 

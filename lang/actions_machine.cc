@@ -180,6 +180,15 @@ void call_program(ActiveBlock& block, CodeNumber code) {
   block.flow_code = code;
 }
 
+void send_machine_function(ActiveBlock& block, CodeNumber code) {
+  MachineFunction function;
+  function.code = code / 10;
+  if (block.has('P')) function.p = block.value('P');
+  if (block.has('Q')) function.q = block.value('Q');
+  block.queue.emit(function);
+  if (block.channel_words.dialect().output_waits(code)) block.queue.emit(Request{});
+}
+
 void return_from_program(ActiveBlock& block, CodeNumber) {
   block.flow = Flow::return_from_subprogram;
 }

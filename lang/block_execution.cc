@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lang/actions.h"
+#include "lang/macro_arguments.h"
 #include "lang/number.h"
 #include "lang/source.h"
 
@@ -72,9 +73,10 @@ bool only_ends_cycle(BlockCodes& codes, const Code& row) {
 }
 
 std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
-                                   const ChannelKind* kind) {
+                                   const ChannelKind* kind, const ChannelDialect& dialect) {
   if (number == code_computed_later) return std::nullopt;
-  const Code* const row = find_code(letter, number);
+  const Code* row = find_code(letter, number);
+  if (row == nullptr) row = dialect.output(letter, number);
   const std::string name = code_text(letter, number);
   const WordName word{letter, number, {}};
   if (row == nullptr) {
@@ -122,12 +124,12 @@ std::optional<BlockFault> find_axis_user(BlockCodes& codes) {
 }
 
 std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKind* kind,
-                                        BlockCodes& codes) {
+                                        const ChannelDialect& dialect, BlockCodes& codes) {
   for (const CodeNumber number : words.g) {
-    if (auto fault = add_code(codes, 'G', number, kind)) return fault;
+    if (auto fault = add_code(codes, 'G', number, kind, dialect)) return fault;
   }
   for (const CodeNumber number : words.m) {
-    if (auto fault = add_code(codes, 'M', number, kind)) return fault;
+    if (auto fault = add_code(codes, 'M', number, kind, dialect)) return fault;
   }
   return find_axis_user(codes);
 }
@@ -323,9 +325,12 @@ std::optional<int> ActiveBlock::integer(char letter, int smallest, int largest) 
   return std::nullopt;
 }
 
-std::optional<BlockFault> check_block(const BlockWords& words, const ChannelDescription* channel) {
+std::optional<BlockFault> check_block(const BlockWords& words, const ChannelDescription* channel,
+                                      const ChannelDialect& dialect) {
+  if (const auto macro = macro_of(words, dialect)) return check_macro_block(words, *macro);
   BlockCodes codes;
-  if (auto fault = resolve_codes(words, channel ? &channel->kind : nullptr, codes)) return fault;
+  const ChannelKind* const kind = channel ? &channel->kind : nullptr;
+  if (auto fault = resolve_codes(words, kind, dialect, codes)) return fault;
   // Which words a code uses that is computed at run time cannot be known here.
   const auto later = [](CodeNumber number) { return number == code_computed_later; };
   if (std::any_of(words.g.begin(), words.g.end(), later)) return std::nullopt;
@@ -352,7 +357,8 @@ bool dwells_suspiciously_long(const BlockWords& words) {
 
 void execute_block(ActiveBlock& block) {
   BlockCodes codes;
-  if (auto fault = resolve_codes(block.words, &block.channel.kind, codes)) {
+  if (auto fault =
+          resolve_codes(block.words, &block.channel.kind, block.channel_words.dialect(), codes)) {
     block.fault = std::move(fault);
     return;
   }

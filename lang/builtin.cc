@@ -317,6 +317,8 @@ constexpr auto rows = std::to_array<Builtin>({
     effect("terminate", Type::none, "ns", Effect::terminate),
     effect("call", Type::none, "s", Effect::call_file),
     effect("channel_error", Type::string, "", Effect::channel_error),
+    effect("arg", Type::number, "s", Effect::argument),
+    effect("has_arg", Type::boolean, "s", Effect::has_argument),
     machine_value("clock"),
     channel("channel_load", Type::boolean, "ns", RequestKind::channel_load, "E6011"),
     channel("channel_start", Type::boolean, "n", RequestKind::channel_start, "E6012"),
@@ -337,7 +339,7 @@ constexpr auto rows = std::to_array<Builtin>({
 });
 
 constexpr auto later_names =
-    std::to_array<std::string_view>({"save_gvector", "restore_gvector", "has_arg", "arg"});
+    std::to_array<std::string_view>({"save_gvector", "restore_gvector"});
 
 }  // namespace
 

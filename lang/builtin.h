@@ -26,6 +26,8 @@ enum class Effect : std::uint8_t {
   mark,           // mark_set, mark_clear, mark_wait_soft: `mark`
   mark_wait,
   table,  // settable_zs and its kin: `request`
+  argument,       // arg ("X"): a word of the block that called the macro
+  has_argument,   // has_arg ("X")
 };
 
 struct Builtin {

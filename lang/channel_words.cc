@@ -5,7 +5,8 @@
 
 namespace stanok::lang {
 
-ChannelWords::ChannelWords(const ChannelDescription& channel) : channel_(channel) {
+ChannelWords::ChannelWords(const ChannelDescription& channel)
+    : channel_(channel), dialect_(&channel) {
   for (std::size_t i = 0; i < channel.axes.size(); ++i) {
     const AxisDescription& axis = channel.axes[i];
     if (!axis.rotary) linear_ = static_cast<AxisSet>(linear_ | axis_bit(i));

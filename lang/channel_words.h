@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lang/block_words.h"
+#include "lang/channel_dialect.h"
 #include "lang/command.h"
 #include "lang/environment.h"
 
@@ -27,6 +28,7 @@ class ChannelWords {
   [[nodiscard]] int geometry_axis(std::size_t coordinate) const { return geometry_[coordinate]; }
   [[nodiscard]] const std::array<int, 3>& geometry() const { return geometry_; }
   [[nodiscard]] AxisSet linear_axes() const { return linear_; }
+  [[nodiscard]] const ChannelDialect& dialect() const { return dialect_; }
 
  private:
   const ChannelDescription& channel_;
@@ -34,6 +36,7 @@ class ChannelWords {
   std::array<std::size_t, 26> axis_{};
   std::array<int, 3> geometry_{-1, -1, -1};
   AxisSet linear_ = 0;
+  ChannelDialect dialect_;
 };
 
 // Letters that name axes on some machine: what is not one here deserves a clearer answer than

@@ -69,6 +69,7 @@ enum class Op : std::uint8_t {
   terminate,          // (code text -> )
   call_file,          // (name -> )
   channel_error,      // ( -> string)
+  argument,           // (name -> value), count 1: (name -> bool)
   raise,              // faults[operand]: a faulty statement was reached
   table,              // builtins()[operand] with `count` arguments; extra 1: statement form, 2: the
                       // third argument is a number
@@ -149,9 +150,10 @@ struct CompiledFile {
   std::vector<OCallCode> o_calls;
   std::vector<std::vector<SettingTarget>> settings;
   std::vector<Diagnostic> faults;
-  std::map<int, std::uint32_t> numbered_programs;      // O number -> instruction
-  std::map<std::string, std::uint32_t> o_subprograms;  // label -> index in functions
-  std::vector<std::uint16_t> includes;                 // files whose functions can be called here
+  std::map<int, std::uint32_t> numbered_programs;         // O number -> instruction
+  std::map<std::string, std::uint32_t> function_by_name;  // folded
+  std::map<std::string, std::uint32_t> o_subprograms;     // label -> index in functions
+  std::vector<std::uint16_t> includes;  // files whose functions can be called here
   std::uint32_t file_slots = 0;
 };
 

@@ -132,7 +132,7 @@ constexpr auto rows = std::to_array<Code>({
     g(610, path_mode, P::path_mode, no_axes, "", everywhere, select_path_mode, "exact path"),
     g(611, path_mode, P::path_mode, no_axes, "", everywhere, select_path_mode, "exact stop"),
     g(640, path_mode, P::path_mode, no_axes, "PQ", everywhere, select_path_mode, "continuous path"),
-    g(650, none, P::stop, no_axes, "PL", everywhere, later, "macro call"),
+    g(650, none, P::stop, no_axes, "PL", everywhere, only_modal, "macro call"),
     g(680, rotation, P::settings, axes, "RIJK", not_master, rotate_system, "rotation"),
     g(682, rotation, P::settings, axes, "IJKPQR", not_master, later, "tilted plane"),
     g(690, rotation, P::settings, no_axes, "", everywhere, cancel_rotation, "rotation off"),
@@ -259,7 +259,8 @@ const Code* find_code(char letter, CodeNumber number) {
 }
 
 bool changes_program_flow(const Code& code) {
-  return code.group == Group::subprogram || code.action == end_program;
+  const bool macro_call = code.letter == 'G' && code.number == 650;
+  return macro_call || code.group == Group::subprogram || code.action == end_program;
 }
 
 std::string code_text(char letter, int number) {

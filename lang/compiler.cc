@@ -48,6 +48,7 @@ void Compiler::declare_function(const FunctionDefinition& function) {
   code.signature = {function.result, function.name, function.name_span, function.parameters};
   fold_default_values(code.signature);
   file_.functions.push_back(std::move(code));
+  file_.function_by_name.emplace(folded(function.name), index);
   function_index_[&function] = index;
 }
 

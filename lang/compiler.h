@@ -35,7 +35,8 @@ struct CompilerContext {
   Program& program;
   std::uint16_t file = 0;
   const ChannelDescription* channel = nullptr;  // nullptr: no channel-dependent checks
-  std::vector<FileNames>& names;                // of all files, by index
+  const ChannelDialect& dialect;
+  std::vector<FileNames>& names;  // of all files, by index
   Reporter& reporter;
 };
 

@@ -109,6 +109,12 @@ Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expr
     case Effect::call_file:
       emit(Op::call_file, call.span);
       break;
+    case Effect::argument:
+      emit(Op::argument, call.span);
+      break;
+    case Effect::has_argument:
+      emit(Op::argument, call.span, 0, 1);
+      break;
     case Effect::channel_error:
       emit(Op::channel_error, call.span);
       break;

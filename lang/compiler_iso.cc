@@ -160,7 +160,7 @@ void Compiler::check_template(const BlockTemplate& made) {
         .warning("W410", span_of(made, {'P', -1, {}}), "a dwell of 100 s or more", "milliseconds?")
         .help.push_back("the unit is seconds: use e.g. `G4 P0.5`");
   }
-  auto fault = check_block(made.words, context_.channel);
+  auto fault = check_block(made.words, context_.channel, context_.dialect);
   if (!fault) return;
   Diagnostic& diagnostic = reporter_.error(fault->code, span_of(made, fault->word),
                                            std::move(fault->message), std::move(fault->label));

@@ -26,6 +26,28 @@ struct AxisDescription {
   int geometry = -1;        // 0, 1, 2: the channel's X, Y, Z of planes and arcs; -1: none
 };
 
+// A G or M code to which the machine file gives a meaning.
+struct UserCode {
+  enum class Kind {
+    macro,               // calls a program; the words of the block are its arguments
+    output_before,       // MachineFunction before the motion of its block
+    output_after,        // ... behind it
+    output_with_motion,  // ... as the motion starts
+  };
+  char letter = 'G';
+  int number = 0;  // in tenths
+  Kind kind = Kind::macro;
+  bool waits = false;    // output: the program goes on when the axes stand
+  std::string program;   // macro: its file
+  std::string function;  // macro: a function of the file, folded; empty: the file itself
+};
+
+// A letter that stands for a named address: E for dS.
+struct AddressAlias {
+  char letter = 'E';
+  std::string address;
+};
+
 // The fixed part of a channel, from the machine file.
 struct ChannelDescription {
   int id = 1;
@@ -37,6 +59,8 @@ struct ChannelDescription {
   std::vector<std::pair<int, int>>
       schemes;  // (channel, scheme id) of all channels, for constant checks
   double arc_radius_tolerance_mm = 0.01;
+  std::vector<UserCode> user_codes;
+  std::vector<AddressAlias> address_alias;
 };
 
 struct Tool {

@@ -87,6 +87,7 @@ std::vector<std::string> file_names_of_label(const OLabel& label) {
 Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings)
     : files_(files),
       channel_(channel),
+      dialect_(channel),
       warnings_(warnings),
       program_(std::make_shared<Program>()) {}
 
@@ -155,6 +156,7 @@ void Loader::parse(FileIndex index) {
   }
   ParserContext context;
   context.channel = index == 0 ? channel_ : nullptr;
+  context.dialect = &dialect_;
   context.included_functions = [this, index](std::string_view name) {
     const auto file = find_file(name, index);
     return file ? defined_functions(program_->files[*file]->source) : std::set<std::string>{};
@@ -217,12 +219,31 @@ void Loader::follow_subprograms(FileIndex index, const StatementList& list) {
   for (const Statement& statement : list) {
     if (const auto* call = std::get_if<OCall>(&statement.kind)) follow_o_call(index, *call);
     if (const auto* block = std::get_if<IsoBlock>(&statement.kind)) {
+      follow_user_codes(index, *block);
       const auto program = program_of_block(*block);
       if (program && !follow_number(index, program->number, program->only_files)) {
         follow_number(index, program->number % 10000, program->only_files);
       }
     }
     for_each_body(statement, [&](const StatementList& body) { follow_subprograms(index, body); });
+  }
+}
+
+// The files of the machine file's macros that the block calls.
+void Loader::follow_user_codes(FileIndex index, const IsoBlock& block) {
+  for (const IsoWord& word : block.words) {
+    if (word.name.code < 0) continue;
+    const UserCode* const code = dialect_.macro(word.name.letter, word.name.code);
+    if (code == nullptr || program_->file_by_macro.contains(code->program)) continue;
+    if (const auto file = find_file(code->program, 0)) {
+      program_->file_by_macro.emplace(code->program, *file);
+      continue;
+    }
+    const Diagnostic& failure = failures_.at({0, code->program});
+    loaded_[index]
+        .reporter->error(failure.code, word.span, failure.message, "the macro of this code")
+        .notes.push_back(
+            {"the machine file names it for " + code_text(word.name.letter, word.name.code), {}});
   }
 }
 
@@ -277,7 +298,7 @@ void Loader::compile_all() {
   for (std::size_t i = 0; i < loaded_.size(); ++i) {
     const ChannelDescription* const channel = i == 0 ? channel_ : nullptr;
     compilers.push_back(std::make_unique<Compiler>(CompilerContext{
-        *program_, static_cast<FileIndex>(i), channel, names, *loaded_[i].reporter}));
+        *program_, static_cast<FileIndex>(i), channel, dialect_, names, *loaded_[i].reporter}));
   }
   // Included files stand behind those that include them, and their constants come first.
   for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);

@@ -45,6 +45,7 @@ class Loader {
   void follow_calls(FileIndex index, const StatementList& list);
   void follow_call(FileIndex index, const CallStatement& statement);
   void follow_subprograms(FileIndex index, const StatementList& list);
+  void follow_user_codes(FileIndex index, const IsoBlock& block);
   void follow_o_call(FileIndex index, const OCall& call);
   bool follow_number(FileIndex index, int number, bool only_files);
   std::optional<FileIndex> first_file_of(const std::vector<std::string>& names, FileIndex from);
@@ -54,6 +55,7 @@ class Loader {
 
   const Files& files_;
   const ChannelDescription* channel_;
+  const ChannelDialect dialect_;
   Diagnostics& warnings_;
   std::shared_ptr<Program> program_;
   std::vector<LoadedFile> loaded_;

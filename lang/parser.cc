@@ -30,12 +30,18 @@ bool is_numbered(std::string_view name, std::string_view word) {
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(), is_digit);
 }
 
+const ChannelDialect& no_dialect() {
+  static const ChannelDialect none(nullptr);
+  return none;
+}
+
 }  // namespace
 
 Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
     : source_(source),
       reporter_(reporter),
       context_(std::move(context)),
+      dialect_(context_.dialect != nullptr ? *context_.dialect : no_dialect()),
       scanner_(source, reporter),
       functions_(defined_functions(source)) {}
 
@@ -109,7 +115,7 @@ bool Parser::take_plain_lines(StatementList& list) {
   BlockWords words;
   for (const char* line = at; line != end; line = at, ++lines) {
     if (!read_plain_line(at, end, surroundings, words)) break;
-    if (!is_plain_block(words, context_.channel)) {
+    if (!is_plain_block(words, context_.channel, dialect_)) {
       at = line;
       break;
     }

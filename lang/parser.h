@@ -26,6 +26,7 @@ using IncludedFunctions = std::function<std::set<std::string>(std::string_view f
 
 struct ParserContext {
   const ChannelDescription* channel = nullptr;  // nullptr: channel-dependent checks are left out
+  const ChannelDialect* dialect = nullptr;      // nullptr: nothing added
   IncludedFunctions included_functions;
 };
 
@@ -87,6 +88,7 @@ class Parser {
   bool parse_word(IsoBlock& block);
   bool parse_long_word(IsoBlock& block, std::string_view name);
   bool parse_plain_value(IsoWord& word);
+  void apply_alias(IsoWord& word) const;
   bool parse_parameter_setting(IsoBlock& block);
   bool parse_comment(IsoBlock& block);
   bool add_word(IsoBlock& block, IsoWord word);
@@ -178,6 +180,7 @@ class Parser {
   const Source& source_;
   Reporter& reporter_;
   ParserContext context_;
+  const ChannelDialect& dialect_;
   Scanner scanner_;
   std::set<std::string> functions_;
   LineEnds line_ends_ = LineEnds::blank;  // of the expression at hand

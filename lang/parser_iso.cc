@@ -1,7 +1,7 @@
 // ISO blocks: words, parameter settings, comments.
 #include <algorithm>
-#include <array>
 
+#include "lang/named_address.h"
 #include "lang/number.h"
 #include "lang/parser.h"
 
@@ -10,11 +10,6 @@ namespace {
 
 // Longest ISO line (docs/language.md, "Limits").
 constexpr std::size_t line_max = 4096;
-
-// Addresses of more than one letter that every channel has.
-constexpr auto registered_addresses =
-    std::to_array<std::string_view>({"S_n", "S_k", "dS", "dl", "Smin", "Smax", "n_s", "L_A", "L_B",
-                                     "n_n", "n_k", "dn", "v_n", "v_k", "dv", "SPOS"});
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -95,19 +90,13 @@ std::size_t read_format(std::string_view text, int& decimals) {
   return 4;
 }
 
-// Addresses of feed laws and spindle positions.
-bool is_registered_address(std::string_view name) {
-  return std::any_of(registered_addresses.begin(), registered_addresses.end(),
-                     [&](std::string_view known) { return folded(known) == folded(name); });
-}
-
 }  // namespace
 
 bool Parser::is_named_address(std::string_view name) const {
   std::size_t behind = name.size();
   while (is_blank(scanner_.character(behind))) ++behind;
   if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
-  if (is_registered_address(name)) return true;
+  if (!find_named_address(name).empty()) return true;
   return context_.channel != nullptr && ChannelWords(*context_.channel).axis_called(name) >= 0;
 }
 
@@ -210,7 +199,16 @@ bool Parser::parse_word(IsoBlock& block) {
     return false;
   }
   word.span = scanner_.span_from(start, line);
+  apply_alias(word);
   return add_word(block, std::move(word));
+}
+
+// A letter that the machine file binds to a named address becomes a word of that address.
+void Parser::apply_alias(IsoWord& word) const {
+  const std::string_view address = dialect_.alias(word.name.letter);
+  if (address.empty()) return;
+  word.name.letter = 0;
+  word.name.name = address;
 }
 
 // A number, or a value of the RS274 kind.
@@ -260,7 +258,7 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
         .help.push_back("for spindle 2 write e.g. `M3 $2`");
     return false;
   }
-  if (!has_index && is_registered_address(name)) {
+  if (!has_index && !find_named_address(name).empty()) {
     reporter_.error("E2090", name_span,
                     "`" + std::string(name) + "` is not supported in this release",
                     "address of a feed law or spindle position");

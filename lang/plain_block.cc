@@ -139,7 +139,9 @@ bool read_plain_line(const char*& at, const char* end, Surroundings surroundings
   return true;
 }
 
-bool is_plain_block(const BlockWords& words, const ChannelDescription* channel) {
+bool is_plain_block(const BlockWords& words, const ChannelDescription* channel,
+                    const ChannelDialect& dialect) {
+  if (macro_of(words, dialect) || (words.letters & dialect.alias_letters()) != 0) return false;
   for (const CodeNumber number : words.g) {
     const Code* const code = find_code('G', number);
     if (code == nullptr || code->action == nullptr) return false;
@@ -148,7 +150,7 @@ bool is_plain_block(const BlockWords& words, const ChannelDescription* channel) 
     const Code* const code = find_code('M', number);
     if (code == nullptr || code->action == nullptr || changes_program_flow(*code)) return false;
   }
-  return !dwells_suspiciously_long(words) && !check_block(words, channel);
+  return !dwells_suspiciously_long(words) && !check_block(words, channel, dialect);
 }
 
 }  // namespace stanok::lang

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "lang/block_words.h"
+#include "lang/channel_dialect.h"
 #include "lang/environment.h"
 
 namespace stanok::lang {
@@ -21,6 +22,7 @@ enum class Surroundings : std::uint8_t { file_level, braces };
 
 // Whether a block read from a plain line may be executed without its tree: all of its codes exist,
 // are supported and leave the flow of the program alone, and the static rules hold.
-[[nodiscard]] bool is_plain_block(const BlockWords& words, const ChannelDescription* channel);
+[[nodiscard]] bool is_plain_block(const BlockWords& words, const ChannelDescription* channel,
+                                  const ChannelDialect& dialect);
 
 }  // namespace stanok::lang

@@ -21,6 +21,8 @@ class Program {
   std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> file_by_label;
   // (file that calls, number of M98, G65, M198) -> file found for it
   std::map<std::pair<std::uint16_t, int>, std::uint16_t> file_by_number;
+  // program of a user code, as the machine file names it -> file
+  std::map<std::string, std::uint16_t> file_by_macro;
   std::vector<std::string> named_parameters;  // #<_name> and #<name>, by slot
   std::vector<ConstantDispatch> dispatches;
 };

@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "lang/actions.h"
 #include "lang/block_execution.h"
+#include "lang/macro_arguments.h"
 #include "lang/parser.h"
 #include "lang/reporter.h"
 
@@ -148,7 +149,12 @@ void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* pla
   queue_.set_origin({frames_.back().file, block_span.line}, block_);
   ActiveBlock block(words_, around_, block_span.line);
   const AxisValues start_W = modal_.position_W;
-  execute_block(block);
+  if (const auto macro = macro_at_hand()) {
+    block.fault = check_macro_block(words_, *macro);
+    if (!block.fault) return call_macro(*macro);
+  } else {
+    execute_block(block);
+  }
   if (!block.fault) {
     if (auto fault = compensation_.select(modal_.compensation, start_W)) {
       return fail_compensation(std::move(*fault));

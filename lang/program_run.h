@@ -14,6 +14,7 @@
 
 #include "lang/active_block.h"
 #include "lang/builtin.h"
+#include "lang/channel_dialect.h"
 #include "lang/channel_words.h"
 #include "lang/code.h"
 #include "lang/command_queue.h"
@@ -65,7 +66,8 @@ class ProgramRun {
   // What only some calls keep until they return.
   struct CallContext {
     std::optional<LocalParameters> of_caller;      // the called text has parameters of its own
-    std::optional<BlockWords> arguments;           // of G65
+    std::optional<BlockWords> arguments;           // of G65 and user codes
+    const UserCode* user_code = nullptr;           // built in again while its macro runs
     std::optional<std::size_t> file_slots_before;  // where the file's variables were
   };
 
@@ -88,6 +90,8 @@ class ProgramRun {
     std::uint16_t file = 0;
     std::uint32_t position = 0;
     bool other_file = false;  // found by its name: its variables are new for the call
+    int number = 0;
+    int repeats = 1;
   };
 
   // Plain lines being executed.
@@ -170,12 +174,22 @@ class ProgramRun {
   void call_file();
   void call_numbered(CodeNumber code);
   std::optional<NumberedProgramPlace> find_numbered(int number, bool only_files);
-  void enter_numbered(const NumberedProgramPlace& place, int number, int repeats);
+  std::optional<NumberedProgramPlace> named_program(CodeNumber code);
+  Frame numbered_frame(const NumberedProgramPlace& place);
   Frame subprogram_frame(std::uint16_t file) const;
   void renew_file_variables(Frame& frame);
   void leave_subprogram();
   void pop_frame();
   bool check_call_depth();
+
+  // program_run_macro.cc
+  [[nodiscard]] std::optional<MacroCode> macro_at_hand() const;
+  void call_macro(const MacroCode& macro);
+  void call_user_code(const MacroCode& macro);
+  bool enter_function(Frame& frame, const std::string& name);
+  [[nodiscard]] LocalParameters parameters_of(const BlockWords& arguments) const;
+  [[nodiscard]] const BlockWords* arguments_at_hand() const;
+  void push_argument(bool asks_for_presence);
 
   // Failing
   void fail(std::string_view code, std::string message, std::string label = {});

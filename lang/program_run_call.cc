@@ -136,51 +136,66 @@ void ProgramRun::call_file() {
 
 // M98 P L and M198 P L: #1 to #30 are those of the caller.
 void ProgramRun::call_numbered(CodeNumber code) {
+  const auto place = named_program(code);
+  if (!place || place->repeats == 0 || !check_call_depth()) return;
+  frames_.push_back(numbered_frame(*place));
+}
+
+// What P and L of M98, M198 or G65 name; nothing after a failure.
+std::optional<ProgramRun::NumberedProgramPlace> ProgramRun::named_program(CodeNumber code) {
   const double number = words_.value('P');
   const double repeats = words_.has('L') ? words_.value('L') : 1.0;
   if (!is_integer(number) || !is_integer(repeats) || repeats < 0.0) {
-    return fail("E3010", "P and L of `" + code_text('M', code) + "` are whole numbers",
-                "not a whole number");
+    fail("E3010", "P and L of a subprogram call are whole numbers", "not a whole number");
+    return std::nullopt;
   }
+  const bool only_files = code == 1980;
   int program = static_cast<int>(std::lround(number));
   int count = static_cast<int>(std::lround(repeats));
-  const bool only_files = code != 980;
   auto place = find_numbered(program, only_files);
-  if (phase_ == Phase::failed) return;
-  if (!place && program >= numbers_per_repeat && !words_.has('L')) {
+  const bool counts = code == 980 && program >= numbers_per_repeat && !words_.has('L');
+  if (!place && counts && phase_ != Phase::failed) {
     count = program / numbers_per_repeat;
     program %= numbers_per_repeat;
     place = find_numbered(program, only_files);
-    if (phase_ == Phase::failed) return;
   }
+  if (phase_ == Phase::failed) return std::nullopt;
   if (!place) {
-    return fail("E7005", "there is no program O" + std::to_string(program),
-                only_files ? "no file of that number"
-                           : "not in this file, nor in an included one, nor a file of that number");
+    fail("E7005", "there is no program O" + std::to_string(program),
+         only_files ? "no file of that number"
+                    : "not in this file, nor in an included one, nor a file of that number");
+    return std::nullopt;
   }
-  if (count == 0 || !check_call_depth()) return;
-  enter_numbered(*place, program, count);
+  place->number = program;
+  place->repeats = count;
+  return place;
 }
 
-void ProgramRun::enter_numbered(const NumberedProgramPlace& place, int number, int repeats) {
+ProgramRun::Frame ProgramRun::numbered_frame(const NumberedProgramPlace& place) {
   Frame frame = subprogram_frame(place.file);
   frame.position = place.position;
   frame.entry = place.position;
-  frame.program_number = number;
-  frame.repeats = repeats - 1;
+  frame.program_number = place.number;
+  frame.repeats = place.repeats - 1;
   if (place.other_file) renew_file_variables(frame);
-  frames_.push_back(std::move(frame));
+  return frame;
 }
 
 // In this file, then in the included ones (once), then the file of that number.
 std::optional<ProgramRun::NumberedProgramPlace> ProgramRun::find_numbered(int number,
                                                                           bool only_files) {
   const std::uint16_t own = frames_.back().file;
+  const auto place_of = [](std::uint16_t in_file, std::uint32_t position) {
+    NumberedProgramPlace place;
+    place.file = in_file;
+    place.position = position;
+    return place;
+  };
   const auto look_in = [&](std::uint16_t candidate) -> std::optional<NumberedProgramPlace> {
     const auto& programs = program_->files[candidate]->numbered_programs;
     const auto found = programs.find(number);
     if (found == programs.end()) return std::nullopt;
-    return NumberedProgramPlace{candidate, found->second, false};
+    return place_of(candidate, found->second);
   };
   std::optional<NumberedProgramPlace> hit;
   if (!only_files) {
@@ -204,7 +219,7 @@ std::optional<ProgramRun::NumberedProgramPlace> ProgramRun::find_numbered(int nu
   const auto file_found = program_->file_by_number.find({own, number});
   if (file_found == program_->file_by_number.end()) return std::nullopt;
   hit = look_in(file_found->second);
-  if (!hit) hit = NumberedProgramPlace{file_found->second, 0, true};
+  if (!hit) hit = place_of(file_found->second, 0);
   hit->other_file = true;
   return hit;
 }
@@ -218,11 +233,16 @@ void ProgramRun::leave_subprogram() {
   while (frames_.size() > depth) pop_frame();
   Frame& frame = frames_.back();
   plain_ = {};
-  if (frame.function != nullptr) return return_from_o_subprogram(false);
+  if (frame.function != nullptr && frame.function->o_subprogram) {
+    return return_from_o_subprogram(false);
+  }
   if (frame.repeats == 0) return pop_frame();
   --frame.repeats;
   frame.position = frame.entry;
   stack_.resize(frame.stack);
+  if (frame.context->arguments) {
+    exchange_local_parameters(parameters_of(*frame.context->arguments));
+  }
 }
 
 }  // namespace stanok::lang

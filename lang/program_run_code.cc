@@ -275,6 +275,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return write_shared(instruction);
     case Op::mark:
       return take_mark(instruction);
+    case Op::argument:
+      return push_argument(instruction.count != 0);
     case Op::channel_error:
       return push(value_of(channel_error_));
     case Op::raise:

@@ -1,0 +1,158 @@
+#include "lang/channel_dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "lang/actions.h"
+#include "lang/source.h"
+
+namespace stanok::lang {
+namespace {
+
+// M100 to M899 belong to the machine builder.
+constexpr int output_first = 1000;
+constexpr int output_last = 8990;
+
+// Codes whose meaning the machine file cannot change, in tenths.
+constexpr auto fixed_g =
+    std::to_array<int>({0, 10, 20, 30, 170, 180, 190, 200, 210, 400, 530, 650, 900, 910});
+constexpr auto fixed_m = std::to_array<int>({0, 10, 20, 300, 980, 990, 9020, 9030});
+
+bool is_fixed(char letter, int number) {
+  const auto has = [number](const auto& list) {
+    return std::find(list.begin(), list.end(), number) != list.end();
+  };
+  return letter == 'G' ? has(fixed_g) : has(fixed_m);
+}
+
+Phase phase_of(UserCode::Kind kind) {
+  if (kind == UserCode::Kind::output_after) return Phase::functions_after;
+  if (kind == UserCode::Kind::output_with_motion) return Phase::motion_modifier;
+  return Phase::functions_before;
+}
+
+Code row_of(const UserCode& output) {
+  Code row;
+  row.letter = 'M';
+  row.number = static_cast<CodeNumber>(output.number);
+  row.phase = phase_of(output.kind);
+  row.words = letters_of("PQ");
+  row.action = send_machine_function;
+  row.title = "function of the machine";
+  return row;
+}
+
+const UserCode* find_in(const std::vector<UserCode>& codes, char letter, int number) {
+  const auto found = std::find_if(codes.begin(), codes.end(), [&](const UserCode& code) {
+    return code.letter == letter && code.number == number;
+  });
+  return found == codes.end() ? nullptr : &*found;
+}
+
+// "G43.4" -> letter and number in tenths.
+bool read_code_name(std::string_view name, UserCode& code) {
+  if (name.size() < 2 || (name[0] != 'G' && name[0] != 'M')) return false;
+  code.letter = name[0];
+  int whole = 0;
+  const char* const end = name.data() + name.size();
+  auto [at, error] = std::from_chars(name.data() + 1, end, whole);
+  if (error != std::errc() || whole < 0 || whole > 3000) return false;
+  code.number = whole * 10;
+  if (at != end && *at == '.' && end - at == 2 && is_digit(at[1])) {
+    code.number += at[1] - '0';
+    at += 2;
+  }
+  return at == end;
+}
+
+std::optional<UserCode::Kind> output_kind(std::string_view word) {
+  if (word == "before") return UserCode::Kind::output_before;
+  if (word == "after") return UserCode::Kind::output_after;
+  if (word == "with_motion") return UserCode::Kind::output_with_motion;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ChannelDialect::ChannelDialect(const ChannelDescription* channel) {
+  if (channel == nullptr) return;
+  for (const UserCode& code : channel->user_codes) {
+    const bool macro = code.kind == UserCode::Kind::macro;
+    (macro ? macros_ : outputs_).push_back(code);
+    if (!macro) output_rows_.push_back(row_of(code));
+  }
+  aliases_ = channel->address_alias;
+  for (const AddressAlias& alias : aliases_) alias_letters_ |= letter_bit(alias.letter);
+}
+
+const UserCode* ChannelDialect::macro(char letter, int number) const {
+  return find_in(macros_, letter, number);
+}
+
+const Code* ChannelDialect::output(char letter, int number) const {
+  const UserCode* const code = find_in(outputs_, letter, number);
+  return code == nullptr ? nullptr
+                         : &output_rows_[static_cast<std::size_t>(code - outputs_.data())];
+}
+
+bool ChannelDialect::output_waits(int number) const {
+  const UserCode* const code = find_in(outputs_, 'M', number);
+  return code != nullptr && code->waits;
+}
+
+std::string_view ChannelDialect::alias(char letter) const {
+  for (const AddressAlias& alias : aliases_) {
+    if (alias.letter == letter) return alias.address;
+  }
+  return {};
+}
+
+std::optional<MacroCode> macro_of(const BlockWords& words, const ChannelDialect& dialect) {
+  for (const CodeNumber number : words.g) {
+    if (number == 650) return MacroCode{};
+    if (const UserCode* const code = dialect.macro('G', number)) {
+      return MacroCode{'G', number, code};
+    }
+  }
+  for (const CodeNumber number : words.m) {
+    if (const UserCode* const code = dialect.macro('M', number)) {
+      return MacroCode{'M', number, code};
+    }
+  }
+  return std::nullopt;
+}
+
+Expected<UserCode, std::string> read_user_code(std::string_view code, std::string_view meaning) {
+  UserCode made;
+  const std::string name(code);
+  if (!read_code_name(code, made)) {
+    return tl::unexpected("'" + name + "' is no G or M code; write it as in G200");
+  }
+  if (is_fixed(made.letter, made.number)) {
+    return tl::unexpected("'" + name + "' cannot be given another meaning; use a free code");
+  }
+  const std::size_t blank = meaning.find(' ');
+  if (const auto kind = output_kind(meaning.substr(0, blank))) {
+    made.kind = *kind;
+    made.waits = blank != std::string_view::npos;
+    const bool ours = made.letter == 'M' && made.number >= output_first &&
+                      made.number <= output_last && made.number % 10 == 0;
+    if (!ours) return tl::unexpected("'" + name + "' is no output; M100 to M899 can be one");
+    if (made.waits && meaning.substr(blank + 1) != "wait") {
+      return tl::unexpected("'" + std::string(meaning) + "' is no kind of output; behind '" +
+                            std::string(meaning.substr(0, blank)) + "' only 'wait' may follow");
+    }
+    return made;
+  }
+  const std::size_t colon = meaning.find(':');
+  made.program = meaning.substr(0, colon);
+  if (colon != std::string_view::npos) made.function = folded(meaning.substr(colon + 1));
+  if (made.program.find('.') == std::string::npos) {
+    return tl::unexpected("'" + std::string(meaning) +
+                          "' is neither a program file nor before, after or with_motion");
+  }
+  return made;
+}
+
+}  // namespace stanok::lang
