@@ -30,6 +30,10 @@ void call_program(ActiveBlock& block, CodeNumber code);         // M98 M198
 void return_from_program(ActiveBlock& block, CodeNumber code);  // M99 M17
 // M100 to M899 that the machine file declares as outputs.
 void send_machine_function(ActiveBlock& block, CodeNumber code);
+// Saved modal state (actions_state.cc)
+void save_state(ActiveBlock& block, CodeNumber code);           // M70 M73
+void drop_state(ActiveBlock& block, CodeNumber code);           // M71
+void restore_saved_state(ActiveBlock& block, CodeNumber code);  // M72
 // For codes whose whole effect is that they are the active code of their group.
 void only_modal(ActiveBlock& block, CodeNumber code);
 
@@ -66,6 +70,10 @@ void store_reference_point(ActiveBlock& block, CodeNumber code);  // G28.1 G30.1
 
 // Parts that all changes of the frame share.
 
+// Parts of a saved state.
+void restore_work_offset(ActiveBlock& block, const ModalState& saved);
+void restore_shifts(ActiveBlock& block, const ModalState& saved);  // G52, G92
+void restore_length(ActiveBlock& block, const ToolLength& saved);
 // The frame as it is now, as a command.
 [[nodiscard]] FrameChange frame_of(const ModalState& modal);
 // Makes work offset `number` of the tables the active one, as far as it exists there.

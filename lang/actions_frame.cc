@@ -79,6 +79,27 @@ void publish_frame(ActiveBlock& block, const WorkFrame& before) {
   publish_frame(block, before, block.modal.work_offset_number);
 }
 
+void restore_work_offset(ActiveBlock& block, const ModalState& saved) {
+  const AxisValues before = block.modal.offset();
+  const int number_before = block.modal.work_offset_number;
+  block.modal.work_offset_number = saved.work_offset_number;
+  block.modal.work_offset =
+      block.tables.work_offset(saved.work_offset_number).value_or(AxisValues{});
+  publish_frame(block, before, number_before);
+}
+
+void restore_shifts(ActiveBlock& block, const ModalState& saved) {
+  const AxisValues before = block.modal.offset();
+  block.modal.local_shift = saved.local_shift;
+  block.modal.axis_shift = saved.axis_shift;
+  block.modal.axis_shift_active = saved.axis_shift_active;
+  publish_frame(block, before);
+}
+
+void restore_length(ActiveBlock& block, const ToolLength& saved) {
+  change_length(block, saved);
+}
+
 void select_work_offset(ActiveBlock& block, CodeNumber code) {
   int number = offset_number(code);
   if (code == 541) {

@@ -13,6 +13,7 @@
 #include "lang/environment.h"
 #include "lang/machine_points.h"
 #include "lang/modal_state.h"
+#include "lang/state_stack.h"
 
 namespace stanok::lang {
 
@@ -44,6 +45,7 @@ struct BlockSurroundings {
   const Tables& tables;
   CommandQueue& queue;
   MachinePoints& points;
+  StateStack& states;
 };
 
 struct ActiveBlock : BlockSurroundings {

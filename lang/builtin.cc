@@ -319,6 +319,8 @@ constexpr auto rows = std::to_array<Builtin>({
     effect("channel_error", Type::string, "", Effect::channel_error),
     effect("arg", Type::number, "s", Effect::argument),
     effect("has_arg", Type::boolean, "s", Effect::has_argument),
+    effect("save_gvector", Type::string, "n", Effect::save_state),
+    effect("restore_gvector", Type::boolean, "s", Effect::restore_state),
     machine_value("clock"),
     channel("channel_load", Type::boolean, "ns", RequestKind::channel_load, "E6011"),
     channel("channel_start", Type::boolean, "n", RequestKind::channel_start, "E6012"),
@@ -338,8 +340,6 @@ constexpr auto rows = std::to_array<Builtin>({
     channel("mark_is_set", Type::boolean, "nn", RequestKind::mark_state, ""),
 });
 
-constexpr auto later_names =
-    std::to_array<std::string_view>({"save_gvector", "restore_gvector"});
 
 }  // namespace
 
@@ -351,10 +351,6 @@ const Builtin* find_builtin(std::string_view folded_name) {
 
 std::span<const Builtin> builtins() {
   return rows;
-}
-
-bool is_later_builtin(std::string_view folded_name) {
-  return std::find(later_names.begin(), later_names.end(), folded_name) != later_names.end();
 }
 
 }  // namespace stanok::lang

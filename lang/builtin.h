@@ -28,6 +28,8 @@ enum class Effect : std::uint8_t {
   table,  // settable_zs and its kin: `request`
   argument,       // arg ("X"): a word of the block that called the macro
   has_argument,   // has_arg ("X")
+  save_state,     // save_gvector
+  restore_state,  // restore_gvector
 };
 
 struct Builtin {
@@ -56,9 +58,6 @@ inline constexpr int mark_max = 199;
 
 // The number behind PI, CH_RUNNING, GV_ALL, ...
 [[nodiscard]] std::optional<double> find_builtin_constant(std::string_view folded_name);
-
-// Functions of later releases: known, so that they are answered clearly.
-[[nodiscard]] bool is_later_builtin(std::string_view folded_name);
 
 struct SystemVariable {
   std::string_view name;

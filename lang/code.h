@@ -69,6 +69,8 @@ enum class Op : std::uint8_t {
   terminate,          // (code text -> )
   call_file,          // (name -> )
   channel_error,      // ( -> string)
+  save_gvector,       // (parts -> string)
+  restore_gvector,    // (string -> bool); count 1: statement form
   argument,           // (name -> value), count 1: (name -> bool)
   raise,              // faults[operand]: a faulty statement was reached
   table,              // builtins()[operand] with `count` arguments; extra 1: statement form, 2: the

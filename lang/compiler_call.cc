@@ -52,12 +52,6 @@ Compiler::ValueType Compiler::compile_call(const Expression& call, CallForm form
     return compile_builtin(*builtin, call, form);
   }
   if (const auto callee = find_function(call.text)) return compile_user_call(*callee, call, form);
-  if (is_later_builtin(wanted)) {
-    reporter_.error("E2090", call.span, "`" + call.text + "` is not supported in this release",
-                    "known function");
-  } else {
-    report_unknown(call.text, call.span, "function");
-  }
   return {};
 }
 
@@ -114,6 +108,12 @@ Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expr
       break;
     case Effect::has_argument:
       emit(Op::argument, call.span, 0, 1);
+      break;
+    case Effect::save_state:
+      emit(Op::save_gvector, call.span);
+      break;
+    case Effect::restore_state:
+      emit(Op::restore_gvector, call.span, 0, form == CallForm::statement ? 1 : 0);
       break;
     case Effect::channel_error:
       emit(Op::channel_error, call.span);

@@ -32,7 +32,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
       tables_(tables),
       channel_words_(channel),
       compensation_(channel_words_),
-      around_{modal_, channel_words_, channel_, tables_, queue_, points_},
+      around_{modal_, channel_words_, channel_, tables_, queue_, points_, states_},
       r_parameters_(r_parameter_count, 0.0) {}
 
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
@@ -41,6 +41,7 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   queue_.clear();
   compensation_.reset();
   plain_ = {};
+  states_.clear();
   block_ = 0;
   stack_.clear();
   slots_.clear();
@@ -149,6 +150,7 @@ void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* pla
   queue_.set_origin({frames_.back().file, block_span.line}, block_);
   ActiveBlock block(words_, around_, block_span.line);
   const AxisValues start_W = modal_.position_W;
+  states_.set_level(frames_.size() - 1);
   if (const auto macro = macro_at_hand()) {
     block.fault = check_macro_block(words_, *macro);
     if (!block.fault) return call_macro(*macro);
@@ -235,6 +237,9 @@ void ProgramRun::answer(const Answer& answer) {
       break;
     case AnswerUse::statement:
       take_statement_answer(answer);
+      break;
+    case AnswerUse::restore_state:
+      finish_restoring(statement_);
       break;
     case AnswerUse::fail_run:
       fail_with(std::move(error_after_answer_));

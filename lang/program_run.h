@@ -18,6 +18,7 @@
 #include "lang/channel_words.h"
 #include "lang/code.h"
 #include "lang/command_queue.h"
+#include "lang/gvector.h"
 #include "lang/interpreter.h"
 #include "lang/modal_state.h"
 #include "lang/predefined_parameter.h"
@@ -54,6 +55,7 @@ class ProgramRun {
     push_text,
     input_result,
     statement,
+    restore_state,
     fail_run
   };
 
@@ -191,6 +193,12 @@ class ProgramRun {
   [[nodiscard]] const BlockWords* arguments_at_hand() const;
   void push_argument(bool asks_for_presence);
 
+  // program_run_state.cc
+  void save_gvector();
+  void restore_gvector(bool statement);
+  void finish_restoring(bool statement);
+  void leave_state_level(std::size_t level);
+
   // Failing
   void fail(std::string_view code, std::string message, std::string label = {});
   void fail_at(const Span& span, std::string_view code, std::string message,
@@ -217,6 +225,7 @@ class ProgramRun {
   CommandQueue queue_;
   CompensationStage compensation_;
   MachinePoints points_;
+  StateStack states_;
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand
   PlainCursor plain_;
@@ -238,6 +247,8 @@ class ProgramRun {
   bool answer_owed_ = false;
   double answer_unit_ = 1.0;  // mm or deg per unit of the number that is asked for
   AnswerUse answer_use_ = AnswerUse::position_only;
+  bool statement_ = false;           // restore_gvector as a statement
+  SavedState pending_state_;         // to be restored with the answer
   std::string_view statement_code_;  // of the statement that asked
   std::string statement_name_;
   std::string channel_error_;

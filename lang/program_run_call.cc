@@ -48,6 +48,7 @@ void ProgramRun::return_from_function(bool with_value) {
 
 // Leaves the innermost call; what it had for itself is gone.
 void ProgramRun::pop_frame() {
+  leave_state_level(frames_.size() - 1);
   Frame& frame = frames_.back();
   slots_.resize(frame.slots);
   stack_.resize(frame.stack);

@@ -277,6 +277,10 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return take_mark(instruction);
     case Op::argument:
       return push_argument(instruction.count != 0);
+    case Op::save_gvector:
+      return save_gvector();
+    case Op::restore_gvector:
+      return restore_gvector(instruction.count != 0);
     case Op::channel_error:
       return push(value_of(channel_error_));
     case Op::raise:
