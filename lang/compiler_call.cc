@@ -52,6 +52,7 @@ Compiler::ValueType Compiler::compile_call(const Expression& call, CallForm form
     return compile_builtin(*builtin, call, form);
   }
   if (const auto callee = find_function(call.text)) return compile_user_call(*callee, call, form);
+  report_unknown(call.text, call.span, "function");
   return {};
 }
 
