@@ -13,6 +13,11 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.name = channel.name;
   description.kind = channel.kind;
   description.spindles = channel.spindles;
+  for (const SpindleConfig& spindle : machine.spindles) {
+    if (spindle.encoder_pulses > 0) description.spindles_with_position.push_back(spindle.id);
+  }
+  description.tool_word_changes_tool = channel.tool_change == "t_word";
+  description.tool_word_has_edge = channel.t_format == "tool_edge";
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;
   for (std::size_t index = 0; index < channel.axes.size(); ++index) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[index])];

@@ -176,7 +176,11 @@ double ChannelTables::work_offset_rotation(int number) const {
 }
 
 std::optional<lang::Tool> ChannelTables::tool(int number) const {
-  const auto edge = live_.tool(number, 1);
+  return tool_edge(number, 1);
+}
+
+std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) const {
+  const auto edge = live_.tool(number, edge_number);
   if (!edge) return std::nullopt;
   lang::Tool tool;
   tool.number = number;

@@ -81,6 +81,7 @@ class ChannelTables final : public lang::Tables {
   [[nodiscard]] std::optional<lang::AxisValues> work_offset(int number) const override;
   [[nodiscard]] double work_offset_rotation(int number) const override;
   [[nodiscard]] std::optional<lang::Tool> tool(int number) const override;
+  [[nodiscard]] std::optional<lang::Tool> tool_edge(int number, int edge) const override;
   [[nodiscard]] lang::AxisValues scheme_zero() const override { return scheme_zero_; }
 
   void set_scheme_zero(const lang::AxisValues& zero) { scheme_zero_ = zero; }

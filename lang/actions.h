@@ -13,14 +13,12 @@ struct BlockCodes;
 
 // Feed, speed, tool and machine functions (actions_machine.cc)
 void take_feed(ActiveBlock& block, CodeNumber);
-void take_speed(ActiveBlock& block, CodeNumber);
 void take_tool(ActiveBlock& block, CodeNumber);
 void select_feed_mode(ActiveBlock& block, CodeNumber code);     // G93 G94 G95
 void select_path_mode(ActiveBlock& block, CodeNumber code);     // G60 G61 G61.1 G64
 void dwell(ActiveBlock& block, CodeNumber code);                // G4
 void change_tool(ActiveBlock& block, CodeNumber code);          // M6
-void switch_spindle(ActiveBlock& block, CodeNumber code);       // M3 M4 M5
-void orient_spindle(ActiveBlock& block, CodeNumber code);       // M19
+void set_tool_number(ActiveBlock& block, CodeNumber code);      // M61
 void switch_coolant(ActiveBlock& block, CodeNumber code);       // M7 M8 M9
 void switch_overrides(ActiveBlock& block, CodeNumber code);     // M48 M49
 void switch_override(ActiveBlock& block, CodeNumber code);      // M50 M51 M52 M53
@@ -45,11 +43,37 @@ void switch_output(ActiveBlock& block, CodeNumber code);      // M62 M63 M64 M65
 void set_analog_output(ActiveBlock& block, CodeNumber code);  // M67 M68
 void wait_for_input(ActiveBlock& block, CodeNumber code);     // M66
 
-// Frames and tool length (actions_frame.cc)
+// Spindles (actions_spindle.cc)
+void take_speed(ActiveBlock& block, CodeNumber);                // S, S2=
+void switch_spindle(ActiveBlock& block, CodeNumber code);       // M3 M4 M5
+void orient_spindle(ActiveBlock& block, CodeNumber code);       // M19
+void select_spindle_mode(ActiveBlock& block, CodeNumber code);  // G96 G97
+void limit_speed(ActiveBlock& block);                           // G92 S
+// The spindle that $ names, 0 (master) without; fails the block when there is none.
+[[nodiscard]] std::optional<int> named_spindle(ActiveBlock& block);
+// The spindle that S2= means; nothing when the word is none.
+[[nodiscard]] std::optional<int> spindle_of_indexed_speed(const NamedWord& word);
+[[nodiscard]] double speed_of_spindle(const ActiveBlock& block, int spindle);
+[[nodiscard]] bool spindle_turns(const ActiveBlock& block, int spindle);
+[[nodiscard]] bool spindle_has_position(const ActiveBlock& block, int spindle);
+void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action);
+// Fails the block when the spindle stands.
+void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code);
+
+// Threads by single blocks (actions_thread.cc)
+void cut_thread(ActiveBlock& block, CodeNumber code);   // G33 G32
+void tap_rigidly(ActiveBlock& block, CodeNumber code);  // G33.1
+
+// Cycles of lathe channels (actions_turning.cc, actions_thread_cycle.cc, actions_roughing.cc)
+void rough_contour(ActiveBlock& block, CodeNumber code);         // G71 G72; G71 on a mill: mm
+void finish_contour(ActiveBlock& block, CodeNumber code);        // G70; on a mill: inch
+void turn_once(ActiveBlock& block, CodeNumber code);             // G77 G78 G79
+void cut_thread_in_passes(ActiveBlock& block, CodeNumber code);  // G76
+
+// Frames (actions_frame.cc)
 void select_work_offset(ActiveBlock& block, CodeNumber code);  // G54 ... G59.3 G54.1
 void shift_locally(ActiveBlock& block, CodeNumber code);       // G52
 void shift_axes(ActiveBlock& block, CodeNumber code);          // G92 G92.1 G92.2 G92.3
-void compensate_length(ActiveBlock& block, CodeNumber code);   // G43 G43.1 G43.2 G43.4 G44 G49
 
 // Rotation, scaling and mirror (actions_rotation.cc, actions_scaling.cc)
 void rotate_system(ActiveBlock& block, CodeNumber code);    // G68
@@ -82,6 +106,13 @@ void take_work_offset(ModalState& modal, const Tables& tables, int number);
 void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before);
 void publish_frame(ActiveBlock& block, const WorkFrame& before);
 
+// Tool length (actions_length.cc)
+void compensate_length(ActiveBlock& block, CodeNumber code);  // G43 G43.1 G43.2 G43.4 G44 G49
+// Length compensation of an edge from here on; edge 0: none.
+void use_tool_offset(ActiveBlock& block, int tool, int edge);
+// The tool table may have changed.
+void read_tool_length_again(ActiveBlock& block);
+
 // Radius compensation (actions_compensation.cc)
 void select_compensation(ActiveBlock& block, CodeNumber code);  // G40 G41 G41.1 G42 G42.1
 // Fails the block when radius compensation is active and forbids one of its codes, the modally
@@ -95,7 +126,8 @@ void move_straight(ActiveBlock& block, CodeNumber code);            // G0 G1
 void move_in_arc(ActiveBlock& block, CodeNumber code);              // G2 G3
 
 // Drilling and boring cycles (actions_cycle.cc)
-void drill_hole(ActiveBlock& block, CodeNumber code);  // G73 G81 G82 G83 G85 G86 G89
+void drill_hole(ActiveBlock& block, CodeNumber code);      // G73 G74 G76 G81 to G86 G89
+void bore_or_thread(ActiveBlock& block, CodeNumber code);  // G76: by the kind of the channel
 
 // Parts of a motion shared by its kinds.
 

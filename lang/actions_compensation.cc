@@ -64,6 +64,17 @@ bool has_plane(ActiveBlock& block, CodeNumber code) {
   return true;
 }
 
+// Whether the plane is mirrored: left becomes right.
+bool mirrors(const ActiveBlock& block) {
+  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
+  double gain = 1.0;
+  for (const std::size_t coordinate : coordinates[static_cast<std::size_t>(block.modal.plane())]) {
+    const int axis = block.channel_words.geometry_axis(coordinate);
+    gain *= block.modal.map.gain(static_cast<std::size_t>(axis));
+  }
+  return gain < 0.0;
+}
+
 // Codes that only confirm what is active change nothing.
 bool confirms(const ActiveBlock& block, const Code& code) {
   const bool has_value = code.number == 541 || code.number == 680 || code.group == Group::length;
@@ -148,8 +159,8 @@ void select_compensation(ActiveBlock& block, CodeNumber code) {
   const auto tool =
       code == 411 || code == 421 ? programmed_tool(block, code) : compensated_tool(block, code);
   if (!tool || !has_plane(block, code)) return;
-  // A negative radius in the tool table means the other side.
-  const bool left = (code == 410 || code == 411) == (tool->radius_mm >= 0.0);
+  // A negative radius in the tool table and a mirrored plane mean the other side.
+  const bool left = ((code == 410 || code == 411) == (tool->radius_mm >= 0.0)) != mirrors(block);
   selected.side = left ? RadiusCompensation::Side::left : RadiusCompensation::Side::right;
   selected.radius_mm = std::abs(tool->radius_mm);
   selected.plane = block.modal.plane();

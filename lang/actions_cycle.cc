@@ -4,18 +4,15 @@
 // the bottom, the initial level the tool's height before the first block of the sequence. In G91 R
 // counts from the initial level and Z from R. Levels, Q and P stay valid within the sequence.
 // Source: T. R. Kramer, F. M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3"
-// (NISTIR 6556, 2000), section 3.5.16; the lift of 0.254 mm is theirs, too.
+// (NISTIR 6556, 2000), section 3.5.16.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "lang/actions.h"
+#include "lang/hole.h"
 
 namespace stanok::lang {
 namespace {
-
-// How far G73 lifts to break the chip, and G83 stays off the last depth when it comes back.
-constexpr double peck_lift_mm = 0.254;
 
 // Moves that one block may make; all of them are held at once.
 constexpr double moves_max = 100000.0;
@@ -26,11 +23,15 @@ WordName code_word(CodeNumber code) {
 
 bool is_cycle(CodeNumber code) {
   const Code* const row = find_code('G', code);
-  return row != nullptr && row->action == drill_hole;
+  return row != nullptr && (row->action == drill_hole || code == 760);
 }
 
 bool needs_dwell(CodeNumber code) {
   return code == 820 || code == 860 || code == 890;
+}
+
+bool taps(CodeNumber code) {
+  return code == 740 || code == 840;
 }
 
 bool pecks(CodeNumber code) {
@@ -65,6 +66,7 @@ void take_cycle_words(ActiveBlock& block, std::size_t axis) {
   }
   if (block.has('Q')) cycle.peck = block.length('Q');
   if (block.has('P')) cycle.dwell_s = block.value('P');
+  if (block.has('K')) cycle.lead = block.length('K');
 }
 
 void check_cycle(ActiveBlock& block, CodeNumber code) {
@@ -80,7 +82,10 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
   } else if (needs_dwell(code) && cycle.dwell_s < 0.0) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
-  } else if (code == 860 && !block.modal.spindle_running) {
+  } else if (code == 760 && cycle.peck <= 0.0) {
+    block.fail("E4063", code_word(code), name + " needs a positive Q, the way from the edge",
+               "no Q");
+  } else if ((code == 860 || code == 760) && !block.modal.spindle_running) {
     block.fail("E4064", code_word(code), name + " while the spindle stands", "no M3 or M4 before");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
     block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
@@ -102,85 +107,24 @@ std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
   return block.integer('L', 0, static_cast<int>(moves_max / moves));
 }
 
-// Moves of one hole along the tool axis.
-class Hole {
- public:
-  Hole(ActiveBlock& block, std::size_t axis) : block_(block), axis_(axis) {}
-
-  void rapid(double level) { go(MoveKind::rapid, level); }
-  void feed(double level) { go(MoveKind::line, level); }
-  void dwell() { block_.queue.emit(Dwell{block_.modal.cycle.dwell_s}); }
-
-  // Over the hole: up to R first when the tool is below it.
-  void approach(const Move& positioning) {
-    const DrillingCycle& cycle = block_.modal.cycle;
-    if (block_.modal.position_W[axis_] < cycle.retract_level) rapid(cycle.retract_level);
-    if (positioning.words != 0) {
-      Move move = positioning;
-      move.end[axis_] = block_.modal.position_W[axis_];
-      advance_position(block_, move);
-      block_.queue.emit(move);
-    }
-    if (block_.modal.position_W[axis_] > cycle.retract_level) rapid(cycle.retract_level);
+void make_hole(Hole& hole, CodeNumber code) {
+  if (pecks(code)) {
+    hole.peck(code);
+  } else if (taps(code)) {
+    hole.tap(code);
+  } else if (code == 760) {
+    hole.bore_finely();
+  } else {
+    hole.bore_out(code);
   }
-
-  void peck(CodeNumber code) {
-    const DrillingCycle& cycle = block_.modal.cycle;
-    double depth = cycle.retract_level;
-    while (!block_.failed()) {
-      depth = std::max(depth - cycle.peck, cycle.bottom);
-      feed(depth);
-      if (depth <= cycle.bottom) return;
-      if (code == 730) {
-        rapid(depth + peck_lift_mm);
-      } else {
-        rapid(cycle.retract_level);
-        rapid(std::min(depth + peck_lift_mm, cycle.retract_level));
-      }
-    }
-  }
-
-  void retract() {
-    const DrillingCycle& cycle = block_.modal.cycle;
-    const bool to_initial = block_.modal.code(Group::return_level) == 980;
-    const double level =
-        to_initial ? std::max(cycle.initial_level, cycle.retract_level) : cycle.retract_level;
-    if (level != block_.modal.position_W[axis_]) rapid(level);
-  }
-
- private:
-  void go(MoveKind kind, double level) {
-    Move move;
-    move.kind = kind;
-    move.words = axis_bit(axis_);
-    move.end = block_.modal.position_W;
-    move.end[axis_] = level;
-    move.stop_at_end = block_.stop_at_end;
-    resolve_feed(block_, move);
-    if (block_.failed()) return;
-    advance_position(block_, move);
-    block_.queue.emit(move);
-  }
-
-  ActiveBlock& block_;
-  std::size_t axis_;
-};
-
-void bore_out(ActiveBlock& block, Hole& hole, CodeNumber code) {
-  const DrillingCycle& cycle = block.modal.cycle;
-  if (needs_dwell(code)) hole.dwell();
-  if (code == 850 || code == 890) hole.feed(cycle.retract_level);
-  if (code != 860) return hole.retract();
-  const bool clockwise = block.modal.code(Group::spindle) == 30;
-  SpindleCommand spindle;
-  block.queue.emit(spindle);
-  hole.retract();
-  spindle.action = clockwise ? SpindleAction::clockwise : SpindleAction::counter_clockwise;
-  spindle.speed_rev_per_min = block.modal.speed_rev_per_min;
-  block.queue.emit(spindle);
 }
 
 }  // namespace
+
+void bore_or_thread(ActiveBlock& block, CodeNumber code) {
+  if (block.channel.kind == ChannelKind::lathe) return cut_thread_in_passes(block, code);
+  drill_hole(block, code);
+}
 
 void drill_hole(ActiveBlock& block, CodeNumber code) {
   const auto axis = tool_axis(block, code);
@@ -203,12 +147,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
     positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(*axis));
     resolve_feed(block, positioning);
     hole.approach(positioning);
-    if (pecks(code)) {
-      hole.peck(code);
-    } else {
-      hole.feed(cycle.bottom);
-    }
-    if (!block.failed()) bore_out(block, hole, code);
+    make_hole(hole, code);
   }
 }
 

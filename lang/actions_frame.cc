@@ -1,4 +1,4 @@
-// Actions of work offsets, shifts of the coordinate system and tool length compensation.
+// Actions of work offsets and shifts of the coordinate system.
 #include <string>
 
 #include "lang/actions.h"
@@ -15,42 +15,6 @@ int offset_number(CodeNumber code) {
   return code <= 590 ? (code - 540) / 10 + 1 : 6 + (code - 590);
 }
 
-void change_length(ActiveBlock& block, const ToolLength& after) {
-  const ToolLength before = block.modal.length;
-  if (before.mode == after.mode && before.tool == after.tool &&
-      before.offset_mm == after.offset_mm) {
-    return;
-  }
-  block.modal.length = after;
-  block.queue.emit(after);
-  if (before.mode == LengthMode::tip || after.mode == LengthMode::tip) {
-    block.queue.emit(Request{});
-    return;
-  }
-  AxisValues distance_B{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const int axis = block.channel_words.geometry_axis(k);
-    if (axis < 0) continue;
-    distance_B[static_cast<std::size_t>(axis)] = before.offset_mm[k] - after.offset_mm[k];
-  }
-  block.modal.shift_position(distance_B);
-}
-
-// Length of the tool that H names, the active one without H.
-std::optional<Tool> compensated_tool(ActiveBlock& block) {
-  int number = block.modal.tool_active;
-  if (block.has('H')) {
-    const auto named = block.integer('H', 0, 99999999);
-    if (!named) return std::nullopt;
-    number = *named;
-  }
-  if (number == 0) return Tool{};
-  auto tool = block.tables.tool(number);
-  if (!tool) {
-    block.fail("E5002", {block.has('H') ? 'H' : 'G', block.has('H') ? -1 : 430, {}},
-               "the tool table has no tool " + std::to_string(number), "unknown tool");
-  }
-  return tool;
 }
 
 }  // namespace
@@ -154,6 +118,14 @@ AxisValues shift_to_words(const ActiveBlock& block) {
 void shift_axes(ActiveBlock& block, CodeNumber code) {
   const WorkFrame before = block.modal.frame();
   if (code == 920) {
+    if (block.has('S')) {
+      block.channel.kind == ChannelKind::lathe ? limit_speed(block) : take_speed(block, 0);
+    }
+    if (block.programmed == 0) {
+      const bool limits = block.has('S') && block.channel.kind == ChannelKind::lathe;
+      if (!limits) block.fail("E4007", {'G', 920, {}}, "`G92` needs an axis word", "");
+      return;
+    }
     block.modal.axis_shift = shift_to_words(block);
     block.modal.axis_shift_active = true;
   } else {
@@ -166,35 +138,6 @@ void shift_axes(ActiveBlock& block, CodeNumber code) {
       block.modal.position_W[i] = block.modal.map.to_work(i, block.values[i]);
     }
   }
-}
-
-void compensate_length(ActiveBlock& block, CodeNumber code) {
-  ToolLength length;
-  if (code == 490) {
-    change_length(block, length);
-    return;
-  }
-  length.mode = code == 434 ? LengthMode::tip : LengthMode::length;
-  length.tool = block.modal.tool_active;
-  if (code == 431) {
-    length.offset_mm = block.modal.length.offset_mm;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int axis = block.channel_words.geometry_axis(k);
-      if (axis < 0 || !is_programmed(block, static_cast<std::size_t>(axis))) continue;
-      length.offset_mm[k] = block.values[static_cast<std::size_t>(axis)];
-    }
-    change_length(block, length);
-    return;
-  }
-  const auto tool = compensated_tool(block);
-  if (!tool) return;
-  if (tool->number != 0) length.tool = tool->number;
-  const double sign = code == 440 ? -1.0 : 1.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double added = code == 432 ? block.modal.length.offset_mm[k] : 0.0;
-    length.offset_mm[k] = added + sign * tool->length_mm[k];
-  }
-  change_length(block, length);
 }
 
 }  // namespace stanok::lang

@@ -1,5 +1,4 @@
 // Actions of feed, speed, tool, coolant, dwell and program end.
-#include <algorithm>
 #include <cmath>
 
 #include "lang/actions.h"
@@ -8,25 +7,23 @@
 namespace stanok::lang {
 namespace {
 
-// The spindle that $ names: 0 the master spindle, -1 all.
-SpindleCommand spindle_command(ActiveBlock& block, SpindleAction action) {
-  SpindleCommand command;
-  command.spindle = block.words.spindle_named ? block.words.spindle : 0;
-  const std::vector<int>& known = block.channel.spindles;
-  const bool exists = command.spindle == 0 || command.spindle == -1 ||
-                      std::find(known.begin(), known.end(), command.spindle) != known.end();
-  if (!exists) {
-    block.fail("E4053", {}, "the channel has no spindle " + std::to_string(command.spindle),
-               "unknown spindle");
-  }
-  command.action = action;
-  command.speed_rev_per_min = block.modal.speed_rev_per_min;
-  return command;
+// A T word in two parts: tool and edge, 0 = no offset.
+struct ToolWord {
+  int tool = 0;
+  int edge = 1;
+};
+
+// On a lathe channel three and more digits hold the edge in the last two (T0101).
+ToolWord tool_of_word(const ActiveBlock& block, int number) {
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  const bool with_edge = block.channel.tool_word_has_edge.value_or(lathe);
+  if (with_edge && number >= 100) return {number / 100, number % 100};
+  return {number, 1};
 }
 
-// Tool number of a T word. Lathe: three and more digits hold the edge in the last two.
-int tool_of_word(const ActiveBlock& block, int number) {
-  return block.channel.kind == ChannelKind::lathe && number >= 100 ? number / 100 : number;
+bool changes_at_tool_word(const ActiveBlock& block) {
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  return block.channel.tool_word_changes_tool.value_or(lathe);
 }
 
 }  // namespace
@@ -44,28 +41,26 @@ void take_feed(ActiveBlock& block, CodeNumber) {
   block.modal.feed_mm = feed * block.length_unit();
 }
 
-void take_speed(ActiveBlock& block, CodeNumber) {
-  const double speed = block.value('S');
-  if (speed < 0.0) {
-    block.fail("E4022", {'S', -1, {}}, "the spindle speed must not be negative", "negative speed");
-    return;
-  }
-  block.modal.speed_rev_per_min = speed;
-  block.queue.emit(spindle_command(block, SpindleAction::set_speed));
-}
-
 void take_tool(ActiveBlock& block, CodeNumber) {
   const auto number = block.integer('T', 0, 99999999);
   if (!number) return;
-  const int tool = tool_of_word(block, *number);
-  if (tool != 0 && !block.tables.tool(tool)) {
-    block.fail("E5002", {'T', -1, {}}, "the tool table has no tool " + std::to_string(tool),
-               "unknown tool");
+  const ToolWord word = tool_of_word(block, *number);
+  const bool known = word.tool == 0 || block.tables.tool(word.tool);
+  if (!known ||
+      (word.tool != 0 && word.edge > 1 && !block.tables.tool_edge(word.tool, word.edge))) {
+    block.fail(
+        "E5002", {'T', -1, {}},
+        known ? "tool " + std::to_string(word.tool) + " has no edge " + std::to_string(word.edge)
+              : "the tool table has no tool " + std::to_string(word.tool),
+        known ? "unknown edge" : "unknown tool");
     return;
   }
-  block.modal.tool_prepared = tool;
-  block.queue.emit(ToolPrepare{tool});
-  if (block.channel.kind == ChannelKind::lathe) change_tool(block, 60);
+  block.modal.tool_prepared = word.tool;
+  block.queue.emit(ToolPrepare{word.tool});
+  if (!changes_at_tool_word(block)) return;
+  change_tool(block, 60);
+  block.modal.tool_edge = word.edge;
+  use_tool_offset(block, word.tool, word.edge);
 }
 
 void change_tool(ActiveBlock& block, CodeNumber) {
@@ -75,7 +70,26 @@ void change_tool(ActiveBlock& block, CodeNumber) {
     return;
   }
   block.modal.tool_active = block.modal.tool_prepared;
+  block.modal.tool_edge = 1;
   block.queue.emit(ToolChange{block.modal.tool_active});
+}
+
+// M61: the tool in the spindle is called Q; nothing moves.
+void set_tool_number(ActiveBlock& block, CodeNumber) {
+  if (!block.has('Q')) {
+    block.fail("E4007", {'M', 610, {}}, "`M61` needs Q, the number of the tool", "no Q");
+    return;
+  }
+  const auto tool = block.integer('Q', 0, 99999999);
+  if (!tool) return;
+  if (*tool != 0 && !block.tables.tool(*tool)) {
+    block.fail("E5002", {'Q', -1, {}}, "the tool table has no tool " + std::to_string(*tool),
+               "unknown tool");
+    return;
+  }
+  block.modal.tool_active = *tool;
+  block.modal.tool_edge = 1;
+  block.queue.emit(ToolChange{*tool, true});
 }
 
 void select_feed_mode(ActiveBlock& block, CodeNumber code) {
@@ -107,33 +121,21 @@ void dwell(ActiveBlock& block, CodeNumber) {
   }
   double seconds = block.value(block.dwell_word);
   if (block.dwell_word == 'S') {
-    if (block.modal.speed_rev_per_min <= 0.0) {
+    const auto spindle = named_spindle(block);
+    if (!spindle) return;
+    const double speed = speed_of_spindle(block, *spindle);
+    if (speed <= 0.0) {
       block.fail("E4052", {'S', -1, {}}, "dwell in revolutions without a spindle speed",
                  "the spindle stands");
       return;
     }
-    seconds *= 60.0 / block.modal.speed_rev_per_min;
+    seconds *= 60.0 / speed;
   }
   if (seconds < 0.0) {
     block.fail("E4008", {block.dwell_word, -1, {}}, "a dwell must not be negative", "negative");
     return;
   }
   block.queue.emit(Dwell{seconds});
-}
-
-void switch_spindle(ActiveBlock& block, CodeNumber code) {
-  const SpindleAction action = code == 30   ? SpindleAction::clockwise
-                               : code == 40 ? SpindleAction::counter_clockwise
-                                            : SpindleAction::stop;
-  block.modal.spindle_running = action != SpindleAction::stop;
-  block.queue.emit(spindle_command(block, action));
-}
-
-void orient_spindle(ActiveBlock& block, CodeNumber) {
-  SpindleCommand command = spindle_command(block, SpindleAction::orient);
-  if (block.has('R')) command.angle_deg = block.value('R');
-  block.modal.spindle_running = false;
-  block.queue.emit(command);
 }
 
 void switch_coolant(ActiveBlock& block, CodeNumber code) {

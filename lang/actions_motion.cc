@@ -59,7 +59,7 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     if ((block.programmed & axis_bit(i)) == 0) continue;
     const AxisDescription& axis = block.channel.axes[i];
     const double value = block.values[i];
-    if (block.modal.incremental()) {
+    if (block.modal.incremental() || (block.incremental & axis_bit(i)) != 0) {
       move.end[i] += mapped ? map.gain(i) * value : value;
     } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates) {
       move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);

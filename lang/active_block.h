@@ -35,7 +35,30 @@ struct BlockFault {
 };
 
 // What a block does to the flow of the program after its own effects.
-enum class Flow : std::uint8_t { next, end_of_program, call_numbered, return_from_subprogram };
+enum class Flow : std::uint8_t {
+  next,
+  end_of_program,
+  call_numbered,
+  return_from_subprogram,
+  behind_line,  // on behind `flow_line`
+  run_contour,  // the lines from `contour_line` to `flow_line`, then back to where the tool stands
+};
+
+// Blocks N first to N last of the text at hand, for cycles that refer to a contour.
+struct Contour {
+  struct Block {
+    BlockWords words;
+    Origin origin;
+  };
+  std::vector<Block> blocks;
+  std::string problem;  // why there is none
+};
+
+class ContourSource {
+ public:
+  virtual ~ContourSource() = default;
+  [[nodiscard]] virtual Contour contour(int first, int last) const = 0;
+};
 
 // What lies around a block: its channel, and where its effects go.
 struct BlockSurroundings {
@@ -46,6 +69,7 @@ struct BlockSurroundings {
   CommandQueue& queue;
   MachinePoints& points;
   StateStack& states;
+  const ContourSource* contours = nullptr;
 };
 
 struct ActiveBlock : BlockSurroundings {
@@ -58,6 +82,7 @@ struct ActiveBlock : BlockSurroundings {
 
   // The axis words in mm and deg (radius), as programmed: neither G91 nor offsets are applied.
   AxisSet programmed = 0;
+  AxisSet incremental = 0;  // those of them that are given from the position, whatever G90 says
   AxisValues values{};
 
   bool machine_coordinates = false;  // G53
@@ -69,6 +94,8 @@ struct ActiveBlock : BlockSurroundings {
   Flow flow = Flow::next;
   CodeNumber flow_code = 0;  // M98 or M198
   ProgramEndKind end_kind = ProgramEndKind::end;
+  std::uint32_t flow_line = 0;
+  std::uint32_t contour_line = 0;
 
   std::optional<BlockFault> fault;
 

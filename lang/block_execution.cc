@@ -45,6 +45,11 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
     return fault_at("E4009", word, "`" + name + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
+  const bool other_on_lathe = code.letter == 'G' && (code.number == 730 || code.number == 740);
+  if (kind == ChannelKind::lathe && other_on_lathe) {
+    return fault_at("E2090", word, "`" + name + "` is not supported in this release",
+                    code.number == 730 ? "pattern repeating" : "face pecking cycle");
+  }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
     return fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
   }
@@ -177,6 +182,11 @@ std::optional<BlockFault> check_master(const BlockWords& words, const ChannelDes
     return fault_at("E4009", {letter, -1, {}}, std::string("`") + letter + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
+  for (const NamedWord& word : words.named) {
+    if (!spindle_of_indexed_speed(word)) continue;
+    return fault_at("E4009", {0, -1, word.name}, "`" + word.name + "` on a master channel",
+                    "a master channel has no axes and no spindle");
+  }
   return std::nullopt;
 }
 
@@ -189,32 +199,13 @@ std::optional<BlockFault> missing_axes(const BlockCodes& codes, bool any_axis_wo
 
 // Units and diameter mode set in a block hold for its own words too.
 void apply_units(ActiveBlock& block, const BlockCodes& codes) {
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  if (!lathe && has_code(block.words, 700)) block.set_modal(Group::units, 200);
+  if (!lathe && has_code(block.words, 710)) block.set_modal(Group::units, 210);
   for (int i = 0; i < codes.count; ++i) {
     const Code& row = *codes.rows[static_cast<std::size_t>(i)];
     const bool early = row.group == Group::units || row.group == Group::diameter;
     if (early && block.modal.code(row.group) != row.number) block.set_modal(row.group, row.number);
-  }
-}
-
-// Takes the axis words out of the block, in mm and deg.
-void collect_axis_words(ActiveBlock& block) {
-  LetterSet letters = block.words.letters & block.channel_words.letters();
-  if (block.dwell_word != 0) letters &= ~letter_bit(block.dwell_word);
-  const auto take = [&block](std::size_t axis, double value) {
-    const AxisDescription& description = block.channel.axes[axis];
-    if (!description.rotary) value *= block.length_unit();
-    if (block.modal.diameters() && description.geometry == 0) value *= 0.5;
-    block.programmed = static_cast<AxisSet>(block.programmed | axis_bit(axis));
-    block.values[axis] = value;
-  };
-  for (int i = 0; letters != 0; ++i, letters >>= 1) {
-    if ((letters & 1U) != 0) {
-      take(block.channel_words.axis(i), block.words.values[static_cast<std::size_t>(i)]);
-    }
-  }
-  for (const NamedWord& word : block.words.named) {
-    const int axis = block.channel_words.axis_called(word.name);
-    if (axis >= 0) take(static_cast<std::size_t>(axis), word.value);
   }
 }
 
@@ -238,7 +229,8 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
 }
 
 void check_unused(ActiveBlock& block, const BlockCodes& codes) {
-  LetterSet allowed = codes.words | always_allowed | block.channel_words.letters();
+  LetterSet allowed = codes.words | always_allowed | block.channel_words.letters() |
+                      block.channel_words.incremental_letters();
   if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
   const LetterSet unused = block.words.letters & ~allowed;
   if (unused != 0) {
@@ -246,40 +238,15 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
     block.fail(fault.code, fault.word, fault.message, fault.label).notes = fault.notes;
     return;
   }
-  const bool turns_spindle = block.has('S') || codes.has(Group::spindle);
+  const bool turns_spindle = block.has('S') || names_spindle(codes);
   if (block.words.spindle_named && !turns_spindle) {
     block.fail("E4003", {}, "nothing in this block uses the spindle after `$`", "unused word");
   }
   for (const NamedWord& word : block.words.named) {
     if (block.channel_words.axis_called(word.name) >= 0) continue;
+    if (spindle_of_indexed_speed(word)) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
                "unused word");
-  }
-}
-
-// F, S and T as rows, so that they take part in the order.
-const Code feed_word{
-    'F',       0,     Group::none, 0, Phase::feed, AxisWords::unused, 0, Availability::everywhere,
-    take_feed, "feed"};
-const Code speed_word{'S',
-                      0,
-                      Group::none,
-                      0,
-                      Phase::speed,
-                      AxisWords::unused,
-                      0,
-                      Availability::not_master,
-                      take_speed,
-                      "spindle speed"};
-const Code tool_word{
-    'T',       0,     Group::none, 0, Phase::tool, AxisWords::unused, 0, Availability::not_master,
-    take_tool, "tool"};
-
-void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes) {
-  for (const Code* const row : {&feed_word, &speed_word, &tool_word}) {
-    if (block.has(row->letter) && block.dwell_word != row->letter) {
-      codes.rows[static_cast<std::size_t>(codes.count++)] = row;
-    }
   }
 }
 
@@ -341,7 +308,8 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelDesc
   const bool any_named_axis = !words.named.empty();
   if (channel != nullptr) {
     if (auto fault = check_master(words, *channel)) return fault;
-    axes = ChannelWords(*channel).letters();
+    const ChannelWords channel_words(*channel);
+    axes = channel_words.letters() | channel_words.incremental_letters();
   }
   LetterSet allowed = codes.words | always_allowed | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
@@ -371,6 +339,8 @@ void execute_block(ActiveBlock& block) {
   if (block.failed()) return;
   apply_units(block, codes);
   collect_axis_words(block);
+  collect_incremental_words(block, codes);
+  if (block.failed()) return;
   if (auto fault = missing_axes(codes, block.programmed != 0)) {
     block.fault = std::move(fault);
     return;

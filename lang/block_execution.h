@@ -21,6 +21,15 @@ struct BlockCodes {
   [[nodiscard]] bool has(Group group) const { return (groups & group_bit(group)) != 0; }
 };
 
+// Takes the axis words out of the block (axis_words.cc): those of the axes' own names, then U, V
+// and W of a lathe channel, as far as no code of the block uses them otherwise.
+void collect_axis_words(ActiveBlock& block);
+void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes);
+// The rows of F, S and T, as far as no code of the block has them as its own (feed_speed_tool.cc).
+void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes);
+// Whether a code of the block can be meant for the spindle that `$` names.
+[[nodiscard]] bool names_spindle(const BlockCodes& codes);
+
 // Everything about a block that is known without the modal state: unknown codes, codes that exclude
 // each other, words that nothing can use. `channel` nullptr: what depends on the channel is left
 // out. Words whose value is computed later count as present.

@@ -18,6 +18,13 @@ ChannelWords::ChannelWords(const ChannelDescription& channel)
     letters_ |= letter_bit(letter);
     axis_[static_cast<std::size_t>(letter_index(letter))] = i;
   }
+  if (channel.kind != ChannelKind::lathe) return;
+  for (std::size_t k = 0; k < geometry_.size(); ++k) {
+    const char letter = "UVW"[k];
+    if (geometry_[k] < 0 || (letters_ & letter_bit(letter)) != 0) continue;
+    incremental_letters_ |= letter_bit(letter);
+    axis_[static_cast<std::size_t>(letter_index(letter))] = static_cast<std::size_t>(geometry_[k]);
+  }
 }
 
 int ChannelWords::axis_called(std::string_view name) const {

@@ -22,6 +22,8 @@ class ChannelWords {
   [[nodiscard]] std::size_t axis(int letter_at) const {
     return axis_[static_cast<std::size_t>(letter_at)];
   }
+  // U, V and W where they stand for incremental X, Y and Z: on lathe channels without such axes.
+  [[nodiscard]] LetterSet incremental_letters() const { return incremental_letters_; }
   // Axis called `name` (any case), or -1.
   [[nodiscard]] int axis_called(std::string_view name) const;
   // Axis that is the channel's X, Y or Z (0, 1, 2), or -1.
@@ -33,6 +35,7 @@ class ChannelWords {
  private:
   const ChannelDescription& channel_;
   LetterSet letters_ = 0;
+  LetterSet incremental_letters_ = 0;
   std::array<std::size_t, 26> axis_{};
   std::array<int, 3> geometry_{-1, -1, -1};
   AxisSet linear_ = 0;

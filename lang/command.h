@@ -68,7 +68,9 @@ struct SplineMove {
   std::vector<double> weights;                // start first; empty: all 1
 };
 
-// G33, G33.1, G74, G84: a line on which the path follows the angle of a spindle.
+// G33, G33.1, G74, G84 and thread cycles: a line on which the path follows the angle of a spindle.
+// The lead is measured along the path. A rigid tap goes to the end, reverses the spindle there and
+// comes back to where it began.
 struct SynchronousMove {
   enum class Kind : std::uint8_t { thread, rigid_tap };
   Move line;  // end and path mode; the feed comes from the spindle
@@ -77,6 +79,7 @@ struct SynchronousMove {
   double lead_mm_per_rev = 0.0;
   double start_angle_deg = 0.0;      // Q
   double return_speed_factor = 1.0;  // G33.1 I
+  double dwell_s = 0.0;              // rigid_tap: at the end of the way in
 };
 
 // G38.2 to G38.5: a line that ends when the probe changes. RequestKind::probe_result follows it.
@@ -99,11 +102,16 @@ struct Dwell {
 
 enum class SpindleAction : std::uint8_t { set_speed, clockwise, counter_clockwise, stop, orient };
 
+// M19 P: the way to the angle.
+enum class OrientWay : std::uint8_t { shortest, clockwise, counter_clockwise };
+
 struct SpindleCommand {
   int spindle = 0;  // id of the machine file; 0 = the channel's master spindle, -1 = all
   SpindleAction action = SpindleAction::stop;
   double speed_rev_per_min = 0.0;
   double angle_deg = 0.0;  // orient
+  OrientWay way = OrientWay::shortest;
+  double timeout_s = -1.0;  // orient, M19 Q; below zero: none
 };
 
 // G96 and G97.

@@ -54,8 +54,12 @@ struct ChannelDescription {
   std::string name;
   ChannelKind kind = ChannelKind::mill;
   std::vector<AxisDescription> axes;
-  std::vector<int> spindles;  // ids; the first is the master spindle
-  std::vector<int> channels;  // ids of all channels of the machine
+  std::vector<int> spindles;                // ids; the first is the master spindle
+  std::vector<int> spindles_with_position;  // those of them that can follow or lead an axis
+  // What a T word does; nothing: as customary for the kind, that is true on lathe channels.
+  std::optional<bool> tool_word_changes_tool;
+  std::optional<bool> tool_word_has_edge;  // T0102: tool 1, edge 2
+  std::vector<int> channels;               // ids of all channels of the machine
   std::vector<std::pair<int, int>>
       schemes;  // (channel, scheme id) of all channels, for constant checks
   double arc_radius_tolerance_mm = 0.01;
@@ -80,6 +84,10 @@ class Tables {
   // Rotation of a work offset in the XY plane, deg (G10 L2 R).
   [[nodiscard]] virtual double work_offset_rotation(int) const { return 0.0; }
   [[nodiscard]] virtual std::optional<Tool> tool(int number) const = 0;
+  // Edge from 1; edge 1 is what tool() returns.
+  [[nodiscard]] virtual std::optional<Tool> tool_edge(int number, int edge) const {
+    return edge == 1 ? tool(number) : std::nullopt;
+  }
   // Position of the scheme's base B in M, per axis of the channel (G53 without tip transformation).
   [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
   // Reference point 1 (G28) to 4 (G30 P4) in M, per axis of the channel, as the machine file has

@@ -24,6 +24,7 @@ namespace stanok::lang {
 }
 
 inline constexpr double mm_per_inch = 25.4;
+inline constexpr std::size_t spindles_max = 16;
 
 // A sequence of drilling cycles: what stays valid from hole to hole. Levels along the tool axis in
 // W, mm.
@@ -33,8 +34,34 @@ struct DrillingCycle {
   double bottom = 0.0;         // Z
   double peck = 0.0;           // Q
   double dwell_s = -1.0;       // P; below zero: none
+  double lead = 0.0;           // K of tapping; 0: from F
   bool has_retract_level = false;
   bool has_bottom = false;
+};
+
+// A sequence of G77, G78 or G79: W, radii, mm.
+struct TurningCycle {
+  double x = 0.0;
+  double z = 0.0;
+  double taper = 0.0;  // R
+  double lead = 0.0;   // F of G78
+  bool has_x = false;
+  bool has_z = false;
+};
+
+// First block of G76 without K, mm.
+struct ThreadSettings {
+  int spring_passes = 0;
+  int run_out_tenths = 0;  // length of the run-out in tenths of the lead
+  double angle_deg = 0.0;  // of the tool
+  double smallest_cut = 0.0;
+  double last_cut = 0.0;
+};
+
+// First block of G71 or G72, mm.
+struct RoughingSettings {
+  double depth = 0.0;    // U of G71 (a radius), W of G72
+  double retract = 0.0;  // R
 };
 
 // G68: W is turned about a centre in the system that G54, G52 and G92 make.
@@ -66,8 +93,14 @@ struct ModalState {
   double feed_programmed = 0.0;
   double feed_mm = 0.0;
 
-  double speed_rev_per_min = 0.0;
-  bool spindle_running = false;
+  double speed_rev_per_min = 0.0;                         // of the master spindle
+  bool spindle_running = false;                           // any
+  std::array<double, spindles_max> speeds_rev_per_min{};  // in the order of the channel's spindles
+  std::uint16_t running_spindles = 0;                     // bit k: the k-th of them turns
+  double orient_angle_deg = 0.0;                          // of the last M19
+  int cutting_spindle = 0;                                // of G96, as in SpindleCommand
+  double cutting_speed_m_per_min = 0.0;
+  double speed_limit_rev_per_min = 0.0;  // of G96: D, G92 S; 0: none
   bool mist = false;
   bool flood = false;
   bool feed_override = true;
@@ -77,11 +110,18 @@ struct ModalState {
 
   int tool_prepared = -1;  // T; -1: none since the program started
   int tool_active = 0;
+  int tool_edge = 1;
 
   ToolLength length;
+  std::array<double, 3> length_base_mm{};  // to which the length of the edge was added (G43.2)
+  int length_edge = 1;                     // of length.tool
   RadiusCompensation compensation;
   PathControl path;
   DrillingCycle cycle;
+  TurningCycle turning;
+  ThreadSettings thread;
+  RoughingSettings turning_roughing;  // G71
+  RoughingSettings facing_roughing;   // G72
 
   int work_offset_number = 1;     // 1 = G54
   AxisValues work_offset{};       // of the table

@@ -21,7 +21,7 @@ constexpr double cut_noise = 1e-9;
 constexpr double shallow_turn = 10.0 * std::numbers::pi / 180.0;
 
 // A corner whose intersection lies closer than this (mm) to the arc about it is tangential.
-constexpr double tangential_overshoot = 1e-6;
+constexpr double tangential_overshoot = 1e-10;
 
 // Within this of half a turn the path turns back: there is an outside on both sides of it.
 constexpr double turn_back = 1e-6;

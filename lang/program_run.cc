@@ -32,7 +32,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
       tables_(tables),
       channel_words_(channel),
       compensation_(channel_words_),
-      around_{modal_, channel_words_, channel_, tables_, queue_, points_, states_},
+      around_{modal_, channel_words_, channel_, tables_, queue_, points_, states_, this},
       r_parameters_(r_parameter_count, 0.0) {}
 
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
@@ -42,6 +42,7 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   compensation_.reset();
   plain_ = {};
   states_.clear();
+  contour_return_.reset();
   block_ = 0;
   stack_.clear();
   slots_.clear();
@@ -92,7 +93,7 @@ Step ProgramRun::next(Command& command) {
         break;
     }
     if (plain_.at == plain_.end) {
-      step();
+      contour_return_ ? leave_contour() : step();
     } else if (run_plain_line(command)) {
       return Step::command;
     }
@@ -183,6 +184,12 @@ void ProgramRun::follow_flow(const ActiveBlock& block) {
     case Flow::return_from_subprogram:
       leave_subprogram();
       break;
+    case Flow::behind_line:
+      go_behind_line(block.flow_line);
+      break;
+    case Flow::run_contour:
+      run_contour(block.contour_line, block.flow_line);
+      break;
   }
 }
 
@@ -199,6 +206,8 @@ void ProgramRun::end_program(ProgramEndKind kind) {
 
 // What an operator or a Request may have changed while the axes stood.
 void ProgramRun::read_tables_again() {
+  ActiveBlock block(words_, around_, span().line);
+  read_tool_length_again(block);
   const WorkFrame before = modal_.frame();
   take_work_offset(modal_, tables_, modal_.work_offset_number);
   if (modal_.frame() == before) return;

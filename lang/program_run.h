@@ -31,7 +31,7 @@ namespace stanok::lang {
 // #1 to #30 belong to a call of an O-line or G65.
 inline constexpr std::size_t local_parameter_count = 30;
 
-class ProgramRun {
+class ProgramRun : private ContourSource {
  public:
   ProgramRun(const ChannelDescription& channel, const Tables& tables);
 
@@ -143,6 +143,18 @@ class ProgramRun {
   LocalParameters exchange_local_parameters(LocalParameters parameters);
   [[nodiscard]] LocalParameters fresh_local_parameters() const;
 
+  // program_run_contour.cc
+  [[nodiscard]] Contour contour(int first, int last) const override;
+  // The piece of plain text that holds `line`, from there on, and the instruction behind it.
+  struct PlainPlace {
+    PlainCursor cursor;
+    std::uint32_t position = 0;
+  };
+  [[nodiscard]] std::optional<PlainPlace> plain_place(std::uint32_t line) const;
+  void go_behind_line(std::uint32_t line);
+  void run_contour(std::uint32_t first, std::uint32_t last);
+  void leave_contour();
+
   // program_run_array.cc
   void make_array(const Instruction& instruction);
   void fill_array(std::size_t count);
@@ -229,6 +241,12 @@ class ProgramRun {
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand
   PlainCursor plain_;
+  // G70: what comes behind the contour that is being run.
+  struct ContourReturn {
+    PlainCursor plain;
+    AxisValues start_W{};
+  };
+  std::optional<ContourReturn> contour_return_;
   std::uint64_t block_ = 0;  // ISO blocks executed
   std::uint16_t block_skip_ = 0;
 

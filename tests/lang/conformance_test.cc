@@ -3,7 +3,8 @@
 //   ; expect: line X10 Y2 F100       the commands of the run, in order, all of them
 //   ; expect error 3:7 E4031         the errors of the load or the error of the run
 //   ; expect warning W211            the warnings of the load, in order
-//   ; channel lathe                  mill (X Y Z B C; C modulo 360), lathe (X Z C) or master
+//   ; channel lathe                  mill (X Y Z B C; C modulo 360), lathe (X Z C), master, or two
+//                                  spindles: the mill with spindle 1, which has a position, and 2
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
 // Requests are answered with success and the number 2.
@@ -274,6 +275,10 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
  protected:
   void prepare_machine(const std::string& kind) {
     if (kind == "master") channel = master_channel();
+    if (kind == "two spindles") {
+      channel.spindles = {1, 2};
+      channel.spindles_with_position = {1};
+    }
     if (kind == "lathe") {
       channel.kind = ChannelKind::lathe;
       channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}, {"C", true, 0.0, -1}};

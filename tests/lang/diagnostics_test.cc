@@ -59,8 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"G43 H1.5", "E4008", 1, 5}, FaultCase{"G10 L2 X1", "E4007", 1, 1},
                       FaultCase{"G10 L3 P1 X1", "E4008", 1, 5}, FaultCase{"G0 C1", "E4010", 1, 4},
                       FaultCase{"G64 P-1", "E4008", 1, 5}, FaultCase{"M98", "E4007", 1, 1},
-                      FaultCase{"M98 P5", "E7005", 1, 1}, FaultCase{"G77 X1", "E2090", 1, 1},
-                      FaultCase{"G41 D1", "E2090", 1, 1}, FaultCase{"G=17.33", "E4004", 1, 1},
+                      FaultCase{"M98 P5", "E7005", 1, 1}, FaultCase{"G87 X1", "E2090", 1, 1},
+                      FaultCase{"G34 X1 K1", "E2090", 1, 1}, FaultCase{"G=17.33", "E4004", 1, 1},
                       FaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -193,23 +193,21 @@ class RadiusCompensationTest : public ProgramTest {
         EXPECT_GE(foot.distance, radius - 1e-9) << "line " << index + 3 << " element " << k;
       }
       const Foot own = foot_on(contour.elements[index], p);
-      if (own.inside) EXPECT_NEAR(own.distance, radius, 1e-9) << "line " << index + 3;
+      if (own.inside) {
+        EXPECT_NEAR(own.distance, radius, 1e-9) << "line " << index + 3;
+      }
     }
   }
 };
 
-TEST_F(RadiusCompensationTest, KeepsTheRadiusToEveryElementOrRefuses) {
-  int complete = 0;
-  int refused = 0;
+TEST_F(RadiusCompensationTest, KeepsTheRadiusToEveryElement) {
   for (unsigned seed = 1; seed <= 600 && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomContour contour(seed);
     const int code = seed % 2 == 0 ? 41 : 42;
     const double radius = std::round(contour.uniform(0.2, 4.0) * 1e6) / 1e6;
-    ++(keeps_distance(contour, code, radius) ? complete : refused);
+    EXPECT_TRUE(keeps_distance(contour, code, radius)) << error.code;
   }
-  EXPECT_GT(complete, 300);
-  EXPECT_GT(refused, 0);
 }
 
 TEST_F(RadiusCompensationTest, GivesTheSamePathAsTheMirroredContourOnTheOtherSide) {
@@ -226,9 +224,11 @@ TEST_F(RadiusCompensationTest, GivesTheSamePathAsTheMirroredContourOnTheOtherSid
 }
 
 TEST_F(RadiusCompensationTest, KeepsFullCirclesFull) {
-  const auto list =
-      moves("F100 G0 X0 Y-30\nG41.1 D4 G1 X10 Y-20\nG3 X10 Y0 I0 J10\nG3 I-10 P3\nG1 Y10\nM30\n");
-  ASSERT_EQ(list.size(), 5u);
+  // Tangential arcs on and off; the circle of radius 10 is cut on its inside.
+  const auto list = moves(
+      "F100 G0 X0 Y0\nG41.1 D4 G1 X5 Y-5\nG3 X10 Y0 J5\nG3 I-10 P3\nG3 X5 Y5 I-5\nG40 G1 X0 "
+      "Y0\nM30\n");
+  ASSERT_EQ(list.size(), 6u);
   const Move& circle = list[3];
   EXPECT_EQ(circle.kind, MoveKind::arc);
   EXPECT_EQ(circle.turns, 3);

@@ -1,8 +1,9 @@
 ; channel lathe
 ; X is a diameter, the feed per revolution, T changes at once and holds the edge in two digits.
-T0203
+T0201
 ; expect: prepare T2
 ; expect: change T2
+; expect: length H2 0 0 20
 G1 X20 Z-5 F0.1
 ; expect: line X10 Z-5 F0.1 per revolution
 G91 X-4
