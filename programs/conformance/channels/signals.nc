@@ -16,7 +16,5 @@ M66 P4 L3 Q0.5
 ; expect: request wait for input 4 timeout 0.5
 G0 X#5399
 ; expect: rapid X2
-M50 P0
-M53 P0
-M50
 M30
+; expect: end and rewind
