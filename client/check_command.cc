@@ -75,6 +75,11 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
   const runtime::ProgramFiles files(search_roots(roots, job));
   auto result = runtime::check_program(machine, job.channel, scheme_of(job), program.name, files);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  if (!candidate.folder.empty()) {  // in a folder a name alone may be that of several programs
+    for (Diagnostic& diagnostic : result.diagnostics) {
+      if (diagnostic.place.file == program.name) diagnostic.place.file = candidate.path;
+    }
+  }
   return {candidate.path, std::move(result.diagnostics), result.blocks, time.count()};
 }
 

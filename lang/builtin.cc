@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "base/angle.h"
+#include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/source.h"
 
@@ -21,7 +22,6 @@ using Arguments = std::span<const Value>;
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double near_tolerance = 1e-6;
-constexpr std::size_t string_max = 4096;
 
 bool set(Value& result, double number) {
   result = value_of(number);
@@ -29,7 +29,7 @@ bool set(Value& result, double number) {
 }
 
 bool set_text(Value& result, std::string text) {
-  if (text.size() > string_max) return false;
+  if (text.size() > limits::string_bytes) return false;
   result = value_of(std::move(text));
   return true;
 }

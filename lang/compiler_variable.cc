@@ -2,14 +2,11 @@
 #include <utility>
 
 #include "lang/compiler.h"
+#include "lang/limits.h"
 #include "lang/number.h"
 
 namespace stanok::lang {
-namespace {
-
-constexpr double array_elements_max = 1e6;
-
-}  // namespace
+namespace {}  // namespace
 
 std::string_view type_name(Type type) {
   switch (type) {
@@ -181,7 +178,8 @@ void Compiler::compile_array(const DeclaredItem& item, Type type) {
     const auto constant = constant_of(dimension);
     if (!constant) continue;
     size *= constant->number;
-    if (is_integer(constant->number) && constant->number >= 1.0 && size <= array_elements_max) {
+    if (is_integer(constant->number) && constant->number >= 1.0 &&
+        size <= static_cast<double>(limits::array_elements)) {
       continue;
     }
     reporter_.error("E3017", dimension.span,

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
 namespace {
-
-constexpr std::size_t files_max = 256;
 
 // Calls `visit` for every list of statements inside `statement`.
 template <class Visit>
@@ -115,7 +114,7 @@ Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_v
 std::optional<Loader::FileIndex> Loader::add_file(std::shared_ptr<const SourceText> text) {
   const auto known = index_by_path_.find(text->path);
   if (known != index_by_path_.end()) return known->second;
-  if (loaded_.size() >= files_max) return std::nullopt;
+  if (loaded_.size() >= limits::files) return std::nullopt;
   const auto index = static_cast<FileIndex>(loaded_.size());
   index_by_path_.emplace(text->path, index);
   program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text))));

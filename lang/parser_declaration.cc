@@ -3,12 +3,11 @@
 #include <utility>
 
 #include "lang/builtin.h"
+#include "lang/limits.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
 namespace {
-
-constexpr std::size_t name_length_max = 64;
 
 Statement statement_of(Declaration declaration) {
   Statement statement;
@@ -22,7 +21,7 @@ std::string_view reason_against(std::string_view name) {
   if (name.size() < 2 || !is_name_start(name[1])) {
     return "a name begins with two letters; this begins like a word of a block";
   }
-  if (name.size() > name_length_max) return "a name has at most 64 characters";
+  if (name.size() > limits::name_characters) return "a name has at most 64 characters";
   if (is_keyword(wanted)) return "it is a keyword";
   if (is_reserved_word(wanted)) return "it is a reserved word";
   if (find_builtin(wanted) != nullptr || find_builtin_constant(wanted)) return "it is built in";

@@ -3,13 +3,11 @@
 #include <utility>
 
 #include "lang/builtin.h"
+#include "lang/limits.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
 namespace {
-
-constexpr int nesting_max = 64;
-constexpr int operators_max = 1000;
 
 struct BinaryOperator {
   std::string_view symbol;
@@ -84,7 +82,7 @@ Parser::MaybeExpression Parser::parse_expression(LineEnds line_ends) {
 }
 
 bool Parser::Nesting::allowed() {
-  if (parser_.nesting_ <= nesting_max) return true;
+  if (parser_.nesting_ <= limits::nesting) return true;
   parser_.reporter_.error("E2030", parser_.scanner_.here(), "an expression nested too deep",
                           "more than 64 levels");
   return false;
@@ -92,7 +90,7 @@ bool Parser::Nesting::allowed() {
 
 // Chains of operators become deep trees.
 bool Parser::count_operator(const Span& span) {
-  if (++operator_count_ <= operators_max) return true;
+  if (++operator_count_ <= limits::operators) return true;
   reporter_.error("E2031", span, "an expression with more than 1000 operators", "one too many");
   return false;
 }

@@ -1,6 +1,7 @@
 // ISO blocks: words, parameter settings, comments.
 #include <algorithm>
 
+#include "lang/limits.h"
 #include "lang/named_address.h"
 #include "lang/number.h"
 #include "lang/parser.h"
@@ -8,8 +9,6 @@
 namespace stanok::lang {
 namespace {
 
-// Longest ISO line (docs/language.md, "Limits").
-constexpr std::size_t line_max = 4096;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -118,7 +117,7 @@ Parser::MaybeStatement Parser::parse_iso() {
     }
     if (!parse_iso_part(block)) return std::nullopt;
   }
-  if (scanner_.offset() - start > line_max) {
+  if (scanner_.offset() - start > limits::block_bytes) {
     reporter_.error("E1007", {start, 1, line}, "the block is longer than 4096 bytes", "too long");
     return std::nullopt;
   }

@@ -6,14 +6,12 @@
 #include <array>
 #include <utility>
 
+#include "lang/limits.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
 namespace {
 
-constexpr int nesting_max = 64;
-constexpr int else_if_max = 1000;
-constexpr std::size_t arguments_max = 30;
 constexpr std::size_t program_digits_max = 8;
 
 // Keywords that end or divide what another O-line opened; `while` does so behind `do` only.
@@ -165,8 +163,8 @@ Parser::MaybeStatement Parser::parse_o_call(OLabel label) {
     if (!argument) return std::nullopt;
     call.arguments.push_back(std::move(*argument));
   }
-  if (call.arguments.size() > arguments_max) {
-    reporter_.error("E3005", call.arguments[arguments_max].span,
+  if (call.arguments.size() > limits::o_call_arguments) {
+    reporter_.error("E3005", call.arguments[limits::o_call_arguments].span,
                     "an O-line call takes at most 30 arguments", "one too many");
     return std::nullopt;
   }
@@ -202,7 +200,7 @@ Parser::MaybeStatement Parser::parse_o_if(const OpenOLine& open) {
     if (!finish_o_line()) return std::nullopt;
     end = parse_o_body(open, {"endif"}, statement.else_body);
   } else if (*end == "elseif") {
-    if (else_if_depth_ >= else_if_max) {
+    if (else_if_depth_ >= limits::else_ifs) {
       reporter_.error("E2031", open.span, "more than 1000 `elseif` in a row", "one too many");
       return std::nullopt;
     }
@@ -251,7 +249,7 @@ Parser::MaybeStatement Parser::parse_o_repeat(const OpenOLine& open) {
 std::optional<std::string> Parser::parse_o_body(const OpenOLine& open,
                                                 const std::vector<std::string_view>& ends,
                                                 StatementList& body) {
-  if (brace_depth_ + o_depth_ >= nesting_max) {
+  if (brace_depth_ + o_depth_ >= limits::nesting) {
     reporter_.error("E2030", open.span, "more than 64 nested O-lines and braces", "too deep");
     return std::nullopt;
   }

@@ -2,13 +2,11 @@
 #include <array>
 #include <utility>
 
+#include "lang/limits.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
 namespace {
-
-constexpr int nesting_max = 64;
-constexpr int else_if_max = 1000;
 
 constexpr auto keywords = std::to_array<std::string_view>(
     {"if",     "else", "while", "for",    "do",   "switch", "case",  "default", "break", "continue",
@@ -82,7 +80,7 @@ std::optional<StatementList> Parser::parse_body(std::string_view of) {
     return std::nullopt;
   }
   scanner_.take(LineEnds::blank);
-  if (brace_depth_ + o_depth_ >= nesting_max) {
+  if (brace_depth_ + o_depth_ >= limits::nesting) {
     reporter_.error("E2030", open.span, "more than 64 nested braces", "too deep");
     return std::nullopt;
   }
@@ -132,7 +130,7 @@ Parser::MaybeStatement Parser::parse_if() {
   scanner_.take(LineEnds::blank);
   const Token next = scanner_.peek(LineEnds::blank);
   if (next.kind == TokenKind::name && folded(next.text) == "if") {
-    if (else_if_depth_ >= else_if_max) {
+    if (else_if_depth_ >= limits::else_ifs) {
       reporter_.error("E2031", next.span, "more than 1000 `else if` in a row", "one too many");
       return std::nullopt;
     }

@@ -4,14 +4,12 @@
 #include <array>
 
 #include "lang/block_execution.h"
+#include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/source.h"
 
 namespace stanok::lang {
 namespace {
-
-// Longest line that is an ISO block (docs/language.md, "Limits").
-constexpr std::ptrdiff_t line_max = 4096;
 
 // Largest code, in tenths: M999.9 and what a CodeNumber holds.
 constexpr double code_number_max = 9999.0;
@@ -133,7 +131,9 @@ bool read_plain_line(const char*& at, const char* end, Surroundings surroundings
   if (cursor != end && (*cursor == 'N' || *cursor == 'n') && !skip_block_number(cursor, end)) {
     return false;
   }
-  if (!read_words(cursor, end, surroundings, words) || cursor - at > line_max) return false;
+  if (!read_words(cursor, end, surroundings, words) ||
+      cursor - at > static_cast<std::ptrdiff_t>(limits::block_bytes))
+    return false;
   skip_line_end(cursor, end);
   at = cursor;
   return true;

@@ -2,15 +2,14 @@
 #include <cmath>
 #include <utility>
 
+#include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {
 namespace {
 
-// docs/language.md, "Limits"; the second are 64 MiB.
-constexpr double elements_max = 1e6;
-constexpr std::size_t elements_of_run_max = (std::size_t{64} << 20) / sizeof(Value);
+constexpr std::size_t elements_of_run_max = limits::run_array_bytes / sizeof(Value);
 
 }  // namespace
 
@@ -49,7 +48,8 @@ void ProgramRun::make_array(const Instruction& instruction) {
   for (std::size_t i = instruction.count; i-- > 0;) sizes[i] = pop_number();
   const double count = sizes[0] * sizes[1];
   const bool whole = is_integer(sizes[0]) && is_integer(sizes[1]);
-  if (!whole || sizes[0] < 0.5 || sizes[1] < 0.5 || count > elements_max) {
+  if (!whole || sizes[0] < 0.5 || sizes[1] < 0.5 ||
+      count > static_cast<double>(limits::array_elements)) {
     return fail("E3017", "the size of an array is a whole number from 1 to 1000000", "not a size");
   }
   const auto elements = static_cast<std::size_t>(std::llround(count));

@@ -3,14 +3,12 @@
 #include <cmath>
 #include <utility>
 
+#include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {
 namespace {
-
-// Functions, call, M98, G65 and O-lines together (docs/language.md, "Limits").
-constexpr std::size_t call_depth_max = 64;
 
 // M98 P30100 is three calls of O100 (P of 5 to 8 digits, the last four are the program).
 constexpr int numbers_per_repeat = 10000;
@@ -18,7 +16,7 @@ constexpr int numbers_per_repeat = 10000;
 }  // namespace
 
 bool ProgramRun::check_call_depth() {
-  if (frames_.size() <= call_depth_max) return true;
+  if (frames_.size() <= limits::call_depth) return true;
   fail("E8001", "more than 64 nested calls", "one call too many");
   return false;
 }

@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {
 namespace {
-
-constexpr std::size_t text_max = 4096;
 
 std::uint32_t jump_target(const Instruction& instruction) {
   return instruction.operand;
@@ -61,7 +60,7 @@ void ProgramRun::execute_instruction(const Instruction& instruction) {
     case Op::join_texts: {
       const Value right = pop();
       std::string text = text_of(stack_.back()) + text_of(right);
-      if (text.size() > text_max) {
+      if (text.size() > limits::string_bytes) {
         return fail("E3009", "a string is longer than 4096 bytes", "too long");
       }
       stack_.back() = value_of(std::move(text));

@@ -5,11 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "lang/limits.h"
+
 namespace stanok::lang {
 namespace {
-
-// Of each severity.
-constexpr std::size_t diagnostics_max = 100;
 
 // Levenshtein distance, case-insensitive.
 std::size_t edits(std::string_view from, std::string_view to) {
@@ -95,7 +94,7 @@ void Reporter::add(Diagnostic diagnostic) {
 Diagnostic& Reporter::keep(Diagnostic diagnostic) {
   const bool error = diagnostic.severity == Severity::error;
   std::size_t& kept = error ? errors_kept_ : warnings_kept_;
-  if (kept >= diagnostics_max) {
+  if (kept >= limits::diagnostics) {
     overflow_ = std::move(diagnostic);
     return overflow_;
   }

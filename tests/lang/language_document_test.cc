@@ -8,6 +8,7 @@
 
 #include "lang/builtin.h"
 #include "lang/code_table.h"
+#include "lang/limits.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {
@@ -115,10 +116,32 @@ std::string variable_table_text() {
   return text + "\n";
 }
 
+std::string limit_table_text() {
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"bytes of a block | E1007", std::to_string(limits::block_bytes)},
+      {"braces and O-lines inside each other, brackets and parentheses inside each other | E2030",
+       std::to_string(limits::nesting)},
+      {"operators in an expression, `else if` of one `if` | E2031",
+       std::to_string(limits::operators)},
+      {"characters of a name | E3003", std::to_string(limits::name_characters)},
+      {"bytes of a string | E3009", std::to_string(limits::string_bytes)},
+      {"arguments of an O-line call | E3005", std::to_string(limits::o_call_arguments)},
+      {"calls inside each other, of all kinds together | E8001",
+       std::to_string(limits::call_depth)},
+      {"elements of an array | E3017", std::to_string(limits::array_elements)},
+      {"MiB of all arrays of a run | E8002", std::to_string(limits::run_array_bytes >> 20)},
+      {"files of a program | E8003", std::to_string(limits::files)},
+      {"errors shown of a file |", std::to_string(limits::diagnostics)}};
+  std::string text = "\n| what | beyond it | at most |\n|---|---|---|\n";
+  for (const auto& [what, most] : rows) text += "| " + what + " | " + most + " |\n";
+  return text + "\n";
+}
+
 std::vector<WrittenPart> written_parts() {
   return {{"codes", code_table_text()},
           {"functions", function_table_text()},
-          {"system variables", variable_table_text()}};
+          {"system variables", variable_table_text()},
+          {"limits", limit_table_text()}};
 }
 
 class LanguageDocument : public ProgramTest {

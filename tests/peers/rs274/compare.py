@@ -6,7 +6,7 @@ usage: compare.py [--verbose] STANOK [PROGRAM...]
 Without PROGRAM: those of programs/ and the ones generate.py makes. Ends with the number of programs
 that agree; exit code 1 when one does not, 77 when rs274 is not installed. A program may say
 
-  (tolerance 1e-3)       numbers of positions may differ by this much
+  (path 1e-3)            compared as paths within so many mm, whatever pieces they consist of
   (difference: RULE)     the two read it differently on purpose; RULE stands in differences.md
 """
 
@@ -22,16 +22,17 @@ sys.dont_write_bytecode = True  # the modules below stand in the source tree
 
 import canonical_calls
 import generate
+import paths
 import stanok_records
-from events import TOLERANCE, same, without_standing_moves
+from events import same, without_standing_moves
 
 HERE = Path(__file__).resolve().parent
 SKIPPED = 77
 
 
-def first_difference(ours, theirs, tolerance):
+def first_difference(ours, theirs):
     for number, (own, other) in enumerate(zip_longest(ours, theirs), start=1):
-        if own is None or other is None or not same(own, other, tolerance):
+        if own is None or other is None or not same(own, other):
             return (f"event {number}\n    stanok  {own.text() if own else 'nothing'}"
                     f"\n    rs274   {other.text() if other else 'nothing'}")
     return None
@@ -46,16 +47,16 @@ class Comparison:
     def difference(self, program):
         """What is wrong with this program, or None."""
         text = program.read_text(errors="replace")
-        tolerance = re.search(r"^\(tolerance (\S+)\)", text, re.MULTILINE)
+        path = re.search(r"^\(path (\S+)\)", text, re.MULTILINE)
         deliberate = re.search(r"^\(difference: (.*)\)", text, re.MULTILINE)
-        found = self.run(program, float(tolerance[1]) if tolerance else TOLERANCE)
+        found = self.run(program, float(path[1]) if path else None)
         if not deliberate:
             return found
         if deliberate[1] not in self.rules:
             return f"the rule '{deliberate[1]}' is missing in differences.md"
         return None if found else "the two agree, but a difference is stated"
 
-    def run(self, program, tolerance):
+    def run(self, program, path_tolerance):
         parameters = self.folder / "parameters.var"
         parameters.write_text("5220\t1\n")  # G54; all else is written by rs274
         own = other = None
@@ -77,7 +78,9 @@ class Comparison:
             return f"refused by stanok: {own_refusal}"
         if other is None:
             return f"refused by rs274: {other_refusal}"
-        return first_difference(without_standing_moves(own), without_standing_moves(other), tolerance)
+        if path_tolerance:
+            return paths.difference(own, other, path_tolerance)
+        return first_difference(without_standing_moves(own), without_standing_moves(other))
 
 
 def main():

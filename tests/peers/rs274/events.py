@@ -112,7 +112,7 @@ def numbers(event):
     return values
 
 
-def same(ours, theirs, geometry_tolerance=TOLERANCE):
+def same(ours, theirs):
     names = ("kind", "plane", "turns", "per_revolution")
     if any(getattr(ours, name) != getattr(theirs, name) for name in names):
         return False
@@ -120,7 +120,7 @@ def same(ours, theirs, geometry_tolerance=TOLERANCE):
             theirs.state, speed=0.0, tool_length=0.0):
         return False
     pairs = list(zip(numbers(replace(ours, unit=theirs.unit)), numbers(theirs)))
-    if any(abs(a - b) > max(geometry_tolerance, 1e-6 * abs(b)) for a, b in pairs):
+    if any(abs(a - b) > max(TOLERANCE, 1e-6 * abs(b)) for a, b in pairs):
         return False
     # A feed computed from a length (G93) carries the rounding of both ends of the move.
     return abs(ours.feed - theirs.feed) <= max(TOLERANCE * theirs.unit, 1e-4 * abs(theirs.feed))

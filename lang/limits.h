@@ -1,0 +1,24 @@
+// How much a program may hold: every limit of the language in one place, so that the checks and
+// docs/language.md ("Limits") agree. What has no row here has no limit but the memory of the
+// machine.
+#pragma once
+
+#include <cstddef>
+
+namespace stanok::lang::limits {
+
+inline constexpr int nesting = 64;  // of braces and O-lines; of brackets, parentheses and signs
+inline constexpr std::size_t block_bytes = 4096;
+inline constexpr int operators = 1000;  // of one expression
+inline constexpr int else_ifs = 1000;   // of one if
+inline constexpr std::size_t name_characters = 64;
+inline constexpr std::size_t string_bytes = 4096;
+inline constexpr std::size_t o_call_arguments = 30;
+inline constexpr std::size_t call_depth = 64;  // functions, O-subs, files and macros together
+inline constexpr std::size_t files = 256;      // of one program, includes counted
+inline constexpr std::size_t array_elements = 1'000'000;
+inline constexpr std::size_t run_array_bytes = std::size_t{64}
+                                               << 20;  // all arrays of a run together
+inline constexpr std::size_t diagnostics = 100;        // errors of a file, and warnings of it
+
+}  // namespace stanok::lang::limits
