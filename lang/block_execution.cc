@@ -6,6 +6,7 @@
 
 #include "lang/actions.h"
 #include "lang/macro_arguments.h"
+#include "lang/later_word.h"
 #include "lang/number.h"
 #include "lang/source.h"
 
@@ -88,8 +89,10 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
     return fault_at("E4004", word, "unknown code `" + name + "`", "no such code");
   }
   if (row->action == nullptr) {
-    return fault_at("E2090", word, "`" + name + "` is not supported in this release",
-                    std::string(row->title));
+    BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
+                                std::string(row->title));
+    if (const LaterWord* later = find_later_word(name)) fault.help.emplace_back(later->instead);
+    return fault;
   }
   if (kind != nullptr) {
     if (auto fault = unavailable(*row, *kind)) return fault;

@@ -1,6 +1,7 @@
 // ISO blocks: words, parameter settings, comments.
 #include <algorithm>
 
+#include "lang/later_word.h"
 #include "lang/limits.h"
 #include "lang/named_address.h"
 #include "lang/number.h"
@@ -151,9 +152,11 @@ bool Parser::parse_iso_part(IsoBlock& block) {
     return true;
   }
   if (c == '@' || c == '^' || c == ',') {
-    reporter_.error("E2090", scanner_.here(),
-                    std::string("`") + c + "` words are not supported in this release",
-                    c == ',' ? "corner chamfer and rounding" : "polar coordinates");
+    reporter_
+        .error("E2090", scanner_.here(),
+               std::string("`") + c + "` words are not supported in this release",
+               c == ',' ? "corner chamfer and rounding" : "polar coordinates")
+        .help.emplace_back(find_later_word({&c, 1})->instead);
     return false;
   }
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
@@ -342,10 +345,12 @@ bool Parser::parse_comment(IsoBlock& block) {
     block.comments.push_back({kind, comment_text(trimmed(text), span)});
   } else if (word == "log" || word == "logopen" || word == "logclose" || word == "logappend" ||
              word == "probeopen" || word == "probeclose") {
-    reporter_.error(
-        "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
-        "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
-        "active comment");
+    reporter_
+        .error(
+            "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
+            "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
+            "active comment")
+        .help.emplace_back(find_later_word("(LOG,...)")->instead);
     return false;
   }
   return true;

@@ -1,0 +1,21 @@
+// What belongs to the language but not to this release, and what works instead: for the help of
+// E2090 and the table of docs/language.md ("Not in this release").
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace stanok::lang {
+
+struct LaterWord {
+  std::string_view word;     // "G6.2", "@", "(LOG,...)"
+  std::string_view meaning;  // what it would do
+  std::string_view instead;  // what does the same today
+};
+
+[[nodiscard]] std::span<const LaterWord> later_words();
+
+// The row of a word, or nullptr: the code table alone knows more about it.
+[[nodiscard]] const LaterWord* find_later_word(std::string_view word);
+
+}  // namespace stanok::lang
