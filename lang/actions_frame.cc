@@ -15,8 +15,6 @@ int offset_number(CodeNumber code) {
   return code <= 590 ? (code - 540) / 10 + 1 : 6 + (code - 590);
 }
 
-}
-
 }  // namespace
 
 FrameChange frame_of(const ModalState& modal) {
@@ -44,24 +42,18 @@ void publish_frame(ActiveBlock& block, const WorkFrame& before) {
 }
 
 void restore_work_offset(ActiveBlock& block, const ModalState& saved) {
-  const AxisValues before = block.modal.offset();
+  const WorkFrame before = block.modal.frame();
   const int number_before = block.modal.work_offset_number;
-  block.modal.work_offset_number = saved.work_offset_number;
-  block.modal.work_offset =
-      block.tables.work_offset(saved.work_offset_number).value_or(AxisValues{});
+  take_work_offset(block.modal, block.tables, saved.work_offset_number);
   publish_frame(block, before, number_before);
 }
 
 void restore_shifts(ActiveBlock& block, const ModalState& saved) {
-  const AxisValues before = block.modal.offset();
+  const WorkFrame before = block.modal.frame();
   block.modal.local_shift = saved.local_shift;
   block.modal.axis_shift = saved.axis_shift;
   block.modal.axis_shift_active = saved.axis_shift_active;
   publish_frame(block, before);
-}
-
-void restore_length(ActiveBlock& block, const ToolLength& saved) {
-  change_length(block, saved);
 }
 
 void select_work_offset(ActiveBlock& block, CodeNumber code) {

@@ -113,6 +113,12 @@ void compensate_length(ActiveBlock& block, CodeNumber code) {
   change_length(block, length);
 }
 
+void restore_length(ActiveBlock& block, const ToolLength& saved) {
+  block.modal.length_base_mm = {};
+  block.modal.length_edge = 1;
+  change_length(block, saved);
+}
+
 void read_tool_length_again(ActiveBlock& block) {
   const ModalState& modal = block.modal;
   const CodeNumber code = modal.code(Group::length);

@@ -42,6 +42,7 @@ void restore_spindle(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
   const bool other_speed = modal.speed_rev_per_min != saved.speed_rev_per_min;
   modal.speed_rev_per_min = saved.speed_rev_per_min;
+  modal.speeds_rev_per_min[0] = saved.speed_rev_per_min;
   SpindleCommand command;
   command.speed_rev_per_min = saved.speed_rev_per_min;
   if (other_speed) {
@@ -53,7 +54,11 @@ void restore_spindle(ActiveBlock& block, const ModalState& saved) {
   command.action = !saved.spindle_running ? SpindleAction::stop
                    : code == 40           ? SpindleAction::counter_clockwise
                                           : SpindleAction::clockwise;
-  modal.spindle_running = saved.spindle_running;
+  constexpr std::uint16_t master = 1;
+  const std::uint16_t others = modal.running_spindles & static_cast<std::uint16_t>(~master);
+  modal.running_spindles =
+      static_cast<std::uint16_t>(others | (saved.spindle_running ? master : 0));
+  modal.spindle_running = modal.running_spindles != 0;
   block.set_modal(Group::spindle, code);
   block.queue.emit(command);
 }
