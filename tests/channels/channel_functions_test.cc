@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                                 ChannelState::ready},
                       OwnerCase{"NormalEnd", OwnerFailure::hold, "M30\n", true,
                                 ChannelState::ready}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 TEST_F(ChannelFunctionsTest, SwitchingOnNamesTheChannelsThatNeedAReset) {
   bench.ask(OperatorAction::machine_estop, 0);

@@ -82,8 +82,12 @@ TEST(Signals, OutputsSwitchInTheirPlace) {
   bench.run(1, "p.nc");
   bench.run_to_end([&](const CycleOutput& output) {
     const double x = output.channels[0].axes[0].position;
-    if (x < 10.0) EXPECT_EQ(output.signals.digital, 0U);
-    if (x > 11.0 && x < 19.0) EXPECT_EQ(output.signals.digital, 0b1010U);
+    if (x < 10.0) {
+      EXPECT_EQ(output.signals.digital, 0U);
+    }
+    if (x > 11.0 && x < 19.0) {
+      EXPECT_EQ(output.signals.digital, 0b1010U);
+    }
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_EQ(bench.output().signals.digital, 0b0010U);
@@ -96,9 +100,13 @@ TEST(Signals, OutputWithMotionDoesNotStopThePath) {
   bench.run(1, "p.nc");
   bench.run_to_end([&](const CycleOutput& output) {
     const AxisSetpoint& axis = output.channels[0].axes[0];
-    if (axis.position > 20.0 && axis.position < 130.0) EXPECT_NEAR(axis.velocity, 100.0, 1e-6);
+    if (axis.position > 20.0 && axis.position < 130.0) {
+      EXPECT_NEAR(axis.velocity, 100.0, 1e-6);
+    }
     EXPECT_EQ(output.signals.is_on(1), axis.position > 50.0) << axis.position;
-    if (axis.position < 100.0) EXPECT_EQ(output.signals.analog[0], 0.0);
+    if (axis.position < 100.0) {
+      EXPECT_EQ(output.signals.analog[0], 0.0);
+    }
   });
   EXPECT_EQ(bench.output().signals.analog[0], 2.0);
 }
