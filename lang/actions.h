@@ -84,6 +84,8 @@ void mirror_axes(ActiveBlock& block, CodeNumber code);      // G51.1
 void cancel_mirror(ActiveBlock& block, CodeNumber code);    // G50.1
 
 // Table input (actions_table.cc)
+// An axis word as it is written, without the halving of diameter mode: what goes into tables.
+[[nodiscard]] double table_value(const ActiveBlock& block, std::size_t axis);
 void write_table(ActiveBlock& block, CodeNumber code);  // G10
 
 // Reference points (actions_reference.cc)
@@ -91,6 +93,11 @@ void go_to_reference_point(ActiveBlock& block, CodeNumber code);  // G28 G30
 void store_reference_point(ActiveBlock& block, CodeNumber code);  // G28.1 G30.1
 // Where the axes stand in M; not under tip control.
 [[nodiscard]] AxisValues machine_position(const ActiveBlock& block);
+
+// Transformations (actions_transformation.cc)
+void select_polar_face(ActiveBlock& block, CodeNumber code);      // G12.1
+void select_cylinder(ActiveBlock& block, CodeNumber code);        // G7.1
+void cancel_transformation(ActiveBlock& block, CodeNumber code);  // G13.1
 
 // Parts that all changes of the frame share.
 
@@ -121,6 +128,12 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes);
 
 // Motion (actions_motion.cc, actions_arc.cc)
 void stop_at_block_end(ActiveBlock& block, CodeNumber code);        // G9
+void move_in_cubic(ActiveBlock& block, CodeNumber code);            // G5 (actions_spline.cc)
+void move_in_quadratic(ActiveBlock& block, CodeNumber code);        // G5.1
+void collect_nurbs_point(ActiveBlock& block, CodeNumber code);      // G5.2
+void end_nurbs(ActiveBlock& block, CodeNumber code);                // G5.3
+void accept_high_speed(ActiveBlock& block, CodeNumber code);        // G5 P, G5.1 Q
+void probe(ActiveBlock& block, CodeNumber code);                    // G38.2 ... (actions_probe.cc)
 void use_machine_coordinates(ActiveBlock& block, CodeNumber code);  // G53
 void move_straight(ActiveBlock& block, CodeNumber code);            // G0 G1
 void move_in_arc(ActiveBlock& block, CodeNumber code);              // G2 G3
@@ -138,6 +151,7 @@ enum class Exclusion : std::uint8_t {
   transformation,       // G12.1, G7.1
   drilling_cycle,
   inverse_time,  // G93
+  rotation,      // G68
 };
 // False, with the block failed, when axis words are programmed that are not `allowed`.
 [[nodiscard]] bool only_axes(ActiveBlock& block, CodeNumber code, AxisSet allowed);
@@ -147,6 +161,8 @@ enum class Exclusion : std::uint8_t {
 
 // The ends of the programmed axes, absolute in W (M under G53); others stay where they are.
 void resolve_ends(const ActiveBlock& block, Move& move);
+// Whether an axis is programmed in mm: all that are not rotary, and C on the polar face.
+[[nodiscard]] bool is_length(const ActiveBlock& block, std::size_t axis);
 // Feed and path mode; fails the block when a feed is missing.
 void resolve_feed(ActiveBlock& block, Move& move);
 // Tool length along an axis, as far as it lies between the axis and the programmed point, mm.

@@ -12,7 +12,7 @@
 namespace stanok::lang {
 namespace {
 
-using Point = std::array<double, 2>;
+using Point = PlanePoint;
 
 struct ArcPlane {
   std::size_t first = 0;  // channel axes of the plane
@@ -36,6 +36,11 @@ WordName arc_code(CodeNumber code) {
 std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
   static constexpr std::array<std::array<std::size_t, 2>, 3> coordinates{{{0, 1}, {2, 0}, {1, 2}}};
   const auto& [first, second] = coordinates[static_cast<std::size_t>(block.modal.plane())];
+  const int face_axis = block.modal.face_axis();
+  if (face_axis >= 0) {
+    return ArcPlane{static_cast<std::size_t>(block.modal.geometry[0]),
+                    static_cast<std::size_t>(face_axis)};
+  }
   const int first_axis = block.channel_words.geometry_axis(first);
   const int second_axis = block.channel_words.geometry_axis(second);
   if (first_axis < 0 || second_axis < 0) {
@@ -56,6 +61,11 @@ std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
     return std::nullopt;
   }
   return plane;
+}
+
+bool is_on_cylinder(const ActiveBlock& block) {
+  if (block.modal.code(Group::transformation) != 71) return false;
+  return (block.programmed & axis_bit(static_cast<std::size_t>(block.modal.transformed_axis))) != 0;
 }
 
 bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber code) {
@@ -153,12 +163,18 @@ bool check_radii(ActiveBlock& block, const Point& p0, const Point& p1, const Poi
 void move_in_arc(ActiveBlock& block, CodeNumber code) {
   const bool has_arc_word = block.has('I') || block.has('J') || block.has('K') || block.has('R');
   if (block.programmed == 0 && !has_arc_word) return;
+  if (is_on_cylinder(block)) {
+    block.fail("E2090", arc_code(code),
+               "an arc on the surface of a cylinder is not supported in this release",
+               "C is the surface of G7.1");
+    return;
+  }
   const auto plane = plane_of(block, code);
   if (!plane || !check_centre_words(block, *plane, code)) return;
 
   Move move;
   move.kind = MoveKind::arc;
-  move.plane = block.modal.plane();
+  move.plane = block.modal.face_axis() >= 0 ? Plane::xy : block.modal.plane();
   const bool mirrored = plane->first_gain * plane->second_gain < 0.0;
   move.counter_clockwise = (code == 30) != mirrored;
   resolve_ends(block, move);

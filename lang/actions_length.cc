@@ -73,7 +73,7 @@ void set_by_axis_words(ActiveBlock& block) {
   for (std::size_t k = 0; k < 3; ++k) {
     const int axis = block.channel_words.geometry_axis(k);
     if (axis < 0 || (block.programmed & axis_bit(static_cast<std::size_t>(axis))) == 0) continue;
-    length.offset_mm[k] = block.values[static_cast<std::size_t>(axis)];
+    length.offset_mm[k] = table_value(block, static_cast<std::size_t>(axis));
   }
   change_length(block, length);
 }

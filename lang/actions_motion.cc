@@ -14,6 +14,7 @@ double shortest_way(double programmed, double position, double modulo) {
 
 void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
   const WordName word{'G', 530, {}};
+  if (excluded_by_mode(block, 530, {Exclusion::transformation})) return;
   if (block.modal.length.mode == LengthMode::tip) {
     BlockFault& fault =
         block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "");
@@ -21,7 +22,7 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
     fault.help.push_back("switch it off with `G49` before");
   } else if (code > 10) {
     block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
-  } else if (block.modal.incremental()) {
+  } else if (block.modal.incremental() || block.incremental != 0) {
     block.fail("E4042", word, "`G53` needs absolute programming (G90)", "")
         .notes.push_back(block.modal.origin_of(Group::distance));
   }
@@ -48,6 +49,10 @@ void use_machine_coordinates(ActiveBlock& block, CodeNumber) {
   block.machine_coordinates = true;
 }
 
+bool is_length(const ActiveBlock& block, std::size_t axis) {
+  return !block.channel.axes[axis].rotary || block.modal.face_axis() == static_cast<int>(axis);
+}
+
 void resolve_ends(const ActiveBlock& block, Move& move) {
   const CoordinateMap& map = block.modal.map;
   const bool mapped = map.active() && !block.machine_coordinates;
@@ -61,7 +66,7 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     const double value = block.values[i];
     if (block.modal.incremental() || (block.incremental & axis_bit(i)) != 0) {
       move.end[i] += mapped ? map.gain(i) * value : value;
-    } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates) {
+    } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates && !is_length(block, i)) {
       move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);
     } else {
       move.end[i] = mapped ? map.to_work(i, value) : value;
@@ -74,8 +79,8 @@ void resolve_feed(ActiveBlock& block, Move& move) {
   move.path = modal.path;
   move.feed_mode = modal.feed_mode();
   if (move.kind == MoveKind::rapid) return;
-  const bool linear =
-      move.kind == MoveKind::arc || (move.words & block.channel_words.linear_axes()) != 0;
+  const bool linear = move.kind == MoveKind::arc || modal.transformed_axis >= 0 ||
+                      (move.words & block.channel_words.linear_axes()) != 0;
   const bool inverse_time = move.feed_mode == FeedMode::inverse_time;
   if (inverse_time && !block.has('F')) {
     block.fail("E4023", {}, "a motion block in G93 needs its own F", "no F")

@@ -27,12 +27,6 @@ bool is_programmed(const ActiveBlock& block, std::size_t axis) {
   return (block.programmed & axis_bit(axis)) != 0;
 }
 
-// An axis word without the halving of diameter mode.
-double table_value(const ActiveBlock& block, std::size_t axis) {
-  const bool halved = block.modal.diameters() && block.channel.axes[axis].geometry == 0;
-  return halved ? 2.0 * block.values[axis] : block.values[axis];
-}
-
 void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value) {
   Request request;
   request.kind = RequestKind::tool_table_write;
@@ -183,6 +177,11 @@ void write_tool_length_here(ActiveBlock& block, bool in_fixture) {
 }
 
 }  // namespace
+
+double table_value(const ActiveBlock& block, std::size_t axis) {
+  const bool halved = block.modal.diameters() && block.channel.axes[axis].geometry == 0;
+  return halved ? 2.0 * block.values[axis] : block.values[axis];
+}
 
 void write_table(ActiveBlock& block, CodeNumber) {
   for (const char letter : {'L', 'P'}) {

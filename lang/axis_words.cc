@@ -1,4 +1,5 @@
 // The axis words of a block: their values in mm and deg (radius), as programmed.
+#include "lang/actions.h"
 #include "lang/block_execution.h"
 
 namespace stanok::lang {
@@ -7,7 +8,7 @@ namespace {
 // Takes the value of an axis word, in mm and deg. False when the axis has one already.
 bool take_axis_value(ActiveBlock& block, std::size_t axis, double value) {
   const AxisDescription& description = block.channel.axes[axis];
-  if (!description.rotary) value *= block.length_unit();
+  if (is_length(block, axis)) value *= block.length_unit();
   if (block.modal.diameters() && description.geometry == 0) value *= 0.5;
   const bool first = (block.programmed & axis_bit(axis)) == 0;
   block.programmed = static_cast<AxisSet>(block.programmed | axis_bit(axis));

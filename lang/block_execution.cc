@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "lang/actions.h"
-#include "lang/macro_arguments.h"
 #include "lang/later_word.h"
+#include "lang/macro_arguments.h"
 #include "lang/number.h"
 #include "lang/source.h"
 
@@ -78,10 +78,41 @@ bool only_ends_cycle(BlockCodes& codes, const Code& row) {
   return false;
 }
 
+// G5 and G5.1 without axis words are no curves.
+const Code high_speed_by_p{'G',
+                           50,
+                           Group::none,
+                           0,
+                           Phase::path_mode,
+                           AxisWords::unused,
+                           letters_of("P"),
+                           Availability::everywhere,
+                           accept_high_speed,
+                           "look-ahead switch"};
+const Code high_speed_by_q{'G',
+                           51,
+                           Group::none,
+                           0,
+                           Phase::path_mode,
+                           AxisWords::unused,
+                           letters_of("Q"),
+                           Availability::everywhere,
+                           accept_high_speed,
+                           "look-ahead switch"};
+
+const Code* row_of(char letter, CodeNumber number, const BlockWords& words) {
+  const bool switch_only =
+      words.named.empty() && (words.letters & (customary_axis_letters | letters_of("IJ"))) == 0;
+  if (letter == 'G' && number == 50 && switch_only && !words.has('Q')) return &high_speed_by_p;
+  if (letter == 'G' && number == 51 && switch_only) return &high_speed_by_q;
+  return find_code(letter, number);
+}
+
 std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
-                                   const ChannelKind* kind, const ChannelDialect& dialect) {
+                                   const BlockWords& words, const ChannelKind* kind,
+                                   const ChannelDialect& dialect) {
   if (number == code_computed_later) return std::nullopt;
-  const Code* row = find_code(letter, number);
+  const Code* row = row_of(letter, number, words);
   if (row == nullptr) row = dialect.output(letter, number);
   const std::string name = code_text(letter, number);
   const WordName word{letter, number, {}};
@@ -134,10 +165,10 @@ std::optional<BlockFault> find_axis_user(BlockCodes& codes) {
 std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKind* kind,
                                         const ChannelDialect& dialect, BlockCodes& codes) {
   for (const CodeNumber number : words.g) {
-    if (auto fault = add_code(codes, 'G', number, kind, dialect)) return fault;
+    if (auto fault = add_code(codes, 'G', number, words, kind, dialect)) return fault;
   }
   for (const CodeNumber number : words.m) {
-    if (auto fault = add_code(codes, 'M', number, kind, dialect)) return fault;
+    if (auto fault = add_code(codes, 'M', number, words, kind, dialect)) return fault;
   }
   return find_axis_user(codes);
 }
@@ -212,9 +243,22 @@ void apply_units(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
+// The motion code of a block that has one.
+const Code& motion_row(const BlockCodes& codes) {
+  std::size_t i = 0;
+  while (codes.rows[i]->group != Group::motion) ++i;
+  return *codes.rows[i];
+}
+
 // The modally active motion takes the axis words that no code of the block claims.
 void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_words) {
   if (codes.axis_user != nullptr) return;
+  if (codes.has(Group::motion) && block.programmed != 0) {
+    const Code& row = motion_row(codes);
+    block.fail("E4012", {row.letter, row.number, {}},
+               "`" + code_text(row.letter, row.number) + "` takes no axis words", "");
+    return;
+  }
   const CodeNumber number = block.modal.code(Group::motion);
   const bool arc = number == 20 || number == 30;
   const bool moves = block.programmed != 0 || (arc && (free_words & arc_words) != 0);
@@ -229,6 +273,34 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
   codes.rows[static_cast<std::size_t>(codes.count++)] = motion;
   codes.words |= motion->words;
   codes.axis_user = motion;
+}
+
+// Increments are ways to go: other codes than motions have no use for them.
+void check_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
+  if (block.incremental == 0 || codes.axis_user == nullptr) return;
+  const Code& user = *codes.axis_user;
+  const bool moves = user.phase == Phase::motion || user.action == go_to_reference_point;
+  if (moves) return;
+  const char letter = first_letter(block.words.letters & block.channel_words.incremental_letters());
+  block.fail("E4302", {letter, -1, {}},
+             "`" + code_text('G', user.number) + "` cannot take the increment `" + letter + "`",
+             "not here");
+}
+
+// Between G5.2 and G5.3 there are control points, nothing else.
+void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
+  if (!block.modal.curve.open()) return;
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    if (row.action == collect_nurbs_point || row.action == end_nurbs) continue;
+    BlockFault& fault =
+        block.fail("E4312", {row.letter, row.number, {}},
+                   "`" + code_text(row.letter, row.number) + "` inside a NURBS curve",
+                   "the curve is not ended");
+    fault.notes.push_back(block.modal.origin_of(Group::motion));
+    fault.help.emplace_back("end the curve with `G5.3` before");
+    return;
+  }
 }
 
 void check_unused(ActiveBlock& block, const BlockCodes& codes) {
@@ -351,6 +423,8 @@ void execute_block(ActiveBlock& block) {
   add_modal_motion(block, codes, block.words.letters & ~codes.words);
   if (block.failed()) return;
   check_unused(block, codes);
+  check_incremental_words(block, codes);
+  check_open_curve(block, codes);
   if (block.failed()) return;
   add_feed_speed_tool(block, codes);
   run_actions(block, codes);
@@ -360,6 +434,7 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   const BlockWords& words = block.words;
   CodeNumber motion = block.modal.code(Group::motion);
   if (words.m.count != 0 || words.g.count > 1) return false;
+  if (motion == 52) return false;  // inside a NURBS curve
   if (words.g.count == 1) motion = words.g.numbers[0];
   if (motion != 0 && motion != 10) return false;
   const LetterSet axes = words.letters & block.channel_words.letters();

@@ -33,6 +33,8 @@ constexpr auto variables = std::to_array<SystemVariable>({
     {"line", Type::number, Type::none, false},
     {"program", Type::string, Type::none, false},
     {"prog_pos", Type::number, Type::axis, false},
+    {"probe_ok", Type::boolean, Type::none, false},
+    {"probe", Type::number, Type::axis, false},
     {"g", Type::number, Type::number, false},
     {"feed", Type::number, Type::none, false},
     {"speed", Type::number, Type::none, false},

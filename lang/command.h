@@ -91,9 +91,12 @@ struct ProbeMove {
 
 enum class Transformation : std::uint8_t { off, polar_face, cylinder };  // G13.1, G12.1, G7.1
 
+// Off, the rotary axis is one in deg. On the polar face it is programmed in mm and is, after X, the
+// second axis of Plane::xy; on the cylinder it stays in deg. RequestKind::sync follows.
 struct TransformationChange {
   Transformation kind = Transformation::off;
   double radius_mm = 0.0;  // cylinder
+  int rotary_axis = -1;    // index in the channel
 };
 
 struct Dwell {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/diagnostic.h"
 #include "lang/code_table.h"
@@ -83,6 +84,21 @@ struct RadiusCompensation {
   bool operator==(const RadiusCompensation&) const = default;
 };
 
+// First and second coordinate in the plane of an arc or curve, mm.
+using PlanePoint = std::array<double, 2>;
+
+// What a spline leaves to the next block.
+struct ProgrammedCurve {
+  PlanePoint arrival{};  // G5: from the end to its second control point, in W
+
+  // G5.2, until G5.3: control points with the start, in W.
+  int order = 0;
+  std::vector<PlanePoint> points;
+  std::vector<double> weights;
+
+  [[nodiscard]] bool open() const { return !points.empty(); }
+};
+
 struct ModalState {
   // The active code of each group in tenths (G1 = 10), and the line that set it; 0 = default.
   std::array<CodeNumber, group_count> codes{};
@@ -132,6 +148,8 @@ struct ModalState {
   ProgrammedRotation rotation;    // G68
   CoordinateMap map;              // G51, G51.1
   GeometryAxes geometry{-1, -1, -1};
+  int transformed_axis = -1;  // rotary axis of G12.1 or G7.1; -1: off
+  ProgrammedCurve curve;
   AxisValues position_W{};
 
   [[nodiscard]] CodeNumber code(Group group) const {
@@ -149,6 +167,10 @@ struct ModalState {
   [[nodiscard]] bool diameters() const { return code(Group::diameter) == 70; }
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] FeedMode feed_mode() const;
+  // The rotary axis that is programmed in mm (G12.1), or -1.
+  [[nodiscard]] int face_axis() const {
+    return code(Group::transformation) == 121 ? transformed_axis : -1;
+  }
   // Everything between W and B: p_B = work offset + its rotation * (G52 + G92 + G68 * p_W).
   [[nodiscard]] WorkFrame frame() const;
   // What an absolute word would have to say, in mm and deg, for the axis to stay where it is.

@@ -22,6 +22,8 @@ constexpr ExcludedMode modes[] = {
      "end it with `G80` before"},
     {Exclusion::inverse_time, Group::feed_mode, "the feed is an inverse time",
      "program `G94` or `G95` before"},
+    {Exclusion::rotation, Group::rotation, "the coordinate system is turned",
+     "end it with `G69` before"},
 };
 
 bool is_active(const ModalState& modal, Exclusion exclusion) {
@@ -38,6 +40,8 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
     }
     case Exclusion::inverse_time:
       return modal.feed_mode() == FeedMode::inverse_time;
+    case Exclusion::rotation:
+      return modal.code(Group::rotation) != 690;
   }
   return false;
 }

@@ -107,6 +107,8 @@ Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
   answer_owed_ = request != nullptr;
   if (answer_owed_ && request->kind == RequestKind::input_wait)
     answer_use_ = AnswerUse::input_result;
+  if (answer_owed_ && request->kind == RequestKind::probe_result)
+    answer_use_ = request->statement ? AnswerUse::probe_or_alarm : AnswerUse::probe;
   return Step::command;
 }
 
@@ -200,6 +202,7 @@ void ProgramRun::end_program(ProgramEndKind kind) {
   const bool overrides_usual =
       modal_.feed_override && modal_.spindle_override && !modal_.adaptive_feed && modal_.feed_stop;
   if (!overrides_usual) queue_.emit(OverrideControl{});
+  if (modal_.transformed_axis >= 0) queue_.emit(TransformationChange{});
   queue_.emit(ProgramEnd{kind});
   phase_ = Phase::ended;
 }
@@ -250,10 +253,27 @@ void ProgramRun::answer(const Answer& answer) {
     case AnswerUse::restore_state:
       finish_restoring(statement_);
       break;
+    case AnswerUse::probe:
+      take_probe_answer(answer, false);
+      break;
+    case AnswerUse::probe_or_alarm:
+      take_probe_answer(answer, true);
+      break;
     case AnswerUse::fail_run:
       fail_with(std::move(error_after_answer_));
       break;
   }
+}
+
+// Where the probe changed, in programmed coordinates of now.
+void ProgramRun::take_probe_answer(const Answer& answer, bool alarm_when_missed) {
+  points_.probe.found = answer.ok;
+  points_.probe.position = modal_.frame().work_from_base(answer.probe_B);
+  for (std::size_t i = 0; i < channel_.axes.size(); ++i) {
+    double& coordinate = points_.probe.position[i];
+    coordinate = modal_.map.to_program(i, answer.ok ? coordinate : modal_.position_W[i]);
+  }
+  if (!answer.ok && alarm_when_missed) fail("E4320", "the probe did not change", "nothing found");
 }
 
 // A statement whose value nobody reads: a false result must not be lost.

@@ -56,7 +56,9 @@ class ProgramRun : private ContourSource {
     input_result,
     statement,
     restore_state,
-    fail_run
+    fail_run,
+    probe,
+    probe_or_alarm
   };
 
   // RS274 parameters that belong to one call: #1 to #30 and #<name>.
@@ -116,6 +118,7 @@ class ProgramRun : private ContourSource {
   void end_program(ProgramEndKind kind);
   void read_tables_again();
   void take_statement_answer(const Answer& answer);
+  void take_probe_answer(const Answer& answer, bool alarm_when_missed);
   void fail_with_answer(std::string_view code, const Answer& answer);
 
   // program_run_code.cc: one instruction

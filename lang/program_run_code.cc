@@ -220,6 +220,11 @@ void ProgramRun::push_system_value(const Instruction& instruction) {
   if (name == "channel") value = channel_.id;
   if (name == "line") value = span().line;
   if (name == "prog_pos") value = programmed_position(around_, static_cast<std::size_t>(index));
+  if (name == "probe_ok") value = points_.probe.found ? 1.0 : 0.0;
+  if (name == "probe") {
+    const auto axis = static_cast<std::size_t>(index);
+    value = as_programmed(around_, axis, points_.probe.position[axis]);
+  }
   if (name == "feed") value = modal_.feed_programmed;
   if (name == "speed") value = modal_.speed_rev_per_min;
   if (name == "tool") value = modal_.tool_active;
@@ -287,6 +292,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
     case Op::end_of_text:
       queue_.set_origin({frames_.back().file, span().line}, block_);
       if (frames_.size() > 1) return leave_subprogram();
+      if (modal_.curve.open())
+        return fail("E4312", "the text ends inside a NURBS curve", "no G5.3");
       return end_program(ProgramEndKind::end_of_text);
     default:
       STANOK_ASSERT(false);

@@ -134,7 +134,8 @@ class Describer {
     static const char* const names[] = {"off", "polar face", "cylinder"};
     std::string text = std::string("transformation ") + names[static_cast<int>(change.kind)];
     if (change.radius_mm != 0.0) text += " " + number_text(change.radius_mm);
-    return text;
+    if (change.rotary_axis < 0) return text;
+    return text + " " + channel_.axes[static_cast<std::size_t>(change.rotary_axis)].word;
   }
   std::string operator()(const CuttingSpeedMode& mode) const {
     if (!mode.constant) return "cutting speed off";

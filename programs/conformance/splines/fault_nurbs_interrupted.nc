@@ -1,0 +1,7 @@
+F100 G5.2 L3
+X1 Y1
+M8
+X2
+G5.3
+M30
+; expect error 3:1 E4312

@@ -1,0 +1,60 @@
+// Probing: what the program learns from the channel's answer.
+#include "tests/lang/program_support.h"
+
+namespace stanok::lang::testing {
+namespace {
+
+class Probing : public ProgramTest {
+ protected:
+  // The probe changes at (107, 3) of the base, and the axes stand there.
+  void find_at_a_point() {
+    answering = [](const Request& request) {
+      Answer answer;
+      if (request.kind != RequestKind::probe_result) return answer;
+      answer.probe_B = {107.0, 3.0, 0.0};
+      answer.position_B = answer.probe_B;
+      answer.position_valid = true;
+      return answer;
+    };
+  }
+  void find_nothing() {
+    answering = [](const Request& request) {
+      Answer answer;
+      answer.ok = request.kind != RequestKind::probe_result;
+      return answer;
+    };
+  }
+};
+
+TEST_F(Probing, TellsThePointInTheSystemAndTheUnitsOfTheProgram) {
+  tables.offsets[2] = {100.0, 0.0, 0.0};
+  find_at_a_point();
+  EXPECT_EQ(messages("G55\nG51 X0 Y0 P2\nG38.2 X20 F50\n"
+                     "msg (str ($probe[X]) + \" \" + str (#5062) + \" \" + str (#5070));\n"
+                     "G7\nmsg (str ($probe[X]) + \" \" + str ($prog_pos[X]));\nM30\n"),
+            (std::vector<std::string>{"3.5 1.5 1", "7 7"}));
+}
+
+TEST_F(Probing, GoesOnFromWhereTheProbeChanged) {
+  find_at_a_point();
+  const auto list = moves("G38.4 X200 F50\nG91 G1 X1\nM30\n");
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].end[0], 108.0);
+}
+
+TEST_F(Probing, WithoutContactIsAnErrorOnlyWhereItIsAsked) {
+  find_nothing();
+  for (const char* const code : {"G38.2", "G38.4"}) {
+    EXPECT_EQ(error_code(std::string(code) + " X5 F50\nM30\n"), "E4320") << code;
+    EXPECT_EQ(error.place.line, 1);
+  }
+  for (const char* const code : {"G38.3", "G38.5"}) {
+    EXPECT_EQ(messages(std::string(code) + " X5 F50\n" +
+                       "if (!$probe_ok) { msg (str (#5061) + \" \" + str (#5070)); }\nM30\n"),
+              std::vector<std::string>{"5 0"})
+        << code;
+  }
+}
+
+}  // namespace
+}  // namespace stanok::lang::testing
