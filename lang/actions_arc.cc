@@ -12,7 +12,7 @@
 namespace stanok::lang {
 namespace {
 
-using Point = PlanePoint;
+using Point = CurvePoint;
 
 struct ArcPlane {
   std::size_t first = 0;  // channel axes of the plane

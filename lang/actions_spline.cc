@@ -46,18 +46,18 @@ std::optional<CurvePlane> plane_of(ActiveBlock& block, CodeNumber code) {
   return plane;
 }
 
-PlanePoint point_in(const CurvePlane& plane, const AxisValues& values) {
+CurvePoint point_in(const CurvePlane& plane, const AxisValues& values) {
   return {values[plane.first], values[plane.second]};
 }
 
 // A distance given by two words, 0 where one is missing, in W.
-PlanePoint distance_of(const ActiveBlock& block, const CurvePlane& plane, char first, char second) {
+CurvePoint distance_of(const ActiveBlock& block, const CurvePlane& plane, char first, char second) {
   const CoordinateMap& map = block.modal.map;
   return {block.has(first) ? map.gain(plane.first) * block.length(first) : 0.0,
           block.has(second) ? map.gain(plane.second) * block.length(second) : 0.0};
 }
 
-PlanePoint sum(const PlanePoint& a, const PlanePoint& b) {
+CurvePoint sum(const CurvePoint& a, const CurvePoint& b) {
   return {a[0] + b[0], a[1] + b[1]};
 }
 
@@ -91,12 +91,12 @@ void move_in_cubic(ActiveBlock& block, CodeNumber code) {
     return;
   }
   SplineMove spline = curve_to_words(block);
-  const PlanePoint start = point_in(*plane, block.modal.position_W);
-  const PlanePoint end = point_in(*plane, spline.base.end);
-  const PlanePoint arrival = distance_of(block, *plane, 'P', 'Q');
-  const PlanePoint& before = block.modal.curve.arrival;
-  const PlanePoint departure =
-      has_start ? distance_of(block, *plane, 'I', 'J') : PlanePoint{-before[0], -before[1]};
+  const CurvePoint start = point_in(*plane, block.modal.position_W);
+  const CurvePoint end = point_in(*plane, spline.base.end);
+  const CurvePoint arrival = distance_of(block, *plane, 'P', 'Q');
+  const CurvePoint& before = block.modal.curve.arrival;
+  const CurvePoint departure =
+      has_start ? distance_of(block, *plane, 'I', 'J') : CurvePoint{-before[0], -before[1]};
   spline.degree = 3;
   spline.points = {sum(start, departure), sum(end, arrival), end};
   block.modal.curve.arrival = arrival;
@@ -106,8 +106,8 @@ void move_in_cubic(ActiveBlock& block, CodeNumber code) {
 void move_in_quadratic(ActiveBlock& block, CodeNumber code) {
   const auto plane = plane_of(block, code);
   if (!plane) return;
-  const PlanePoint control = distance_of(block, *plane, 'I', 'J');
-  if (control == PlanePoint{}) {
+  const CurvePoint control = distance_of(block, *plane, 'I', 'J');
+  if (control == CurvePoint{}) {
     fail_missing(block, code, "I or J, from its start to the control point");
     return;
   }
@@ -145,7 +145,7 @@ void collect_nurbs_point(ActiveBlock& block, CodeNumber code) {
   }
   if (block.programmed == 0) return;
   const CoordinateMap& map = block.modal.map;
-  PlanePoint point = curve.points.back();
+  CurvePoint point = curve.points.back();
   const std::array<std::size_t, 2> axes{plane->first, plane->second};
   for (std::size_t k = 0; k < 2; ++k) {
     const std::size_t axis = axes[k];

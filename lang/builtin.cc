@@ -340,7 +340,6 @@ constexpr auto rows = std::to_array<Builtin>({
     channel("mark_is_set", Type::boolean, "nn", RequestKind::mark_state, ""),
 });
 
-
 }  // namespace
 
 const Builtin* find_builtin(std::string_view folded_name) {

@@ -25,7 +25,7 @@ enum class Effect : std::uint8_t {
   channel_error,  // why the last channel function returned false
   mark,           // mark_set, mark_clear, mark_wait_soft: `mark`
   mark_wait,
-  table,  // settable_zs and its kin: `request`
+  table,          // settable_zs and its kin: `request`
   argument,       // arg ("X"): a word of the block that called the macro
   has_argument,   // has_arg ("X")
   save_state,     // save_gvector

@@ -85,15 +85,15 @@ struct RadiusCompensation {
 };
 
 // First and second coordinate in the plane of an arc or curve, mm.
-using PlanePoint = std::array<double, 2>;
+using CurvePoint = std::array<double, 2>;
 
 // What a spline leaves to the next block.
 struct ProgrammedCurve {
-  PlanePoint arrival{};  // G5: from the end to its second control point, in W
+  CurvePoint arrival{};  // G5: from the end to its second control point, in W
 
   // G5.2, until G5.3: control points with the start, in W.
   int order = 0;
-  std::vector<PlanePoint> points;
+  std::vector<CurvePoint> points;
   std::vector<double> weights;
 
   [[nodiscard]] bool open() const { return !points.empty(); }

@@ -192,8 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"G0 X#1.5", "E3010"}, FaultCase{"R1000=1", "E3015"},
                       FaultCase{"aa = Q;", "E4010"}, FaultCase{"aa = X;", "E3004"},
                       FaultCase{"aa = $nothing;", "E3001"}, FaultCase{"G0 X=ok", "E3004"},
-                      FaultCase{"aa = clamp (1, 3, 2);", "E3009"},
-                      FaultCase{"mark_set (1);", "E2090"}));
+                      FaultCase{"aa = clamp (1, 3, 2);", "E3009"}));
 
 }  // namespace
 }  // namespace stanok::lang::testing

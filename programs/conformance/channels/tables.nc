@@ -4,7 +4,7 @@ settable_zs (1, 2, X, 5);
 G20
 if (settable_tool (3, 1, "radius", 0.5) == false) { M0
 }
-; expect: request write tool channel 4 3
+; expect: request write tool channel 4 3 12.7
 num depth = gettable_tool (3, 1, 4);
 ; expect: request read tool channel 4 3
 G0 X=depth * 25.4
