@@ -15,7 +15,7 @@ M70
 M71
 M72
 M30
-; expect error 17:1 E4014
+; expect error 16:1 E4014
 O7
 M73
 G91 F20
