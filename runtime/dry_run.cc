@@ -93,7 +93,11 @@ DryRunResult DryRun::run(const std::string& program, Reachability reachability,
 void DryRun::take(const lang::Command& command, Reachability reachability, const RecordSink& record,
                   const RequestSink& request, Diagnostics& diagnostics) {
   if (const lang::Move* const move = lang::move_of(command.payload)) {
-    return take_move(command, *move, reachability, record, diagnostics);
+    lang::Move way = *move;
+    // The spindle gives the feed of a thread; the way is the same without one.
+    if (std::holds_alternative<lang::SynchronousMove>(command.payload))
+      way.kind = lang::MoveKind::rapid;
+    return take_move(command, way, reachability, record, diagnostics);
   }
   record(command, nullptr);
   if (const auto* wish = std::get_if<lang::Request>(&command.payload)) {
