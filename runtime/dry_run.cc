@@ -93,11 +93,10 @@ DryRunResult DryRun::run(const std::string& program, Reachability reachability,
 void DryRun::take(const lang::Command& command, Reachability reachability, const RecordSink& record,
                   const RequestSink& request, Diagnostics& diagnostics) {
   if (const lang::Move* const move = lang::move_of(command.payload)) {
-    lang::Move way = *move;
-    // The spindle gives the feed of a thread; the way is the same without one.
-    if (std::holds_alternative<lang::SynchronousMove>(command.payload))
-      way.kind = lang::MoveKind::rapid;
-    return take_move(command, way, reachability, record, diagnostics);
+    if (const auto* synchronous = std::get_if<lang::SynchronousMove>(&command.payload)) {
+      return take_synchronous(command, *synchronous, reachability, record, diagnostics);
+    }
+    return take_move(command, *move, reachability, record, diagnostics);
   }
   record(command, nullptr);
   if (const auto* wish = std::get_if<lang::Request>(&command.payload)) {
@@ -127,6 +126,21 @@ void DryRun::take_move(const lang::Command& command, const lang::Move& move,
     builder_.restart(blocks_.position_W());
   }
   builder_.built().clear();
+}
+
+// The spindle gives the feed; the way is the same without one. A rigid tap comes back.
+void DryRun::take_synchronous(const lang::Command& command, const lang::SynchronousMove& move,
+                              Reachability reachability, const RecordSink& record,
+                              Diagnostics& diagnostics) {
+  const motion::Point start_W = blocks_.position_W();
+  lang::Move way = move.line;
+  way.kind = lang::MoveKind::rapid;
+  take_move(command, way, reachability, record, diagnostics);
+  if (move.kind != lang::SynchronousMove::Kind::rigid_tap) return;
+  std::copy_n(start_W.begin(), way.end.size(), way.end.begin());
+  take_move(
+      command, way, reachability, [](const lang::Command&, const motion::PathBlock*) {},
+      diagnostics);
 }
 
 void DryRun::take_request(const lang::Command& command, const lang::Request& request,

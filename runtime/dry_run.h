@@ -49,6 +49,9 @@ class DryRun {
             const RequestSink& request, Diagnostics& diagnostics);
   void take_move(const lang::Command& command, const lang::Move& move, Reachability reachability,
                  const RecordSink& record, Diagnostics& diagnostics);
+  void take_synchronous(const lang::Command& command, const lang::SynchronousMove& move,
+                        Reachability reachability, const RecordSink& record,
+                        Diagnostics& diagnostics);
   void take_request(const lang::Command& command, const lang::Request& request,
                     const RequestSink& sink);
   void switch_scheme(int id);

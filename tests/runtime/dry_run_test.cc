@@ -37,5 +37,22 @@ TEST(CheckProgram, FollowsThreadsWhoseFeedTheSpindleGives) {
     ADD_FAILURE() << diagnostic.code << " " << diagnostic.message;
 }
 
+TEST(DryRun, StandsWhereARigidTapBegan) {
+  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
+                                              "machines" / "mill3.toml");
+  const OneProgram files("G21 G90 G94\nS300 M3\nG0 X0 Y0 Z5\nG33.1 Z-10 K1\nG0 X5\nM30\n");
+  DryRun dry_run(file.machine, 1, -1, files);
+  motion::Point last{};
+  const DryRunResult result = dry_run.run(
+      "part.nc", Reachability::unchecked,
+      [&](const lang::Command&, const motion::PathBlock* block) {
+        if (block != nullptr) last = block->end;
+      },
+      [](const lang::Request&, const lang::Command&) {});
+  EXPECT_TRUE(result.diagnostics.empty());
+  EXPECT_EQ(last[0], 5.0);
+  EXPECT_EQ(last[2], 5.0);
+}
+
 }  // namespace
 }  // namespace stanok::runtime
