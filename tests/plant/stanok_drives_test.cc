@@ -74,9 +74,7 @@ class Process {
 class StanokDrives : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(program)) {
-      GTEST_SKIP() << program << " is not built";
-    }
+    ASSERT_TRUE(std::filesystem::exists(program)) << program << " is not built";
   }
 };
 
