@@ -57,12 +57,12 @@ def chord(radius):
     return math.inf if radius is None else 2 * math.sqrt(2 * radius * SAGITTA)
 
 
-def polyline(events):
-    return [p for start, event in elements_of(events) for p in points_of(start, event, chord)]
+def polyline(elements):
+    return [p for start, event in elements for p in points_of(start, event, chord)]
 
 
-def samples(events):
-    return [p for start, event in elements_of(events)
+def samples(elements):
+    return [p for start, event in elements
             for p in points_of(start, event, lambda _: SAMPLE_STEP)]
 
 
@@ -87,8 +87,8 @@ def farthest(points, others):
 
 
 def difference(ours, theirs, tolerance):
-    """What is wrong, or None."""
-    ends = [next((e.end[:3] for e in reversed(events) if e.end), None) for events in (ours, theirs)]
+    """What is wrong, or None; both are lists of elements."""
+    ends = [next((event.end[:3] for _, event in reversed(one)), None) for one in (ours, theirs)]
     if None in ends or math.dist(*ends) > tolerance:
         return f"stanok ends at {ends[0]}, rs274 at {ends[1]}"
     for name, own, other in (("stanok", ours, theirs), ("rs274", theirs, ours)):

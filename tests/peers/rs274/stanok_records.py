@@ -55,7 +55,7 @@ class Reader:
         if action in SPINDLE_STATES:
             self.set(spindle=SPINDLE_STATES[action])
         if action != "stop" and action != "orient":
-            self.set(speed=record["speed"])
+            self.set(speed=record.get("cutting_speed", record.get("speed")))
 
     def take_move(self, kind, record):
         end = tuple(record["end"].get(axis, 0.0) for axis in AXES)
