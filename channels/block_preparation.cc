@@ -10,19 +10,6 @@ namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double same_angle = 1e-12;  // rad; below, start and end of an arc are the same direction
 
-// First and second geometry axis of a plane: XY, ZX, YZ (ISO 841).
-std::array<int, 2> plane_axes(const motion::MotionConfig& motion, lang::Plane plane) {
-  switch (plane) {
-    case lang::Plane::xy:
-      return {motion.geometry[0], motion.geometry[1]};
-    case lang::Plane::zx:
-      return {motion.geometry[2], motion.geometry[0]};
-    case lang::Plane::yz:
-      return {motion.geometry[1], motion.geometry[2]};
-  }
-  return {0, 1};
-}
-
 bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
   return a.scheme == b.scheme && a.mode == b.mode &&
          a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame == b.frame;
@@ -61,6 +48,7 @@ void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::P
   transforms_.clear();
   transforms_.emplace_back();
   transforms_.back().scheme = scheme;
+  transformation_ = {};
   kinematics::forward(transform(), axes_M, position_W_);
 }
 
@@ -75,6 +63,10 @@ void BlockPreparation::change_scheme(const kinematics::Scheme* scheme,
 bool BlockPreparation::take_state(const lang::Payload& command) {
   if (const auto* frame = std::get_if<lang::FrameChange>(&command)) return set_frame(*frame);
   if (const auto* length = std::get_if<lang::ToolLength>(&command)) return set_tool_length(*length);
+  if (const auto* change = std::get_if<lang::TransformationChange>(&command)) {
+    transformation_ = *change;
+    return true;
+  }
   if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command)) {
     const bool stops = spindle->action == lang::SpindleAction::stop;
     spindle_rev_per_min_ = stops ? 0.0 : spindle->speed_rev_per_min;
@@ -134,15 +126,34 @@ motion::Point BlockPreparation::end_of(const lang::Move& move) const {
   return end;
 }
 
+// First and second axis of a plane: XY, ZX, YZ (ISO 841), XC on a face, CZ on a cylinder.
+std::array<int, 2> BlockPreparation::plane_axes(lang::Plane plane) const {
+  const std::array<int, 3>& geometry = motion_.geometry;
+  if (transformation_.kind == lang::Transformation::polar_face)
+    return {geometry[0], transformation_.rotary_axis};
+  switch (plane) {
+    case lang::Plane::xy:
+      return {geometry[0], geometry[1]};
+    case lang::Plane::zx:
+      return {geometry[2], geometry[0]};
+    case lang::Plane::yz:
+      return {is_transformed() ? transformation_.rotary_axis : geometry[1], geometry[2]};
+  }
+  return {0, 1};
+}
+
 // Signed sweep from start to end direction: counter-clockwise positive, full turns for P > 1 and
 // for equal ends.
 void BlockPreparation::shape_arc(const lang::Move& move, motion::PathBlock& block) const {
   block.kind = motion::BlockKind::arc;
-  block.plane = plane_axes(motion_, move.plane);
+  block.plane = plane_axes(move.plane);
   block.centre = move.centre;
+  const bool on_cylinder = transformation_.kind == lang::Transformation::cylinder &&
+                           block.plane[0] == transformation_.rotary_axis;
+  const double scale = on_cylinder ? transformation_.radius_mm * full_turn / 360.0 : 1.0;
   const auto direction = [&](const motion::Point& point) {
     return std::atan2(at(point, block.plane[1]) - block.centre[1],
-                      at(point, block.plane[0]) - block.centre[0]);
+                      scale * at(point, block.plane[0]) - block.centre[0]);
   };
   double sweep = direction(block.end) - direction(position_W_);
   if (move.counter_clockwise) {

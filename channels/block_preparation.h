@@ -32,6 +32,10 @@ class BlockPreparation {
   // position_W().
   [[nodiscard]] bool take_state(const lang::Payload& command);
 
+  // Between G12.1 or G7.1 and G13.1 the positions are those of a face or a cylinder.
+  [[nodiscard]] bool is_transformed() const {
+    return transformation_.kind != lang::Transformation::off;
+  }
   [[nodiscard]] const kinematics::Transform& transform() const { return transforms_.back(); }
   [[nodiscard]] const motion::Point& position_W() const { return position_W_; }
   // The programmed point in B: what the interpreter keeps as its position.
@@ -47,6 +51,7 @@ class BlockPreparation {
   [[nodiscard]] bool set_tool_length(const lang::ToolLength& length);
   [[nodiscard]] bool take_transform(const kinematics::Transform& next);
   [[nodiscard]] motion::Point end_of(const lang::Move& move) const;
+  [[nodiscard]] std::array<int, 2> plane_axes(lang::Plane plane) const;
   void shape_arc(const lang::Move& move, motion::PathBlock& block) const;
   void shape_ending(const lang::Move& move, motion::PathBlock& block) const;
   [[nodiscard]] std::optional<Diagnostic> set_feed(const lang::Move& move,
@@ -56,6 +61,7 @@ class BlockPreparation {
   const ChannelConfig& channel_;
   std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
   motion::Point position_W_{};
+  lang::TransformationChange transformation_;
   double spindle_rev_per_min_ = 0.0;
 };
 

@@ -27,6 +27,7 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
   }
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
     path_.axes[k] = figures_.start[k];
+    drive_is_referenced_[k] = figures_.axes[k].homed_at_start;
     setpoints_[k].position = figures_.start[k];
     setpoints_[k].position_code = nearest_integer(figures_.start[k] / figures_.axes[k].resolution);
   }
@@ -114,7 +115,8 @@ void Channel::execute(const Item& item, std::int64_t cycle) RT_SAFE {
       break;
     case ItemKind::run_end:
       end_run(true, static_cast<std::uint64_t>(item.number), cycle);
-      if (item.flag) emit(cycle, "W2099", "M99 in the main program ends the run", item.tag);
+      if (item.flag)
+        emit(cycle, "W2099", "M99 in the main program ends the simulated run", item.tag);
       break;
     case ItemKind::run_failed:
       end_run(false, static_cast<std::uint64_t>(item.number), cycle);

@@ -29,16 +29,16 @@ enum class Outcome : std::uint8_t { pending, succeeded, failed };
 struct AxisFigures {
   double resolution = 0.001;  // mm or deg per discrete
   double kmv = 10000.0;
-  double brake_s = 0.0;  // time a brake takes to close or open
-  double power_s = 0.0;  // time a drive takes to take over
-  bool is_homed = true;
+  double brake_s = 0.0;        // time a brake takes to close or open
+  double power_s = 0.0;        // time a drive takes to take over
+  bool homed_at_start = true;  // until a drive says otherwise
 };
 
 struct ChannelFigures {
   std::int32_t id = 1;
   int axis_count = 0;
   double cycle_s = 0.001;
-  bool stops_go_on = false;  // M0 and M60 continue at once (simulate)
+  bool stops_go_on = false;  // M0 and M60 continue at once, M99 ends the run (simulate)
   std::array<AxisFigures, motion::axes_max> axes{};
   std::array<int, motion::axes_max> machine_axis{};  // index among all axes of the machine
   std::array<double, motion::axes_max> start{};
@@ -120,6 +120,8 @@ class Channel {
   [[nodiscard]] bool is_standing() const RT_SAFE { return interpolator_.at_rest(); }
   [[nodiscard]] bool is_resetting() const RT_SAFE { return resetting_; }
   [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
+  // M99 in the main program: from its first line, in the same run.
+  [[nodiscard]] bool begins_again() const RT_SAFE { return !figures_.stops_go_on; }
   [[nodiscard]] std::int64_t cycle() const RT_SAFE { return cycle_; }
   [[nodiscard]] double path_speed() const RT_SAFE { return path_.s_speed; }  // mm/s
   [[nodiscard]] double feed_override() const RT_SAFE { return control_.feed_override; }
@@ -130,8 +132,9 @@ class Channel {
   [[nodiscard]] double position_M(int axis) const RT_SAFE {
     return path_.axes[static_cast<std::size_t>(axis)].value;
   }
+  // The position of the axis belongs to the machine, as its drive says.
   [[nodiscard]] bool is_homed(int axis) const RT_SAFE {
-    return figures_.axes[static_cast<std::size_t>(axis)].is_homed;
+    return drive_is_referenced_[static_cast<std::size_t>(axis)];
   }
   // rev/min, clockwise > 0; 0 is the master spindle. Nothing: the channel has no such spindle.
   [[nodiscard]] std::optional<double> spindle_speed(int id) const RT_SAFE;
@@ -229,7 +232,8 @@ class Channel {
   bool drives_answer_ = true;
   bool drives_ready_ = true;
   std::array<bool, motion::axes_max> drive_was_ready_{};  // since it was commanded on
-  lang::OverrideControl overrides_;                       // which of them act
+  std::array<bool, motion::axes_max> drive_is_referenced_{};
+  lang::OverrideControl overrides_;  // which of them act
   double spindle_override_ = 1.0;
   HoldCause hold_cause_ = HoldCause::none;
   bool hold_wanted_ = false;  // by an operator while M53 does not let it act

@@ -34,6 +34,7 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     const auto i = static_cast<std::size_t>(k);
     const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
     drives_answer_ = drives_answer_ && drive.valid;
+    drive_is_referenced_[i] = drive.valid && drive.referenced;
     if (!drives_[i].enabled) {
       drive_was_ready_[i] = false;
       continue;

@@ -256,6 +256,8 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   if (errand.kind == RequestKind::sync) return success();
   // The interpreter ends the run with the alarm U<code> once it has this answer.
   if (errand.kind == RequestKind::terminate) return success();
+  if (errand.kind == RequestKind::program_restart)
+    return step_restart(*channels_[static_cast<std::size_t>(errand.asker)]);
   if (errand.kind == RequestKind::mark_wait) return step_mark_wait(errand);
   if (errand.kind == RequestKind::shared_read || errand.kind == RequestKind::shared_write)
     return step_shared(errand);

@@ -88,6 +88,7 @@ class Coordinator {
   [[nodiscard]] Verdict step_run(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_stop(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_reset(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_restart(Channel& asker) RT_SAFE;
   [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
   // Values (coordinator_values.cc)
   [[nodiscard]] Verdict step_shared(const Errand& errand) RT_SAFE;

@@ -78,6 +78,12 @@ Coordinator::Verdict Coordinator::step_reset(Errand& errand, Channel& target) RT
   return target.is_resetting() ? pending() : success();
 }
 
+// M99 in the main program, endless on a machine; a simulation ends behind it.
+Coordinator::Verdict Coordinator::step_restart(Channel& asker) RT_SAFE {
+  if (asker.begins_again()) return success();
+  return refusal("W2099", "M99 in the main program");
+}
+
 Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
     const bool own = errand.asker == errand.target;

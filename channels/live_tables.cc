@@ -186,6 +186,7 @@ std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) 
   tool.number = number;
   tool.length_mm = {edge->length_x, edge->length_y, edge->length + edge->wear_length};
   tool.radius_mm = edge->radius + edge->wear_radius;
+  tool.overhang_mm = edge->overhang;
   tool.orientation = edge->orientation;
   return tool;
 }

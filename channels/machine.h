@@ -26,7 +26,8 @@ struct AxisFeedback {
   double position = 0.0;
   bool valid = false;  // an answer not older than the bus timeout
   bool fault = false;
-  bool enabled = false;  // the drive holds the axis (CiA 402: operation enabled)
+  bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
+  bool referenced = false;  // the position belongs to the machine
 };
 
 struct CycleInputs {
@@ -62,8 +63,9 @@ struct AlarmReport {
 enum class Progress { worked, blocked };
 
 struct MachineOptions {
-  bool on_at_start = false;        // drives enabled from the first cycle (simulate)
-  bool stops_go_on = false;        // M0 and M60 continue at once with a message (simulate)
+  bool on_at_start = false;  // drives enabled from the first cycle (simulate)
+  // M0 and M60 continue at once with a message, M99 in the main program ends it (simulate).
+  bool stops_go_on = false;
   bool outputs_to_inputs = false;  // where the inputs hold none
 };
 

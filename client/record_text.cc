@@ -111,6 +111,8 @@ const char* name_of(lang::RequestKind kind) {
       return "shared_read";
     case RequestKind::shared_write:
       return "shared_write";
+    case RequestKind::program_restart:
+      return "program_restart";
   }
   return "";
 }
@@ -127,6 +129,18 @@ const char* name_of(lang::SpindleAction action) {
       return "stop";
     case lang::SpindleAction::orient:
       return "orient";
+  }
+  return "";
+}
+
+const char* name_of(lang::OrientWay way) {
+  switch (way) {
+    case lang::OrientWay::shortest:
+      return "shortest";
+    case lang::OrientWay::clockwise:
+      return "clockwise";
+    case lang::OrientWay::counter_clockwise:
+      return "counter_clockwise";
   }
   return "";
 }
@@ -216,6 +230,9 @@ struct Fields {
     end_fields();
     append(text, R"(,"spindle":{},"lead":{},"start_angle":{})", move.spindle, move.lead_mm_per_rev,
            move.start_angle_deg);
+    if (move.kind == lang::SynchronousMove::Kind::rigid_tap) {
+      append(text, R"(,"dwell":{},"return_speed":{})", move.dwell_s, move.return_speed_factor);
+    }
   }
   void operator()(const lang::ProbeMove& probe) const {
     kind("probe");
@@ -234,8 +251,15 @@ struct Fields {
   }
   void operator()(const lang::SpindleCommand& spindle) const {
     kind("spindle");
-    append(text, R"(,"spindle":{},"action":"{}","speed":{})", spindle.spindle,
-           name_of(spindle.action), spindle.speed_rev_per_min);
+    append(text, R"(,"spindle":{},"action":"{}")", spindle.spindle, name_of(spindle.action));
+    if (spindle.cutting_speed_m_per_min > 0.0) {
+      append(text, R"(,"cutting_speed":{})", spindle.cutting_speed_m_per_min);
+    } else {
+      append(text, R"(,"speed":{})", spindle.speed_rev_per_min);
+    }
+    if (spindle.action != lang::SpindleAction::orient) return;
+    append(text, R"(,"angle":{},"way":"{}")", spindle.angle_deg, name_of(spindle.way));
+    if (spindle.timeout_s >= 0.0) append(text, R"(,"timeout":{})", spindle.timeout_s);
   }
   void operator()(const lang::CuttingSpeedMode& mode) const {
     kind("spindle");

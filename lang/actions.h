@@ -103,8 +103,10 @@ void cancel_transformation(ActiveBlock& block, CodeNumber code);  // G13.1
 
 // Parts of a saved state.
 void restore_work_offset(ActiveBlock& block, const ModalState& saved);
-void restore_shifts(ActiveBlock& block, const ModalState& saved);  // G52, G92
+void restore_shifts(ActiveBlock& block, const ModalState& saved);  // G52, G92, G68, G51, G51.1
+void restore_spindle_mode(ActiveBlock& block, const ModalState& saved);
 void restore_length(ActiveBlock& block, const ToolLength& saved);
+void restore_overhang(ActiveBlock& block, const ModalState& saved);
 // The frame as it is now, as a command.
 [[nodiscard]] FrameChange frame_of(const ModalState& modal);
 // Makes work offset `number` of the tables the active one, as far as it exists there.
@@ -112,6 +114,15 @@ void take_work_offset(ModalState& modal, const Tables& tables, int number);
 // Tells the channel the frame after a change; the point stays where it is in B.
 void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before);
 void publish_frame(ActiveBlock& block, const WorkFrame& before);
+
+// Tool overhang (actions_overhang.cc)
+struct ToolOverhang {
+  int axis = -1;  // of the channel; -1: the one of the tool table
+  double value_mm = 0.0;
+};
+// The counter of the axis changes by the difference of the overhangs; no motion.
+void set_overhang(ActiveBlock& block, const ToolOverhang& overhang);
+[[nodiscard]] double overhang_in_force(const BlockSurroundings& around);
 
 // Tool length (actions_length.cc)
 void compensate_length(ActiveBlock& block, CodeNumber code);  // G43 G43.1 G43.2 G43.4 G44 G49
@@ -153,6 +164,14 @@ enum class Exclusion : std::uint8_t {
   inverse_time,  // G93
   rotation,      // G68
 };
+struct ActiveMode {
+  std::string_view name;  // "the tool tip is controlled"
+  std::string_view remedy;
+  Note set_by;
+};
+// The first of `modes` that is active.
+[[nodiscard]] std::optional<ActiveMode> active_mode(const ModalState& modal,
+                                                    std::initializer_list<Exclusion> modes);
 // False, with the block failed, when axis words are programmed that are not `allowed`.
 [[nodiscard]] bool only_axes(ActiveBlock& block, CodeNumber code, AxisSet allowed);
 // Fails the block when one of `modes` is active. True when it failed.

@@ -3,9 +3,11 @@
 // Symbols: c centre, p0 and p1 start and end, r0 and r1 their distances from c, in the two axes of
 // the plane (first, second). Centre from a radius: the chord's midpoint moved along the chord's
 // left normal n by +-sqrt(R^2 - (|p1 - p0| / 2)^2); left for a counter-clockwise arc of less than
-// half a turn.
+// half a turn. On a cylinder of radius r the plane is its surface, seen from outside: first is
+// r * C along the surface, in mm, second is Z.
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "lang/actions.h"
 
@@ -21,6 +23,12 @@ struct ArcPlane {
   char second_centre = 'J';
   double first_gain = 1.0;  // of lengths, by scaling and mirror
   double second_gain = 1.0;
+  double first_scale = 1.0;     // mm per unit of the first axis
+  Group set_by = Group::plane;  // whose code says which plane it is
+
+  [[nodiscard]] Point point(const AxisValues& values) const {
+    return {first_scale * values[first], values[second]};
+  }
 };
 
 std::string in_mm(double value) {
@@ -38,8 +46,10 @@ std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
   const auto& [first, second] = coordinates[static_cast<std::size_t>(block.modal.plane())];
   const int face_axis = block.modal.face_axis();
   if (face_axis >= 0) {
-    return ArcPlane{static_cast<std::size_t>(block.modal.geometry[0]),
-                    static_cast<std::size_t>(face_axis)};
+    ArcPlane face{static_cast<std::size_t>(block.modal.geometry[0]),
+                  static_cast<std::size_t>(face_axis)};
+    face.set_by = Group::transformation;
+    return face;
   }
   const int first_axis = block.channel_words.geometry_axis(first);
   const int second_axis = block.channel_words.geometry_axis(second);
@@ -68,8 +78,29 @@ bool is_on_cylinder(const ActiveBlock& block) {
   return (block.programmed & axis_bit(static_cast<std::size_t>(block.modal.transformed_axis))) != 0;
 }
 
+// The surface of G7.1: J along C, K along Z.
+std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
+  const int along = block.channel_words.geometry_axis(2);
+  if (along < 0) {
+    block.fail("E4036", arc_code(code), "the channel lacks Z, the axis of the cylinder", "")
+        .notes.push_back(block.modal.origin_of(Group::transformation));
+    return std::nullopt;
+  }
+  ArcPlane plane{static_cast<std::size_t>(block.modal.transformed_axis),
+                 static_cast<std::size_t>(along), 'J', 'K'};
+  plane.set_by = Group::transformation;
+  plane.second_gain = block.modal.map.gain(plane.second);
+  plane.first_scale = block.modal.cylinder_radius_mm * std::numbers::pi / 180.0;
+  if (std::abs(plane.second_gain) == 1.0) return plane;
+  block
+      .fail("E4303", arc_code(code), "an arc on a cylinder while Z is scaled",
+            "it would become an ellipse")
+      .notes.push_back(block.modal.origin_of(Group::scaling));
+  return std::nullopt;
+}
+
 bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber code) {
-  const std::string plane_name = code_text('G', block.modal.code(Group::plane));
+  const std::string plane_name = code_text('G', block.modal.code(plane.set_by));
   for (const char letter : {'I', 'J', 'K'}) {
     if (!block.has(letter) || letter == plane.first_centre || letter == plane.second_centre) {
       continue;
@@ -78,7 +109,7 @@ bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber co
         .fail("E4030", {letter, -1, {}},
               std::string("`") + letter + "` is not in the plane of the arc",
               "not used in " + plane_name)
-        .notes.push_back(block.modal.origin_of(Group::plane));
+        .notes.push_back(block.modal.origin_of(plane.set_by));
     return false;
   }
   const bool has_centre = block.has(plane.first_centre) || block.has(plane.second_centre);
@@ -93,7 +124,7 @@ bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber co
             "`" + code_text('G', code) + "` needs " + plane.first_centre + ", " +
                 plane.second_centre + " or R",
             "arc in plane " + plane_name + " without centre or radius")
-      .notes.push_back(block.modal.origin_of(Group::plane));
+      .notes.push_back(block.modal.origin_of(plane.set_by));
   return false;
 }
 
@@ -108,7 +139,8 @@ std::optional<Point> centre_from_words(ActiveBlock& block, const ArcPlane& plane
       return std::nullopt;
     }
     const CoordinateMap& map = block.modal.map;
-    return Point{map.to_work(plane.first, block.length(plane.first_centre)),
+    const double first = block.length(plane.first_centre);
+    return Point{plane.first_scale == 1.0 ? map.to_work(plane.first, first) : first,
                  map.to_work(plane.second, block.length(plane.second_centre))};
   }
   const double i = block.has(plane.first_centre) ? block.length(plane.first_centre) : 0.0;
@@ -163,24 +195,20 @@ bool check_radii(ActiveBlock& block, const Point& p0, const Point& p1, const Poi
 void move_in_arc(ActiveBlock& block, CodeNumber code) {
   const bool has_arc_word = block.has('I') || block.has('J') || block.has('K') || block.has('R');
   if (block.programmed == 0 && !has_arc_word) return;
-  if (is_on_cylinder(block)) {
-    block.fail("E2090", arc_code(code),
-               "an arc on the surface of a cylinder is not supported in this release",
-               "C is the surface of G7.1");
-    return;
-  }
-  const auto plane = plane_of(block, code);
+  const bool on_cylinder = is_on_cylinder(block);
+  const auto plane = on_cylinder ? surface_plane(block, code) : plane_of(block, code);
   if (!plane || !check_centre_words(block, *plane, code)) return;
 
   Move move;
   move.kind = MoveKind::arc;
-  move.plane = block.modal.face_axis() >= 0 ? Plane::xy : block.modal.plane();
+  move.plane = on_cylinder                    ? Plane::yz
+               : block.modal.face_axis() >= 0 ? Plane::xy
+                                              : block.modal.plane();
   const bool mirrored = plane->first_gain * plane->second_gain < 0.0;
   move.counter_clockwise = (code == 30) != mirrored;
   resolve_ends(block, move);
-  const AxisValues& start = block.modal.position_W;
-  const Point p0{start[plane->first], start[plane->second]};
-  const Point p1{move.end[plane->first], move.end[plane->second]};
+  const Point p0 = plane->point(block.modal.position_W);
+  const Point p1 = plane->point(move.end);
   const auto centre = block.has('R')
                           ? centre_from_radius(block, *plane, p0, p1, move.counter_clockwise)
                           : centre_from_words(block, *plane, p0);

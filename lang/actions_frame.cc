@@ -53,6 +53,11 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved) {
   block.modal.local_shift = saved.local_shift;
   block.modal.axis_shift = saved.axis_shift;
   block.modal.axis_shift_active = saved.axis_shift_active;
+  block.modal.rotation = saved.rotation;
+  block.modal.map = saved.map;
+  for (const Group group : {Group::rotation, Group::scaling, Group::mirror}) {
+    if (block.modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
+  }
   publish_frame(block, before);
 }
 

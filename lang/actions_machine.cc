@@ -69,6 +69,7 @@ void change_tool(ActiveBlock& block, CodeNumber) {
         .help.push_back("name the tool first, e.g. `T1 M6`");
     return;
   }
+  set_overhang(block, {});
   block.modal.tool_active = block.modal.tool_prepared;
   block.modal.tool_edge = 1;
   block.queue.emit(ToolChange{block.modal.tool_active});
@@ -87,6 +88,7 @@ void set_tool_number(ActiveBlock& block, CodeNumber) {
                "unknown tool");
     return;
   }
+  set_overhang(block, {});
   block.modal.tool_active = *tool;
   block.modal.tool_edge = 1;
   block.queue.emit(ToolChange{*tool, true});

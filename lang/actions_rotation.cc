@@ -95,7 +95,8 @@ void rotate_system(ActiveBlock& block, CodeNumber code) {
   }
   const Vector axis = axis_of(block);
   if (block.failed() || !check_axes(block)) return;
-  change_rotation(block, {Rotation::about(axis, block.value('R')), centre_of(block)});
+  const double angle_deg = block.value('R');
+  change_rotation(block, {Rotation::about(axis, angle_deg), axis, angle_deg, centre_of(block)});
 }
 
 void cancel_rotation(ActiveBlock& block, CodeNumber code) {

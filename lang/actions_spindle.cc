@@ -128,6 +128,9 @@ void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action) {
   command.spindle = spindle;
   command.action = action;
   command.speed_rev_per_min = speed_of_spindle(block, spindle);
+  if (turns && is_cutting_speed_of(block, spindle)) {
+    command.cutting_speed_m_per_min = block.modal.cutting_speed_m_per_min;
+  }
   block.queue.emit(command);
 }
 
@@ -201,6 +204,24 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
   } else {
     send_cutting_speed(block);
   }
+}
+
+void restore_spindle_mode(ActiveBlock& block, const ModalState& saved) {
+  ModalState& modal = block.modal;
+  const CodeNumber code = saved.code(Group::spindle_mode);
+  const bool same = modal.code(Group::spindle_mode) == code &&
+                    modal.cutting_spindle == saved.cutting_spindle &&
+                    modal.cutting_speed_m_per_min == saved.cutting_speed_m_per_min &&
+                    modal.speed_limit_rev_per_min == saved.speed_limit_rev_per_min;
+  if (same) return;
+  if (code != 960 && modal.code(Group::spindle_mode) == 960) {
+    block.queue.emit(CuttingSpeedMode{modal.cutting_spindle});
+  }
+  modal.cutting_spindle = saved.cutting_spindle;
+  modal.cutting_speed_m_per_min = saved.cutting_speed_m_per_min;
+  modal.speed_limit_rev_per_min = saved.speed_limit_rev_per_min;
+  block.set_modal(Group::spindle_mode, code);
+  if (code == 960) send_cutting_speed(block);
 }
 
 // G92 S on a lathe channel: the limit of G96.

@@ -16,6 +16,7 @@ bool excluded(ActiveBlock& block, CodeNumber code) {
 
 void change(ActiveBlock& block, const TransformationChange& transformation) {
   block.modal.transformed_axis = transformation.rotary_axis;
+  block.modal.cylinder_radius_mm = transformation.radius_mm;
   block.queue.emit(transformation);
   block.queue.emit(Request{});
 }

@@ -303,6 +303,28 @@ void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
+// A word has one meaning: two codes that use the same letter need a block each. F, S and T are not
+// in question, nor are axis words; functions of the machine builder share P and Q.
+void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
+  LetterSet taken = 0;
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    if (row.action == send_machine_function) continue;
+    const LetterSet wanted = row.words & block.words.letters & ~always_allowed;
+    if (const LetterSet both = taken & wanted; both != 0) {
+      const char letter = first_letter(both);
+      block
+          .fail("E4015", {letter, -1, {}},
+                std::string("`") + letter + "` would be taken by two codes of the block",
+                "meant for which?")
+          .help.push_back("program `" + code_text(row.letter, row.number) +
+                          "` in a block of its own");
+      return;
+    }
+    taken |= wanted;
+  }
+}
+
 void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   LetterSet allowed = codes.words | always_allowed | block.channel_words.letters() |
                       block.channel_words.incremental_letters();
@@ -423,6 +445,7 @@ void execute_block(ActiveBlock& block) {
   add_modal_motion(block, codes, block.words.letters & ~codes.words);
   if (block.failed()) return;
   check_unused(block, codes);
+  check_shared_words(block, codes);
   check_incremental_words(block, codes);
   check_open_curve(block, codes);
   if (block.failed()) return;

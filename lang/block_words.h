@@ -36,7 +36,7 @@ inline constexpr CodeNumber code_computed_later = -1;
 
 // The codes of one letter in a block, in the order written.
 struct CodeList {
-  static constexpr int capacity = 8;
+  static constexpr int capacity = 16;  // a line that sets all modes has ten and more
   std::array<CodeNumber, capacity> numbers{};
   int count = 0;
 

@@ -42,6 +42,7 @@ constexpr auto variables = std::to_array<SystemVariable>({
     {"tool_next", Type::number, Type::none, false},
     {"tool_length", Type::number, Type::none, false},
     {"tool_radius", Type::number, Type::none, false},
+    {"overhang", Type::number, Type::none, false},
     {"skip", Type::boolean, Type::number, true},
     {"pos", Type::number, Type::axis, true},
     {"pos_mcs", Type::number, Type::axis, true},

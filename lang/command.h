@@ -56,7 +56,9 @@ struct Move {
   Plane plane = Plane::xy;
   bool counter_clockwise = false;  // seen from the positive third axis of the plane
   int turns = 1;                   // P: 1 = the arc itself, +1 per additional full turn
-  std::array<double, 2> centre{};  // absolute, in the plane's (first, second) axes: XY, ZX, YZ
+  // Absolute, in the plane's (first, second) axes: XY, ZX, YZ; XC in mm on the polar face; on the
+  // cylinder Plane::yz is its surface, C as mm along it and Z.
+  std::array<double, 2> centre{};
 };
 
 // G5, G5.1, G5.2: one NURBS curve in the plane of `base`, from its start to base.end. Other axes
@@ -112,7 +114,8 @@ struct SpindleCommand {
   int spindle = 0;  // id of the machine file; 0 = the channel's master spindle, -1 = all
   SpindleAction action = SpindleAction::stop;
   double speed_rev_per_min = 0.0;
-  double angle_deg = 0.0;  // orient
+  double cutting_speed_m_per_min = 0.0;  // G96 holds and gives the speed; 0: it does not
+  double angle_deg = 0.0;                // orient
   OrientWay way = OrientWay::shortest;
   double timeout_s = -1.0;  // orient, M19 Q; below zero: none
 };
@@ -247,13 +250,14 @@ enum class RequestKind : std::uint8_t {
   offset_table_write,  // channel = table, number = page, index = axis of the channel or -1, value
   tool_table_read,     // as the writes; the answer carries the value
   offset_table_read,
-  machine_value,  // text = system variable, number = index
-  probe_result,   // after a ProbeMove; ok: the probe changed, probe_B is where
-  input_wait,     // M66: number = input, index = mode L, flag analog, seconds; number: the value
-  mark_wait,      // number = id, channels
-  mark_state,     // channel, number = id
-  shared_read,    // text = name, index = element
-  shared_write,   // the same, value or value_text
+  machine_value,    // text = system variable, number = index
+  probe_result,     // after a ProbeMove; ok: the probe changed, probe_B is where
+  input_wait,       // M66: number = input, index = mode L, flag analog, seconds; number: the value
+  mark_wait,        // number = id, channels
+  mark_state,       // channel, number = id
+  shared_read,      // text = name, index = element
+  shared_write,     // the same, value or value_text
+  program_restart,  // M99 in the main program: it begins again, or with a false answer ends
 };
 
 struct Request {

@@ -157,6 +157,13 @@ void Compiler::compile_kind(const WorkpieceDirective& directive) {
        directive.position ? 1 : 0);
 }
 
+void Compiler::compile_kind(const ToolOverhangDirective& directive) {
+  const auto& arguments = directive.arguments;
+  if (!arguments.empty() && !require(arguments[0], Type::number, "the overhang")) return;
+  if (arguments.size() == 2 && !require(arguments[1], Type::axis, "the radial axis")) return;
+  emit(Op::tool_overhang, statement_span_, 0, static_cast<std::uint8_t>(arguments.size()));
+}
+
 void Compiler::compile_kind(const KinematicsDirective& directive) {
   const Expression& scheme = directive.arguments[0];
   const Expression& channel = directive.arguments[1];

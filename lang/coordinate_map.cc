@@ -31,6 +31,26 @@ void CoordinateMap::mirror(std::size_t axis, double line) {
   compute(axis);
 }
 
+CoordinateMap::Numbers CoordinateMap::numbers() const {
+  Numbers all{};
+  auto next = all.begin();
+  for (const AxisMap& map : axes_) {
+    for (const double number : {map.mirrored ? 1.0 : 0.0, map.line, map.centre, map.factor})
+      *next++ = number;
+  }
+  return all;
+}
+
+bool CoordinateMap::take(const Numbers& numbers) {
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    const double* const four = numbers.data() + 4 * axis;
+    if (four[3] <= 0.0) return false;
+    axes_[axis] = {four[0] != 0.0, four[1], four[2], four[3]};
+    compute(axis);
+  }
+  return true;
+}
+
 void CoordinateMap::cancel_scaling() {
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) scale(axis, 0.0, 1.0);
 }

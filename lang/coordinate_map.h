@@ -27,6 +27,11 @@ class CoordinateMap {
   }
   [[nodiscard]] bool is_mirrored(std::size_t axis) const { return gain_[axis] < 0.0; }
 
+  // Everything it holds, as finite numbers, and back; false when they are no map.
+  using Numbers = std::array<double, std::size_t{4} * axes_max>;
+  [[nodiscard]] Numbers numbers() const;
+  [[nodiscard]] bool take(const Numbers& numbers);
+
   // `factor` above zero; the programmed coordinate `centre` stays where the mirror has it.
   void scale(std::size_t axis, double centre, double factor);
   void mirror(std::size_t axis, double line);

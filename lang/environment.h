@@ -71,7 +71,8 @@ struct Tool {
   int number = 0;
   std::array<double, 3> length_mm{};  // X, Y, Z
   double radius_mm = 0.0;
-  int orientation = 0;  // of a lathe tool's tip, 1 to 8; 0 and 9: the centre of its nose
+  int orientation = 0;       // of a lathe tool's tip, 1 to 8; 0 and 9: the centre of its nose
+  double overhang_mm = 0.0;  // along the radial axis
 };
 
 // The tables of the machine as the program sees them at this moment.

@@ -17,9 +17,11 @@ namespace {
 constexpr std::string_view version = "GV1";
 
 // Where a value stands in the modal state.
-using Member = std::variant<double ModalState::*, int ModalState::*, bool ModalState::*,
-                            AxisValues ModalState::*, double PathControl::*, int ToolLength::*,
-                            std::array<double, 3> ToolLength::*>;
+using Member =
+    std::variant<double ModalState::*, int ModalState::*, bool ModalState::*,
+                 AxisValues ModalState::*, double PathControl::*, int ToolLength::*,
+                 std::array<double, 3> ToolLength::*, double ProgrammedRotation::*,
+                 std::array<double, 3> ProgrammedRotation::*, CoordinateMap ModalState::*>;
 
 struct Field {
   StateParts part;
@@ -38,12 +40,21 @@ const auto fields = std::to_array<Field>({
     {state_feed, "mm", &ModalState::feed_mm},
     {state_spindle, "S", &ModalState::speed_rev_per_min},
     {state_spindle, "turns", &ModalState::spindle_running},
+    {state_spindle, "cutting_spindle", &ModalState::cutting_spindle},
+    {state_spindle, "cutting_speed", &ModalState::cutting_speed_m_per_min},
+    {state_spindle, "speed_limit", &ModalState::speed_limit_rev_per_min},
     {state_tool, "T", &ModalState::tool_active},
     {state_tool, "H", &ToolLength::tool},
     {state_tool, "length", &ToolLength::offset_mm},
+    {state_tool, "overhang_axis", &ModalState::overhang_axis},
+    {state_tool, "overhang_shift", &ModalState::overhang_shift_mm},
     {state_frames, "G52", &ModalState::local_shift},
     {state_frames, "G92", &ModalState::axis_shift},
     {state_frames, "shifted", &ModalState::axis_shift_active},
+    {state_frames, "turned_about", &ProgrammedRotation::axis},
+    {state_frames, "turned_by", &ProgrammedRotation::angle_deg},
+    {state_frames, "centre", &ProgrammedRotation::centre},
+    {state_frames, "map", &ModalState::map},
     {state_coolant, "mist", &ModalState::mist},
     {state_coolant, "flood", &ModalState::flood},
 });
@@ -67,6 +78,10 @@ StateParts part_of(Group group) {
       return state_spindle;
     case Group::length:
       return state_tool;
+    case Group::rotation:
+    case Group::scaling:
+    case Group::mirror:
+      return state_frames;
     default:
       return group < Group::stop || group == Group::override_control ? state_modal : 0;
   }
@@ -109,6 +124,8 @@ Owner& owner(ModalState& state) {
     return state.path;
   } else if constexpr (std::is_same_v<Owner, ToolLength>) {
     return state.length;
+  } else if constexpr (std::is_same_v<Owner, ProgrammedRotation>) {
+    return state.rotation;
   } else {
     return state;
   }
@@ -120,6 +137,8 @@ std::string value_text(ModalState& state, const Member& member) {
         const Type& value = owner<Owner>(state).*at;
         if constexpr (std::is_arithmetic_v<Type>) {
           return number_text(static_cast<double>(value));
+        } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
+          return list_text(value.numbers());
         } else {
           return list_text(value);
         }
@@ -149,6 +168,9 @@ bool read_value(std::string_view text, ModalState& state, const Member& member) 
           if (!read_list(text, {&number, 1}) || std::abs(number) > 1e12) return false;
           value = static_cast<Type>(number);
           return static_cast<double>(value) == number;
+        } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
+          CoordinateMap::Numbers numbers{};
+          return read_list(text, numbers) && value.take(numbers);
         } else {
           return read_list(text, value);
         }
@@ -213,6 +235,15 @@ void complete(ModalState& state) {
   state.length.mode = length == 490   ? LengthMode::off
                       : length == 434 ? LengthMode::tip
                                       : LengthMode::length;
+  if (state.code(Group::rotation) == 680) {
+    state.rotation.rotation = Rotation::about(state.rotation.axis, state.rotation.angle_deg);
+  }
+}
+
+bool is_plausible(const ModalState& state) {
+  const bool turned = state.code(Group::rotation) == 680;
+  if (turned && state.rotation.axis == std::array<double, 3>{}) return false;
+  return state.overhang_axis >= -1 && state.overhang_axis < axes_max;
 }
 
 }  // namespace
@@ -250,6 +281,7 @@ std::optional<SavedState> read_gvector(std::string_view text) {
     if (!read_section(body.substr(at + 1, end - at - 1), saved)) return std::nullopt;
     at = end;
   }
+  if (!is_plausible(saved.state)) return std::nullopt;
   complete(saved.state);
   return saved;
 }

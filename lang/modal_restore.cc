@@ -15,8 +15,7 @@ constexpr auto restored_groups = std::to_array<Group>(
 
 // Codes with consequences that no saved text holds: they must be the same on both sides.
 constexpr auto equal_groups =
-    std::to_array<Group>({Group::radius_compensation, Group::transformation, Group::scaling,
-                          Group::mirror, Group::rotation, Group::polar});
+    std::to_array<Group>({Group::radius_compensation, Group::transformation, Group::polar});
 
 void restore_modal(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
@@ -40,11 +39,13 @@ void restore_modal(ActiveBlock& block, const ModalState& saved) {
 // The master spindle; its speed only matters to the machine when it turns or was set.
 void restore_spindle(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
+  restore_spindle_mode(block, saved);
   const bool other_speed = modal.speed_rev_per_min != saved.speed_rev_per_min;
   modal.speed_rev_per_min = saved.speed_rev_per_min;
   modal.speeds_rev_per_min[0] = saved.speed_rev_per_min;
   SpindleCommand command;
   command.speed_rev_per_min = saved.speed_rev_per_min;
+  const bool cutting = saved.code(Group::spindle_mode) == 960 && saved.spindle_running;
   if (other_speed) {
     command.action = SpindleAction::set_speed;
     block.queue.emit(command);
@@ -60,6 +61,7 @@ void restore_spindle(ActiveBlock& block, const ModalState& saved) {
       static_cast<std::uint16_t>(others | (saved.spindle_running ? master : 0));
   modal.spindle_running = modal.running_spindles != 0;
   block.set_modal(Group::spindle, code);
+  if (cutting) command.cutting_speed_m_per_min = saved.cutting_speed_m_per_min;
   block.queue.emit(command);
 }
 
@@ -80,10 +82,10 @@ std::string_view reason_against_restoring(const ModalState& now, const ModalStat
   const auto differs = [&](Group group) { return now.code(group) != saved.code(group); };
   if ((parts & state_modal) != 0 &&
       std::any_of(equal_groups.begin(), equal_groups.end(), differs)) {
-    return "radius compensation, a transformation, rotation, scaling or mirror differs";
+    return "radius compensation or a transformation differs";
   }
-  if ((parts & state_spindle) != 0 && differs(Group::spindle_mode)) {
-    return "constant cutting speed differs";
+  if ((parts & state_frames) != 0 && now.transformed_axis >= 0 && differs(Group::rotation)) {
+    return "a transformation excludes the rotation";
   }
   if ((parts & state_tool) != 0 && now.tool_active != saved.tool_active) {
     return "another tool is active";
@@ -113,6 +115,7 @@ void restore_state(ActiveBlock& block, const ModalState& saved, StateParts parts
     restore_length(block, saved.length);
     block.set_modal(Group::length, saved.code(Group::length));
   }
+  if ((parts & state_tool) != 0) restore_overhang(block, saved);
   if ((parts & state_frames) != 0) restore_shifts(block, saved);
   if ((parts & state_coolant) != 0) restore_coolant(block, saved);
 }

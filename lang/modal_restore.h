@@ -9,9 +9,9 @@ namespace stanok::lang {
 using StateParts = unsigned;
 inline constexpr StateParts state_modal = 1;     // G codes but those of other parts, M48 M49
 inline constexpr StateParts state_feed = 2;      // F
-inline constexpr StateParts state_spindle = 4;   // S, M3 M4 M5
-inline constexpr StateParts state_tool = 8;      // T, tool length
-inline constexpr StateParts state_frames = 16;   // G52, G92
+inline constexpr StateParts state_spindle = 4;   // S, M3 M4 M5, G96 G97
+inline constexpr StateParts state_tool = 8;      // T, tool length, overhang
+inline constexpr StateParts state_frames = 16;   // G52, G92, rotation, scaling, mirror
 inline constexpr StateParts state_coolant = 32;  // M7 M8 M9
 inline constexpr StateParts state_all = 63;
 // Within state_modal and state_tool; GV_* always takes them along.

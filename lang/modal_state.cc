@@ -85,6 +85,8 @@ WorkFrame ModalState::frame() const {
   WorkFrame frame{turned(work_offset_rotation, geometry, shift),
                   work_offset_rotation * rotation.rotation, geometry};
   for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
+  if (overhang_axis >= 0)
+    frame.offset[static_cast<std::size_t>(overhang_axis)] -= overhang_shift_mm;
   return frame;
 }
 

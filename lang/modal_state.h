@@ -67,7 +67,9 @@ struct RoughingSettings {
 
 // G68: W is turned about a centre in the system that G54, G52 and G92 make.
 struct ProgrammedRotation {
-  Rotation rotation;
+  Rotation rotation;  // by `angle_deg` about `axis`
+  std::array<double, 3> axis{};
+  double angle_deg = 0.0;
   std::array<double, 3> centre{};  // X, Y, Z
 };
 
@@ -131,6 +133,9 @@ struct ModalState {
   ToolLength length;
   std::array<double, 3> length_base_mm{};  // to which the length of the edge was added (G43.2)
   int length_edge = 1;                     // of length.tool
+  // #tool_overhang: what it adds to the programmed position of `overhang_axis` (-1: none), mm.
+  int overhang_axis = -1;
+  double overhang_shift_mm = 0.0;
   RadiusCompensation compensation;
   PathControl path;
   DrillingCycle cycle;
@@ -148,7 +153,8 @@ struct ModalState {
   ProgrammedRotation rotation;    // G68
   CoordinateMap map;              // G51, G51.1
   GeometryAxes geometry{-1, -1, -1};
-  int transformed_axis = -1;  // rotary axis of G12.1 or G7.1; -1: off
+  int transformed_axis = -1;        // rotary axis of G12.1 or G7.1; -1: off
+  double cylinder_radius_mm = 0.0;  // G7.1
   ProgrammedCurve curve;
   AxisValues position_W{};
 
@@ -171,7 +177,8 @@ struct ModalState {
   [[nodiscard]] int face_axis() const {
     return code(Group::transformation) == 121 ? transformed_axis : -1;
   }
-  // Everything between W and B: p_B = work offset + its rotation * (G52 + G92 + G68 * p_W).
+  // Everything between W and B:
+  // p_B = work offset - overhang + its rotation * (G52 + G92 + G68 * p_W).
   [[nodiscard]] WorkFrame frame() const;
   // What an absolute word would have to say, in mm and deg, for the axis to stay where it is.
   [[nodiscard]] double programmed_position(std::size_t axis) const {

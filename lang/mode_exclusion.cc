@@ -1,4 +1,7 @@
 // Modes in which a code has no meaning: one place that says so, with the line that set the mode.
+#include <algorithm>
+#include <iterator>
+
 #include "lang/actions.h"
 
 namespace stanok::lang {
@@ -48,21 +51,28 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
 
 }  // namespace
 
+std::optional<ActiveMode> active_mode(const ModalState& modal,
+                                      std::initializer_list<Exclusion> exclusions) {
+  for (const Exclusion exclusion : exclusions) {
+    if (!is_active(modal, exclusion)) continue;
+    const auto* const mode =
+        std::find_if(std::begin(modes), std::end(modes),
+                     [exclusion](const ExcludedMode& one) { return one.exclusion == exclusion; });
+    return ActiveMode{mode->name, mode->remedy, modal.origin_of(mode->group)};
+  }
+  return std::nullopt;
+}
+
 bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
                       std::initializer_list<Exclusion> exclusions) {
-  for (const Exclusion exclusion : exclusions) {
-    if (!is_active(block.modal, exclusion)) continue;
-    for (const ExcludedMode& mode : modes) {
-      if (mode.exclusion != exclusion) continue;
-      BlockFault& fault = block.fail(
-          "E4301", {'G', code, {}},
-          "`" + code_text('G', code) + "` while " + std::string(mode.name), "not in this mode");
-      fault.notes.push_back(block.modal.origin_of(mode.group));
-      fault.help.emplace_back(mode.remedy);
-    }
-    return true;
-  }
-  return false;
+  const auto mode = active_mode(block.modal, exclusions);
+  if (!mode) return false;
+  BlockFault& fault = block.fail("E4301", {'G', code, {}},
+                                 "`" + code_text('G', code) + "` while " + std::string(mode->name),
+                                 "not in this mode");
+  fault.notes.push_back(mode->set_by);
+  fault.help.emplace_back(mode->remedy);
+  return true;
 }
 
 }  // namespace stanok::lang

@@ -109,6 +109,7 @@ class Parser {
   MaybeStatement parse_include();
   MaybeStatement parse_kinematics();
   MaybeStatement parse_workpiece(bool position, const Span& name);
+  MaybeStatement parse_tool_overhang(const Span& name);
   MaybeStatement parse_macro_line();
 
   // parser_o_line.cc

@@ -25,6 +25,7 @@ Parser::MaybeStatement Parser::parse_directive() {
   if (wanted == "workpiece" || wanted == "workpiece_pos") {
     return parse_workpiece(wanted == "workpiece_pos", span);
   }
+  if (wanted == "tool_overhang") return parse_tool_overhang(span);
   for (const std::string_view known : directives) {
     if (wanted != known) continue;
     reporter_.error("E2090", span, "`#" + wanted + "` is not supported in this release",
@@ -92,6 +93,25 @@ Parser::MaybeStatement Parser::parse_macro_line() {
              "macro lines of other controls are not supported in this release", "")
       .help.push_back("write `" + equivalent + "`");
   return std::nullopt;
+}
+
+Parser::MaybeStatement Parser::parse_tool_overhang(const Span& name) {
+  line_ends_ = LineEnds::significant;
+  ToolOverhangDirective directive;
+  if (!expect("(", "`#tool_overhang`")) return std::nullopt;
+  if (!parse_list(")", directive.arguments) || !finish_line()) return std::nullopt;
+  if (directive.arguments.size() > 2) {
+    reporter_
+        .error("E3005", name, "`#tool_overhang` takes a value and an axis",
+               "wrong number of arguments")
+        .help.push_back(
+            "write `#tool_overhang (35)`, `#tool_overhang (35, X)`, or `()` for the "
+            "value of the tool table");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
 }
 
 Parser::MaybeStatement Parser::parse_workpiece(bool position, const Span& name) {

@@ -303,7 +303,8 @@ bool Parser::add_word(IsoBlock& block, IsoWord word) {
   if (is_code ? count >= CodeList::capacity : count > 0) {
     const std::string name = letter != 0 ? std::string(1, letter) : word.name.name;
     reporter_.error(is_code ? "E4005" : "E4001", word.span,
-                    is_code ? "more than 8 `" + name + "` words in one block"
+                    is_code ? "more than " + std::to_string(CodeList::capacity) + " `" + name +
+                                  "` words in one block"
                             : "`" + name + "` twice in one block",
                     is_code ? "one too many" : "second word of this address");
     return false;

@@ -259,6 +259,12 @@ void ProgramRun::answer(const Answer& answer) {
     case AnswerUse::probe_or_alarm:
       take_probe_answer(answer, true);
       break;
+    case AnswerUse::overhang:
+      finish_overhang();
+      break;
+    case AnswerUse::restart:
+      answer.ok ? begin_again() : end_program(ProgramEndKind::restart);
+      break;
     case AnswerUse::fail_run:
       fail_with(std::move(error_after_answer_));
       break;

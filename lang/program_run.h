@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/actions.h"
 #include "lang/active_block.h"
 #include "lang/builtin.h"
 #include "lang/channel_dialect.h"
@@ -58,7 +59,9 @@ class ProgramRun : private ContourSource {
     restore_state,
     fail_run,
     probe,
-    probe_or_alarm
+    probe_or_alarm,
+    restart,
+    overhang
   };
 
   // RS274 parameters that belong to one call: #1 to #30 and #<name>.
@@ -169,6 +172,10 @@ class ProgramRun : private ContourSource {
   void ask_builtin(const Instruction& instruction);
   void ask_value(const Instruction& instruction);
   void ask_kinematics();
+  [[nodiscard]] bool check_own_kinematics();
+  void ask_overhang(const Instruction& instruction);
+  [[nodiscard]] std::optional<ToolOverhang> overhang_of(const Instruction& instruction);
+  void finish_overhang();
   void terminate();
   void announce_workpiece(const Instruction& instruction);
   bool check_workpiece(const std::vector<double>& arguments);
@@ -196,6 +203,8 @@ class ProgramRun : private ContourSource {
   Frame subprogram_frame(std::uint16_t file) const;
   void renew_file_variables(Frame& frame);
   void leave_subprogram();
+  void ask_restart();
+  void begin_again();
   void pop_frame();
   bool check_call_depth();
 
@@ -270,6 +279,7 @@ class ProgramRun : private ContourSource {
   AnswerUse answer_use_ = AnswerUse::position_only;
   bool statement_ = false;           // restore_gvector as a statement
   SavedState pending_state_;         // to be restored with the answer
+  ToolOverhang pending_overhang_;    // to be set with the answer
   std::string_view statement_code_;  // of the statement that asked
   std::string statement_name_;
   std::string channel_error_;

@@ -223,12 +223,12 @@ std::optional<ProgramRun::NumberedProgramPlace> ProgramRun::find_numbered(int nu
   return hit;
 }
 
-// M99, M17 or the end of a called text: back to the caller, or once more; in the main program it
-// begins again.
+// M99, M17 or the end of a called text: back to the caller, or once more; the main program begins
+// again.
 void ProgramRun::leave_subprogram() {
   std::size_t depth = frames_.size();
   while (depth > 1 && !frames_[depth - 1].subprogram) --depth;
-  if (depth <= 1) return end_program(ProgramEndKind::restart);
+  if (depth <= 1) return ask_restart();
   while (frames_.size() > depth) pop_frame();
   Frame& frame = frames_.back();
   plain_ = {};
@@ -242,6 +242,21 @@ void ProgramRun::leave_subprogram() {
   if (frame.context->arguments) {
     exchange_local_parameters(parameters_of(*frame.context->arguments));
   }
+}
+
+void ProgramRun::ask_restart() {
+  Request request;
+  request.kind = RequestKind::program_restart;
+  ask(std::move(request), AnswerUse::restart);
+}
+
+// From the first line, in the modal state of the last one.
+void ProgramRun::begin_again() {
+  while (frames_.size() > 1) pop_frame();
+  plain_ = {};
+  contour_return_.reset();
+  stack_.clear();
+  frames_.back().position = 0;
 }
 
 }  // namespace stanok::lang

@@ -232,6 +232,7 @@ void ProgramRun::push_system_value(const Instruction& instruction) {
   const auto tool = tables_.tool(modal_.tool_active).value_or(Tool{});
   if (name == "tool_length") value = tool.length_mm[2];
   if (name == "tool_radius") value = tool.radius_mm;
+  if (name == "overhang") value = overhang_in_force(around_);
   if (name == "g") {
     const auto code = modal_code_of_group(index);
     if (!code) return fail("E3011", "there is no modal group of this number");
@@ -269,6 +270,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return terminate();
     case Op::call_file:
       return call_file();
+    case Op::tool_overhang:
+      return ask_overhang(instruction);
     case Op::workpiece:
       return announce_workpiece(instruction);
     case Op::table:

@@ -86,16 +86,27 @@ void ProgramRun::ask_value(const Instruction& instruction) {
   ask(std::move(request), AnswerUse::push_number);
 }
 
+// What would mean something else under another scheme must be off.
+bool ProgramRun::check_own_kinematics() {
+  const auto mode = active_mode(modal_, {Exclusion::tip_control, Exclusion::transformation,
+                                         Exclusion::rotation, Exclusion::drilling_cycle});
+  if (!mode) return true;
+  Diagnostic diagnostic = diagnostic_at(
+      file().source, "E5011", span(),
+      "the kinematic scheme cannot change while " + std::string(mode->name), "not in this mode");
+  diagnostic.notes.push_back(mode->set_by);
+  diagnostic.help.emplace_back(mode->remedy);
+  fail_with(std::move(diagnostic));
+  return false;
+}
+
 void ProgramRun::ask_kinematics() {
   const double channel_number = pop_number();
   const auto scheme = pop_integer("the kinematic scheme");
   if (!scheme) return;
   const auto channel = channel_of(channel_number, false);
   if (!channel) return;
-  if (*channel == channel_.id && modal_.length.mode == LengthMode::tip) {
-    return fail("E5011", "the kinematic scheme cannot change while the tool tip is controlled",
-                "G43.4 is active");
-  }
+  if (*channel == channel_.id && !check_own_kinematics()) return;
   Request request;
   request.kind = RequestKind::kinematics;
   request.channel = *channel;

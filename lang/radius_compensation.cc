@@ -79,6 +79,10 @@ CompensationResult CompensationStage::select(const RadiusCompensation& wanted,
     state_ = stands_off ? State::leaving : State::off;
     return fault;
   }
+  if (wanted.radius_mm == 0.0) {
+    selected_ = wanted;
+    return std::nullopt;
+  }
   static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
   const auto& plane = coordinates[static_cast<std::size_t>(wanted.plane)];
   first_ = static_cast<std::size_t>(words_.geometry_axis(plane[0]));

@@ -8,10 +8,11 @@
 // plane move after G40 leads from the perpendicular at the end of the contour to the programmed
 // point. Gouges are errors: an arc smaller than the tool, a corner that the tool cannot reach, an
 // element that vanishes between its corners. Places that are narrow between elements which do not
-// follow each other are not seen. One element is held until the next one is known; commands without
-// plane motion wait with it, in their order. Source: T. R. Kramer, F. M. Proctor, E. Messina, "The
-// NIST RS274NGC Interpreter - Version 3" (NISTIR 6556, 2000), appendix B; the lead-in, the
-// intersections and the orientations of lathe tools as in LinuxCNC. All points in W, mm.
+// follow each other are not seen. A tool without a radius runs on the contour itself. One element
+// is held until the next one is known; commands without plane motion wait with it, in their order.
+// Source: T. R. Kramer, F. M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3"
+// (NISTIR 6556, 2000), appendix B; the intersections and the orientations of lathe
+// tools as in LinuxCNC. All points in W, mm.
 #pragma once
 
 #include <optional>

@@ -125,6 +125,9 @@ struct WorkpieceDirective {
   bool position = false;
   std::vector<Expression> arguments;
 };
+struct ToolOverhangDirective {
+  std::vector<Expression> arguments;  // none, value, or value and axis
+};
 struct NumberedProgram {
   int number = 0;
 };
@@ -244,9 +247,9 @@ struct Statement {
   Span span;
   int skip_level = 0;  // 1..9: leading /
   std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, WorkpieceDirective,
-               NumberedProgram, Declaration, Assignment, CallStatement, Compound, If, While,
-               DoWhile, For, Switch, Break, Continue, Return, FunctionDefinition, OSubprogram,
-               OCall, OReturn, ORepeat, FaultyText>
+               ToolOverhangDirective, NumberedProgram, Declaration, Assignment, CallStatement,
+               Compound, If, While, DoWhile, For, Switch, Break, Continue, Return,
+               FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat, FaultyText>
       kind;
 };
 

@@ -73,7 +73,8 @@ struct Assembly::Parts {
       feedback[k] = {.position = raw.position,
                      .valid = raw.valid,
                      .fault = fault,
-                     .enabled = raw.state == drives::DriveState::operation_enabled};
+                     .enabled = raw.state == drives::DriveState::operation_enabled,
+                     .referenced = raw.referenced};
     }
   }
 

@@ -120,7 +120,7 @@ void DryRun::take_move(const lang::Command& command, const lang::Move& move,
   };
   if (!block) return refuse(block.error());
   record(command, &*block);
-  if (reachability == Reachability::unchecked) return;
+  if (reachability == Reachability::unchecked || blocks_.is_transformed()) return;
   if (const auto pose = builder_.add(*block)) {
     refuse(channels::unreachable_pose(*pose, channel_));
     builder_.restart(blocks_.position_W());
@@ -154,6 +154,7 @@ void DryRun::take_request(const lang::Command& command, const lang::Request& req
   lang::Answer answer;
   answer.position_B = blocks_.position_B();
   answer.position_valid = true;
+  answer.ok = request.kind != lang::RequestKind::program_restart;
   interpreter_.answer(answer);
 }
 

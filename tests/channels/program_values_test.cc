@@ -203,6 +203,36 @@ TEST(SystemVariables, OfTheMachineTellWhatIsNow) {
       IsEmpty());
 }
 
+TEST(SystemVariables, TellAnAxisHomedAsItsDriveDoes) {
+  MachineBench bench;
+  std::vector<AxisFeedback> drives(5, {.valid = true, .enabled = true, .referenced = true});
+  drives[2].referenced = false;
+  bench.feedback(drives);
+  EXPECT_THAT(alarms_of("if ($homed[Y] == false) { terminate (1001, \"Y\"); }\n"
+                        "if ($homed[Z]) { terminate (1002, \"Z\"); }\n",
+                        bench),
+              IsEmpty());
+}
+
+TEST(ToolOverhang, ChangesTheCounterAndMovesNothing) {
+  MachineConfig config = two_channel_machine();
+  config.tables.offsets["G54"] = {{"X", 100.0}};
+  ToolEdge tool;
+  tool.number = 1;
+  tool.overhang = 20.0;
+  config.tables.tools = {tool};
+  MachineBench bench(std::move(config));
+  EXPECT_THAT(alarms_of("T1 M6\nG0 X50\n#tool_overhang (35)\n"
+                        "if (near ($pos[X], 65) == false) { terminate (1001, str ($pos[X])); }\n"
+                        "if ($pos_mcs[X] != 150) { terminate (1002, str ($pos_mcs[X])); }\n"
+                        "G0 X50\n"
+                        "if ($pos_mcs[X] != 135) { terminate (1003, str ($pos_mcs[X])); }\n"
+                        "#tool_overhang ()\n"
+                        "if (near ($pos[X], 35) == false) { terminate (1004, str ($pos[X])); }\n",
+                        bench),
+              IsEmpty());
+}
+
 TEST(SystemVariables, OfThingsThatAreNotThereAreErrors) {
   EXPECT_THAT(alarms_of("num speed_now = $speed_act[9];\n"), ElementsAre("E4053"));
   EXPECT_THAT(alarms_of("num scheme_now = $kinematics[9];\n"), ElementsAre("E6001"));

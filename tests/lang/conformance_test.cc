@@ -3,11 +3,13 @@
 //   ; expect: line X10 Y2 F100       the commands of the run, in order, all of them
 //   ; expect error 3:7 E4031         the errors of the load or the error of the run
 //   ; expect warning W211            the warnings of the load, in order
-//   ; channel lathe                  mill (X Y Z B C; C modulo 360), lathe (X Z C), master, or two
-//                                  spindles: the mill with spindle 1, which has a position, and 2
+//   ; channel lathe                  mill (X Y Z B C; C modulo 360), grind (the same axes), lathe
+//                                  (X Z C), master, or two spindles: the mill with spindle 1, which
+//                                  has a position, and 2
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
-// Requests are answered with success and the number 2.
+// Requests are answered with success and the number 2; M99 in the main program begins it again
+// once.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -66,8 +68,13 @@ class Describer {
                                         "orient"};
     std::string text = std::string("spindle ") + names[static_cast<int>(spindle.action)] + " " +
                        number_text(spindle.speed_rev_per_min);
+    if (spindle.cutting_speed_m_per_min != 0.0)
+      text += " at cutting speed " + number_text(spindle.cutting_speed_m_per_min);
     if (spindle.spindle != 0) text += " $" + std::to_string(spindle.spindle);
-    if (spindle.action == SpindleAction::orient) text += " R" + number_text(spindle.angle_deg);
+    if (spindle.action != SpindleAction::orient) return text;
+    static const char* const ways[] = {"", " clockwise", " counter-clockwise"};
+    text += " R" + number_text(spindle.angle_deg) + ways[static_cast<int>(spindle.way)];
+    if (spindle.timeout_s >= 0.0) text += " within " + number_text(spindle.timeout_s);
     return text;
   }
   std::string operator()(const CoolantCommand& coolant) const {
@@ -196,7 +203,7 @@ class Describer {
         "channel_state", "spindle_to_axis", "axis_to_spindle", "terminate",
         "write tool",    "write offset",    "read tool",       "read offset",
         "read",          "probe result",    "wait for input",  "mark wait",
-        "mark state",    "read shared",     "write shared"};
+        "mark state",    "read shared",     "write shared",    "program restart"};
     std::string text = std::string("request ") + names[static_cast<int>(request.kind)];
     if (request.channel != 0) text += " channel " + std::to_string(request.channel);
     if (request.number != 0) text += " " + std::to_string(request.number);
@@ -211,6 +218,8 @@ class Describer {
     if (request.kind == RequestKind::offset_table_write ||
         request.kind == RequestKind::tool_table_write)
       text += " " + number_text(request.value);
+    if (request.kind == RequestKind::input_wait)
+      text += (request.analog ? " analog mode " : " mode ") + std::to_string(request.index);
     if (request.seconds >= 0.0) text += " timeout " + number_text(request.seconds);
     return text;
   }
@@ -276,6 +285,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
  protected:
   void prepare_machine(const std::string& kind) {
     if (kind == "master") channel = master_channel();
+    if (kind == "grind") channel.kind = ChannelKind::grind;
     if (kind == "two spindles") {
       channel.spindles = {1, 2};
       channel.spindles_with_position = {1};
@@ -288,8 +298,9 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       tables.tools[number] = {number, {0.0, 0.0, 10.0 * number}, 1.0};
     }
     tables.offsets[2] = {100.0, 200.0, 300.0};
-    answering = [](const Request&) {
+    answering = [passes = 1](const Request& request) mutable {
       Answer answer;
+      if (request.kind == RequestKind::program_restart) answer.ok = passes++ == 1;
       answer.number = 2.0;
       return answer;
     };

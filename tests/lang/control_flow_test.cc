@@ -150,9 +150,22 @@ TEST_F(ControlFlow, SkipsBlocksWhenToldTo) {
   }
 }
 
-TEST_F(ControlFlow, RestartsTheMainProgramByM99) {
+TEST_F(ControlFlow, EndsTheMainProgramByM99WhereTheChannelDoesNotBeginItAgain) {
   run("G0 X1\nM99\n");
+  EXPECT_EQ(all<Move>().size(), 1u);
   EXPECT_EQ(all<ProgramEnd>().at(0).kind, ProgramEndKind::restart);
+}
+
+TEST_F(ControlFlow, BeginsAgainFromWithinAFunction) {
+  int passes = 0;
+  answering = [&](const Request&) {
+    Answer answer;
+    answer.ok = ++passes < 4;
+    return answer;
+  };
+  run("void again () {\n  G0 X1\n  M99\n}\n#100=[#100+1]\nmsg (str (#100));\nagain ();\nM30\n");
+  EXPECT_EQ(all<Move>().size(), 4u);
+  EXPECT_EQ(all<Message>().back().text, "4");
 }
 
 TEST_F(ControlFlow, ReportsTextBehindTheEndOnlyWhenItIsReached) {

@@ -46,22 +46,21 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Blocks, Fault,
-    ::testing::Values(FaultCase{"G0G9G90G91.1G94G21G17G40G49 X1", "E4005", 1, 25},
-                      FaultCase{"G80\nX1", "E4012", 2, 1}, FaultCase{"G1 X1 F-5", "E4022", 1, 7},
-                      FaultCase{"S-1", "E4022", 1, 1}, FaultCase{"G93\nG1 X1", "E4023", 2, 1},
-                      FaultCase{"G1 X1", "E4020", 1, 1},
-                      FaultCase{"G95 F1\nG94 G1 X1", "E4020", 2, 1},
-                      FaultCase{"F100\nG53 G2 X1 I1", "E4041", 2, 1},
-                      FaultCase{"G91\nG53 G0 X1", "E4042", 2, 1}, FaultCase{"M6", "E4051", 1, 1},
-                      FaultCase{"G4 S5", "E4052", 1, 4}, FaultCase{"G4", "E4007", 1, 1},
-                      FaultCase{"G54.1 P301", "E4008", 1, 7}, FaultCase{"G54.1", "E4007", 1, 1},
-                      FaultCase{"T7", "E5002", 1, 1}, FaultCase{"G43 H7", "E5002", 1, 5},
-                      FaultCase{"G43 H1.5", "E4008", 1, 5}, FaultCase{"G10 L2 X1", "E4007", 1, 1},
-                      FaultCase{"G10 L3 P1 X1", "E4008", 1, 5}, FaultCase{"G0 C1", "E4010", 1, 4},
-                      FaultCase{"G64 P-1", "E4008", 1, 5}, FaultCase{"M98", "E4007", 1, 1},
-                      FaultCase{"M98 P5", "E7005", 1, 1}, FaultCase{"G87 X1", "E2090", 1, 1},
-                      FaultCase{"G34 X1 K1", "E2090", 1, 1}, FaultCase{"G=17.33", "E4004", 1, 1},
-                      FaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
+    ::testing::Values(
+        FaultCase{"G0G9G90G91.1G94G21G17G40G49G50G54G64G69G80G97G98G15 X1", "E4005", 1, 49},
+        FaultCase{"G80\nX1", "E4012", 2, 1}, FaultCase{"G1 X1 F-5", "E4022", 1, 7},
+        FaultCase{"S-1", "E4022", 1, 1}, FaultCase{"G93\nG1 X1", "E4023", 2, 1},
+        FaultCase{"G1 X1", "E4020", 1, 1}, FaultCase{"G95 F1\nG94 G1 X1", "E4020", 2, 1},
+        FaultCase{"F100\nG53 G2 X1 I1", "E4041", 2, 1}, FaultCase{"G91\nG53 G0 X1", "E4042", 2, 1},
+        FaultCase{"M6", "E4051", 1, 1}, FaultCase{"G4 S5", "E4052", 1, 4},
+        FaultCase{"G4", "E4007", 1, 1}, FaultCase{"G54.1 P301", "E4008", 1, 7},
+        FaultCase{"G54.1", "E4007", 1, 1}, FaultCase{"T7", "E5002", 1, 1},
+        FaultCase{"G43 H7", "E5002", 1, 5}, FaultCase{"G43 H1.5", "E4008", 1, 5},
+        FaultCase{"G10 L2 X1", "E4007", 1, 1}, FaultCase{"G10 L3 P1 X1", "E4008", 1, 5},
+        FaultCase{"G0 C1", "E4010", 1, 4}, FaultCase{"G64 P-1", "E4008", 1, 5},
+        FaultCase{"M98", "E4007", 1, 1}, FaultCase{"M98 P5", "E7005", 1, 1},
+        FaultCase{"G87 X1", "E2090", 1, 1}, FaultCase{"G34 X1 K1", "E2090", 1, 1},
+        FaultCase{"G=17.33", "E4004", 1, 1}, FaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
 
 INSTANTIATE_TEST_SUITE_P(
     Runs, Fault,

@@ -86,8 +86,14 @@ inline ChannelDescription master_channel() {
 // A program that is compiled and run to its end (or its failure).
 class ProgramTest : public ::testing::Test {
  protected:
-  // What the channel answers to a request; ok without a position by default.
+  // What the channel answers to a request; ok without a position by default, but the main program
+  // does not begin again.
   using Answering = std::function<Answer(const Request&)>;
+  static Answer usual_answer(const Request& request) {
+    Answer answer;
+    answer.ok = request.kind != RequestKind::program_restart;
+    return answer;
+  }
 
   std::vector<Diagnostic> load_errors(const std::string& text) {
     files.texts["main.nc"] = text;
@@ -129,7 +135,7 @@ class ProgramTest : public ::testing::Test {
       if (last_step == Step::waiting) {
         const auto* request = std::get_if<Request>(&commands.back().payload);
         ASSERT_NE(request, nullptr);
-        interpreter->answer(answering ? answering(*request) : Answer{});
+        interpreter->answer(answering ? answering(*request) : usual_answer(*request));
       }
     }
     ADD_FAILURE() << "the program does not end";

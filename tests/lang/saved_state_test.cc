@@ -19,6 +19,13 @@ class SavedStates : public ProgramTest {
   }
   bool chance() { return std::uniform_int_distribution<int>(0, 1)(random) == 1; }
 
+  void turn(ModalState& state) {
+    state.set(Group::rotation, 680, 0);
+    ProgrammedRotation& turned = state.rotation;
+    turned = {{}, {number(), number(), 1.0}, number(), {number(), number(), number()}};
+    turned.rotation = Rotation::about(turned.axis, turned.angle_deg);
+  }
+
   // A state as programs leave it, every field set.
   ModalState random_state() {
     ModalState state = default_modal_state(chance() ? ChannelKind::mill : ChannelKind::lathe);
@@ -49,6 +56,14 @@ class SavedStates : public ProgramTest {
     state.work_offset_number = std::uniform_int_distribution<int>(1, 309)(random);
     for (double& shift : state.local_shift) shift = number();
     for (double& shift : state.axis_shift) shift = number();
+    state.overhang_axis = std::uniform_int_distribution<int>(-1, axes_max - 1)(random);
+    state.overhang_shift_mm = number();
+    state.set(Group::spindle_mode, chance() ? 960 : 970, 0);
+    state.cutting_speed_m_per_min = number();
+    state.speed_limit_rev_per_min = number();
+    if (chance()) turn(state);
+    if (chance()) state.map.scale(1, number(), 1.0 + std::abs(number()));
+    if (chance()) state.map.mirror(0, number());
     return state;
   }
 };
@@ -74,6 +89,8 @@ TEST_F(SavedStates, AreTheSameAfterTheirText) {
     EXPECT_EQ(read->state.axis_shift, state.axis_shift);
     EXPECT_EQ(read->state.axis_shift_active, state.axis_shift_active);
     EXPECT_EQ(read->state.mist, state.mist);
+    EXPECT_EQ(read->state.rotation.rotation, state.rotation.rotation);
+    EXPECT_EQ(read->state.map.numbers(), state.map.numbers());
     EXPECT_EQ(gvector_text(read->state, state_all), text);
     for (const char c : text) ASSERT_TRUE(c >= 0x20 && c < 0x7F);
   }
@@ -113,6 +130,16 @@ TEST_F(SavedStates, DoNotChangeTheTool) {
   EXPECT_EQ(error_code(text + "restore_gvector (kept);\nM30\n"), "E4014");
   EXPECT_EQ(error_code("restore_gvector (\"GV1;modal G0\");\nM30\n"), "E3022");
   EXPECT_EQ(error_code("string kept = save_gvector (64);\nM30\n"), "E3009");
+}
+
+TEST_F(SavedStates, BringConstantCuttingSpeedBack) {
+  run("G96 S180 D2000 M3\nstring kept = save_gvector (GV_SPINDLE);\nG97 S500\n"
+      "restore_gvector (kept);\nM30\n");
+  EXPECT_EQ(error.code, "");
+  const CuttingSpeedMode mode = all<CuttingSpeedMode>().back();
+  EXPECT_TRUE(mode.constant);
+  EXPECT_EQ(mode.speed_m_per_min, 180.0);
+  EXPECT_EQ(mode.limit_rev_per_min, 2000.0);
 }
 
 TEST_F(SavedStates, HoldForTheirCallOnly) {

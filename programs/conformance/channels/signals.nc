@@ -13,7 +13,7 @@ M67 E2 Q1.5
 M68 E15 Q-2
 ; expect: analog output 15 -2
 M66 P4 L3 Q0.5
-; expect: request wait for input 4 timeout 0.5
+; expect: request wait for input 4 mode 3 timeout 0.5
 G0 X#5399
 ; expect: rapid X2
 M30

@@ -3,7 +3,7 @@
 ; spindle.
 G96 S180 D2500 M3
 ; expect: cutting speed 180 limit 2500
-; expect: spindle clockwise 0
+; expect: spindle clockwise 0 at cutting speed 180
 S200
 ; expect: cutting speed 200 limit 2500
 G20 G96 S1000

@@ -16,7 +16,7 @@ G4 S3 $2
 M5
 ; expect: spindle stop 500
 M19 R30 P1 Q2 $2
-; expect: spindle orient 900 $2 R30
+; expect: spindle orient 900 $2 R30 clockwise within 2
 M3 $3
 ; expect error 20:1 E4053
 M30

@@ -1,6 +1,6 @@
 G7.1 C25
 ; expect: transformation cylinder 25 C
 ; expect: request sync
-G18 G2 Z1 C10 R20 F100
+G18 G2 Z1 C10 I5 K5 F100
 M30
-; expect error 4:5 E2090
+; expect error 4:15 E4030

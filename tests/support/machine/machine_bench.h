@@ -47,6 +47,9 @@ class MachineBench {
     ask(channels::OperatorAction::program_run, channel, program);
   }
 
+  // What the drives answer from here on, in the order of the machine's axes; empty: ideal drives.
+  void feedback(std::vector<channels::AxisFeedback> feedback) { feedback_ = std::move(feedback); }
+
   // One cycle, all preparations blocked before; returns its output.
   const channels::CycleOutput& cycle();
   // Until nothing happens any more without an operator; fails the test after `cycles_max`. `watch`
@@ -67,6 +70,7 @@ class MachineBench {
   channels::CycleOutput output_;
   std::vector<channels::OperatorEvent> events_;
   std::vector<channels::OperatorReply> replies_;
+  std::vector<channels::AxisFeedback> feedback_;
   std::uint64_t next_id_ = 1;
 };
 
