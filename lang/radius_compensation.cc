@@ -192,12 +192,12 @@ CompensationResult CompensationStage::continue_contour(Command& command, const M
     return fault_of(command.origin, "E4145", "the tool is too large for the inside of this arc",
                     "the radius is smaller than the tool's");
   }
-  Corner corner;
-  if (held_->lead_in) {
+  Corner corner = corner_between(held_->element, next.element, offset_);
+  const bool inside = corner.turn * offset_ > 0.0;
+  if (held_->lead_in && inside) {
+    corner = {};
     corner.start_after = next.element.start + offset_ * left_of(start_tangent(next.element));
     corner.end_before = corner.start_after;
-  } else {
-    corner = corner_between(held_->element, next.element, offset_);
   }
   if (corner.kind == CornerKind::none) {
     return fault_of(command.origin, "E4146", "the tool cannot reach the corner before this block",

@@ -3,16 +3,16 @@
 // radius come out.
 //
 // Rules: the first plane move (G0 or G1) leads in to the perpendicular of the first contour element
-// at its start. Inside corners are cut at the intersection of the parallels; outside corners get an
-// arc about the programmed corner, but for lines up to 10 degrees, which are extended. The first
-// plane move after G40 leads from the perpendicular at the end of the contour to the programmed
-// point. Gouges are errors: an arc smaller than the tool, a corner that the tool cannot reach, an
-// element that vanishes between its corners. Places that are narrow between elements which do not
-// follow each other are not seen. A tool without a radius runs on the contour itself. One element
-// is held until the next one is known; commands without plane motion wait with it, in their order.
-// Source: T. R. Kramer, F. M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3"
-// (NISTIR 6556, 2000), appendix B; the intersections and the orientations of lathe
-// tools as in LinuxCNC. All points in W, mm.
+// at its start, around an outside corner as around all others. Inside corners are cut at the
+// intersection of the parallels; outside corners get an arc about the programmed corner, but for
+// lines up to 10 degrees, which are extended. The first plane move after G40 leads from the
+// perpendicular at the end of the contour to the programmed point. Gouges are errors: an arc
+// smaller than the tool, a corner that the tool cannot reach, an element that vanishes between its
+// corners. Places that are narrow between elements which do not follow each other are not seen. A
+// tool without a radius runs on the contour itself. One element is held until the next one is
+// known; commands without plane motion wait with it, in their order. Source: T. R. Kramer, F. M.
+// Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3" (NISTIR 6556, 2000), appendix B;
+// the intersections and the orientations of lathe tools as in LinuxCNC. All points in W, mm.
 #pragma once
 
 #include <optional>

@@ -154,14 +154,16 @@ class RandomContour {
 
 class RadiusCompensationTest : public ProgramTest {
  protected:
-  // The program of a contour with `radius` on the side `code`, all but the lead-in and lead-out on
-  // lines 3 and following.
+  // The program of a contour with `radius` on the side `code`, all but the lead-in, which comes
+  // from that side, and the lead-out on lines 3 and following.
   static std::string program(const RandomContour& contour, int code, double radius) {
     const Element& first = contour.elements[0];
+    const double way = (code == 41 ? 20.0 : -20.0) / distance(first.start, first.end);
+    const Point from{first.start.x - way * (first.end.y - first.start.y),
+                     first.start.y + way * (first.end.x - first.start.x)};
     char head[300];
-    std::snprintf(head, sizeof head, "F100 G0 X%.6f Y%.6f\nG%d.1 D%.6f G1 X%.6f Y%.6f\n",
-                  first.start.x + 20.0, first.start.y, code, 2.0 * radius, first.start.x,
-                  first.start.y);
+    std::snprintf(head, sizeof head, "F100 G0 X%.6f Y%.6f\nG%d.1 D%.6f G1 X%.6f Y%.6f\n", from.x,
+                  from.y, code, 2.0 * radius, first.start.x, first.start.y);
     return head + contour.text + "G40 G1 X0 Y0\nM30\n";
   }
 

@@ -6,10 +6,11 @@ G42 D2 M8
 Z4
 ; expect: rapid Z4
 G1 X10 Y0
-; expect: line X11 Y0 F100
+; expect: line X10 Y-1 F100
 M9
 ; expect: coolant off
 Y20
+; expect: arc ccw xy centre 10,0 X11 Y0 F100
 Z3 B30
 (MSG,here)
 M0
