@@ -16,6 +16,10 @@ namespace {
 
 using Point = CurvePoint;
 
+// Noise of coordinates in mm that were inches: a radius that exceeds half the chord by no more
+// makes half a circle.
+constexpr double coordinate_rounding = 1e-12;
+
 struct ArcPlane {
   std::size_t first = 0;  // channel axes of the plane
   std::size_t second = 0;
@@ -168,7 +172,8 @@ std::optional<Point> centre_from_radius(ActiveBlock& block, const ArcPlane& plan
                "at least " + in_mm(half) + " mm are needed");
     return std::nullopt;
   }
-  const double height = missing >= 0.0 ? 0.0 : std::sqrt((radius - half) * (radius + half));
+  const double height =
+      missing >= -coordinate_rounding ? 0.0 : std::sqrt((radius - half) * (radius + half));
   const double side = counter_clockwise == (radius > 0.0) ? 1.0 : -1.0;
   const double scale = side * height / chord;
   return Point{p0[0] + dx / 2.0 - dy * scale, p0[1] + dy / 2.0 + dx * scale};

@@ -127,7 +127,8 @@ class Roughing {
     rapid({0.0, along_});
     const double deepest = contour_.deepest();
     double above = 0.0;
-    for (double n = 1.0; n * settings_.depth < deepest; n += 1.0) {
+    // A rest that rounding leaves is no level.
+    for (double n = 1.0; n * settings_.depth < deepest - 1e-9; n += 1.0) {
       const double depth = n * settings_.depth;
       for (const TurnedStretch& stretch : contour_.stretches(depth)) cut(stretch, depth, above);
       above = depth;

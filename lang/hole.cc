@@ -97,7 +97,9 @@ void Hole::peck(CodeNumber code) {
   const DrillingCycle& cycle = block_.modal.cycle;
   double depth = cycle.retract_level;
   while (!block_.failed()) {
-    depth = std::max(depth - cycle.peck, cycle.bottom);
+    depth -= cycle.peck;
+    // A rest that rounding leaves is no peck.
+    if (depth < cycle.bottom + same_point) depth = cycle.bottom;
     feed(depth);
     if (depth <= cycle.bottom) return retract();
     if (code == 730) {
