@@ -1,17 +1,17 @@
 #include "channels/channel.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/numeric.h"
 
 namespace stanok::channels {
 namespace {
 
-constexpr int items_per_cycle =
-    16;  // bound of work; a program cannot keep the cycle busy with items
 constexpr int remarks_per_cycle = 8;
-constexpr double dwell_rounding = 1e-9;  // cycles; a dwell of whole cycles stays whole
+
+std::string_view first_line(std::string_view text) RT_SAFE {
+  return {text.data(), std::min(text.find('\n'), text.size())};
+}
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   cycle_ = cycle;
   has_passed_mark_ = false;
   if (resetting_) continue_reset();
-  work_items(cycle);
+  work_items();
   find_gate();
   move();
   work_riders();
@@ -54,149 +54,6 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   if (power_off_wanted_ && !resetting_ && interpolator_.at_rest()) {
     power(false);
     power_off_wanted_ = false;
-  }
-}
-
-// Items in program order, each when the path before it is done and the axes stand.
-void Channel::work_items(std::int64_t cycle) RT_SAFE {
-  for (int n = 0; n < items_per_cycle; ++n) {
-    if (resetting_ || (state_ == ChannelState::held && running_)) return;
-    if (!finish_activity()) return;
-    if (link_.items.empty() || !interpolator_.at_rest()) return;
-    if (path_.chunks_done < link_.items.front().after_chunk) return;
-    if (link_.riders.popped() < link_.items.front().after_rider) return;
-    static_cast<void>(link_.items.pop(item_));
-    execute(item_, cycle);
-  }
-}
-
-// True when nothing keeps the channel from its next item.
-bool Channel::finish_activity() RT_SAFE {
-  switch (activity_) {
-    case Activity::none:
-      return true;
-    case Activity::frame:
-      if (activity_began_ == cycle_) return false;
-      break;
-    case Activity::dwell:
-      if (activity_cycles_-- > 0) return false;
-      break;
-    case Activity::spindle:
-      if (!std::all_of(spindles_.begin(), spindles_.end(),
-                       [](const Spindle& s) RT_SAFE { return s.is_settled(); })) {
-        return false;
-      }
-      break;
-    case Activity::brakes:
-      if (activity_cycles_-- > 0) return false;
-      set_axes(item_.axes, item_.kind == ItemKind::join_axes);
-      break;
-    case Activity::request:
-    case Activity::stop:
-      return false;
-  }
-  activity_ = Activity::none;
-  return true;
-}
-
-void Channel::wait(Activity activity, double seconds) RT_SAFE {
-  activity_ = activity;
-  activity_began_ = cycle_;
-  activity_cycles_ = ceiling(seconds / figures_.cycle_s - dwell_rounding);
-}
-
-void Channel::execute(const Item& item, std::int64_t cycle) RT_SAFE {
-  switch (item.kind) {
-    case ItemKind::load_done:
-      load_ = item.flag ? Outcome::succeeded : Outcome::failed;
-      text_ = item.text;
-      has_program_ = has_program_ || item.flag;
-      if (item.flag && state_ == ChannelState::idle) state_ = ChannelState::ready;
-      break;
-    case ItemKind::run_end:
-      end_run(true, static_cast<std::uint64_t>(item.number), cycle);
-      if (item.flag)
-        emit(cycle, "W2099", "M99 in the main program ends the simulated run", item.tag);
-      break;
-    case ItemKind::run_failed:
-      end_run(false, static_cast<std::uint64_t>(item.number), cycle);
-      raise_alarm(item.code.view(), item.text.view(), item.tag);
-      break;
-    case ItemKind::reset_done:
-      break;  // an answer to a reset that is over
-    case ItemKind::transform:
-      // The axes stand for one cycle in the new frame, so that every trace begins where they are.
-      transform_ = *item.transform;
-      interpolator_.stand_at(axes_M(), transform_);
-      wait(Activity::frame, 0.0);
-      break;
-    case ItemKind::dwell:
-      wait(Activity::dwell, item.value);
-      break;
-    case ItemKind::spindle:
-      for (Spindle& spindle : spindles_) {
-        const int wanted = item.spindle.spindle;
-        const bool is_master = &spindle == spindles_.data();
-        if (wanted == spindle.id() || wanted < 0 || (wanted == 0 && is_master))
-          spindle.command(item.spindle);
-      }
-      wait(Activity::spindle, 0.0);
-      break;
-    case ItemKind::coolant:
-    case ItemKind::tool_change:
-      break;
-    case ItemKind::override_control:
-      take_overrides(item.overrides);
-      break;
-    case ItemKind::output:
-      if (item.flag) {
-        books_.outputs->analog[static_cast<std::size_t>(item.number)] = item.value;
-      } else {
-        books_.outputs->set(static_cast<int>(item.number), item.value != 0.0);
-      }
-      break;
-    case ItemKind::machine_function:
-      emit(cycle, "", item.text.view(), item.tag);
-      break;
-    case ItemKind::program_stop:
-      if (item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop)) {
-        if (optional_stop_) hold(HoldCause::program_stop);
-        break;
-      }
-      if (figures_.stops_go_on) {
-        emit(cycle, "", "program stop: going on at once", item.tag);
-        break;
-      }
-      hold(HoldCause::program_stop);
-      break;
-    case ItemKind::request:
-      activity_ = Activity::request;
-      break;
-    case ItemKind::park_axes:
-    case ItemKind::join_axes: {
-      double seconds = 0.0;
-      for (std::size_t k = 0; k < motion::axes_max; ++k) {
-        if ((item.axes >> k & 1U) == 0) continue;
-        seconds = std::max(seconds, figures_.axes[k].brake_s + figures_.axes[k].power_s);
-        if (item.kind == ItemKind::park_axes) drives_[k].brake_closed = true;
-        if (item.kind == ItemKind::join_axes) drives_[k].enabled = true;
-      }
-      wait(Activity::brakes, seconds);
-      break;
-    }
-    case ItemKind::scheme_set:
-      scheme_ = static_cast<int>(item.number);
-      transform_ = {};
-      transform_.scheme = find_scheme(scheme_);
-      interpolator_.stand_at(axes_M(), transform_);
-      break;
-    case ItemKind::switch_done:
-      switch_ = Outcome::succeeded;
-      break;
-    case ItemKind::switch_failed:
-      switch_ = Outcome::failed;
-      text_ = item.text;
-      break;
   }
 }
 
@@ -265,72 +122,6 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.drives = drives_;
 }
 
-void Channel::begin_load(const ShortText& program) RT_SAFE {
-  load_ = Outcome::pending;
-  Notice notice;
-  notice.kind = NoticeKind::load;
-  notice.text = ReasonText(program.view());
-  static_cast<void>(link_.notices.push(notice));
-}
-
-void Channel::begin_run() RT_SAFE {
-  ++run_;
-  run_before_ok_ = run_ok_;
-  running_ = true;
-  run_ok_ = false;
-  was_reset_ = false;
-  marks_ = {};
-  state_ = ChannelState::running;
-  control_.hold = false;
-  start_cycle_ = cycle_;
-  path_mm_ = 0.0;
-  lookahead_max_ = 0;
-  blocks_ = 0;
-  Notice notice;
-  notice.kind = NoticeKind::start;
-  notice.run = run_;
-  notice.number = scheme_;
-  notice.block_skip = block_skip_;
-  notice.axes_M = axes_M();
-  static_cast<void>(link_.notices.push(notice));
-  static_cast<void>(books_.reports->run_records().push(run_record()));
-}
-
-RunRecord Channel::run_record() const RT_SAFE {
-  RunRecord record;
-  record.channel = figures_.id;
-  record.run = run_;
-  record.start_cycle = start_cycle_;
-  record.end_cycle = cycle_;
-  record.path_mm = path_mm_;
-  record.lookahead_max_blocks = lookahead_max_;
-  record.blocks = blocks_;
-  record.axis_count = figures_.axis_count;
-  for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    record.end_W[k] = path_.point[k].value;
-    record.end_M[k] = path_.axes[k].value;
-  }
-  return record;
-}
-
-void Channel::end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE {
-  if (!running_) return;
-  running_ = false;
-  run_ok_ = ok;
-  end_cycle_ = cycle;
-  take_overrides({});
-  hold_wanted_ = false;
-  control_.hold = false;
-  state_ = ChannelState::ready;
-  for (Spindle& spindle : spindles_) spindle.stop();
-  RunRecord record = run_record();
-  record.ended = true;
-  record.ok = ok;
-  record.blocks = blocks;
-  record.end_cycle = cycle;
-  static_cast<void>(books_.reports->run_records().push(record));
-}
-
 void Channel::hold(HoldCause cause) RT_SAFE {
   if (!running_) return;
   hold_cause_ = cause;
@@ -342,47 +133,6 @@ void Channel::resume() RT_SAFE {
   if (state_ != ChannelState::held) return;
   control_.hold = false;
   state_ = ChannelState::running;
-}
-
-void Channel::begin_reset() RT_SAFE {
-  alarm_stays_ = false;
-  if (resetting_) return;
-  resetting_ = true;
-  reset_sent_ = false;
-  control_.hold = true;
-}
-
-// First to rest along the path, then the preparation is told to forget, then what it had pushed is
-// dropped.
-void Channel::continue_reset() RT_SAFE {
-  if (!interpolator_.at_rest()) return;
-  if (!reset_sent_) {
-    Notice notice;
-    notice.kind = NoticeKind::reset;
-    reset_sent_ = link_.notices.push(notice);
-    activity_ = Activity::none;
-    return;
-  }
-  Item item;
-  while (link_.items.pop(item)) {
-    if (item.kind != ItemKind::reset_done) continue;
-    interpolator_.drop_path(link_.path);
-    forget_riders();
-    link_.remarks.pop_front(link_.remarks.size());
-    end_run(false, blocks_, cycle_);
-    resetting_ = false;
-    was_reset_ = true;
-    control_.hold = false;
-    load_ = load_ == Outcome::pending ? Outcome::failed : load_;
-    switch_ = switch_ == Outcome::pending ? Outcome::failed : switch_;
-    state_ = has_program_ ? ChannelState::ready : ChannelState::idle;
-    if (alarm_stays_) state_ = ChannelState::alarm;
-    alarm_stays_ = false;
-    transform_ = {};
-    transform_.scheme = find_scheme(scheme_);
-    interpolator_.stand_at(axes_M(), transform_);
-    return;
-  }
 }
 
 void Channel::answer(const ChannelAnswer& answer) RT_SAFE {
@@ -413,7 +163,7 @@ void Channel::raise_alarm(std::string_view code, std::string_view text, const mo
   record.file = file_name(tag);
   last_alarm_ = {run_, tag.line, record.code, record.file};
   static_cast<void>(books_.reports->alarm_records().push(record));
-  emit(cycle_, code, text.substr(0, text.find('\n')), tag);
+  emit(cycle_, code, first_line(text), tag);
 }
 
 // The program at fault stops along its path and is over; the alarm stays until reset.

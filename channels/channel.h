@@ -178,9 +178,15 @@ class Channel {
  private:
   enum class Activity : std::uint8_t { none, frame, dwell, spindle, brakes, request, stop };
 
-  void work_items(std::int64_t cycle) RT_SAFE;
+  // Items (channel_items.cc).
+  void work_items() RT_SAFE;
   [[nodiscard]] bool finish_activity() RT_SAFE;
-  void execute(const Item& item, std::int64_t cycle) RT_SAFE;
+  void execute(const Item& item) RT_SAFE;
+  void take_load(const Item& item) RT_SAFE;
+  void command_spindles(const lang::SpindleCommand& command) RT_SAFE;
+  void set_output(const Item& item) RT_SAFE;
+  void stop_by_program(const Item& item) RT_SAFE;
+  void begin_brakes(const Item& item) RT_SAFE;
   void end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;

@@ -1,0 +1,163 @@
+// Items of the program in the cycle: executed in their order, each when the path before it is done.
+#include <algorithm>
+
+#include "base/numeric.h"
+#include "channels/channel.h"
+
+namespace stanok::channels {
+namespace {
+
+constexpr int items_per_cycle = 16;      // bound of work
+constexpr double dwell_rounding = 1e-9;  // cycles; a dwell of whole cycles stays whole
+
+}  // namespace
+
+// Items in program order, each when the path before it is done and the axes stand.
+void Channel::work_items() RT_SAFE {
+  for (int n = 0; n < items_per_cycle; ++n) {
+    if (resetting_ || (state_ == ChannelState::held && running_)) return;
+    if (!finish_activity()) return;
+    if (link_.items.empty() || !interpolator_.at_rest()) return;
+    if (path_.chunks_done < link_.items.front().after_chunk) return;
+    if (link_.riders.popped() < link_.items.front().after_rider) return;
+    static_cast<void>(link_.items.pop(item_));
+    execute(item_);
+  }
+}
+
+// True when nothing keeps the channel from its next item.
+bool Channel::finish_activity() RT_SAFE {
+  switch (activity_) {
+    case Activity::none:
+      return true;
+    case Activity::frame:
+      if (activity_began_ == cycle_) return false;
+      break;
+    case Activity::dwell:
+      if (activity_cycles_-- > 0) return false;
+      break;
+    case Activity::spindle:
+      if (!std::all_of(spindles_.begin(), spindles_.end(),
+                       [](const Spindle& s) RT_SAFE { return s.is_settled(); })) {
+        return false;
+      }
+      break;
+    case Activity::brakes:
+      if (activity_cycles_-- > 0) return false;
+      set_axes(item_.axes, item_.kind == ItemKind::join_axes);
+      break;
+    case Activity::request:
+    case Activity::stop:
+      return false;
+  }
+  activity_ = Activity::none;
+  return true;
+}
+
+void Channel::wait(Activity activity, double seconds) RT_SAFE {
+  activity_ = activity;
+  activity_began_ = cycle_;
+  activity_cycles_ = ceiling(seconds / figures_.cycle_s - dwell_rounding);
+}
+
+void Channel::execute(const Item& item) RT_SAFE {
+  switch (item.kind) {
+    case ItemKind::load_done:
+      return take_load(item);
+    case ItemKind::run_end:
+      end_run(true, static_cast<std::uint64_t>(item.number), cycle_);
+      if (item.flag)
+        emit(cycle_, "W2099", "M99 in the main program ends the simulated run", item.tag);
+      return;
+    case ItemKind::run_failed:
+      end_run(false, static_cast<std::uint64_t>(item.number), cycle_);
+      return raise_alarm(item.code.view(), item.text.view(), item.tag);
+    case ItemKind::reset_done:
+      return;  // an answer to a reset that is over
+    case ItemKind::transform:
+      // The axes stand for one cycle in the new frame, so that every trace begins where they are.
+      transform_ = *item.transform;
+      interpolator_.stand_at(axes_M(), transform_);
+      return wait(Activity::frame, 0.0);
+    case ItemKind::dwell:
+      return wait(Activity::dwell, item.value);
+    case ItemKind::spindle:
+      return command_spindles(item.spindle);
+    case ItemKind::coolant:
+    case ItemKind::tool_change:
+      return;
+    case ItemKind::override_control:
+      return take_overrides(item.overrides);
+    case ItemKind::output:
+      return set_output(item);
+    case ItemKind::machine_function:
+      return emit(cycle_, "", item.text.view(), item.tag);
+    case ItemKind::program_stop:
+      return stop_by_program(item);
+    case ItemKind::request:
+      activity_ = Activity::request;
+      return;
+    case ItemKind::park_axes:
+    case ItemKind::join_axes:
+      return begin_brakes(item);
+    case ItemKind::scheme_set:
+      scheme_ = static_cast<int>(item.number);
+      transform_ = {};
+      transform_.scheme = find_scheme(scheme_);
+      return interpolator_.stand_at(axes_M(), transform_);
+    case ItemKind::switch_done:
+      switch_ = Outcome::succeeded;
+      return;
+    case ItemKind::switch_failed:
+      switch_ = Outcome::failed;
+      text_ = item.text;
+      return;
+  }
+}
+
+void Channel::take_load(const Item& item) RT_SAFE {
+  load_ = item.flag ? Outcome::succeeded : Outcome::failed;
+  text_ = item.text;
+  has_program_ = has_program_ || item.flag;
+  if (item.flag && state_ == ChannelState::idle) state_ = ChannelState::ready;
+}
+
+void Channel::command_spindles(const lang::SpindleCommand& command) RT_SAFE {
+  for (Spindle& spindle : spindles_) {
+    const bool is_master = &spindle == spindles_.data();
+    const bool is_meant = command.spindle == spindle.id() || command.spindle < 0 ||
+                          (command.spindle == 0 && is_master);
+    if (is_meant) spindle.command(command);
+  }
+  wait(Activity::spindle, 0.0);
+}
+
+void Channel::set_output(const Item& item) RT_SAFE {
+  if (item.flag) {
+    books_.outputs->analog[static_cast<std::size_t>(item.number)] = item.value;
+  } else {
+    books_.outputs->set(static_cast<int>(item.number), item.value != 0.0);
+  }
+}
+
+void Channel::stop_by_program(const Item& item) RT_SAFE {
+  const bool is_optional = item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop);
+  if (is_optional && !optional_stop_) return;
+  if (!is_optional && figures_.stops_go_on) {
+    return emit(cycle_, "", "program stop: going on at once", item.tag);
+  }
+  hold(HoldCause::program_stop);
+}
+
+void Channel::begin_brakes(const Item& item) RT_SAFE {
+  double seconds = 0.0;
+  for (std::size_t k = 0; k < motion::axes_max; ++k) {
+    if ((item.axes >> k & 1U) == 0) continue;
+    seconds = std::max(seconds, figures_.axes[k].brake_s + figures_.axes[k].power_s);
+    if (item.kind == ItemKind::park_axes) drives_[k].brake_closed = true;
+    if (item.kind == ItemKind::join_axes) drives_[k].enabled = true;
+  }
+  wait(Activity::brakes, seconds);
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,113 @@
+// Load, run and reset of one channel, as the cycle sees them.
+#include "channels/channel.h"
+
+namespace stanok::channels {
+
+void Channel::begin_load(const ShortText& program) RT_SAFE {
+  load_ = Outcome::pending;
+  Notice notice;
+  notice.kind = NoticeKind::load;
+  notice.text = ReasonText(program.view());
+  static_cast<void>(link_.notices.push(notice));
+}
+
+void Channel::begin_run() RT_SAFE {
+  ++run_;
+  run_before_ok_ = run_ok_;
+  running_ = true;
+  run_ok_ = false;
+  was_reset_ = false;
+  marks_ = {};
+  state_ = ChannelState::running;
+  control_.hold = false;
+  start_cycle_ = cycle_;
+  path_mm_ = 0.0;
+  lookahead_max_ = 0;
+  blocks_ = 0;
+  Notice notice;
+  notice.kind = NoticeKind::start;
+  notice.run = run_;
+  notice.number = scheme_;
+  notice.block_skip = block_skip_;
+  notice.axes_M = axes_M();
+  static_cast<void>(link_.notices.push(notice));
+  static_cast<void>(books_.reports->run_records().push(run_record()));
+}
+
+RunRecord Channel::run_record() const RT_SAFE {
+  RunRecord record;
+  record.channel = figures_.id;
+  record.run = run_;
+  record.start_cycle = start_cycle_;
+  record.end_cycle = cycle_;
+  record.path_mm = path_mm_;
+  record.lookahead_max_blocks = lookahead_max_;
+  record.blocks = blocks_;
+  record.axis_count = figures_.axis_count;
+  for (std::size_t k = 0; k < motion::axes_max; ++k) {
+    record.end_W[k] = path_.point[k].value;
+    record.end_M[k] = path_.axes[k].value;
+  }
+  return record;
+}
+
+void Channel::end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE {
+  if (!running_) return;
+  running_ = false;
+  run_ok_ = ok;
+  end_cycle_ = cycle;
+  take_overrides({});
+  hold_wanted_ = false;
+  control_.hold = false;
+  state_ = ChannelState::ready;
+  for (Spindle& spindle : spindles_) spindle.stop();
+  RunRecord record = run_record();
+  record.ended = true;
+  record.ok = ok;
+  record.blocks = blocks;
+  record.end_cycle = cycle;
+  static_cast<void>(books_.reports->run_records().push(record));
+}
+
+void Channel::begin_reset() RT_SAFE {
+  alarm_stays_ = false;
+  if (resetting_) return;
+  resetting_ = true;
+  reset_sent_ = false;
+  control_.hold = true;
+}
+
+// First to rest along the path, then the preparation is told to forget, then what it had pushed is
+// dropped.
+void Channel::continue_reset() RT_SAFE {
+  if (!interpolator_.at_rest()) return;
+  if (!reset_sent_) {
+    Notice notice;
+    notice.kind = NoticeKind::reset;
+    reset_sent_ = link_.notices.push(notice);
+    activity_ = Activity::none;
+    return;
+  }
+  Item item;
+  while (link_.items.pop(item)) {
+    if (item.kind != ItemKind::reset_done) continue;
+    interpolator_.drop_path(link_.path);
+    forget_riders();
+    link_.remarks.pop_front(link_.remarks.size());
+    end_run(false, blocks_, cycle_);
+    resetting_ = false;
+    was_reset_ = true;
+    control_.hold = false;
+    load_ = load_ == Outcome::pending ? Outcome::failed : load_;
+    switch_ = switch_ == Outcome::pending ? Outcome::failed : switch_;
+    state_ = has_program_ ? ChannelState::ready : ChannelState::idle;
+    if (alarm_stays_) state_ = ChannelState::alarm;
+    alarm_stays_ = false;
+    transform_ = {};
+    transform_.scheme = find_scheme(scheme_);
+    interpolator_.stand_at(axes_M(), transform_);
+    return;
+  }
+}
+
+}  // namespace stanok::channels
