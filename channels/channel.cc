@@ -10,7 +10,8 @@ namespace {
 constexpr int remarks_per_cycle = 8;
 
 std::string_view first_line(std::string_view text) RT_SAFE {
-  return {text.data(), std::min(text.find('\n'), text.size())};
+  text.remove_suffix(text.size() - std::min(text.find('\n'), text.size()));
+  return text;
 }
 
 }  // namespace
@@ -47,7 +48,9 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   if (resetting_) continue_reset();
   work_items();
   find_gate();
+  take_step();
   move();
+  stop_at_step();
   work_riders();
   show_remarks(cycle);
   for (Spindle& spindle : spindles_) spindle.advance(figures_.cycle_s);
@@ -131,6 +134,7 @@ void Channel::hold(HoldCause cause) RT_SAFE {
 
 void Channel::resume() RT_SAFE {
   if (state_ != ChannelState::held) return;
+  if (hold_cause_ == HoldCause::single_block) stepper_.next();
   control_.hold = false;
   state_ = ChannelState::running;
 }

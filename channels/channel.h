@@ -15,6 +15,7 @@
 #include "channels/output.h"
 #include "channels/report_book.h"
 #include "channels/spindle.h"
+#include "channels/stepper.h"
 #include "lang/builtin.h"
 #include "motion/interpolator.h"
 
@@ -108,6 +109,7 @@ class Channel {
   void set_spindle_override(double factor) RT_SAFE;
   void set_optional_stop(bool on) RT_SAFE { optional_stop_ = on; }
   void set_block_skip(int level, bool on) RT_SAFE;
+  void set_single_block(bool on) RT_SAFE;
 
   // Claims.
   [[nodiscard]] int id() const RT_SAFE { return figures_.id; }
@@ -182,6 +184,8 @@ class Channel {
   void work_items() RT_SAFE;
   [[nodiscard]] bool finish_activity() RT_SAFE;
   void execute(const Item& item) RT_SAFE;
+  void take_step() RT_SAFE;
+  void stop_at_step() RT_SAFE;
   void take_load(const Item& item) RT_SAFE;
   void command_spindles(const lang::SpindleCommand& command) RT_SAFE;
   void set_output(const Item& item) RT_SAFE;
@@ -196,6 +200,7 @@ class Channel {
   void execute(const Rider& rider) RT_SAFE;
   void find_gate() RT_SAFE;
   [[nodiscard]] std::uint64_t closed_from_block() const RT_SAFE;
+  [[nodiscard]] bool is_at_mark_gate() const RT_SAFE;
   void forget_riders() RT_SAFE;
   [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
@@ -245,6 +250,7 @@ class Channel {
   bool hold_wanted_ = false;  // by an operator while M53 does not let it act
   bool optional_stop_ = false;
   std::uint16_t block_skip_ = 0;  // bit n: level n
+  Stepper stepper_;
   Outcome load_ = Outcome::succeeded;
   Outcome switch_ = Outcome::succeeded;
   int scheme_ = 0;

@@ -10,6 +10,25 @@ namespace {
 constexpr int items_per_cycle = 16;      // bound of work
 constexpr double dwell_rounding = 1e-9;  // cycles; a dwell of whole cycles stays whole
 
+// What a program brings about, as opposed to what its load, reset or switch needs.
+bool is_of_program(ItemKind kind) RT_SAFE {
+  switch (kind) {
+    case ItemKind::dwell:
+    case ItemKind::spindle:
+    case ItemKind::coolant:
+    case ItemKind::tool_change:
+    case ItemKind::override_control:
+    case ItemKind::output:
+    case ItemKind::machine_function:
+    case ItemKind::program_stop:
+    case ItemKind::request:
+    case ItemKind::run_end:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 // Items in program order, each when the path before it is done and the axes stand.
@@ -20,6 +39,10 @@ void Channel::work_items() RT_SAFE {
     if (link_.items.empty() || !interpolator_.at_rest()) return;
     if (path_.chunks_done < link_.items.front().after_chunk) return;
     if (link_.riders.popped() < link_.items.front().after_rider) return;
+    const Item& next = link_.items.front();
+    if (is_of_program(next.kind) && !stepper_.admits(next.tag)) {
+      return hold(HoldCause::single_block);
+    }
     static_cast<void>(link_.items.pop(item_));
     execute(item_);
   }

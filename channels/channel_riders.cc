@@ -27,7 +27,7 @@ void Channel::work_riders() RT_SAFE {
 // The front rider is all that the channel waits for: at its gate, or before an item.
 bool Channel::rider_is_due() const RT_SAFE {
   const std::uint64_t number = link_.riders.popped();
-  if (path_.at_gate && number <= gate_) return true;
+  if (is_at_mark_gate() && number <= gate_) return true;
   if (link_.items.empty() || activity_ != Activity::none || !interpolator_.at_rest()) return false;
   const Item& next = link_.items.front();
   return path_.chunks_done >= next.after_chunk && number < next.after_rider;
@@ -81,7 +81,13 @@ const Rider* Channel::soft_mark() const RT_SAFE {
 
 std::uint64_t Channel::closed_from_block() const RT_SAFE {
   const Rider* mark = soft_mark_open_ ? nullptr : soft_mark();
-  return mark == nullptr ? motion::FeedControl::no_gate : mark->before_block;
+  const std::uint64_t closed = stepper_.closed_from_block();
+  return mark == nullptr ? closed : std::min(closed, mark->before_block);
+}
+
+bool Channel::is_at_mark_gate() const RT_SAFE {
+  const Rider* mark = soft_mark();
+  return path_.at_gate && mark != nullptr && mark->before_block <= stepper_.closed_from_block();
 }
 
 void Channel::forget_riders() RT_SAFE {

@@ -19,6 +19,7 @@ void Channel::begin_run() RT_SAFE {
   was_reset_ = false;
   marks_ = {};
   state_ = ChannelState::running;
+  stepper_.begin(run_);
   control_.hold = false;
   start_cycle_ = cycle_;
   path_mm_ = 0.0;

@@ -1,4 +1,6 @@
-// The operator's switches of one channel: overrides, hold, optional stop, block skip.
+// The operator's switches of one channel: overrides, hold, optional stop, block skip, single block.
+#include <algorithm>
+
 #include "channels/channel.h"
 
 namespace stanok::channels {
@@ -27,6 +29,33 @@ void Channel::hold_by_operator() RT_SAFE {
 void Channel::set_block_skip(int level, bool on) RT_SAFE {
   const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(level));
   block_skip_ = static_cast<std::uint16_t>(on ? block_skip_ | bit : block_skip_ & ~bit);
+}
+
+void Channel::set_single_block(bool on) RT_SAFE {
+  if (on) {
+    stepper_.switch_on(activity_ == Activity::none ? path_.tag : item_.tag);
+  } else {
+    stepper_.switch_off();
+  }
+}
+
+// A step that is awaited and begins on the path: the first block that is closed.
+void Channel::take_step() RT_SAFE {
+  const auto& pieces = link_.path.pieces;
+  for (std::size_t k = 0; k < std::min<std::size_t>(pieces.size(), 2); ++k) {
+    if (!stepper_.awaits_next()) return;
+    const motion::BlockTag& tag = pieces[k].tag;
+    if (tag.block >= stepper_.closed_from_block()) static_cast<void>(stepper_.admits(tag));
+  }
+}
+
+// A path that came too fast to a gate runs on to the end of the block behind it.
+void Channel::stop_at_step() RT_SAFE {
+  if (path_.tag.run == run_ && path_.tag.block >= stepper_.closed_from_block()) {
+    stepper_.pass(path_.tag);
+  }
+  const bool at_step = path_.at_gate && closed_from_block() == stepper_.closed_from_block();
+  if (at_step && state_ == ChannelState::running && !resetting_) hold(HoldCause::single_block);
 }
 
 std::optional<double> Channel::spindle_speed(int id) const RT_SAFE {

@@ -132,6 +132,8 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return success();
     case OperatorAction::optional_stop:
       return each([&](Channel& c) RT_SAFE { c.set_optional_stop(event.number != 0); });
+    case OperatorAction::single_block:
+      return each([&](Channel& c) RT_SAFE { c.set_single_block(event.number != 0); });
     case OperatorAction::block_skip:
     case OperatorAction::block_skip_off: {
       if (event.number < 1 || event.number > 9)

@@ -95,6 +95,7 @@ class Coordinator {
   [[nodiscard]] Verdict step_table(const Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict step_input_wait(Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict step_value(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict input_value(bool analog, int index) const RT_SAFE;
   [[nodiscard]] std::optional<double> axis_value(std::string_view name, const Channel& asker,
                                                  int axis) const RT_SAFE;
 

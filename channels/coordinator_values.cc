@@ -59,18 +59,20 @@ Coordinator::Verdict Coordinator::step_value(const Errand& errand) RT_SAFE {
     const auto speed = asker.spindle_speed(index);
     return speed ? success(*speed) : refusal("E4053", "the channel has no such spindle");
   }
-  if (name == "in" || name == "ain") {
-    const int count = name == "in" ? Signals::digital_count : Signals::analog_count;
-    if (index < 0 || index >= count) return refusal("E6028", "there is no such input");
-    if (name == "in") return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
-    return success(stores_.inputs->analog[static_cast<std::size_t>(index)]);
-  }
+  if (name == "in" || name == "ain") return input_value(name == "ain", index);
   if (name == "kinematics") {
     int found = -1;
     const Channel* named = channel_with_id(index, found);
     return named != nullptr ? success(named->scheme()) : refusal("E6001", "no such channel");
   }
   return refusal("E6033", "the machine does not know this value");
+}
+
+Coordinator::Verdict Coordinator::input_value(bool analog, int index) const RT_SAFE {
+  const int count = analog ? Signals::analog_count : Signals::digital_count;
+  if (index < 0 || index >= count) return refusal("E6028", "there is no such input");
+  if (analog) return success(stores_.inputs->analog[static_cast<std::size_t>(index)]);
+  return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
 }
 
 // Table 1 is the only one there is.

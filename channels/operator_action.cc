@@ -24,6 +24,7 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::kinematics_select, "kinematics_select"},
     {OperatorAction::alarm_acknowledge, "alarm_acknowledge"},
     {OperatorAction::optional_stop, "optional_stop"},
+    {OperatorAction::single_block, "single_block"},
     {OperatorAction::block_skip, "block_skip"},
     {OperatorAction::block_skip_off, "block_skip_off"},
 });

@@ -27,6 +27,7 @@ enum class OperatorAction : std::uint8_t {
   optional_stop,   // M1 stops: number = 1 yes, 0 no
   block_skip,      // number = level 1..9 whose blocks are skipped from the next sync point on
   block_skip_off,  // number = level
+  single_block,    // the program stops after each block: number = 1 yes, 0 no
 };
 
 struct OperatorEvent {

@@ -29,6 +29,7 @@ enum class HoldCause : std::uint8_t {
   program_stop,  // M0, M1, M60
   channel_stop,  // of another channel
   owner_failed,  // on_owner_failure
+  single_block,
 };
 
 // Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the

@@ -88,7 +88,7 @@ std::string progress_bar(std::size_t done, std::size_t all, const std::string& f
   constexpr std::size_t bar_width = 20;
   const std::size_t filled = all == 0 ? bar_width : bar_width * done / all;
   const std::string bar = std::string(filled, '=') + std::string(bar_width - filled, ' ');
-  const std::string text = fmt::format("[{}]  {} of {}  ", bar, done, all);
+  std::string text = fmt::format("[{}]  {} of {}  ", bar, done, all);
   const std::size_t room = columns > text.size() ? columns - text.size() : 0;
   if (width(file) <= room) return text + file;
   constexpr std::string_view cut = "...";

@@ -152,6 +152,9 @@ constexpr auto table = std::to_array<Method>({
      of_channel, "program_reset"},
     {"program.optional_stop", machine_operator, "whether M1 stops the program", of_switch,
      "optional_stop"},
+    {"program.step", machine_operator,
+     "single block: stop after each block; program start lets the next one begin", of_switch,
+     "single_block"},
     {"program.skip", machine_operator, "skip the blocks of a level from the next sync point on",
      of_skip, "block_skip"},
     {"program.unskip", machine_operator, "execute the blocks of a level again", of_skip,
@@ -159,7 +162,6 @@ constexpr auto table = std::to_array<Method>({
     {"program.list", observer, "program files beneath the program root"},
     {"program.history", observer, "program runs since the daemon started, with blocks and times",
      of_channel},
-    later("program.step", machine_operator, "single block on or off"),
     later("program.search", machine_operator, "find a block and collect its modal state"),
 
     {"override.feed", machine_operator, "feed override of a channel", of_feed, "override_feed"},

@@ -16,6 +16,8 @@ std::string_view text_of(channels::HoldCause cause) {
       return "channel_stop of another channel";
     case channels::HoldCause::owner_failed:
       return "the program that started it has failed";
+    case channels::HoldCause::single_block:
+      return "single block";
     case channels::HoldCause::none:
       break;
   }
