@@ -180,6 +180,8 @@ void Channel::fail_run(std::string_view code, std::string_view text, const motio
 }
 
 const FileName& Channel::file_name(const motion::BlockTag& tag) const RT_SAFE {
+  static constexpr FileName nothing;
+  if (tag.run != run_) return nothing;
   return link_.file_names[std::min<std::size_t>(tag.file, link_.file_names.size() - 1)];
 }
 

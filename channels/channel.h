@@ -23,6 +23,9 @@ namespace stanok::channels {
 
 inline constexpr int spindles_max = 4;
 
+// What is loaded and run: a program, or one line of an operator (MDI).
+enum class Job : std::uint8_t { program, line };
+
 // How a run of the channel, a load, a switch came out; the coordinator reads and acts.
 enum class Outcome : std::uint8_t { pending, succeeded, failed };
 
@@ -88,8 +91,8 @@ class Channel {
 
   // Effects, asked for by the coordinator. Each is legal in every state or says so.
   void power(bool on) RT_SAFE;  // off: axes braked and drives off at standstill
-  void begin_load(const ShortText& program) RT_SAFE;
-  void begin_run() RT_SAFE;  // state ready only
+  void begin_load(const ShortText& text, Job job) RT_SAFE;
+  void begin_run(Job job) RT_SAFE;  // of what was loaded last as such a job
   void hold(HoldCause cause) RT_SAFE;
   // Feed hold of an operator: waits where the program does not let it act (M53).
   void hold_by_operator() RT_SAFE;
@@ -191,7 +194,8 @@ class Channel {
   void set_output(const Item& item) RT_SAFE;
   void stop_by_program(const Item& item) RT_SAFE;
   void begin_brakes(const Item& item) RT_SAFE;
-  void end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE;
+  void end_run(bool ok, std::uint64_t blocks) RT_SAFE;
+  void close_run(bool ok, std::uint64_t blocks) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;
   void work_riders() RT_SAFE;
@@ -232,6 +236,7 @@ class Channel {
   ChannelState state_ = ChannelState::idle;
   bool powered_ = false;
   bool has_program_ = false;
+  Job loading_ = Job::program;
   bool running_ = false;
   bool run_ok_ = true;
   bool run_before_ok_ = true;

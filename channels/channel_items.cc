@@ -88,12 +88,14 @@ void Channel::execute(const Item& item) RT_SAFE {
     case ItemKind::load_done:
       return take_load(item);
     case ItemKind::run_end:
-      end_run(true, static_cast<std::uint64_t>(item.number), cycle_);
+      end_run(true, static_cast<std::uint64_t>(item.number));
       if (item.flag)
         emit(cycle_, "W2099", "M99 in the main program ends the simulated run", item.tag);
       return;
+    case ItemKind::line_end:
+      return close_run(true, static_cast<std::uint64_t>(item.number));
     case ItemKind::run_failed:
-      end_run(false, static_cast<std::uint64_t>(item.number), cycle_);
+      end_run(false, static_cast<std::uint64_t>(item.number));
       return raise_alarm(item.code.view(), item.text.view(), item.tag);
     case ItemKind::reset_done:
       return;  // an answer to a reset that is over
@@ -141,8 +143,9 @@ void Channel::execute(const Item& item) RT_SAFE {
 void Channel::take_load(const Item& item) RT_SAFE {
   load_ = item.flag ? Outcome::succeeded : Outcome::failed;
   text_ = item.text;
-  has_program_ = has_program_ || item.flag;
-  if (item.flag && state_ == ChannelState::idle) state_ = ChannelState::ready;
+  if (!item.flag || loading_ == Job::line) return;
+  has_program_ = true;
+  if (state_ == ChannelState::idle) state_ = ChannelState::ready;
 }
 
 void Channel::command_spindles(const lang::SpindleCommand& command) RT_SAFE {

@@ -16,7 +16,8 @@ struct ChannelLink {
   Ring<Rider> riders{8192};    // preparation -> cycle
   Ring<Remark> remarks{1024};  // preparation -> cycle
   Ring<Notice> notices{16};    // cycle -> preparation
-  // Of the loaded program, by motion::BlockTag::file; written before its load_done item is pushed.
+  // Of the running program, by motion::BlockTag::file; written before anything bears a tag of the
+  // run, and read for such tags only.
   std::array<FileName, 256> file_names{};
 };
 

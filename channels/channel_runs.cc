@@ -3,21 +3,22 @@
 
 namespace stanok::channels {
 
-void Channel::begin_load(const ShortText& program) RT_SAFE {
+void Channel::begin_load(const ShortText& text, Job job) RT_SAFE {
   load_ = Outcome::pending;
+  loading_ = job;
   Notice notice;
-  notice.kind = NoticeKind::load;
-  notice.text = ReasonText(program.view());
+  notice.kind = job == Job::line ? NoticeKind::load_line : NoticeKind::load;
+  notice.text = ReasonText(text.view());
   static_cast<void>(link_.notices.push(notice));
 }
 
-void Channel::begin_run() RT_SAFE {
+void Channel::begin_run(Job job) RT_SAFE {
   ++run_;
   run_before_ok_ = run_ok_;
   running_ = true;
   run_ok_ = false;
   was_reset_ = false;
-  marks_ = {};
+  if (job == Job::program) marks_ = {};
   state_ = ChannelState::running;
   stepper_.begin(run_);
   control_.hold = false;
@@ -26,7 +27,7 @@ void Channel::begin_run() RT_SAFE {
   lookahead_max_ = 0;
   blocks_ = 0;
   Notice notice;
-  notice.kind = NoticeKind::start;
+  notice.kind = job == Job::line ? NoticeKind::start_line : NoticeKind::start;
   notice.run = run_;
   notice.number = scheme_;
   notice.block_skip = block_skip_;
@@ -52,21 +53,26 @@ RunRecord Channel::run_record() const RT_SAFE {
   return record;
 }
 
-void Channel::end_run(bool ok, std::uint64_t blocks, std::int64_t cycle) RT_SAFE {
+void Channel::end_run(bool ok, std::uint64_t blocks) RT_SAFE {
   if (!running_) return;
+  take_overrides({});
+  for (Spindle& spindle : spindles_) spindle.stop();
+  close_run(ok, blocks);
+}
+
+// The end of a line leaves spindles and overrides as they are.
+void Channel::close_run(bool ok, std::uint64_t blocks) RT_SAFE {
   running_ = false;
   run_ok_ = ok;
-  end_cycle_ = cycle;
-  take_overrides({});
+  end_cycle_ = cycle_;
   hold_wanted_ = false;
   control_.hold = false;
-  state_ = ChannelState::ready;
-  for (Spindle& spindle : spindles_) spindle.stop();
+  state_ = has_program_ ? ChannelState::ready : ChannelState::idle;
   RunRecord record = run_record();
   record.ended = true;
   record.ok = ok;
   record.blocks = blocks;
-  record.end_cycle = cycle;
+  record.end_cycle = cycle_;
   static_cast<void>(books_.reports->run_records().push(record));
 }
 
@@ -95,7 +101,7 @@ void Channel::continue_reset() RT_SAFE {
     interpolator_.drop_path(link_.path);
     forget_riders();
     link_.remarks.pop_front(link_.remarks.size());
-    end_run(false, blocks_, cycle_);
+    end_run(false, blocks_);
     resetting_ = false;
     was_reset_ = true;
     control_.hold = false;

@@ -10,6 +10,7 @@ lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
     case OperatorAction::program_load:
       return lang::RequestKind::channel_load;
     case OperatorAction::program_run:
+    case OperatorAction::mdi:
       return lang::RequestKind::channel_run;
     case OperatorAction::program_start:
       return lang::RequestKind::channel_start;
@@ -95,6 +96,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->active = true;
   slot->reply_id = event.id;
   slot->kind = errand_of(event.action);
+  slot->job = event.action == OperatorAction::mdi ? Job::line : Job::program;
   slot->target = index;
   slot->number = event.number;
   slot->text = event.text;

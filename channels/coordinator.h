@@ -48,6 +48,7 @@ class Coordinator {
     bool active = false;
     int asker = operator_asker;  // index of the channel that asks
     std::uint64_t reply_id = 0;
+    Job job = Job::program;
     lang::RequestKind kind = lang::RequestKind::sync;
     int target = -1;  // index of the channel concerned
     int number = 0;

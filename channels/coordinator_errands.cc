@@ -15,7 +15,7 @@ Coordinator::Verdict Coordinator::step_load(Errand& errand, Channel& target) RT_
       return refusal("E6003", target, " is running or held");
     if (target.state() == ChannelState::alarm)
       return refusal("E6004", target, " has an alarm; reset it first");
-    target.begin_load(errand.text);
+    target.begin_load(errand.text, errand.job);
     errand.stage = 1;
     return pending();
   }
@@ -33,7 +33,8 @@ Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT
     return refusal("E6003", target, " is already running");
   if (target.state() == ChannelState::alarm)
     return refusal("E6004", target, " has an alarm; reset it first");
-  if (!target.has_program()) return refusal("E6005", target, " has no program loaded");
+  if (errand.job == Job::program && !target.has_program())
+    return refusal("E6005", target, " has no program loaded");
   if (!target.is_powered()) return refusal("E6006", "the machine is off");
   if (!target.drives_ready()) {
     const double waited = static_cast<double>(errand.cycles) * cycle_s_;
@@ -41,7 +42,7 @@ Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT
                                           : refusal("E6008", target, ": the drives are not ready");
   }
   if (!target.is_quiet()) return pending();
-  target.begin_run();
+  target.begin_run(errand.job);
   const auto started = static_cast<std::size_t>(errand.target);
   owner_[started] = errand.asker;
   if (errand.asker != operator_asker)

@@ -20,8 +20,9 @@ using ReasonText = FixedText<1024>;  // of an answer: lines after the first are 
 using FileName = FixedText<96>;
 
 enum class ItemKind : std::uint8_t {
-  load_done,         // a program was compiled: flag = success, text = name or reason
+  load_done,         // a program or line was compiled: flag = success, text = name or reason
   run_end,           // the program came to its end: number = blocks executed
+  line_end,          // a line of an operator came to its end: number = blocks executed
   run_failed,        // the program failed: code, text
   reset_done,        // everything pushed before belongs to an older generation
   transform,         // `transform` holds from here
@@ -74,7 +75,9 @@ struct Item {
 
 enum class NoticeKind : std::uint8_t {
   load,           // compile program `text`
+  load_line,      // compile `text`, a line of an operator
   start,          // begin a run of the loaded program: run, axes_M
+  start_line,     // the same of the line that was compiled last
   answer,         // to the request at hand
   reset,          // forget run and path, then send reset_done
   switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are

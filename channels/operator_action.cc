@@ -13,6 +13,7 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::machine_estop, "machine_estop"},
     {OperatorAction::program_load, "program_load"},
     {OperatorAction::program_run, "program_run"},
+    {OperatorAction::mdi, "mdi"},
     {OperatorAction::program_start, "program_start"},
     {OperatorAction::program_hold, "program_hold"},
     {OperatorAction::program_resume, "program_resume"},

@@ -83,7 +83,10 @@ void Preparation::obey(const Notice& notice) {
   switch (notice.kind) {
     case NoticeKind::load:
       return load(std::string(notice.text.view()));
+    case NoticeKind::load_line:
+      return load_line(std::string(notice.text.view()));
     case NoticeKind::start:
+    case NoticeKind::start_line:
       return start(notice);
     case NoticeKind::answer:
       return take_answer(notice);
@@ -95,7 +98,6 @@ void Preparation::obey(const Notice& notice) {
 }
 
 void Preparation::load(const std::string& name) {
-  Item done = item_of(ItemKind::load_done, {});
   Diagnostics diagnostics;
   auto compiled = lang::compile(name, files_, &description_, diagnostics);
   if (compiled) {
@@ -106,8 +108,22 @@ void Preparation::load(const std::string& name) {
   if (compiled) {
     program_ = *compiled;
     program_name_ = name;
-    for (std::size_t k = 0; k < link_.file_names.size(); ++k)
-      link_.file_names[k] = FileName(lang::file_name(*program_, static_cast<std::uint16_t>(k)));
+  }
+  finish_load(name, compiled, std::move(diagnostics));
+}
+
+void Preparation::load_line(const std::string& line) {
+  Diagnostics diagnostics;
+  const auto compiled =
+      lang::compile_line(line, program_.get(), files_, &description_, diagnostics);
+  if (compiled) line_ = *compiled;
+  finish_load(line, compiled, std::move(diagnostics));
+}
+
+void Preparation::finish_load(const std::string& name, const LoadResult& compiled,
+                              Diagnostics diagnostics) {
+  Item done = item_of(ItemKind::load_done, {});
+  if (compiled) {
     done.flag = true;
     done.text = ShortText(name);
   } else {
@@ -134,11 +150,24 @@ void Preparation::start(const Notice& notice) {
   if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
   chain_open_ = false;
   push_transform();
-  reports_.name_run(config_.id, run_, program_name_);
+  const bool is_line = notice.kind == NoticeKind::start_line;
+  running_ = is_line ? line_ : program_;
+  name_files();
+  reports_.name_run(config_.id, run_, is_line ? "MDI" : program_name_);
   interpreter_.set_block_skip(notice.block_skip);
-  interpreter_.start(program_, blocks_.position_B());
+  if (is_line) {
+    interpreter_.start_line(running_, blocks_.position_B());
+  } else {
+    interpreter_.start(running_, blocks_.position_B());
+  }
   scheme_switched_ = false;
   task_ = Task::running;
+}
+
+// Before anything of the run can bear a tag.
+void Preparation::name_files() {
+  for (std::size_t k = 0; k < link_.file_names.size(); ++k)
+    link_.file_names[k] = FileName(lang::file_name(*running_, static_cast<std::uint16_t>(k)));
 }
 
 void Preparation::take_answer(const Notice& notice) {
@@ -165,6 +194,7 @@ void Preparation::take_answer(const Notice& notice) {
 
 void Preparation::reset() {
   task_ = Task::idle;
+  interpreter_.reset();
   look_ahead_.clear();
   builder_.restart({});
   builder_.built().clear();
@@ -247,7 +277,8 @@ void Preparation::take(const lang::Command& command) {
             push(next);
           },
           [&](const lang::ProgramEnd& end) {
-            Item next = item(ItemKind::run_end);
+            const bool is_line = end.kind == lang::ProgramEndKind::end_of_line;
+            Item next = item(is_line ? ItemKind::line_end : ItemKind::run_end);
             next.number = static_cast<std::int64_t>(blocks_executed_);
             next.flag = end.kind == lang::ProgramEndKind::restart;
             push(next);
@@ -282,13 +313,13 @@ void Preparation::add_move(const lang::Command& command, const lang::Move& move)
   auto block = blocks_.block(move, tag);
   if (!block) {
     Diagnostic diagnostic = block.error();
-    lang::put_at_block(*program_, command.origin, diagnostic);
+    lang::put_at_block(*running_, command.origin, diagnostic);
     return fail(diagnostic, tag);
   }
   chain_open_ = true;
   if (const auto unreachable = builder_.add(*block)) {
     Diagnostic diagnostic = unreachable_pose(*unreachable, config_);
-    lang::put_at_block(*program_, command.origin, diagnostic);
+    lang::put_at_block(*running_, command.origin, diagnostic);
     return fail(diagnostic, tag);
   }
   collect_pieces();
@@ -362,7 +393,7 @@ void Preparation::refuse(const lang::Command& command, std::string_view what) {
   Diagnostic diagnostic;
   diagnostic.code = "E6033";
   diagnostic.message = "the machine cannot execute " + std::string(what) + " in this release";
-  lang::put_at_block(*program_, command.origin, diagnostic);
+  lang::put_at_block(*running_, command.origin, diagnostic);
   fail(diagnostic, tag);
 }
 

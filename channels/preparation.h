@@ -37,12 +37,16 @@ class Preparation {
 
  private:
   enum class Task { idle, running, waiting_answer };
+  using LoadResult = Expected<std::shared_ptr<const lang::Program>, Diagnostics>;
 
   // Notices of the cycle.
   void obey(const Notice& notice);
   void load(const std::string& name);
+  void load_line(const std::string& line);
+  void finish_load(const std::string& name, const LoadResult& compiled, Diagnostics diagnostics);
   [[nodiscard]] Diagnostics declare_shared(const lang::Program& program);
   void start(const Notice& notice);
+  void name_files();
   void take_answer(const Notice& notice);
   void reset();
   void switch_scheme(const Notice& notice);
@@ -83,8 +87,10 @@ class Preparation {
   motion::LookAhead look_ahead_;
 
   Task task_ = Task::idle;
-  std::shared_ptr<const lang::Program> program_;
+  std::shared_ptr<const lang::Program> program_;  // loaded
   std::string program_name_;
+  std::shared_ptr<const lang::Program> line_;     // of an operator, compiled
+  std::shared_ptr<const lang::Program> running_;  // one of both
   const kinematics::Scheme* scheme_ = nullptr;
   std::uint32_t run_ = 0;
   std::uint64_t blocks_executed_ = 0;

@@ -147,6 +147,7 @@ void Dispatch::command(const Method& method, const json& parameters, Answer answ
   event.value = request.value;
   event.text = FixedText<256>(request.text);
   const bool begins_run = *action == channels::OperatorAction::program_run ||
+                          *action == channels::OperatorAction::mdi ||
                           *action == channels::OperatorAction::program_start;
   const bool waits = begins_run && parameters.value("wait", "accepted") == "done";
   desk_.submit(event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));

@@ -225,8 +225,9 @@ enum class ProgramEndKind : std::uint8_t {
   end,
   end_and_rewind,
   end_of_text,
-  restart
-};  // M2, M30, -, M99
+  restart,
+  end_of_line
+};  // M2, M30, -, M99, line of an operator
 
 struct ProgramEnd {
   ProgramEndKind kind = ProgramEndKind::end;

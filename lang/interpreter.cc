@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lang/kept_files.h"
 #include "lang/loader.h"
 #include "lang/program_run.h"
 
@@ -20,6 +21,13 @@ Expected<std::shared_ptr<const Program>, Diagnostics> compile(std::string_view n
                                                               const ChannelDescription* channel,
                                                               Diagnostics& warnings) {
   return Loader(files, channel, warnings).load(name);
+}
+
+Expected<std::shared_ptr<const Program>, Diagnostics> compile_line(
+    std::string_view line, const Program* loaded, const Files& files,
+    const ChannelDescription* channel, Diagnostics& warnings) {
+  const KeptFiles kept(loaded, files);
+  return Loader(kept, channel, warnings).load_line(line, loaded);
 }
 
 std::string_view file_name(const Program& program, std::uint16_t file) {
@@ -56,6 +64,14 @@ Interpreter::~Interpreter() = default;
 
 void Interpreter::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
   state_->run.start(std::move(program), position_B);
+}
+
+void Interpreter::start_line(std::shared_ptr<const Program> line, const AxisValues& position_B) {
+  state_->run.start_line(std::move(line), position_B);
+}
+
+void Interpreter::reset() {
+  state_->run.forget_lines();
 }
 
 Step Interpreter::next(Command& command) {

@@ -24,6 +24,12 @@ class Program;  // a compiled program with all it includes; immutable, shared
     std::string_view name, const Files& files, const ChannelDescription* channel,
     Diagnostics& warnings);
 
+// Compiles one line as an operator types it: one complete statement. Functions of `loaded` and of
+// what it includes can be called; nullptr: there is no program.
+[[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> compile_line(
+    std::string_view line, const Program* loaded, const Files& files,
+    const ChannelDescription* channel, Diagnostics& warnings);
+
 // File names of the job, by Origin::file.
 [[nodiscard]] std::string_view file_name(const Program& program, std::uint16_t file);
 
@@ -78,6 +84,13 @@ class Interpreter {
   // `position_B`. FrameChange and ToolLength of the default state are emitted before the first
   // move.
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
+
+  // Begins a run of a line. Modal state lasts from line to line; the first one after a program or
+  // a reset begins with the default state.
+  void start_line(std::shared_ptr<const Program> line, const AxisValues& position_B);
+
+  // The channel was reset: the modal state of lines is forgotten.
+  void reset();
 
   // Does a bounded amount of work. `command` is valid only when Step::command is returned.
   [[nodiscard]] Step next(Command& command);

@@ -94,6 +94,13 @@ Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_v
   auto text = files_.read(name, {});
   if (!text) return tl::unexpected(Diagnostics{text.error()});
   add_file(std::move(*text));
+  find_all_files();
+  check_end(0);
+  compile_all();
+  return result();
+}
+
+void Loader::find_all_files() {
   // Files found on the way are appended; each is parsed once. Whether a subprogram needs a file of
   // its own is known when all included files are.
   std::size_t parsed = 0;
@@ -106,9 +113,6 @@ Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_v
     }
     follow_subprograms(static_cast<FileIndex>(searched), loaded_[searched].tree);
   }
-  check_end(0);
-  compile_all();
-  return result();
 }
 
 std::optional<Loader::FileIndex> Loader::add_file(std::shared_ptr<const SourceText> text) {
@@ -155,6 +159,7 @@ void Loader::parse(FileIndex index) {
   }
   ParserContext context;
   context.channel = index == 0 ? channel_ : nullptr;
+  if (index == 0) context.functions = functions_of_line_;
   context.dialect = &dialect_;
   context.included_functions = [this, index](std::string_view name) {
     const auto file = find_file(name, index);

@@ -23,6 +23,9 @@ class Loader {
   Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings);
 
   [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> load(std::string_view name);
+  // One statement; `files` has the texts of `loaded` as they were read.
+  [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> load_line(
+      std::string_view line, const Program* loaded);
 
  private:
   using FileIndex = std::uint16_t;
@@ -38,6 +41,11 @@ class Loader {
   // when it cannot be read.
   std::optional<FileIndex> find_file(std::string_view name, FileIndex from);
   std::optional<FileIndex> add_file(std::shared_ptr<const SourceText> text);
+  void find_all_files();
+  void include_loaded(const Program& loaded);
+  void check_line(std::string_view line);
+  void check_calls_of_line();
+  void forget_warnings_of_loaded();
   void parse(FileIndex index);
   void follow_includes(FileIndex index);
   void follow_include(FileIndex index, const Statement& statement,
@@ -59,6 +67,7 @@ class Loader {
   Diagnostics& warnings_;
   std::shared_ptr<Program> program_;
   std::vector<LoadedFile> loaded_;
+  std::set<std::string> functions_of_line_;  // that an operator's line may call
   std::map<std::string, FileIndex> index_by_path_;
   std::map<std::pair<FileIndex, std::string>, Diagnostic> failures_;
 };

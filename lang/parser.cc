@@ -43,7 +43,9 @@ Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
       context_(std::move(context)),
       dialect_(context_.dialect != nullptr ? *context_.dialect : no_dialect()),
       scanner_(source, reporter),
-      functions_(defined_functions(source)) {}
+      functions_(defined_functions(source)) {
+  functions_.insert(context_.functions.begin(), context_.functions.end());
+}
 
 StatementList Parser::parse_program() {
   StatementList list;

@@ -28,6 +28,7 @@ struct ParserContext {
   const ChannelDescription* channel = nullptr;  // nullptr: channel-dependent checks are left out
   const ChannelDialect* dialect = nullptr;      // nullptr: nothing added
   IncludedFunctions included_functions;
+  std::set<std::string> functions;  // folded names that can be called besides
 };
 
 class Parser {

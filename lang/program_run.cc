@@ -63,12 +63,39 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
 
 void ProgramRun::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
   reset(std::move(program));
+  is_line_ = false;
+  line_state_lasts_ = false;
+  begin_modal_state(position_B);
+  begin();
+}
+
+void ProgramRun::start_line(std::shared_ptr<const Program> program, const AxisValues& position_B) {
+  reset(std::move(program));
+  is_line_ = true;
+  if (std::exchange(line_state_lasts_, true)) {
+    continue_modal_state(position_B);
+  } else {
+    begin_modal_state(position_B);
+  }
+  begin();
+}
+
+void ProgramRun::begin_modal_state(const AxisValues& position_B) {
   const int tool_active = modal_.tool_active;
   modal_ = default_modal_state(channel_.kind);
   modal_.tool_active = tool_active;
   modal_.geometry = channel_words_.geometry();
   take_work_offset(modal_, tables_, modal_.work_offset_number);
   modal_.position_W = modal_.frame().work_from_base(position_B);
+}
+
+// Tables and axes may have changed since the line before.
+void ProgramRun::continue_modal_state(const AxisValues& position_B) {
+  read_tables_again();
+  modal_.adopt_position(position_B);
+}
+
+void ProgramRun::begin() {
   queue_.set_origin({}, 0);
   queue_.emit(frame_of(modal_));
   queue_.emit(modal_.length);
@@ -197,6 +224,11 @@ void ProgramRun::follow_flow(const ActiveBlock& block) {
 
 // What M2 and M30 reset is told to the channel before the end itself.
 void ProgramRun::end_program(ProgramEndKind kind) {
+  phase_ = Phase::ended;
+  const bool ends_like_text =
+      kind == ProgramEndKind::end_of_text || kind == ProgramEndKind::restart;
+  if (is_line_ && ends_like_text) return queue_.emit(ProgramEnd{ProgramEndKind::end_of_line});
+  line_state_lasts_ = false;
   if (modal_.spindle_running) queue_.emit(SpindleCommand{.spindle = -1});
   if (modal_.mist || modal_.flood) queue_.emit(CoolantCommand{});
   const bool overrides_usual =
@@ -204,7 +236,6 @@ void ProgramRun::end_program(ProgramEndKind kind) {
   if (!overrides_usual) queue_.emit(OverrideControl{});
   if (modal_.transformed_axis >= 0) queue_.emit(TransformationChange{});
   queue_.emit(ProgramEnd{kind});
-  phase_ = Phase::ended;
 }
 
 // What an operator or a Request may have changed while the axes stood.

@@ -37,6 +37,8 @@ class ProgramRun : private ContourSource {
   ProgramRun(const ChannelDescription& channel, const Tables& tables);
 
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
+  void start_line(std::shared_ptr<const Program> program, const AxisValues& position_B);
+  void forget_lines() { line_state_lasts_ = false; }
   [[nodiscard]] Step next(Command& command);
   void answer(const Answer& answer);
   void set_block_skip(std::uint16_t levels) { block_skip_ = levels; }
@@ -111,6 +113,9 @@ class ProgramRun : private ContourSource {
 
   // program_run.cc
   void reset(std::shared_ptr<const Program> program);
+  void begin_modal_state(const AxisValues& position_B);
+  void continue_modal_state(const AxisValues& position_B);
+  void begin();
   Step deliver(CommandQueue& queue, Command& command);
   bool compensate();
   void fail_compensation(CompensationFault fault);
@@ -245,6 +250,8 @@ class ProgramRun : private ContourSource {
 
   std::shared_ptr<const Program> program_;
   Phase phase_ = Phase::idle;
+  bool is_line_ = false;           // an operator's
+  bool line_state_lasts_ = false;  // the modal state is that of the line before
   ModalState modal_;
   CommandQueue queue_;
   CompensationStage compensation_;

@@ -32,6 +32,7 @@ class Source {
   [[nodiscard]] const std::string& name() const { return text_->name; }
   [[nodiscard]] const std::string& path() const { return text_->path; }
   [[nodiscard]] std::string_view text() const { return text_->text; }
+  [[nodiscard]] const std::shared_ptr<const SourceText>& shared_text() const { return text_; }
   [[nodiscard]] std::string_view text(const Span& span) const;
 
   // What is read: without byte order mark, tape leaders and frame lines (%).

@@ -31,6 +31,14 @@ constexpr Parameter program{.name = "program",
                             .minimum = 1,
                             .maximum = text_bytes_max,
                             .help = "program file beneath the program root"};
+constexpr Parameter line{.name = "text",
+                         .type = ParameterType::text,
+                         .presence = Presence::required,
+                         .spelling = Spelling::positional,
+                         .carries = Carries::text,
+                         .minimum = 1,
+                         .maximum = text_bytes_max,
+                         .help = "one complete statement"};
 constexpr Parameter wait{.name = "wait",
                          .type = ParameterType::choice,
                          .choices = wait_choices,
@@ -96,6 +104,7 @@ constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_channel{channel};
 constexpr std::array of_program{program, channel, wait};
+constexpr std::array of_line{line, channel, wait};
 constexpr std::array of_start{channel, wait};
 constexpr std::array of_feed{percent(0, 200), channel};
 constexpr std::array of_rapid{percent(0, 100), channel};
@@ -194,7 +203,8 @@ constexpr auto table = std::to_array<Method>({
     {"offset.list", observer, "work offsets"},
     later("offset.set", machine_operator, "change a work offset"),
 
-    later("mdi", machine_operator, "execute one line of program text"),
+    {"mdi", machine_operator, "execute one line of program text: a block or a statement", of_line,
+     "mdi"},
     later("jog", machine_operator, "move an axis by hand"),
     later("home", machine_operator, "reference an axis"),
     later("process.status", observer, "cutting process and adaptive control"),

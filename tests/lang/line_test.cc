@@ -1,0 +1,166 @@
+// Single lines of an operator (MDI): what they may be, what they may call, what lasts between them.
+#include <gmock/gmock.h>
+
+#include "tests/lang/program_support.h"
+
+namespace stanok::lang {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class LineTest : public testing::ProgramTest {
+ protected:
+  // Runs `line`; its commands without the frame and length at the beginning.
+  std::vector<Command> enter(const std::string& line) {
+    if (interpreter == nullptr) interpreter = std::make_unique<Interpreter>(channel, tables, files);
+    commands.clear();
+    error = {};
+    warnings.clear();
+    auto compiled = compile_line(line, loaded.get(), files, &channel, warnings);
+    if (!compiled) {
+      ADD_FAILURE() << to_text(compiled.error().front());
+      return {};
+    }
+    interpreter->start_line(*compiled, position_B);
+    drain();
+    std::erase_if(commands, [](const Command& command) {
+      return std::holds_alternative<FrameChange>(command.payload) ||
+             std::holds_alternative<ToolLength>(command.payload);
+    });
+    return commands;
+  }
+  std::vector<std::string> codes_of(const std::string& line) {
+    auto compiled = compile_line(line, loaded.get(), files, &channel, warnings);
+    std::vector<std::string> codes;
+    if (compiled) return codes;
+    for (const Diagnostic& diagnostic : compiled.error()) codes.push_back(diagnostic.code);
+    return codes;
+  }
+  void load(const std::string& text) {
+    files.texts["main.nc"] = text;
+    auto program = compile("main.nc", files, &channel, warnings);
+    ASSERT_TRUE(program) << to_text(program.error().front());
+    loaded = *program;
+  }
+  double end_x() { return all<Move>().back().end[0]; }
+
+  std::shared_ptr<const Program> loaded;
+  AxisValues position_B{};
+};
+
+TEST_F(LineTest, ABlockIsExecutedWithoutAnEndOfProgram) {
+  enter("G1 X10 F500");
+  EXPECT_EQ(end_x(), 10.0);
+  EXPECT_EQ(all<ProgramEnd>().at(0).kind, ProgramEndKind::end_of_line);
+  EXPECT_THAT(warnings, IsEmpty()) << "a line needs no M30";
+}
+
+TEST_F(LineTest, ModalStateLastsFromLineToLine) {
+  enter("G91 G1 F500");
+  enter("X10");
+  position_B[0] = 10.0;
+  enter("X10");
+  EXPECT_EQ(end_x(), 20.0);
+  EXPECT_EQ(all<Move>().back().feed, 500.0);
+}
+
+TEST_F(LineTest, ALineBeginsWhereTheAxesStandNow) {
+  enter("G91");
+  position_B[0] = 7.0;
+  enter("G0 X1");
+  EXPECT_EQ(end_x(), 8.0);
+}
+
+TEST_F(LineTest, AProgramBetweenBringsTheDefaultStateBack) {
+  enter("G91 G20");
+  files.texts["other.nc"] = "G1 X1 F100\nM30\n";
+  auto program = compile("other.nc", files, &channel, warnings);
+  interpreter->start(*program, position_B);
+  drain();
+  position_B[0] = 5.0;
+  enter("G0 X1");
+  EXPECT_EQ(end_x(), 1.0);
+}
+
+TEST_F(LineTest, AResetBringsTheDefaultStateBack) {
+  enter("G91 G20");
+  interpreter->reset();
+  position_B[0] = 5.0;
+  enter("G0 X1");
+  EXPECT_EQ(end_x(), 1.0);
+}
+
+TEST_F(LineTest, SpindleAndCoolantGoOnBehindTheLine) {
+  enter("M3 S1000");
+  EXPECT_EQ(all<SpindleCommand>().back().action, SpindleAction::clockwise);
+  enter("M8");
+  EXPECT_THAT(all<SpindleCommand>(), IsEmpty());
+  enter("M30");
+  EXPECT_EQ(all<SpindleCommand>().back().action, SpindleAction::stop);
+  EXPECT_FALSE(all<CoolantCommand>().back().flood);
+}
+
+TEST_F(LineTest, FunctionsOfTheLoadedProgramAndItsIncludesCanBeCalled) {
+  files.texts["lib.nc"] = "num twice (num value) { return 2 * value; }\n";
+  load("#include \"lib.nc\"\nvoid go_to (num place) { G0 X=place\n }\nG0 X99\nM30\n");
+  enter("go_to (3);");
+  EXPECT_EQ(end_x(), 3.0);
+  EXPECT_EQ(all<Move>().size(), 1u) << "the program itself is not executed";
+  enter("G0 X=twice (4)");
+  EXPECT_EQ(end_x(), 8.0);
+}
+
+TEST_F(LineTest, TheTextsAreThoseOfTheLoad) {
+  load("void go () { G0 X1\n }\nM30\n");
+  files.texts["main.nc"] = "void go () { G0 X2\n }\nM30\n";
+  enter("go ();");
+  EXPECT_EQ(end_x(), 1.0);
+}
+
+TEST_F(LineTest, ParametersOfTheChannelLast) {
+  enter("#<_depth> = 4");
+  enter("G0 X#<_depth>");
+  EXPECT_EQ(end_x(), 4.0);
+}
+
+TEST_F(LineTest, BlocksOfCodeAreOneStatement) {
+  enter("for (num hole = 0; hole < 3; hole = hole + 1) { call (\"hole.nc\"); }");
+  EXPECT_EQ(error.code, "E7005");
+  EXPECT_EQ(error.place.file, "MDI");
+}
+
+TEST_F(LineTest, MoreOrLessThanOneStatementIsRefused) {
+  EXPECT_THAT(codes_of("G0 X1\nX2"), ElementsAre("E2091"));
+  EXPECT_THAT(codes_of("sync (); sync ();"), ElementsAre("E2091"));
+  EXPECT_THAT(codes_of(""), ElementsAre("E2091"));
+  EXPECT_THAT(codes_of("  (nothing)"), ElementsAre("E2091"));
+  EXPECT_THAT(codes_of("if (true) {"), ElementsAre("E2003"));
+}
+
+TEST_F(LineTest, WhatBelongsIntoAProgramIsRefused) {
+  files.texts["lib.nc"] = "M99\n";
+  EXPECT_THAT(codes_of("#include \"lib.nc\""), ElementsAre("E2092"));
+  EXPECT_THAT(codes_of("void hole () { }"), ElementsAre("E2092"));
+  EXPECT_THAT(codes_of("O100 call"), ElementsAre("E2092", "E7005"));
+  EXPECT_THAT(codes_of("channel_wait (2);"), ElementsAre("E2092"));
+  EXPECT_THAT(codes_of("if (channel_wait (2)) { M0\n }"), ::testing::Contains("E2091"));
+}
+
+TEST_F(LineTest, ErrorsNameTheLineAsMdi) {
+  const auto compiled = compile_line("G1 X10 Q5 W3", nullptr, files, &channel, warnings);
+  ASSERT_FALSE(compiled);
+  EXPECT_EQ(compiled.error().front().place.file, "MDI");
+  EXPECT_EQ(compiled.error().front().place.line, 1u);
+}
+
+TEST_F(LineTest, AFailedLineDoesNotSpoilTheNext) {
+  enter("G1 X10");
+  EXPECT_NE(error.code, "") << "no feed yet";
+  enter("G1 X10 F100");
+  EXPECT_EQ(error.code, "");
+  EXPECT_EQ(end_x(), 10.0);
+}
+
+}  // namespace
+}  // namespace stanok::lang
