@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "base/fixed_text.h"
@@ -31,6 +32,8 @@ enum class HoldCause : std::uint8_t {
   owner_failed,  // on_owner_failure
   single_block,
 };
+// For people: "feed hold by an operator"; empty for none.
+[[nodiscard]] std::string_view text_of(HoldCause cause);
 
 // Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
 // integer codes of docs/motion.md#codes.

@@ -48,8 +48,8 @@ const std::vector<ListView>& list_views() {
 
 // Members of single objects that come first, in this order; the others follow by name.
 constexpr auto first_members = std::to_array<std::string_view>(
-    {"id", "name", "state", "program_status", "alarm", "program", "run", "line", "block", "scheme",
-     "position", "feed_mm_s", "speed_mm_s", "override", "remaining_s"});
+    {"id", "name", "state", "program_status", "held_by", "alarm", "program", "run", "line", "block",
+     "scheme", "position", "feed_mm_s", "speed_mm_s", "override", "remaining_s"});
 
 std::string number_text(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e9)

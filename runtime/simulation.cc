@@ -6,24 +6,6 @@
 namespace stanok::runtime {
 namespace {
 
-std::string_view text_of(channels::HoldCause cause) {
-  switch (cause) {
-    case channels::HoldCause::operator_hold:
-      return "feed hold by an operator";
-    case channels::HoldCause::program_stop:
-      return "program stop";
-    case channels::HoldCause::channel_stop:
-      return "channel_stop of another channel";
-    case channels::HoldCause::owner_failed:
-      return "the program that started it has failed";
-    case channels::HoldCause::single_block:
-      return "single block";
-    case channels::HoldCause::none:
-      break;
-  }
-  return "";
-}
-
 constexpr std::int64_t interruption_interval = 1024;  // cycles between two looks at `interrupted`
 
 std::int64_t thread_time_ns() {
@@ -145,11 +127,11 @@ class Simulation {
       if (!channel.running) continue;
       const bool is_held = channel.state == channels::ChannelState::held;
       if (!is_held && !channel.waiting) continue;
-      result_.refusals.push_back("E6025 channel " + std::to_string(channel.id) + " in line " +
-                                 std::to_string(channel.tag.line) +
-                                 (is_held
-                                      ? " stays held: " + std::string(text_of(channel.hold_cause))
-                                      : " waits for channels that do not go on"));
+      result_.refusals.push_back(
+          "E6025 channel " + std::to_string(channel.id) + " in line " +
+          std::to_string(channel.tag.line) +
+          (is_held ? " stays held: " + std::string(channels::text_of(channel.hold_cause))
+                   : " waits for channels that do not go on"));
     }
   }
 

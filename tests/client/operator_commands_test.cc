@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"kinematics select 2", "kinematics.select", R"({"scheme":2})"},
                     Case{"subscribe channels events --rate-hz 5", "subscribe",
                          R"({"topics":["channels","events"],"rate_hz":5})"},
-                    Case{"mdi G0X1", "mdi", "{}"}));
+                    Case{"mdi G0X1", "mdi", R"({"text":"G0X1"})"}));
 
 TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
   for (const char* line :
