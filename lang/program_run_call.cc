@@ -245,6 +245,7 @@ void ProgramRun::leave_subprogram() {
 }
 
 void ProgramRun::ask_restart() {
+  if (is_line_) return end_program(ProgramEndKind::restart);
   Request request;
   request.kind = RequestKind::program_restart;
   ask(std::move(request), AnswerUse::restart);

@@ -101,6 +101,11 @@ TEST_F(LineTest, SpindleAndCoolantGoOnBehindTheLine) {
   EXPECT_FALSE(all<CoolantCommand>().back().flood);
 }
 
+TEST_F(LineTest, M99IsTheEndOfTheLine) {
+  enter("M99");
+  EXPECT_EQ(all<ProgramEnd>().at(0).kind, ProgramEndKind::end_of_line);
+}
+
 TEST_F(LineTest, FunctionsOfTheLoadedProgramAndItsIncludesCanBeCalled) {
   files.texts["lib.nc"] = "num twice (num value) { return 2 * value; }\n";
   load("#include \"lib.nc\"\nvoid go_to (num place) { G0 X=place\n }\nG0 X99\nM30\n");
