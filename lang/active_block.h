@@ -57,7 +57,7 @@ struct Contour {
 class ContourSource {
  public:
   virtual ~ContourSource() = default;
-  [[nodiscard]] virtual Contour contour(int first, int last) const = 0;
+  [[nodiscard]] virtual Contour contour(int first, int last) = 0;
 };
 
 // What lies around a block: its channel, and where its effects go.
@@ -69,7 +69,7 @@ struct BlockSurroundings {
   CommandQueue& queue;
   MachinePoints& points;
   StateStack& states;
-  const ContourSource* contours = nullptr;
+  ContourSource* contours = nullptr;
 };
 
 struct ActiveBlock : BlockSurroundings {

@@ -389,10 +389,11 @@ std::optional<int> ActiveBlock::integer(char letter, int smallest, int largest) 
   return std::nullopt;
 }
 
-std::optional<BlockFault> check_block(const BlockWords& words, const ChannelDescription* channel,
+std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWords* channel_words,
                                       const ChannelDialect& dialect) {
   if (const auto macro = macro_of(words, dialect)) return check_macro_block(words, *macro);
   BlockCodes codes;
+  const ChannelDescription* const channel = channel_words ? &channel_words->channel() : nullptr;
   const ChannelKind* const kind = channel ? &channel->kind : nullptr;
   if (auto fault = resolve_codes(words, kind, dialect, codes)) return fault;
   // Which words a code uses that is computed at run time cannot be known here.
@@ -405,8 +406,7 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelDesc
   const bool any_named_axis = !words.named.empty();
   if (channel != nullptr) {
     if (auto fault = check_master(words, *channel)) return fault;
-    const ChannelWords channel_words(*channel);
-    axes = channel_words.letters() | channel_words.incremental_letters();
+    axes = channel_words->letters() | channel_words->incremental_letters();
   }
   LetterSet allowed = codes.words | always_allowed | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();

@@ -34,7 +34,7 @@ void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes);
 // each other, words that nothing can use. `channel` nullptr: what depends on the channel is left
 // out. Words whose value is computed later count as present.
 [[nodiscard]] std::optional<BlockFault> check_block(const BlockWords& words,
-                                                    const ChannelDescription* channel,
+                                                    const ChannelWords* channel,
                                                     const ChannelDialect& dialect);
 
 // G4 with a time that looks like milliseconds: worth a warning when the program is loaded.

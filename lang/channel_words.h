@@ -16,6 +16,7 @@ class ChannelWords {
  public:
   explicit ChannelWords(const ChannelDescription& channel);
 
+  [[nodiscard]] const ChannelDescription& channel() const { return channel_; }
   // Letters that are axis words here.
   [[nodiscard]] LetterSet letters() const { return letters_; }
   // Axis of a letter that is one, by index of the channel.

@@ -7,7 +7,9 @@ namespace stanok::lang {
 Compiler::Compiler(CompilerContext context)
     : context_(std::move(context)),
       reporter_(context_.reporter),
-      file_(*context_.program.files[context_.file]) {}
+      file_(*context_.program.files[context_.file]) {
+  if (context_.channel != nullptr) channel_words_.emplace(*context_.channel);
+}
 
 void Compiler::declare_names(const StatementList& tree) {
   for (const Statement& statement : tree) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lang/builtin.h"
+#include "lang/channel_words.h"
 #include "lang/code.h"
 #include "lang/program.h"
 #include "lang/reporter.h"
@@ -185,6 +186,7 @@ class Compiler {
   std::uint32_t new_slot();
 
   CompilerContext context_;
+  std::optional<ChannelWords> channel_words_;  // nothing: see CompilerContext::channel
   Reporter& reporter_;
   CompiledFile& file_;
   std::vector<std::map<std::string, Symbol>> scopes_;

@@ -244,7 +244,7 @@ Compiler::ValueType Compiler::compile_parameter(const Expression& parameter) {
 }
 
 Compiler::ValueType Compiler::compile_axis(const Expression& axis) {
-  if (context_.channel != nullptr && ChannelWords(*context_.channel).axis_called(axis.text) < 0) {
+  if (channel_words_ && channel_words_->axis_called(axis.text) < 0) {
     reporter_.error("E4010", axis.span, "this channel has no axis `" + axis.text + "`",
                     "not an axis of channel " + std::to_string(context_.channel->id));
     return {};

@@ -32,12 +32,7 @@ Span span_of(const BlockTemplate& made, const WordName& name) {
 }  // namespace
 
 std::uint32_t Compiler::named_parameter_slot(const std::string& name) {
-  std::vector<std::string>& names = context_.program.named_parameters;
-  const std::string wanted = folded(name);
-  const auto found = std::find(names.begin(), names.end(), wanted);
-  const auto slot = static_cast<std::uint32_t>(found - names.begin());
-  if (found == names.end()) names.push_back(wanted);
-  return slot;
+  return context_.program.named_parameters.add(folded(name));
 }
 
 void Compiler::compile_kind(const IsoBlock& block) {
@@ -160,7 +155,8 @@ void Compiler::check_template(const BlockTemplate& made) {
         .warning("W410", span_of(made, {'P', -1, {}}), "a dwell of 100 s or more", "milliseconds?")
         .help.push_back("the unit is seconds: use e.g. `G4 P0.5`");
   }
-  auto fault = check_block(made.words, context_.channel, context_.dialect);
+  const ChannelWords* const channel = channel_words_ ? &*channel_words_ : nullptr;
+  auto fault = check_block(made.words, channel, context_.dialect);
   if (!fault) return;
   Diagnostic& diagnostic = reporter_.error(fault->code, span_of(made, fault->word),
                                            std::move(fault->message), std::move(fault->label));

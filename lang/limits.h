@@ -9,8 +9,9 @@ namespace stanok::lang::limits {
 
 inline constexpr int nesting = 64;  // of braces and O-lines; of brackets, parentheses and signs
 inline constexpr std::size_t block_bytes = 4096;
-inline constexpr int operators = 1000;  // of one expression
-inline constexpr int else_ifs = 1000;   // of one if
+inline constexpr std::size_t statement_bytes = 65536;  // without the bodies of control flow
+inline constexpr int operators = 1000;                 // of one expression
+inline constexpr int else_ifs = 1000;                  // of one if
 inline constexpr std::size_t name_characters = 64;
 inline constexpr std::size_t string_bytes = 4096;
 inline constexpr std::size_t o_call_arguments = 30;

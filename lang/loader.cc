@@ -161,6 +161,7 @@ void Loader::parse(FileIndex index) {
   context.channel = index == 0 ? channel_ : nullptr;
   if (index == 0) context.functions = functions_of_line_;
   context.dialect = &dialect_;
+  context.named_parameters = &program_->named_parameters;
   context.included_functions = [this, index](std::string_view name) {
     const auto file = find_file(name, index);
     return file ? defined_functions(program_->files[*file]->source) : std::set<std::string>{};

@@ -1,7 +1,11 @@
 #include "lang/parser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "lang/limits.h"
+#include "lang/predefined_parameter.h"
 
 namespace stanok::lang {
 namespace {
@@ -17,6 +21,16 @@ bool is_high_level(const Statement& statement) {
          !std::holds_alternative<NumberedProgram>(statement.kind);
 }
 
+// Without a body of other statements.
+bool is_simple(const Statement& statement) {
+  return std::holds_alternative<Declaration>(statement.kind) ||
+         std::holds_alternative<Assignment>(statement.kind) ||
+         std::holds_alternative<CallStatement>(statement.kind) ||
+         std::holds_alternative<Return>(statement.kind) ||
+         std::holds_alternative<OCall>(statement.kind) ||
+         std::holds_alternative<WorkpieceDirective>(statement.kind);
+}
+
 bool ends_program(const IsoBlock& block) {
   return std::any_of(block.words.begin(), block.words.end(), [](const IsoWord& word) {
     const int code = word.name.code;
@@ -29,6 +43,25 @@ bool is_numbered(std::string_view name, std::string_view word) {
   return name.size() > word.size() && name.starts_with(word) &&
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(), is_digit);
 }
+
+// Parameters of a program that does not run: no value is known.
+class UnknownParameters : public Parameters {
+ public:
+  explicit UnknownParameters(NamedParameters* names) : names_(names) {}
+
+  std::optional<double> numbered(double, ValueFault&) override { return std::nan(""); }
+  std::optional<double> named(const std::string& name, ValueFault&) override {
+    const bool known = find_predefined_parameter(name) != nullptr || slot_to_set(name);
+    return known ? std::optional(std::nan("")) : std::nullopt;
+  }
+  std::optional<std::uint32_t> slot_to_set(const std::string& name) override {
+    if (names_ == nullptr || find_predefined_parameter(name) != nullptr) return std::nullopt;
+    return names_->add(name);
+  }
+
+ private:
+  NamedParameters* names_;
+};
 
 const ChannelDialect& no_dialect() {
   static const ChannelDialect none(nullptr);
@@ -45,6 +78,7 @@ Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
       scanner_(source, reporter),
       functions_(defined_functions(source)) {
   functions_.insert(context_.functions.begin(), context_.functions.end());
+  if (context_.channel != nullptr) channel_words_.emplace(*context_.channel);
 }
 
 StatementList Parser::parse_program() {
@@ -87,6 +121,7 @@ void Parser::parse_statement(StatementList& list) {
     keep_faulty(list, start, line);
     return recover(start);
   }
+  if (is_simple(*statement) && !check_length(start, line)) return keep_faulty(list, start, line);
   statement->span = scanner_.span_from(start, line);
   statement->skip_level = skip_level;
   if (skip_level != 0 && is_high_level(*statement)) {
@@ -115,13 +150,16 @@ bool Parser::take_plain_lines(StatementList& list) {
   std::uint32_t lines = 0;
   bool any_words = false;
   BlockWords words;
+  UnknownParameters parameters(context_.named_parameters);
+  TextValues values(parameters);
+  const ChannelWords* const channel = channel_words_ ? &*channel_words_ : nullptr;
   for (const char* line = at; line != end; line = at, ++lines) {
-    if (!read_plain_line(at, end, surroundings, words)) break;
-    if (!is_plain_block(words, context_.channel, dialect_)) {
+    if (!read_plain_line(at, end, surroundings, words, values)) break;
+    if (!is_plain_block(words, channel, dialect_)) {
       at = line;
       break;
     }
-    any_words = any_words || !words.empty();
+    any_words = any_words || !words.empty() || !values.settings().empty();
   }
   if (at == begin) return false;
   const std::size_t from = scanner_.offset();
@@ -243,6 +281,12 @@ void Parser::report_unexpected(const Token& token, std::string_view expected) {
       reporter_.error("E2001", span, "expected " + std::string(expected) + ", found " + found,
                       "expected " + std::string(expected));
   if (token.is("=")) diagnostic.help.push_back("to compare, write `==`");
+}
+
+bool Parser::check_length(std::size_t start, std::uint32_t line) {
+  if (scanner_.offset() - start <= limits::statement_bytes) return true;
+  reporter_.error("E1007", {start, 1, line}, "the statement is longer than 64 KiB", "too long");
+  return false;
 }
 
 bool Parser::finish_line() {

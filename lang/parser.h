@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/channel_words.h"
 #include "lang/environment.h"
+#include "lang/named_parameter.h"
 #include "lang/reporter.h"
 #include "lang/scanner.h"
 #include "lang/tree.h"
@@ -29,6 +31,7 @@ struct ParserContext {
   const ChannelDialect* dialect = nullptr;      // nullptr: nothing added
   IncludedFunctions included_functions;
   std::set<std::string> functions;  // folded names that can be called besides
+  NamedParameters* named_parameters = nullptr;  // nullptr: blocks that use them are not plain
 };
 
 class Parser {
@@ -58,6 +61,8 @@ class Parser {
   void report_unexpected(const Token& token, std::string_view expected);
   // Ends a statement that ends with its line.
   bool finish_line();
+  // Whether the statement (or its head) from `start` to here is short enough; reports it else.
+  bool check_length(std::size_t start, std::uint32_t line);
 
   // parser_statement.cc: high-level statements
   MaybeStatement parse_keyword(std::string_view keyword);
@@ -183,13 +188,14 @@ class Parser {
   Reporter& reporter_;
   ParserContext context_;
   const ChannelDialect& dialect_;
+  std::optional<ChannelWords> channel_words_;  // nothing: see ParserContext::channel
   Scanner scanner_;
   std::set<std::string> functions_;
   LineEnds line_ends_ = LineEnds::blank;  // of the expression at hand
   int brace_depth_ = 0;
   int o_depth_ = 0;  // O-lines that are open
   int else_if_depth_ = 0;
-  int nesting_ = 0;                 // of the expression at hand
+  int nesting_ = 0;                 // of the expression at hand, itself counted
   int operator_count_ = 0;          // in it
   std::string_view closing_ = ";";  // what ends the simple statement at hand
 };

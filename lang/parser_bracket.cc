@@ -1,54 +1,12 @@
 // Values of the RS274 kind: numbers, #parameters, [expressions] and function[argument].
-#include <array>
 #include <utility>
 
+#include "lang/bracket_operator.h"
 #include "lang/number.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
 namespace {
-
-// Functions in brackets and the function of high-level text that computes the same.
-constexpr auto bracket_functions =
-    std::to_array<std::pair<std::string_view, std::string_view>>({{"abs", "abs"},
-                                                                  {"acos", "acos"},
-                                                                  {"asin", "asin"},
-                                                                  {"atan", "atan2"},
-                                                                  {"cos", "cos"},
-                                                                  {"exists", "exists"},
-                                                                  {"exp", "exp"},
-                                                                  {"fix", "floor"},
-                                                                  {"fup", "ceil"},
-                                                                  {"ln", "ln"},
-                                                                  {"round", "round"},
-                                                                  {"sin", "sin"},
-                                                                  {"sqrt", "sqrt"},
-                                                                  {"tan", "tan"}});
-
-struct BracketOperator {
-  std::string_view name;
-  int level;  // 0 binds weakest
-  Operation operation;
-};
-
-constexpr auto bracket_operators = std::to_array<BracketOperator>({
-    {"and", 0, Operation::bracket_and},
-    {"or", 0, Operation::bracket_or},
-    {"xor", 0, Operation::bracket_xor},
-    {"eq", 1, Operation::bracket_equal},
-    {"ne", 1, Operation::bracket_not_equal},
-    {"gt", 1, Operation::bracket_greater},
-    {"ge", 1, Operation::bracket_greater_equal},
-    {"lt", 1, Operation::bracket_less},
-    {"le", 1, Operation::bracket_less_equal},
-    {"+", 2, Operation::add},
-    {"-", 2, Operation::subtract},
-    {"*", 3, Operation::multiply},
-    {"/", 3, Operation::divide},
-    {"mod", 3, Operation::bracket_modulo},
-    {"**", 4, Operation::power},
-});
-constexpr int level_count = 5;
 
 Expression call_of(std::string_view function, const Span& span, Expression argument) {
   Expression call;
@@ -162,17 +120,13 @@ Parser::MaybeExpression Parser::parse_bracket() {
 
 Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
   scanner_.skip_blanks(LineEnds::significant);
-  if (level == level_count) return parse_value();
+  if (level == bracket_levels) return parse_value();
   auto left = parse_bracket_binary(level + 1);
   while (left) {
     scanner_.skip_blanks(LineEnds::significant);
     const Token token = scanner_.peek(LineEnds::significant);
-    const std::string name = folded(token.text);
-    const BracketOperator* found = nullptr;
-    for (const BracketOperator& candidate : bracket_operators) {
-      if (candidate.name == name && candidate.level == level) found = &candidate;
-    }
-    if (found == nullptr) break;
+    const BracketOperator* const found = find_bracket_operator(folded(token.text));
+    if (found == nullptr || found->level != level) break;
     if (!count_operator(token.span)) return std::nullopt;
     scanner_.take(LineEnds::significant);
     auto right = parse_bracket_binary(level + 1);

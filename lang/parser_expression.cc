@@ -82,7 +82,7 @@ Parser::MaybeExpression Parser::parse_expression(LineEnds line_ends) {
 }
 
 bool Parser::Nesting::allowed() {
-  if (parser_.nesting_ <= limits::nesting) return true;
+  if (parser_.nesting_ - 1 <= limits::nesting) return true;
   parser_.reporter_.error("E2030", parser_.scanner_.here(), "an expression nested too deep",
                           "more than 64 levels");
   return false;

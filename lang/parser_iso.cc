@@ -96,7 +96,7 @@ bool Parser::is_named_address(std::string_view name) const {
   while (is_blank(scanner_.character(behind))) ++behind;
   if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
   if (!find_named_address(name).empty()) return true;
-  return context_.channel != nullptr && ChannelWords(*context_.channel).axis_called(name) >= 0;
+  return channel_words_ && channel_words_->axis_called(name) >= 0;
 }
 
 Parser::MaybeStatement Parser::parse_iso() {

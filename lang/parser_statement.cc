@@ -110,9 +110,12 @@ Parser::MaybeStatement Parser::parse_compound() {
 // ( condition )
 Parser::MaybeExpression Parser::parse_condition() {
   line_ends_ = LineEnds::blank;
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
   if (!expect("(", "the keyword")) return std::nullopt;
   auto condition = parse_expression(LineEnds::blank);
   if (!condition || !expect(")", "the condition")) return std::nullopt;
+  if (!check_length(start, line)) return std::nullopt;
   return condition;
 }
 
@@ -173,6 +176,8 @@ Parser::MaybeStatement Parser::parse_do() {
 }
 
 Parser::MaybeStatement Parser::parse_for() {
+  const std::size_t begin = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
   scanner_.take(LineEnds::blank);
   if (!expect("(", "`for`")) return std::nullopt;
   For loop;
@@ -199,6 +204,7 @@ Parser::MaybeStatement Parser::parse_for() {
     step->span = span;
     loop.step.push_back(std::move(*step));
   }
+  if (!check_length(begin, line)) return std::nullopt;
   auto body = parse_body("for");
   if (!body) return std::nullopt;
   loop.body = std::move(*body);

@@ -79,25 +79,43 @@ bool skip_block_number(const char*& at, const char* end) {
   return true;
 }
 
-// Address and number; `at` is left behind them.
-bool read_word(const char*& at, const char* end, BlockWords& words) {
+// A value behind its address that is no plain number; not inlined, for the sake of the lines that
+// have none. A function beside the address has its bracket
+// at once: `Xsin [30]` is no word.
+[[gnu::noinline]] bool read_computed_word(const char*& at, const char* end, char letter,
+                                          BlockWords& words, TextValues& values) {
+  if (at == end || letter == 'G' || letter == 'M') return false;
+  if (is_letter(*at) && !is_blank(at[-1])) {
+    const char* behind = at;
+    while (behind != end && is_name_part(*behind)) ++behind;
+    if (behind == end || *behind != '[') return false;
+  }
+  const auto value = values.read(at);
+  return value && add_word(words, letter, *value, false);
+}
+
+// Address and value; `at` is left behind them.
+bool read_word(const char*& at, const char* end, BlockWords& words, TextValues& values) {
   const char letter = upper_case(*at++);
   while (at != end && is_blank(*at)) ++at;
   double value = 0.0;
   bool whole = false;
-  if (!read_number(at, end, value, whole) || !add_word(words, letter, value, whole)) return false;
-  return at == end || (*at != '.' && *at != '=');
+  const bool good = read_number(at, end, value, whole)
+                        ? add_word(words, letter, value, whole)
+                        : read_computed_word(at, end, letter, words, values);
+  return good && (at == end || (*at != '.' && *at != '='));
 }
 
 // The words of a line up to its end; `at` is left there.
-bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words) {
+bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words,
+                TextValues& values) {
   bool any = false;
   while (at != end) {
     const char c = *at;
     if (is_blank(c)) {
       ++at;
     } else if (is_letter(c)) {
-      if (!read_word(at, end, words)) return false;
+      if (!read_word(at, end, words, values)) return false;
       any = true;
     } else if (is_line_end(c)) {
       return true;
@@ -106,6 +124,9 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
     } else if (c == ';') {
       if (any && surroundings == Surroundings::braces) return false;
       return skip_to_line_end(at, end);
+    } else if (c == '#') {
+      if (!values.read_setting(at) || (at != end && *at == '.')) return false;
+      any = true;
     } else if (c == '/' && at + 1 != end && at[1] == '/') {
       return skip_to_line_end(at, end);
     } else {
@@ -123,15 +144,16 @@ void skip_line_end(const char*& at, const char* end) {
 
 }  // namespace
 
-bool read_plain_line(const char*& at, const char* end, Surroundings surroundings,
-                     BlockWords& words) {
+bool read_plain_line(const char*& at, const char* end, Surroundings surroundings, BlockWords& words,
+                     TextValues& values) {
   words.clear();
+  values.begin_line(end);
   const char* cursor = at;
   while (cursor != end && is_blank(*cursor)) ++cursor;
   if (cursor != end && (*cursor == 'N' || *cursor == 'n') && !skip_block_number(cursor, end)) {
     return false;
   }
-  if (!read_words(cursor, end, surroundings, words) ||
+  if (!read_words(cursor, end, surroundings, words, values) ||
       cursor - at > static_cast<std::ptrdiff_t>(limits::block_bytes))
     return false;
   skip_line_end(cursor, end);
@@ -139,7 +161,7 @@ bool read_plain_line(const char*& at, const char* end, Surroundings surroundings
   return true;
 }
 
-bool is_plain_block(const BlockWords& words, const ChannelDescription* channel,
+bool is_plain_block(const BlockWords& words, const ChannelWords* channel,
                     const ChannelDialect& dialect) {
   if (macro_of(words, dialect) || (words.letters & dialect.alias_letters()) != 0) return false;
   for (const CodeNumber number : words.g) {

@@ -9,6 +9,7 @@
 
 #include "lang/code.h"
 #include "lang/interpreter.h"
+#include "lang/named_parameter.h"
 
 namespace stanok::lang {
 
@@ -23,7 +24,7 @@ class Program {
   std::map<std::pair<std::uint16_t, int>, std::uint16_t> file_by_number;
   // program of a user code, as the machine file names it -> file
   std::map<std::string, std::uint16_t> file_by_macro;
-  std::vector<std::string> named_parameters;  // #<_name> and #<name>, by slot
+  NamedParameters named_parameters;
   std::vector<ConstantDispatch> dispatches;
 };
 

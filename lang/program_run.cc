@@ -16,7 +16,7 @@ namespace {
 // Instructions or lines without a command that one call of next() executes.
 constexpr int work_bound = 20000;
 
-constexpr double input_result_parameter = 5399.0;  // of M66
+constexpr std::size_t input_result_parameter = 5399;  // of M66
 constexpr std::size_t r_parameter_count = 1000;
 
 // The words of a block, with their spans, from its tree.
@@ -120,7 +120,12 @@ Step ProgramRun::next(Command& command) {
         break;
     }
     if (plain_.at == plain_.end) {
-      contour_return_ ? leave_contour() : step();
+      if (contour_return_) {
+        leave_contour();
+      } else {
+        work += compute_ahead(work_bound - work);
+        step();
+      }
     } else if (run_plain_line(command)) {
       return Step::command;
     }
@@ -156,9 +161,14 @@ bool ProgramRun::compensate() {
 // Executes the next plain line. True when it made `command` without the queue.
 bool ProgramRun::run_plain_line(Command& command) {
   const char* const start = plain_.at;
-  const std::uint32_t line = plain_.line++;
-  const bool good = read_plain_line(plain_.at, plain_.end, plain_.surroundings, words_);
-  STANOK_ASSERT(good);
+  const std::uint32_t line = plain_.line;
+  if (!read_plain_line(plain_.at, plain_.end, plain_.surroundings, words_, text_values_)) {
+    STANOK_ASSERT(text_values_.faulty());
+    fail_text(text_values_.fault_text(), line, text_values_.fault());
+    return false;
+  }
+  ++plain_.line;
+  if (!text_values_.settings().empty() && !take_settings(text_values_.settings())) return false;
   if (words_.empty()) return false;
   const Origin origin{frames_.back().file, line};
   ++block_;
@@ -273,7 +283,7 @@ void ProgramRun::answer(const Answer& answer) {
       }
       break;
     case AnswerUse::input_result:
-      store_numbered_parameter(input_result_parameter, answer.ok ? answer.number : -1.0);
+      parameters_[input_result_parameter] = answer.ok ? answer.number : -1.0;
       break;
     case AnswerUse::push_text:
       push(value_of(answer.text));
@@ -380,6 +390,13 @@ void ProgramRun::fail(std::string_view code, std::string message, std::string la
 void ProgramRun::fail_at(const Span& at, std::string_view code, std::string message,
                          std::string label) {
   fail_with(diagnostic_at(file().source, code, at, std::move(message), std::move(label)));
+}
+
+// A value that stands in the text of a plain line.
+void ProgramRun::fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault) {
+  const auto offset = static_cast<std::size_t>(text.data() - file().source.text().data());
+  fail_at({offset, static_cast<std::uint32_t>(text.size()), line}, fault.code, fault.message,
+          fault.label);
 }
 
 void ProgramRun::fail_block(BlockFault fault, const Span& block_span,

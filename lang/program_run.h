@@ -32,7 +32,7 @@ namespace stanok::lang {
 // #1 to #30 belong to a call of an O-line or G65.
 inline constexpr std::size_t local_parameter_count = 30;
 
-class ProgramRun : private ContourSource {
+class ProgramRun : private ContourSource, private Parameters {
  public:
   ProgramRun(const ChannelDescription& channel, const Tables& tables);
 
@@ -131,6 +131,7 @@ class ProgramRun : private ContourSource {
 
   // program_run_code.cc: one instruction
   void step();
+  int compute_ahead(int bound);  // program_run_compute.cc
   void execute_instruction(const Instruction& instruction);
   bool execute_memory(const Instruction& instruction);
   bool execute_jump(const Instruction& instruction);
@@ -145,9 +146,14 @@ class ProgramRun : private ContourSource {
 
   // program_run_parameter.cc
   void load_parameter(const Instruction& instruction);
-  void load_numbered_parameter();
   void take_settings(const std::vector<SettingTarget>& targets);
-  void store_numbered_parameter(double number, double value);
+  bool take_settings(const std::vector<TextSetting>& settings);
+  // Stores the value of #number; false, with the reason, when it cannot be set.
+  bool store_numbered_parameter(double number, double value, ValueFault& fault);
+  std::optional<double> numbered(double number, ValueFault& fault) override;
+  std::optional<double> named(const std::string& name, ValueFault& fault) override;
+  std::optional<double> named_value(std::uint32_t slot, ValueFault& fault) const;
+  std::optional<std::uint32_t> slot_to_set(const std::string& name) override;
   [[nodiscard]] ParameterView parameter_view() const;
   void keep_channel_parameters();
   void begin_parameters();
@@ -155,7 +161,7 @@ class ProgramRun : private ContourSource {
   [[nodiscard]] LocalParameters fresh_local_parameters() const;
 
   // program_run_contour.cc
-  [[nodiscard]] Contour contour(int first, int last) const override;
+  [[nodiscard]] Contour contour(int first, int last) override;
   // The piece of plain text that holds `line`, from there on, and the instruction behind it.
   struct PlainPlace {
     PlainCursor cursor;
@@ -169,6 +175,9 @@ class ProgramRun : private ContourSource {
   // program_run_array.cc
   void make_array(const Instruction& instruction);
   void fill_array(std::size_t count);
+  bool enter_in_ledger(Object& array, std::size_t bytes);
+  void put_element(Object& array, std::size_t element, Value value);
+  void store_reference(const Value& reference, Value value);
   bool pop_element(std::size_t indices, std::shared_ptr<Object>& array, std::size_t& element);
   Value* referred(const Value& reference);
 
@@ -230,6 +239,7 @@ class ProgramRun : private ContourSource {
 
   // Failing
   void fail(std::string_view code, std::string message, std::string label = {});
+  void fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault);
   void fail_at(const Span& span, std::string_view code, std::string message,
                std::string label = {});
   void fail_block(BlockFault fault, const Span& block_span, const std::vector<IsoWord>& places);
@@ -260,6 +270,7 @@ class ProgramRun : private ContourSource {
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand
   PlainCursor plain_;
+  TextValues text_values_{*this};  // of the plain line at hand
   // G70: what comes behind the contour that is being run.
   struct ContourReturn {
     PlainCursor plain;

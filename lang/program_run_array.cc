@@ -7,12 +7,6 @@
 #include "lang/program_run.h"
 
 namespace stanok::lang {
-namespace {
-
-constexpr std::size_t elements_of_run_max = limits::run_array_bytes / sizeof(Value);
-
-}  // namespace
-
 bool ProgramRun::execute_array(const Instruction& instruction) {
   std::shared_ptr<Object> array;
   std::size_t element = 0;
@@ -23,7 +17,7 @@ bool ProgramRun::execute_array(const Instruction& instruction) {
     case Op::store_element: {
       Value value = pop();
       if (pop_element(instruction.count, array, element)) {
-        array->elements[element] = std::move(value);
+        put_element(*array, element, std::move(value));
       }
       return true;
     }
@@ -53,14 +47,11 @@ void ProgramRun::make_array(const Instruction& instruction) {
     return fail("E3017", "the size of an array is a whole number from 1 to 1000000", "not a size");
   }
   const auto elements = static_cast<std::size_t>(std::llround(count));
-  if (*array_ledger_ + elements > elements_of_run_max) {
-    return fail("E8002", "the arrays of the program need more than 64 MiB", "one too many");
-  }
   Value array;
   array.object = std::make_shared<Object>();
-  array.object->elements.resize(elements);
   array.object->ledger = array_ledger_;
-  *array_ledger_ += elements;
+  if (!enter_in_ledger(*array.object, elements * sizeof(Value))) return;
+  array.object->elements.resize(elements);
   if (instruction.count == 2) {
     array.object->columns = static_cast<std::size_t>(std::lround(sizes[1]));
   }
@@ -75,7 +66,37 @@ void ProgramRun::fill_array(std::size_t count) {
                     std::to_string(array.elements.size()),
                 "too many values");
   }
-  for (std::size_t i = count; i-- > 0;) array.elements[i] = pop();
+  for (std::size_t i = count; i-- > 0;) put_element(array, i, pop());
+}
+
+// What the array needs more than before; false when all arrays together then need too much.
+bool ProgramRun::enter_in_ledger(Object& array, std::size_t bytes) {
+  if (*array_ledger_ + bytes > limits::run_array_bytes) {
+    fail("E8002", "the arrays of the program need more than 64 MiB", "one too many");
+    return false;
+  }
+  *array_ledger_ += bytes;
+  array.bytes += bytes;
+  return true;
+}
+
+void ProgramRun::put_element(Object& array, std::size_t element, Value value) {
+  Value& place = array.elements[element];
+  const std::size_t before = place.object ? place.object->text.size() : 0;
+  const std::size_t after = value.object ? value.object->text.size() : 0;
+  *array_ledger_ -= before;
+  array.bytes -= before;
+  if (after == 0 || enter_in_ledger(array, after)) {
+    place = std::move(value);
+  } else {
+    place = {};
+  }
+}
+
+void ProgramRun::store_reference(const Value& reference, Value value) {
+  const auto index = static_cast<std::size_t>(reference.number);
+  if (reference.object) return put_element(*reference.object, index, std::move(value));
+  slots_[index] = std::move(value);
 }
 
 bool ProgramRun::pop_element(std::size_t indices, std::shared_ptr<Object>& array,

@@ -134,7 +134,7 @@ bool ProgramRun::execute_memory(const Instruction& instruction) {
       push(*referred(slots_[local]));
       return true;
     case Op::store_reference:
-      *referred(slots_[local]) = pop();
+      store_reference(slots_[local], pop());
       return true;
     case Op::reference_local:
       push(value_of(static_cast<double>(local)));

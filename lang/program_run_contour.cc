@@ -23,10 +23,17 @@ std::optional<int> block_number(std::string_view line) {
   return any ? std::optional(number) : std::nullopt;
 }
 
+// The beginning of the line that follows the one at `at`.
+const char* behind_line(const char* at, const char* end) {
+  while (at != end && !is_line_end(*at)) ++at;
+  if (at == end) return at;
+  return at + (end - at > 1 && at[0] == '\r' && at[1] == '\n' ? 2 : 1);
+}
+
 }  // namespace
 
 // The first N `first` of the file and all that follows up to N `last`.
-Contour ProgramRun::contour(int first, int last) const {
+Contour ProgramRun::contour(int first, int last) {
   const Source& source = file().source;
   const char* const end = source.text().data() + source.end();
   Contour contour;
@@ -39,7 +46,9 @@ Contour ProgramRun::contour(int first, int last) const {
     inside = inside || number == first;
     const char* next = at;
     BlockWords words;
-    const bool plain = read_plain_line(next, end, Surroundings::file_level, words);
+    const bool plain = inside &&
+                       read_plain_line(next, end, Surroundings::file_level, words, text_values_) &&
+                       text_values_.settings().empty();
     if (inside && !plain) {
       contour.problem = "line " + std::to_string(line) + " of the contour is no plain block";
       return contour;
@@ -48,11 +57,7 @@ Contour ProgramRun::contour(int first, int last) const {
       contour.blocks.push_back({words, {frames_.back().file, line}});
     }
     if (inside && number == last) return contour;
-    if (!plain) {
-      next = at + text.size();
-      if (next != end) next += end - next > 1 && next[0] == '\r' && next[1] == '\n' ? 2 : 1;
-    }
-    at = next;
+    at = plain ? next : behind_line(at, end);
   }
   contour.problem = inside ? "the contour has no end N" + std::to_string(last)
                            : "the program has no block N" + std::to_string(first);
@@ -66,10 +71,8 @@ std::optional<ProgramRun::PlainPlace> ProgramRun::plain_place(std::uint32_t line
     if (current.code[i].op != Op::plain_lines) continue;
     const PlainLines& lines = current.plain_lines[current.code[i].operand];
     PlainCursor cursor{text + lines.begin, text + lines.end, lines.first_line, lines.surroundings};
-    BlockWords words;
-    while (cursor.at != cursor.end && cursor.line < line) {
-      static_cast<void>(read_plain_line(cursor.at, cursor.end, cursor.surroundings, words));
-      ++cursor.line;
+    for (; cursor.at != cursor.end && cursor.line < line; ++cursor.line) {
+      cursor.at = behind_line(cursor.at, cursor.end);
     }
     if (cursor.line == line) return PlainPlace{cursor, static_cast<std::uint32_t>(i) + 1};
   }

@@ -17,6 +17,18 @@ constexpr int machine_parameter_first = 5061;
 
 constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
+// The parameter a number stands for.
+std::optional<int> parameter_index(double number, ValueFault& fault) {
+  if (!is_integer(number)) {
+    fault = {"E3010", "a parameter number must be a whole number", "not a whole number"};
+    return std::nullopt;
+  }
+  const auto index = static_cast<int>(std::lround(number));
+  if (index >= 1 && static_cast<std::size_t>(index) < parameter_count) return index;
+  fault = {"E3015", "there is no parameter #" + std::to_string(index), "#1 to #5602 exist"};
+  return std::nullopt;
+}
+
 bool is_of_channel(const std::string& name) {
   return name.starts_with('_');
 }
@@ -64,21 +76,20 @@ ProgramRun::LocalParameters ProgramRun::exchange_local_parameters(LocalParameter
 }
 
 ParameterView ProgramRun::parameter_view() const {
-  return {around_, span().line, static_cast<int>(frames_.size()) - 1, o_value_, o_value_returned_};
+  return {around_, origin().line, static_cast<int>(frames_.size()) - 1, o_value_,
+          o_value_returned_};
 }
 
 void ProgramRun::load_parameter(const Instruction& instruction) {
+  ValueFault fault;
+  std::optional<double> value;
   switch (instruction.op) {
     case Op::parameter:
-      return load_numbered_parameter();
-    case Op::named_parameter: {
-      const double value = named_parameters_[instruction.operand];
-      if (!std::isnan(value)) return push(value_of(value));
-      return fail(
-          "E3014",
-          "parameter #<" + program_->named_parameters[instruction.operand] + "> has no value",
-          "not set before");
-    }
+      value = numbered(pop_number(), fault);
+      break;
+    case Op::named_parameter:
+      value = named_value(instruction.operand, fault);
+      break;
     case Op::named_parameter_exists:
       return push(value_of(!std::isnan(named_parameters_[instruction.operand])));
     case Op::predefined_parameter:
@@ -88,20 +99,38 @@ void ProgramRun::load_parameter(const Instruction& instruction) {
     default:
       STANOK_ASSERT(false);
   }
+  value ? push(value_of(*value)) : fail(fault.code, fault.message, fault.label);
 }
 
-void ProgramRun::load_numbered_parameter() {
-  const auto number = pop_integer("a parameter number");
-  if (!number) return;
-  if (*number < 1 || static_cast<std::size_t>(*number) >= parameter_count) {
-    return fail("E3015", "there is no parameter #" + std::to_string(*number), "#1 to #5602 exist");
+std::optional<double> ProgramRun::numbered(double number, ValueFault& fault) {
+  const auto index = parameter_index(number, fault);
+  if (!index) return std::nullopt;
+  if (*index >= machine_parameter_first) {
+    if (const auto value = machine_parameter(*index, parameter_view())) return value;
   }
-  if (*number >= machine_parameter_first) {
-    if (const auto value = machine_parameter(*number, parameter_view())) {
-      return push(value_of(*value));
-    }
+  return parameters_[static_cast<std::size_t>(*index)];
+}
+
+std::optional<double> ProgramRun::named(const std::string& name, ValueFault& fault) {
+  if (is_of_channel(name)) {
+    const PredefinedParameter* const row = find_predefined_parameter(name);
+    if (row != nullptr) return row->read(parameter_view());
   }
-  push(value_of(parameters_[static_cast<std::size_t>(*number)]));
+  if (const auto slot = program_->named_parameters.find(name)) return named_value(*slot, fault);
+  fault = {"E3014", "parameter #<" + name + "> has no value", "not set before"};
+  return std::nullopt;
+}
+
+std::optional<double> ProgramRun::named_value(std::uint32_t slot, ValueFault& fault) const {
+  const double value = named_parameters_[slot];
+  if (!std::isnan(value)) return value;
+  fault = {"E3014", "parameter #<" + program_->named_parameters[slot] + "> has no value",
+           "not set before"};
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> ProgramRun::slot_to_set(const std::string& name) {
+  return program_->named_parameters.find(name);
 }
 
 // All values stand on the stack; of two settings of one parameter the last holds.
@@ -112,10 +141,13 @@ void ProgramRun::take_settings(const std::vector<SettingTarget>& targets) {
   }
   const std::size_t bottom = stack_.size() - height;
   std::size_t at = bottom;
+  ValueFault fault;
   for (const SettingTarget& target : targets) {
     switch (target.kind) {
       case SettingTarget::Kind::numbered:
-        store_numbered_parameter(stack_[at].number, stack_[at + 1].number);
+        if (!store_numbered_parameter(stack_[at].number, stack_[at + 1].number, fault)) {
+          return fail(fault.code, fault.message, fault.label);
+        }
         ++at;
         break;
       case SettingTarget::Kind::named:
@@ -130,20 +162,31 @@ void ProgramRun::take_settings(const std::vector<SettingTarget>& targets) {
   stack_.resize(bottom);
 }
 
-void ProgramRun::store_numbered_parameter(double number, double value) {
-  if (!is_integer(number)) {
-    return fail("E3010", "a parameter number must be a whole number", "not a whole number");
+// The same for a plain line; false when the run has failed.
+bool ProgramRun::take_settings(const std::vector<TextSetting>& settings) {
+  ValueFault fault;
+  for (const TextSetting& setting : settings) {
+    if (setting.slot) {
+      named_parameters_[*setting.slot] = setting.value;
+    } else if (!store_numbered_parameter(setting.number, setting.value, fault)) {
+      fail_text(setting.text, plain_.line - 1, fault);
+      return false;
+    }
   }
-  const auto index = static_cast<int>(std::lround(number));
-  if (index < 1 || static_cast<std::size_t>(index) >= parameter_count) {
-    return fail("E3015", "there is no parameter #" + std::to_string(index), "#1 to #5602 exist");
+  return true;
+}
+
+bool ProgramRun::store_numbered_parameter(double number, double value, ValueFault& fault) {
+  const auto index = parameter_index(number, fault);
+  if (!index) return false;
+  if (set_point_parameter(*index, value, around_)) return true;
+  if (*index >= machine_parameter_first && machine_parameter(*index, parameter_view())) {
+    fault = {"E3013", "parameter #" + std::to_string(*index) + " shows the state of the machine",
+             "cannot be set"};
+    return false;
   }
-  if (set_point_parameter(index, value, around_)) return;
-  if (index >= machine_parameter_first && machine_parameter(index, parameter_view())) {
-    return fail("E3013", "parameter #" + std::to_string(index) + " shows the state of the machine",
-                "cannot be set");
-  }
-  parameters_[static_cast<std::size_t>(index)] = value;
+  parameters_[static_cast<std::size_t>(*index)] = value;
+  return true;
 }
 
 }  // namespace stanok::lang

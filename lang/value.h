@@ -23,7 +23,8 @@ struct Value {
   std::shared_ptr<Object> object;
 };
 
-// Array elements that a run holds at this moment, all arrays together.
+// Bytes that the arrays of a run need at this moment, their strings included; a string in several
+// elements counts in each.
 using ArrayLedger = std::shared_ptr<std::size_t>;
 
 struct Object {
@@ -31,11 +32,12 @@ struct Object {
   Object(const Object&) = delete;
   Object& operator=(const Object&) = delete;
   ~Object() {
-    if (ledger) *ledger -= elements.size();
+    if (ledger) *ledger -= bytes;
   }
 
   std::string text;             // string
-  ArrayLedger ledger;           // array; its elements are entered there
+  ArrayLedger ledger;           // array; what it needs is entered there
+  std::size_t bytes = 0;        // entered
   std::vector<Value> elements;  // array, row by row
   std::size_t columns = 0;      // array of two dimensions; 0: one dimension
 };

@@ -120,6 +120,8 @@ std::string variable_table_text() {
 std::string limit_table_text() {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"bytes of a block | E1007", std::to_string(limits::block_bytes)},
+      {"KiB of a statement, or of its head before a body | E1007",
+       std::to_string(limits::statement_bytes >> 10)},
       {"braces and O-lines inside each other, brackets and parentheses inside each other | E2030",
        std::to_string(limits::nesting)},
       {"operators in an expression, `else if` of one `if` | E2031",
@@ -130,7 +132,8 @@ std::string limit_table_text() {
       {"calls inside each other, of all kinds together | E8001",
        std::to_string(limits::call_depth)},
       {"elements of an array | E3017", std::to_string(limits::array_elements)},
-      {"MiB of all arrays of a run | E8002", std::to_string(limits::run_array_bytes >> 20)},
+      {"MiB of all arrays of a run, with their strings | E8002",
+       std::to_string(limits::run_array_bytes >> 20)},
       {"files of a program | E8003", std::to_string(limits::files)},
       {"errors shown of a file |", std::to_string(limits::diagnostics)}};
   std::string text = "\n| what | beyond it | at most |\n|---|---|---|\n";
