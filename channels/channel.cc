@@ -47,7 +47,6 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   has_passed_mark_ = false;
   if (resetting_) continue_reset();
   work_items();
-  find_gate();
   take_step();
   move();
   stop_at_step();
@@ -73,6 +72,7 @@ void Channel::move() RT_SAFE {
   const std::uint64_t limit = chunk_limit(available);
   motion::FeedControl control = control_;
   if (!overrides_.feed_enabled) control.feed_override = 1.0;
+  find_gates();  // riders, too, are pushed before the chunks whose blocks they stand before
   control.closed_from_block = closed_from_block();
   if (!link_.path.chunks.empty())
     lookahead_max_ = std::max(lookahead_max_, link_.path.chunks.front().lookahead_blocks);

@@ -173,7 +173,7 @@ class Channel {
   }
   // The next soft mark on the path, or nullptr; whether the channel stands there, and the one that
   // it left behind in this cycle.
-  [[nodiscard]] const Rider* soft_mark() const RT_SAFE;
+  [[nodiscard]] const Rider* soft_mark() const RT_SAFE { return soft_mark_at(gate_); }
   [[nodiscard]] bool is_at_soft_mark() const RT_SAFE { return at_soft_mark_; }
   [[nodiscard]] const Rider* passed_mark() const RT_SAFE {
     return has_passed_mark_ ? &passed_mark_ : nullptr;
@@ -202,7 +202,8 @@ class Channel {
   [[nodiscard]] bool rider_is_due() const RT_SAFE;
   [[nodiscard]] bool pass_soft_mark(const Rider& mark, bool passed) RT_SAFE;
   void execute(const Rider& rider) RT_SAFE;
-  void find_gate() RT_SAFE;
+  void find_gates() RT_SAFE;
+  [[nodiscard]] const Rider* soft_mark_at(std::uint64_t number) const RT_SAFE;
   [[nodiscard]] std::uint64_t closed_from_block() const RT_SAFE;
   [[nodiscard]] bool is_at_mark_gate() const RT_SAFE;
   void forget_riders() RT_SAFE;
@@ -275,6 +276,7 @@ class Channel {
 
   std::array<bool, lang::mark_max + 1> marks_{};
   std::uint64_t gate_ = 0;  // number of the rider that is the next soft mark, or of the next rider
+  std::uint64_t gate_behind_ = 0;  // the same for the soft mark behind that one
   bool at_soft_mark_ = false;
   bool soft_mark_open_ = false;  // all partners are there
   bool has_passed_mark_ = false;

@@ -67,20 +67,25 @@ void Channel::execute(const Rider& rider) RT_SAFE {
   }
 }
 
-// Looks for the next soft mark among the riders that came since.
-void Channel::find_gate() RT_SAFE {
+// Looks for the next two soft marks among the riders that came since.
+void Channel::find_gates() RT_SAFE {
   gate_ = std::max<std::uint64_t>(gate_, link_.riders.popped());
-  while (gate_ < link_.riders.pushed() && soft_mark() == nullptr) ++gate_;
+  while (gate_ < link_.riders.pushed() && soft_mark_at(gate_) == nullptr) ++gate_;
+  gate_behind_ = std::max(gate_behind_, gate_ + 1);
+  while (gate_behind_ < link_.riders.pushed() && soft_mark_at(gate_behind_) == nullptr)
+    ++gate_behind_;
 }
 
-const Rider* Channel::soft_mark() const RT_SAFE {
-  if (gate_ < link_.riders.popped() || gate_ >= link_.riders.pushed()) return nullptr;
-  const Rider& rider = link_.riders[gate_ - link_.riders.popped()];
+// The rider of this number if it is a soft mark.
+const Rider* Channel::soft_mark_at(std::uint64_t number) const RT_SAFE {
+  if (number < link_.riders.popped() || number >= link_.riders.pushed()) return nullptr;
+  const Rider& rider = link_.riders[number - link_.riders.popped()];
   return rider.kind == RiderKind::mark_wait ? &rider : nullptr;
 }
 
+// While the path flows through an open mark it must be able to stop at the one behind.
 std::uint64_t Channel::closed_from_block() const RT_SAFE {
-  const Rider* mark = soft_mark_open_ ? nullptr : soft_mark();
+  const Rider* const mark = soft_mark_at(soft_mark_open_ ? gate_behind_ : gate_);
   const std::uint64_t closed = stepper_.closed_from_block();
   return mark == nullptr ? closed : std::min(closed, mark->before_block);
 }

@@ -40,6 +40,7 @@ constexpr auto variables = std::to_array<SystemVariable>({
     {"speed", Type::number, Type::none, false},
     {"tool", Type::number, Type::none, false},
     {"tool_next", Type::number, Type::none, false},
+    {"edge", Type::number, Type::none, false},
     {"tool_length", Type::number, Type::none, false},
     {"tool_radius", Type::number, Type::none, false},
     {"overhang", Type::number, Type::none, false},

@@ -139,10 +139,13 @@ class ProgramRun : private ContourSource, private Parameters {
   void execute_effect(const Instruction& instruction);
   void compute(const Instruction& instruction);
   void call_builtin(const Instruction& instruction);
-  void push_system_value(const Instruction& instruction);
-  [[nodiscard]] std::optional<double> modal_code_of_group(double index) const;
   void run_block(const Instruction& instruction);
   void send_message(const Instruction& instruction);
+
+  // program_run_system_value.cc
+  void push_system_value(const Instruction& instruction);
+  [[nodiscard]] std::optional<double> spindle_speed(double id) const;
+  [[nodiscard]] std::optional<double> modal_code_of_group(double index) const;
 
   // program_run_parameter.cc
   void load_parameter(const Instruction& instruction);

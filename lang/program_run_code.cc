@@ -211,43 +211,6 @@ void ProgramRun::call_builtin(const Instruction& instruction) {
   fail("E3009", "invalid argument of `" + std::string(builtin.name) + "`", "no result");
 }
 
-void ProgramRun::push_system_value(const Instruction& instruction) {
-  const SystemVariable& variable = system_variables()[instruction.operand];
-  const double index = instruction.count != 0 ? pop_number() : 0.0;
-  const std::string_view name = variable.name;
-  if (name == "program") return push(value_of(file().source.name()));
-  double value = 0.0;
-  if (name == "channel") value = channel_.id;
-  if (name == "line") value = span().line;
-  if (name == "prog_pos") value = programmed_position(around_, static_cast<std::size_t>(index));
-  if (name == "probe_ok") value = points_.probe.found ? 1.0 : 0.0;
-  if (name == "probe") {
-    const auto axis = static_cast<std::size_t>(index);
-    value = as_programmed(around_, axis, points_.probe.position[axis]);
-  }
-  if (name == "feed") value = modal_.feed_programmed;
-  if (name == "speed") value = modal_.speed_rev_per_min;
-  if (name == "tool") value = modal_.tool_active;
-  if (name == "tool_next") value = std::max(modal_.tool_prepared, 0);
-  const auto tool = tables_.tool(modal_.tool_active).value_or(Tool{});
-  if (name == "tool_length") value = tool.length_mm[2];
-  if (name == "tool_radius") value = tool.radius_mm;
-  if (name == "overhang") value = overhang_in_force(around_);
-  if (name == "g") {
-    const auto code = modal_code_of_group(index);
-    if (!code) return fail("E3011", "there is no modal group of this number");
-    value = *code;
-  }
-  push(value_of(value));
-}
-
-// Active code of modal group n of docs/language.md.
-std::optional<double> ProgramRun::modal_code_of_group(double index) const {
-  if (!is_integer(index) || index < 1.0 || index > 17.0) return std::nullopt;
-  const auto group = static_cast<std::size_t>(std::lround(index)) - 1;
-  return modal_.codes[group] / 10.0;
-}
-
 void ProgramRun::execute_effect(const Instruction& instruction) {
   switch (instruction.op) {
     case Op::plain_lines: {

@@ -135,6 +135,27 @@ TEST(Machine, PoseOutOfReachStopsTheProgramAtTheBlockBefore) {
   EXPECT_EQ(bench.machine().alarms()[0].diagnostic.place.line, 3);
 }
 
+TEST(Machine, FeedPerRevolutionNeedsATurningSpindle) {
+  MachineBench bench;
+  bench.program("p.nc", "G21 G90 G94\nG1 X10 F6000\nG95 F0.1\nX20\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4021"));
+  EXPECT_EQ(bench.channel(1).axes[0].position, 10.0) << "the end of the block before";
+  ASSERT_EQ(bench.machine().alarms().size(), 1U);
+  EXPECT_EQ(bench.machine().alarms()[0].diagnostic.place.line, 4);
+}
+
+TEST(Machine, SimulatedRunEndsAtM99OfTheMainProgram) {
+  MachineBench bench;
+  bench.program("p.nc", "G21 G90\nG1 X10 F6000\nM99\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_THAT(bench.event_codes(), Contains("W2099"));
+  EXPECT_EQ(bench.channel(1).state, ChannelState::ready);
+}
+
 TEST(Machine, HoldStandsOnThePathAndResumeReachesTheEnd) {
   MachineBench bench;
   bench.program("p.nc", "G21 G90\nG1 X100 F6000\nM30\n");

@@ -168,6 +168,23 @@ TEST_F(MarksTest, SoftMarksMeetWhoeverIsFirst) {
   }
 }
 
+TEST_F(MarksTest, SoftMarkCloseBehindAnOpenOneIsNotRunOver) {
+  start(
+      {"G64 P0.01\nG1 X50 F6000\nmark_wait_soft (3, 2);\nX50.05\nmark_wait_soft (4, 2);\n"
+       "X100\nM30\n",
+       "mark_wait (3, 1);\nG4 P2\nmark_wait (4, 1);\nM30\n"});
+  int standing = 0;
+  bench->run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& lane = output.channels[0];
+    if (!lane.running || !lane.waiting) return;
+    ++standing;
+    EXPECT_NEAR(lane.axes[0].position, 50.05, 1e-6);
+  });
+  EXPECT_THAT(bench->alarm_codes(), IsEmpty());
+  EXPECT_GT(standing, 1000);
+  EXPECT_EQ(bench->channel(1).axes[0].position, 100.0);
+}
+
 TEST_F(MarksTest, DeadlockAtASoftMarkIsFoundWhereTheChannelStands) {
   run({"G1 X10 F6000\nmark_wait_soft (1, 2);\nX20\nM30\n", "G4 P1\nchannel_wait (1);\nM30\n"});
   ASSERT_THAT(bench->alarm_codes(), Contains("E6020"));

@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"{\nO100\n}", "E2012", 2, 1}, FaultCase{"G0 @5", "E2090", 1, 4},
                       FaultCase{"G1 X1,R2", "E2090", 1, 6}, FaultCase{"(LOG,text)", "E2090", 1, 1},
                       FaultCase{"num sum_ = 1" + repeated("+1", 1001) + ";", "E2031", 1, 2013},
-                      FaultCase{"G0 X" + repeated("-", 70) + "1", "E2030", 1, 69},
+                      FaultCase{"G0 X" + repeated("-", 70) + "1", "E2030", 1, 70},
                       FaultCase{repeated("{", 65) + repeated("}", 65), "E2030", 1, 65}));
 
 INSTANTIATE_TEST_SUITE_P(

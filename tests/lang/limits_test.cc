@@ -1,4 +1,6 @@
 // The limits of the language, each at the limit and one beyond it.
+#include <array>
+
 #include "lang/value.h"
 #include "tests/lang/program_support.h"
 
@@ -10,6 +12,11 @@ std::string repeated(std::string_view text, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) all += text;
   return all;
 }
+
+// Codes that exclude each other in nothing.
+constexpr auto one_of_each_group = std::to_array<std::string_view>(
+    {"G0 ", "G17 ", "G90 ", "G91.1 ", "G94 ", "G21 ", "G40 ", "G49 ", "G13.1 ", "G98 ", "G50 ",
+     "G54 ", "G64 ", "G97 ", "G8 ", "G69 ", "G4 P0 "});
 
 struct LimitCase {
   const char* name;
@@ -100,10 +107,11 @@ INSTANTIATE_TEST_SUITE_P(
                   "E2031"},
         LimitCase{"LettersOfAName", 64,
                   [](std::size_t count) { return "num " + repeated("a", count) + ";\n"; }, "E3003"},
-        LimitCase{"CodesOfABlock", 8,
+        LimitCase{"CodesOfABlock", 16,
                   [](std::size_t count) {
-                    const std::string codes = "G0 G17 G90 G94 G21 G40 G49 G54 G97 ";
-                    return std::string(codes, 0, 3 + (count - 1) * 4) + "\n";
+                    std::string block;
+                    for (std::size_t i = 0; i < count; ++i) block += one_of_each_group[i];
+                    return block + "\n";
                   },
                   "E4005"}),
     [](const auto& one) { return std::string(one.param.name); });

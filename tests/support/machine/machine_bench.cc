@@ -130,8 +130,7 @@ const channels::CycleOutput& MachineBench::cycle() {
   channels::OperatorReply reply;
   while (machine_->replies().pop(reply)) replies_.push_back(reply);
   channels::Event event;
-  while (machine_->events().pop(event)) {
-  }
+  while (machine_->events().pop(event)) event_codes_.emplace_back(event.code.view());
   channels::InputRecord input;
   while (machine_->input_records().pop(input)) {
   }

@@ -62,6 +62,8 @@ class MachineBench {
   [[nodiscard]] const channels::ChannelOutput& channel(int id) const;
   [[nodiscard]] std::vector<std::string> alarm_codes() const;
   [[nodiscard]] const std::vector<channels::OperatorReply>& replies() const { return replies_; }
+  // Codes of all events so far.
+  [[nodiscard]] const std::vector<std::string>& event_codes() const { return event_codes_; }
 
  private:
   channels::MachineConfig config_;
@@ -70,6 +72,7 @@ class MachineBench {
   channels::CycleOutput output_;
   std::vector<channels::OperatorEvent> events_;
   std::vector<channels::OperatorReply> replies_;
+  std::vector<std::string> event_codes_;
   std::vector<channels::AxisFeedback> feedback_;
   std::uint64_t next_id_ = 1;
 };
