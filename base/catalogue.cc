@@ -349,7 +349,7 @@ constexpr auto rows = std::to_array<CatalogueRow>({
      "load the program again"},
     {"E7005", "a subprogram that was not found", end,
      "add the program to the file, or #include its file", "correct the program and start it again"},
-    {"E7006", "a subprogram that stands in two included files", end,
+    {"E7006", "a name that stands in two included files", end,
      "rename one of them, or include only one of the files",
      "correct the program and load it again"},
     {"E8001", "calls nested too deep", end, "check the recursion; 64 calls are the limit",

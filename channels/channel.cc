@@ -140,7 +140,8 @@ void Channel::resume() RT_SAFE {
 }
 
 void Channel::answer(const ChannelAnswer& answer) RT_SAFE {
-  if (activity_ != Activity::request) return;
+  if (!asks_) return;
+  asks_ = false;
   activity_ = Activity::none;
   Notice notice;
   notice.kind = NoticeKind::answer;

@@ -163,9 +163,7 @@ class Channel {
   [[nodiscard]] const ChannelAlarm& last_alarm() const RT_SAFE { return last_alarm_; }
   [[nodiscard]] const FileName& file_name(const motion::BlockTag& tag) const RT_SAFE;
   // The request of the own program that waits for the coordinator, or nullptr.
-  [[nodiscard]] const Item* request() const RT_SAFE {
-    return activity_ == Activity::request ? &item_ : nullptr;
-  }
+  [[nodiscard]] const Item* request() const RT_SAFE { return asks_ ? &asked_ : nullptr; }
 
   // Marks (channel_riders.cc).
   [[nodiscard]] bool is_mark_set(int mark) const RT_SAFE {
@@ -271,6 +269,8 @@ class Channel {
   std::int64_t activity_cycles_ = 0;
   std::int64_t activity_began_ = 0;  // when the activity began
   Item item_;                        // the item being executed
+  bool asks_ = false;                // the own program waits for the answer to `asked_`
+  Item asked_;
   ShortText text_;
   ChannelAlarm last_alarm_;
 

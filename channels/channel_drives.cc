@@ -48,6 +48,8 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
 
 void Channel::begin_switch(int scheme) RT_SAFE {
   switch_ = Outcome::pending;
+  // Asked for by the own program: the steps of the switch come before the answer.
+  if (activity_ == Activity::request) activity_ = Activity::none;
   Notice notice;
   notice.kind = NoticeKind::switch_scheme;
   notice.number = scheme;

@@ -120,6 +120,8 @@ void Channel::execute(const Item& item) RT_SAFE {
     case ItemKind::program_stop:
       return stop_by_program(item);
     case ItemKind::request:
+      asked_ = item;
+      asks_ = true;
       activity_ = Activity::request;
       return;
     case ItemKind::park_axes:

@@ -93,6 +93,7 @@ void Channel::continue_reset() RT_SAFE {
     notice.kind = NoticeKind::reset;
     reset_sent_ = link_.notices.push(notice);
     activity_ = Activity::none;
+    asks_ = false;
     return;
   }
   Item item;

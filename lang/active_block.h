@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -33,6 +34,11 @@ struct BlockFault {
   std::vector<Note> notes;
   std::vector<std::string> help;
 };
+
+[[nodiscard]] inline BlockFault fault_at(std::string_view code, WordName word, std::string message,
+                                         std::string label) {
+  return {code, std::move(word), std::move(message), std::move(label), {}, {}};
+}
 
 // What a block does to the flow of the program after its own effects.
 enum class Flow : std::uint8_t {

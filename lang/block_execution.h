@@ -21,6 +21,13 @@ struct BlockCodes {
   [[nodiscard]] bool has(Group group) const { return (groups & group_bit(group)) != 0; }
 };
 
+// The rows of all codes of a block and the one that takes its axis words, or why they do not go
+// together (block_codes.cc). `kind` nullptr: on any channel.
+[[nodiscard]] std::optional<BlockFault> resolve_codes(const BlockWords& words,
+                                                      const ChannelKind* kind,
+                                                      const ChannelDialect& dialect,
+                                                      BlockCodes& codes);
+
 // Takes the axis words out of the block (axis_words.cc): those of the axes' own names, then U, V
 // and W of a lathe channel, as far as no code of the block uses them otherwise.
 void collect_axis_words(ActiveBlock& block);

@@ -84,7 +84,8 @@ double decimal_logarithm(double x) {
 }
 double wrapped(double x) {
   const double rest = std::fmod(x, 360.0);
-  return rest < 0.0 ? rest + 360.0 : rest;
+  const double turn = rest < 0.0 ? rest + 360.0 : rest;
+  return turn < 360.0 ? turn : 0.0;  // the sum may have been rounded up
 }
 
 bool arc_tangent_of_two(Arguments a, Value& result) {

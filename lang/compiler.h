@@ -121,6 +121,9 @@ class Compiler {
   std::optional<Constant> find_constant(std::string_view name) const;
   void load(const Symbol& symbol, const Span& span);
   void store(const Symbol& symbol, const Span& span);
+  // Reports a name of two included files that this file has not itself.
+  using NameTest = bool (*)(const FileNames& names, const std::string& folded_name);
+  bool refuse_ambiguous(std::string_view name, const Span& span, NameTest defines);
   void report_unknown(std::string_view name, const Span& span, std::string_view what);
   std::vector<std::string_view> known_names() const;
 

@@ -51,6 +51,10 @@ Compiler::ValueType Compiler::compile_call(const Expression& call, CallForm form
   if (const Builtin* const builtin = find_builtin(wanted)) {
     return compile_builtin(*builtin, call, form);
   }
+  const NameTest defines = [](const FileNames& names, const std::string& name) {
+    return names.functions.contains(name);
+  };
+  if (refuse_ambiguous(call.text, call.span, defines)) return {};
   if (const auto callee = find_function(call.text)) return compile_user_call(*callee, call, form);
   report_unknown(call.text, call.span, "function");
   return {};

@@ -93,7 +93,12 @@ Compiler::ValueType Compiler::compile_name(const Expression& name) {
     push_constant(*constant, name.span);
     return {constant->type, 0};
   }
-  report_unknown(name.text, name.span, "variable");
+  const NameTest defines = [](const FileNames& names, const std::string& wanted) {
+    return names.constants.contains(wanted);
+  };
+  if (!refuse_ambiguous(name.text, name.span, defines)) {
+    report_unknown(name.text, name.span, "variable");
+  }
   return {};
 }
 

@@ -46,10 +46,36 @@ std::optional<Constant> Compiler::find_constant(std::string_view name) const {
     return found->second;
   };
   if (auto own = look_in(context_.file)) return own;
+  std::optional<Constant> hit;
+  std::uint16_t hit_file = 0;
   for (const std::uint16_t file : file_.includes) {
-    if (auto included = look_in(file)) return included;
+    auto included = look_in(file);
+    if (!included) continue;
+    if (hit && hit_file != file) return std::nullopt;  // refuse_ambiguous() says so
+    hit = std::move(included);
+    hit_file = file;
   }
-  return std::nullopt;
+  return hit;
+}
+
+bool Compiler::refuse_ambiguous(std::string_view name, const Span& span, NameTest defines) {
+  const std::string wanted = folded(name);
+  if (defines(context_.names[context_.file], wanted)) return false;
+  std::optional<std::uint16_t> hit;
+  for (const std::uint16_t file : file_.includes) {
+    if (file == hit || !defines(context_.names[file], wanted)) continue;
+    if (hit) {
+      const auto& files = context_.program.files;
+      reporter_
+          .error("E7006", span, "`" + std::string(name) + "` stands in two included files",
+                 "which one is meant?")
+          .notes.push_back(
+              {"in " + files[*hit]->source.name() + " and " + files[file]->source.name(), {}});
+      return true;
+    }
+    hit = file;
+  }
+  return false;
 }
 
 Compiler::Symbol* Compiler::declare(std::string_view name, const Span& span, Symbol symbol) {

@@ -16,7 +16,8 @@ inline constexpr double exact_powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1
                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 // Reads a number at `at`, which is left behind its last character; `whole` tells that it had no
-// decimal point. False (and `at` where it was) when no number stands there.
+// decimal point. False (and `at` where it was) when no number stands there, or
+// one that is too large.
 //
 // Up to 15 digits both the digits as an integer and the power of ten are exact, so that one
 // division rounds correctly (W. D. Clinger, "How to read floating point numbers accurately", 1990);
@@ -46,6 +47,7 @@ inline bool read_number(const char*& at, const char* end, double& value, bool& w
     value = static_cast<double>(digits) / exact_powers_of_ten[decimals];
   } else {
     fast_float::from_chars(first, cursor, value, fast_float::chars_format::fixed);
+    if (std::isinf(value)) return false;
   }
   if (negative) value = -value;
   at = cursor;

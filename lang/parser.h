@@ -30,7 +30,7 @@ struct ParserContext {
   const ChannelDescription* channel = nullptr;  // nullptr: channel-dependent checks are left out
   const ChannelDialect* dialect = nullptr;      // nullptr: nothing added
   IncludedFunctions included_functions;
-  std::set<std::string> functions;  // folded names that can be called besides
+  std::set<std::string> functions;              // folded names that can be called besides
   NamedParameters* named_parameters = nullptr;  // nullptr: blocks that use them are not plain
 };
 

@@ -63,7 +63,10 @@ Parser::MaybeExpression Parser::parse_unsigned_value() {
     return std::nullopt;
   }
   if (!read_number(at, end, number.number, whole)) {
-    reporter_.error("E1002", scanner_.here(), "a number needs a digit", "no digit");
+    const bool large = is_digit(c) || is_digit(scanner_.character(1));
+    reporter_.error("E1002", scanner_.here(),
+                    large ? "the number is too large" : "a number needs a digit",
+                    large ? "beyond 1.8e308" : "no digit");
     return std::nullopt;
   }
   number.span = scanner_.here(static_cast<std::uint32_t>(at - first));

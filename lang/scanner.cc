@@ -3,6 +3,7 @@
 #include <fast_float/fast_float.h>
 
 #include <array>
+#include <cmath>
 
 namespace stanok::lang {
 namespace {
@@ -210,6 +211,9 @@ Token Scanner::read_number_token() {
   token.span = span_from(start, line_);
   token.text = text_.substr(start, offset_ - start);
   fast_float::from_chars(token.text.data(), token.text.data() + token.text.size(), token.number);
+  if (std::isinf(token.number)) {
+    reporter_.error("E1002", token.span, "the number is too large", "beyond 1.8e308");
+  }
   if (character() == '.' || is_name_part(character())) {
     reporter_.error("E1002", here(), "a number is followed directly by other characters",
                     "not part of a number");

@@ -146,6 +146,35 @@ TEST(Machine, FeedPerRevolutionNeedsATurningSpindle) {
   EXPECT_EQ(bench.machine().alarms()[0].diagnostic.place.line, 4);
 }
 
+TEST(Machine, DoesNotParkAnAxisBeyondItsLimits) {
+  MachineConfig config = testing::two_channel_machine();
+  config.axes[3].limits.position_min = -30.0;
+  config.axes[3].limits.position_max = 30.0;
+  config.channels[0].scheme = 2;
+  config.channels[0].schemes[0].parking[0].position = 45.0;  // B
+  MachineBench bench(config);
+  bench.program("p.nc", "#kinematics (1, 1)\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5204"));
+  EXPECT_EQ(bench.channel(1).axes[3].position, 0.0);
+  EXPECT_EQ(bench.channel(1).scheme, 2) << "all or nothing";
+}
+
+TEST(Machine, ProgramSwitchesTheKinematicsOfItsOwnChannel) {
+  MachineBench bench;
+  bench.program("p.nc",
+                "#kinematics (2, 1)\nG1 X10 B20 F3000\n#kinematics (1, 1)\nG1 X5 F3000\nM30\n");
+  bench.run(1, "p.nc");
+  StepGuard guard;
+  bench.run_to_end([&](const CycleOutput& output) { guard(output); });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(bench.channel(1).scheme, 1);
+  EXPECT_EQ(bench.channel(1).axes[0].position, 5.0);
+  EXPECT_EQ(bench.channel(1).axes[3].position, 0.0) << "B is parked";
+  EXPECT_FALSE(bench.channel(1).drives[3].enabled);
+}
+
 TEST(Machine, SimulatedRunEndsAtM99OfTheMainProgram) {
   MachineBench bench;
   bench.program("p.nc", "G21 G90\nG1 X10 F6000\nM99\n");

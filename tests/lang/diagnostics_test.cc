@@ -37,6 +37,8 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"G0 X1" + repeated(" ", 5000) + "Y1", "E1007", 1, 1},
                       FaultCase{"G0 X1 N5", "E2006", 1, 7}, FaultCase{"G0 XY5", "E2007", 1, 4},
                       FaultCase{"M2=3", "E2011", 1, 1},
+                      FaultCase{"G0 X-" + repeated("9", 400), "E1002", 1, 6},
+                      FaultCase{"num aa = 1e400;", "E1002", 1, 10},
                       FaultCase{"{\n#include \"a.nc\"\n}", "E2012", 2, 10},
                       FaultCase{"{\nO100\n}", "E2012", 2, 1}, FaultCase{"G0 @5", "E2090", 1, 4},
                       FaultCase{"G1 X1,R2", "E2090", 1, 6}, FaultCase{"(LOG,text)", "E2090", 1, 1},

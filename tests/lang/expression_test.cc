@@ -47,11 +47,12 @@ INSTANTIATE_TEST_SUITE_P(
         ValueCase{"exp (0)", 1}, ValueCase{"ln (exp (two))", 2}, ValueCase{"log10 (1000)", 3},
         ValueCase{"pow (two, 10)", 1024}, ValueCase{"hypot (3, 4)", 5}, ValueCase{"mod (-1, 4)", 3},
         ValueCase{"clamp (7, 0, 5)", 5}, ValueCase{"wrap360 (-90)", 270},
-        ValueCase{"bit_and (12, 10)", 8}, ValueCase{"bit_or (12, 10)", 14},
-        ValueCase{"bit_xor (12, 10)", 6}, ValueCase{"len (\"abc\" + str (12))", 5},
-        ValueCase{"find (\"abcd\", \"cd\")", 2}, ValueCase{"to_num (\" 2.50 \")", 2.5},
-        ValueCase{"PI", 3.14159265358979323846}, ValueCase{"CH_ALARM + GV_ALL", 67},
-        ValueCase{"near (1, 1 + 1e-9) ? 1 : 0", 1}, ValueCase{"near (1, 1.1, 0.2) ? 1 : 0", 1}));
+        ValueCase{"1 + wrap360 (-1e-18)", 1}, ValueCase{"bit_and (12, 10)", 8},
+        ValueCase{"bit_or (12, 10)", 14}, ValueCase{"bit_xor (12, 10)", 6},
+        ValueCase{"len (\"abc\" + str (12))", 5}, ValueCase{"find (\"abcd\", \"cd\")", 2},
+        ValueCase{"to_num (\" 2.50 \")", 2.5}, ValueCase{"PI", 3.14159265358979323846},
+        ValueCase{"CH_ALARM + GV_ALL", 67}, ValueCase{"near (1, 1 + 1e-9) ? 1 : 0", 1},
+        ValueCase{"near (1, 1.1, 0.2) ? 1 : 0", 1}));
 
 class Expression_ : public ProgramTest {};
 

@@ -31,6 +31,19 @@ TEST_F(Subprograms, RefusesWhatStandsInTwoIncludedFiles) {
       "");
 }
 
+TEST_F(Subprograms, RefusesNamesOfTwoIncludedFilesUnlessItHasThemItself) {
+  files.texts["a.nc"] = "num height () { return 1; }\nconst num SAFE_Z = 1;\n";
+  files.texts["b.nc"] = "num height () { return 2; }\nconst num SAFE_Z = 2;\n";
+  const std::string both = "#include \"a.nc\"\n#include \"b.nc\"\n";
+  EXPECT_EQ(error_code(both + "G0 X=height ()\nM30\n"), "E7006");
+  EXPECT_EQ(error_code(both + "G0 X=SAFE_Z\nM30\n"), "E7006");
+  EXPECT_EQ(error.notes.at(0).text, "in a.nc and b.nc");
+  EXPECT_EQ(error_code(both + "G0 X1\nM30\n"), "");
+  EXPECT_EQ(messages(both + "num height () { return 3; }\nconst num SAFE_Z = 4;\n"
+                            "msg (str (height ()) + str (SAFE_Z));\nM30\n"),
+            Texts{"34"});
+}
+
 TEST_F(Subprograms, FindsFilesOfANumberInOrder) {
   files.texts["O0007.nc"] = "(MSG,first)\nM99\n";
   files.texts["7.nc"] = "(MSG,second)\nM99\n";
