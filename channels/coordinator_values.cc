@@ -75,28 +75,19 @@ Coordinator::Verdict Coordinator::input_value(bool analog, int index) const RT_S
   return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
 }
 
-// Table 1 is the only one there is.
 Coordinator::Verdict Coordinator::step_table(const Errand& errand) RT_SAFE {
   using lang::RequestKind;
-  LiveTables& tables = *stores_.tables;
   const RequestData& request = errand.request;
+  const bool offsets = errand.kind == RequestKind::offset_table_write ||
+                       errand.kind == RequestKind::offset_table_read;
+  const int axis = offsets && request.index >= 0 ? channel(errand.asker).machine_axis(request.index)
+                                                 : request.index;
+  const auto value = execute_table_request(*stores_.tables, request, axis);
+  if (value) return success(*value);
   const bool writes = errand.kind == RequestKind::tool_table_write ||
                       errand.kind == RequestKind::offset_table_write;
-  const bool tools =
-      errand.kind == RequestKind::tool_table_write || errand.kind == RequestKind::tool_table_read;
-  const int axis = !tools && request.channel == 1 && request.index >= 0
-                       ? channel(errand.asker).machine_axis(request.index)
-                       : -1;
-  if (writes) {
-    const bool written =
-        tools ? tables.set_tool_value(request.number, request.index, request.channel, request.value)
-              : tables.set_offset(request.number, axis, request.value);
-    return written ? success()
-                   : refusal("", "no such entry, a value out of range, or write-protected tables");
-  }
-  const auto value = tools ? tables.tool_value(request.number, request.index, request.channel)
-                           : tables.offset(request.number, axis);
-  return value ? success(*value) : refusal("E5021", "the tables have no such entry");
+  return writes ? refusal("", "no such entry, a value out of range, or write-protected tables")
+                : refusal("E5021", "the tables have no such entry");
 }
 
 }  // namespace stanok::channels

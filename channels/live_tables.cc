@@ -56,13 +56,14 @@ std::string work_offset_name(int number) {
 
 LiveTables::LiveTables(const MachineConfig& machine)
     : write_protected_(machine.tables_write_protected) {
-  for (const AxisConfig& axis : machine.axes) axes_.push_back(axis.name);
-  offsets_ = std::make_unique<std::atomic<double>[]>(work_offsets_max * axes_.size());
+  for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
+  columns_.emplace_back("R");
+  offsets_ = std::make_unique<std::atomic<double>[]>(work_offsets_max * columns_.size());
   for (int number = 1; number <= work_offsets_max; ++number) {
     const auto row = machine.tables.offsets.find(work_offset_name(number));
     if (row == machine.tables.offsets.end()) continue;
-    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-      const auto value = row->second.find(axes_[axis]);
+    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+      const auto value = row->second.find(columns_[axis]);
       if (value != row->second.end()) offsets_[cell(number, axis)] = value->second;
     }
   }
@@ -84,23 +85,25 @@ LiveTables::LiveTables(const MachineConfig& machine)
 }
 
 std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
-  const bool exists = number >= 1 && number <= work_offsets_max && axis >= 0 &&
-                      static_cast<std::size_t>(axis) < axes_.size();
+  const auto rotation = static_cast<int>(columns_.size()) - 1;
+  if (axis == lang::rotation_of_offset) axis = rotation;
+  const bool exists = number >= 1 && number <= work_offsets_max && axis >= 0 && axis <= rotation;
   if (!exists) return std::nullopt;
   return offsets_[cell(number, static_cast<std::size_t>(axis))].load(std::memory_order_relaxed);
 }
 
 bool LiveTables::set_offset(int number, int axis, double value) RT_SAFE {
   if (write_protected_ || !offset(number, axis)) return false;
+  if (axis == lang::rotation_of_offset) axis = static_cast<int>(columns_.size()) - 1;
   offsets_[cell(number, static_cast<std::size_t>(axis))].store(value, std::memory_order_relaxed);
   return true;
 }
 
 std::optional<double> LiveTables::offset(int number, const std::string& axis) const {
   if (number < 1 || number > work_offsets_max) return std::nullopt;
-  const auto named = std::find(axes_.begin(), axes_.end(), axis);
-  if (named == axes_.end()) return 0.0;
-  return offset(number, static_cast<int>(named - axes_.begin()));
+  const auto named = std::find(columns_.begin(), columns_.end(), axis);
+  if (named == columns_.end()) return 0.0;
+  return offset(number, static_cast<int>(named - columns_.begin()));
 }
 
 const LiveTables::ToolRow* LiveTables::find(int number, int edge) const RT_SAFE {
@@ -145,12 +148,32 @@ TablesConfig LiveTables::snapshot() const {
     if (!row.is_default || values_of(now) != values_of(row.fixed)) tables.tools.push_back(now);
   }
   for (int number = 1; number <= work_offsets_max; ++number) {
-    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
       const double value = offsets_[cell(number, axis)];
-      if (value != 0.0) tables.offsets[work_offset_name(number)][axes_[axis]] = value;
+      if (value != 0.0) tables.offsets[work_offset_name(number)][columns_[axis]] = value;
     }
   }
   return tables;
+}
+
+std::optional<double> execute_table_request(LiveTables& tables, const RequestData& request,
+                                            int axis) RT_SAFE {
+  using lang::RequestKind;
+  const bool offsets = request.kind == RequestKind::offset_table_write ||
+                       request.kind == RequestKind::offset_table_read;
+  const bool writes = request.kind == RequestKind::offset_table_write ||
+                      request.kind == RequestKind::tool_table_write;
+  // Table 1 is the only one there is.
+  if (offsets && request.channel != 1) return std::nullopt;
+  if (writes) {
+    const bool written = offsets ? tables.set_offset(request.number, axis, request.value)
+                                 : tables.set_tool_value(request.number, request.index,
+                                                         request.channel, request.value);
+    if (!written) return std::nullopt;
+    return request.value;
+  }
+  return offsets ? tables.offset(request.number, axis)
+                 : tables.tool_value(request.number, request.index, request.channel);
 }
 
 ChannelTables::ChannelTables(const LiveTables& live, const MachineConfig& machine,

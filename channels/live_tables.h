@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/rt_safe.h"
+#include "channels/item.h"
 #include "channels/machine_config.h"
 #include "lang/environment.h"
 
@@ -46,7 +47,8 @@ class LiveTables {
   [[nodiscard]] std::optional<ToolEdge> tool(int number, int edge) const;
   [[nodiscard]] TablesConfig snapshot() const;
 
-  // The cycle: single values. `axis` counts among all axes of the machine. Nothing, or false, when
+  // The cycle: single values. `axis` counts among all axes of the machine, or is
+  // lang::rotation_of_offset (deg). Nothing, or false, when
   // there is no such entry; a write also when the value is out of range or the tables are
   // write-protected.
   [[nodiscard]] std::optional<double> offset(int number, int axis) const RT_SAFE;
@@ -63,15 +65,21 @@ class LiveTables {
 
   [[nodiscard]] const ToolRow* find(int number, int edge) const RT_SAFE;
   [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
-    return static_cast<std::size_t>(number - 1) * axes_.size() + axis;
+    return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
   }
 
-  std::vector<std::string> axes_;
+  std::vector<std::string> columns_;  // of the offsets: the axes, and R, the rotation
   bool write_protected_ = false;
   std::unique_ptr<std::atomic<double>[]> offsets_;
   std::unique_ptr<ToolRow[]> tools_;  // ascending by number and edge
   std::size_t tool_count_ = 0;
 };
+
+// Reads or writes what a program asks for. `axis` is that of the request, counted among all axes of
+// the machine. Nothing when there is no such entry, or when it cannot be written so.
+[[nodiscard]] std::optional<double> execute_table_request(LiveTables& tables,
+                                                          const RequestData& request, int axis)
+    RT_SAFE;
 
 // The tables as the interpreter of one channel sees them.
 class ChannelTables final : public lang::Tables {

@@ -9,6 +9,9 @@ namespace {
 using channels::TablesConfig;
 using channels::ToolEdge;
 
+// Beside the axes of a work offset: what G10 L2 R writes.
+constexpr std::string_view rotation_key = "R";
+
 struct TablesFile {
   Subtables tools = nullptr;
   Subtable offsets = nullptr;
@@ -85,13 +88,16 @@ std::vector<ToolEdge> read_tools(Subtables tools, FaultList& faults) {
 void read_offset(const std::string& name, const toml::table& table,
                  const std::vector<std::string>& axis_names, TablesConfig& tables,
                  const Scope& scope) {
-  refuse_unknown_keys(table, {axis_names.begin(), axis_names.end()}, scope);
+  std::vector<std::string_view> known(axis_names.begin(), axis_names.end());
+  known.push_back(rotation_key);
+  refuse_unknown_keys(table, known, scope);
   for (const auto& [axis, node] : table) {
-    if (std::ranges::find(axis_names, axis.str()) == axis_names.end()) continue;
+    if (std::ranges::find(known, axis.str()) == known.end()) continue;
+    const std::string_view meaning =
+        axis.str() == rotation_key ? "rotation about Z" : "offset of the axis";
     double value = 0.0;
-    detail::read_value(node,
-                       {.name = axis.str(), .unit = "mm, deg", .meaning = "offset of the axis"},
-                       scope, value);
+    detail::read_value(node, {.name = axis.str(), .unit = "mm, deg", .meaning = meaning}, scope,
+                       value);
     tables.offsets[name][std::string(axis.str())] = value;
   }
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lang/actions.h"
+#include "lang/tool_value.h"
 
 namespace stanok::lang {
 namespace {
@@ -30,6 +31,7 @@ bool is_programmed(const ActiveBlock& block, std::size_t axis) {
 void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value) {
   Request request;
   request.kind = RequestKind::tool_table_write;
+  request.channel = tool_value_number(parameter);
   request.number = tool;
   request.index = 1;  // edge
   request.text = parameter;
@@ -41,6 +43,7 @@ void write_offset(ActiveBlock& block, int page, std::string_view parameter, int 
                   double value) {
   Request request;
   request.kind = RequestKind::offset_table_write;
+  request.channel = 1;  // the channel's own table
   request.number = page;
   request.index = axis;
   request.text = parameter;
@@ -98,7 +101,7 @@ void write_work_offset(ActiveBlock& block) {
     write_offset(block, *page, block.channel.axes[i].word, static_cast<int>(i),
                  table_value(block, i));
   }
-  if (block.has('R')) write_offset(block, *page, "R", -1, block.value('R'));
+  if (block.has('R')) write_offset(block, *page, "R", rotation_of_offset, block.value('R'));
 }
 
 void write_work_offset_here(ActiveBlock& block) {

@@ -248,7 +248,8 @@ enum class RequestKind : std::uint8_t {
   axis_to_spindle,     // M903
   terminate,           // number = code, text
   tool_table_write,    // number = tool, index = edge, channel = number of the value, value
-  offset_table_write,  // channel = table, number = page, index = axis of the channel or -1, value
+  offset_table_write,  // channel = table, number = page, index = axis of the channel, -1 (there is
+                       // none) or rotation_of_offset, value
   tool_table_read,     // as the writes; the answer carries the value
   offset_table_read,
   machine_value,    // text = system variable, number = index
@@ -260,6 +261,9 @@ enum class RequestKind : std::uint8_t {
   shared_write,     // the same, value or value_text
   program_restart,  // M99 in the main program: it begins again, or with a false answer ends
 };
+
+// Stands for the rotation of a work offset (G10 L2 R) where its axes have indices.
+inline constexpr int rotation_of_offset = -2;
 
 struct Request {
   RequestKind kind = RequestKind::sync;

@@ -1,22 +1,12 @@
 // Work offsets and tools of the machine's tables, read and written by programs.
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "lang/number.h"
 #include "lang/program_run.h"
+#include "lang/tool_value.h"
 
 namespace stanok::lang {
-namespace {
-
-// In the order of their numbers, from 1.
-constexpr auto tool_value_names = std::to_array<std::string_view>(
-    {"length", "length_y", "length_x", "radius", "wear_length", "wear_radius", "overhang",
-     "orientation", "angle_front", "angle_back"});
-constexpr int tool_lengths = 7;  // the first of them are lengths
-
-}  // namespace
-
 // Table, page and axis; an axis the channel has not is -1.
 bool ProgramRun::name_offset(std::size_t first, Request& request) {
   if (!is_integer(stack_[first].number) || !is_integer(stack_[first + 1].number)) {
@@ -43,9 +33,7 @@ bool ProgramRun::name_tool_value(std::size_t first, bool by_number, Request& req
   const Value& name = stack_[first + 2];
   int value = 0;
   if (by_number && is_integer(name.number)) value = static_cast<int>(std::lround(name.number));
-  for (std::size_t i = 0; !by_number && i < tool_value_names.size(); ++i) {
-    if (tool_value_names[i] == folded(text_of(name))) value = static_cast<int>(i) + 1;
-  }
+  if (!by_number) value = tool_value_number(folded(text_of(name)));
   request.channel = value;
   const bool is_length = value >= 1 && value <= tool_lengths;
   answer_unit_ = is_length && modal_.inches() ? mm_per_inch : 1.0;

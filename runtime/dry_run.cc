@@ -151,11 +151,36 @@ void DryRun::take_request(const lang::Command& command, const lang::Request& req
   } else {
     sink(request, command);
   }
-  lang::Answer answer;
+  lang::Answer answer = answer_of(request);
   answer.position_B = blocks_.position_B();
   answer.position_valid = true;
-  answer.ok = request.kind != lang::RequestKind::program_restart;
   interpreter_.answer(answer);
+}
+
+// Tables are those of this run; everything else is taken for done.
+lang::Answer DryRun::answer_of(const lang::Request& request) {
+  using lang::RequestKind;
+  lang::Answer answer;
+  answer.ok = request.kind != RequestKind::program_restart;
+  const bool offsets = request.kind == RequestKind::offset_table_write ||
+                       request.kind == RequestKind::offset_table_read;
+  const bool tools =
+      request.kind == RequestKind::tool_table_write || request.kind == RequestKind::tool_table_read;
+  if (!offsets && !tools) return answer;
+  channels::RequestData data;
+  data.kind = request.kind;
+  data.channel = request.channel;
+  data.number = request.number;
+  data.index = request.index;
+  data.value = request.value;
+  const int axis = offsets && request.index >= 0
+                       ? channel_.axes[static_cast<std::size_t>(request.index)]
+                       : request.index;
+  const auto value = channels::execute_table_request(live_, data, axis);
+  answer.ok = value.has_value();
+  answer.number = value.value_or(0.0);
+  if (!answer.ok) answer.text = "no such entry of the tables, or a value out of range";
+  return answer;
 }
 
 void DryRun::switch_scheme(int id) {

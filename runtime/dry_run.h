@@ -54,6 +54,7 @@ class DryRun {
                         Diagnostics& diagnostics);
   void take_request(const lang::Command& command, const lang::Request& request,
                     const RequestSink& sink);
+  [[nodiscard]] lang::Answer answer_of(const lang::Request& request);
   void switch_scheme(int id);
 
   const channels::ChannelConfig& channel_;

@@ -33,6 +33,26 @@ TEST(Tables, WrittenOffsetHoldsFromTheNextBlock) {
   EXPECT_EQ(bench.machine().tables().offsets.at("G54").at("X"), 5.0);
 }
 
+TEST(Tables, InputByG10HoldsFromTheNextBlock) {
+  MachineBench bench;
+  EXPECT_THAT(alarms_of("G10 L2 P1 X10\nG0 X5\nG10 L20 P1 Y7\nG0 Y0\n"
+                        "G10 L1 P3 Z33\nT3 M6 G43\nG0 Z-50\n"
+                        "if (gettable_tool (3, 1, \"length\") != 33) { terminate (1001, \"\"); }\n",
+                        bench),
+              IsEmpty());
+  EXPECT_EQ(bench.channel(1).axes[0].position, 15.0);
+  EXPECT_EQ(bench.channel(1).axes[1].position, -7.0);
+  EXPECT_EQ(bench.channel(1).axes[2].position, -17.0);
+}
+
+TEST(Tables, RotationOfAWorkOffsetTurnsTheWay) {
+  MachineBench bench;
+  EXPECT_THAT(alarms_of("G10 L2 P1 X10 R90\nG0 X20 Y5\n", bench), IsEmpty());
+  EXPECT_NEAR(bench.channel(1).axes[0].position, 5.0, 1e-9);
+  EXPECT_NEAR(bench.channel(1).axes[1].position, 20.0, 1e-9);
+  EXPECT_EQ(bench.machine().tables().offsets.at("G54").at("R"), 90.0);
+}
+
 TEST(Tables, OffsetsAreInProgramUnitsAndReadBackSo) {
   MachineBench bench;
   EXPECT_THAT(alarms_of("G20\nsettable_zs (1, 2, \"Y\", 2);\nsettable_zs (1, 2, B, 30);\n"

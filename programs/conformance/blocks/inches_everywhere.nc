@@ -20,11 +20,11 @@ G92.1 G52 X0 B0
 ; expect: frame 1 X25.4 Y0 Z0 B1 C0
 ; expect: frame 1 X0 Y0 Z0 B0 C0
 G10 L2 P2 X1 R30
-; expect: request write offset 2 X 25.4
-; expect: request write offset 2 R 30
+; expect: request write offset channel 1 2 X 25.4
+; expect: request write offset channel 1 2 R 30
 G10 L1 P2 Z1 R1
-; expect: request write tool 2 length 25.4
-; expect: request write tool 2 radius 25.4
+; expect: request write tool channel 1 2 length 25.4
+; expect: request write tool channel 4 2 radius 25.4
 G43.1 Z1
 ; expect: length H0 0 0 25.4
 G49

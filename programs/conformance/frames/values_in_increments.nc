@@ -12,7 +12,7 @@ G92 X2
 X1
 ; expect: rapid X3
 G10 L2 P3 X7
-; expect: request write offset 3 X 7
+; expect: request write offset channel 1 3 X 7
 T1 M6 G43.1 Z4
 ; expect: prepare T1
 ; expect: change T1

@@ -33,12 +33,12 @@ G92.1
 ; expect: frame 1 X0 Z0 C0
 ; Values of tables are radii, as they are written.
 G10 L2 P2 X8
-; expect: request write offset 2 X 8
+; expect: request write offset channel 1 2 X 8
 G10 L20 P2 X8
-; expect: request write offset 2 X 3
+; expect: request write offset channel 1 2 X 3
 G10 L1 P3 X8 Z9
-; expect: request write tool 3 length_x 8
-; expect: request write tool 3 length 9
+; expect: request write tool channel 3 3 length_x 8
+; expect: request write tool channel 1 3 length 9
 G43.1 X6
 ; expect: length H0 6 0 0
 G49

@@ -16,6 +16,7 @@ SILENT = {
     "ENABLE_FEED_OVERRIDE", "DISABLE_FEED_OVERRIDE", "ENABLE_SPEED_OVERRIDE",
     "DISABLE_SPEED_OVERRIDE", "ENABLE_FEED_HOLD", "DISABLE_FEED_HOLD", "ENABLE_ADAPTIVE_FEED",
     "DISABLE_ADAPTIVE_FEED", "CHANGE_TOOL_NUMBER_SILENT", "LOGOPEN", "LOGCLOSE", "LOG",
+    "SET_TOOL_TABLE_ENTRY",
 }
 
 
@@ -112,7 +113,8 @@ class Reader:
         self.add("rigid_tap", end=end, lead=self.lead * self.unit)
 
     def dwell(self, seconds):
-        self.add("dwell", seconds=float(seconds))
+        if float(seconds) > 0:  # G84 waits 0 s
+            self.add("dwell", seconds=float(seconds))
 
     def set_spindle_mode(self, _spindle, limit):
         self.set(cutting_speed=float(limit) > 0)
