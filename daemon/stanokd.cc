@@ -47,9 +47,8 @@ int run(const CommandLine& given) {
   return stanok::daemon::run_daemon(given.options);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// The exit code; throws what cannot be mended here.
+int run(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_logger_mt("stanokd"));
   CLI::App app("stanokd: runs a machine");
   app.set_version_flag("--version", std::string(stanok::protocol::version));
@@ -57,9 +56,17 @@ int main(int argc, char** argv) {
   add_options(app, given);
   try {
     app.parse(argc, argv);
-    return run(given);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
+  }
+  return run(given);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "stanokd: %s\n", error.what());
     return exit_failed;

@@ -88,7 +88,7 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
     execute_block(inner);
     modal.compensation = {};
     modal.set(Group::radius_compensation, 400, block.line);
-    if (inner.failed()) {
+    if (inner.fault) {
       fail_contour(block, code,
                    "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);
     } else {
@@ -128,7 +128,7 @@ class Roughing {
     const double deepest = contour_.deepest();
     double above = 0.0;
     // A rest that rounding leaves is no level.
-    for (double n = 1.0; n * settings_.depth < deepest - 1e-9; n += 1.0) {
+    for (int n = 1; n * settings_.depth < deepest - 1e-9; ++n) {
       const double depth = n * settings_.depth;
       for (const TurnedStretch& stretch : contour_.stretches(depth)) cut(stretch, depth, above);
       above = depth;

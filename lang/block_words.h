@@ -17,7 +17,7 @@ using LetterSet = std::uint32_t;
   return upper - 'A';
 }
 [[nodiscard]] constexpr LetterSet letter_bit(char upper) {
-  return LetterSet{1} << letter_index(upper);
+  return LetterSet{1} << (static_cast<unsigned>(letter_index(upper)) & 31U);
 }
 [[nodiscard]] constexpr LetterSet letters_of(std::string_view uppers) {
   LetterSet set = 0;

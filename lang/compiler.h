@@ -112,6 +112,10 @@ class Compiler {
   // compiler_variable.cc: declarations and assignments
   void compile_kind(const Declaration& declaration);
   void compile_kind(const Assignment& assignment);
+  std::optional<Symbol> assignable(const Expression& target);
+  void load_target(const Expression& target, const Symbol& symbol);
+  void store_target(const Expression& target, const Symbol& symbol);
+  bool combine(const Assignment& assignment, Operation operation, Type type);
   void compile_item(const Declaration& declaration, const DeclaredItem& item);
   void compile_shared(const DeclaredItem& item, Type type);
   void compile_array(const DeclaredItem& item, Type type);

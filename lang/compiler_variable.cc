@@ -230,60 +230,67 @@ void Compiler::compile_array(const DeclaredItem& item, Type type) {
 
 void Compiler::compile_kind(const Assignment& assignment) {
   const Expression& target = assignment.target;
-  const Symbol* const found = find(target.text);
-  if (found == nullptr) {
-    if (find_constant(target.text)) {
-      reporter_.error("E3013", target.span, "`" + target.text + "` is a constant",
-                      "cannot be changed");
-    } else {
-      report_unknown(target.text, target.span, "variable");
-    }
-    return;
-  }
-  const Symbol symbol = *found;
-  if (symbol.read_only) {
-    reporter_
-        .error("E3013", target.span, "`" + target.text + "` is a constant", "cannot be changed")
-        .notes.push_back({"declared here", file_.source.place(symbol.span)});
-    return;
-  }
-  const bool element = target.node == Node::element;
-  ValueType type = element ? compile_element_address(target) : symbol.type;
+  const auto symbol = assignable(target);
+  if (!symbol) return;
+  const ValueType type =
+      target.node == Node::element ? compile_element_address(target) : symbol->type;
   if (!type.known()) return;
   if (type.dimensions != 0) {
     reporter_.error("E3004", target.span, "an array cannot be assigned as a whole",
                     "name an element");
     return;
   }
-  if (assignment.combined) {
-    if (element) {
-      const auto indices = static_cast<std::uint8_t>(target.children.size());
-      const bool shared = symbol.shared >= 0;
-      emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + (shared ? 0 : 1)));
-      emit(shared ? Op::read_shared : Op::element, target.span,
-           shared ? static_cast<std::uint32_t>(symbol.shared) : 0, indices);
-    } else {
-      load(symbol, target.span);
-    }
-  }
+  if (assignment.combined) load_target(target, *symbol);
   if (!require(assignment.value, type.type, "the value")) return;
-  if (assignment.combined && type.type == Type::string && *assignment.combined == Operation::add) {
+  if (assignment.combined && !combine(assignment, *assignment.combined, type.type)) return;
+  store_target(target, *symbol);
+}
+
+// The variable that `target` names, unless it cannot be changed.
+std::optional<Compiler::Symbol> Compiler::assignable(const Expression& target) {
+  const Symbol* const found = find(target.text);
+  if (found == nullptr && !find_constant(target.text)) {
+    report_unknown(target.text, target.span, "variable");
+    return std::nullopt;
+  }
+  if (found != nullptr && !found->read_only) return *found;
+  Diagnostic& diagnostic = reporter_.error(
+      "E3013", target.span, "`" + target.text + "` is a constant", "cannot be changed");
+  if (found != nullptr)
+    diagnostic.notes.push_back({"declared here", file_.source.place(found->span)});
+  return std::nullopt;
+}
+
+// The value that an operator like += begins with; the address of an element stays on the stack.
+void Compiler::load_target(const Expression& target, const Symbol& symbol) {
+  if (target.node != Node::element) return load(symbol, target.span);
+  const auto indices = static_cast<std::uint8_t>(target.children.size());
+  const bool shared = symbol.shared >= 0;
+  emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + (shared ? 0 : 1)));
+  emit(shared ? Op::read_shared : Op::element, target.span,
+       shared ? static_cast<std::uint32_t>(symbol.shared) : 0, indices);
+}
+
+bool Compiler::combine(const Assignment& assignment, Operation operation, Type type) {
+  if (type == Type::string && operation == Operation::add) {
     emit(Op::join_texts, assignment.value.span);
-  } else if (assignment.combined && type.type == Type::number) {
-    emit(Op::compute, statement_span_, 0, 0, static_cast<std::uint16_t>(*assignment.combined));
-  } else if (assignment.combined) {
-    reporter_.error("E3004", target.span,
-                    "this operator does not work on a " + std::string(type_name(type.type)), "");
-    return;
+    return true;
   }
-  if (element) {
-    const bool shared = symbol.shared >= 0;
-    emit(shared ? Op::write_shared : Op::store_element, target.span,
-         shared ? static_cast<std::uint32_t>(symbol.shared) : 0,
-         static_cast<std::uint8_t>(target.children.size()));
-  } else {
-    store(symbol, target.span);
+  if (type == Type::number) {
+    emit(Op::compute, statement_span_, 0, 0, static_cast<std::uint16_t>(operation));
+    return true;
   }
+  reporter_.error("E3004", assignment.target.span,
+                  "this operator does not work on a " + std::string(type_name(type)), "");
+  return false;
+}
+
+void Compiler::store_target(const Expression& target, const Symbol& symbol) {
+  if (target.node != Node::element) return store(symbol, target.span);
+  const bool shared = symbol.shared >= 0;
+  emit(shared ? Op::write_shared : Op::store_element, target.span,
+       shared ? static_cast<std::uint32_t>(symbol.shared) : 0,
+       static_cast<std::uint8_t>(target.children.size()));
 }
 
 }  // namespace stanok::lang

@@ -151,7 +151,10 @@ bool read_list(std::string_view text, std::span<double> numbers) {
   const char* at = text.data();
   const char* const end = at + text.size();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i != 0 && (at == end || *at++ != ',')) return false;
+    if (i != 0) {
+      if (at == end || *at != ',') return false;
+      ++at;
+    }
     const auto [next, error] = fast_float::from_chars(at, end, numbers[i]);
     if (error != std::errc() || !std::isfinite(numbers[i])) return false;
     at = next;
