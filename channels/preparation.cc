@@ -217,6 +217,7 @@ void Preparation::interpret() {
       case lang::Step::waiting:
         task_ = Task::waiting_answer;
         return;
+      case lang::Step::stopped:
       case lang::Step::ended:
         task_ = Task::idle;
         return;

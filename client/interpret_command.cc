@@ -21,6 +21,12 @@ struct InterpretOptions {
   JobOptions job;
   std::string program;
   bool quiet = false;
+  std::uint32_t from_line = 0;
+  int from_block = -1;
+  int passes = 1;
+  bool without_calculation = false;
+
+  [[nodiscard]] bool searches() const { return from_line > 0 || from_block >= 0; }
 };
 
 double processor_time_s() {
@@ -32,6 +38,18 @@ int scheme_of(const JobOptions& options) {
     if (channel == options.channel) return scheme;
   }
   return -1;
+}
+
+runtime::Beginning beginning_of(const InterpretOptions& options) {
+  runtime::Beginning beginning;
+  if (options.from_line > 0) {
+    beginning.target.line = options.from_line;
+  } else {
+    beginning.target.block_number = options.from_block;
+  }
+  beginning.target.passes = options.passes;
+  if (options.without_calculation) beginning.calculation = runtime::Calculation::without;
+  return beginning;
 }
 
 int run(const InterpretOptions& options) {
@@ -50,9 +68,16 @@ int run(const InterpretOptions& options) {
     if (text.size() > write_threshold) write_out();
   };
   const auto nothing = [](const lang::Command&, const motion::PathBlock*) {};
-  const auto result = dry_run.run(program.name, runtime::Reachability::unchecked,
-                                  options.quiet ? runtime::RecordSink(nothing) : print_record,
-                                  [](const lang::Request&, const lang::Command&) {});
+  const runtime::RecordSink record =
+      options.quiet ? runtime::RecordSink(nothing) : runtime::RecordSink(print_record);
+  const auto result =
+      options.searches()
+          ? dry_run.run_from(program.name, beginning_of(options), record,
+                             [&](const lang::SearchState& state, const lang::Origin& target) {
+                               append_search(text, state, target, dry_run.channel().words);
+                             })
+          : dry_run.run(program.name, runtime::Reachability::unchecked, record,
+                        [](const lang::Request&, const lang::Command&) {});
   write_out();
   for (const Diagnostic& diagnostic : result.diagnostics) print(diagnostic);
   if (options.quiet) {
@@ -74,6 +99,14 @@ void add_interpret_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("interpret", "print a program's records after block preparation");
   command->add_option("PROGRAM", options->program, "part program")->required();
   add_job_options(*command, options->job);
+  auto* const line =
+      command->add_option("--from-line", options->from_line, "begin at this line (block search)");
+  command->add_option("--from-block", options->from_block, "begin at block N (block search)")
+      ->excludes(line);
+  command->add_option("--pass", options->passes, "at the n-th time the block is met; default 1")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--without-calculation", options->without_calculation,
+                    "leave out what stands before, instead of interpreting it");
   command->add_flag("--quiet", options->quiet, "print the summary only");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

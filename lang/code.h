@@ -158,6 +158,7 @@ struct CompiledFile {
   std::map<std::string, std::uint32_t> o_subprograms;     // label -> index in functions
   std::vector<std::uint16_t> includes;  // files whose functions can be called here
   std::uint32_t file_slots = 0;
+  std::vector<std::uint32_t> entries;  // instructions with which statements of the file begin
 };
 
 }  // namespace stanok::lang

@@ -84,7 +84,10 @@ void Compiler::fold_default_values(FunctionSignature& signature) {
 
 void Compiler::compile(const StatementList& tree) {
   scopes_.emplace_back();
-  compile_list(tree);
+  for (const Statement& statement : tree) {
+    file_.entries.push_back(position());
+    compile_statement(statement);
+  }
   emit(Op::end_of_text, {file_.source.end(), 0, file_.source.line_number(file_.source.end())});
   for (const Statement& statement : tree) {
     if (const auto* const function = std::get_if<FunctionDefinition>(&statement.kind)) {

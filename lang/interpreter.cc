@@ -70,6 +70,18 @@ void Interpreter::start_line(std::shared_ptr<const Program> line, const AxisValu
   state_->run.start_line(std::move(line), position_B);
 }
 
+void Interpreter::start_search(std::shared_ptr<const Program> program, const AxisValues& position_B,
+                               const StopPlace& place) {
+  state_->run.start(std::move(program), position_B);
+  state_->run.stop_before(place);
+}
+
+std::optional<Diagnostic> Interpreter::start_at(std::shared_ptr<const Program> program,
+                                                const AxisValues& position_B,
+                                                const StopPlace& place) {
+  return state_->run.start_at(std::move(program), position_B, place);
+}
+
 void Interpreter::reset() {
   state_->run.forget_lines();
 }

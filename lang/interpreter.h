@@ -10,6 +10,7 @@
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
+#include "lang/block_search.h"
 #include "lang/command.h"
 #include "lang/environment.h"
 
@@ -69,6 +70,7 @@ enum class Step {
   command,  // `command` was filled
   working,  // the bound of work was reached without a command (a loop without blocks); call again
   waiting,  // an Answer is owed
+  stopped,  // the place of a search is reached, nothing of it executed; next() goes on
   ended,    // ProgramEnd was delivered before
   failed,   // the program ended with an error; see error()
 };
@@ -88,6 +90,17 @@ class Interpreter {
   // Begins a run of a line. Modal state lasts from line to line; the first one after a program or
   // a reset begins with the default state.
   void start_line(std::shared_ptr<const Program> line, const AxisValues& position_B);
+
+  // Begins a run that stops, once, before `place` (Step::stopped): block search with calculation.
+  // What comes before is for a SearchCollector, not for the machine.
+  void start_search(std::shared_ptr<const Program> program, const AxisValues& position_B,
+                    const StopPlace& place);
+
+  // Begins a run at `place` with the default modal state: block search without calculation. The
+  // error is E6042: the place lies inside braces or a subprogram.
+  [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
+                                                   const AxisValues& position_B,
+                                                   const StopPlace& place);
 
   // The channel was reset: the modal state of lines is forgotten.
   void reset();

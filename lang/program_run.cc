@@ -44,6 +44,7 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   states_.clear();
   contour_return_.reset();
   block_ = 0;
+  stop_.reset();
   stack_.clear();
   slots_.clear();
   file_slots_.clear();
@@ -118,6 +119,10 @@ Step ProgramRun::next(Command& command) {
         return Step::failed;
       case Phase::running:
         break;
+    }
+    if (stop_) {
+      if (reaches_stop()) return Step::stopped;
+      if (phase_ == Phase::failed) continue;
     }
     if (plain_.at == plain_.end) {
       if (contour_return_) {

@@ -14,6 +14,7 @@
 
 #include "lang/actions.h"
 #include "lang/active_block.h"
+#include "lang/block_search.h"
 #include "lang/builtin.h"
 #include "lang/channel_dialect.h"
 #include "lang/channel_words.h"
@@ -38,6 +39,11 @@ class ProgramRun : private ContourSource, private Parameters {
 
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
   void start_line(std::shared_ptr<const Program> program, const AxisValues& position_B);
+  // Block search (program_run_search.cc).
+  void stop_before(const StopPlace& place);
+  [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
+                                                   const AxisValues& position_B,
+                                                   const StopPlace& place);
   void forget_lines() { line_state_lasts_ = false; }
   [[nodiscard]] Step next(Command& command);
   void answer(const Answer& answer);
@@ -113,6 +119,8 @@ class ProgramRun : private ContourSource, private Parameters {
 
   // program_run.cc
   void reset(std::shared_ptr<const Program> program);
+  [[nodiscard]] bool reaches_stop();
+  [[nodiscard]] bool is_called_from(const std::vector<std::uint32_t>& calls) const;
   void begin_modal_state(const AxisValues& position_B);
   void continue_modal_state(const AxisValues& position_B);
   void begin();
@@ -263,6 +271,8 @@ class ProgramRun : private ContourSource, private Parameters {
 
   std::shared_ptr<const Program> program_;
   Phase phase_ = Phase::idle;
+  std::optional<StopPlace> stop_;
+  bool stop_at_hand_ = false;      // what is executed stands in the line of stop_
   bool is_line_ = false;           // an operator's
   bool line_state_lasts_ = false;  // the modal state is that of the line before
   ModalState modal_;

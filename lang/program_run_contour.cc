@@ -2,35 +2,12 @@
 // plain lines.
 #include <optional>
 
+#include "lang/block_number.h"
 #include "lang/number.h"
 #include "lang/plain_block.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {
-namespace {
-
-// The number behind N at the beginning of a line.
-std::optional<int> block_number(std::string_view line) {
-  std::size_t at = 0;
-  while (at < line.size() && is_blank(line[at])) ++at;
-  if (at == line.size() || upper_case(line[at]) != 'N') return std::nullopt;
-  int number = 0;
-  bool any = false;
-  for (++at; at < line.size() && is_digit(line[at]) && number < 100000000; ++at) {
-    number = 10 * number + (line[at] - '0');
-    any = true;
-  }
-  return any ? std::optional(number) : std::nullopt;
-}
-
-// The beginning of the line that follows the one at `at`.
-const char* behind_line(const char* at, const char* end) {
-  while (at != end && !is_line_end(*at)) ++at;
-  if (at == end) return at;
-  return at + (end - at > 1 && at[0] == '\r' && at[1] == '\n' ? 2 : 1);
-}
-
-}  // namespace
 
 // The first N `first` of the file and all that follows up to N `last`.
 Contour ProgramRun::contour(int first, int last) {

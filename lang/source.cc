@@ -35,6 +35,12 @@ Span joined(const Span& first, const Span& last) {
   return {first.offset, static_cast<std::uint32_t>(end - first.offset), first.line};
 }
 
+const char* behind_line(const char* at, const char* end) {
+  while (at != end && !is_line_end(*at)) ++at;
+  if (at == end) return at;
+  return at + (end - at > 1 && at[0] == '\r' && at[1] == '\n' ? 2 : 1);
+}
+
 std::string folded(std::string_view name) {
   std::string text(name);
   std::transform(text.begin(), text.end(), text.begin(), lower_case);

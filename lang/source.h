@@ -84,6 +84,8 @@ class Source {
 [[nodiscard]] constexpr char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
+// The beginning of the line that follows the one at `at`; `end` behind the last.
+[[nodiscard]] const char* behind_line(const char* at, const char* end);
 [[nodiscard]] std::string folded(std::string_view name);  // ASCII lower case
 
 }  // namespace stanok::lang

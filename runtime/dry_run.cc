@@ -62,14 +62,25 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
 DryRunResult DryRun::run(const std::string& program, Reachability reachability,
                          const RecordSink& record, const RequestSink& request) {
   DryRunResult result;
-  auto compiled = lang::compile(program, files_, &description_, result.diagnostics);
+  if (!load(program, result.diagnostics)) return result;
+  interpreter_.start(program_, blocks_.position_B());
+  go_on(reachability, record, request, result);
+  return result;
+}
+
+bool DryRun::load(const std::string& program, Diagnostics& diagnostics) {
+  auto compiled = lang::compile(program, files_, &description_, diagnostics);
   if (!compiled) {
     const Diagnostics& errors = compiled.error();
-    result.diagnostics.insert(result.diagnostics.end(), errors.begin(), errors.end());
-    return result;
+    diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
+    return false;
   }
   program_ = *compiled;
-  interpreter_.start(program_, blocks_.position_B());
+  return true;
+}
+
+void DryRun::go_on(Reachability reachability, const RecordSink& record, const RequestSink& request,
+                   DryRunResult& result) {
   lang::Command command;
   while (result.diagnostics.size() < diagnostics_max) {
     switch (interpreter_.next(command)) {
@@ -79,15 +90,94 @@ DryRunResult DryRun::run(const std::string& program, Reachability reachability,
         break;
       case lang::Step::working:
       case lang::Step::waiting:
+      case lang::Step::stopped:
         break;
       case lang::Step::ended:
-        return result;
+        return;
       case lang::Step::failed:
         result.diagnostics.push_back(interpreter_.error());
-        return result;
+        return;
     }
   }
+}
+
+DryRunResult DryRun::run_from(const std::string& program, const Beginning& beginning,
+                              const RecordSink& record, const SearchSink& found) {
+  DryRunResult result;
+  if (!load(program, result.diagnostics)) return result;
+  const auto place = lang::find_place(*program_, beginning.target);
+  if (!place) {
+    result.diagnostics.push_back(place.error());
+    return result;
+  }
+  lang::SearchCollector collector;
+  const auto fault = beginning.calculation == Calculation::without
+                         ? interpreter_.start_at(program_, blocks_.position_B(), *place)
+                         : search(*place, collector);
+  if (fault) {
+    result.diagnostics.push_back(*fault);
+    return result;
+  }
+  found(collector.state(), {place->file, place->line});
+  go_on(Reachability::unchecked, record, [](const lang::Request&, const lang::Command&) {}, result);
   return result;
+}
+
+// Interprets up to `place`. Nothing: it is reached.
+std::optional<Diagnostic> DryRun::search(const lang::StopPlace& place,
+                                         lang::SearchCollector& collector) {
+  interpreter_.start_search(program_, blocks_.position_B(), place);
+  Diagnostics faults;
+  lang::Command command;
+  const auto nothing = [](const lang::Command&, const motion::PathBlock*) {};
+  while (faults.empty()) {
+    switch (interpreter_.next(command)) {
+      case lang::Step::command:
+        collector.take(command);
+        if (const auto* request = std::get_if<lang::Request>(&command.payload)) {
+          if (auto unknown = pass_request(*request, command, collector)) return unknown;
+        } else {
+          take(command, Reachability::unchecked, nothing, {}, faults);
+        }
+        break;
+      case lang::Step::working:
+      case lang::Step::waiting:
+        break;
+      case lang::Step::stopped:
+        return std::nullopt;
+      case lang::Step::failed:
+        return interpreter_.error();
+      case lang::Step::ended: {
+        Diagnostic end;
+        end.code = "E6041";
+        end.message = "the program ends before line " + std::to_string(place.line) + " is reached";
+        end.place.file = std::string(lang::file_name(*program_, place.file));
+        return end;
+      }
+    }
+  }
+  return faults.front();
+}
+
+// A request is not executed; where the program goes on with a value of the machine, the search
+// ends.
+std::optional<Diagnostic> DryRun::pass_request(const lang::Request& request,
+                                               const lang::Command& command,
+                                               const lang::SearchCollector& collector) {
+  auto answer = collector.answer(request);
+  if (!answer) {
+    Diagnostic unknown;
+    unknown.code = "E6041";
+    unknown.message = "the search ends here: what the machine will answer is not known";
+    lang::put_at_block(*program_, command.origin, unknown);
+    return unknown;
+  }
+  const bool own = request.kind == lang::RequestKind::kinematics && request.channel == channel_.id;
+  if (own) switch_scheme(request.number);
+  answer->position_B = blocks_.position_B();
+  answer->position_valid = true;
+  interpreter_.answer(*answer);
+  return std::nullopt;
 }
 
 void DryRun::take(const lang::Command& command, Reachability reachability, const RecordSink& record,

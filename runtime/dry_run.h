@@ -15,6 +15,7 @@
 #include "channels/live_tables.h"
 #include "channels/preparation.h"
 #include "config/machine_file.h"
+#include "lang/block_search.h"
 #include "lang/interpreter.h"
 
 namespace stanok::runtime {
@@ -31,6 +32,15 @@ struct DryRunResult {
   std::uint64_t blocks = 0;
 };
 
+// Where a dry run begins: what comes before is interpreted only, or left out.
+enum class Calculation { with, without };
+struct Beginning {
+  lang::SearchTarget target;
+  Calculation calculation = Calculation::with;
+};
+// What a search came to at its target; valid during the call.
+using SearchSink = std::function<void(const lang::SearchState& state, const lang::Origin& target)>;
+
 enum class Reachability { unchecked, checked };  // every pose against the axis limits
 
 class DryRun {
@@ -42,9 +52,21 @@ class DryRun {
   [[nodiscard]] DryRunResult run(const std::string& program, Reachability reachability,
                                  const RecordSink& record, const RequestSink& request);
 
+  // The same from a block on (block search); `found` is called before the first record.
+  [[nodiscard]] DryRunResult run_from(const std::string& program, const Beginning& beginning,
+                                      const RecordSink& record, const SearchSink& found);
+
   [[nodiscard]] const channels::ChannelConfig& channel() const { return channel_; }
 
  private:
+  [[nodiscard]] bool load(const std::string& program, Diagnostics& diagnostics);
+  void go_on(Reachability reachability, const RecordSink& record, const RequestSink& request,
+             DryRunResult& result);
+  [[nodiscard]] std::optional<Diagnostic> search(const lang::StopPlace& place,
+                                                 lang::SearchCollector& collector);
+  [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Request& request,
+                                                       const lang::Command& command,
+                                                       const lang::SearchCollector& collector);
   void take(const lang::Command& command, Reachability reachability, const RecordSink& record,
             const RequestSink& request, Diagnostics& diagnostics);
   void take_move(const lang::Command& command, const lang::Move& move, Reachability reachability,

@@ -49,6 +49,7 @@ void run(const ChannelDescription& channel, const Files& files) {
       case Step::waiting:
         interpreter.answer(answer_to(command));
         break;
+      case Step::stopped:
       case Step::ended:
         return;
       case Step::failed:
