@@ -128,7 +128,7 @@ Step ProgramRun::next(Command& command) {
       if (contour_return_) {
         leave_contour();
       } else {
-        work += compute_ahead(work_bound - work);
+        if (!stop_) work += compute_ahead(work_bound - work);
         step();
       }
     } else if (run_plain_line(command)) {
