@@ -60,19 +60,24 @@ Compiler::ValueType Compiler::compile_call(const Expression& call, CallForm form
   return {};
 }
 
-Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expression& call,
-                                              CallForm form) {
+bool Compiler::check_argument_count(const Builtin& builtin, const Expression& call) {
   const bool any = builtin.arguments.ends_with('*');
   const std::size_t most = builtin.arguments.size() - (any ? 1 : 0);
   const std::size_t least = most - static_cast<std::size_t>(builtin.optional_arguments);
   const std::size_t given = call.children.size();
-  if (given < least || (given > most && !any) || given > 255) {
-    reporter_.error("E3005", call.span,
-                    "`" + call.text + "` takes " + expected_count(least, most, any) + ", not " +
-                        std::to_string(given),
-                    "wrong number of arguments");
-    return {};
-  }
+  if (given >= least && (given <= most || any) && given <= 255) return true;
+  reporter_.error("E3005", call.span,
+                  "`" + call.text + "` takes " + expected_count(least, most, any) + ", not " +
+                      std::to_string(given),
+                  "wrong number of arguments");
+  return false;
+}
+
+Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expression& call,
+                                              CallForm form) {
+  if (!check_argument_count(builtin, call)) return {};
+  const std::size_t given = call.children.size();
+  const std::size_t most = builtin.arguments.size() - (builtin.arguments.ends_with('*') ? 1 : 0);
   if (form == CallForm::expression && builtin.result == Type::none) {
     reporter_.error("E3004", call.span, "`" + call.text + "` has no value", "a statement only");
     return {};

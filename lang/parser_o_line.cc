@@ -27,7 +27,7 @@ bool is_closing(std::string_view keyword) {
 }
 
 // "100" of "0100".
-std::string without_leading_zeros(std::string digits) {
+std::string without_leading_zeros(const std::string& digits) {
   const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
   return digits.substr(first);
 }

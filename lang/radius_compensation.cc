@@ -296,10 +296,10 @@ void CompensationStage::emit_round(const Corner& corner, const Held& before, con
   move.stop_at_end = false;
   move.end = emitted_;
   if (rapid) {
-    const double parts = std::ceil(std::abs(corner.turn) / quarter_turn);
+    const int parts = static_cast<int>(std::ceil(std::abs(corner.turn) / quarter_turn));
     const double half_part = corner.turn / (2.0 * parts);
     const PlanePoint radius = corner.end_before + tip_ - centre;
-    for (double k = 1.0; k < 2.0 * parts; k += 2.0) {
+    for (int k = 1; k < 2 * parts; k += 2) {
       const double angle = k * half_part;
       const PlanePoint turned = std::cos(angle) * radius + std::sin(angle) * left_of(radius);
       set_plane_point(move.end, centre + (1.0 / std::cos(half_part)) * turned);

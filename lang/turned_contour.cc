@@ -42,8 +42,8 @@ std::vector<TurningPoint> quarters(const PlaneMove& move, TurningPoint start) {
   const double from = std::atan2(start.x - move.centre.x, start.z - move.centre.z);
   const double sign = move.counter_clockwise ? 1.0 : -1.0;
   std::vector<TurningPoint> points;
-  double quarter = std::floor(sign * from / quarter_turn) + 1.0;
-  for (; quarter * quarter_turn < sign * from + arc.sweep - same_point; quarter += 1.0) {
+  int quarter = static_cast<int>(std::floor(sign * from / quarter_turn)) + 1;
+  for (; quarter * quarter_turn < sign * from + arc.sweep - same_point; ++quarter) {
     if (quarter * quarter_turn < sign * from + same_point) continue;
     const double angle = sign * quarter * quarter_turn;
     points.push_back(

@@ -23,8 +23,9 @@ class RangeMinimum {
 
   // The first place of the minimum of values[first..last], both included.
   [[nodiscard]] std::size_t place(std::size_t first, std::size_t last) const {
-    const auto k = static_cast<std::size_t>(std::bit_width(last - first + 1)) - 1;
-    return lower(rows_[k][first], rows_[k][last + 1 - (std::size_t{1} << k)]);
+    const std::size_t span = std::bit_floor(last - first + 1);
+    const auto& row = rows_[static_cast<std::size_t>(std::countr_zero(span))];
+    return lower(row[first], row[last + 1 - span]);
   }
   [[nodiscard]] double value(std::size_t first, std::size_t last) const {
     return (*values_)[place(first, last)];

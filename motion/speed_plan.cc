@@ -239,8 +239,8 @@ std::size_t SpeedPlan::earlier_end(const Key& left, const Key& right,
   for (int k = 0; k < tries && left.boundary + 1 < end; ++k) {
     const std::size_t first = std::max(left.boundary, end > 16 ? end - 16 : 0);
     std::size_t next = npos;
-    for (std::size_t i = end; i-- > first && boundaries_[i + 1] > reach;) {
-      if (a_[i] <= limits.a || j_[i] <= limits.j) next = i;
+    for (std::size_t i = end; i > first && boundaries_[i] > reach; --i) {
+      if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
     }
     if (next == npos || next <= left.boundary || boundaries_[next] <= reach) break;
     if (slowest_.value(next - 1, right.boundary - 1) < right.v ||

@@ -95,6 +95,7 @@ class CarBody {
     for (int row = 0; row < plan_.rows; ++row) splits_.push_back(row_split(row));
     for (int row = 0; row < plan_.cross_rows; ++row) splits_.push_back(cross_split(row));
     std::vector<double> weights;
+    weights.reserve(splits_.size());
     for (const CurveSplit& split : splits_) weights.push_back(split.chords_wanted());
     counts_ = shares(weights, budget_.row_blocks);
   }
@@ -156,7 +157,8 @@ class CarBody {
     if (row == 0) program_.comment("(ROWS ACROSS THE CAR)");
     approach({-half_width, y, roll_radius - depth, stay, stay});
     program_.quarter_zx(on_surface(-end, y), {0.0, roll_radius}, true, budget_.feed_low);
-    follow(static_cast<std::size_t>(plan_.rows + row), [y](double x) { return on_surface(x, y); });
+    follow(static_cast<std::size_t>(plan_.rows) + static_cast<std::size_t>(row),
+           [y](double x) { return on_surface(x, y); });
     program_.quarter_zx({half_width, y, roll_radius - depth}, {roll_radius, 0.0}, true,
                         budget_.feed_low);
   }

@@ -34,9 +34,8 @@ void write_workload(const std::filesystem::path& folder, const Workload& workloa
             << " s at its feeds\n";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// The exit code; throws what cannot be written.
+int run(int argc, char** argv) {
   CLI::App app("Writes the part programs of the two-program workload with their paths and limits.");
   std::string folder;
   WorkloadOptions options;
@@ -67,14 +66,20 @@ int main(int argc, char** argv) {
       "only these blocks in the path files");
   CLI11_PARSE(app, argc, argv);
 
+  std::copy(start.begin(), start.end(), options.start.begin());
+  std::filesystem::create_directories(folder);
+  write_workload(folder, car_body(options), range);
+  write_workload(folder, impeller_blade(options), range);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    std::copy(start.begin(), start.end(), options.start.begin());
-    std::filesystem::create_directories(folder);
-    write_workload(folder, car_body(options), range);
-    write_workload(folder, impeller_blade(options), range);
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "generate_programs: " << error.what() << '\n';
     return 1;
   }
-  return 0;
 }

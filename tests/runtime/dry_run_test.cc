@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "config/machine_file.h"
 
@@ -52,6 +53,48 @@ TEST(DryRun, StandsWhereARigidTapBegan) {
   EXPECT_TRUE(result.diagnostics.empty());
   EXPECT_EQ(last[0], 5.0);
   EXPECT_EQ(last[2], 5.0);
+}
+
+// A search and what it came to.
+struct Found {
+  DryRunResult result;
+  lang::SearchState state;
+  std::vector<double> x;  // ends of the motions behind the target
+};
+
+Found search(const std::string& text, std::uint32_t line, Calculation calculation) {
+  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
+                                              "machines" / "mill3.toml");
+  const OneProgram files(text);
+  DryRun dry_run(file.machine, 1, -1, files);
+  Beginning beginning;
+  beginning.target.line = line;
+  beginning.calculation = calculation;
+  Found found;
+  found.result = dry_run.run_from(
+      "part.nc", beginning,
+      [&](const lang::Command&, const motion::PathBlock* block) {
+        if (block != nullptr) found.x.push_back(block->end[0]);
+      },
+      [&](const lang::SearchState& state, const lang::Origin&) { found.state = state; });
+  return found;
+}
+
+TEST(DryRun, BeginsAtABlockWithAllThatIsInForceThere) {
+  const std::string text = "G91 G1 F100\nX1\nX2\nX4\nM30\n";
+  const Found found = search(text, 4, Calculation::with);
+  EXPECT_TRUE(found.result.diagnostics.empty());
+  EXPECT_TRUE(found.state.calculated);
+  EXPECT_EQ(found.state.position_W[0], 3.0);
+  EXPECT_EQ(found.x, std::vector<double>{7.0});
+  EXPECT_EQ(search("G0 X1\nG0 X2\nM30\n", 2, Calculation::without).x, std::vector<double>{2.0});
+}
+
+TEST(DryRun, SaysWhyASearchEnded) {
+  const Found found = search("G0 X1\nif ($in[1]) { sync (); }\nG0 X2\nM30\n", 3, Calculation::with);
+  ASSERT_EQ(found.result.diagnostics.size(), 1U);
+  EXPECT_EQ(found.result.diagnostics[0].code, "E6041");
+  EXPECT_EQ(found.result.diagnostics[0].place.line, 2);
 }
 
 }  // namespace
