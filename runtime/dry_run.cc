@@ -24,6 +24,12 @@ const channels::ChannelConfig& channel_with_id(const channels::MachineConfig& ma
   return *found;
 }
 
+bool is_table_request(lang::RequestKind kind) {
+  using lang::RequestKind;
+  return kind == RequestKind::tool_table_write || kind == RequestKind::tool_table_read ||
+         kind == RequestKind::offset_table_write || kind == RequestKind::offset_table_read;
+}
+
 motion::Point start_of(const channels::MachineConfig& machine,
                        const channels::ChannelConfig& channel) {
   motion::Point point{};
@@ -159,12 +165,13 @@ std::optional<Diagnostic> DryRun::search(const lang::StopPlace& place,
   return faults.front();
 }
 
-// A request is not executed; where the program goes on with a value of the machine, the search
-// ends.
+// A request is not executed, tables are those of the dry run; where the program goes on with a
+// value of the machine, the search ends.
 std::optional<Diagnostic> DryRun::pass_request(const lang::Request& request,
                                                const lang::Command& command,
                                                const lang::SearchCollector& collector) {
-  auto answer = collector.answer(request);
+  auto answer = is_table_request(request.kind) ? std::optional(answer_of(request))
+                                               : collector.answer(request);
   if (!answer) {
     Diagnostic unknown;
     unknown.code = "E6041";
@@ -254,9 +261,7 @@ lang::Answer DryRun::answer_of(const lang::Request& request) {
   answer.ok = request.kind != RequestKind::program_restart;
   const bool offsets = request.kind == RequestKind::offset_table_write ||
                        request.kind == RequestKind::offset_table_read;
-  const bool tools =
-      request.kind == RequestKind::tool_table_write || request.kind == RequestKind::tool_table_read;
-  if (!offsets && !tools) return answer;
+  if (!is_table_request(request.kind)) return answer;
   channels::RequestData data;
   data.kind = request.kind;
   data.channel = request.channel;

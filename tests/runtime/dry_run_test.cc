@@ -90,6 +90,14 @@ TEST(DryRun, BeginsAtABlockWithAllThatIsInForceThere) {
   EXPECT_EQ(search("G0 X1\nG0 X2\nM30\n", 2, Calculation::without).x, std::vector<double>{2.0});
 }
 
+TEST(DryRun, ASearchSeesWhatTheProgramWroteIntoTables) {
+  const Found found = search("G10 L2 P1 X5\nG54 G53 G0 X5\nG0 X2\nM30\n", 3, Calculation::with);
+  EXPECT_TRUE(found.result.diagnostics.empty());
+  EXPECT_EQ(found.state.frame.offset[0], 5.0);
+  ASSERT_EQ(found.state.omissions.size(), 1U);
+  EXPECT_EQ(found.state.omissions[0].what, "table writes");
+}
+
 TEST(DryRun, SaysWhyASearchEnded) {
   const Found found = search("G0 X1\nif ($in[1]) { sync (); }\nG0 X2\nM30\n", 3, Calculation::with);
   ASSERT_EQ(found.result.diagnostics.size(), 1U);
