@@ -56,7 +56,8 @@ std::optional<Diagnostic> ProgramRun::start_at(std::shared_ptr<const Program> pr
   const auto plain = plain_place(place.line);
   const bool is_entry =
       next != current.entries.begin() && current.spans[*(next - 1)].line == place.line;
-  if (plain && plain->cursor.surroundings == Surroundings::file_level) {
+  if (plain &&
+      std::binary_search(current.entries.begin(), current.entries.end(), plain->position - 1)) {
     plain_ = plain->cursor;
     frames_.back().position = plain->position;
   } else if (is_entry) {
