@@ -8,6 +8,7 @@ namespace stanok::channels {
 namespace {
 
 constexpr int remarks_per_cycle = 8;
+constexpr FileName no_file;
 
 std::string_view first_line(std::string_view text) RT_SAFE {
   text.remove_suffix(text.size() - std::min(text.find('\n'), text.size()));
@@ -181,8 +182,7 @@ void Channel::fail_run(std::string_view code, std::string_view text, const motio
 }
 
 const FileName& Channel::file_name(const motion::BlockTag& tag) const RT_SAFE {
-  static constexpr FileName nothing;
-  if (tag.run != run_) return nothing;
+  if (tag.run != run_) return no_file;
   return link_.file_names[std::min<std::size_t>(tag.file, link_.file_names.size() - 1)];
 }
 
