@@ -73,6 +73,13 @@ struct Item {
   ShortText text;
 };
 
+[[nodiscard]] inline Item item_of(ItemKind kind, const motion::BlockTag& tag) {
+  Item item;
+  item.kind = kind;
+  item.tag = tag;
+  return item;
+}
+
 enum class NoticeKind : std::uint8_t {
   load,           // compile program `text`
   load_line,      // compile `text`, a line of an operator

@@ -5,24 +5,11 @@
 
 #include "channels/channel_description.h"
 #include "channels/motion_config.h"
-#include "channels/scheme_switch.h"
 
 namespace stanok::channels {
 namespace {
 
 constexpr int commands_per_step = 64;
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
-
-Item item_of(ItemKind kind, const motion::BlockTag& tag) {
-  Item item;
-  item.kind = kind;
-  item.tag = tag;
-  return item;
-}
 
 std::string first_error(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics) {
@@ -234,150 +221,6 @@ motion::BlockTag Preparation::tag_of(const lang::Command& command) const {
   return {run_, command.block, command.origin.line, command.origin.file};
 }
 
-void Preparation::take(const lang::Command& command) {
-  const auto item = [&](ItemKind kind) { return item_of(kind, tag_of(command)); };
-  std::visit(
-      Overloaded{
-          [&](const lang::Move& move) { add_move(command, move); },
-          [&](const lang::Dwell& dwell) {
-            Item next = item(ItemKind::dwell);
-            next.value = dwell.seconds;
-            push(next);
-          },
-          [&](const lang::SpindleCommand& spindle) {
-            Item next = item(ItemKind::spindle);
-            next.spindle = spindle;
-            take_state(command);
-            push(next);
-          },
-          [&](const lang::CoolantCommand& coolant) {
-            Item next = item(ItemKind::coolant);
-            next.coolant = coolant;
-            push(next);
-          },
-          [&](const lang::ToolPrepare&) {},
-          [&](const lang::ToolChange& change) {
-            Item next = item(ItemKind::tool_change);
-            next.number = change.tool;
-            push(next);
-          },
-          [&](const lang::ToolLength&) { take_state(command); },
-          [&](const lang::FrameChange&) { take_state(command); },
-          [&](const lang::OverrideControl& control) {
-            Item next = item(ItemKind::override_control);
-            next.overrides = control;
-            push(next);
-          },
-          [&](const lang::Message& message) {
-            pending_remarks_.push_back({tag_of(command), message.kind, ShortText(message.text)});
-          },
-          [&](const lang::ModalReport&) {},
-          [&](const lang::ProgramStop& stop) {
-            Item next = item(ItemKind::program_stop);
-            next.number = static_cast<std::int64_t>(stop.kind);
-            push(next);
-          },
-          [&](const lang::ProgramEnd& end) {
-            const bool is_line = end.kind == lang::ProgramEndKind::end_of_line;
-            Item next = item(is_line ? ItemKind::line_end : ItemKind::run_end);
-            next.number = static_cast<std::int64_t>(blocks_executed_);
-            next.flag = end.kind == lang::ProgramEndKind::restart;
-            push(next);
-            task_ = Task::idle;
-          },
-          [&](const lang::Request& request) { add_request(command, request); },
-          [&](const lang::SplineMove&) { refuse(command, "a spline block"); },
-          [&](const lang::SynchronousMove&) { refuse(command, "a thread"); },
-          [&](const lang::ProbeMove&) { refuse(command, "probing"); },
-          [&](const lang::TransformationChange&) { refuse(command, "a face transformation"); },
-          [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
-          [&](const lang::OutputCommand& output) { add_output(command, output); },
-          [&](const lang::MachineFunction& function) {
-            Item next = item(ItemKind::machine_function);
-            next.text = ShortText("M" + std::to_string(function.code));
-            push(next);
-          },
-          [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
-          [&](const lang::WorkpieceAnnouncement&) {},
-          [&](const lang::WorkpiecePosition&) {},
-      },
-      command.payload);
-}
-
-void Preparation::take_state(const lang::Command& command) {
-  end_chain();
-  if (blocks_.take_state(command.payload)) push_transform();
-}
-
-void Preparation::add_move(const lang::Command& command, const lang::Move& move) {
-  const motion::BlockTag tag = tag_of(command);
-  auto block = blocks_.block(move, tag);
-  if (!block) {
-    Diagnostic diagnostic = block.error();
-    lang::put_at_block(*running_, command.origin, diagnostic);
-    return fail(diagnostic, tag);
-  }
-  chain_open_ = true;
-  if (const auto unreachable = builder_.add(*block)) {
-    Diagnostic diagnostic = unreachable_pose(*unreachable, config_);
-    lang::put_at_block(*running_, command.origin, diagnostic);
-    return fail(diagnostic, tag);
-  }
-  collect_pieces();
-}
-
-void Preparation::add_request(const lang::Command& command, const lang::Request& request) {
-  Item item = item_of(ItemKind::request, tag_of(command));
-  RequestData& data = item.request;
-  data.kind = request.kind;
-  data.channel = request.channel;
-  data.number = request.number;
-  data.index = request.index;
-  data.analog = request.analog;
-  data.channels = request.channels;
-  data.seconds = request.seconds;
-  data.value = request.value;
-  item.text = ShortText(request.text);
-  if (request.kind == lang::RequestKind::shared_read ||
-      request.kind == lang::RequestKind::shared_write) {
-    const SharedVariables::Cell cell = shared_.cell(request.text, request.index);
-    data.number = cell.number;
-    data.is_text = cell.is_text;
-    item.text = ShortText(request.value_text);
-  }
-  push(item);
-}
-
-void Preparation::add_output(const lang::Command& command, const lang::OutputCommand& output) {
-  if (!output.with_motion) {
-    Item item = item_of(ItemKind::output, tag_of(command));
-    item.flag = output.analog;
-    item.number = output.number;
-    item.value = output.value;
-    return push(item);
-  }
-  Rider rider;
-  rider.kind = output.analog ? RiderKind::analog_output : RiderKind::digital_output;
-  rider.tag = tag_of(command);
-  rider.before_block = command.block;
-  rider.number = output.number;
-  rider.value = output.value;
-  push_rider(rider);
-}
-
-void Preparation::add_mark(const lang::Command& command, const lang::MarkCommand& mark) {
-  using Kind = lang::MarkCommand::Kind;
-  Rider rider;
-  rider.kind = mark.kind == Kind::set     ? RiderKind::mark_set
-               : mark.kind == Kind::clear ? RiderKind::mark_clear
-                                          : RiderKind::mark_wait;
-  rider.tag = tag_of(command);
-  rider.before_block = command.block + 1;
-  rider.number = mark.id;
-  rider.channels = mark.channels;
-  push_rider(rider);
-}
-
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
   reports_.explain(config_.id, run_, diagnostic);
   Item item = item_of(ItemKind::run_failed, tag);
@@ -386,16 +229,6 @@ void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag
   item.text = ShortText(diagnostic.message);
   push(item);
   task_ = Task::idle;
-}
-
-// What the language knows and the machine cannot do yet stops the program before it.
-void Preparation::refuse(const lang::Command& command, std::string_view what) {
-  const motion::BlockTag tag = tag_of(command);
-  Diagnostic diagnostic;
-  diagnostic.code = "E6033";
-  diagnostic.message = "the machine cannot execute " + std::string(what) + " in this release";
-  lang::put_at_block(*running_, command.origin, diagnostic);
-  fail(diagnostic, tag);
 }
 
 void Preparation::end_chain() {
@@ -445,54 +278,6 @@ bool Preparation::flush() {
     pending_items_.pop_front();
   }
   return pending_remarks_.empty();
-}
-
-bool Preparation::move_axis(int axis, double position, double velocity) {
-  motion::PathBlock block;
-  block.ending = motion::BlockEnding::exact_stop;
-  block.end = builder_.end();
-  block.end[static_cast<std::size_t>(axis)] = position;
-  block.rapid = velocity <= 0.0;
-  block.feed_per_s = velocity;
-  block.transform = &machine_axes_transform();
-  chain_open_ = true;
-  if (builder_.add(block)) return false;
-  collect_pieces();
-  return true;
-}
-
-void Preparation::switch_scheme(const Notice& notice) {
-  const SwitchPlan plan =
-      plan_switch(config_, *schemes_.at(notice.number), notice.axes_M, notice.enabled);
-  builder_.restart(notice.axes_M);
-  Item frame = item_of(ItemKind::transform, {});
-  frame.transform = &machine_axes_transform();
-  push(frame);
-  bool reached = true;
-  for (const SwitchStep& step : plan) {
-    if (step.kind == SwitchStepKind::move) {
-      reached = reached && move_axis(step.axis, step.position, step.velocity);
-      end_chain();
-    } else {
-      Item item = item_of(
-          step.kind == SwitchStepKind::park ? ItemKind::park_axes : ItemKind::join_axes, {});
-      item.axes = step.axes;
-      push(item);
-    }
-    if (!reached) {
-      Item failed = item_of(ItemKind::switch_failed, {});
-      failed.code = FixedText<8>("E5204");
-      failed.text = ShortText("the parked position of axis " + axis_word(config_, step.axis) +
-                              " is beyond its limits");
-      return push(failed);
-    }
-  }
-  scheme_ = schemes_.at(notice.number).get();
-  scheme_switched_ = true;
-  Item set = item_of(ItemKind::scheme_set, {});
-  set.number = notice.number;
-  push(set);
-  push(item_of(ItemKind::switch_done, {}));
 }
 
 }  // namespace stanok::channels

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/overloaded.h"
 #include "lang/block_number.h"
 #include "lang/program.h"
 #include "lang/reporter.h"
 
 namespace stanok::lang {
 namespace {
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
 
 Diagnostic no_place(const Source& source, std::string message) {
   Diagnostic diagnostic;
