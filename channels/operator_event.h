@@ -14,7 +14,7 @@ enum class OperatorAction : std::uint8_t {
   machine_estop,  // all channels stop along their path, then drives off
   program_load,   // text = program
   program_run,    // load and start
-  mdi,  // text = one line, compiled and run
+  mdi,            // text = one line, compiled and run
   program_start,  // start the loaded program, resume when held
   program_hold,
   program_resume,
