@@ -1,7 +1,9 @@
 #include "lang/parser.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "lang/limits.h"
@@ -62,6 +64,23 @@ class UnknownParameters : public Parameters {
  private:
   NamedParameters* names_;
 };
+
+// What stands here for a type of C, C++ or another control; empty: it is none.
+std::string_view type_of_other_languages(std::string_view name) {
+  constexpr auto types =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"boolean", "bool"},
+                                                                    {"char", "string"},
+                                                                    {"double", "num"},
+                                                                    {"float", "num"},
+                                                                    {"int", "num"},
+                                                                    {"integer", "num"},
+                                                                    {"long", "num"},
+                                                                    {"real", "num"},
+                                                                    {"unsigned", "num"}});
+  const auto* const found = std::find_if(types.begin(), types.end(),
+                                         [&](const auto& type) { return type.first == name; });
+  return found == types.end() ? std::string_view() : found->second;
+}
 
 const ChannelDialect& no_dialect() {
   static const ChannelDialect none(nullptr);
@@ -234,7 +253,16 @@ Parser::MaybeStatement Parser::parse_named_start() {
   if (is_keyword(name)) return parse_keyword(name);
   if (is_named_address(name)) return parse_iso();
   if (behind == '[' && bracket_function(std::string_view(name).substr(1))) return parse_iso();
+  if (is_name_start(behind) && !type_of_other_languages(name).empty()) return refuse_type(name);
   return parse_simple();
+}
+
+// `double x = 1;`
+Parser::MaybeStatement Parser::refuse_type(const std::string& name) {
+  const Token token = scanner_.take(LineEnds::significant);
+  reporter_.error("E3001", token.span, "unknown type `" + name + "`", "not a type")
+      .help.push_back("write `" + std::string(type_of_other_languages(name)) + "`");
+  return std::nullopt;
 }
 
 // To the next place where a statement can begin.

@@ -51,6 +51,7 @@ class Parser {
   bool take_plain_lines(StatementList& list);
   MaybeStatement parse_kind();
   MaybeStatement parse_named_start();
+  MaybeStatement refuse_type(const std::string& name);
   int take_block_skip();
   void take_block_number();
   void recover(std::size_t start);
