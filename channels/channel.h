@@ -36,6 +36,7 @@ struct AxisFigures {
   double brake_s = 0.0;        // time a brake takes to close or open
   double power_s = 0.0;        // time a drive takes to take over
   bool homed_at_start = true;  // until a drive says otherwise
+  FixedText<16> name;
 };
 
 struct ChannelFigures {

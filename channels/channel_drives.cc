@@ -2,6 +2,23 @@
 #include "channels/channel.h"
 
 namespace stanok::channels {
+namespace {
+
+// "the drive of axis X", "the drives of axes X, Y"
+struct AxisNames {
+  FixedText<64> list;
+  int count = 0;
+
+  void add(std::string_view name) RT_SAFE { list.append(count++ == 0 ? "" : ", ").append(name); }
+  [[nodiscard]] FixedText<128> sentence(std::string_view of_one, std::string_view of_many) const
+      RT_SAFE {
+    FixedText<128> text(count == 1 ? "the drive of axis " : "the drives of axes ");
+    text.append(list.view()).append(count == 1 ? of_one : of_many);
+    return text;
+  }
+};
+
+}  // namespace
 
 void Channel::power(bool on) RT_SAFE {
   powered_ = on;
@@ -30,6 +47,8 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
   if (feedback.empty()) return;
   drives_answer_ = true;
   drives_ready_ = true;
+  AxisNames silent;
+  AxisNames faulty;
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
@@ -40,10 +59,14 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
       continue;
     }
     drives_ready_ = drives_ready_ && drive.valid && drive.enabled;
-    if (drive_was_ready_[i] && !drive.valid) fault("A3001", "a drive does not answer");
-    if (drive_was_ready_[i] && drive.fault) fault("A3002", "a drive reports a fault");
+    if (drive_was_ready_[i] && !drive.valid) silent.add(figures_.axes[i].name.view());
+    if (drive_was_ready_[i] && drive.fault) faulty.add(figures_.axes[i].name.view());
     drive_was_ready_[i] = drive_was_ready_[i] || (drive.valid && drive.enabled);
   }
+  if (silent.count > 0)
+    fault("A3001", silent.sentence(" does not answer", " do not answer").view());
+  if (faulty.count > 0)
+    fault("A3002", faulty.sentence(" reports a fault", " report faults").view());
 }
 
 void Channel::begin_switch(int scheme) RT_SAFE {

@@ -25,7 +25,8 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
-    figures.axes[k] = {axis.resolution, axis.kmv, axis.brake_s, axis.power_s, homed_at_start};
+    figures.axes[k] = {axis.resolution, axis.kmv,       axis.brake_s,
+                       axis.power_s,    homed_at_start, FixedText<16>(axis.name)};
     figures.start[k] = axis.start;
     figures.machine_axis[k] = channel.axes[k];
   }

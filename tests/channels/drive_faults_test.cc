@@ -1,0 +1,53 @@
+// Drives that fall silent or trip while a program runs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "channels/machine.h"
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::HasSubstr;
+
+using testing::MachineBench;
+
+// Channel 1 moves; the feedback of its axes is what the test says.
+class DriveFaults : public ::testing::Test {
+ protected:
+  DriveFaults() : drives(axes.size()) {
+    for (AxisFeedback& drive : drives) drive = {.valid = true, .enabled = true};
+    bench.feedback(drives);
+    bench.program("p.nc", "G1 X100 F6000\nM30\n");
+    bench.run(1, "p.nc");
+    for (int n = 0; n < 200; ++n) bench.cycle();
+    EXPECT_TRUE(bench.channel(1).moving);
+  }
+  // The alarm that comes of it.
+  [[nodiscard]] std::string alarm() {
+    bench.feedback(drives);
+    bench.cycle();
+    const auto alarms = bench.machine().alarms();
+    return alarms.size() == 1 ? alarms[0].diagnostic.code + " " + alarms[0].diagnostic.message
+                              : std::to_string(alarms.size()) + " alarms";
+  }
+
+  MachineBench bench;
+  std::vector<AxisConfig> axes = testing::two_channel_machine().axes;
+  std::vector<AxisFeedback> drives;
+};
+
+TEST_F(DriveFaults, TheAlarmNamesTheAxisOfTheDrive) {
+  drives[1].fault = true;
+  EXPECT_EQ(alarm(), "A3002 the drive of axis " + axes[1].name + " reports a fault");
+}
+
+TEST_F(DriveFaults, ABusThatFallsSilentIsOneAlarmOfAllItsAxes) {
+  for (AxisFeedback& drive : drives) drive.valid = false;
+  EXPECT_THAT(alarm(), HasSubstr("A3001 the drives of axes " + axes[0].name + ", " + axes[1].name));
+}
+
+}  // namespace
+}  // namespace stanok::channels
