@@ -151,6 +151,7 @@ class Compiler {
   enum class CallForm { expression, statement };
   ValueType compile_call(const Expression& call, CallForm form);
   bool check_argument_count(const Builtin& builtin, const Expression& call);
+  bool compile_arguments(const Builtin& builtin, const Expression& call, bool& number_names_entry);
   ValueType compile_builtin(const Builtin& builtin, const Expression& call, CallForm form);
   ValueType compile_user_call(const Callee& callee, const Expression& call, CallForm form);
   bool compile_argument(const FunctionParameter& parameter, const Expression& argument);

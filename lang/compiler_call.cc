@@ -73,26 +73,33 @@ bool Compiler::check_argument_count(const Builtin& builtin, const Expression& ca
   return false;
 }
 
+// `number_names_entry`: the value of a table is named by its number.
+bool Compiler::compile_arguments(const Builtin& builtin, const Expression& call,
+                                 bool& number_names_entry) {
+  const std::size_t most = builtin.arguments.size() - (builtin.arguments.ends_with('*') ? 1 : 0);
+  for (std::size_t i = 0; i < call.children.size(); ++i) {
+    const char letter = i < most ? builtin.arguments[i] : 'n';
+    if (letter == 'x' || letter == 'p') {
+      const auto kind = compile_entry_name(call.children[i], letter);
+      if (!kind) return false;
+      number_names_entry = *kind == Type::number;
+    } else if (!require(call.children[i], type_of_letter(letter), "the argument")) {
+      return false;
+    }
+  }
+  return true;
+}
+
 Compiler::ValueType Compiler::compile_builtin(const Builtin& builtin, const Expression& call,
                                               CallForm form) {
   if (!check_argument_count(builtin, call)) return {};
   const std::size_t given = call.children.size();
-  const std::size_t most = builtin.arguments.size() - (builtin.arguments.ends_with('*') ? 1 : 0);
   if (form == CallForm::expression && builtin.result == Type::none) {
     reporter_.error("E3004", call.span, "`" + call.text + "` has no value", "a statement only");
     return {};
   }
   bool number_names_entry = false;
-  for (std::size_t i = 0; i < given; ++i) {
-    const char letter = i < most ? builtin.arguments[i] : 'n';
-    if (letter == 'x' || letter == 'p') {
-      const auto kind = compile_entry_name(call.children[i], letter);
-      if (!kind) return {};
-      number_names_entry = *kind == Type::number;
-      continue;
-    }
-    if (!require(call.children[i], type_of_letter(letter), "the argument")) return {};
-  }
+  if (!compile_arguments(builtin, call, number_names_entry)) return {};
   if (builtin.takes_channel) check_channel_call(builtin, call);
   const auto row = static_cast<std::uint32_t>(&builtin - builtins().data());
   const auto count = static_cast<std::uint8_t>(given);

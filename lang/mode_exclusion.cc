@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/assert.h"
 #include "lang/actions.h"
 
 namespace stanok::lang {
@@ -58,6 +59,7 @@ std::optional<ActiveMode> active_mode(const ModalState& modal,
     const auto* const mode =
         std::find_if(std::begin(modes), std::end(modes),
                      [exclusion](const ExcludedMode& one) { return one.exclusion == exclusion; });
+    STANOK_ASSERT(mode != std::end(modes));
     return ActiveMode{mode->name, mode->remedy, modal.origin_of(mode->group)};
   }
   return std::nullopt;
