@@ -127,10 +127,8 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
     } else if (c == '#') {
       if (!values.read_setting(at) || (at != end && *at == '.')) return false;
       any = true;
-    } else if (c == '/' && at + 1 != end && at[1] == '/') {
-      return skip_to_line_end(at, end);
     } else {
-      return false;
+      return c == '/' && at + 1 != end && at[1] == '/' && skip_to_line_end(at, end);
     }
   }
   return true;

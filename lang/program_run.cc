@@ -34,31 +34,27 @@ Step ProgramRun::next(Command& command) {
       if (compensate()) continue;
     }
     if (!queue_.empty()) return deliver(queue_, command);
-    switch (phase_) {
-      case Phase::idle:
-      case Phase::ended:
-        return Step::ended;
-      case Phase::failed:
-        return Step::failed;
-      case Phase::running:
-        break;
-    }
-    if (stop_) {
-      if (reaches_stop()) return Step::stopped;
-      if (phase_ == Phase::failed) continue;
-    }
+    if (phase_ != Phase::running) return failed_or(Step::ended);
+    if (stop_ && reaches_stop()) return failed_or(Step::stopped);
     if (plain_.at == plain_.end) {
-      if (contour_return_) {
-        leave_contour();
-      } else {
-        if (!stop_) work += compute_ahead(work_bound - work);
-        step();
-      }
+      work += run_code(work_bound - work);
     } else if (run_plain_line(command)) {
       return Step::command;
     }
   }
   return Step::working;
+}
+
+// The next instruction with an effect and, except in a search, the computing ones before it;
+// returns how many these were.
+int ProgramRun::run_code(int bound) {
+  if (contour_return_) {
+    leave_contour();
+    return 0;
+  }
+  const int computed = stop_ ? 0 : compute_ahead(bound);
+  step();
+  return computed;
 }
 
 Step ProgramRun::deliver(CommandQueue& queue, Command& command) {

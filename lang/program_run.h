@@ -124,6 +124,10 @@ class ProgramRun : private ContourSource, private Parameters {
   void begin_modal_state(const AxisValues& position_B);
   void continue_modal_state(const AxisValues& position_B);
   void begin();
+  int run_code(int bound);
+  [[nodiscard]] Step failed_or(Step other) const {
+    return phase_ == Phase::failed ? Step::failed : other;
+  }
   Step deliver(CommandQueue& queue, Command& command);
   bool compensate();
   void fail_compensation(CompensationFault fault);

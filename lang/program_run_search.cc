@@ -12,7 +12,8 @@ void ProgramRun::stop_before(const StopPlace& place) {
   stop_at_hand_ = false;
 }
 
-// The next thing to be executed stands in the line searched for, which was not so just before.
+// The next thing to be executed stands in the line searched for, which was not so just before. The
+// run has failed when it cannot be entered there.
 bool ProgramRun::reaches_stop() {
   const Frame& frame = frames_.back();
   const std::uint32_t line =
@@ -26,7 +27,6 @@ bool ProgramRun::reaches_stop() {
   if (modal_.compensation.on()) {
     fail("E6042", "a program cannot be entered while radius compensation is active",
          "search for the block before G41 or G42");
-    return false;
   }
   return true;
 }
