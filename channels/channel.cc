@@ -135,7 +135,9 @@ void Channel::hold(HoldCause cause) RT_SAFE {
 
 void Channel::resume() RT_SAFE {
   if (state_ != ChannelState::held) return;
-  if (hold_cause_ == HoldCause::single_block) stepper_.next();
+  // Other holds are in the middle of a step.
+  if (hold_cause_ == HoldCause::single_block || hold_cause_ == HoldCause::program_stop)
+    stepper_.next();
   control_.hold = false;
   state_ = ChannelState::running;
 }

@@ -8,13 +8,13 @@
 
 namespace stanok::channels {
 
+// Logs hold the numbers: a new action goes to the end.
 enum class OperatorAction : std::uint8_t {
   machine_on,  // drives of the axes that take part are enabled
   machine_off,
   machine_estop,  // all channels stop along their path, then drives off
   program_load,   // text = program
   program_run,    // load and start
-  mdi,            // text = one line, compiled and run
   program_start,  // start the loaded program, resume when held
   program_hold,
   program_resume,
@@ -29,6 +29,7 @@ enum class OperatorAction : std::uint8_t {
   block_skip,      // number = level 1..9 whose blocks are skipped from the next sync point on
   block_skip_off,  // number = level
   single_block,    // the program stops after each block: number = 1 yes, 0 no
+  mdi,             // text = one line, compiled and run
 };
 
 struct OperatorEvent {

@@ -102,6 +102,21 @@ TEST_F(SingleBlockTest, AHoldInsideABlockDoesNotUseUpAStep) {
   EXPECT_NEAR(x(), 20.0, 1e-9);
 }
 
+TEST_F(SingleBlockTest, AfterAProgramStopOneStartLetsTheNextBlockRun) {
+  MachineBench stopping(testing::two_channel_machine(), {.on_at_start = true});
+  stopping.program("p.nc", "G1 X1 F6000\nM0\nX2\nX3\nM30\n");
+  stopping.ask(OperatorAction::single_block, 1, "", 0.0, 1);
+  stopping.run(1, "p.nc");
+  stopping.run_to_end();
+  stopping.ask(OperatorAction::program_start, 1);
+  stopping.run_to_end();
+  EXPECT_EQ(stopping.channel(1).hold_cause, HoldCause::program_stop);
+  stopping.ask(OperatorAction::program_start, 1);
+  stopping.run_to_end();
+  EXPECT_EQ(stopping.channel(1).hold_cause, HoldCause::single_block);
+  EXPECT_NEAR(stopping.channel(1).axes[0].position, 2.0, 1e-9);
+}
+
 TEST_F(SingleBlockTest, TurnedOffTheProgramGoesOnAfterTheNextStart) {
   begin("G1 X1 F6000\nX2\nX3\nX4\nM30\n");
   bench.ask(OperatorAction::single_block, 1, "", 0.0, 0);
