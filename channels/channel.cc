@@ -98,12 +98,26 @@ void Channel::move() RT_SAFE {
 void Channel::show_remarks(std::int64_t cycle) RT_SAFE {
   for (int n = 0; n < remarks_per_cycle && !link_.remarks.empty(); ++n) {
     const Remark& remark = link_.remarks.front();
-    const bool passed = path_.tag.run == remark.tag.run && path_.tag.block >= remark.tag.block;
+    const bool passed = path_.tag.run == remark.tag.run && path_.tag.block > remark.tag.block;
     const bool stands = interpolator_.at_rest() && link_.path.chunks.empty();
     if (!passed && !stands) return;
-    emit(cycle, remark.kind == lang::Message::Kind::warning ? "W0001" : "", remark.text.view(),
-         remark.tag);
+    show(remark, cycle);
     link_.remarks.pop_front();
+  }
+}
+
+void Channel::show(const Remark& remark, std::int64_t cycle) RT_SAFE {
+  if (const auto* spoken = std::get_if<SpokenText>(&remark.news)) {
+    const bool warns = spoken->kind == lang::Message::Kind::warning;
+    return emit(cycle, warns ? "W0001" : "", spoken->text.view(), remark.tag);
+  }
+  ++workpiece_.announcements;
+  if (const auto* shape = std::get_if<lang::WorkpieceAnnouncement>(&remark.news)) {
+    workpiece_.shape = *shape;
+    workpiece_.has_shape = true;
+  } else if (const auto* position = std::get_if<lang::WorkpiecePosition>(&remark.news)) {
+    workpiece_.position = *position;
+    workpiece_.has_position = true;
   }
 }
 
@@ -121,6 +135,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
   output.feed_override = control_.feed_override;
+  output.workpiece = workpiece_;
   output.point_W = path_.point;
   output.axes = setpoints_;
   output.drives = drives_;

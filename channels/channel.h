@@ -208,6 +208,7 @@ class Channel {
   void forget_riders() RT_SAFE;
   [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
+  void show(const Remark& remark, std::int64_t cycle) RT_SAFE;
   void continue_reset() RT_SAFE;
   void take_overrides(const lang::OverrideControl& overrides) RT_SAFE;
   void apply_spindle_override() RT_SAFE;
@@ -229,6 +230,7 @@ class Channel {
   motion::FeedControl control_;
   motion::InterpolatorOutput path_;
   kinematics::Transform transform_;
+  Workpiece workpiece_;
   std::array<DriveCommand, motion::axes_max> drives_{};
   std::array<AxisSetpoint, motion::axes_max> setpoints_{};
   std::array<Spindle, spindles_max> spindles_{};

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
 #include "base/fixed_text.h"
 #include "channels/output.h"
@@ -124,14 +125,19 @@ struct Rider {
   std::uint32_t channels = 0;  // mark_wait: bit k: channel with id k
 };
 
-// Texts shown when the path reaches their block; they never stop it.
-struct Remark {
-  motion::BlockTag tag;
+struct SpokenText {
   lang::Message::Kind kind = lang::Message::Kind::message;
   ShortText text;
 };
 
+// Told to the outside where the block behind `tag` begins (or a later one); it never stops the
+// path.
+struct Remark {
+  motion::BlockTag tag;
+  std::variant<SpokenText, lang::WorkpieceAnnouncement, lang::WorkpiecePosition> news;
+};
+
 static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Notice>);
-static_assert(std::is_trivially_copyable_v<Rider>);
+static_assert(std::is_trivially_copyable_v<Rider> && std::is_trivially_copyable_v<Remark>);
 
 }  // namespace stanok::channels

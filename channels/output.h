@@ -9,6 +9,7 @@
 
 #include "base/fixed_text.h"
 #include "kinematics/scheme.h"
+#include "lang/command.h"
 #include "motion/path.h"
 
 namespace stanok::channels {
@@ -71,6 +72,16 @@ struct Signals {
   friend bool operator==(const Signals&, const Signals&) = default;
 };
 
+// What the programs of a channel announced with #workpiece and #workpiece_pos; for displays, no
+// effect on motion.
+struct Workpiece {
+  std::uint32_t announcements = 0;  // of either kind so far
+  bool has_shape = false;
+  bool has_position = false;
+  lang::WorkpieceAnnouncement shape;
+  lang::WorkpiecePosition position;
+};
+
 struct ChannelOutput {
   std::int32_t id = 0;
   std::int32_t axis_count = 0;
@@ -85,6 +96,7 @@ struct ChannelOutput {
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
   double feed_override = 1.0;
+  Workpiece workpiece;
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
   std::array<AxisSetpoint, motion::axes_max> axes{};
   std::array<DriveCommand, motion::axes_max> drives{};

@@ -42,7 +42,8 @@ void Preparation::take(const lang::Command& command) {
             push(next);
           },
           [&](const lang::Message& message) {
-            pending_remarks_.push_back({tag_of(command), message.kind, ShortText(message.text)});
+            pending_remarks_.push_back(
+                {tag_of(command), SpokenText{message.kind, ShortText(message.text)}});
           },
           [&](const lang::ModalReport&) {},
           [&](const lang::ProgramStop& stop) {
@@ -71,8 +72,12 @@ void Preparation::take(const lang::Command& command) {
             push(next);
           },
           [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
-          [&](const lang::WorkpieceAnnouncement&) {},
-          [&](const lang::WorkpiecePosition&) {},
+          [&](const lang::WorkpieceAnnouncement& shape) {
+            pending_remarks_.push_back({tag_of(command), shape});
+          },
+          [&](const lang::WorkpiecePosition& position) {
+            pending_remarks_.push_back({tag_of(command), position});
+          },
       },
       command.payload);
 }

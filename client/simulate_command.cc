@@ -195,6 +195,7 @@ int run(const SimulateOptions& given) {
     owned.push_back(std::move(observer));
   }
   std::vector<runtime::CycleObserver*> observers;
+  observers.reserve(owned.size());
   for (const auto& observer : owned) observers.push_back(observer.get());
 
   std::signal(SIGINT, on_interrupt);

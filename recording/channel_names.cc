@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::string_view prefix = "STANOK_";
 constexpr std::array<std::string_view, topic_count> topics{
-    "SETPOINT", "STATE", "DRIVE", "EVENT", "INPUT", "PROGRAM", "LOG_META"};
+    "SETPOINT", "STATE", "DRIVE", "EVENT", "INPUT", "PROGRAM", "WORKPIECE", "LOG_META"};
 // "_CH16_" and the longest topic of a channel.
-constexpr std::size_t longest_suffix = 6 + 8;
+constexpr std::size_t longest_suffix = 6 + 9;
 
 std::string upper_case(std::string_view machine) {
   std::string name;

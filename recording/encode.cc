@@ -138,6 +138,23 @@ drive_status_t to_drive_status(const channels::ChannelOutput& output,
   return message;
 }
 
+workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp) {
+  const channels::Workpiece& workpiece = output.workpiece;
+  auto message = zeroed<workpiece_t>();
+  put_stamp(stamp, message);
+  message.channel = output.id;
+  message.known = static_cast<std::int8_t>((workpiece.has_shape ? 1U : 0U) |
+                                           (workpiece.has_position ? 2U : 0U));
+  message.shape = static_cast<std::int8_t>(workpiece.shape.type);
+  message.machining = static_cast<std::int8_t>(workpiece.shape.machining_type);
+  message.screen_resolution = workpiece.shape.screen_resolution_mm;
+  std::ranges::copy(workpiece.shape.size_mm, message.size);
+  std::ranges::copy(workpiece.shape.zero_mm, message.zero);
+  std::ranges::copy(workpiece.position.position_mm, message.position);
+  std::ranges::copy(workpiece.position.angles_deg, message.angles);
+  return message;
+}
+
 event_t to_event(const channels::Event& event, const Stamp& stamp) {
   auto message = zeroed<event_t>();
   put_stamp(stamp, message);
@@ -164,7 +181,7 @@ channels::ChannelOutput from_setpoint(const setpoint_t& message) {
   output.id = message.channel;
   output.axis_count = std::clamp<std::int32_t>(message.axis_count, 0, motion::axes_max);
   output.state = static_cast<channels::ChannelState>(message.state);
-  const auto flags = static_cast<unsigned>(message.flags);
+  const auto flags = static_cast<std::uint8_t>(message.flags);
   output.moving = (flags & moving) != 0;
   output.waiting = (flags & waiting) != 0;
   output.running = (flags & running) != 0;

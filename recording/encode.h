@@ -9,6 +9,7 @@
 #include <stanok_messages/event_t.hpp>
 #include <stanok_messages/input_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
+#include <stanok_messages/workpiece_t.hpp>
 #include <string_view>
 
 #include "channels/machine.h"
@@ -30,6 +31,7 @@ struct Stamp {
 [[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,
                                              std::span<const channels::AxisFeedback> feedback,
                                              const Stamp& stamp);
+[[nodiscard]] workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] event_t to_event(const channels::Event& event, const Stamp& stamp);
 [[nodiscard]] input_t to_input(const channels::InputRecord& record, const Stamp& stamp);
 

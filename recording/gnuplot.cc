@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 
 namespace stanok::recording {
 namespace {
@@ -38,7 +37,7 @@ std::optional<LogError> run_gnuplot(const std::filesystem::path& script) {
     return LogError{error, "gnuplot is not installed; install the package gnuplot-nox"};
   }
   if (error != 0) {
-    return LogError{error, std::string("cannot start gnuplot: ") + std::strerror(error)};
+    return log_error("cannot start gnuplot", error);
   }
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {

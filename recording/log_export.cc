@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <string>
 
 #include "recording/setpoint_walk.h"
@@ -122,8 +121,7 @@ Expected<std::int64_t, LogError> export_setpoints(const std::filesystem::path& f
   });
   if (error) return Unexpected<LogError>(*error);
   if (!rows.finish()) {
-    return Unexpected<LogError>(
-        LogError{errno, std::string("cannot write CSV: ") + std::strerror(errno)});
+    return Unexpected<LogError>(log_error("cannot write CSV", errno));
   }
   return count;
 }

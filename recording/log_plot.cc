@@ -1,7 +1,6 @@
 #include "recording/log_plot.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 
 #include "recording/channel_plot.h"
@@ -16,8 +15,7 @@ std::optional<LogError> write_file(const std::filesystem::path& file, const std:
   stream << text;
   stream.close();
   if (stream) return std::nullopt;
-  const int error = errno;
-  return LogError{error, "cannot write " + file.string() + ": " + std::strerror(error)};
+  return log_error("cannot write " + file.string(), errno);
 }
 
 }  // namespace
@@ -30,8 +28,7 @@ Expected<std::vector<std::string>, LogError> plot_channel(const std::filesystem:
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) {
-    return Unexpected<LogError>(
-        LogError{error.value(), "cannot make " + directory.string() + ": " + error.message()});
+    return Unexpected<LogError>(log_error("cannot make " + directory.string(), error.value()));
   }
   const PlotScript script = plot_script(*plot);
   const auto script_file = directory / ("ch" + std::to_string(channel) + ".gnuplot");
@@ -40,6 +37,7 @@ Expected<std::vector<std::string>, LogError> plot_channel(const std::filesystem:
   }
   if (const auto failure = run_gnuplot(script_file)) return Unexpected<LogError>(*failure);
   std::vector<std::string> pictures;
+  pictures.reserve(script.pictures.size());
   for (const std::string& picture : script.pictures) {
     pictures.push_back((directory / picture).string());
   }

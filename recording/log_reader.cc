@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <string>
 #include <utility>
 
@@ -26,8 +25,7 @@ std::uint64_t big_endian(const std::uint8_t* bytes, std::size_t count) {
 
 Expected<LogReader, LogError> LogReader::open(const std::filesystem::path& file) {
   const auto fail = [&](int error) {
-    return Unexpected<LogError>(
-        LogError{error, "cannot read " + file.string() + ": " + std::strerror(error)});
+    return Unexpected<LogError>(log_error("cannot read " + file.string(), error));
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) return fail(EISDIR);

@@ -4,7 +4,7 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "recording/channel_names.h"
@@ -16,6 +16,10 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 constexpr std::int64_t event_header_bytes = 28;  // sync word, number, time, two lengths
 
 }  // namespace
+
+LogError log_error(const std::string& what, int error) {
+  return {error, what + ": " + std::generic_category().message(error)};
+}
 
 // One file, and the buffer that its stream writes through.
 struct LogWriter::Piece {
@@ -108,8 +112,7 @@ void LogWriter::write(const std::string& channel, std::int64_t utime,
 void LogWriter::fail(const char* what) {
   const int error = errno;
   const std::filesystem::path name = piece_name(file_, std::max(status_.pieces, 1));
-  status_.error = LogError{
-      error, std::string("cannot ") + what + " " + name.string() + ": " + std::strerror(error)};
+  status_.error = log_error(std::string("cannot ") + what + " " + name.string(), error);
 }
 
 }  // namespace stanok::recording

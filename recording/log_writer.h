@@ -23,6 +23,9 @@ struct LogError {
   std::string text;      // "cannot write run.lcm: No space left on device"
 };
 
+// "WHAT: reason of ERROR", as "cannot write run.lcm" with ENOSPC.
+LogError log_error(const std::string& what, int error);
+
 struct LogStatus {
   std::int64_t events = 0;
   std::int64_t bytes = 0;  // over all pieces

@@ -69,6 +69,7 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
            Topic::setpoint);
     }
     state_when_due(output.cycle, channel);
+    workpiece_when_due(output.cycle, channel);
   }
 }
 
@@ -123,6 +124,16 @@ void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOu
   const std::string& program = programs_[static_cast<std::size_t>(output.id)];
   send(to_state(output, program, next_stamp(cycle, output.id, Topic::state)), output.id,
        Topic::state);
+}
+
+void MessageStream::workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  ShownWorkpiece& shown = workpieces_[static_cast<std::size_t>(output.id)];
+  const std::uint32_t announcements = output.workpiece.announcements;
+  if (announcements == 0) return;
+  if (announcements == shown.announcements && cycle < shown.cycle + meta_period_) return;
+  shown = {announcements, cycle};
+  send(to_workpiece(output, next_stamp(cycle, output.id, Topic::workpiece)), output.id,
+       Topic::workpiece);
 }
 
 }  // namespace stanok::recording

@@ -1,7 +1,8 @@
 // The stream of messages of one machine: what is sent when, numbered and stamped, to all sinks.
 //
 // LOG_META comes first and every 60 s of machine time; SETPOINT every cycle for every channel with
-// axes; STATE of every channel 20 times a second; events, inputs and texts as they come. Time
+// axes; STATE of every channel 20 times a second; WORKPIECE when a program announces one and every
+// 60 s from then on; events, inputs and texts as they come. Time
 // stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread (publisher or
 // `simulate`), never for the real-time cycle.
 #pragma once
@@ -55,6 +56,7 @@ class MessageStream {
   [[nodiscard]] Stamp next_stamp(std::int64_t cycle, int channel, Topic topic);
   void send_meta_when_due(std::int64_t cycle);
   void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
   void send(const Message& message, int channel, Topic topic);
 
@@ -64,6 +66,11 @@ class MessageStream {
   std::vector<std::uint8_t> buffer_;
   std::array<std::array<std::int64_t, topic_count>, channels::channels_max + 1> next_seq_{};
   std::array<std::string, channels::channels_max + 1> programs_;
+  struct ShownWorkpiece {
+    std::uint32_t announcements = 0;
+    std::int64_t cycle = 0;  // of the latest message
+  };
+  std::array<ShownWorkpiece, channels::channels_max + 1> workpieces_{};
   std::int64_t meta_period_;   // cycles
   std::int64_t state_period_;  // cycles
   std::int64_t next_meta_cycle_;

@@ -174,7 +174,8 @@ class ScriptText {
          {std::pair("png", "pngcairo noenhanced background rgb 'white' font 'Sans,12' size "),
           std::pair("svg", "svg noenhanced background rgb 'white' font 'Sans,14' size ")}) {
       const std::string file = file_stem() + "-" + name + "." + ending;
-      text_ += std::string("set terminal ") + terminal + size + "\nset output '" + file + "'\n";
+      text_.append("set terminal ").append(terminal).append(size);
+      text_.append("\nset output '").append(file).append("'\n");
       add_body();
       text_ += "unset label\nunset output\n";
       pictures_.push_back(file);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -65,14 +64,16 @@ std::string fault_of(std::string_view name) {
   return "";
 }
 
+// A file descriptor, or the negative error number: closing the folder may change errno.
 int open_beneath(const fs::path& folder, std::string_view name) {
   const Descriptor root(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  if (!root.is_open()) return -1;
+  if (!root.is_open()) return -errno;
   open_how how{};
   how.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
-  return static_cast<int>(
+  const auto number = static_cast<int>(
       ::syscall(SYS_openat2, root.number(), std::string(name).c_str(), &how, sizeof(how)));
+  return number < 0 ? -errno : number;
 }
 
 Expected<std::string, Diagnostic> read_all(int file, std::string_view name) {
@@ -137,7 +138,7 @@ Expected<Text, Diagnostic> ProgramFiles::read(std::string_view name, std::string
   for (const fs::path& folder : folders) {
     const Descriptor file(open_beneath(folder, name));
     if (!file.is_open()) {
-      if (errno == EXDEV || errno == ELOOP) {
+      if (const int error = -file.number(); error == EXDEV || error == ELOOP) {
         return Unexpected<Diagnostic>(
             diagnostic("E7002", std::string(name) + " leads out of the program root", ""));
       }

@@ -1,6 +1,7 @@
 #include "runtime/simulation.h"
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 
 namespace stanok::runtime {
@@ -39,7 +40,7 @@ class Simulation {
   SimulationResult run(const std::function<bool()>& interrupted) {
     const auto begin = std::chrono::steady_clock::now();
     start_programs();
-    const auto cycles_until = static_cast<std::int64_t>(options_.until_s / result_.cycle_s + 0.5);
+    const auto cycles_until = std::llround(options_.until_s / result_.cycle_s);
     while (result_.refusals.empty()) {
       prepare_all();
       if (events_.empty() && next_event_ == options_.events.size() && machine_.waits_for_operator())

@@ -260,5 +260,37 @@ TEST(SystemVariables, OfThingsThatAreNotThereAreErrors) {
   EXPECT_THAT(alarms_of("if ($skip[10]) { M0\n }\n"), ElementsAre("E6027"));
 }
 
+TEST(Messages, AreShownBetweenTheBlocksWhereTheyStand) {
+  MachineBench bench;
+  bench.program("p.nc",
+                "G1 X10 F6000\nmsg (\"one\");\nX20\n(MSG,two) X30\nwarn (\"three\");\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) {
+    const double x = output.channels[0].axes[0].position;
+    const std::size_t shown = x <= 10.0 ? 0 : x <= 20.0 ? 1 : 2;
+    if (!output.channels[0].moving) return;
+    EXPECT_EQ(bench.event_codes().size(), shown) << x;
+  });
+  EXPECT_THAT(bench.event_codes(), ElementsAre("", "", "W0001"));
+}
+
+TEST(Workpiece, IsToldWhenMotionReachesItsAnnouncement) {
+  MachineBench bench;
+  bench.program("p.nc",
+                "G1 X10 F6000\n#workpiece (1, 0.5, 1, 80, 20, 60, 0, 0, 30)\nX20\n"
+                "#workpiece_pos (1, 2, 3, 10, 20, 30)\nX30\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    const double x = channel.axes[0].position;
+    EXPECT_EQ(channel.workpiece.announcements, x <= 10.0 ? 0U : x <= 20.0 ? 1U : 2U) << x;
+  });
+  const Workpiece& workpiece = bench.channel(1).workpiece;
+  EXPECT_TRUE(workpiece.has_shape && workpiece.has_position);
+  EXPECT_EQ(workpiece.shape.type, 1);
+  EXPECT_THAT(workpiece.shape.size_mm, ElementsAre(80.0, 20.0, 60.0));
+  EXPECT_THAT(workpiece.position.angles_deg, ElementsAre(10.0, 20.0, 30.0));
+}
+
 }  // namespace
 }  // namespace stanok::channels

@@ -99,27 +99,40 @@ TEST(MachineFiles, E7106mf4HasAFlatAndABallMillInItsTables) {
 // A workpiece of 52 x 86 x 34 mm with 50 mm of clearance above, at the base of either scheme, is
 // reached by tools up to 150 mm; on the table also while the head tilts to 45 deg at any angle of
 // C.
+void expect_within_reach(const kinematics::AxisVector<double>& axes_M,
+                         const motion::MotionConfig& config) {
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    ASSERT_GE(axes_M[axis], config.axes[axis].position_min) << "axis " << axis;
+    ASSERT_LE(axes_M[axis], config.axes[axis].position_max) << "axis " << axis;
+  }
+}
+
+// The corners of the workpiece and of the clearance above it, at one attitude of the tool.
+void expect_corners_within_reach(const kinematics::Scheme& scheme,
+                                 const motion::MotionConfig& config, double length, double B,
+                                 double C) {
+  for (const double x : {-52.0, 52.0}) {
+    for (const double y : {-86.0, 86.0}) {
+      for (const double z : {-34.0, 34.0, 84.0}) {
+        kinematics::AxisVector<double> axes_M{};
+        scheme.inverse(kinematics::PointMode::tip, {{0.0, 0.0, -length}}, {x, y, z, B, C}, axes_M);
+        expect_within_reach(axes_M, config);
+      }
+    }
+  }
+}
+
 TEST(MachineFiles, E7106mf4ReachesTheWorkpieceAtBothBases) {
   const MachineFile file = machine("e7106mf4");
   const channels::ChannelConfig& work = file.machine.channels[0];
   const auto config = channels::motion_config(file.machine, work);
   for (const auto& scheme_config : work.schemes) {
     const auto scheme = kinematics::make_scheme(scheme_config);
-    const double tilt_max = scheme_config.type == "head_table" ? 45.0 : 0.0;
+    const int tilt_max = scheme_config.type == "head_table" ? 45 : 0;
     for (const double length : {0.0, 75.0, 150.0})
-      for (double B = -tilt_max; B <= tilt_max; B += 15.0)
-        for (double C = 0.0; C < 360.0; C += 30.0)
-          for (const double x : {-52.0, 52.0})
-            for (const double y : {-86.0, 86.0})
-              for (const double z : {-34.0, 34.0, 84.0}) {
-                kinematics::AxisVector<double> axes_M{};
-                scheme->inverse(kinematics::PointMode::tip, {{0.0, 0.0, -length}}, {x, y, z, B, C},
-                                axes_M);
-                for (std::size_t axis = 0; axis < 4; ++axis) {
-                  ASSERT_GE(axes_M[axis], config.axes[axis].position_min) << "axis " << axis;
-                  ASSERT_LE(axes_M[axis], config.axes[axis].position_max) << "axis " << axis;
-                }
-              }
+      for (int B = -tilt_max; B <= tilt_max; B += 15)
+        for (int C = 0; C < 360; C += 30)
+          expect_corners_within_reach(*scheme, config, length, B, C);
   }
 }
 

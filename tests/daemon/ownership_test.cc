@@ -22,6 +22,7 @@ void leave_stale_socket(const fs::path& path) {
   address.sun_family = AF_UNIX;
   path.string().copy(address.sun_path, sizeof address.sun_path - 1);
   const int descriptor = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_GE(descriptor, 0);
   ASSERT_EQ(::bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
   ::close(descriptor);
 }

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"num aa[900000], bb[900000], cc[900000], dd[900000];", "E8002", 1,
                                 41}));
 
-class Diagnostics_ : public ProgramTest {
+class DiagnosticsTest : public ProgramTest {
  protected:
   void refuse_all() {
     answering = [](const Request&) {
@@ -83,7 +83,7 @@ class Diagnostics_ : public ProgramTest {
   }
 };
 
-TEST_F(Diagnostics_, OfRefusedStatementsNameTheFunctionAndTheReason) {
+TEST_F(DiagnosticsTest, OfRefusedStatementsNameTheFunctionAndTheReason) {
   refuse_all();
   const std::pair<const char*, const char*> cases[] = {
       {"channel_wait (2);", "E6010"},  {"channel_load (2, \"a\");", "E6011"},
@@ -95,7 +95,7 @@ TEST_F(Diagnostics_, OfRefusedStatementsNameTheFunctionAndTheReason) {
   }
 }
 
-TEST_F(Diagnostics_, OfOtherRefusalsCarryTheCodeOfTheReason) {
+TEST_F(DiagnosticsTest, OfOtherRefusalsCarryTheCodeOfTheReason) {
   refuse_all();
   EXPECT_EQ(error_code("#kinematics (2, 1)\nM30\n"), "E6006");
   EXPECT_EQ(error.message, "the machine is off");
@@ -109,7 +109,7 @@ TEST_F(Diagnostics_, OfOtherRefusalsCarryTheCodeOfTheReason) {
   EXPECT_EQ(error_code("num aa = channel_state (2);\nM30\n"), "E6032");
 }
 
-TEST_F(Diagnostics_, NameAMissingWorkOffset) {
+TEST_F(DiagnosticsTest, NameAMissingWorkOffset) {
   class FewOffsets : public MemoryTables {
    public:
     [[nodiscard]] std::optional<AxisValues> work_offset(int number) const override {
@@ -129,19 +129,19 @@ TEST_F(Diagnostics_, NameAMissingWorkOffset) {
   EXPECT_EQ(one.error().place.line, 2);
 }
 
-TEST_F(Diagnostics_, NameAPlaneWithoutAxes) {
+TEST_F(DiagnosticsTest, NameAPlaneWithoutAxes) {
   channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}};
   EXPECT_EQ(error_code("F1 G2 X5 I2.5\nM30\n"), "E4036");
   EXPECT_EQ(error.notes.at(0).text, "G17 is active by default");
 }
 
-TEST_F(Diagnostics_, CountCharactersNotBytes) {
+TEST_F(DiagnosticsTest, CountCharactersNotBytes) {
   EXPECT_EQ(error_code("(\xD0\xA4\xD0\xA4) G0 X1 X2\nM30\n"), "E4001");
   EXPECT_EQ(error.place.column, 12);
   EXPECT_EQ(error.place.end_column, 14);
 }
 
-TEST_F(Diagnostics_, WarnOfEncodingAndFrames) {
+TEST_F(DiagnosticsTest, WarnOfEncodingAndFrames) {
   run("(\xFF)\n; \xFF\nG0 X1\nM30\n");
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0].code, "W110");
@@ -154,7 +154,7 @@ TEST_F(Diagnostics_, WarnOfEncodingAndFrames) {
   EXPECT_EQ(warnings[0].place.line, 3);
 }
 
-TEST_F(Diagnostics_, ShowTheCallStack) {
+TEST_F(DiagnosticsTest, ShowTheCallStack) {
   EXPECT_EQ(error_code("void inner (num dd) { G1 X=1/dd }\nvoid outer () {\n  inner (0); }\n"
                        "outer ();\nM30\n"),
             "E3008");
@@ -162,7 +162,7 @@ TEST_F(Diagnostics_, ShowTheCallStack) {
                                                    "in outer(), called at main.nc:4:1"}));
 }
 
-TEST_F(Diagnostics_, LimitTheNumberOfFiles) {
+TEST_F(DiagnosticsTest, LimitTheNumberOfFiles) {
   std::string text;
   for (int i = 0; i < 256; ++i) {
     const std::string name = "file" + std::to_string(i) + ".nc";
@@ -173,7 +173,7 @@ TEST_F(Diagnostics_, LimitTheNumberOfFiles) {
   EXPECT_EQ(error.place.line, 256);
 }
 
-TEST_F(Diagnostics_, KeepTheMotionBeforeTheFaultyBlock) {
+TEST_F(DiagnosticsTest, KeepTheMotionBeforeTheFaultyBlock) {
   run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
   EXPECT_EQ(error.code, "E5002");
   EXPECT_EQ(all<Move>().size(), 2u);
@@ -181,7 +181,7 @@ TEST_F(Diagnostics_, KeepTheMotionBeforeTheFaultyBlock) {
   EXPECT_EQ(interpreter->next(commands.front()), Step::failed);
 }
 
-TEST_F(Diagnostics_, FreeTheMemoryOfArraysThatAreGone) {
+TEST_F(DiagnosticsTest, FreeTheMemoryOfArraysThatAreGone) {
   EXPECT_EQ(error_code("void use () { num big[500000]; big[0] = 1; }\n"
                        "for (num nn_ = 0; nn_ < 20; nn_++) { use (); }\nM30\n"),
             "");

@@ -54,9 +54,9 @@ INSTANTIATE_TEST_SUITE_P(
         ValueCase{"CH_ALARM + GV_ALL", 67}, ValueCase{"near (1, 1 + 1e-9) ? 1 : 0", 1},
         ValueCase{"near (1, 1.1, 0.2) ? 1 : 0", 1}));
 
-class Expression_ : public ProgramTest {};
+class ExpressionTest : public ProgramTest {};
 
-TEST_F(Expression_, JoinsAndComparesStrings) {
+TEST_F(ExpressionTest, JoinsAndComparesStrings) {
   EXPECT_EQ(
       messages("string name = \"part\";\nname += \" 7\";\nmsg (upper (name) + str (1.5, 2));\n"
                "if (name == \"part 7\" && name != \"x\") { msg (substr (name, 5)); }\nM30\n"),
@@ -66,7 +66,7 @@ TEST_F(Expression_, JoinsAndComparesStrings) {
       (std::vector<std::string>{"0.1 1e+21 a\"\\\tb"}));
 }
 
-TEST_F(Expression_, WritesNumbersSoThatTheyReadBack) {
+TEST_F(ExpressionTest, WritesNumbersSoThatTheyReadBack) {
   EXPECT_EQ(messages("msg (str (999.9999999999999));\nmsg (str (0));\nmsg (str (-33.3));\n"
                      "msg (str (123456789012345));\nmsg (str (0.00001));\nmsg (str (1e-7));\n"
                      "msg (str (2/3));\nM30\n"),
@@ -74,13 +74,13 @@ TEST_F(Expression_, WritesNumbersSoThatTheyReadBack) {
                                       "0.00001", "1e-07", "0.6666666666666666"}));
 }
 
-TEST_F(Expression_, ComputesOnlyWhatDecides) {
+TEST_F(ExpressionTest, ComputesOnlyWhatDecides) {
   EXPECT_EQ(messages("num zero;\nif (zero != 0 && 1 / zero > 1) { msg (\"no\"); }\n"
                      "if (zero == 0 || 1 / zero > 1) { msg (\"yes\"); }\nM30\n"),
             (std::vector<std::string>{"yes"}));
 }
 
-TEST_F(Expression_, OfAWordEndsWhereTheNextWordBegins) {
+TEST_F(ExpressionTest, OfAWordEndsWhereTheNextWordBegins) {
   const auto list = moves(
       "num len1 = 10, len2 = -4, aa = 7, bb = 3;\n"
       "G1 X=len1+2 Y=(len1+len2)/2 (this is a comment) Z=abs (len2) F=200//end\n"
@@ -95,7 +95,7 @@ TEST_F(Expression_, OfAWordEndsWhereTheNextWordBegins) {
   EXPECT_EQ(list[2].end[0], 5.0);
 }
 
-TEST_F(Expression_, InBracketsFollowsTheRulesOfBrackets) {
+TEST_F(ExpressionTest, InBracketsFollowsTheRulesOfBrackets) {
   const auto list = moves(
       "#1=4 #<dd>=0.5\nG0 X[#1*2] Y-#1 Z-#<dd>\n"
       "X[2 + 3 * 4 ** 2] Y[[2 + 3] * 4 MOD 3] Z[ATAN[1]/[1]]\n"
@@ -119,7 +119,7 @@ TEST_F(Expression_, InBracketsFollowsTheRulesOfBrackets) {
   EXPECT_EQ(list[5].end[1], 9.0);
 }
 
-TEST_F(Expression_, KnowsRParametersAndSystemVariables) {
+TEST_F(ExpressionTest, KnowsRParametersAndSystemVariables) {
   tables.tools[4] = {4, {0, 0, 77.0}, 2.5};
   const auto list = moves(
       "R5=12.5 R6=R5\nG0 X=R5*2 Y=R6\nT4 M6\nF120 S900 G55\n"
@@ -135,7 +135,7 @@ TEST_F(Expression_, KnowsRParametersAndSystemVariables) {
   EXPECT_EQ(list[2].end[2], 55.0);
 }
 
-TEST_F(Expression_, StopsInItsMiddleForTheAnswerOfTheChannel) {
+TEST_F(ExpressionTest, StopsInItsMiddleForTheAnswerOfTheChannel) {
   answering = [](const Request& request) {
     Answer answer;
     answer.number = request.kind == RequestKind::channel_state ? 2.0 : 10.0 + request.index;
@@ -150,7 +150,7 @@ TEST_F(Expression_, StopsInItsMiddleForTheAnswerOfTheChannel) {
   EXPECT_EQ(all<Request>().at(2).text, "clock");
 }
 
-TEST_F(Expression_, TellsWhyAChannelFunctionReturnedFalse) {
+TEST_F(ExpressionTest, TellsWhyAChannelFunctionReturnedFalse) {
   answering = [](const Request&) {
     Answer answer;
     answer.ok = false;

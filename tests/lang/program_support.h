@@ -141,11 +141,11 @@ class ProgramTest : public ::testing::Test {
     ADD_FAILURE() << "the program does not end";
   }
 
-  template <class Payload_>
-  std::vector<Payload_> all() const {
-    std::vector<Payload_> list;
+  template <class Wanted>
+  std::vector<Wanted> all() const {
+    std::vector<Wanted> list;
     for (const Command& command : commands) {
-      if (const auto* payload = std::get_if<Payload_>(&command.payload)) list.push_back(*payload);
+      if (const auto* payload = std::get_if<Wanted>(&command.payload)) list.push_back(*payload);
     }
     return list;
   }

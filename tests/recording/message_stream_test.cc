@@ -85,6 +85,49 @@ TEST(LogWriter, TellsOfAFullDiskAndGoesOnWithoutIt) {
   EXPECT_EQ((*writer)->status().error->system_error, ENOSPC);
 }
 
+std::int64_t messages_on(const std::filesystem::path& file, const std::string& channel) {
+  const auto contents = read_contents(file);
+  if (!contents || !contents->channels.contains(channel)) return 0;
+  return contents->channels.at(channel).messages;
+}
+
+TEST(MessageStream, SendsAWorkpieceWhenItIsAnnouncedAndEveryMinuteFromThenOn) {
+  const auto file = test_file("lcm");
+  {
+    auto writer = LogWriter::open(file);
+    ASSERT_TRUE(writer);
+    LogDescription slow_machine = small_machine();
+    slow_machine.cycle_us = 20'000;
+    MessageStream stream(slow_machine, {writer->get()});
+    const int minute = 60 * 50;
+    for (int cycle = 0; cycle <= 10 + 2 * minute; ++cycle) {
+      channels::CycleOutput output = output_of(cycle);
+      output.channels[0].workpiece.announcements = cycle < 5 ? 0U : cycle < 10 ? 1U : 3U;
+      stream.cycle(output);
+    }
+    ASSERT_TRUE((*writer)->flush());
+  }
+  EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_WORKPIECE"), 4);
+}
+
+TEST(Encode, WritesTheWorkpieceAsItIsKnown) {
+  channels::ChannelOutput output = output_of(7).channels[0];
+  output.workpiece.has_position = true;
+  output.workpiece.position = {{1.0, 2.0, 3.0}, {10.0, 20.0, 30.0}};
+  EXPECT_EQ(to_workpiece(output, {}).known, 2);
+  EXPECT_EQ(to_workpiece(output, {}).position[2], 3.0);
+  EXPECT_EQ(to_workpiece(output, {}).angles[0], 10.0);
+  output.workpiece.has_shape = true;
+  output.workpiece.shape = {1, 1, 0.5, {80.0, 20.0, 60.0}, {0.0, 0.0, 30.0}};
+  const workpiece_t message = to_workpiece(output, {});
+  EXPECT_EQ(message.known, 3);
+  EXPECT_EQ(message.shape, 1);
+  EXPECT_EQ(message.machining, 1);
+  EXPECT_EQ(message.size[1], 20.0);
+  EXPECT_EQ(message.zero[2], 30.0);
+  EXPECT_EQ(message.screen_resolution, 0.5);
+}
+
 void keep_position(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
                    const setpoint_t* setpoint, std::vector<double>* positions) {
   positions->push_back(setpoint->position[0]);
