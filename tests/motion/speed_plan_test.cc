@@ -104,7 +104,8 @@ TEST(SpeedPlan, SlowlyRisingLimitIsFollowedClosely) {
     double ideal = 0.0;
     double ideal_with_loss = 0.0;
     const double loss = slope * slope / machine.j;
-    for (double s = 0.0; s < 60.0; s += 0.05) {
+    for (int piece = 0; piece < 1200; ++piece) {
+      const double s = 0.05 * piece;
       const double v = std::sqrt(900.0 + 2.0 * slope * s);
       pieces.push_back({.length = 0.05, .v = v, .ramp = machine});
       ideal += 0.05 / v;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <lcm/lcm-cpp.hpp>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -151,10 +152,11 @@ TEST(LogExport, WritesOneRowForEveryCycle) {
   const auto contents = read_contents(file);
   ASSERT_TRUE(contents);
   const auto csv = test_file("csv");
-  std::FILE* stream = std::fopen(csv.c_str(), "w");
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(csv.c_str(), "w"),
+                                                         &std::fclose);
   ASSERT_NE(stream, nullptr);
-  const auto rows = export_setpoints(file, *contents, 1, stream);
-  std::fclose(stream);
+  const auto rows = export_setpoints(file, *contents, 1, stream.get());
+  stream.reset();
   ASSERT_TRUE(rows);
   EXPECT_EQ(*rows, 120);
   std::ifstream lines(csv);
