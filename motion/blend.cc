@@ -26,6 +26,10 @@ constexpr int samples = 16;
 constexpr int foot_steps = 3;
 constexpr int fit_attempts = 16;
 
+Tolerance used_of(const Tolerance& tolerance) {
+  return {tolerance_used * tolerance.mm, tolerance_used * tolerance.deg};
+}
+
 bool is_geometry_axis(const MotionConfig& config, std::size_t axis) {
   return std::ranges::find(config.geometry, static_cast<int>(axis)) != config.geometry.end();
 }
@@ -200,9 +204,16 @@ double deviation_share(const Blend& blend, const Piece& incoming, const Piece& o
   return share;
 }
 
+double corner_reach(const Piece& incoming, const Piece& outgoing, const Tolerance& tolerance,
+                    const MotionConfig& config) {
+  const Growth grown = growth(contact_at(incoming, incoming.length), contact_at(outgoing, 0.0),
+                              incoming.geometry.metric, tolerance, config);
+  return bow / grown.kink;
+}
+
 std::optional<Blend> fit_blend(const Piece& incoming, const Piece& outgoing, double reach_max,
                                const Tolerance& tolerance, const MotionConfig& config) {
-  const Tolerance used{tolerance_used * tolerance.mm, tolerance_used * tolerance.deg};
+  const Tolerance used = used_of(tolerance);
   const Growth grown = growth(contact_at(incoming, incoming.length), contact_at(outgoing, 0.0),
                               incoming.geometry.metric, used, config);
   double reach = std::min({reach_max, grown.reach(), replaceable(incoming), replaceable(outgoing)});

@@ -7,6 +7,7 @@
 
 #include "motion/geometry.h"
 #include "motion/piece_bounds.h"
+#include "motion/profile.h"
 
 namespace stanok::motion {
 namespace {
@@ -25,24 +26,33 @@ bool continues(double before, double after) {
 
 // What a block allows on the way from or to the corner.
 struct Leg {
-  double v;  // top speed, reached from rest within half of the block
+  double way;  // half of the block
+  double v;    // top speed, reached from rest within that half
   double a;
   double j;
+
+  [[nodiscard]] RampLimits ramp() const { return {.a = a, .j = j}; }
 };
 
-Leg leg_of(const Piece& block, const MotionConfig& config) {
+// `jerk_part`: how much of the block's jerk is used.
+Leg leg_of(const Piece& block, double jerk_part, const MotionConfig& config) {
   const PieceLimits limits = piece_limits(piece_bounds(block, config), block.feed_per_s);
+  const double j = jerk_part * limits.j;
   const double way = 0.5 * block.length;
-  const double reached = std::min(std::cbrt(way * way * limits.j), std::sqrt(2.0 * limits.a * way));
-  return {std::min(limits.v, reached), limits.a, limits.j};
+  const double reached = std::min(std::cbrt(way * way * j), std::sqrt(2.0 * limits.a * way));
+  return {way, std::min(limits.v, reached), limits.a, j};
 }
 
 // Time lost against passing at the leg's top speed by a jerk-limited ramp between it and `v`.
 double ramp_loss(const Leg& leg, double v) {
   const double change = std::max(0.0, leg.v - v);
-  const double duration = change * leg.j > leg.a * leg.a ? leg.a / leg.j + change / leg.a
-                                                         : 2.0 * std::sqrt(change / leg.j);
-  return duration * change / (2.0 * leg.v);
+  return ramp_duration(leg.v - change, leg.v, leg.ramp()) * change / (2.0 * leg.v);
+}
+
+// Time from the middle of the leg to rest at its end, or from rest to there.
+double time_with_rest(const Leg& leg) {
+  const double ramp = ramp_duration(0.0, leg.v, leg.ramp());
+  return ramp + std::max(0.0, leg.way - 0.5 * leg.v * ramp) / leg.v;
 }
 
 }  // namespace
@@ -68,16 +78,36 @@ Join judge_join(const Piece& incoming, const Piece& outgoing) {
 }
 
 bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
-                    const MotionConfig& config) {
+                    double stop_saves, const MotionConfig& config) {
   const double v = piece_limits(blend.bounds, blend.feed_per_s).v;
   if (v >= feed_kept * blend.feed_per_s) return false;
-  const Leg before = leg_of(incoming, config);
-  const Leg after = leg_of(outgoing, config);
+  const Leg before = leg_of(incoming, 1.0, config);
+  const Leg after = leg_of(outgoing, 1.0, config);
   const double top = std::min(before.v, after.v);
   if (v >= feed_kept * top) return false;
   const double by_blend =
       ramp_loss(before, v) + ramp_loss(after, v) + blend.length * (1.0 / v - 1.0 / top);
-  return ramp_loss(before, 0.0) + ramp_loss(after, 0.0) < by_blend;
+  return ramp_loss(before, 0.0) + ramp_loss(after, 0.0) - stop_saves < by_blend;
+}
+
+OverlapGain overlap_gain(const OverlapCorner& corner, const Piece& incoming, const Piece& outgoing,
+                         const MotionConfig& config) {
+  const Leg before = leg_of(incoming, 1.0, config);
+  const Leg after = leg_of(outgoing, 1.0, config);
+  const OverlapRoom room{.incoming = incoming.length, .outgoing = outgoing.length};
+  const double with_stop = time_with_rest(before) + time_with_rest(after);
+  OverlapGain best;
+  for (const double part : {1.0, jerk_part_allowed(corner, before.j, after.j, config)}) {
+    const Leg braking = leg_of(incoming, part, config);
+    const Leg starting = leg_of(outgoing, part, config);
+    const PhaseRun down = ramp_down(braking.v, 0.0, 0.0, braking.ramp());
+    const PhaseRun up = ramp_up(0.0, 0.0, starting.v, starting.ramp());
+    const double overlap =
+        overlap_duration(corner, {down.begin(), down.end()}, {up.begin(), up.end()}, room, config);
+    const double gain = with_stop + overlap - time_with_rest(braking) - time_with_rest(starting);
+    if (gain > best.time) best = {.time = gain, .jerk_part = part};
+  }
+  return best;
 }
 
 }  // namespace stanok::motion

@@ -4,6 +4,7 @@
 // passed slowly over its whole length. docs/motion.md#blends.
 #pragma once
 
+#include "motion/corner_overlap.h"
 #include "motion/path.h"
 
 namespace stanok::motion {
@@ -19,8 +20,18 @@ enum class Join : std::uint8_t {
 
 // Whether the axes come through sooner when they stop at the corner instead of taking `blend`,
 // whose bounds are known. Ramps are counted at the limits of either block, within half of its
-// length.
+// length. The stop is shorter by `stop_saves` (s) than one without an overlap.
 [[nodiscard]] bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
-                                  const MotionConfig& config);
+                                  double stop_saves, const MotionConfig& config);
+
+// What an overlap saves against a stop, counted in the same way.
+struct OverlapGain {
+  double time = 0.0;  // s; <= 0: nothing
+  // Part of its jerk that either leg uses for it. Where an axis goes on in the same direction the
+  // jerks of both legs add; gentler ramps may gain more by the overlap than they cost.
+  double jerk_part = 1.0;
+};
+[[nodiscard]] OverlapGain overlap_gain(const OverlapCorner& corner, const Piece& incoming,
+                                       const Piece& outgoing, const MotionConfig& config);
 
 }  // namespace stanok::motion

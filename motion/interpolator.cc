@@ -20,6 +20,14 @@ void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetP
   }
 }
 
+// State `t` after the start of the phases from `first` on.
+PathMotion motion_after(const PathQueue& queue, std::size_t first, double t) RT_SAFE {
+  while (first + 1 < queue.phases.size() && t >= queue.phases[first].duration) {
+    t -= queue.phases[first++].duration;
+  }
+  return motion_at(queue.phases[first], t);
+}
+
 // A gate lies on the path that is known.
 bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
   return control.closed_from_block != FeedControl::no_gate && !queue.pieces.empty() &&
@@ -54,6 +62,7 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
       cursor_.enter(queue);
     }
     time = run(queue, control, time);
+    run_overlap(queue, control, chunk_limit);
     if (!has_run_chunk() || !finish_chunk(queue, control, out)) break;
     out.cycle_left = time;
     if (time <= 0.0) break;
@@ -64,9 +73,10 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
 bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
                              std::uint64_t chunk_limit) const RT_SAFE {
   if (queue.chunks.empty()) return false;
-  if (queue.pieces.front().tag.block >= control.closed_from_block) return false;
+  if (queue.pieces[cursor_.pieces_left()].tag.block >= control.closed_from_block) return false;
   const Chunk& next = queue.chunks.front();
-  return next.sequence < chunk_limit && (next.last || queue.chunks.size() > 1);
+  const bool ends_alone = next.last && next.overlap_s <= 0.0;
+  return next.sequence < chunk_limit && (ends_alone || queue.chunks.size() > 1);
 }
 
 // Whether the chunk at hand lies behind. Close to rest s comes to its end, to rounding, before the
@@ -83,7 +93,8 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
   const bool wants_nominal =
-      control.is_nominal() && knows_next(queue) && !sees_gate(queue, control);
+      overlap_ == Overlap::runs ||
+      (control.is_nominal() && knows_next(queue) && !sees_gate(queue, control));
   if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
   if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
   if (is_nominal_) planner_.forget();
@@ -146,6 +157,66 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   return unused;
 }
 
+// Runs the next chain as far as it overlaps the end of the one at hand. It begins in the first
+// cycle that comes into the overlap, or not at all; once begun it is run as committed.
+void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& control,
+                               std::uint64_t chunk_limit) RT_SAFE {
+  const double overlap = cursor_.chunk().overlap_s;
+  if (overlap <= 0.0 || !is_nominal_ || overlap_ == Overlap::refused) return;
+  const double begun = overlap - time_to_end(queue, overlap);
+  if (begun <= 0.0) return;
+  if (overlap_ == Overlap::undecided) {
+    const bool begins = control.is_nominal() && may_enter(queue, control, chunk_limit);
+    overlap_ = begins ? Overlap::runs : Overlap::refused;
+    if (!begins) return;
+  }
+  const PathMotion motion = motion_after(queue, cursor_.phases_left(), begun);
+  advanced_ += motion.s - next_motion_.s;
+  next_motion_ = motion;
+}
+
+// Time that the committed phases of the chunk at hand still take, or more than `farthest`.
+double Interpolator::time_to_end(const PathQueue& queue, double farthest) const RT_SAFE {
+  if (!cursor_.has_phase()) return 0.0;
+  double time = -(phase_time_first_ + phase_cycles_ * cycle_s_);
+  for (std::uint32_t k = 0; k < cursor_.phases_left() && time <= farthest; ++k) {
+    time += queue.phases[k].duration;
+  }
+  return time;
+}
+
+// The chain at hand has ended, the next one runs already.
+void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
+  phase_time_first_ = cursor_.chunk().overlap_s;
+  phase_cycles_ = 0.0;
+  cursor_.leave(queue);
+  ++chunks_done_;
+  cursor_.enter(queue);
+  motion_ = next_motion_;
+  next_motion_ = {};
+  overlap_ = Overlap::undecided;
+}
+
+// The axes move by the sum of both chains: the end of one piece is the start of the other.
+void Interpolator::add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE {
+  const Piece& piece = queue.pieces[cursor_.pieces_left()];
+  const PathMetric& metric = piece.geometry.metric;
+  JetPoint point_s;
+  JetPoint next{};
+  evaluate(piece, next_motion_.s, point_s);
+  along_time(point_s, next_motion_.v, next_motion_.a, next_motion_.j, axis_count_, next);
+  double speed2 = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
+    kinematics::Jet& sum = out.point[k];
+    sum.value += next[k].value - piece.geometry.start[k];
+    sum.first += next[k].first;
+    sum.second += next[k].second;
+    sum.third += next[k].third;
+    if (metric.counts(k)) speed2 += sum.first * sum.first;
+  }
+  out.s_speed = std::sqrt(speed2);
+}
+
 // The piece behind the one at hand lies behind a gate.
 bool Interpolator::is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
     RT_SAFE {
@@ -176,6 +247,11 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
     motion_ = {.s = length};
     return false;
   }
+  if (overlap_ == Overlap::runs) {
+    enter_overlapped(queue);
+    return true;
+  }
+  overlap_ = Overlap::undecided;
   cursor_.go_to(queue, length);
   const double beyond = motion_.s - length;
   const bool chain_ends = cursor_.chunk().last;
@@ -228,6 +304,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   JetPoint point_s;
   evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
+  if (overlap_ == Overlap::runs) add_next_chain(queue, out);
   to_axes(piece.transform, out.point, out.axes);
 }
 
@@ -248,6 +325,7 @@ void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
   queue.pieces.pop_front(queue.pieces.size());
   queue.phases.pop_front(queue.phases.size());
   is_nominal_ = true;
+  overlap_ = Overlap::undecided;
   phase_time_first_ = 0.0;
   phase_cycles_ = 0.0;
   planner_.forget();

@@ -1,10 +1,11 @@
 // Interpolator: runs the committed path, cycle by cycle. Real-time; allocates nothing.
 //
 // Nominal run: the committed phases are evaluated at cycle instants in the chain's own clock; the
-// fraction of a cycle that a chain leaves over is carried into the next one. Under hold, resume and
-// override a bounded one-dimensional profile is planned in the cycle on the same path
-// (docs/motion.md#override); the path is never left, the limits are kept, and there is always a way
-// to rest.
+// fraction of a cycle that a chain leaves over is carried into the next one, and a chain that may
+// overlap the end of the one before begins within it: the axes then move by the sum of both. Under
+// hold, resume and override a bounded one-dimensional profile is planned in the cycle on the same
+// path (docs/motion.md#override); the path is never left, the limits are kept, and there is always
+// a way to rest.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -71,6 +72,11 @@ class Interpolator {
   [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
   [[nodiscard]] bool has_run_chunk() const RT_SAFE;
   [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
+  void run_overlap(const PathQueue& queue, const FeedControl& control, std::uint64_t chunk_limit)
+      RT_SAFE;
+  [[nodiscard]] double time_to_end(const PathQueue& queue, double farthest) const RT_SAFE;
+  void enter_overlapped(PathQueue& queue) RT_SAFE;
+  void add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
   void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
@@ -92,6 +98,10 @@ class Interpolator {
   // accumulates over a long phase.
   double phase_time_first_ = 0.0;
   double phase_cycles_ = 0.0;
+  // The next chain within the end of the one at hand: decided once, when its time comes.
+  enum class Overlap : std::uint8_t { undecided, runs, refused };
+  Overlap overlap_ = Overlap::undecided;
+  PathMotion next_motion_;  // along the first chunk of the next chain
   OverridePlanner planner_;
   bool is_nominal_ = true;  // committed phases are being run
   std::uint64_t chunks_done_ = 0;

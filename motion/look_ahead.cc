@@ -60,7 +60,7 @@ void shift(std::vector<Phase>& phases, double ds) {
 
 }  // namespace
 
-LookAhead::LookAhead(const MotionConfig& /*config*/) {}
+LookAhead::LookAhead(const MotionConfig& config) : config_(config) {}
 
 void LookAhead::add(const PathBuilder::Built& built) {
   const Piece& piece = built.piece;
@@ -69,6 +69,8 @@ void LookAhead::add(const PathBuilder::Built& built) {
   blocks_.push_back(known + (window_.empty() ? 1 : blocks_between(window_.back().tag, piece.tag)));
   window_.push_back(piece);
   speeds_.push_back(speed_piece(piece, 1.0));
+  speeds_.back().ramp.j *= built.jerk_part;
+  overlap_ = built.overlap;
   if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
     plan_window(built.ends_chain);
   }
@@ -77,6 +79,7 @@ void LookAhead::add(const PathBuilder::Built& built) {
 bool LookAhead::deliver(PathQueue& queue) {
   while (!ready_.empty()) {
     Committed& next = ready_.front();
+    if (next.overlap) return true;
     if (queue.pieces.space() < next.pieces.size() || queue.phases.space() < next.phases.size() ||
         queue.chunks.space() == 0) {
       return false;
@@ -195,10 +198,20 @@ void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bo
                        .last = chain_ends && last == pieces,
                        .length = s_last - s_first,
                        .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
+    if (committed.chunk.last) committed.overlap = overlap_;
+    if (!ready_.empty() && ready_.back().overlap) decide_overlap(ready_.back(), committed);
     ready_.push_back(std::move(committed));
     first = last;
     s_first = s_last;
   }
+}
+
+// How long the next chain, which begins with `start`, may overlap the one that ends with `end`.
+void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
+  end.chunk.overlap_s = overlap_duration(
+      *end.overlap, last_ramp(end.phases), first_ramp(start.phases),
+      {.incoming = end.pieces.back().length, .outgoing = start.pieces.front().length}, config_);
+  end.overlap.reset();
 }
 
 // Takes committed pieces out of the window; what remains starts at speed `v`.

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "motion/path.h"
@@ -27,6 +28,8 @@ class LookAhead {
   void add(const PathBuilder::Built& built);
 
   // Moves committed chunks into the queue, whole chunks only. Returns false when one had no room.
+  // The end of a chain that the next one may overlap waits for the start of that one, which is
+  // never farther away than the next end of a chain.
   [[nodiscard]] bool deliver(PathQueue& queue);
 
   // Nothing is pending: all pieces taken were committed and delivered.
@@ -40,6 +43,8 @@ class LookAhead {
     std::vector<Piece> pieces;
     std::vector<Phase> phases;
     Chunk chunk;
+    // The next chain may overlap the end of this chunk; how long, its start will tell.
+    std::optional<OverlapCorner> overlap;
   };
   // A state with a = 0 after so many pieces, s of path.
   struct RestKey {
@@ -51,6 +56,7 @@ class LookAhead {
   void plan_window(bool chain_ends);
   void commit(std::size_t boundary, bool chain_ends);
   void commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends);
+  void decide_overlap(Committed& end, const Committed& start) const;
   void run_last_plan_on(bool chain_ends);
   void forget(std::size_t pieces, double v);
 
@@ -61,9 +67,11 @@ class LookAhead {
 
   // The chain at hand from the last commit on: pieces, their limits, and how many blocks were known
   // when each one came.
+  MotionConfig config_;
   std::vector<Piece> window_;
   std::vector<SpeedPiece> speeds_;
   std::vector<std::uint64_t> blocks_;
+  std::optional<OverlapCorner> overlap_;  // at the end of the chain
   double v_start_ = 0.0;
   std::uint64_t plan_at_blocks_ = 2 * blocks_beyond;
 

@@ -148,7 +148,8 @@ struct Chunk {
   std::uint32_t phases = 0;
   bool last = false;  // the chain ends at rest at the end of this chunk
   double length = 0.0;
-  std::uint64_t sequence = 0;          // counts all chunks of the channel
+  double overlap_s = 0.0;      // the next chain may begin so long before this one has ended; s
+  std::uint64_t sequence = 0;  // counts all chunks of the channel
   std::uint32_t lookahead_blocks = 0;  // blocks known beyond this chunk when it was committed
 };
 

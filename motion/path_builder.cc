@@ -125,7 +125,7 @@ void PathBuilder::join(const Pending& block) {
       emit_pending(pending_->whole.length, pending_->whole.geometry.end);
       break;
     case Join::corner:
-      if (!join_by_blend(next)) stop();
+      join_corner(next);
       break;
     case Join::turn:
       stop();
@@ -134,13 +134,26 @@ void PathBuilder::join(const Pending& block) {
   pending_ = next;
 }
 
-// Makes the blend and what is left of the pending block before it; false when there is none.
-bool PathBuilder::join_by_blend(Pending& next) {
+// A blend, or a stop, which the next block may overlap.
+void PathBuilder::join_corner(Pending& next) {
+  const Tolerance tolerance{std::min(pending_->tolerance_mm, next.tolerance_mm),
+                            std::min(pending_->tolerance_deg, next.tolerance_deg)};
+  const auto overlap = overlap_corner(pending_->whole, next.whole, tolerance, config_);
+  OverlapGain gain;
+  if (overlap) gain = overlap_gain(*overlap, pending_->whole, next.whole, config_);
+  const Tolerance at_least{std::max(exact_tolerance, tolerance.mm),
+                           std::max(exact_tolerance, tolerance.deg)};
+  if (join_by_blend(next, at_least, gain.time)) return;
+  if (gain.time <= 0.0) return stop();
+  stop_with_overlap(*overlap, gain.jerk_part);
+  next.jerk_part = gain.jerk_part;
+}
+
+// Makes the blend and what is left of the pending block before it; false when there is none, or
+// when a stop is faster, which an overlap makes shorter by `stop_saves` (s).
+bool PathBuilder::join_by_blend(Pending& next, const Tolerance& tolerance, double stop_saves) {
   const Piece& incoming = pending_->whole;
   const Piece& outgoing = next.whole;
-  const Tolerance tolerance{
-      std::max(exact_tolerance, std::min(pending_->tolerance_mm, next.tolerance_mm)),
-      std::max(exact_tolerance, std::min(pending_->tolerance_deg, next.tolerance_deg))};
   const double left = incoming.length - pending_->from;
   double reach_max = reach_allowed(left, outgoing.length);
   for (int attempt = 0; attempt < 2; ++attempt) {
@@ -157,14 +170,14 @@ bool PathBuilder::join_by_blend(Pending& next) {
     curve.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
     curve.rapid = incoming.rapid && outgoing.rapid;
     curve.bounds = piece_bounds(curve, config_);
-    if (is_stop_faster(incoming, curve, outgoing, config_)) return false;
+    if (is_stop_faster(incoming, curve, outgoing, stop_saves, config_)) return false;
     if (soft_limit_excess(curve, config_)) return false;
     if (blend->reach < left) {
       emit_pending(incoming.length - blend->reach, curve.geometry.start);
     } else {
       curve.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
     }
-    built_.push_back({curve, false});
+    built_.push_back({.piece = curve});
     next.from = blend->reach;
     next.from_point = curve.geometry.end;
     return true;
@@ -172,22 +185,45 @@ bool PathBuilder::join_by_blend(Pending& next) {
   return false;
 }
 
-// The pending block from where the blend at its start ends up to `to`.
-void PathBuilder::emit_pending(double to, const Point& to_point) {
+// The pending block from where the blend at its start ends up to `to`, in two parts when they may
+// use different jerks.
+void PathBuilder::emit_pending(double to, const Point& to_point, double jerk_part_at_end) {
+  const Pending& block = *pending_;
+  if (block.jerk_part == jerk_part_at_end) {
+    return emit_part(block.from, block.from_point, to, to_point, jerk_part_at_end);
+  }
+  const double middle = 0.5 * (block.from + to);
+  JetPoint point_s;
+  evaluate(block.whole, middle, point_s);
+  const Point middle_point = contact(point_s).position;
+  emit_part(block.from, block.from_point, middle, middle_point, block.jerk_part);
+  emit_part(middle, middle_point, to, to_point, jerk_part_at_end);
+}
+
+void PathBuilder::emit_part(double from, const Point& from_point, double to, const Point& to_point,
+                            double jerk_part) {
   Piece piece = pending_->whole;
-  if (pending_->from > 0.0 || to < piece.length) {
-    const Shape rest = part(pending_->whole, pending_->from, pending_->from_point, to, to_point);
+  if (from > 0.0 || to < piece.length) {
+    const Shape rest = part(pending_->whole, from, from_point, to, to_point);
     piece.geometry = rest.geometry;
     piece.length = rest.length;
   }
   piece.bounds = piece_bounds(piece, config_);
-  built_.push_back({piece, false});
+  built_.push_back({.piece = piece, .jerk_part = jerk_part});
 }
 
 // The pending block runs to its end and the path stands there.
 void PathBuilder::stop() {
   emit_pending(pending_->whole.length, pending_->whole.geometry.end);
   built_.back().ends_chain = true;
+  pending_.reset();
+}
+
+// The same, but the next block may begin before.
+void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part) {
+  emit_pending(pending_->whole.length, pending_->whole.geometry.end, jerk_part);
+  built_.back().ends_chain = true;
+  built_.back().overlap = overlap;
   pending_.reset();
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/corner_overlap.h"
 #include "motion/path.h"
 
 namespace stanok::motion {
@@ -41,6 +42,9 @@ class PathBuilder {
   struct Built {
     Piece piece;
     bool ends_chain = false;  // the path stands still at the end of this piece
+    // The next chain follows, and may begin before this one has ended.
+    std::optional<OverlapCorner> overlap = std::nullopt;
+    double jerk_part = 1.0;  // of the jerk the axes allow, that the profile may use on the piece
   };
   // Final pieces not yet taken; the caller empties it.
   [[nodiscard]] std::vector<Built>& built() { return built_; }
@@ -56,13 +60,18 @@ class PathBuilder {
     double tolerance_deg = 0.0;
     double from = 0.0;  // path length already taken by the blend at its start
     Point from_point{};
+    double jerk_part = 1.0;  // up to its middle (Built)
   };
 
   [[nodiscard]] Pending pending_from(const PathBlock& block) const;
   void join(const Pending& next);
-  [[nodiscard]] bool join_by_blend(Pending& next);
-  void emit_pending(double to, const Point& to_point);
+  void join_corner(Pending& next);
+  [[nodiscard]] bool join_by_blend(Pending& next, const Tolerance& tolerance, double stop_saves);
+  void emit_pending(double to, const Point& to_point, double jerk_part_at_end = 1.0);
+  void emit_part(double from, const Point& from_point, double to, const Point& to_point,
+                 double jerk_part);
   void stop();
+  void stop_with_overlap(const OverlapCorner& overlap, double jerk_part);
 
   MotionConfig config_;
   Point end_{};

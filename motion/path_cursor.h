@@ -40,6 +40,7 @@ class PathCursor {
     return queue.phases.front();
   }
   void pass_phase(PathQueue& queue) RT_SAFE;
+  [[nodiscard]] std::uint32_t phases_left() const RT_SAFE { return phases_left_; }
 
   // What can be seen from the piece at hand on: pieces of this chunk and of the chain's next one.
   [[nodiscard]] std::uint32_t pieces_left() const RT_SAFE { return pieces_left_; }
