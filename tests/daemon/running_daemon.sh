@@ -53,6 +53,18 @@ expect_exit() {
   [[ $code == "$wanted" ]] || fail "stanok $*: exit code $code, not $wanted: $(cat "$folder/stanok.err")"
 }
 
+# switch_on: a computer that is loaded may starve the drives inside the daemon, which is told as a drive that does
+# not answer (A3001); an operator switches on again.
+switch_on() {
+  local k
+  for ((k = 0; k < 10; ++k)); do
+    output=$("${operate[@]}" machine on 2>"$folder/stanok.err") && return
+    grep -q A3001 "$folder/stanok.err" || break
+    sleep 0.5
+  done
+  fail "stanok machine on: $(cat "$folder/stanok.err")"
+}
+
 # wait_for TEXT: until `channel status --json` contains the text.
 wait_for() {
   local k

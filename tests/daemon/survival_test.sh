@@ -11,7 +11,7 @@ printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F6000\nM30\n' >"$folder/move.nc" # 2 
 printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F60\nM30\n' >"$folder/long.nc"   # 200 s
 
 begin_long_program() {
-  expect_exit 0 machine on
+  switch_on
   expect_exit 0 program run long.nc
   wait_for '"line":3'
 }
