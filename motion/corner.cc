@@ -77,14 +77,20 @@ Join judge_join(const Piece& incoming, const Piece& outgoing) {
   return cosine < cosine_min ? Join::turn : Join::corner;
 }
 
+bool keeps_speed(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+                 const MotionConfig& config) {
+  const double v = piece_limits(blend.bounds, blend.feed_per_s).v;
+  if (v >= feed_kept * blend.feed_per_s) return true;
+  return v >=
+         feed_kept * std::min(leg_of(incoming, 1.0, config).v, leg_of(outgoing, 1.0, config).v);
+}
+
 bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
                     double stop_saves, const MotionConfig& config) {
   const double v = piece_limits(blend.bounds, blend.feed_per_s).v;
-  if (v >= feed_kept * blend.feed_per_s) return false;
   const Leg before = leg_of(incoming, 1.0, config);
   const Leg after = leg_of(outgoing, 1.0, config);
   const double top = std::min(before.v, after.v);
-  if (v >= feed_kept * top) return false;
   const double by_blend =
       ramp_loss(before, v) + ramp_loss(after, v) + blend.length * (1.0 / v - 1.0 / top);
   return ramp_loss(before, 0.0) + ramp_loss(after, 0.0) - stop_saves < by_blend;

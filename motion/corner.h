@@ -18,8 +18,13 @@ enum class Join : std::uint8_t {
 // Judges the join at which `incoming` ends and `outgoing` starts.
 [[nodiscard]] Join judge_join(const Piece& incoming, const Piece& outgoing);
 
-// Whether the axes come through sooner when they stop at the corner instead of taking `blend`,
-// whose bounds are known. Ramps are counted at the limits of either block, within half of its
+// Whether the blend, whose bounds are known, is passed nearly as fast as the feed or the length of
+// the blocks allow, so that the time need not be asked for.
+[[nodiscard]] bool keeps_speed(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+                               const MotionConfig& config);
+
+// Whether the axes come through sooner when they stop at the corner instead of taking `blend`.
+// Ramps are counted at the limits of either block, within half of its
 // length. The stop is shorter by `stop_saves` (s) than one without an overlap.
 [[nodiscard]] bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
                                   double stop_saves, const MotionConfig& config);

@@ -134,55 +134,62 @@ void PathBuilder::join(const Pending& block) {
   pending_ = next;
 }
 
-// A blend, or a stop, which the next block may overlap.
+// A blend, or a stop, which the next block may overlap: the fastest of them.
 void PathBuilder::join_corner(Pending& next) {
+  const Piece& incoming = pending_->whole;
+  const Piece& outgoing = next.whole;
   const Tolerance tolerance{std::min(pending_->tolerance_mm, next.tolerance_mm),
                             std::min(pending_->tolerance_deg, next.tolerance_deg)};
-  const auto overlap = overlap_corner(pending_->whole, next.whole, tolerance, config_);
+  const auto curve = blend_to(
+      next, {std::max(exact_tolerance, tolerance.mm), std::max(exact_tolerance, tolerance.deg)});
+  if (curve && keeps_speed(incoming, curve->piece, outgoing, config_)) return take(*curve, next);
+  const auto overlap = overlap_corner(incoming, outgoing, tolerance, config_);
   OverlapGain gain;
-  if (overlap) gain = overlap_gain(*overlap, pending_->whole, next.whole, config_);
-  const Tolerance at_least{std::max(exact_tolerance, tolerance.mm),
-                           std::max(exact_tolerance, tolerance.deg)};
-  if (join_by_blend(next, at_least, gain.time)) return;
+  if (overlap) gain = overlap_gain(*overlap, incoming, outgoing, config_);
+  if (curve && !is_stop_faster(incoming, curve->piece, outgoing, gain.time, config_)) {
+    return take(*curve, next);
+  }
   if (gain.time <= 0.0) return stop();
   stop_with_overlap(*overlap, gain.jerk_part);
   next.jerk_part = gain.jerk_part;
 }
 
-// Makes the blend and what is left of the pending block before it; false when there is none, or
-// when a stop is faster, which an overlap makes shorter by `stop_saves` (s).
-bool PathBuilder::join_by_blend(Pending& next, const Tolerance& tolerance, double stop_saves) {
+// The blend to the next block, if there is one that the machine can reach.
+std::optional<PathBuilder::Curve> PathBuilder::blend_to(const Pending& next,
+                                                        const Tolerance& tolerance) const {
   const Piece& incoming = pending_->whole;
   const Piece& outgoing = next.whole;
   const double left = incoming.length - pending_->from;
-  double reach_max = reach_allowed(left, outgoing.length);
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    const auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
-    if (!blend) return false;
-    if (blend->reach < left && left - blend->reach < rest_wanted(left)) {
-      reach_max = left - rest_wanted(left);
-      continue;
-    }
-    Piece curve = outgoing;
-    curve.tag = incoming.tag;
-    curve.geometry = blend->shape.geometry;
-    curve.length = blend->shape.length;
-    curve.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
-    curve.rapid = incoming.rapid && outgoing.rapid;
-    curve.bounds = piece_bounds(curve, config_);
-    if (is_stop_faster(incoming, curve, outgoing, stop_saves, config_)) return false;
-    if (soft_limit_excess(curve, config_)) return false;
-    if (blend->reach < left) {
-      emit_pending(incoming.length - blend->reach, curve.geometry.start);
-    } else {
-      curve.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
-    }
-    built_.push_back({.piece = curve});
-    next.from = blend->reach;
-    next.from_point = curve.geometry.end;
-    return true;
+  auto blend =
+      fit_blend(incoming, outgoing, reach_allowed(left, outgoing.length), tolerance, config_);
+  if (blend && blend->reach < left && left - blend->reach < rest_wanted(left)) {
+    blend = fit_blend(incoming, outgoing, left - rest_wanted(left), tolerance, config_);
   }
-  return false;
+  if (!blend) return std::nullopt;
+  Curve curve{.piece = outgoing, .reach = blend->reach};
+  Piece& piece = curve.piece;
+  piece.tag = incoming.tag;
+  piece.geometry = blend->shape.geometry;
+  piece.length = blend->shape.length;
+  piece.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
+  piece.rapid = incoming.rapid && outgoing.rapid;
+  piece.bounds = piece_bounds(piece, config_);
+  if (soft_limit_excess(piece, config_)) return std::nullopt;
+  return curve;
+}
+
+// Emits a blend and what is left of the pending block before it.
+void PathBuilder::take(const Curve& curve, Pending& next) {
+  Piece piece = curve.piece;
+  const double corner = pending_->whole.length;
+  if (curve.reach < corner - pending_->from) {
+    emit_pending(corner - curve.reach, piece.geometry.start);
+  } else {
+    piece.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
+  }
+  built_.push_back({.piece = piece});
+  next.from = curve.reach;
+  next.from_point = piece.geometry.end;
 }
 
 // The pending block from where the blend at its start ends up to `to`, in two parts when they may

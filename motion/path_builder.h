@@ -63,10 +63,18 @@ class PathBuilder {
     double jerk_part = 1.0;  // up to its middle (Built)
   };
 
+  // A blend, and how far it reaches into both blocks.
+  struct Curve {
+    Piece piece;
+    double reach = 0.0;
+  };
+
   [[nodiscard]] Pending pending_from(const PathBlock& block) const;
   void join(const Pending& next);
   void join_corner(Pending& next);
-  [[nodiscard]] bool join_by_blend(Pending& next, const Tolerance& tolerance, double stop_saves);
+  [[nodiscard]] std::optional<Curve> blend_to(const Pending& next,
+                                              const Tolerance& tolerance) const;
+  void take(const Curve& curve, Pending& next);
   void emit_pending(double to, const Point& to_point, double jerk_part_at_end = 1.0);
   void emit_part(double from, const Point& from_point, double to, const Point& to_point,
                  double jerk_part);

@@ -45,12 +45,12 @@ bool SpeedPlan::plan(const std::vector<SpeedPiece>& pieces, double v_start) {
       right.begins_stair = false;
       continue;
     }
-    if (const std::size_t start = later_start(left, right, segment); start != npos) {
-      pending.push_back({.boundary = start, .v = left.v});
+    if (const auto key = later_start(left, right, segment)) {
+      pending.push_back(*key);
       continue;
     }
-    if (const std::size_t end = earlier_end(left, right, segment); end != npos) {
-      pending.push_back({.boundary = end, .v = right.v});
+    if (const auto key = earlier_end(left, right, segment)) {
+      pending.push_back(*key);
       continue;
     }
     const std::size_t piece = slowest_violated(segment);
@@ -192,11 +192,19 @@ SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, Segment& segment) const {
   }
 }
 
-std::size_t SpeedPlan::later_start(const Key& left, const Key& right,
-                                   const Segment& segment) const {
-  if (left.v <= 0.0 || segment.top <= left.v) return npos;
+// The highest speed at a boundary that a ramp over the pieces between it and a key point attains.
+double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
+  const std::size_t first = std::min(from.boundary, boundary);
+  const std::size_t last = std::max(from.boundary, boundary);
+  const double v = reachable_speed(from.v, distance(first, last), limits_over(first, last));
+  return std::min({v, slowest_.value(first, last - 1), boundary_limit(boundary)});
+}
+
+std::optional<SpeedPlan::Key> SpeedPlan::later_start(const Key& left, const Key& right,
+                                                     const Segment& segment) const {
+  if (segment.top <= left.v) return std::nullopt;
   const double reach = boundaries_[left.boundary] + segment.up_distance();
-  std::size_t best = npos;
+  std::optional<Key> best;
   double best_duration = duration(segment) * (1.0 - 1e-9);
   RampLimits limits = segment.up;
   constexpr int tries = 8;
@@ -209,29 +217,33 @@ std::size_t SpeedPlan::later_start(const Key& left, const Key& right,
       if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
     }
     if (next == npos || next >= right.boundary || boundaries_[next] >= reach) break;
-    if (slowest_.value(left.boundary, next) < left.v ||
-        !pays(limits, limits_between(boundaries_[next], reach))) {
-      break;
+    if (!pays(limits, limits_between(boundaries_[next], reach))) break;
+    bool fits = false;
+    for (const double v : {left.v, speed_across(left, next)}) {
+      if (v <= 0.0 || v < left.v || v > slowest_.value(left.boundary, next)) continue;
+      const Key middle{.boundary = next, .v = v};
+      Segment before;
+      Segment after;
+      if (fit(left, middle, v, before) != Fit::fits) continue;
+      if (fit(middle, right, unlimited, after) != Fit::fits) continue;
+      fits = true;
+      limits = after.up;
+      const double time = duration(before) + duration(after);
+      if (time >= best_duration) continue;
+      best = middle;
+      best_duration = time;
     }
-    Segment later;
-    if (fit({.boundary = next, .v = left.v}, right, unlimited, later) != Fit::fits) break;
-    const double waited = distance(left.boundary, next) / left.v;
-    if (waited >= best_duration) break;
-    if (waited + duration(later) < best_duration) {
-      best = next;
-      best_duration = waited + duration(later);
-    }
-    limits = later.up;
+    if (!fits) break;
     start = next;
   }
   return best;
 }
 
-std::size_t SpeedPlan::earlier_end(const Key& left, const Key& right,
-                                   const Segment& segment) const {
-  if (right.v <= 0.0 || segment.top <= right.v) return npos;
+std::optional<SpeedPlan::Key> SpeedPlan::earlier_end(const Key& left, const Key& right,
+                                                     const Segment& segment) const {
+  if (segment.top <= right.v) return std::nullopt;
   const double reach = boundaries_[right.boundary] - segment.down_distance();
-  std::size_t best = npos;
+  std::optional<Key> best;
   double best_duration = duration(segment) * (1.0 - 1e-9);
   RampLimits limits = segment.down;
   constexpr int tries = 8;
@@ -243,19 +255,23 @@ std::size_t SpeedPlan::earlier_end(const Key& left, const Key& right,
       if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
     }
     if (next == npos || next <= left.boundary || boundaries_[next] <= reach) break;
-    if (slowest_.value(next - 1, right.boundary - 1) < right.v ||
-        !pays(limits, limits_between(reach, boundaries_[next]))) {
-      break;
+    if (!pays(limits, limits_between(reach, boundaries_[next]))) break;
+    bool fits = false;
+    for (const double v : {right.v, speed_across(right, next)}) {
+      if (v <= 0.0 || v < right.v || v > slowest_.value(next - 1, right.boundary - 1)) continue;
+      const Key middle{.boundary = next, .v = v};
+      Segment before;
+      Segment after;
+      if (fit(left, middle, unlimited, before) != Fit::fits) continue;
+      if (fit(middle, right, v, after) != Fit::fits) continue;
+      fits = true;
+      limits = before.down;
+      const double time = duration(before) + duration(after);
+      if (time >= best_duration) continue;
+      best = middle;
+      best_duration = time;
     }
-    Segment earlier;
-    if (fit(left, {.boundary = next, .v = right.v}, unlimited, earlier) != Fit::fits) break;
-    const double waited = distance(next, right.boundary) / right.v;
-    if (waited >= best_duration) break;
-    if (waited + duration(earlier) < best_duration) {
-      best = next;
-      best_duration = waited + duration(earlier);
-    }
-    limits = earlier.down;
+    if (!fits) break;
     end = next;
   }
   return best;

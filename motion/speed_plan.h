@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "motion/profile.h"
@@ -73,12 +74,13 @@ class SpeedPlan {
   [[nodiscard]] Fit fit(const Key& left, const Key& right, double v_cap, Segment& segment) const;
   [[nodiscard]] Fit fit_peak(double v_cap, Segment& segment) const;
 
-  // A boundary up to which it pays to hold the speed of the slow end, because the pieces before it
-  // would spoil the ramp (a blend in front of a line); npos: none.
-  [[nodiscard]] std::size_t later_start(const Key& left, const Key& right,
-                                        const Segment& segment) const;
-  [[nodiscard]] std::size_t earlier_end(const Key& left, const Key& right,
-                                        const Segment& segment) const;
+  // A key point up to which it pays to go slowly, because the pieces before it would spoil the ramp
+  // (a blend in front of a line): at the speed of the slow end, or at one reached on the way there.
+  [[nodiscard]] std::optional<Key> later_start(const Key& left, const Key& right,
+                                               const Segment& segment) const;
+  [[nodiscard]] std::optional<Key> earlier_end(const Key& left, const Key& right,
+                                               const Segment& segment) const;
+  [[nodiscard]] double speed_across(const Key& from, std::size_t boundary) const;
 
   // The slowest piece that the segment passes too fast; npos: none.
   [[nodiscard]] std::size_t slowest_violated(const Segment& segment) const;

@@ -300,7 +300,8 @@ TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndAndSaveTime) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_EQ(samples.back().out.axes[k].value, machine.line.points.back()[k]);
     const auto stopped = run_path(machine.config, without_overlaps(built));
-    EXPECT_LE(samples.size(), stopped.size() + 1);
+    // The choice is made by an estimate from the two legs.
+    EXPECT_LE(static_cast<double>(samples.size()), 1.01 * static_cast<double>(stopped.size()));
   }
   EXPECT_GT(overlaps, 100);
 }

@@ -81,6 +81,22 @@ TEST(SpeedPlan, PoorLimitsOfASlowPieceDoNotSpoilTheRampBehindIt) {
   EXPECT_LT(planned.duration, 2.0 * half + 0.06 / 20.0 + 1e-9);
 }
 
+TEST(SpeedPlan, PoorLimitsNextToRestDoNotSpoilTheRampBehindThem) {
+  // At worst: 0.25 mm up to v by the poor limits, D = v^1.5 / sqrt(J), and on from v by the good.
+  const RampLimits poor{.a = 100.0, .j = 2000.0};
+  const double length = 0.25;
+  const double v = std::cbrt(length * length * poor.j);
+  const double ramps = ramp_distance(v, 100.0, machine) + ramp_distance(0.0, 100.0, machine);
+  const double expected = ramp_duration(0.0, v, poor) + ramp_duration(v, 100.0, machine) +
+                          ramp_duration(0.0, 100.0, machine) + (50.0 - ramps) / 100.0;
+  std::vector<SpeedPiece> pieces{{.length = 0.15, .v = 100.0, .ramp = machine},
+                                 {.length = 0.1, .v = 30.0, .ramp = poor},
+                                 {.length = 50.0, .v = 100.0, .ramp = machine}};
+  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
+  std::reverse(pieces.begin(), pieces.end());
+  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
+}
+
 TEST(SpeedPlan, PathAndItsMirrorImageTakeTheSameTime) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> part(0.0, 1.0);
