@@ -68,6 +68,31 @@ double reach_allowed(double left, double length_after) {
   return left - half < rest_wanted(left) ? left : half;
 }
 
+// Share of the tolerance at which set-points on a blend between two lines pass the corner: the
+// chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8.
+double chord_share(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+                   const Tolerance& tolerance, const MotionConfig& config) {
+  constexpr double override_max = 2.0;
+  constexpr double unseen = 1e-6;  // mm; chords of an exact path
+  if (incoming.geometry.kind != PieceKind::line || outgoing.geometry.kind != PieceKind::line) {
+    return 0.0;
+  }
+  JetPoint middle;
+  evaluate_at_parameter(blend, 0.5, middle);
+  double distance2 = 0.0;
+  double bend2 = 0.0;
+  for (const int axis : config.geometry) {
+    if (axis < 0) continue;
+    const auto k = static_cast<std::size_t>(axis);
+    const double distance = middle[k].value - incoming.geometry.end[k];
+    distance2 += distance * distance;
+    bend2 += middle[k].second * middle[k].second;
+  }
+  const double way = piece_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
+  return (std::sqrt(distance2) + 0.125 * way * way * std::sqrt(bend2)) /
+         std::max(tolerance.mm, unseen);
+}
+
 }  // namespace
 
 PathBuilder::PathBuilder(const MotionConfig& config) : config_(config) {}
@@ -157,11 +182,26 @@ void PathBuilder::join_corner(Pending& next) {
 // The blend to the next block, if there is one that the machine can reach.
 std::optional<PathBuilder::Curve> PathBuilder::blend_to(const Pending& next,
                                                         const Tolerance& tolerance) const {
+  Tolerance used = tolerance;
+  auto curve = fit_curve(next, used);
+  constexpr int attempts = 3;  // a smaller blend is bent more, where the feed sets its speed
+  for (int k = 0; k < attempts && curve; ++k) {
+    const double share = chord_share(pending_->whole, curve->piece, next.whole, tolerance, config_);
+    if (share <= 1.0) break;
+    used = {used.mm / share, used.deg / share};
+    curve = fit_curve(next, used);
+  }
+  if (!curve || soft_limit_excess(curve->piece, config_)) return std::nullopt;
+  return curve;
+}
+
+std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
+                                                         const Tolerance& tolerance) const {
   const Piece& incoming = pending_->whole;
   const Piece& outgoing = next.whole;
   const double left = incoming.length - pending_->from;
-  auto blend =
-      fit_blend(incoming, outgoing, reach_allowed(left, outgoing.length), tolerance, config_);
+  const double reach_max = reach_allowed(left, outgoing.length);
+  auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
   if (blend && blend->reach < left && left - blend->reach < rest_wanted(left)) {
     blend = fit_blend(incoming, outgoing, left - rest_wanted(left), tolerance, config_);
   }
@@ -174,7 +214,6 @@ std::optional<PathBuilder::Curve> PathBuilder::blend_to(const Pending& next,
   piece.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
   piece.rapid = incoming.rapid && outgoing.rapid;
   piece.bounds = piece_bounds(piece, config_);
-  if (soft_limit_excess(piece, config_)) return std::nullopt;
   return curve;
 }
 

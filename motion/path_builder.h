@@ -74,6 +74,8 @@ class PathBuilder {
   void join_corner(Pending& next);
   [[nodiscard]] std::optional<Curve> blend_to(const Pending& next,
                                               const Tolerance& tolerance) const;
+  [[nodiscard]] std::optional<Curve> fit_curve(const Pending& next,
+                                               const Tolerance& tolerance) const;
   void take(const Curve& curve, Pending& next);
   void emit_pending(double to, const Point& to_point, double jerk_part_at_end = 1.0);
   void emit_part(double from, const Point& from_point, double to, const Point& to_point,

@@ -172,7 +172,6 @@ Machine random_machine(unsigned seed) {
   };
   Machine machine{three_axes(limits), {}};
   const double hardness = log_between(20.0, 1000.0);            // jerk by acceleration, 1/s
-  if (hardness > 100.0) machine.config.cycle_s = 0.25 * cycle;  // chords stay short
   for (std::size_t k = 0; k < 3; ++k) {
     AxisLimits& axis = machine.config.axes[k];
     axis.acceleration_max = log_between(1000.0, 5000.0);
