@@ -185,15 +185,18 @@ bool Machine::is_idle() const RT_SAFE {
 }
 
 bool Machine::waits_for_operator() const RT_SAFE {
+  bool all_quiet = true;
   for (std::size_t k = 0; k < parts_->seats.size(); ++k) {
     const Channel& channel = parts_->seats[k]->channel;
     if (channel.is_quiet()) continue;
+    all_quiet = false;
     if (channel.is_resetting()) return false;
     const bool is_held = channel.state() == ChannelState::held && channel.is_standing();
     if (!is_held && !parts_->coordinator->is_waiting_for_channels(static_cast<int>(k)))
       return false;
   }
-  return true;
+  // Between channels that are quiet the coordinator may still wait for drives.
+  return !all_quiet || parts_->coordinator->is_quiet();
 }
 
 Ring<Event>& Machine::events() {
