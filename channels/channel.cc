@@ -31,8 +31,9 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
     path_.axes[k] = figures_.start[k];
     drive_is_referenced_[k] = figures_.axes[k].homed_at_start;
     setpoints_[k].position = figures_.start[k];
-    setpoints_[k].position_code = nearest_integer(figures_.start[k] / figures_.axes[k].resolution);
+    setpoints_[k].position_code = motion::position_code(figures_.start[k], figures_.axes[k].codes);
   }
+  make_regulators();
   select_scheme(scheme);
 }
 
@@ -50,6 +51,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   work_items();
   take_step();
   move();
+  demand_velocities();
   stop_at_step();
   work_riders();
   show_remarks(cycle);
@@ -85,13 +87,12 @@ void Channel::move() RT_SAFE {
     AxisSetpoint& setpoint = setpoints_[i];
     const AxisFigures& axis = figures_.axes[i];
     const kinematics::Jet& jet = path_.axes[i];
-    setpoint.velocity_code =
-        nearest_integer((jet.value - setpoint.position) / axis.resolution * axis.kmv);
+    setpoint.velocity_code = motion::velocity_code(setpoint.position, jet.value, axis.codes);
     setpoint.position = jet.value;
     setpoint.velocity = jet.first;
     setpoint.acceleration = jet.second;
     setpoint.jerk = jet.third;
-    setpoint.position_code = nearest_integer(jet.value / axis.resolution);
+    setpoint.position_code = motion::position_code(jet.value, axis.codes);
   }
 }
 

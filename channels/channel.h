@@ -17,7 +17,9 @@
 #include "channels/spindle.h"
 #include "channels/stepper.h"
 #include "lang/builtin.h"
+#include "motion/axis_codes.h"
 #include "motion/interpolator.h"
+#include "motion/position_regulator.h"
 
 namespace stanok::channels {
 
@@ -31,12 +33,13 @@ enum class Outcome : std::uint8_t { pending, succeeded, failed };
 
 // Fixed figures of one axis in the cycle.
 struct AxisFigures {
-  double resolution = 0.001;  // mm or deg per discrete
-  double kmv = 10000.0;
+  motion::CodeScale codes;
   double brake_s = 0.0;        // time a brake takes to close or open
   double power_s = 0.0;        // time a drive takes to take over
   bool homed_at_start = true;  // until a drive says otherwise
   FixedText<16> name;
+  RegulatorConfig regulator;
+  double demand_max = 0.0;  // mm/s or deg/s, of the regulator
 };
 
 struct ChannelFigures {
@@ -197,6 +200,9 @@ class Channel {
   void close_run(bool ok, std::uint64_t blocks) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;
+  // Position regulators (channel_drives.cc).
+  void make_regulators();
+  void demand_velocities() RT_SAFE;
   void work_riders() RT_SAFE;
   [[nodiscard]] bool rider_is_due() const RT_SAFE;
   [[nodiscard]] bool pass_soft_mark(const Rider& mark, bool passed) RT_SAFE;
@@ -251,7 +257,10 @@ class Channel {
   bool drives_ready_ = true;
   std::array<bool, motion::axes_max> drive_was_ready_{};  // since it was commanded on
   std::array<bool, motion::axes_max> drive_is_referenced_{};
-  lang::OverrideControl overrides_;  // which of them act
+  std::array<bool, motion::axes_max> drive_holds_axis_{};  // ideal drives always do
+  std::array<double, motion::axes_max> following_error_{};
+  std::array<motion::PositionRegulator, motion::axes_max> regulators_{};  // feedback in the cycle
+  lang::OverrideControl overrides_;                                       // which of them act
   double spindle_override_ = 1.0;
   HoldCause hold_cause_ = HoldCause::none;
   bool hold_wanted_ = false;  // by an operator while M53 does not let it act

@@ -1,4 +1,7 @@
-// Power, brakes and the watch over the drives of one channel; the switch of kinematics.
+// Power, brakes, position regulators and the watch over the drives of one channel; the switch of
+// kinematics.
+#include <algorithm>
+
 #include "channels/channel.h"
 
 namespace stanok::channels {
@@ -54,6 +57,8 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
     drives_answer_ = drives_answer_ && drive.valid;
     drive_is_referenced_[i] = drive.valid && drive.referenced;
+    drive_holds_axis_[i] = drive.valid && drive.enabled;
+    following_error_[i] = drive.setpoint - drive.position;
     if (!drives_[i].enabled) {
       drive_was_ready_[i] = false;
       continue;
@@ -67,6 +72,35 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     fault("A3001", silent.sentence(" does not answer", " do not answer").view());
   if (faulty.count > 0)
     fault("A3002", faulty.sentence(" reports a fault", " report faults").view());
+}
+
+void Channel::make_regulators() {
+  drive_holds_axis_.fill(true);
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const AxisFigures& axis = figures_.axes[i];
+    if (axis.regulator.feedback == FeedbackPlace::cycle)
+      regulators_[i] = motion::PositionRegulator(axis.regulator.gains, axis.demand_max);
+  }
+}
+
+// An axis that its drive does not hold moves as it likes: its regulator begins anew when the drive
+// takes it over.
+void Channel::demand_velocities() RT_SAFE {
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    AxisSetpoint& setpoint = setpoints_[i];
+    if (figures_.axes[i].regulator.feedback == FeedbackPlace::drive) {
+      setpoint.velocity_demand = setpoint.velocity;
+    } else if (drives_[i].enabled && drive_holds_axis_[i]) {
+      const double held_s = std::max(figures_.axes[i].regulator.demand_held_s, figures_.cycle_s);
+      const motion::SetpointRates coming = motion::coming_rates(path_.axes[i], held_s);
+      setpoint.velocity_demand = regulators_[i].demand(following_error_[i], coming);
+    } else {
+      regulators_[i].reset();
+      setpoint.velocity_demand = 0.0;
+    }
+  }
 }
 
 void Channel::begin_switch(int scheme) RT_SAFE {

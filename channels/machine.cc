@@ -15,6 +15,9 @@ constexpr std::size_t events_max = 4096;
 constexpr std::size_t inputs_max = 4096;
 constexpr std::size_t replies_max = 256;
 
+// A regulator may ask for this much more than the fastest set-point, to catch up with it.
+constexpr double demand_reserve = 1.2;
+
 ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig& channel,
                                const MachineOptions& options) {
   ChannelFigures figures;
@@ -25,8 +28,13 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
-    figures.axes[k] = {axis.resolution, axis.kmv,       axis.brake_s,
-                       axis.power_s,    homed_at_start, FixedText<16>(axis.name)};
+    figures.axes[k] = {.codes = {axis.resolution, axis.kmv},
+                       .brake_s = axis.brake_s,
+                       .power_s = axis.power_s,
+                       .homed_at_start = homed_at_start,
+                       .name = FixedText<16>(axis.name),
+                       .regulator = axis.regulator,
+                       .demand_max = demand_reserve * axis.limits.velocity_max};
     figures.start[k] = axis.start;
     figures.machine_axis[k] = channel.axes[k];
   }

@@ -10,6 +10,7 @@
 #include "kinematics/scheme.h"
 #include "lang/environment.h"
 #include "motion/path.h"
+#include "motion/position_regulator.h"
 
 namespace stanok::channels {
 
@@ -23,16 +24,11 @@ struct HomingConfig {
 // Where the position loop is closed: in the drive, or in the cycle by the position regulator.
 enum class FeedbackPlace { drive, cycle };
 
-// Position regulator of one axis, U in mm/s or deg/s (V. Kombarov, V. Sorokin, eq. 16):
-//   U = kp e + kd (change of e in a cycle) + kint (sum of e over the cycles) + kv V + ka A + kr J
 struct RegulatorConfig {
   FeedbackPlace feedback = FeedbackPlace::drive;
-  double kp = 0.0;    // 1/s
-  double kd = 0.0;    // 1/s
-  double kint = 0.0;  // 1/s
-  double kv = 1.0;
-  double ka = 0.0;  // s
-  double kr = 0.0;  // s^2
+  motion::RegulatorGains gains;
+  double demand_held_s =
+      0.0;  // how long the drive keeps a demand: a poll of the bus, not below a cycle
 };
 
 struct AxisConfig {

@@ -46,6 +46,9 @@ struct AxisSetpoint {
   std::int64_t position_code = 0;  // discretes
   std::int64_t velocity_code =
       0;  // discretes per cycle x kmv, mean velocity of the cycle that ends at position_code
+  // What the drive is asked for: the velocity, or, where the cycle closes the position loop, U of
+  // the position regulator.
+  double velocity_demand = 0.0;
 };
 
 // Power and brake of one axis, as its drive shall have them.

@@ -13,6 +13,7 @@ using channels::RegulatorConfig;
 using channels::SpindleConfig;
 using drives::AxisDriveConfig;
 using motion::AxisLimits;
+using motion::RegulatorGains;
 
 // The keys as they stand in the file; what differs from the configs is translated below.
 struct AxisFile {
@@ -87,18 +88,18 @@ const Keys<RegulatorFile>& regulator_keys() {
       {"feedback", at<&RegulatorFile::feedback>, optional, "",
        "where the position loop is closed: in the drive, or in the cycle of the control",
        one_of({"drive", "cycle"})},
-      {"kp", at<&RegulatorFile::regulator, &RegulatorConfig::kp>, optional, "1/s",
-       "gain of the following error", not_negative},
-      {"kd", at<&RegulatorFile::regulator, &RegulatorConfig::kd>, optional, "1/s",
-       "gain of its change in a cycle", not_negative},
-      {"kint", at<&RegulatorFile::regulator, &RegulatorConfig::kint>, optional, "1/s",
-       "gain of its sum over the cycles", not_negative},
-      {"kv", at<&RegulatorFile::regulator, &RegulatorConfig::kv>, optional, "",
-       "gain of the velocity set-point", not_negative},
-      {"ka", at<&RegulatorFile::regulator, &RegulatorConfig::ka>, optional, "s",
-       "gain of the acceleration set-point", not_negative},
-      {"kr", at<&RegulatorFile::regulator, &RegulatorConfig::kr>, optional, "s2",
-       "gain of the jerk set-point", not_negative},
+      {"kp", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kp>, optional,
+       "1/s", "gain of the following error", not_negative},
+      {"kd", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kd>, optional,
+       "1/s", "gain of its change in a cycle", not_negative},
+      {"kint", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kint>,
+       optional, "1/s", "gain of its sum over the cycles", not_negative},
+      {"kv", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kv>, optional,
+       "", "gain of the velocity set-point", not_negative},
+      {"ka", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::ka>, optional,
+       "s", "gain of the acceleration set-point", not_negative},
+      {"kr", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kr>, optional,
+       "s2", "gain of the jerk set-point", not_negative},
   };
   return keys;
 }
@@ -215,7 +216,7 @@ void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& sco
   axis.regulator = file.regulator;
   if (file.feedback != "cycle") return;
   axis.regulator.feedback = channels::FeedbackPlace::cycle;
-  if (axis.regulator.kp == 0.0) {
+  if (axis.regulator.gains.kp == 0.0) {
     scope.fault(place_of(table, "kp"),
                 "kp is 0; a position loop closed in the cycle needs a gain above 0");
   }

@@ -1,6 +1,9 @@
 // Assembles a MachineFile from its tables and the files it names.
 #include "config/machine_file.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "config/axis_section.h"
 #include "config/channel_section.h"
 #include "config/machine_sections.h"
@@ -52,6 +55,8 @@ class MachineReader {
     if (names_are_right(axes)) read_users_of_axes(root, axes);
     read_machine();
     read_drives(axes);
+    for (channels::AxisConfig& axis : file_.machine.axes)
+      axis.regulator.demand_held_s = file_.bus.poll_ms * 1e-3;
     read_services();
     return std::move(file_);
   }
@@ -95,6 +100,7 @@ class MachineReader {
     file_.bus = read_bus(*top_.drives, Scope{faults_, "[drives]"});
     for (const AxisSection& section : axes) file_.bus.axes.push_back(section.drive);
     check_addresses();
+    check_dead_times();
   }
 
   void check_addresses() {
@@ -109,6 +115,24 @@ class MachineReader {
                                          std::to_string(drive.unit) +
                                          "; give it its own address or registers");
       }
+    }
+  }
+
+  // The position at hand is up to a poll old, and U acts a cycle later. A proportional loop has 90
+  // deg of phase at its gain of 1 and loses kp times the dead time; 60 deg must be left.
+  void check_dead_times() {
+    const double dead_time_s = file_.bus.poll_ms * 1e-3 + file_.machine.cycle_us * 1e-6;
+    const double kp_max = std::numbers::pi / 6.0 / dead_time_s;
+    for (std::size_t i = 0; i < file_.machine.axes.size(); ++i) {
+      const channels::AxisConfig& axis = file_.machine.axes[i];
+      const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
+      if (!in_cycle || axis.regulator.gains.kp <= kp_max) continue;
+      const toml::table& regulator = *top_.axes->get(i)->as_table()->get("regulator")->as_table();
+      Scope{faults_, "axis " + axis.name + ": regulator"}.fault(
+          place_of(regulator, "kp"),
+          "kp is " + number_text(axis.regulator.gains.kp) + "; with poll_ms = " +
+              std::to_string(file_.bus.poll_ms) + " the loop is well damped up to about " +
+              number_text(std::floor(kp_max)) + "; poll more often, or lower kp");
     }
   }
 

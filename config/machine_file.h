@@ -32,6 +32,11 @@ struct ProcessConfig {
 struct SimulationConfig {
   double drive_frequency_hz = 40.0;  // natural frequency of the position loop
   double drive_damping = 0.8;
+  // Drives whose position loop is closed in the cycle: velocity loop, and load on a spring.
+  double servo_frequency_hz = 150.0;
+  double servo_damping = 0.7;
+  double resonance_frequency_hz = 80.0;  // 0: none
+  double resonance_damping = 0.1;
   bool outputs_to_inputs = false;  // outputs of programs come back as inputs of the same number
 };
 

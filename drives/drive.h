@@ -3,7 +3,9 @@
 // The states are those of the power drive system of CiA 402 (IEC 61800-7-201, finite state
 // automaton); drives/cia402.h holds their codes. Targets are cyclic synchronous positions: the
 // drive follows `position`, and uses `velocity` as feed-forward and to bridge the time until the
-// next target. Units: mm or deg of the axis, per second; power in W, vibration in um and Hz.
+// next target. A drive whose position loop is closed in the cycle works in the mode of cyclic
+// synchronous velocities: it follows `velocity`, and `position` serves its supervision. Units: mm
+// or deg of the axis, per second; power in W, vibration in um and Hz.
 #pragma once
 
 #include <cstdint>
@@ -37,6 +39,7 @@ struct DriveTarget {
 
 struct DriveFeedback {
   double position = 0.0;
+  double target_position = 0.0;  // what was written in the exchange that brought `position`
   double velocity = 0.0;
   double following_error = 0.0;  // the drive's own demand minus its position, at one instant
   double power_w = 0.0;

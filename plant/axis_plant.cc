@@ -30,6 +30,11 @@ Fundamental fundamental(double w, double d, double t) RT_SAFE {
 
 }  // namespace
 
+double axis_power_w(const AxisPlantConfig& config, const Motion& motion) RT_SAFE {
+  return config.power_idle_w + config.friction_w_per_unit * std::fabs(motion.velocity) +
+         config.inertia_w_per_unit * motion.velocity * motion.acceleration;
+}
+
 AxisPlant::AxisPlant(const AxisPlantConfig& config, double start)
     : config_(config), motion_{.position = start} {}
 
@@ -76,11 +81,6 @@ void AxisPlant::coast(double dt_s) RT_SAFE {
 
 void AxisPlant::hold_by_brake(double dt_s) RT_SAFE {
   motion_ = decelerated(motion_, config_.brake_deceleration, dt_s);
-}
-
-double AxisPlant::power_w() const RT_SAFE {
-  return config_.power_idle_w + config_.friction_w_per_unit * std::fabs(motion_.velocity) +
-         config_.inertia_w_per_unit * motion_.velocity * motion_.acceleration;
 }
 
 }  // namespace stanok::plant

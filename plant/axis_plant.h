@@ -10,6 +10,9 @@
 
 namespace stanok::plant {
 
+// Electrical power of a feed axis: idle, friction, and what changes its speed.
+[[nodiscard]] double axis_power_w(const AxisPlantConfig& config, const Motion& motion) RT_SAFE;
+
 class AxisPlant final : public Motor {
  public:
   AxisPlant(const AxisPlantConfig& config, double start);
@@ -24,7 +27,7 @@ class AxisPlant final : public Motor {
   [[nodiscard]] double following_error(const Demand& demand) const RT_SAFE override {
     return demand.position - motion_.position;
   }
-  [[nodiscard]] double power_w() const RT_SAFE override;
+  [[nodiscard]] double power_w() const RT_SAFE override { return axis_power_w(config_, motion_); }
 
  private:
   void limit_velocity(double position_before, double dt_s) RT_SAFE;

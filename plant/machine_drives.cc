@@ -13,6 +13,13 @@ drives::AxisDriveConfig default_registers(const channels::AxisConfig& axis, int 
   return registers;
 }
 
+VelocityLoopConfig velocity_loop(const config::SimulationConfig& simulation) {
+  return {.bandwidth_hz = simulation.servo_frequency_hz,
+          .damping = simulation.servo_damping,
+          .resonance_hz = simulation.resonance_frequency_hz,
+          .resonance_damping = simulation.resonance_damping};
+}
+
 }  // namespace
 
 drives::BusConfig simulated_bus(const config::MachineFile& machine) {
@@ -34,9 +41,13 @@ std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) 
     start.push_back(axis.start);
   }
   std::vector<SimulatedDriveConfig> drives = drives_of(simulated_bus(machine), start);
-  for (SimulatedDriveConfig& drive : drives) {
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    SimulatedDriveConfig& drive = drives[k];
     drive.axis.bandwidth_hz = machine.simulation.drive_frequency_hz;
     drive.axis.damping = machine.simulation.drive_damping;
+    drive.velocity_loop = velocity_loop(machine.simulation);
+    if (machine.machine.axes[k].regulator.feedback == channels::FeedbackPlace::cycle)
+      drive.kind = DriveKind::velocity_axis;
   }
   for (const channels::SpindleConfig& spindle : machine.machine.spindles) {
     SpindlePlantConfig plant{.acceleration = spindle.acceleration};

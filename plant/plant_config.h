@@ -25,6 +25,15 @@ struct AxisPlantConfig {
   double inertia_w_per_unit = 5e-5;      // W per (mm/s)(mm/s2): mass in t, or its rotary like
 };
 
+// A feed axis whose position loop is closed in the cycle: v'' = w^2 (U - v) - 2 d w v' for the
+// motor, and a load on a spring that swings at the resonance (docs/drives.md#plant).
+struct VelocityLoopConfig {
+  double bandwidth_hz = 150.0;  // w = 2 pi bandwidth
+  double damping = 0.7;         // d
+  double resonance_hz = 80.0;   // 0: the load sits on the motor
+  double resonance_damping = 0.1;
+};
+
 struct SpindlePlantConfig {
   double speed_max = 18000.0;      // rev/min
   double acceleration = 9000.0;    // rev/min/s; 0: at once
@@ -40,7 +49,8 @@ struct WatchConfig {
   double following_error_time_s = 0.1;  // over the limit for this long: fault
 };
 
-enum class DriveKind : std::uint8_t { axis, spindle };
+// A velocity_axis is an axis that follows the target velocity.
+enum class DriveKind : std::uint8_t { axis, velocity_axis, spindle };
 
 // One simulated drive: its registers, what moves, and what it watches over.
 struct SimulatedDriveConfig {
@@ -48,6 +58,7 @@ struct SimulatedDriveConfig {
   DriveKind kind = DriveKind::axis;
   double start = 0.0;  // position at power-on
   AxisPlantConfig axis{};
+  VelocityLoopConfig velocity_loop{};  // velocity_axis
   SpindlePlantConfig spindle{};
   WatchConfig watch{};
 };

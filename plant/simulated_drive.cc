@@ -7,6 +7,7 @@
 
 #include "drives/cia402.h"
 #include "plant/axis_plant.h"
+#include "plant/servo_axis.h"
 #include "plant/spindle_plant.h"
 
 namespace stanok::plant {
@@ -25,6 +26,9 @@ constexpr unsigned one_lost_in = 5;
 std::unique_ptr<Motor> motor_of(const SimulatedDriveConfig& config) {
   if (config.kind == DriveKind::spindle) {
     return std::make_unique<SpindlePlant>(config.spindle);
+  }
+  if (config.kind == DriveKind::velocity_axis) {
+    return std::make_unique<ServoAxis>(config.velocity_loop, config.axis, config.start);
   }
   return std::make_unique<AxisPlant>(config.axis, config.start);
 }

@@ -130,7 +130,7 @@ drive_status_t to_drive_status(const channels::ChannelOutput& output,
   message.axis_count = std::min(output.axis_count, static_cast<std::int32_t>(feedback.size()));
   for (std::size_t k = 0; k < static_cast<std::size_t>(message.axis_count); ++k) {
     message.position[k] = feedback[k].position;
-    message.following_error[k] = output.axes[k].position - feedback[k].position;
+    message.following_error[k] = feedback[k].setpoint - feedback[k].position;
   }
   message.valid = bits(message.axis_count, [&](std::size_t k) { return feedback[k].valid; });
   message.fault = bits(message.axis_count, [&](std::size_t k) { return feedback[k].fault; });

@@ -71,6 +71,7 @@ struct Assembly::Parts {
                          raw.state == drives::DriveState::fault_reaction_active ||
                          raw.following_error_exceeded;
       feedback[k] = {.position = raw.position,
+                     .setpoint = raw.target_position,
                      .valid = raw.valid,
                      .fault = fault,
                      .enabled = raw.state == drives::DriveState::operation_enabled,
@@ -85,7 +86,7 @@ struct Assembly::Parts {
       for (std::size_t k = 0; k < axes.size(); ++k) {
         drives::DriveTarget& target = targets[static_cast<std::size_t>(axes[k])];
         target.position = channel.axes[k].position;
-        target.velocity = channel.axes[k].velocity;
+        target.velocity = channel.axes[k].velocity_demand;
         target.enabled = channel.drives[k].enabled;
         target.brake_closed = channel.drives[k].brake_closed;
       }
@@ -173,6 +174,11 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
   if (parts.bus) parts.write_drives();
   if (parts.outputs && !parts.outputs->push(parts.output)) ++parts.outputs_lost;
   return parts.output;
+}
+
+std::span<const channels::AxisFeedback> Assembly::feedback() const RT_SAFE {
+  if (!parts_->bus) return {};
+  return {parts_->feedback.data(), parts_->axis_count};
 }
 
 Ring<channels::CycleOutput>& Assembly::outputs() {

@@ -52,6 +52,9 @@ class Assembly {
   // One real-time cycle. The output stays valid until the next call.
   const channels::CycleOutput& cycle(std::span<const channels::OperatorEvent> events) RT_SAFE;
 
+  // What the drives had told when the last cycle began; empty with ideal drives.
+  [[nodiscard]] std::span<const channels::AxisFeedback> feedback() const RT_SAFE;
+
   // Every cycle's output for the publisher; a full ring drops the newest, counted. Only with a
   // capacity.
   [[nodiscard]] Ring<channels::CycleOutput>& outputs();

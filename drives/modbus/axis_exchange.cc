@@ -112,6 +112,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
   leak_ = std::max(leak_ - 1, 0);
   lost_ = lost_ && leak_ > leak_max_ / 2;
   feedback_.position = position;
+  feedback_.target_position = sent_.target_position / config_.position_scale;
   feedback_.velocity = answer.velocity / config_.velocity_scale;
   feedback_.following_error = answer.following_error / config_.position_scale;
   feedback_.power_w = answer.power_w;

@@ -150,6 +150,10 @@ const Case cases[] = {
      "velocity exceeds velocity_max, 100"},
     {"CycleLoopWithoutGain", 10, "jerk_max = 2e4\n[axis.regulator]\nfeedback = \"cycle\"", 11, 1,
      "axis X: regulator: kp is 0"},
+    {"CycleLoopTooFastForItsBus", 10,
+     "jerk_max = 2e4\n[axis.regulator]\nfeedback = \"cycle\"\nkp = 60\n"
+     "[drives]\nbus = \"modbus-tcp\"\npoll_ms = 10",
+     13, 6, "kp is 60; with poll_ms = 10 the loop is well damped up to about 47;"},
     {"UnknownKeyOfADrive", 10, "jerk_max = 2e4\n[axis.drive]\nadress = 4", 12, 1,
      "axis X: drive: unknown key 'adress'; did you mean 'address'?"},
     {"UnknownRegister", 10, "jerk_max = 2e4\n[axis.drive]\nregisters = { controll = 4 }", 12, 15,

@@ -120,6 +120,10 @@ reduced_mass = 40
 [simulation]
 drive_frequency = 60
 drive_damping = 0.7
+servo_frequency = 200
+servo_damping = 0.75
+resonance_frequency = 55
+resonance_damping = 0.03
 )";
 
 class FullFile : public ::testing::Test {
@@ -163,12 +167,12 @@ TEST_F(FullFile, AxisGetsItsLimitsHomingRegulatorAndDrive) {
   EXPECT_EQ(axis.homing.position, 350.0);
   EXPECT_EQ(axis.homing.velocity, -15.0);
   EXPECT_EQ(axis.regulator.feedback, channels::FeedbackPlace::cycle);
-  EXPECT_EQ(axis.regulator.kp, 20.0);
-  EXPECT_EQ(axis.regulator.kd, 0.5);
-  EXPECT_EQ(axis.regulator.kint, 0.1);
-  EXPECT_EQ(axis.regulator.kv, 0.99);
-  EXPECT_EQ(axis.regulator.ka, 0.002);
-  EXPECT_EQ(axis.regulator.kr, 1e-5);
+  EXPECT_EQ(axis.regulator.gains.kp, 20.0);
+  EXPECT_EQ(axis.regulator.gains.kd, 0.5);
+  EXPECT_EQ(axis.regulator.gains.kint, 0.1);
+  EXPECT_EQ(axis.regulator.gains.kv, 0.99);
+  EXPECT_EQ(axis.regulator.gains.ka, 0.002);
+  EXPECT_EQ(axis.regulator.gains.kr, 1e-5);
   EXPECT_EQ(axis.brake_s, 0.2);
   EXPECT_EQ(axis.power_s, 0.3);
   const drives::AxisDriveConfig& drive = file_.bus.axes[0];
@@ -259,6 +263,10 @@ TEST_F(FullFile, BusAndServicesAreRead) {
   EXPECT_EQ(file_.process.reduced_mass_kg, 40.0);
   EXPECT_EQ(file_.simulation.drive_frequency_hz, 60.0);
   EXPECT_EQ(file_.simulation.drive_damping, 0.7);
+  EXPECT_EQ(file_.simulation.servo_frequency_hz, 200.0);
+  EXPECT_EQ(file_.simulation.servo_damping, 0.75);
+  EXPECT_EQ(file_.simulation.resonance_frequency_hz, 55.0);
+  EXPECT_EQ(file_.simulation.resonance_damping, 0.03);
 }
 
 TEST_F(FullFile, ToolsAndOffsetsAreRead) {

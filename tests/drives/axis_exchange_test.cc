@@ -65,6 +65,16 @@ class AxisExchangeTest : public ::testing::Test {
   int following_error_um = 0;
 };
 
+TEST_F(AxisExchangeTest, PositionComesWithTheTargetOfItsExchange) {
+  target.position = 0.25;
+  answer(0.2);
+  EXPECT_EQ(exchange.feedback().target_position, 0.25);
+  target.position = 0.5;
+  no_answer();
+  EXPECT_EQ(exchange.feedback().target_position, 0.25);
+  EXPECT_EQ(exchange.feedback().position, 0.2);
+}
+
 TEST_F(AxisExchangeTest, FeedbackIsInvalidBeforeTheFirstAnswer) {
   EXPECT_FALSE(exchange.feedback().valid);
   EXPECT_EQ(answer(1.5), std::nullopt);

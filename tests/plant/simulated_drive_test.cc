@@ -195,6 +195,27 @@ TEST_F(SimulatedDriveTest, AllocatesNothing) {
   drive.inject(FaultKind::stuck);
 }
 
+// Cyclic synchronous velocity: the target position is only watched.
+TEST(VelocityDrive, FollowsTheTargetVelocityAndReportsItsErrorAgainstTheTargetPosition) {
+  SimulatedDriveConfig velocity_drive = config();
+  velocity_drive.kind = DriveKind::velocity_axis;
+  velocity_drive.velocity_loop.resonance_hz = 0.0;  // settles within the times below
+  SimulatedDrive drive(velocity_drive);
+  const auto command = [&](std::uint16_t word, std::int32_t velocity) {
+    drive.command({.control_word = word, .target_position = 20100, .target_velocity = velocity});
+  };
+  command(0x06, 0);
+  command(0x0F, 0);
+  for (int i = 0; i < 50; ++i) drive.advance(1e-3);
+  EXPECT_EQ(drive.status().position, 20000);
+  EXPECT_EQ(drive.status().following_error, 100);
+  command(0x0F, 5000);
+  for (int i = 0; i < 90; ++i) drive.advance(1e-3);
+  EXPECT_NEAR(drive.motion().velocity, 5.0, 0.01);
+  for (int i = 0; i < 100; ++i) drive.advance(1e-3);  // no news for longer than 0.1 s
+  EXPECT_NEAR(drive.motion().velocity, 0.0, 0.01);
+}
+
 TEST(SpindleDrive, RunsAtTheTargetSpeed) {
   SimulatedDrive drive(spindle_drive(1, {.speed_max = 6000.0, .acceleration = 6000.0}));
   EXPECT_EQ(drive.config().registers.unit, 201);
