@@ -208,6 +208,8 @@ void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bo
 
 // How long the next chain, which begins with `start`, may overlap the one that ends with `end`.
 void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
+  STANOK_ASSERT(end.pieces.back().geometry.kind == PieceKind::line);
+  STANOK_ASSERT(start.pieces.front().geometry.kind == PieceKind::line);
   end.chunk.overlap_s = overlap_duration(
       *end.overlap, last_ramp(end.phases), first_ramp(start.phases),
       {.incoming = end.pieces.back().length, .outgoing = start.pieces.front().length}, config_);

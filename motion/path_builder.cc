@@ -175,8 +175,7 @@ void PathBuilder::join_corner(Pending& next) {
     return take(*curve, next);
   }
   if (gain.time <= 0.0) return stop();
-  stop_with_overlap(*overlap, gain.jerk_part);
-  next.jerk_part = gain.jerk_part;
+  stop_with_overlap(*overlap, gain.jerk_part, next);
 }
 
 // The blend to the next block, if there is one that the machine can reach.
@@ -199,7 +198,7 @@ std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
                                                          const Tolerance& tolerance) const {
   const Piece& incoming = pending_->whole;
   const Piece& outgoing = next.whole;
-  const double left = incoming.length - pending_->from;
+  const double left = incoming.length - std::max(pending_->from, pending_->straight);
   const double reach_max = reach_allowed(left, outgoing.length);
   auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
   if (blend && blend->reach < left && left - blend->reach < rest_wanted(left)) {
@@ -265,11 +264,15 @@ void PathBuilder::stop() {
   pending_.reset();
 }
 
-// The same, but the next block may begin before.
-void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part) {
+// The same, but `next` may begin before, on a straight way of several times the reach: at equal
+// jerks it makes 2^3 reaches meanwhile.
+void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next) {
+  constexpr double reaches = 16.0;
   emit_pending(pending_->whole.length, pending_->whole.geometry.end, jerk_part);
   built_.back().ends_chain = true;
   built_.back().overlap = overlap;
+  next.jerk_part = jerk_part;
+  next.straight = std::min(reaches * overlap.reach, 0.5 * next.whole.length);
   pending_.reset();
 }
 

@@ -61,6 +61,7 @@ class PathBuilder {
     double from = 0.0;  // path length already taken by the blend at its start
     Point from_point{};
     double jerk_part = 1.0;  // up to its middle (Built)
+    double straight = 0.0;   // at its start, that no blend may take: it overlaps the block before
   };
 
   // A blend, and how far it reaches into both blocks.
@@ -81,7 +82,7 @@ class PathBuilder {
   void emit_part(double from, const Point& from_point, double to, const Point& to_point,
                  double jerk_part);
   void stop();
-  void stop_with_overlap(const OverlapCorner& overlap, double jerk_part);
+  void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
 
   MotionConfig config_;
   Point end_{};

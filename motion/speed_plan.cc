@@ -11,6 +11,11 @@ namespace {
 // A piece counts as violated, and two speeds as different, beyond this part of the speed.
 constexpr double speed_tolerance = 1e-10;
 
+// How many places are tried for a key point that frees a ramp of bad limits, and how many pieces
+// are looked at for each.
+constexpr int detours_tried = 8;
+constexpr std::size_t pieces_looked_at = 16;
+
 // Whether better limits are worth another look at a ramp.
 bool pays(const RampLimits& now, const RampLimits& then) {
   constexpr double gain = 1.05;
@@ -200,6 +205,54 @@ double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
   return std::min({v, slowest_.value(first, last - 1), boundary_limit(boundary)});
 }
 
+// The fastest way from `left` to `right` over a key point at `boundary`: slow between the slow end,
+// which lies against the direction, and that key point, at the speed of that end or up to the
+// highest that can be reached there.
+std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const Key& right,
+                                                        std::size_t boundary,
+                                                        Direction direction) const {
+  const bool forward = direction == Direction::forward;
+  const Key& slow = forward ? left : right;
+  const double v_max = forward ? slowest_.value(left.boundary, boundary)
+                               : slowest_.value(boundary - 1, right.boundary - 1);
+  std::optional<Detour> best;
+  for (const double v : {slow.v, speed_across(slow, boundary)}) {
+    if (v <= 0.0 || v < slow.v || v > v_max) continue;
+    const Key middle{.boundary = boundary, .v = v};
+    Segment before;
+    Segment after;
+    if (fit(left, middle, forward ? v : unlimited, before) != Fit::fits) continue;
+    if (fit(middle, right, forward ? unlimited : v, after) != Fit::fits) continue;
+    const double time = duration(before) + duration(after);
+    if (best && best->duration <= time) continue;
+    best = Detour{.key = middle, .duration = time, .limits = forward ? after.up : before.down};
+  }
+  return best;
+}
+
+// Behind the last of the first pieces from `start` on, before `stop` and `reach`, that are as bad
+// as `limits`.
+std::size_t SpeedPlan::behind_worst(std::size_t start, std::size_t stop, double reach,
+                                    const RampLimits& limits) const {
+  std::size_t next = npos;
+  const std::size_t end = std::min(stop, start + pieces_looked_at);
+  for (std::size_t i = start; i < end && boundaries_[i] < reach; ++i) {
+    if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
+  }
+  return next < stop && boundaries_[next] < reach ? next : npos;
+}
+
+// The same backwards.
+std::size_t SpeedPlan::before_worst(std::size_t end, std::size_t stop, double reach,
+                                    const RampLimits& limits) const {
+  std::size_t next = npos;
+  const std::size_t first = std::max(stop, end > pieces_looked_at ? end - pieces_looked_at : 0);
+  for (std::size_t i = end; i > first && boundaries_[i] > reach; --i) {
+    if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
+  }
+  return next != npos && next > stop && boundaries_[next] > reach ? next : npos;
+}
+
 std::optional<SpeedPlan::Key> SpeedPlan::later_start(const Key& left, const Key& right,
                                                      const Segment& segment) const {
   if (segment.top <= left.v) return std::nullopt;
@@ -207,34 +260,16 @@ std::optional<SpeedPlan::Key> SpeedPlan::later_start(const Key& left, const Key&
   std::optional<Key> best;
   double best_duration = duration(segment) * (1.0 - 1e-9);
   RampLimits limits = segment.up;
-  constexpr int tries = 8;
   std::size_t start = left.boundary;
-  for (int k = 0; k < tries && start + 1 < right.boundary; ++k) {
-    // The next start is behind the last of the first pieces that are as bad as the worst.
-    const std::size_t end = std::min(right.boundary, start + 16);
-    std::size_t next = npos;
-    for (std::size_t i = start; i < end && boundaries_[i] < reach; ++i) {
-      if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
-    }
-    if (next == npos || next >= right.boundary || boundaries_[next] >= reach) break;
-    if (!pays(limits, limits_between(boundaries_[next], reach))) break;
-    bool fits = false;
-    for (const double v : {left.v, speed_across(left, next)}) {
-      if (v <= 0.0 || v < left.v || v > slowest_.value(left.boundary, next)) continue;
-      const Key middle{.boundary = next, .v = v};
-      Segment before;
-      Segment after;
-      if (fit(left, middle, v, before) != Fit::fits) continue;
-      if (fit(middle, right, unlimited, after) != Fit::fits) continue;
-      fits = true;
-      limits = after.up;
-      const double time = duration(before) + duration(after);
-      if (time >= best_duration) continue;
-      best = middle;
-      best_duration = time;
-    }
-    if (!fits) break;
-    start = next;
+  for (int k = 0; k < detours_tried; ++k) {
+    start = behind_worst(start, right.boundary, reach, limits);
+    if (start == npos || !pays(limits, limits_between(boundaries_[start], reach))) break;
+    const auto detour = best_detour(left, right, start, Direction::forward);
+    if (!detour) break;
+    limits = detour->limits;
+    if (detour->duration >= best_duration) continue;
+    best = detour->key;
+    best_duration = detour->duration;
   }
   return best;
 }
@@ -246,33 +281,16 @@ std::optional<SpeedPlan::Key> SpeedPlan::earlier_end(const Key& left, const Key&
   std::optional<Key> best;
   double best_duration = duration(segment) * (1.0 - 1e-9);
   RampLimits limits = segment.down;
-  constexpr int tries = 8;
   std::size_t end = right.boundary;
-  for (int k = 0; k < tries && left.boundary + 1 < end; ++k) {
-    const std::size_t first = std::max(left.boundary, end > 16 ? end - 16 : 0);
-    std::size_t next = npos;
-    for (std::size_t i = end; i > first && boundaries_[i] > reach; --i) {
-      if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
-    }
-    if (next == npos || next <= left.boundary || boundaries_[next] <= reach) break;
-    if (!pays(limits, limits_between(reach, boundaries_[next]))) break;
-    bool fits = false;
-    for (const double v : {right.v, speed_across(right, next)}) {
-      if (v <= 0.0 || v < right.v || v > slowest_.value(next - 1, right.boundary - 1)) continue;
-      const Key middle{.boundary = next, .v = v};
-      Segment before;
-      Segment after;
-      if (fit(left, middle, unlimited, before) != Fit::fits) continue;
-      if (fit(middle, right, v, after) != Fit::fits) continue;
-      fits = true;
-      limits = before.down;
-      const double time = duration(before) + duration(after);
-      if (time >= best_duration) continue;
-      best = middle;
-      best_duration = time;
-    }
-    if (!fits) break;
-    end = next;
+  for (int k = 0; k < detours_tried; ++k) {
+    end = before_worst(end, left.boundary, reach, limits);
+    if (end == npos || !pays(limits, limits_between(reach, boundaries_[end]))) break;
+    const auto detour = best_detour(left, right, end, Direction::backward);
+    if (!detour) break;
+    limits = detour->limits;
+    if (detour->duration >= best_duration) continue;
+    best = detour->key;
+    best_duration = detour->duration;
   }
   return best;
 }

@@ -54,6 +54,12 @@ class SpeedPlan {
     bool begins_stair = false;
     Segment stair{};
   };
+  // A way over a key point between two others.
+  struct Detour {
+    Key key;
+    double duration = 0.0;
+    RampLimits limits{};  // of the ramp that it frees
+  };
   enum class Direction { forward, backward };
   enum class Fit { fits, right_too_fast, left_too_fast };
 
@@ -80,6 +86,12 @@ class SpeedPlan {
                                                const Segment& segment) const;
   [[nodiscard]] std::optional<Key> earlier_end(const Key& left, const Key& right,
                                                const Segment& segment) const;
+  [[nodiscard]] std::optional<Detour> best_detour(const Key& left, const Key& right,
+                                                  std::size_t boundary, Direction direction) const;
+  [[nodiscard]] std::size_t behind_worst(std::size_t start, std::size_t stop, double reach,
+                                         const RampLimits& limits) const;
+  [[nodiscard]] std::size_t before_worst(std::size_t end, std::size_t stop, double reach,
+                                         const RampLimits& limits) const;
   [[nodiscard]] double speed_across(const Key& from, std::size_t boundary) const;
 
   // The slowest piece that the segment passes too fast; npos: none.
