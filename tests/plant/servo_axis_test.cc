@@ -117,6 +117,18 @@ TEST(ServoAxis, ComesToRestOnTheQuickStopRampAndStartsAgainFromThere) {
   EXPECT_NEAR(axis.motion().position - start, 2.5, 1e-6);
 }
 
+// A stop that is taken back leaves motor and load at one velocity: nothing swings.
+TEST(ServoAxis, GoesOnEvenlyFromAStopThatIsTakenBack) {
+  ServoAxis axis(elastic, {.quick_stop_deceleration = 2000.0}, 0.0);
+  for (int n = 0; n < 5000; ++n) axis.follow({.velocity = 100.0}, 1e-3);
+  for (int n = 0; n < 20; ++n) axis.ramp_down(1e-3);
+  EXPECT_NEAR(axis.motion().velocity, 60.0, 1e-6);
+  for (int n = 0; n < 200; ++n) {
+    axis.follow({.velocity = axis.motion().velocity}, 1e-3);
+    ASSERT_NEAR(axis.motion().velocity, 60.0, 1e-6);
+  }
+}
+
 TEST(ServoAxis, AllocatesNothing) {
   ServoAxis axis(elastic, {}, 0.0);
   const testing::NoAllocation guard;
