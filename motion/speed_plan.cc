@@ -236,10 +236,10 @@ std::size_t SpeedPlan::behind_worst(std::size_t start, std::size_t stop, double 
                                     const RampLimits& limits) const {
   std::size_t next = npos;
   const std::size_t end = std::min(stop, start + pieces_looked_at);
-  for (std::size_t i = start; i < end && boundaries_[i] < reach; ++i) {
+  for (std::size_t i = start; i < end && i + 1 < stop && boundaries_[i + 1] < reach; ++i) {
     if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
   }
-  return next < stop && boundaries_[next] < reach ? next : npos;
+  return next;
 }
 
 // The same backwards.
@@ -247,10 +247,10 @@ std::size_t SpeedPlan::before_worst(std::size_t end, std::size_t stop, double re
                                     const RampLimits& limits) const {
   std::size_t next = npos;
   const std::size_t first = std::max(stop, end > pieces_looked_at ? end - pieces_looked_at : 0);
-  for (std::size_t i = end; i > first && boundaries_[i] > reach; --i) {
+  for (std::size_t i = end; i > first && i - 1 > stop && boundaries_[i - 1] > reach; --i) {
     if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
   }
-  return next != npos && next > stop && boundaries_[next] > reach ? next : npos;
+  return next;
 }
 
 std::optional<SpeedPlan::Key> SpeedPlan::later_start(const Key& left, const Key& right,

@@ -97,6 +97,24 @@ TEST(SpeedPlan, PoorLimitsNextToRestDoNotSpoilTheRampBehindThem) {
   EXPECT_LT(plan(pieces).duration, expected + 1e-9);
 }
 
+TEST(SpeedPlan, PoorLimitsNextToRestDoNotSpoilARampThatBeginsOnOtherPoorOnes) {
+  // At worst: down to w in front of the poor piece by the poorest of the good limits, then to rest.
+  const RampLimits poor{.a = 400.0, .j = 1.2e6};
+  const RampLimits good{.a = 3000.0, .j = 1.2e6};
+  const double w = reachable_speed(0.0, 1.2, poor);
+  const double top = peak_speed(0.0, w, 17.0, good, good, 200.0);
+  const double held = 17.0 - ramp_distance(0.0, top, good) - ramp_distance(top, w, good);
+  const double expected = ramp_duration(0.0, top, good) + held / top + ramp_duration(top, w, good) +
+                          ramp_duration(w, 0.0, poor);
+  std::vector<SpeedPiece> pieces{{.length = 8.5, .v = 200.0, .ramp = good},
+                                 {.length = 8.5, .v = 200.0, .ramp = {.a = 3000.0, .j = 2e6}},
+                                 {.length = 0.8, .v = 40.0, .ramp = {.a = 400.0, .j = 1.3e6}},
+                                 {.length = 0.4, .v = 200.0, .ramp = {.a = 2600.0, .j = 1.7e6}}};
+  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
+  std::reverse(pieces.begin(), pieces.end());
+  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
+}
+
 TEST(SpeedPlan, PathAndItsMirrorImageTakeTheSameTime) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> part(0.0, 1.0);
