@@ -186,7 +186,7 @@ bool OverridePlanner::find_plan(const FeedControl& control, double time, const P
   if (verdict.is_safe) return true;
   const double slower = std::min(asked, verdict.binding_speed);
   if (slower > motion.v && try_speed(motion, slower, time, Caps::asked).is_safe) return true;
-  if (stands && try_hop(motion)) return true;
+  if (stands && (try_hop(motion) || try_creep(motion, asked, time))) return true;
   if (has_plan_ && plan_caps_ == Caps::asked && plan_control_ == control) return false;
   // The plan at hand was found for another override: slow down to this one, at once if it can.
   draft().clear();
@@ -222,6 +222,17 @@ OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, doub
     if (is_faster(v_high, v_cap)) return {.binding_speed = v_cap};
   }
   return find_rest(then, last, caps);
+}
+
+// Drafts a slow start from rest, close before a piece of low limits, which a cycle of full jerk
+// would pass too fast.
+bool OverridePlanner::try_creep(const PathMotion& from, double v, double time) RT_SAFE {
+  constexpr int tries = 12;
+  for (int k = 0; k < tries; ++k) {
+    v *= 0.25;
+    if (try_speed(from, v, time, Caps::asked).is_safe) return true;
+  }
+  return false;
 }
 
 // Drafts a short move from rest to the end of the known path, for which a cycle is too coarse.

@@ -88,6 +88,7 @@ class OverridePlanner {
   [[nodiscard]] bool find_plan(const FeedControl& control, double time, const PathMotion& motion)
       RT_SAFE;
   [[nodiscard]] Verdict try_speed(const PathMotion& from, double v, double time, Caps caps) RT_SAFE;
+  [[nodiscard]] bool try_creep(const PathMotion& from, double v, double time) RT_SAFE;
   [[nodiscard]] bool try_hop(const PathMotion& from) RT_SAFE;
   [[nodiscard]] Verdict find_rest(PathMotion from, std::size_t piece, Caps caps) RT_SAFE;
   [[nodiscard]] Outlook survey(const PathMotion& from, std::size_t piece, Caps caps) RT_SAFE;

@@ -341,6 +341,18 @@ TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndWhateverTheOperatorDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomOverlaps, ::testing::Values(0U, 1000U, 2100U));
 
+// Under this operator the path rests 18 nm before a blend, where a cycle at full jerk is too long.
+TEST(Overlap, RestCloseBeforeABlendIsLeftAgain) {
+  const Machine machine = random_machine(10118);
+  std::mt19937_64 random(70827);
+  FeedControl control;
+  const auto samples = run_path(
+      machine.config, build(machine.line, machine.config),
+      [&](int) { return control = random_control(random, control); }, 30000);
+  EXPECT_EQ(samples.back().out.state, PathState::idle);
+  EXPECT_EQ(samples.back().out.axes[0].value, machine.line.points.back()[0]);
+}
+
 TEST(Overlap, HoldInAnyCycleAroundACornerComesToRestOnThePath) {
   const MotionConfig config = three_axes(limits);
   const Polyline line = square();
