@@ -40,6 +40,9 @@ struct MotionConfig {
   double cycle_s = 0.001;
   double path_tolerance_mm = 0.01;
   double orientation_tolerance_deg = 0.05;
+  // Straight blocks that turn by no more at a time become one smooth run; 0: every join is one of
+  // its own.
+  double run_turn_max_deg = 20.0;
 };
 
 // Origin of a block, carried to status, traces and alarms.

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/assert.h"
 #include "motion/blend.h"
 #include "motion/corner.h"
 #include "motion/geometry.h"
 #include "motion/piece_bounds.h"
+#include "motion/sampling.h"
 #include "motion/shape.h"
 
 namespace stanok::motion {
@@ -28,6 +30,9 @@ constexpr double exact_tolerance = 1e-9;  // mm or deg
 
 // Shorter rests between two blends are not worth a piece of their own; their blend gives way.
 constexpr double rest_min = 1e-4;
+
+// A blend and a run that lie closer have no piece between them.
+constexpr double touching = 1e-9;  // mm
 
 bool moves(const PathBlock& block, const Point& start, std::size_t axis, double threshold) {
   return !(std::abs(block.end[axis] - start[axis]) <= threshold);
@@ -93,37 +98,114 @@ double chord_share(const Piece& incoming, const Piece& blend, const Piece& outgo
          std::max(tolerance.mm, unseen);
 }
 
+// The soft limits less what a smooth run may deviate. Where the tip is led through rotary axes,
+// their deviation is felt at the end of a lever.
+MotionConfig narrowed(MotionConfig config, const Piece& piece, const Tolerance& tolerance) {
+  constexpr double lever = 1000.0;  // mm
+  const double swing = is_affine(piece) ? 0.0 : lever * tolerance.deg * std::numbers::pi / 180.0;
+  for (AxisLimits& axis : config.axes) {
+    const double margin = axis.linear ? tolerance.mm + swing : tolerance.deg;
+    axis.position_min += margin;
+    axis.position_max -= margin;
+  }
+  return config;
+}
+
+Tolerance lower_of(const Tolerance& one, const Tolerance& other) {
+  return {std::min(one.mm, other.mm), std::min(one.deg, other.deg)};
+}
+
 }  // namespace
 
-PathBuilder::PathBuilder(const MotionConfig& config) : config_(config) {}
+PathBuilder::PathBuilder(const MotionConfig& config) : config_(config), run_(config) {}
 
 void PathBuilder::restart(const Point& point) {
   pending_.reset();
+  run_.clear();
+  stands_ = true;
   end_ = point;
 }
 
 std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
   STANOK_ASSERT(block.rapid || block.feed_per_s > 0.0);
   if (!moves(block, end_, config_.axis_count)) {
-    if (pending_ && block.ending == BlockEnding::exact_stop) stop();
+    if (block.ending == BlockEnding::exact_stop) finish();
     return std::nullopt;
   }
-  const Pending next = pending_from(block);
-  if (const auto excess = soft_limit_excess(next.whole, config_)) {
-    return Unreachable{block.tag, excess->axis, excess->position, excess->limit};
+  Pending next = pending_from(block);
+  next.keeps_clear = !soft_limit_excess(next.whole, narrowed(config_, next.whole, next.tolerance));
+  if (!next.keeps_clear) {
+    if (const auto excess = soft_limit_excess(next.whole, config_)) {
+      return Unreachable{block.tag, excess->axis, excess->position, excess->limit};
+    }
   }
-  if (pending_) {
-    join(next);
-  } else {
-    pending_ = next;
-  }
+  take(next);
   end_ = block.end;
-  if (block.ending == BlockEnding::exact_stop) stop();
+  if (block.ending == BlockEnding::exact_stop) finish();
   return std::nullopt;
 }
 
+void PathBuilder::take(const Pending& next) {
+  if (run_.is_open() && belong_together(last_of_run_, next)) {
+    run_.add(next.whole, next.tolerance, smoothed_);
+    last_of_run_ = next;
+    return emit_run();
+  }
+  if (run_.is_open()) {
+    const bool turns = judge_join(last_of_run_.whole, next.whole) == Join::turn;
+    close_run(turns ? SmoothRun::End::at_rest : SmoothRun::End::straight);
+  }
+  if (!pending_) {
+    pending_ = next;
+  } else if (belong_together(*pending_, next)) {
+    open_run(next);
+  } else {
+    join(next);
+  }
+}
+
 void PathBuilder::finish() {
+  if (run_.is_open()) close_run(SmoothRun::End::at_rest);
   if (pending_) stop();
+}
+
+// Two blocks that may be neighbours in a smooth run.
+bool PathBuilder::belong_together(const Pending& one, const Pending& next) const {
+  return one.keeps_clear && next.keeps_clear &&
+         run_.may_join(one.whole, next.whole, lower_of(one.tolerance, next.tolerance));
+}
+
+void PathBuilder::open_run(const Pending& next) {
+  const bool begins_chain = stands_ && pending_->from == 0.0 && pending_->straight == 0.0;
+  const auto end = begins_chain ? SmoothRun::End::at_rest : SmoothRun::End::straight;
+  const SmoothRun::Place place = run_.begin(pending_->whole, pending_->tolerance, end);
+  if (place.s - pending_->from > touching) {
+    emit_pending(place.s, place.point);
+  } else {
+    run_.meet(pending_->from_point);
+  }
+  pending_.reset();
+  run_.add(next.whole, next.tolerance, smoothed_);
+  last_of_run_ = next;
+  emit_run();
+}
+
+// What is left of the last block of a run is pending; the chain ends where nothing is.
+void PathBuilder::close_run(SmoothRun::End end) {
+  const SmoothRun::Place place = run_.end(end, smoothed_);
+  emit_run();
+  if (end == SmoothRun::End::at_rest) return end_chain();
+  last_of_run_.from = place.s;
+  last_of_run_.from_point = place.point;
+  pending_ = last_of_run_;
+}
+
+void PathBuilder::emit_run() {
+  for (Piece& piece : smoothed_) {
+    piece.bounds = piece_bounds(piece, config_);
+    append(piece);
+  }
+  smoothed_.clear();
 }
 
 PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
@@ -137,8 +219,7 @@ PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
   pending.whole.feed_per_s = block.rapid ? unlimited : block.feed_per_s;
   pending.whole.rapid = block.rapid;
   pending.whole.transform = block.transform;
-  pending.tolerance_mm = block.tolerance_mm;
-  pending.tolerance_deg = block.tolerance_deg;
+  pending.tolerance = {block.tolerance_mm, block.tolerance_deg};
   pending.from_point = end_;
   return pending;
 }
@@ -163,8 +244,7 @@ void PathBuilder::join(const Pending& block) {
 void PathBuilder::join_corner(Pending& next) {
   const Piece& incoming = pending_->whole;
   const Piece& outgoing = next.whole;
-  const Tolerance tolerance{std::min(pending_->tolerance_mm, next.tolerance_mm),
-                            std::min(pending_->tolerance_deg, next.tolerance_deg)};
+  const Tolerance tolerance = lower_of(pending_->tolerance, next.tolerance);
   const auto curve = blend_to(
       next, {std::max(exact_tolerance, tolerance.mm), std::max(exact_tolerance, tolerance.deg)});
   if (curve && keeps_speed(incoming, curve->piece, outgoing, config_)) return take(*curve, next);
@@ -225,7 +305,7 @@ void PathBuilder::take(const Curve& curve, Pending& next) {
   } else {
     piece.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
   }
-  built_.push_back({.piece = piece});
+  append(piece);
   next.from = curve.reach;
   next.from_point = piece.geometry.end;
 }
@@ -254,13 +334,23 @@ void PathBuilder::emit_part(double from, const Point& from_point, double to, con
     piece.length = rest.length;
   }
   piece.bounds = piece_bounds(piece, config_);
+  append(piece, jerk_part);
+}
+
+void PathBuilder::append(const Piece& piece, double jerk_part) {
   built_.push_back({.piece = piece, .jerk_part = jerk_part});
+  stands_ = false;
+}
+
+void PathBuilder::end_chain() {
+  built_.back().ends_chain = true;
+  stands_ = true;
 }
 
 // The pending block runs to its end and the path stands there.
 void PathBuilder::stop() {
   emit_pending(pending_->whole.length, pending_->whole.geometry.end);
-  built_.back().ends_chain = true;
+  end_chain();
   pending_.reset();
 }
 
@@ -269,7 +359,7 @@ void PathBuilder::stop() {
 void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next) {
   constexpr double reaches = 16.0;
   emit_pending(pending_->whole.length, pending_->whole.geometry.end, jerk_part);
-  built_.back().ends_chain = true;
+  end_chain();
   built_.back().overlap = overlap;
   next.jerk_part = jerk_part;
   next.straight = std::min(reaches * overlap.reach, 0.5 * next.whole.length);

@@ -11,6 +11,7 @@
 
 #include "motion/corner_overlap.h"
 #include "motion/path.h"
+#include "motion/smooth_run.h"
 
 namespace stanok::motion {
 
@@ -56,9 +57,9 @@ class PathBuilder {
   // The last block taken: its end still waits for the join with the next one.
   struct Pending {
     Piece whole;  // the programmed block
-    double tolerance_mm = 0.0;
-    double tolerance_deg = 0.0;
-    double from = 0.0;  // path length already taken by the blend at its start
+    Tolerance tolerance;
+    bool keeps_clear = false;  // of the soft limits, by its tolerance
+    double from = 0.0;         // path length already taken by the blend at its start
     Point from_point{};
     double jerk_part = 1.0;  // up to its middle (Built)
     double straight = 0.0;   // at its start, that no blend may take: it overlaps the block before
@@ -71,6 +72,11 @@ class PathBuilder {
   };
 
   [[nodiscard]] Pending pending_from(const PathBlock& block) const;
+  void take(const Pending& next);
+  [[nodiscard]] bool belong_together(const Pending& one, const Pending& next) const;
+  void open_run(const Pending& next);
+  void close_run(SmoothRun::End end);
+  void emit_run();
   void join(const Pending& next);
   void join_corner(Pending& next);
   [[nodiscard]] std::optional<Curve> blend_to(const Pending& next,
@@ -83,10 +89,17 @@ class PathBuilder {
                  double jerk_part);
   void stop();
   void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
+  void append(const Piece& piece, double jerk_part = 1.0);
+  void end_chain();
 
   MotionConfig config_;
   Point end_{};
+  bool stands_ = true;  // the last piece ended a chain, or there is none
+  // Either the last block is pending, or it is the last one of an open run.
   std::optional<Pending> pending_;
+  Pending last_of_run_;
+  SmoothRun run_;
+  std::vector<Piece> smoothed_;
   std::vector<Built> built_;
 };
 

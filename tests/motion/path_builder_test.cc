@@ -15,6 +15,13 @@ namespace {
 using std::numbers::pi;
 using Built = PathBuilder::Built;
 
+// Without smooth runs: every join is one of its own.
+MotionConfig blending_mill(int axis_count) {
+  MotionConfig config = mill(axis_count);
+  config.run_turn_max_deg = 0.0;
+  return config;
+}
+
 struct Program {
   Point start{};
   std::vector<PathBlock> blocks;
@@ -154,7 +161,7 @@ class Axes : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(ThreeAndFive, Axes, testing::Values(3, 5));
 
 TEST_P(Axes, BlendsStayWithinTolerance) {
-  const MotionConfig config = mill(GetParam());
+  const MotionConfig config = blending_mill(GetParam());
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -188,7 +195,7 @@ void expect_continuous(const Piece& before, const Piece& after, int axis_count) 
 }
 
 TEST_P(Axes, TangentAndCurvatureContinueAcrossJoins) {
-  const MotionConfig config = mill(GetParam());
+  const MotionConfig config = blending_mill(GetParam());
   int joins = 0;
   for (std::uint64_t seed = 100; seed < 180; ++seed) {
     SCOPED_TRACE(seed);
@@ -215,7 +222,7 @@ TEST_P(Axes, TangentAndCurvatureContinueAcrossJoins) {
 TEST(PathBuilder, RightAngleDeviatesByTheClosedForm) {
   // e = L (1 + 5 beta + 10 gamma) / 16 * sin(theta / 2); 3 % are kept in reserve.
   const std::vector<Built> built =
-      build({{}, {line_to({10.0, 0.0}, 2.0), line_to({10.0, 10.0}, 2.0)}}, mill(3));
+      build({{}, {line_to({10.0, 0.0}, 2.0), line_to({10.0, 10.0}, 2.0)}}, blending_mill(3));
   ASSERT_EQ(built.size(), 3U);
   const double reach = 0.97 * 0.01 * 16.0 / ((1.0 + 5.0 * 0.6 + 10.0 * 0.15) * std::sin(pi / 4.0));
   EXPECT_NEAR(built[0].piece.length, 10.0 - reach, 1e-12);
@@ -226,15 +233,16 @@ TEST(PathBuilder, RightAngleDeviatesByTheClosedForm) {
 
 TEST(PathBuilder, CollinearLinesPassWithoutBlend) {
   const std::vector<Built> built =
-      build({{}, {line_to({1.0, 2.0, 3.0}), line_to({2.0, 4.0, 6.0})}}, mill(3));
+      build({{}, {line_to({1.0, 2.0, 3.0}), line_to({2.0, 4.0, 6.0})}}, blending_mill(3));
   ASSERT_EQ(built.size(), 2U);
   EXPECT_EQ(built[0].piece.geometry.kind, PieceKind::line);
   EXPECT_FALSE(built[0].ends_chain);
 }
 
 TEST(PathBuilder, KinkOfRotaryRateOnAStraightWayIsBlended) {
-  const std::vector<Built> built = build(
-      {{}, {line_to({10.0, 0.0, 0.0, 5.0}, 2.0), line_to({20.0, 0.0, 0.0, 25.0}, 2.0)}}, mill(5));
+  const std::vector<Built> built =
+      build({{}, {line_to({10.0, 0.0, 0.0, 5.0}, 2.0), line_to({20.0, 0.0, 0.0, 25.0}, 2.0)}},
+            blending_mill(5));
   ASSERT_EQ(built.size(), 3U);
   EXPECT_EQ(built[1].piece.geometry.kind, PieceKind::quintic);
   expect_continuous(built[0].piece, built[1].piece, 5);
@@ -244,7 +252,7 @@ TEST(PathBuilder, ArcsOfOneCirclePassWithoutBlend) {
   const Point start{10.0, 0.0};
   const PathBlock first = arc_to(start, {0.0, 0.0}, 0.5 * pi, {});
   const PathBlock second = arc_to(first.end, {0.0, 0.0}, pi, {});
-  const std::vector<Built> built = build({start, {first, second}}, mill(3));
+  const std::vector<Built> built = build({start, {first, second}}, blending_mill(3));
   ASSERT_EQ(built.size(), 2U);
   EXPECT_FALSE(built[0].ends_chain);
 }
@@ -252,7 +260,7 @@ TEST(PathBuilder, ArcsOfOneCirclePassWithoutBlend) {
 TEST(PathBuilder, TangentLineAndArcAreBlendedForTheirStepOfCurvature) {
   const Point corner{10.0, 0.0};
   const std::vector<Built> built =
-      build({{}, {line_to(corner), arc_to(corner, {10.0, 5.0}, pi, {})}}, mill(3));
+      build({{}, {line_to(corner), arc_to(corner, {10.0, 5.0}, pi, {})}}, blending_mill(3));
   ASSERT_EQ(built.size(), 3U);
   EXPECT_EQ(built[1].piece.geometry.kind, PieceKind::quintic);
   EXPECT_FALSE(built[0].ends_chain || built[1].ends_chain);
@@ -273,7 +281,8 @@ PathBlock with(PathBlock block, double tolerance_mm, BlockEnding ending) {
 }
 
 TEST_P(Stops, EndTheChainAtTheProgrammedPoint) {
-  const std::vector<Built> built = build({{}, {GetParam().first, GetParam().second}}, mill(5));
+  const std::vector<Built> built =
+      build({{}, {GetParam().first, GetParam().second}}, blending_mill(5));
   ASSERT_EQ(built.size(), 2U);
   EXPECT_TRUE(built[0].ends_chain);
   EXPECT_EQ(built[0].piece.geometry.end, GetParam().first.end);
@@ -295,7 +304,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(PathBuilder, RotaryWordsAloneMakeAWayInDegrees) {
-  const std::vector<Built> built = build({{}, {line_to({0.0, 0.0, 0.0, 30.0, 40.0})}}, mill(5));
+  const std::vector<Built> built =
+      build({{}, {line_to({0.0, 0.0, 0.0, 30.0, 40.0})}}, blending_mill(5));
   ASSERT_EQ(built.size(), 1U);
   EXPECT_DOUBLE_EQ(built[0].piece.length, 50.0);
 }
@@ -303,7 +313,7 @@ TEST(PathBuilder, RotaryWordsAloneMakeAWayInDegrees) {
 TEST(PathBuilder, RotaryCornersAreBlendedWithinTheirTolerance) {
   const std::vector<Built> built = build(
       {{}, {line_to({0.0, 0.0, 0.0, 30.0, 0.0}, 2.0), line_to({0.0, 0.0, 0.0, 30.0, 30.0}, 2.0)}},
-      mill(5));
+      blending_mill(5));
   ASSERT_EQ(built.size(), 3U);
   JetPoint middle;
   evaluate(built[1].piece, 0.5 * built[1].piece.length, middle);
@@ -314,7 +324,8 @@ TEST(PathBuilder, RotaryCornersAreBlendedWithinTheirTolerance) {
 TEST(PathBuilder, RapidAndFeedBlendAtTheFeedOfTheSlower) {
   PathBlock rapid = line_to({10.0});
   rapid.rapid = true;
-  const std::vector<Built> built = build({{}, {rapid, line_to({20.0, 0.1}, 30.0)}}, mill(3));
+  const std::vector<Built> built =
+      build({{}, {rapid, line_to({20.0, 0.1}, 30.0)}}, blending_mill(3));
   ASSERT_EQ(built.size(), 3U);
   EXPECT_TRUE(built[0].piece.rapid);
   EXPECT_EQ(built[0].piece.feed_per_s, unlimited);
@@ -326,7 +337,7 @@ TEST(PathBuilder, RapidAndFeedBlendAtTheFeedOfTheSlower) {
 
 TEST(PathBuilder, BlocksWithoutMotionAreSwallowed) {
   const std::vector<Built> built =
-      build({{}, {line_to({1.0}), line_to({1.0}), line_to({2.0})}}, mill(3));
+      build({{}, {line_to({1.0}), line_to({1.0}), line_to({2.0})}}, blending_mill(3));
   ASSERT_EQ(built.size(), 2U);
   EXPECT_FALSE(built[0].ends_chain);
 }
@@ -334,13 +345,13 @@ TEST(PathBuilder, BlocksWithoutMotionAreSwallowed) {
 TEST(PathBuilder, ExactStopOfABlockWithoutMotionStopsThePathThere) {
   const std::vector<Built> built = build(
       {{}, {line_to({1.0}), with(line_to({1.0}), 0.01, BlockEnding::exact_stop), line_to({2.0})}},
-      mill(3));
+      blending_mill(3));
   ASSERT_EQ(built.size(), 2U);
   EXPECT_TRUE(built[0].ends_chain);
 }
 
 TEST(PathBuilder, PieceIsFinalOneBlockLater) {
-  PathBuilder builder(mill(3));
+  PathBuilder builder(blending_mill(3));
   builder.restart({});
   EXPECT_FALSE(builder.add(line_to({10.0})));
   EXPECT_TRUE(builder.built().empty());
@@ -354,7 +365,7 @@ TEST(PathBuilder, PieceIsFinalOneBlockLater) {
 // Full stop from 83 mm/s at 50,000 mm/s^3: 2 sqrt(v / j) = 0.082 s. A right angle within 0.01 mm
 // could be taken at about 2.5 mm/s over 0.1 mm: later.
 TEST(PathBuilder, StopsWhereABlendWouldTakeLonger) {
-  MotionConfig config = mill(3);
+  MotionConfig config = blending_mill(3);
   for (AxisLimits& axis : config.axes) axis.jerk_max = 50000.0;
   const auto corner = [&](double angle) {
     const double c = std::cos(angle);
@@ -372,7 +383,7 @@ TEST(PathBuilder, DenseBlocksBecomeOneBlendEach) {
     const double angle = 0.001 * n;
     program.blocks.push_back(line_to({100.0 * std::sin(angle), 100.0 - 100.0 * std::cos(angle)}));
   }
-  const std::vector<Built> built = build(program, mill(3));
+  const std::vector<Built> built = build(program, blending_mill(3));
   EXPECT_LE(built.size(), 1002U);
   for (std::size_t i = 0; i + 1 < built.size(); ++i) {
     EXPECT_FALSE(built[i].ends_chain);
@@ -381,7 +392,7 @@ TEST(PathBuilder, DenseBlocksBecomeOneBlendEach) {
 }
 
 MotionConfig fenced(double x_max) {
-  MotionConfig config = mill(3);
+  MotionConfig config = blending_mill(3);
   config.axes[0].position_max = x_max;
   return config;
 }
@@ -423,7 +434,7 @@ TEST(SoftLimits, HoldForTheLastTurnOfAHelixInATurnedFrame) {
   kinematics::Transform transform;
   transform.scheme = scheme.get();
   transform.frame.rotation = Rotation::about({0, 0, 1}, 90);
-  MotionConfig config = mill(5);
+  MotionConfig config = blending_mill(5);
   const Point start{0.0, 0.0, 10.0};
   PathBlock helix = line_to({0.0, 40.0, 10.0});
   helix.kind = BlockKind::arc;
@@ -441,7 +452,7 @@ TEST(SoftLimits, HoldForTheLastTurnOfAHelixInATurnedFrame) {
 }
 
 TEST(SoftLimits, NotANumberIsUnreachable) {
-  PathBuilder builder(mill(3));
+  PathBuilder builder(blending_mill(3));
   builder.restart({});
   EXPECT_TRUE(builder.add(line_to({std::nan(""), 0.0})));
 }
