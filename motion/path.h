@@ -120,6 +120,19 @@ struct PieceBounds {
   double curvature = 0.0;  // max |q''|  / a_max   s^2/mm^2
   double bend = 0.0;       // max |q''|  / j_max   s^3/mm^2
   double aberrancy = 0.0;  // max |q'''| / j_max   s^3/mm^3
+
+  // The same with Euclidean lengths, where X, Y and Z alone move and have one limit each: what acts
+  // along the path and what acts across it adds in squares,
+  //   (v^2 * curvature)^2 + (a * tangent)^2 <= 1,
+  //   v^3 * aberrancy + sqrt((3 v a * bend)^2 + (j * thrust)^2) <= 1.
+  struct Euclidean {
+    bool holds = false;
+    double tangent = 0.0;
+    double thrust = 0.0;
+    double curvature = 0.0;
+    double bend = 0.0;
+  };
+  Euclidean euclidean{};
 };
 
 struct Piece {

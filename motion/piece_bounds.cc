@@ -25,6 +25,13 @@ constexpr int sampling_intervals_max = 8192;
 // Sampling is refined until what may lie between samples is below this share of the bound.
 constexpr double margin_share_max = 0.05;
 
+bool moves(const Piece& piece, std::size_t axis) {
+  const Geometry& g = piece.geometry;
+  if (g.kind != PieceKind::quintic) return g.start[axis] != g.end[axis];
+  return std::any_of(g.coefficients[axis].begin() + 1, g.coefficients[axis].end(),
+                     [](double c) { return c != 0.0; });
+}
+
 PieceBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& config) {
   PieceBounds bounds;
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
@@ -39,6 +46,34 @@ PieceBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& 
     bounds.aberrancy = std::max(bounds.aberrancy, q[k].third / limit.jerk_max);
   }
   return bounds;
+}
+
+// The one limit of X, Y and Z, if there is one: the transform may turn them, and nothing else
+// moves.
+std::optional<AxisLimits> common_limits(const Piece& piece, const MotionConfig& config) {
+  if (!is_affine(piece)) return std::nullopt;
+  std::optional<AxisLimits> common;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+    const AxisLimits& limits = config.axes[k];
+    if (std::ranges::find(config.geometry, static_cast<int>(k)) == config.geometry.end()) {
+      if (moves(piece, k)) return std::nullopt;
+    } else if (!common) {
+      common = limits;
+    } else if (limits.acceleration_max != common->acceleration_max ||
+               limits.jerk_max != common->jerk_max) {
+      return std::nullopt;
+    }
+  }
+  return common;
+}
+
+// `turn`: largest Euclidean |q''|.
+PieceBounds::Euclidean euclidean_bounds(double turn, const AxisLimits& limits) {
+  return {.holds = true,
+          .tangent = 1.0 / limits.acceleration_max,
+          .thrust = 1.0 / limits.jerk_max,
+          .curvature = turn / limits.acceleration_max,
+          .bend = turn / limits.jerk_max};
 }
 
 AxisDerivatives of_affine_line(const Piece& piece) {
@@ -111,6 +146,13 @@ AxisDerivatives of_affine_arc(const Piece& piece, double factor) {
   return q;
 }
 
+// |q''| of an arc: r w^2 for w = angle per length, along a helix too.
+double arc_turn(const Piece& piece) {
+  const Geometry& g = piece.geometry;
+  const double turn_rate = g.sweep / piece.length;
+  return std::max(g.radius, g.radius + g.radius_change) * turn_rate * turn_rate;
+}
+
 // The largest magnitude among three neighbouring samples, with and without what may lie between.
 struct Peak {
   double sampled = 0.0;
@@ -128,20 +170,37 @@ struct AxisPeaks {
   Peak second;
   Peak third;
 };
-using Peaks = kinematics::AxisVector<AxisPeaks>;
+struct Peaks : kinematics::AxisVector<AxisPeaks> {
+  Peak turn;  // Euclidean |q''| of X, Y, Z in W
+};
 
-Peaks sampled_peaks(const Piece& piece, int intervals, int axis_count) {
+double turn_of(const JetPoint& point_s, const MotionConfig& config) {
+  double squared = 0.0;
+  for (const int axis : config.geometry) {
+    if (axis < 0) continue;
+    const double second = point_s[static_cast<std::size_t>(axis)].second;
+    squared += second * second;
+  }
+  return std::sqrt(squared);
+}
+
+Peaks sampled_peaks(const Piece& piece, int intervals, const MotionConfig& config) {
   Peaks peaks;
   std::array<JetPoint, 3> window;
+  std::array<double, 3> turns{};
   for (int i = 0; i <= intervals; ++i) {
     JetPoint point_s;
     evaluate_at_parameter(piece, static_cast<double>(i) / intervals, point_s);
     to_machine(piece, point_s, window[static_cast<std::size_t>(i % 3)]);
+    turns[static_cast<std::size_t>(i % 3)] = turn_of(point_s, config);
     if (i < 2) continue;
     const JetPoint& before = window[static_cast<std::size_t>((i - 2) % 3)];
     const JetPoint& here = window[static_cast<std::size_t>((i - 1) % 3)];
     const JetPoint& after = window[static_cast<std::size_t>(i % 3)];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
+    peaks.turn.take(turns[static_cast<std::size_t>((i - 2) % 3)],
+                    turns[static_cast<std::size_t>((i - 1) % 3)],
+                    turns[static_cast<std::size_t>(i % 3)]);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
       peaks[k].first.take(before[k].first, here[k].first, after[k].first);
       peaks[k].second.take(before[k].second, here[k].second, after[k].second);
       peaks[k].third.take(before[k].third, here[k].third, after[k].third);
@@ -171,10 +230,14 @@ bool is_resolved(const PieceBounds& sampled, const PieceBounds& bounds) {
 PieceBounds sampled_bounds(const Piece& piece, const MotionConfig& config) {
   int intervals = sampling_intervals(piece, config);
   for (;;) {
-    const Peaks peaks = sampled_peaks(piece, intervals, config.axis_count);
-    const PieceBounds bounds = bounds_of(taken(peaks, &Peak::bound), piece.rapid, config);
+    const Peaks peaks = sampled_peaks(piece, intervals, config);
+    PieceBounds bounds = bounds_of(taken(peaks, &Peak::bound), piece.rapid, config);
     const PieceBounds sampled = bounds_of(taken(peaks, &Peak::sampled), piece.rapid, config);
-    if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds)) return bounds;
+    if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds)) {
+      if (const auto limits = common_limits(piece, config))
+        bounds.euclidean = euclidean_bounds(peaks.turn.bound, *limits);
+      return bounds;
+    }
     intervals *= 2;
   }
 }
@@ -188,7 +251,10 @@ PieceBounds piece_bounds(const Piece& piece, const MotionConfig& config) {
   if (is_affine(piece) && piece.geometry.kind == PieceKind::arc) {
     const double factor = spiral_factor(piece.geometry);
     if (factor < spiral_factor_max) {
-      return bounds_of(of_affine_arc(piece, factor), piece.rapid, config);
+      PieceBounds bounds = bounds_of(of_affine_arc(piece, factor), piece.rapid, config);
+      if (const auto limits = common_limits(piece, config))
+        bounds.euclidean = euclidean_bounds(factor * arc_turn(piece), *limits);
+      return bounds;
     }
   }
   return sampled_bounds(piece, config);
