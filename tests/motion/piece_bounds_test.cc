@@ -110,6 +110,33 @@ TEST_P(BothModes, EveryAxisKeepsItsLimitsWithinPieceLimits) {
   }
 }
 
+// X, Y and Z with one limit each: what acts along the path and across it adds in squares.
+TEST(PieceBounds, EveryAxisKeepsItsLimitsWhereSquaresAreAdded) {
+  const MotionConfig config = mill(3);
+  kinematics::Transform turned;
+  turned.frame.rotation = Rotation::about({1, 2, 3}, 17);
+  int squares = 0;
+  for (std::uint64_t seed = 20; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (const auto& built : random_pieces(random, config, turned)) {
+      expect_limits_kept(built.piece, config, random);
+      squares += built.piece.bounds.euclidean.holds ? 1 : 0;
+    }
+  }
+  EXPECT_GT(squares, 100);
+}
+
+TEST(PieceBounds, SquaresLeaveACircleMoreThanSumsDo) {
+  // R 20 at 180 mm/s: v^3 / R^2 takes 0.1458 of the jerk; of the rest 0.7 goes to 3 v a / R.
+  const kinematics::Transform identity;
+  const PieceLimits limits =
+      piece_limits(piece_bounds(circle_piece(2.0 * pi, identity), mill(3)), 180.0);
+  const double rest = 1.0 - std::pow(180.0, 3) / 400.0 / 1e5;
+  EXPECT_NEAR(limits.a, 0.7 * rest * 1e5 * 20.0 / (3.0 * 180.0), 1e-6);
+  EXPECT_NEAR(limits.j, std::sqrt(1.0 - 0.49) * rest * 1e5, 1e-4);
+}
+
 // Bounds are not only safe but close: some sample reaches 90 % of each allowance that binds.
 TEST_P(BothModes, BoundsAreNearlyReached) {
   const auto scheme = head_table();
