@@ -3,6 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+
+#include "motion/nurbs.h"
+#include "motion/shape.h"
 
 namespace stanok::channels {
 namespace {
@@ -19,10 +23,29 @@ double at(const motion::Point& point, int axis) {
   return point[static_cast<std::size_t>(axis)];
 }
 
+// How far stretches may deviate from the programmed curve.
+constexpr double curve_deviation_mm = 1e-7;
+
+// Where a stretch ends: on the curve in the plane, on the way from start to end in all other axes.
+motion::Point point_on(const motion::Point& start, const motion::Point& end,
+                       const motion::CurveStretch& stretch, const std::array<int, 2>& plane) {
+  motion::Point point;
+  for (std::size_t k = 0; k < point.size(); ++k)
+    point[k] = start[k] + (end[k] - start[k]) * stretch.end;
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto& coefficients = stretch.coefficients[c];
+    point[static_cast<std::size_t>(plane[c])] =
+        std::accumulate(coefficients.begin(), coefficients.end(), 0.0);
+  }
+  return point;
+}
+
 }  // namespace
 
 double block_length(const motion::MotionConfig& motion, const motion::Point& start,
                     const motion::PathBlock& block) {
+  if (block.kind == motion::BlockKind::curve)
+    return motion::curve(motion::PathMetric{motion.axis_count, 0b111}, start, block).length;
   double geometry = 0.0;
   double all = 0.0;
   for (int k = 0; k < motion.axis_count; ++k) {
@@ -211,6 +234,46 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
   if (auto refusal = set_feed(move, block)) return Unexpected<Diagnostic>(std::move(*refusal));
   position_W_ = block.end;
   return block;
+}
+
+// All stretches end like the curve does; only the last one may stop.
+Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
+    const lang::SplineMove& spline, const motion::BlockTag& tag) {
+  const motion::Point start = position_W_;
+  const std::array<int, 2> plane = plane_axes(spline.base.plane);
+  motion::PlanarNurbs nurbs{spline.degree, {{at(start, plane[0]), at(start, plane[1])}}, {}};
+  nurbs.points.insert(nurbs.points.end(), spline.points.begin(), spline.points.end());
+  nurbs.weights = spline.weights;
+  const auto stretches = motion::stretches_of(nurbs, curve_deviation_mm);
+  if (stretches.empty()) {
+    Diagnostic d;
+    d.code = "E6033";
+    d.message = "a spline without a direction at one end: control points coincide";
+    d.help = {"move the first or the last inner control point away from the end beside it"};
+    return Unexpected<Diagnostic>(std::move(d));
+  }
+  auto whole = block(spline.base, tag);
+  if (!whole) return Unexpected<Diagnostic>(whole.error());
+  std::vector<motion::PathBlock> blocks;
+  double length = 0.0;
+  position_W_ = start;
+  for (const motion::CurveStretch& stretch : stretches) {
+    motion::PathBlock part = *whole;
+    part.kind = motion::BlockKind::curve;
+    part.plane = plane;
+    part.curve = stretch.coefficients;
+    if (&stretch != &stretches.back()) {
+      part.ending = motion::BlockEnding::continuous;
+      part.end = point_on(start, whole->end, stretch, plane);
+    }
+    length += block_length(motion_, position_W_, part);
+    position_W_ = part.end;
+    blocks.push_back(part);
+  }
+  if (spline.base.feed_mode == lang::FeedMode::inverse_time) {
+    for (motion::PathBlock& part : blocks) part.feed_per_s = length * spline.base.feed / 60.0;
+  }
+  return blocks;
 }
 
 }  // namespace stanok::channels

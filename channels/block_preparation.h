@@ -46,6 +46,10 @@ class BlockPreparation {
   [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block(const lang::Move& move,
                                                               const motion::BlockTag& tag);
 
+  // The same for a spline, in stretches that the path can hold.
+  [[nodiscard]] Expected<std::vector<motion::PathBlock>, Diagnostic> curve(
+      const lang::SplineMove& spline, const motion::BlockTag& tag);
+
  private:
   [[nodiscard]] bool set_frame(const lang::FrameChange& change);
   [[nodiscard]] bool set_tool_length(const lang::ToolLength& length);

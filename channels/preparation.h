@@ -56,6 +56,9 @@ class Preparation {
   void take(const lang::Command& command);
   void take_state(const lang::Command& command);
   void add_move(const lang::Command& command, const lang::Move& move);
+  void add_curve(const lang::Command& command, const lang::SplineMove& spline);
+  bool add_block(const lang::Command& command, const motion::PathBlock& block);
+  void fail_at_block(const lang::Command& command, Diagnostic diagnostic);
   void add_request(const lang::Command& command, const lang::Request& request);
   void add_output(const lang::Command& command, const lang::OutputCommand& output);
   void add_mark(const lang::Command& command, const lang::MarkCommand& mark);

@@ -60,7 +60,7 @@ void Preparation::take(const lang::Command& command) {
             task_ = Task::idle;
           },
           [&](const lang::Request& request) { add_request(command, request); },
-          [&](const lang::SplineMove&) { refuse(command, "a spline block"); },
+          [&](const lang::SplineMove& spline) { add_curve(command, spline); },
           [&](const lang::SynchronousMove&) { refuse(command, "a thread"); },
           [&](const lang::ProbeMove&) { refuse(command, "probing"); },
           [&](const lang::TransformationChange&) { refuse(command, "a face transformation"); },
@@ -88,20 +88,33 @@ void Preparation::take_state(const lang::Command& command) {
 }
 
 void Preparation::add_move(const lang::Command& command, const lang::Move& move) {
-  const motion::BlockTag tag = tag_of(command);
-  auto block = blocks_.block(move, tag);
-  if (!block) {
-    Diagnostic diagnostic = block.error();
-    lang::put_at_block(*running_, command.origin, diagnostic);
-    return fail(diagnostic, tag);
+  const auto block = blocks_.block(move, tag_of(command));
+  if (!block) return fail_at_block(command, block.error());
+  add_block(command, *block);
+}
+
+void Preparation::add_curve(const lang::Command& command, const lang::SplineMove& spline) {
+  const auto blocks = blocks_.curve(spline, tag_of(command));
+  if (!blocks) return fail_at_block(command, blocks.error());
+  for (const motion::PathBlock& block : *blocks) {
+    if (!add_block(command, block)) return;
   }
+}
+
+// False when the block cannot be reached; the run has failed then.
+bool Preparation::add_block(const lang::Command& command, const motion::PathBlock& block) {
   chain_open_ = true;
-  if (const auto unreachable = builder_.add(*block)) {
-    Diagnostic diagnostic = unreachable_pose(*unreachable, config_);
-    lang::put_at_block(*running_, command.origin, diagnostic);
-    return fail(diagnostic, tag);
+  if (const auto unreachable = builder_.add(block)) {
+    fail_at_block(command, unreachable_pose(*unreachable, config_));
+    return false;
   }
   collect_pieces();
+  return true;
+}
+
+void Preparation::fail_at_block(const lang::Command& command, Diagnostic diagnostic) {
+  lang::put_at_block(*running_, command.origin, diagnostic);
+  fail(diagnostic, tag_of(command));
 }
 
 void Preparation::add_request(const lang::Command& command, const lang::Request& request) {

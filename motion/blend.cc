@@ -20,8 +20,9 @@ constexpr double sag = 1.0 / 64.0;
 // deviation_share.
 constexpr double tolerance_used = 0.97;
 
-constexpr double reach_min = 1e-5;     // mm: below, the stored points no longer resolve the curve
-constexpr double arc_angle_max = 0.5;  // rad of an arc that a blend may replace
+constexpr double reach_min = 1e-5;       // mm: below, the stored points no longer resolve the curve
+constexpr double arc_angle_max = 0.5;    // rad of an arc that a blend may replace
+constexpr double curve_part_max = 0.25;  // of a programmed curve
 constexpr int samples = 16;
 constexpr int foot_steps = 3;
 constexpr int fit_attempts = 16;
@@ -115,7 +116,8 @@ Contact contact_at(const Piece& piece, double s) {
 
 // How much of a piece a blend may replace.
 double replaceable(const Piece& piece) {
-  if (piece.geometry.kind != PieceKind::arc) return piece.length;
+  if (piece.geometry.kind == PieceKind::line) return piece.length;
+  if (piece.geometry.kind == PieceKind::quintic) return curve_part_max * piece.length;
   return piece.length * std::min(1.0, arc_angle_max / std::abs(piece.geometry.sweep));
 }
 

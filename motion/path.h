@@ -53,7 +53,7 @@ struct BlockTag {
   std::uint16_t file = 0;
 };
 
-enum class BlockKind : std::uint8_t { line, arc };
+enum class BlockKind : std::uint8_t { line, arc, curve };
 enum class BlockEnding : std::uint8_t { continuous, exact_stop };
 
 // One programmed motion from the end of the one before.
@@ -74,6 +74,8 @@ struct PathBlock {
   std::array<int, 2> plane{0, 1};
   std::array<double, 2> centre{};
   double sweep_rad = 0.0;
+  // Curve: the axes of the plane as polynomials of u, 0 to 1; all other axes linearly with u.
+  std::array<std::array<double, 6>, 2> curve{};
   const kinematics::Transform* transform = nullptr;  // outlives the queue
 };
 

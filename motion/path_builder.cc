@@ -41,16 +41,29 @@ bool moves(const PathBlock& block, const Point& start, std::size_t axis, double 
 // Any axis of the channel moves; an arc moves by its sweep.
 bool moves(const PathBlock& block, const Point& start, int axis_count) {
   if (block.kind == BlockKind::arc && block.sweep_rad != 0.0) return true;
+  if (block.kind == BlockKind::curve) return true;
   for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
     if (moves(block, start, k, standstill)) return true;
   }
   return false;
 }
 
+Shape shape_of(const PathMetric& metric, const Point& start, const PathBlock& block) {
+  switch (block.kind) {
+    case BlockKind::arc:
+      return arc(metric, start, block);
+    case BlockKind::curve:
+      return curve(metric, start, block);
+    case BlockKind::line:
+      break;
+  }
+  return line(metric, start, block.end);
+}
+
 // Tip's way in mm when a geometry axis moves, otherwise the way of all other axes in deg.
 PathMetric metric_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
   PathMetric metric{config.axis_count, 0};
-  bool on_geometry = block.kind == BlockKind::arc;
+  bool on_geometry = block.kind != BlockKind::line;
   for (const int axis : config.geometry) {
     if (axis < 0) continue;
     metric.axes |= 1U << static_cast<unsigned>(axis);
@@ -210,8 +223,7 @@ void PathBuilder::emit_run() {
 
 PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
   const PathMetric metric = metric_of(block, end_, config_);
-  const Shape shape =
-      block.kind == BlockKind::arc ? arc(metric, end_, block) : line(metric, end_, block.end);
+  const Shape shape = shape_of(metric, end_, block);
   Pending pending;
   pending.whole.tag = block.tag;
   pending.whole.geometry = shape.geometry;

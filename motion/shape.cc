@@ -34,8 +34,24 @@ Polar polar(const Point& point, const std::array<int, 2>& plane,
   return {std::hypot(x, y), std::atan2(y, x)};
 }
 
-// Coefficients of u^0..u^5 from position, first and second derivative by u at both ends.
-std::array<double, 6> hermite(double p0, double v0, double a0, double p1, double v1, double a1) {
+// The polynomial over a part of its parameter, which becomes 0 to 1 again.
+std::array<double, 6> part_of(const std::array<double, 6>& c, double from, double to) {
+  std::array<double, 6> shifted = c;
+  for (std::size_t m = 0; m < 6; ++m) {
+    for (std::size_t k = 5; k > m; --k) shifted[k - 1] += from * shifted[k];
+  }
+  double power = 1.0;
+  for (double& coefficient : shifted) {
+    coefficient *= power;
+    power *= to - from;
+  }
+  return shifted;
+}
+
+}  // namespace
+
+std::array<double, 6> quintic_between(double p0, double v0, double a0, double p1, double v1,
+                                      double a1) {
   const double way = p1 - p0 - v0 - 0.5 * a0;
   const double speed = v1 - v0 - a0;
   const double change = a1 - a0;
@@ -46,8 +62,6 @@ std::array<double, 6> hermite(double p0, double v0, double a0, double p1, double
           -15.0 * way + 7.0 * speed - change,
           6.0 * way - 3.0 * speed + 0.5 * change};
 }
-
-}  // namespace
 
 Shape line(const PathMetric& metric, const Point& start, const Point& end) {
   return with_length(between(metric, start, end));
@@ -69,6 +83,18 @@ Shape arc(const PathMetric& metric, const Point& start, const PathBlock& block) 
   return with_length(geometry);
 }
 
+Shape curve(const PathMetric& metric, const Point& start, const PathBlock& block) {
+  Geometry geometry = between(metric, start, block.end);
+  geometry.kind = PieceKind::quintic;
+  for (std::size_t k = 0; k < axes_max; ++k) {
+    geometry.coefficients[k] = {start[k], block.end[k] - start[k], 0.0, 0.0, 0.0, 0.0};
+  }
+  for (std::size_t c = 0; c < 2; ++c)
+    geometry.coefficients[static_cast<std::size_t>(block.plane[c])] = block.curve[c];
+  measure(geometry);
+  return with_length(geometry);
+}
+
 Contact contact(const JetPoint& point_s) {
   Contact at;
   for (std::size_t k = 0; k < axes_max; ++k) {
@@ -86,7 +112,7 @@ Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& 
   const double h = 5.0 * (1.0 - blend_beta) * reach;
   const double g = 20.0 * (2.0 * blend_beta - 1.0 - blend_gamma) * reach;
   for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
-    geometry.coefficients[k] = hermite(
+    geometry.coefficients[k] = quintic_between(
         from.position[k], h * from.tangent[k], h * h * from.curvature[k] + g * from.tangent[k],
         to.position[k], h * to.tangent[k], h * h * to.curvature[k] - g * to.tangent[k]);
   }
@@ -105,6 +131,12 @@ Shape part(const Piece& whole, double s_start, const Point& start, double s_end,
     geometry.radius_change *= to - from;
     geometry.start_angle += whole.geometry.sweep * from;
     geometry.sweep *= to - from;
+  }
+  if (geometry.kind == PieceKind::quintic) {
+    const double from = parameter_at(whole.geometry, s_start, whole.length);
+    const double to = parameter_at(whole.geometry, s_end, whole.length);
+    for (auto& coefficients : geometry.coefficients) coefficients = part_of(coefficients, from, to);
+    measure(geometry);
   }
   return with_length(geometry);
 }

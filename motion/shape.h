@@ -33,7 +33,14 @@ struct Contact {
 [[nodiscard]] Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& to,
                                 double reach);
 
-// The part of a line or arc between two path lengths; `start` and `end` are its points there, so
+// The curve of `block` from `start`: its coefficients in the plane, other axes linearly with u.
+[[nodiscard]] Shape curve(const PathMetric& metric, const Point& start, const PathBlock& block);
+
+// Coefficients of u^0..u^5 from value, first and second derivative by u at u = 0 and u = 1.
+[[nodiscard]] std::array<double, 6> quintic_between(double p0, double v0, double a0, double p1,
+                                                    double v1, double a1);
+
+// The part of a piece between two path lengths; `start` and `end` are its points there, so
 // that neighbours share them to the bit.
 [[nodiscard]] Shape part(const Piece& whole, double s_start, const Point& start, double s_end,
                          const Point& end);

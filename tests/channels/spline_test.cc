@@ -1,0 +1,102 @@
+// Splines on the machine: the programmed curve at the programmed feed, in G94 and G93.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "channels/machine.h"
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::MachineBench;
+
+struct Steady {
+  int cycles = 0;
+  double worst = 0.0;  // relative error of the path speed
+};
+
+// Cycles in which the path runs at `feed` but for ramps.
+Steady steady_part(MachineBench& bench, const std::string& text, double feed) {
+  bench.program("p.nc", text);
+  bench.run(1, "p.nc");
+  Steady steady;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const auto& point = output.channels[0].point_W;
+    const double speed = std::hypot(point[0].first, point[1].first, point[2].first);
+    const double error = std::abs(speed / feed - 1.0);
+    if (error > 1e-6) return;
+    ++steady.cycles;
+    steady.worst = std::max(steady.worst, error);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  return steady;
+}
+
+TEST(Spline, CubicFollowsItsBezierCurveAtTheFeed) {
+  MachineBench bench;
+  double worst = 0.0;
+  bench.program("p.nc", "G1 F3000\nG5 X60 Y0 I0 J40 P0 Q40\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) {
+    const double x = output.channels[0].axes[0].position;
+    const double y = output.channels[0].axes[1].position;
+    // x = 60 (3u^2 - 2u^3), y = 120 u (1 - u): from y, u, and from u, x.
+    const double u = 0.5 * (1.0 - std::sqrt(std::max(0.0, 1.0 - y / 30.0)));
+    const double left = 60.0 * u * u * (3.0 - 2.0 * u);
+    worst = std::max(worst, std::min(std::abs(x - left), std::abs(x - (60.0 - left))));
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_LT(worst, 1e-6);
+  EXPECT_EQ(bench.channel(1).axes[0].position, 60.0);
+  EXPECT_EQ(bench.channel(1).axes[1].position, 0.0);
+}
+
+TEST(Spline, SpeedIsTheFeedToRounding) {
+  for (const double feed : {1.0, 50.0}) {  // mm/s
+    MachineBench bench;
+    const std::string f = "F" + std::to_string(feed * 60.0) + "\n";
+    const Steady steady =
+        steady_part(bench, "G1 " + f + "G5 X30 Y0 I0 J20 P0 Q20\nX60 P0 Q-20\nM30\n", feed);
+    EXPECT_GT(steady.cycles, 500);
+    EXPECT_LT(steady.worst, 1e-9);
+  }
+}
+
+TEST(Spline, NurbsGoesFromItsFirstToItsLastPoint) {
+  MachineBench bench;
+  const Steady steady = steady_part(
+      bench, "F2400\nG5.2 P1 L4\nX10 Y20 P2\nX25 Y-15 P0.7\nX40 Y20\nX60 Y0\nX70 Y10\nG5.3\nM30\n",
+      40.0);
+  EXPECT_GT(steady.cycles, 500);
+  EXPECT_LT(steady.worst, 1e-9);
+  EXPECT_EQ(bench.channel(1).axes[0].position, 70.0);
+  EXPECT_EQ(bench.channel(1).axes[1].position, 10.0);
+}
+
+TEST(Spline, InverseTimeCountsForTheWholeCurve) {
+  MachineBench bench;
+  // 2 s for the curve: F30 in 1/min.
+  int moving = 0;
+  bench.program("p.nc", "G93\nG5 X60 Y0 I0 J40 P0 Q40 F30\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) { moving += output.channels[0].moving ? 1 : 0; });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_GT(moving, 2000);  // and the ramps
+  EXPECT_LT(moving, 2200);
+}
+
+TEST(Spline, WithoutADirectionIsRefusedAtItsBlock) {
+  MachineBench bench;
+  bench.program("p.nc", "G1 X1 F600\nG5 X60 Y0 I0 J0 P0 Q40\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E6033"));
+  EXPECT_EQ(bench.channel(1).axes[0].position, 1.0);
+}
+
+}  // namespace
+}  // namespace stanok::channels
