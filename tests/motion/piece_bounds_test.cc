@@ -89,6 +89,14 @@ std::vector<PathBuilder::Built> random_pieces(Random& random, const MotionConfig
   return builder.built();
 }
 
+Piece circle_piece(double sweep, const kinematics::Transform& transform) {
+  const PathMetric metric{3, 0b111};
+  const Point start{20.0, 0.0, 0.0};
+  Piece piece = piece_of(arc(metric, start, arc_to(start, {0.0, 0.0}, sweep, {})));
+  piece.transform = &transform;
+  return piece;
+}
+
 class BothModes : public testing::TestWithParam<kinematics::PointMode> {};
 INSTANTIATE_TEST_SUITE_P(AxesAndTip, BothModes,
                          testing::Values(kinematics::PointMode::axes, kinematics::PointMode::tip));
@@ -157,14 +165,6 @@ TEST_P(BothModes, BoundsAreNearlyReached) {
       EXPECT_GT(use_of(built.piece, config, 1.0 / std::cbrt(b.aberrancy), 0.0, 0.0).j, 0.9);
     }
   }
-}
-
-Piece circle_piece(double sweep, const kinematics::Transform& transform) {
-  const PathMetric metric{3, 0b111};
-  const Point start{20.0, 0.0, 0.0};
-  Piece piece = piece_of(arc(metric, start, arc_to(start, {0.0, 0.0}, sweep, {})));
-  piece.transform = &transform;
-  return piece;
 }
 
 TEST(PieceBounds, CircleHasTheClosedForm) {
