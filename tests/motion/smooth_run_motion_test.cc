@@ -1,0 +1,160 @@
+// Motion along smooth runs: limits and tolerance under hold, resume and override, and the feed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/motion/path_samples.h"
+
+namespace stanok::motion::testing {
+namespace {
+
+constexpr Limits limits{.v = 250.0, .a = 2500.0, .j = 50000.0};
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Short blocks along a winding way, now and then a corner.
+std::vector<PathBlock> winding_way(Draw& draw, int count, double tolerance) {
+  std::vector<PathBlock> blocks;
+  Point at{};
+  double heading = 0.0;
+  double bend = 0.0;
+  for (int n = 0; n < count; ++n) {
+    const double length = draw.between(0.05, 0.6);
+    if (n % 25 == 0) bend = draw.between(-0.3, 0.3);
+    heading += bend * length + draw.between(-0.01, 0.01);
+    if (draw.between(0.0, 1.0) < 0.02) heading += draw.between(-2.5, 2.5);
+    at[0] += length * std::cos(heading);
+    at[1] += length * std::sin(heading);
+    at[2] = 2.0 * std::sin(0.1 * n);
+    PathBlock block;
+    block.tag = {.run = 1, .block = static_cast<std::uint64_t>(n + 1)};
+    block.end = at;
+    block.feed_per_s = draw.between(10.0, 120.0);
+    block.tolerance_mm = tolerance;
+    block.tolerance_deg = 0.05;
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+std::vector<PathBuilder::Built> built_of(const MotionConfig& config,
+                                         const std::vector<PathBlock>& blocks) {
+  PathBuilder builder(config);
+  builder.restart({});
+  for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
+  builder.finish();
+  return builder.built();
+}
+
+double distance_to_leg(const Point& p, const Point& a, const Point& b) {
+  double along = 0.0;
+  double squared = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (p[k] - a[k]) * (b[k] - a[k]);
+    squared += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  const double u = std::clamp(along / squared, 0.0, 1.0);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double gap = p[k] - a[k] - u * (b[k] - a[k]);
+    sum += gap * gap;
+  }
+  return std::sqrt(sum);
+}
+
+// Of the set-points from the blocks around the one they belong to.
+double worst_deviation(const std::vector<Sample>& samples, const std::vector<PathBlock>& blocks) {
+  double worst = 0.0;
+  for (const Sample& sample : samples) {
+    if (sample.out.tag.block == 0) continue;
+    Point p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = sample.out.point[k].value;
+    const std::size_t at = sample.out.tag.block - 1;
+    double nearest = 1e300;
+    for (std::size_t n = at > 8 ? at - 8 : 0; n < std::min(blocks.size(), at + 9); ++n) {
+      const Point start = n == 0 ? Point{} : blocks[n - 1].end;
+      nearest = std::min(nearest, distance_to_leg(p, start, blocks[n].end));
+    }
+    worst = std::max(worst, nearest);
+  }
+  return worst;
+}
+
+void expect_kept(const std::vector<Sample>& samples, const std::vector<PathBlock>& blocks,
+                 double tolerance) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(columns_of(samples, axis, limits).worst(), 1.0 + 1e-9) << "axis " << axis;
+    EXPECT_LE(quotients_of(axis_of(samples, axis), limits, 0.001).worst(), 1.0 + 1e-6);
+    EXPECT_EQ(samples.back().out.axes[axis].value, blocks.back().end[axis]);
+  }
+  EXPECT_LE(worst_deviation(samples, blocks), tolerance);
+}
+
+TEST(SmoothRunMotion, KeepsLimitsAndToleranceAtTheFeed) {
+  const MotionConfig config = three_axes(limits);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Draw draw(seed);
+    const double tolerance = std::pow(10.0, draw.between(-2.5, -1.5));
+    const auto blocks = winding_way(draw, 400, tolerance);
+    expect_kept(run_path(config, built_of(config, blocks)), blocks, tolerance);
+  }
+}
+
+TEST(SmoothRunMotion, KeepsThemUnderHoldResumeAndOverride) {
+  const MotionConfig config = three_axes(limits);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Draw draw(1000 + seed);
+    const double tolerance = std::pow(10.0, draw.between(-2.5, -1.5));
+    const auto blocks = winding_way(draw, 300, tolerance);
+    FeedControl now;
+    int until = 0;
+    const auto control = [&](int cycle) {
+      if (cycle > 30000) return FeedControl{};
+      if (cycle >= until) {
+        until = cycle + static_cast<int>(draw.between(5.0, 400.0));
+        now.hold = draw.between(0.0, 1.0) < 0.25;
+        now.feed_override = draw.between(0.0, 1.0) < 0.3 ? 1.0 : draw.between(0.0, 2.0);
+      }
+      return now;
+    };
+    expect_kept(run_path(config, built_of(config, blocks), control), blocks, tolerance);
+  }
+}
+
+// The turn of the whole path into a circle: 1 % of the time may go into its two ramps.
+TEST(SmoothRunMotion, ChordsOfACircleRunAtTheFeed) {
+  const MotionConfig config = three_axes(limits);
+  std::vector<PathBlock> blocks;
+  for (int n = 1; n <= 6000; ++n) {
+    PathBlock block;
+    const double angle = n * 0.01;
+    block.tag = {.run = 1, .block = static_cast<std::uint64_t>(n)};
+    block.end = {10.0 * std::sin(angle), 10.0 - 10.0 * std::cos(angle)};
+    block.feed_per_s = 83.0;
+    block.tolerance_mm = 0.01;
+    block.tolerance_deg = 0.05;
+    blocks.push_back(block);
+  }
+  const auto samples = run_path(config, built_of(config, blocks));
+  int steady = 0;
+  for (const Sample& sample : samples) {
+    const double speed = std::hypot(sample.out.point[0].first, sample.out.point[1].first);
+    steady += std::abs(speed / 83.0 - 1.0) < 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(steady, 0.97 * static_cast<double>(samples.size()));
+}
+
+}  // namespace
+}  // namespace stanok::motion::testing
