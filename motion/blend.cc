@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "motion/geometry.h"
+#include "motion/point_algebra.h"
 
 namespace stanok::motion {
 namespace {
@@ -33,35 +34,6 @@ Tolerance used_of(const Tolerance& tolerance) {
 
 bool is_geometry_axis(const MotionConfig& config, std::size_t axis) {
   return std::ranges::find(config.geometry, static_cast<int>(axis)) != config.geometry.end();
-}
-
-double axis_tolerance(const MotionConfig& config, std::size_t axis, const Tolerance& tolerance) {
-  return config.axes[axis].linear ? tolerance.mm : tolerance.deg;
-}
-
-double metric_product(const PathMetric& metric, const Point& a, const Point& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
-    if (metric.counts(k)) sum += a[k] * b[k];
-  }
-  return sum;
-}
-
-// Euclidean length over the geometry axes.
-double geometry_norm(const MotionConfig& config, const Point& v) {
-  double squared = 0.0;
-  for (const int axis : config.geometry) {
-    if (axis >= 0) {
-      squared += v[static_cast<std::size_t>(axis)] * v[static_cast<std::size_t>(axis)];
-    }
-  }
-  return std::sqrt(squared);
-}
-
-Point difference(const Point& a, const Point& b) {
-  Point d;
-  for (std::size_t k = 0; k < axes_max; ++k) d[k] = a[k] - b[k];
-  return d;
 }
 
 // How fast the deviation grows with the reach, relative to the tolerance: linear with the kink,

@@ -11,6 +11,7 @@
 
 #include "motion/path.h"
 #include "motion/shape.h"
+#include "motion/tolerance.h"
 
 namespace stanok::motion {
 
@@ -18,13 +19,6 @@ namespace stanok::motion {
 // jerk: least q''' for a given deviation and reach (docs/motion.md#blends).
 inline constexpr double blend_beta = 0.6;
 inline constexpr double blend_gamma = 0.15;
-
-// How far the path may leave the programmed one: mm for linear axes (Euclidean over X, Y, Z), deg
-// for every rotary axis against its synchronous linear course.
-struct Tolerance {
-  double mm = 0.0;
-  double deg = 0.0;
-};
 
 struct Blend {
   Shape shape;

@@ -124,10 +124,6 @@ MotionConfig narrowed(MotionConfig config, const Piece& piece, const Tolerance& 
   return config;
 }
 
-Tolerance lower_of(const Tolerance& one, const Tolerance& other) {
-  return {std::min(one.mm, other.mm), std::min(one.deg, other.deg)};
-}
-
 }  // namespace
 
 PathBuilder::PathBuilder(const MotionConfig& config) : config_(config), run_(config) {}

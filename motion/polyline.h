@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <deque>
 
-#include "motion/blend.h"
 #include "motion/path.h"
+#include "motion/tolerance.h"
 
 namespace stanok::motion {
 

@@ -1,8 +1,4 @@
-// Knots, control points and pieces of the spline (motion/smooth_run.h).
-//
-// Span i lies between the knots i and i + 1. Control point j belongs to the knots j + 1 to j + 3,
-// whose mean is its Greville abscissa; its correction needs the neighbours j - 1 and j + 1. So span
-// i depends on the knots i - 3 to i + 4.
+// Where knots stand, and pieces of the spline (motion/smooth_run.h).
 #include "motion/smooth_run.h"
 
 #include <algorithm>
@@ -10,6 +6,7 @@
 #include <numbers>
 
 #include "motion/arc_length.h"
+#include "motion/point_algebra.h"
 #include "motion/shape.h"
 
 namespace stanok::motion {
@@ -27,43 +24,8 @@ constexpr double ratio_max = 2.5;              // of neighbouring distances, onc
 constexpr double snap = 0.3;  // part of the distance by which a knot goes to a corner
 constexpr std::size_t spans_behind_corner = 5;  // on a long block, before one long span
 constexpr std::size_t lag = 24;                 // spans that may still change
-constexpr std::size_t support = 4;              // a span depends on so many knots behind it
 constexpr std::size_t graded = 40;              // spans around new knots that are looked at
-constexpr std::size_t order = 4;                // of the spline
 constexpr double forward_min = 0.5;             // of the spline along its block, per t
-
-double geometry_norm(const MotionConfig& config, const Point& v) {
-  double squared = 0.0;
-  for (const int axis : config.geometry) {
-    if (axis < 0) continue;
-    squared += v[static_cast<std::size_t>(axis)] * v[static_cast<std::size_t>(axis)];
-  }
-  return std::sqrt(squared);
-}
-
-Point between(const Point& a, const Point& b, double part) {
-  Point point;
-  for (std::size_t k = 0; k < axes_max; ++k) point[k] = a[k] + (b[k] - a[k]) * part;
-  return point;
-}
-
-double axis_tolerance(const MotionConfig& config, std::size_t axis, const Tolerance& tolerance) {
-  return config.axes[axis].linear ? tolerance.mm : tolerance.deg;
-}
-
-Point difference(const Point& a, const Point& b) {
-  Point d;
-  for (std::size_t k = 0; k < axes_max; ++k) d[k] = a[k] - b[k];
-  return d;
-}
-
-double product(const PathMetric& metric, const Point& a, const Point& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
-    if (metric.counts(k)) sum += a[k] * b[k];
-  }
-  return sum;
-}
 
 bool is_run_block(const Piece& piece) {
   return piece.geometry.kind == PieceKind::line && !piece.rapid && piece.length >= length_min;
@@ -96,8 +58,8 @@ bool SmoothRun::may_join(const Piece& incoming, const Piece& outgoing,
 }
 
 void SmoothRun::clear() {
-  way_.clear();
-  knots_.clear();
+  spline_.way.clear();
+  spline_.knots.clear();
   straight_ = {};
   settled_ = 0;
   emitted_ = 0;
@@ -106,23 +68,23 @@ void SmoothRun::clear() {
 
 SmoothRun::Place SmoothRun::begin(const Piece& first, const Tolerance& tolerance, End end) {
   clear();
-  way_.add(first, tolerance);
+  spline_.way.add(first, tolerance);
   if (end == End::at_rest) {
-    knots_.assign(order, 0.0);
+    spline_.knots.assign(RunSpline::order, 0.0);
   } else {
     const double step = std::min(first.length / 6.0, width_max);
     const double from = first.length - 3.0 * step;
-    for (int k = -3; k < 3; ++k) knots_.push_back(from + k * step);
-    knots_.push_back(first.length);
+    for (int k = -3; k < 3; ++k) spline_.knots.push_back(from + k * step);
+    spline_.knots.push_back(first.length);
   }
-  frozen_ = knots_.size();
-  settled_ = emitted_ = order - 1;
-  emitted_to_ = point_of(way_.last(), knots_[emitted_]);
-  return {knots_[emitted_], emitted_to_};
+  frozen_ = spline_.knots.size();
+  settled_ = emitted_ = RunSpline::order - 1;
+  emitted_to_ = point_of(spline_.way.last(), spline_.knots[emitted_]);
+  return {spline_.knots[emitted_], emitted_to_};
 }
 
 void SmoothRun::add(const Piece& next, const Tolerance& tolerance, std::vector<Piece>& out) {
-  way_.add(next, tolerance);
+  spline_.way.add(next, tolerance);
   place_knots();
   settle();
   if (settled_ > emitted_ + lag) emit(settled_ - lag, out);
@@ -132,10 +94,10 @@ SmoothRun::Place SmoothRun::end(End end, std::vector<Piece>& out) {
   const double to = end == End::at_rest ? place_last_knots() : place_knots_before_straight();
   settle();
   std::size_t until = emitted_;
-  while (knots_[until] < to) ++until;
+  while (spline_.knots[until] < to) ++until;
   emit(until, out);
   emit_line(out);
-  const Leg& last = way_.last();
+  const Leg& last = spline_.way.last();
   if (to == last.t_end) emitted_to_ = out.back().geometry.end = last.line.geometry.end;
   const Place place{to - last.t_start, emitted_to_};
   clear();
@@ -144,24 +106,25 @@ SmoothRun::Place SmoothRun::end(End end, std::vector<Piece>& out) {
 
 // The spline goes on to the end of the way.
 double SmoothRun::place_last_knots() {
-  const double to = way_.end();
+  const double to = spline_.way.end();
   make_room_before(to);
-  const std::size_t corner = knots_.size();
-  knots_.insert(knots_.end(), order, to);
+  const std::size_t corner = spline_.knots.size();
+  spline_.knots.insert(spline_.knots.end(), RunSpline::order, to);
   take_back(corner);
   return to;
 }
 
 // The spline is straight from the place returned on.
 double SmoothRun::place_knots_before_straight() {
-  const Leg& last = way_.last();
-  while (knots_.back() > last.t_start && knots_.size() > frozen_) knots_.pop_back();
+  const Leg& last = spline_.way.last();
+  while (spline_.knots.back() > last.t_start && spline_.knots.size() > frozen_)
+    spline_.knots.pop_back();
   make_room_before(last.t_start);
-  if (knots_.back() < last.t_start) knots_.push_back(last.t_start);
-  const double base = knots_.back();
+  if (spline_.knots.back() < last.t_start) spline_.knots.push_back(last.t_start);
+  const double base = spline_.knots.back();
   const double step = std::min((last.t_end - base) / 6.0, width_max);
-  const std::size_t corner = knots_.size() - 1;
-  for (int k = 1; k <= 6; ++k) knots_.push_back(base + k * step);
+  const std::size_t corner = spline_.knots.size() - 1;
+  for (int k = 1; k <= 6; ++k) spline_.knots.push_back(base + k * step);
   take_back(corner);
   grade(corner);
   return base + 3 * step;
@@ -169,40 +132,41 @@ double SmoothRun::place_knots_before_straight() {
 
 // Takes the last knot away when it would stand close to one at t.
 void SmoothRun::make_room_before(double t) {
-  if (knots_.size() <= frozen_) return;
-  if (t - knots_.back() < 0.5 * width(knots_.size() - 2)) knots_.pop_back();
+  if (spline_.knots.size() <= frozen_) return;
+  if (t - spline_.knots.back() < 0.5 * spline_.width(spline_.knots.size() - 2))
+    spline_.knots.pop_back();
 }
 
 // Knots as far apart as may be, up to the end of the way known.
 void SmoothRun::place_knots() {
   for (;;) {
     const double next = next_knot();
-    if (next > way_.end()) return;
-    knots_.push_back(next);
+    if (next > spline_.way.end()) return;
+    spline_.knots.push_back(next);
   }
 }
 
 // The next knot, or a place behind the end of the way known while that is too short to tell.
 double SmoothRun::next_knot() const {
-  const double last = knots_.back();
-  const std::size_t index = way_.index_at(last);
-  const Leg& leg = way_.leg(index);
+  const double last = spline_.knots.back();
+  const std::size_t index = spline_.way.index_at(last);
+  const Leg& leg = spline_.way.leg(index);
   constexpr double settling = static_cast<double>(spans_behind_corner) * width_max;
   if (last - leg.t_start >= settling && leg.t_end - settling > last + width_max)
     return leg.t_end - settling;
-  const double before = last - knots_[knots_.size() - 2];
+  const double before = last - spline_.knots[spline_.knots.size() - 2];
   double step = before > 0.0 ? std::min(growth * before, width_max) : width_max;
-  if (index + legs_per_span_max < way_.size())
-    step = std::min(step, way_.leg(index + legs_per_span_max).t_end - last);
+  if (index + legs_per_span_max < spline_.way.size())
+    step = std::min(step, spline_.way.leg(index + legs_per_span_max).t_end - last);
   const double behind = last + (1.0 + snap) * step;
-  if (behind > way_.end()) return behind;
-  const double corner = way_.nearest_corner(last + step);
+  if (behind > spline_.way.end()) return behind;
+  const double corner = spline_.way.nearest_corner(last + step);
   return std::abs(corner - last - step) <= snap * step ? corner : last + step;
 }
 
 // Puts in knots until all spans whose knots are known are within tolerance.
 void SmoothRun::settle() {
-  while (settled_ + support < knots_.size()) {
+  while (settled_ + RunSpline::support < spline_.knots.size()) {
     if (fits(settled_)) {
       ++settled_;
       continue;
@@ -213,9 +177,10 @@ void SmoothRun::settle() {
 
 // A span that deviates too far, and those beside it that are not narrower.
 void SmoothRun::split_around(std::size_t span) {
-  const double narrow = 0.75 * width(span);
-  const std::size_t first = span > emitted_ && width(span - 1) > narrow ? span - 1 : span;
-  const std::size_t last = span + 2 < knots_.size() && width(span + 1) > narrow ? span + 1 : span;
+  const double narrow = 0.75 * spline_.width(span);
+  const std::size_t first = span > emitted_ && spline_.width(span - 1) > narrow ? span - 1 : span;
+  const std::size_t last =
+      span + 2 < spline_.knots.size() && spline_.width(span + 1) > narrow ? span + 1 : span;
   bool has_split = false;
   for (std::size_t k = last + 1; k-- > first;) has_split = split(k) || has_split;
   if (!has_split) {
@@ -223,30 +188,31 @@ void SmoothRun::split_around(std::size_t span) {
     return;
   }
   grade(first);
-  grade(std::min(last + 2, knots_.size() - 2));
+  grade(std::min(last + 2, spline_.knots.size() - 2));
 }
 
 // Puts a knot into the middle of a span, or at the corner next to it.
 bool SmoothRun::split(std::size_t span) {
-  if (span + 1 < frozen_ || width(span) < 2.0 * width_min) return false;
-  const double middle = 0.5 * (knots_[span] + knots_[span + 1]);
-  const double corner = way_.nearest_corner(middle);
-  const bool goes_to_corner = std::abs(corner - middle) <= 0.5 * snap * width(span);
-  knots_.insert(knots_.begin() + static_cast<std::ptrdiff_t>(span) + 1,
-                goes_to_corner ? corner : middle);
+  if (span + 1 < frozen_ || spline_.width(span) < 2.0 * width_min) return false;
+  const double middle = 0.5 * (spline_.knots[span] + spline_.knots[span + 1]);
+  const double corner = spline_.way.nearest_corner(middle);
+  const bool goes_to_corner = std::abs(corner - middle) <= 0.5 * snap * spline_.width(span);
+  spline_.knots.insert(spline_.knots.begin() + static_cast<std::ptrdiff_t>(span) + 1,
+                       goes_to_corner ? corner : middle);
   take_back(span);
   return true;
 }
 
 // Spans that depend on knots behind this one are to be looked at again.
 void SmoothRun::take_back(std::size_t knot) {
-  settled_ = std::max(emitted_, std::min(settled_, knot > support ? knot - support : 0));
+  settled_ = std::max(
+      emitted_, std::min(settled_, knot > RunSpline::support ? knot - RunSpline::support : 0));
 }
 
 // Splits spans beside a much narrower one, outwards from `span`.
 void SmoothRun::grade(std::size_t span) {
   const auto is_wide_beside = [this](std::size_t wide, std::size_t narrow) {
-    return width(narrow) > 0.0 && width(wide) > ratio_max * width(narrow);
+    return spline_.width(narrow) > 0.0 && spline_.width(wide) > ratio_max * spline_.width(narrow);
   };
   std::size_t at = span;
   for (std::size_t n = 0; n < graded && at > frozen_; ++n) {
@@ -257,7 +223,7 @@ void SmoothRun::grade(std::size_t span) {
     }
   }
   at = span;
-  for (std::size_t n = 0; n < graded && at + 2 < knots_.size(); ++n) {
+  for (std::size_t n = 0; n < graded && at + 2 < spline_.knots.size(); ++n) {
     if (is_wide_beside(at + 1, at) && !is_long_straight(at + 1) && split(at + 1)) continue;
     ++at;
   }
@@ -265,89 +231,23 @@ void SmoothRun::grade(std::size_t span) {
 
 // The one long span of a long block.
 bool SmoothRun::is_long_straight(std::size_t span) const {
-  return width(span) > 1.5 * width_max;
-}
-
-double SmoothRun::greville(std::size_t middle) const {
-  return (knots_[middle - 1] + knots_[middle] + knots_[middle + 1]) / 3.0;
-}
-
-// All that the span depends on lies on one block.
-bool SmoothRun::is_straight(std::size_t span) const {
-  return greville(span + 3) <= way_.leg(way_.index_at(greville(span - 2))).t_end;
-}
-
-SmoothRun::ControlPoints SmoothRun::control_points(std::size_t span) const {
-  std::array<double, 6> t;
-  std::array<Point, 6> point;
-  for (std::size_t k = 0; k < t.size(); ++k) {
-    t[k] = greville(span - 2 + k);
-    point[k] = way_.at(t[k]);
-  }
-  ControlPoints control;
-  for (std::size_t k = 0; k < control.size(); ++k) {
-    const std::size_t middle = span - 1 + k;
-    const double a = width(middle - 1);
-    const double b = width(middle);
-    // The square of the mean of the three knots less the mean of the products of two of them.
-    const double spread = (a * a + b * b + (a + b) * (a + b)) / 18.0;
-    control[k] = point[k + 1];
-    if (spread == 0.0) continue;  // an end of the spline
-    const double before = t[k + 1] - t[k];
-    const double after = t[k + 2] - t[k + 1];
-    for (std::size_t axis = 0; axis < axes_max; ++axis) {
-      const double bent = ((point[k + 2][axis] - point[k + 1][axis]) / after -
-                           (point[k + 1][axis] - point[k][axis]) / before) /
-                          (before + after);
-      control[k][axis] -= spread * bent;
-    }
-  }
-  return control;
-}
-
-// Bezier points of the spline between a and b within a span, by its blossom.
-SmoothRun::ControlPoints SmoothRun::bezier(std::size_t span, const ControlPoints& control, double a,
-                                           double b) const {
-  const auto blossom = [&](double x, double y, double z) {
-    ControlPoints d = control;
-    const std::array<double, 3> places{x, y, z};
-    for (std::size_t r = 1; r <= 3; ++r) {
-      for (std::size_t k = 3; k >= r; --k) {
-        const double low = knots_[span - 3 + k];
-        const double high = knots_[span + 1 + k - r];
-        d[k] = between(d[k - 1], d[k], (places[r - 1] - low) / (high - low));
-      }
-    }
-    return d[3];
-  };
-  return {blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)};
-}
-
-// The parts of a span that belong to one block each.
-template <class Visit>
-void SmoothRun::for_each_stretch(std::size_t span, Visit visit) const {
-  double a = knots_[span];
-  for (std::size_t index = way_.index_at(a); a < knots_[span + 1]; ++index) {
-    const Leg& leg = way_.leg(index);
-    const double b = std::min(leg.t_end, knots_[span + 1]);
-    visit(leg, a, b);
-    a = b;
-  }
+  return spline_.width(span) > 1.5 * width_max;
 }
 
 bool SmoothRun::fits(std::size_t span) const {
-  if (is_straight(span)) return true;
-  const ControlPoints control = control_points(span);
+  if (spline_.is_straight(span)) return true;
+  const RunSpline::ControlPoints control = spline_.control_points(span);
   bool good = true;
-  for_each_stretch(span, [&](const Leg& leg, double a, double b) {
-    good = good && fits_leg(leg, a, b, bezier(span, control, a, b));
+  spline_.for_each_stretch(span, [&](const Leg& leg, double a, double b) {
+    good = good && fits_leg(leg, a, b, spline_.bezier(span, control, a, b));
   });
   return good;
 }
 
 // The deviation stays within the hull of the Bezier points of the difference, and the direction
 // within that of their steps.
-bool SmoothRun::fits_leg(const Leg& leg, double a, double b, const ControlPoints& points) const {
+bool SmoothRun::fits_leg(const Leg& leg, double a, double b,
+                         const RunSpline::ControlPoints& points) const {
   const Point from = point_of(leg, a);
   const Point to = point_of(leg, b);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -360,29 +260,29 @@ bool SmoothRun::fits_leg(const Leg& leg, double a, double b, const ControlPoints
   }
   const Point along = difference(to, from);
   const PathMetric& metric = leg.line.geometry.metric;
-  const double forward = forward_min * product(metric, along, along) / 3.0;
+  const double forward = forward_min * metric_product(metric, along, along) / 3.0;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (product(metric, difference(points[k + 1], points[k]), along) < forward) return false;
+    if (metric_product(metric, difference(points[k + 1], points[k]), along) < forward) return false;
   }
   return true;
 }
 
 void SmoothRun::emit(std::size_t until, std::vector<Piece>& out) {
   for (; emitted_ < until; ++emitted_) emit_span(emitted_, out);
-  frozen_ = emitted_ + support;
+  frozen_ = emitted_ + RunSpline::support;
   forget_emitted();
 }
 
 void SmoothRun::emit_span(std::size_t span, std::vector<Piece>& out) {
-  const bool straight = is_straight(span);
-  const ControlPoints control = control_points(span);
-  for_each_stretch(span, [&](const Leg& leg, double a, double b) {
+  const bool straight = spline_.is_straight(span);
+  const RunSpline::ControlPoints control = spline_.control_points(span);
+  spline_.for_each_stretch(span, [&](const Leg& leg, double a, double b) {
     if (!straight || a == leg.t_start) emit_line(out);
     if (straight) {
       if (!straight_.is_open) straight_ = {true, a, b};
       straight_.to = b;
     } else {
-      emit_curve(leg, bezier(span, control, a, b), out);
+      emit_curve(leg, spline_.bezier(span, control, a, b), out);
     }
   });
 }
@@ -390,7 +290,7 @@ void SmoothRun::emit_span(std::size_t span, std::vector<Piece>& out) {
 void SmoothRun::emit_line(std::vector<Piece>& out) {
   if (!straight_.is_open) return;
   straight_.is_open = false;
-  const Leg& leg = way_.leg(way_.index_at(0.5 * (straight_.from + straight_.to)));
+  const Leg& leg = spline_.way.leg(spline_.way.index_at(0.5 * (straight_.from + straight_.to)));
   Piece piece = leg.line;
   const Point end = point_of(leg, straight_.to);
   const Shape shape = line(piece.geometry.metric, emitted_to_, end);
@@ -400,7 +300,8 @@ void SmoothRun::emit_line(std::vector<Piece>& out) {
   emitted_to_ = end;
 }
 
-void SmoothRun::emit_curve(const Leg& leg, const ControlPoints& points, std::vector<Piece>& out) {
+void SmoothRun::emit_curve(const Leg& leg, const RunSpline::ControlPoints& points,
+                           std::vector<Piece>& out) {
   Piece piece = leg.line;
   piece.geometry.kind = PieceKind::quintic;
   piece.geometry.start = emitted_to_;
@@ -425,12 +326,13 @@ void SmoothRun::forget_emitted() {
   constexpr std::size_t batch = 32;
   if (emitted_ < kept + batch) return;
   const std::size_t count = emitted_ - kept;
-  const double t = knots_[count];
-  knots_.erase(knots_.begin(), knots_.begin() + static_cast<std::ptrdiff_t>(count));
+  const double t = spline_.knots[count];
+  spline_.knots.erase(spline_.knots.begin(),
+                      spline_.knots.begin() + static_cast<std::ptrdiff_t>(count));
   emitted_ -= count;
   settled_ -= count;
   frozen_ -= count;
-  if (!straight_.is_open) way_.forget_before(t);
+  if (!straight_.is_open) spline_.way.forget_before(t);
 }
 
 }  // namespace stanok::motion

@@ -9,13 +9,12 @@
 // put in until all are within tolerance. Owner: the channel's preparation.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "motion/path.h"
-#include "motion/polyline.h"
+#include "motion/run_spline.h"
 
 namespace stanok::motion {
 
@@ -27,7 +26,7 @@ class SmoothRun {
   [[nodiscard]] bool may_join(const Piece& incoming, const Piece& outgoing,
                               const Tolerance& tolerance) const;
 
-  [[nodiscard]] bool is_open() const { return !way_.is_empty(); }
+  [[nodiscard]] bool is_open() const { return !spline_.way.is_empty(); }
   void clear();
 
   // How the way goes on where the run has an end.
@@ -50,8 +49,6 @@ class SmoothRun {
   [[nodiscard]] Place end(End end, std::vector<Piece>& out);
 
  private:
-  using ControlPoints = std::array<Point, 4>;
-
   void place_knots();
   [[nodiscard]] double next_knot() const;
   double place_last_knots();
@@ -60,34 +57,22 @@ class SmoothRun {
   void settle();
   [[nodiscard]] bool fits(std::size_t span) const;
   [[nodiscard]] bool fits_leg(const Leg& leg, double a, double b,
-                              const ControlPoints& points) const;
+                              const RunSpline::ControlPoints& points) const;
   void split_around(std::size_t span);
   bool split(std::size_t span);
   void take_back(std::size_t knot);
   void grade(std::size_t span);
   [[nodiscard]] bool is_long_straight(std::size_t span) const;
 
-  [[nodiscard]] double width(std::size_t span) const { return knots_[span + 1] - knots_[span]; }
-  // The abscissa of the control point around knot `middle`.
-  [[nodiscard]] double greville(std::size_t middle) const;
-  [[nodiscard]] bool is_straight(std::size_t span) const;
-  [[nodiscard]] ControlPoints control_points(std::size_t span) const;
-  [[nodiscard]] ControlPoints bezier(std::size_t span, const ControlPoints& control, double a,
-                                     double b) const;
-
-  template <class Visit>
-  void for_each_stretch(std::size_t span, Visit visit) const;
-
   void emit(std::size_t until, std::vector<Piece>& out);
   void emit_span(std::size_t span, std::vector<Piece>& out);
   void emit_line(std::vector<Piece>& out);
-  void emit_curve(const Leg& leg, const ControlPoints& points, std::vector<Piece>& out);
+  void emit_curve(const Leg& leg, const RunSpline::ControlPoints& points, std::vector<Piece>& out);
   void forget_emitted();
 
   MotionConfig config_;
   double turn_cosine_min_;
-  Polyline way_;
-  std::vector<double> knots_;
+  RunSpline spline_;
   std::size_t settled_ = 0;  // spans before it are within tolerance
   std::size_t emitted_ = 0;  // spans before it have left
   std::size_t frozen_ = 0;   // knots on which they depend, or the first ones
