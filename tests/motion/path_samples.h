@@ -198,6 +198,7 @@ inline Ratios columns_of(const std::vector<Sample>& samples, std::size_t axis,
 
 inline std::vector<double> axis_of(const std::vector<Sample>& samples, std::size_t axis) {
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const Sample& sample : samples) values.push_back(sample.out.axes[axis].value);
   return values;
 }

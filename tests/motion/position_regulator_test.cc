@@ -260,7 +260,7 @@ TEST(ComingRates, ErrByTheStepOfJerkTimesASixthOfTheSquaredCycleAtMost) {
 TEST(CodeDifferences, OfCubesAreThoseOfTheTextbook) {
   CodeDifferences differences(0, 0.5, 0.1);
   for (int n = 1; n < 10; ++n) {
-    const SetpointRates rates = differences.advance(n * n * n);
+    const SetpointRates rates = differences.advance(std::int64_t{n} * n * n);
     EXPECT_NEAR(rates.velocity, (3 * n * n - 3 * n + 1) * 0.5 / 0.1, 1e-9);
     if (n < 3) continue;
     EXPECT_NEAR(rates.acceleration, (6 * n - 6) * 0.5 / 0.01, 1e-9);
