@@ -15,7 +15,7 @@ namespace {
 constexpr double length_min = 1e-4;            // mm of a block
 constexpr double tolerance_min = 5e-4;         // mm: below, corners are left to blends
 constexpr double rate_step_max = 1000.0;       // tolerances of another axis per mm, at a corner
-constexpr double tolerance_used = 0.97;        // the rest covers the chord between two setpoints
+constexpr double tolerance_used = 0.99;        // the rest is for rounding of every kind
 constexpr double width_max = 2.0;              // mm between two knots
 constexpr std::size_t legs_per_span_max = 32;  // and so many blocks
 constexpr double width_min = 1e-5;             // mm
@@ -27,6 +27,19 @@ constexpr std::size_t lag = 24;                 // spans that may still change
 constexpr std::size_t graded = 40;              // spans around new knots that are looked at
 constexpr double forward_min = 0.5;             // of the spline along its block, per t
 
+// How far the chord between two set-points lies off a curve at most, (v T)^2 / 8R: the axes hold
+// v^2 / R within their accelerations, whatever the feed and its override.
+Tolerance chord_margin(const MotionConfig& config) {
+  Point acceleration{};
+  double rotary = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+    acceleration[k] = config.axes[k].acceleration_max;
+    if (!config.axes[k].linear) rotary = std::max(rotary, acceleration[k]);
+  }
+  const double part = config.cycle_s * config.cycle_s / 8.0;
+  return {part * geometry_norm(config, acceleration), part * rotary};
+}
+
 bool is_run_block(const Piece& piece) {
   return piece.geometry.kind == PieceKind::line && !piece.rapid && piece.length >= length_min;
 }
@@ -35,13 +48,15 @@ bool is_run_block(const Piece& piece) {
 
 SmoothRun::SmoothRun(const MotionConfig& config)
     : config_(config),
+      chord_margin_(chord_margin(config)),
       turn_cosine_min_(std::cos(config.run_turn_max_deg * std::numbers::pi / 180.0)) {}
 
 bool SmoothRun::may_join(const Piece& incoming, const Piece& outgoing,
                          const Tolerance& tolerance) const {
   if (config_.run_turn_max_deg <= 0.0) return false;
   if (!is_run_block(incoming) || !is_run_block(outgoing)) return false;
-  if (!(tolerance.mm >= tolerance_min) || !(tolerance.deg > 0.0)) return false;
+  if (!(tolerance.mm >= std::max(tolerance_min, 2.0 * chord_margin_.mm))) return false;
+  if (!(tolerance.deg > 2.0 * chord_margin_.deg)) return false;
   const PathMetric& metric = incoming.geometry.metric;
   if (metric != outgoing.geometry.metric || incoming.transform != outgoing.transform) return false;
   double cosine = 0.0;
@@ -184,7 +199,7 @@ void SmoothRun::split_around(std::size_t span) {
   bool has_split = false;
   for (std::size_t k = last + 1; k-- > first;) has_split = split(k) || has_split;
   if (!has_split) {
-    ++settled_;  // as narrow as spans get
+    ++settled_;  // as narrow as spans get: 1e-5 mm, far below any tolerance of a run
     return;
   }
   grade(first);
@@ -248,14 +263,15 @@ bool SmoothRun::fits(std::size_t span) const {
 // within that of their steps.
 bool SmoothRun::fits_leg(const Leg& leg, double a, double b,
                          const RunSpline::ControlPoints& points) const {
+  const Tolerance allowed{tolerance_used * (leg.tolerance.mm - chord_margin_.mm),
+                          tolerance_used * (leg.tolerance.deg - chord_margin_.deg)};
   const Point from = point_of(leg, a);
   const Point to = point_of(leg, b);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point deviation = difference(points[k], between(from, to, static_cast<double>(k) / 3.0));
-    if (geometry_norm(config_, deviation) > tolerance_used * leg.tolerance.mm) return false;
+    if (geometry_norm(config_, deviation) > allowed.mm) return false;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(config_.axis_count); ++axis) {
-      if (std::abs(deviation[axis]) > tolerance_used * axis_tolerance(config_, axis, leg.tolerance))
-        return false;
+      if (std::abs(deviation[axis]) > axis_tolerance(config_, axis, allowed)) return false;
     }
   }
   const Point along = difference(to, from);

@@ -71,6 +71,7 @@ class SmoothRun {
   void forget_emitted();
 
   MotionConfig config_;
+  Tolerance chord_margin_;
   double turn_cosine_min_;
   RunSpline spline_;
   std::size_t settled_ = 0;  // spans before it are within tolerance

@@ -196,6 +196,24 @@ inline Ratios columns_of(const std::vector<Sample>& samples, std::size_t axis,
   return worst;
 }
 
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// Of a point from the straight way between two others, in X, Y, Z.
+inline double distance_to_leg(const Point& p, const Point& a, const Point& b) {
+  double along = 0.0;
+  double squared = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (p[k] - a[k]) * (b[k] - a[k]);
+    squared += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  const double u = squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+  Point foot{};
+  for (std::size_t k = 0; k < 3; ++k) foot[k] = a[k] + u * (b[k] - a[k]);
+  return distance(p, foot);
+}
+
 inline std::vector<double> axis_of(const std::vector<Sample>& samples, std::size_t axis) {
   std::vector<double> values;
   values.reserve(samples.size());

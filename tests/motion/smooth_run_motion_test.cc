@@ -56,22 +56,6 @@ std::vector<PathBuilder::Built> built_of(const MotionConfig& config,
   return builder.built();
 }
 
-double distance_to_leg(const Point& p, const Point& a, const Point& b) {
-  double along = 0.0;
-  double squared = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    along += (p[k] - a[k]) * (b[k] - a[k]);
-    squared += (b[k] - a[k]) * (b[k] - a[k]);
-  }
-  const double u = std::clamp(along / squared, 0.0, 1.0);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double gap = p[k] - a[k] - u * (b[k] - a[k]);
-    sum += gap * gap;
-  }
-  return std::sqrt(sum);
-}
-
 // Of the set-points from the blocks around the one they belong to.
 double worst_deviation(const std::vector<Sample>& samples, const std::vector<PathBlock>& blocks) {
   double worst = 0.0;
@@ -131,6 +115,37 @@ TEST(SmoothRunMotion, KeepsThemUnderHoldResumeAndOverride) {
     };
     expect_kept(run_path(config, built_of(config, blocks), control), blocks, tolerance);
   }
+}
+
+// Chords between set-points cut an inside corner by (v T)^2 / 8R more than the curve does: 2.1 um
+// of 5 um here, where the curve turns at 17,000 mm/s^2.
+TEST(SmoothRunMotion, ChordsBetweenSetpointsPassCornersWithinTolerance) {
+  constexpr double tolerance = 0.005;
+  const MotionConfig config = three_axes({.v = 1000.0, .a = 20000.0, .j = 4e6});
+  std::vector<PathBlock> blocks;
+  Point at{};
+  for (int n = 0; n < 40; ++n) {
+    const double heading = n % 2 == 0 ? 0.0 : 0.19;
+    at[0] += 2.689 * std::cos(heading);
+    at[1] += 2.689 * std::sin(heading);
+    PathBlock block;
+    block.tag = {.run = 1, .block = static_cast<std::uint64_t>(n + 1)};
+    block.end = at;
+    block.feed_per_s = 500.0;
+    block.tolerance_mm = tolerance;
+    block.tolerance_deg = 0.05;
+    blocks.push_back(block);
+  }
+  std::vector<double> passed(blocks.size(), 1e300);
+  Point before{};
+  for (const Sample& sample : run_path(config, built_of(config, blocks))) {
+    Point here;
+    for (std::size_t k = 0; k < 3; ++k) here[k] = sample.out.axes[k].value;
+    for (std::size_t n = 0; n < blocks.size(); ++n)
+      passed[n] = std::min(passed[n], distance_to_leg(blocks[n].end, before, here));
+    before = here;
+  }
+  EXPECT_LE(*std::ranges::max_element(passed), tolerance);
 }
 
 // The turn of the whole path into a circle: 1 % of the time may go into its two ramps.
