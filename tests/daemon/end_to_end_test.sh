@@ -31,18 +31,18 @@ expect_output '"ok":true' "the short program"
 expect_output '"blocks":' "the short program"
 expect_exit 0 channel status --json
 expect_output '"state":"Reset"' "after the run"
-expect_output '"X":3.0' "end of the run, programmed X"
+expect_output '"X":3.0,' "end of the run, programmed X"
 expect_output '"program":"short.nc"' "after the run"
 
 expect_exit 6 program run wrong.nc --wait --json
 expect_output '"file":"wrong.nc"' "a program with errors"
-expect_output '"line":2' "a program with errors"
+expect_output '"line":2,' "a program with errors"
 
 expect_exit 0 program run long.nc
-wait_for '"line":3'
+wait_for '"line":3,'
 expect_exit 0 program hold
 wait_for '"program_status":"Interrupted"'
-wait_for '"speed_mm_s":0.0'
+wait_for '"speed_mm_s":0.0,'
 held=$output
 sleep 0.2
 expect_exit 0 channel status --json

@@ -13,7 +13,7 @@ printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F60\nM30\n' >"$folder/long.nc"   # 20
 begin_long_program() {
   switch_on
   expect_exit 0 program run long.nc
-  wait_for '"line":3'
+  wait_for '"line":3,'
 }
 
 # Killed in a move: what it leaves, the socket included, does not keep the next one from starting.
@@ -36,7 +36,7 @@ wait_for '"program_status":"Running"'
 expect_exit 0 program stop
 "${operate[@]}" program run long.nc --wait &
 client=$!
-wait_for '"line":3'
+wait_for '"line":3,'
 kill -KILL "$client"
 code=0
 wait "$client" || code=$?
@@ -63,7 +63,7 @@ for ((k = 0; k < 100; ++k)); do # figures are at most 100 ms old
 done
 [[ $output =~ '"periods_skipped":'[1-9][0-9][0-9] ]] || fail "no skipped periods in: $output"
 wait_for '"code":"A3'
-wait_for '"speed_mm_s":0.0'
+wait_for '"speed_mm_s":0.0,'
 expect_exit 0 program reset
 expect_exit 0 program reset --channel 2
 begin_long_program
