@@ -106,8 +106,10 @@ struct Machine::Parts {
     InputRecord record;
     record.cycle = cycle;
     record.kind = InputKind::sensor;
+    Signals changed;
+    changed.digital = next.digital ^ signals_in.digital;
     for (int k = 0; k < Signals::digital_count; ++k) {
-      if (next.is_on(k) == signals_in.is_on(k)) continue;
+      if (!changed.is_on(k)) continue;
       record.method = k;
       record.value = next.is_on(k) ? 1.0 : 0.0;
       static_cast<void>(inputs.push(record));
