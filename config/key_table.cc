@@ -62,7 +62,7 @@ std::string range_text(const Allowed& allowed) {
   if (has_min && allowed.min_excluded) return "above " + number_text(allowed.min);
   if (has_min) return number_text(allowed.min) + " or more";
   if (has_max) return number_text(allowed.max) + " or less";
-  return "";
+  return allowed.direction ? "not 0, 0, 0" : "";
 }
 
 bool is_allowed(const toml::node& node, const KeyText& key, const Scope& scope, double value) {
@@ -87,6 +87,18 @@ std::optional<double> number(const toml::node& node, const KeyText& key, const S
     return std::nullopt;
   }
   return value;
+}
+
+// Shortens or lengthens a vector to 1; false when it is zero.
+bool make_unit(Numbers3& vector) {
+  const double length = std::hypot(vector[0], vector[1], vector[2]);
+  if (length == 0.0) return false;
+  for (double& component : vector) component /= length;
+  return true;
+}
+
+std::string list_text(const Numbers3& numbers) {
+  return number_text(numbers[0]) + ", " + number_text(numbers[1]) + ", " + number_text(numbers[2]);
 }
 
 std::optional<int> integer(const toml::node& node, const KeyText& key, const Scope& scope,
@@ -178,9 +190,18 @@ void read_value(const toml::node& node, const KeyText& key, const Scope& scope, 
   constexpr std::string_view wanted = "a list of three numbers [x, y, z]";
   const toml::array* list = node.as_array();
   if (list == nullptr || list->size() != 3) return wrong_kind(node, key, scope, wanted);
+  Numbers3 numbers{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (const auto read = number(*list->get(k), key, scope, wanted)) value[k] = *read;
+    const auto read = number(*list->get(k), key, scope, wanted);
+    if (!read) return;
+    numbers[k] = *read;
   }
+  if (key.allowed.direction && !make_unit(numbers)) {
+    scope.fault(node.source(), std::string(key.name) + " is " + list_text(numbers) +
+                                   "; it must point somewhere (" + explained(key) + ")");
+    return;
+  }
+  value = numbers;
 }
 
 void read_value(const toml::node& node, const KeyText& key, const Scope& scope, Texts& value) {
@@ -249,8 +270,8 @@ KindText kind_text(bool value) {
 KindText kind_text(const std::string& value) {
   return {"text", value.empty() ? "none" : '"' + value + '"'};
 }
-KindText kind_text(const Numbers3&) {
-  return {"three numbers", "0, 0, 0"};
+KindText kind_text(const Numbers3& value) {
+  return {"three numbers", list_text(value)};
 }
 KindText kind_text(const Texts&) {
   return {"list of texts", "none"};

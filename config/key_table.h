@@ -31,15 +31,17 @@ struct Allowed {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_excluded = false;
-  std::vector<std::string_view> names;  // empty: any text
+  std::vector<std::string_view> names{};  // empty: any text
+  bool direction = false;                 // three numbers, read as the unit vector along them
 };
 
 inline const Allowed any{};
-inline const Allowed positive{.min = 0.0, .min_excluded = true, .names = {}};
-inline const Allowed not_negative{.min = 0.0, .names = {}};
+inline const Allowed positive{.min = 0.0, .min_excluded = true};
+inline const Allowed not_negative{.min = 0.0};
+inline const Allowed direction{.direction = true};
 [[nodiscard]] inline Allowed from(double min,
                                   double max = std::numeric_limits<double>::infinity()) {
-  return {.min = min, .max = max, .names = {}};
+  return {.min = min, .max = max};
 }
 [[nodiscard]] inline Allowed one_of(std::vector<std::string_view> names) {
   return {.names = std::move(names)};

@@ -12,8 +12,10 @@ namespace {
 using kinematics::Parking;
 using kinematics::SchemeConfig;
 
-bool takes_part(const SchemeConfig& scheme, int axis) {
-  return std::ranges::find(scheme.axes, axis) != scheme.axes.end();
+// The geometry keys of a type; nullptr for a type that a file may not name.
+const TypeGeometry* geometry_of(std::string_view type) {
+  const auto geometry = std::ranges::find(type_geometries(), type, &TypeGeometry::type);
+  return geometry == type_geometries().end() ? nullptr : &*geometry;
 }
 
 std::string axis_text(std::string_view name) {
@@ -33,10 +35,11 @@ class SchemeReader {
         faults_before_(scope_.faults.size()) {
     read_table(table_, keys, file_, scope_);
     scheme().id = file_.id;
+    geometry_ = geometry_of(scheme().type);
   }
 
   SchemeConfig resolve() {
-    if (!scheme().type.empty()) check_geometry_keys();
+    if (geometry_ != nullptr) check_geometry_keys();
     resolve_axes();
     resolve_parking();
     if (is_right()) check_every_axis_has_a_place();
@@ -75,27 +78,27 @@ class SchemeReader {
   }
 
   void check_geometry_keys() {
-    for (const TypeGeometry& geometry : type_geometries()) {
-      if (geometry.type == scheme().type) {
-        for (const auto key : geometry.required_keys) {
-          if (table_.contains(key)) continue;
-          scope_.fault(table_.source(), "key '" + std::string(key) + "' is missing; a " +
-                                            scheme().type + " scheme needs it");
-        }
-        continue;
-      }
-      refuse_geometry_of(geometry);
+    for (const auto key : geometry_->required_keys) {
+      if (table_.contains(key)) continue;
+      scope_.fault(table_.source(), "key '" + std::string(key) + "' is missing; a " +
+                                        scheme().type + " scheme needs it");
+    }
+    for (const auto& [key, node] : table_) {
+      const std::string owners = owners_of(key.str());
+      if (owners.empty() || geometry_->has(key.str())) continue;
+      scope_.fault(node.source(), std::string(key.str()) + " belongs to a scheme of type " +
+                                      owners + "; take it out");
     }
   }
 
-  void refuse_geometry_of(const TypeGeometry& other) {
-    for (const auto* keys : {&other.required_keys, &other.optional_keys}) {
-      for (const auto key : *keys) {
-        if (!table_.contains(key)) continue;
-        scope_.fault(place_of(table_, key), std::string(key) + " belongs to a scheme of type " +
-                                                std::string(other.type) + "; take it out");
-      }
+  // The types that have a geometry key; empty for keys that are no geometry.
+  static std::string owners_of(std::string_view key) {
+    std::string owners;
+    for (const TypeGeometry& geometry : type_geometries()) {
+      if (!geometry.has(key)) continue;
+      owners += (owners.empty() ? "" : " or ") + std::string(geometry.type);
     }
+    return owners;
   }
 
   void resolve_axes() {
@@ -196,9 +199,15 @@ class SchemeReader {
     channels::ChannelConfig channel;
     channel.words.assign(axes_.words.begin(), axes_.words.end());
     scheme().linear = channels::geometry_axes(channel);
-    if (scheme().type != "head_table") return;
-    scheme().head_axis = rotary_axis("head_axis", file_.head_axis);
-    scheme().table_axis = rotary_axis("table_axis", file_.table_axis);
+    for (const RotaryKey& role : rotary_keys()) {
+      const std::string& name = file_.*role.name;
+      if (geometry_ == nullptr || !geometry_->has(role.key) || name.empty()) continue;
+      scheme().*role.axis = rotary_axis(role.key, name);
+    }
+    using kinematics::Turret;
+    using kinematics::XReading;
+    scheme().x_reading = file_.x_reading == "diameter" ? XReading::diameter : XReading::radius;
+    scheme().turret = file_.turret == "front" ? Turret::front : Turret::rear;
   }
 
   int rotary_axis(std::string_view key, const std::string& name) {
@@ -211,13 +220,7 @@ class SchemeReader {
   }
 
   void resolve_zero() {
-    if (scheme().type == "head_table") {  // both point modes then agree (kinematics/head_table.h)
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (scheme().linear[k] < 0) continue;
-        scheme().zero[static_cast<std::size_t>(scheme().linear[k])] =
-            scheme().table_centre[k] - scheme().pivot_to_spindle[k];
-      }
-    }
+    scheme().zero = kinematics::zero_default(scheme());
     if (file_.zero == nullptr) return;
     for (const auto& [key, node] : *file_.zero) {
       const int axis = find_axis(key.str(), key.source());
@@ -237,6 +240,7 @@ class SchemeReader {
   const ChannelAxes& axes_;
   Scope scope_;
   std::size_t faults_before_;
+  const TypeGeometry* geometry_ = nullptr;  // of the type, when the file names one
 };
 
 SchemeConfig read_scheme(const toml::table& entry, const ChannelAxes& axes,

@@ -21,6 +21,10 @@ struct SchemeFile {
   Subtables parked = nullptr;
   std::string head_axis = "B";
   std::string table_axis = "C";
+  std::string outer_axis;
+  std::string inner_axis;
+  std::string x_reading = "radius";
+  std::string turret = "rear";
 };
 
 // [[parked]]
@@ -30,14 +34,25 @@ struct ParkedFile {
   std::string drive = "off";
 };
 
-// Keys that only one type of scheme has.
+// The keys of a type's geometry. Types may share keys.
 struct TypeGeometry {
   std::string_view type;
   std::vector<std::string_view> optional_keys;
   std::vector<std::string_view> required_keys;
+
+  [[nodiscard]] bool has(std::string_view key) const;
 };
 
 [[nodiscard]] const std::vector<TypeGeometry>& type_geometries();
+
+// A key that names a rotary axis, and where the index of that axis goes.
+struct RotaryKey {
+  std::string_view key;
+  std::string SchemeFile::* name;
+  int kinematics::SchemeConfig::* axis;
+};
+
+[[nodiscard]] const std::vector<RotaryKey>& rotary_keys();
 
 // A scheme file; [[channel.scheme]] that names one; [[channel.scheme]] that holds the scheme
 // itself.

@@ -1,8 +1,6 @@
 // Cartesian scheme: see cartesian.h for the formulas.
 #include "kinematics/cartesian.h"
 
-#include <algorithm>
-
 namespace stanok::kinematics {
 
 AxisShift::AxisShift(const SchemeConfig& config) {
@@ -10,9 +8,7 @@ AxisShift::AxisShift(const SchemeConfig& config) {
     zero_[static_cast<std::size_t>(axis)] = config.zero[static_cast<std::size_t>(axis)];
   }
   for (std::size_t k = 0; k < linear_.size(); ++k) {
-    if (std::ranges::find(config.axes, config.linear[k]) != config.axes.end()) {
-      linear_[k] = config.linear[k];
-    }
+    if (takes_part(config, config.linear[k])) linear_[k] = config.linear[k];
   }
 }
 

@@ -1,21 +1,31 @@
 // The list of scheme types, and the transform from the workpiece frame to the machine axes.
 //
-// A new type of scheme is one file pair beside this one and one line in `types`.
+// A new type of scheme is one file pair beside this one and one row in `types`.
 #include "kinematics/scheme.h"
 
 #include <algorithm>
 #include <string_view>
 
 #include "kinematics/cartesian.h"
+#include "kinematics/cylinder.h"
+#include "kinematics/head_head.h"
 #include "kinematics/head_table.h"
+#include "kinematics/lathe.h"
+#include "kinematics/polar_face.h"
+#include "kinematics/table_table.h"
 
 namespace stanok::kinematics {
 namespace {
+
+// Who asks for a scheme of the type: a scheme file, or the channel on a word of the program.
+enum class ChosenBy : unsigned char { file, program };
 
 struct SchemeType {
   std::string_view name;
   std::unique_ptr<const Scheme> (*make)(const SchemeConfig&);
   std::string (*defect)(const SchemeConfig&);
+  AxisVector<double> (*zero_default)(const SchemeConfig&);
+  ChosenBy chosen_by = ChosenBy::file;
 };
 
 template <class Type>
@@ -23,9 +33,18 @@ std::unique_ptr<const Scheme> make(const SchemeConfig& config) {
   return std::make_unique<const Type>(config);
 }
 
+AxisVector<double> no_shift(const SchemeConfig&) {
+  return {};
+}
+
 constexpr std::array types{
-    SchemeType{"cartesian", make<Cartesian>, cartesian_defect},
-    SchemeType{"head_table", make<HeadTable>, head_table_defect},
+    SchemeType{"cartesian", make<Cartesian>, cartesian_defect, no_shift},
+    SchemeType{"lathe", make<Lathe>, lathe_defect, no_shift},
+    SchemeType{"head_table", make<HeadTable>, head_table_defect, zero_of_table_base},
+    SchemeType{"head_head", make<HeadHead>, head_head_defect, no_shift},
+    SchemeType{"table_table", make<TableTable>, table_table_defect, zero_of_table_base},
+    SchemeType{"polar_face", make<PolarFace>, turned_workpiece_defect, no_shift, ChosenBy::program},
+    SchemeType{"cylinder", make<Cylinder>, cylinder_defect, no_shift, ChosenBy::program},
 };
 
 const SchemeType* find_type(std::string_view name) {
@@ -78,6 +97,10 @@ void machine_from_workpiece(const Transform& transform, const AxisVector<Scalar>
 
 }  // namespace
 
+bool takes_part(const SchemeConfig& config, int axis) {
+  return axis >= 0 && std::ranges::find(config.axes, axis) != config.axes.end();
+}
+
 Scheme::Scheme(SchemeConfig config) : config_(std::move(config)) {
   for (const int axis : config_.axes) participants_ |= 1U << static_cast<unsigned>(axis);
 }
@@ -93,10 +116,23 @@ std::string scheme_defect(const SchemeConfig& config) {
   return type == nullptr ? "unknown type '" + config.type + "'" : type->defect(config);
 }
 
+AxisVector<double> zero_default(const SchemeConfig& config) {
+  const SchemeType* type = find_type(config.type);
+  return type == nullptr ? AxisVector<double>{} : type->zero_default(config);
+}
+
 std::vector<std::string> scheme_types() {
   std::vector<std::string> names;
   names.reserve(types.size());
   for (const SchemeType& type : types) names.emplace_back(type.name);
+  return names;
+}
+
+std::vector<std::string> scheme_types_of_files() {
+  std::vector<std::string> names;
+  for (const SchemeType& type : types) {
+    if (type.chosen_by == ChosenBy::file) names.emplace_back(type.name);
+  }
   return names;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,23 +43,49 @@ struct Parking {
   bool drive_off = true;
 };
 
-// What stands in a scheme file, resolved to axis indices; made by config.
+// What the X axis of a lathe counts, and on which side of the workpiece its turret stands
+// (lathe.h).
+enum class XReading : unsigned char { radius, diameter };
+enum class Turret : unsigned char { rear, front };
+
+// What stands in a scheme file, resolved to axis indices; made by config. What only some types have
+// is described with them; vectors of rotary axes have the length 1, geometry is in mm.
 struct SchemeConfig {
   int id = 0;
-  std::string type;                             // "cartesian", "head_table"
+  std::string type;                             // "cartesian", "head_table", ...
   std::string file;                             // for messages
   std::vector<int> axes;                        // that take part
-  AxisVector<double> zero{};                    // of B in M; head_table: see head_table.h
+  AxisVector<double> zero{};                    // of B in M; rotary types: see rotary_scheme.h
   std::vector<Parking> parking;                 // in order
   std::vector<std::pair<int, double>> retract;  // axis, machine position; before parking
   // X, Y, Z of the workpiece space by index in the channel; -1: the channel has none.
   std::array<int, 3> linear{-1, -1, -1};
-  // head_table (docs/kinematics.md): its rotary axes by index in the channel, geometry in mm.
-  int head_axis = -1;                        // B about Y, on the spindle
-  int table_axis = -1;                       // C about Z, under the workpiece
-  std::array<double, 3> pivot_to_spindle{};  // from the pivot of B to the spindle nose at B = 0
-  std::array<double, 3> table_centre{};      // pivot position in M (X, Y, Z) on the axis of C
+  // head_table: its rotary axes by index in the channel.
+  int head_axis = -1;   // on the spindle
+  int table_axis = -1;  // under the workpiece
+  std::array<double, 3> head_vector{0.0, 1.0, 0.0};
+  std::array<double, 3> table_vector{0.0, 0.0, 1.0};
+  // head_head, table_table: outer = nearest to the bed or the slides.
+  int outer_axis = -1;
+  int inner_axis = -1;
+  std::array<double, 3> outer_vector{0.0, 0.0, 1.0};
+  std::array<double, 3> inner_vector{0.0, 1.0, 0.0};
+  std::array<double, 3> pivot_to_pivot{};    // from the outer pivot of a head to the inner
+  std::array<double, 3> pivot_to_spindle{};  // from the (inner) pivot to the spindle nose, upright
+  std::array<double, 3> table_centre{};      // X, Y, Z with pivot or nose on the (outer) table axis
+  std::array<double, 3> centre_to_centre{};  // from the outer centre of a table to the inner
+  // lathe, and what rides on it.
+  XReading x_reading = XReading::radius;
+  Turret turret = Turret::rear;
+  // polar_face, cylinder: made from the active scheme, whose type is base_type.
+  std::string base_type;
+  int rotary_axis = -1;        // whose place in B holds a length in mm
+  bool negative_side = false;  // polar_face: the tool works beyond the centre
+  double radius_mm = 0.0;      // cylinder
 };
+
+// Whether axis `axis` (-1: the channel has no such axis) takes part in the scheme.
+[[nodiscard]] bool takes_part(const SchemeConfig& config, int axis);
 
 // Immutable after construction; used by preparation and cycle at the same time.
 class Scheme {
@@ -79,6 +106,14 @@ class Scheme {
   virtual void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                        AxisVector<double>& point_B) const RT_SAFE = 0;
 
+  // Axes whose position the inverse gives only up to whole turns of 360 deg: bit k for axis k. The
+  // caller unwinds them.
+  [[nodiscard]] virtual unsigned winding_axes() const RT_SAFE { return 0; }
+  // How far the point is from where axes would have to jump, mm; infinite where they never do.
+  [[nodiscard]] virtual double distance_to_singularity(const AxisVector<double>&) const RT_SAFE {
+    return std::numeric_limits<double>::infinity();
+  }
+
  protected:
   explicit Scheme(SchemeConfig config);
 
@@ -92,7 +127,11 @@ class Scheme {
 [[nodiscard]] std::unique_ptr<const Scheme> make_scheme(const SchemeConfig& config);
 // What the config lacks for its type, in words for the installer; empty: nothing.
 [[nodiscard]] std::string scheme_defect(const SchemeConfig& config);
+// The zero that a scheme of this type and geometry has when its file gives none.
+[[nodiscard]] AxisVector<double> zero_default(const SchemeConfig& config);
+// All types, and those that a file may name; the others are made from the active scheme.
 [[nodiscard]] std::vector<std::string> scheme_types();
+[[nodiscard]] std::vector<std::string> scheme_types_of_files();
 
 // Frame of the workpiece: p_B = rotation * p_W + offset. The rotation (G68) turns X, Y and Z; other
 // axes are only shifted.

@@ -196,7 +196,7 @@ const Case cases[] = {
      "address_alias is an integer; write a text in quotes"},
     // Schemes
     {"TypeUnknown", 27, "type = \"hexapod\"", 27, 8,
-     "channel 1: scheme 1: type is 'hexapod'; it must be one of cartesian, head_table"},
+     "channel 1: scheme 1: type is 'hexapod'; it must be one of cartesian, lathe, head_table"},
     {"ParkedAndJoined", end_of_file, "[[channel.scheme.parked]]\naxis = \"C\"", 30, 8,
      "axis 'C' takes part and is parked at once"},
     {"ParkedTwice", 28,
@@ -220,7 +220,7 @@ const Case cases[] = {
     {"RetractOutsideTravel", end_of_file, "retract = { X = 50 }", 29, 17,
      "axis 'X' cannot reach 50"},
     {"GeometryOfAnotherType", end_of_file, "table_centre = [0, 0, 0]", 29, 16,
-     "table_centre belongs to a scheme of type head_table"},
+     "table_centre belongs to a scheme of type head_table or table_table"},
     {"SchemeIdTaken", end_of_file,
      "[[channel.scheme]]\nid = 1\ntype = \"cartesian\"\naxes = [\"X\", \"C\"]", 30, 6,
      "channel 1: scheme 1: the id is taken"},

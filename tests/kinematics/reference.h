@@ -1,18 +1,25 @@
-// Independent reference of the head-table scheme: homogeneous 4x4 chains in long double.
+// Independent references of the schemes, in long double: what the machine axes of a point must be.
 //
-// Written from the machine's drawing, not from the formulas of the scheme: the tool chain moves
-// from the machine frame through the linear axes, the head and the tool; the workpiece chain
-// through the table. Rotations are Rodrigues' formula about a unit vector.
+// Written from the drawings of the machines, not from the formulas of the schemes: homogeneous 4x4
+// chains for tool and workpiece, rotations by Rodrigues' formula about a unit vector, complex
+// numbers for the polar face. The tool chain moves from the machine frame through the linear axes,
+// the head and the tool; the workpiece chain through the tables.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <complex>
+
+#include "kinematics/scheme.h"
 
 namespace stanok::kinematics::reference {
 
 using Real = long double;
 using Vector = std::array<Real, 3>;
 using Matrix = std::array<std::array<Real, 4>, 4>;
+using Axes = std::array<Real, axes_max>;
+
+inline const Real pi = std::acos(-1.0L);
 
 inline Matrix identity() {
   Matrix m{};
@@ -36,7 +43,7 @@ inline Matrix moved(const Vector& by) {
 
 // Rodrigues: R = I + sin K + (1 - cos) K^2 about the unit vector k.
 inline Matrix turned(const Vector& k, Real degrees) {
-  const Real angle = degrees * std::acos(-1.0L) / 180.0L;
+  const Real angle = degrees * pi / 180.0L;
   const Matrix cross{{{0, -k[2], k[1], 0}, {k[2], 0, -k[0], 0}, {-k[1], k[0], 0, 0}, {0, 0, 0, 0}}};
   const Matrix cross_squared = cross * cross;
   Matrix rotation = identity();
@@ -51,21 +58,104 @@ inline Vector position(const Matrix& m) {
   return {m[0][3], m[1][3], m[2][3]};
 }
 
-struct HeadTable {
-  Vector pivot_to_spindle;
-  Vector table_centre;
+inline Vector exact(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
 
-  // Pivot position that holds the tip at `p` of the table frame: the tool chain hung at the origin
-  // says where the tip is relative to the pivot, the workpiece chain where it shall be.
-  [[nodiscard]] Vector pivot(const Vector& p, Real head_deg, Real table_deg,
-                             const Vector& nose_to_tip) const {
-    const Matrix tool_chain =
-        turned({0, 1, 0}, head_deg) * moved(pivot_to_spindle) * moved(nose_to_tip);
-    const Matrix workpiece_chain = moved(table_centre) * turned({0, 0, 1}, table_deg) * moved(p);
-    const Vector tip = position(workpiece_chain);
-    const Vector arm = position(tool_chain);
-    return {tip[0] - arm[0], tip[1] - arm[1], tip[2] - arm[2]};
+inline std::size_t slot(int axis) {
+  return static_cast<std::size_t>(axis);
+}
+
+// Zero and tool vector alone: every type in PointMode::axes, and the cartesian scheme in both.
+inline Axes shifted(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  Axes axes = point;
+  for (const int axis : config.axes) axes[slot(axis)] += config.zero[slot(axis)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (config.linear[k] >= 0) axes[slot(config.linear[k])] -= nose_to_tip[k];
   }
-};
+  return axes;
+}
+
+// The linear axes lead the end of the tool chain to the end of the workpiece chain.
+inline Axes led(const SchemeConfig& config, const Axes& point, const Matrix& tool_chain,
+                const Matrix& workpiece_chain) {
+  Axes axes = shifted(config, point, {});
+  for (std::size_t k = 0; k < 3; ++k) {
+    axes[slot(config.linear[k])] = position(workpiece_chain)[k] - position(tool_chain)[k];
+  }
+  return axes;
+}
+
+inline Matrix point_in_base(const SchemeConfig& config, const Axes& point) {
+  return moved({point[slot(config.linear[0])], point[slot(config.linear[1])],
+                point[slot(config.linear[2])]});
+}
+
+inline Axes head_table(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  const Matrix tool = turned(exact(config.head_vector), point[slot(config.head_axis)]) *
+                      moved(exact(config.pivot_to_spindle)) * moved(nose_to_tip);
+  const Matrix workpiece = moved(exact(config.table_centre)) *
+                           turned(exact(config.table_vector), point[slot(config.table_axis)]) *
+                           point_in_base(config, point);
+  return led(config, point, tool, workpiece);
+}
+
+inline Axes head_head(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  const Matrix tool = turned(exact(config.outer_vector), point[slot(config.outer_axis)]) *
+                      moved(exact(config.pivot_to_pivot)) *
+                      turned(exact(config.inner_vector), point[slot(config.inner_axis)]) *
+                      moved(exact(config.pivot_to_spindle)) * moved(nose_to_tip);
+  // The base: where the nose stands when the axes read `zero` and the head is upright.
+  Vector zero{};
+  for (std::size_t k = 0; k < 3; ++k) zero[k] = config.zero[slot(config.linear[k])];
+  const Matrix base =
+      moved(zero) * moved(exact(config.pivot_to_pivot)) * moved(exact(config.pivot_to_spindle));
+  return led(config, point, tool, base * point_in_base(config, point));
+}
+
+inline Axes table_table(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  const Matrix workpiece = moved(exact(config.table_centre)) *
+                           turned(exact(config.outer_vector), point[slot(config.outer_axis)]) *
+                           moved(exact(config.centre_to_centre)) *
+                           turned(exact(config.inner_vector), point[slot(config.inner_axis)]) *
+                           point_in_base(config, point);
+  return led(config, point, moved(nose_to_tip), workpiece);
+}
+
+// The turret's slides against the workpiece: X and Y mirrored by a half turn about Z when the
+// turret stands in front; the scale of X counts twice the way in diameter.
+inline Axes lathe(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  Axes slides = shifted(config, point, {});
+  const Matrix facing = turned({0, 0, 1}, config.turret == Turret::front ? 180 : 0);
+  Vector tip{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    tip[k] = config.linear[k] < 0 ? 0 : point[slot(config.linear[k])] - nose_to_tip[k];
+  }
+  const Vector slide = position(facing * moved(tip));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (config.linear[k] < 0) continue;
+    const Real scale = k == 0 && config.x_reading == XReading::diameter ? 2 : 1;
+    slides[slot(config.linear[k])] = scale * slide[k] + config.zero[slot(config.linear[k])];
+  }
+  return slides;
+}
+
+// The tool stands on the X axis of the machine, at +r or beyond the centre at -r; the workpiece has
+// to be turned so that the point comes under it: point = radius * e^(i angle).
+inline Axes polar_face(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  const std::complex<Real> p(point[slot(config.linear[0])], point[slot(config.rotary_axis)]);
+  const Real radius = config.negative_side ? -std::abs(p) : std::abs(p);
+  Axes turned_point = point;
+  turned_point[slot(config.linear[0])] = radius;
+  turned_point[slot(config.rotary_axis)] = std::arg(p / radius) * 180 / pi;
+  return lathe(config, turned_point, nose_to_tip);
+}
+
+// One turn for every circumference.
+inline Axes cylinder(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  Axes rolled = point;
+  rolled[slot(config.rotary_axis)] *= 360 / (2 * pi * config.radius_mm);
+  return lathe(config, rolled, nose_to_tip);
+}
 
 }  // namespace stanok::kinematics::reference

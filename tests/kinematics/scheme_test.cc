@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "tests/kinematics/specimens.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::kinematics {
@@ -13,53 +14,13 @@ namespace {
 
 constexpr unsigned seed = 20031;
 
-// Five axes X Y Z B C, complete for every type of scheme, with all constants different from zero.
-SchemeConfig complete_config(const std::string& type) {
-  SchemeConfig config;
-  config.id = 1;
-  config.type = type;
-  config.axes = {0, 1, 2, 3, 4};
-  config.zero = {12.5, -40.25, 7.75, 1.5, -30.0};
-  config.linear = {0, 1, 2};
-  config.head_axis = 3;
-  config.table_axis = 4;
-  config.pivot_to_spindle = {0.5, -0.25, -200.0};
-  config.table_centre = {10.0, 20.0, -400.0};
-  return config;
-}
-
-class Poses {
- public:
-  AxisVector<double> next() {
-    AxisVector<double> pose{};
-    for (std::size_t axis = 0; axis < 3; ++axis) pose[axis] = millimetres_(engine_);
-    for (std::size_t axis = 3; axis < axes_max; ++axis) pose[axis] = degrees_(engine_);
-    return pose;
-  }
-  ToolVector tool() {
-    return {{millimetres_(engine_) / 10.0, millimetres_(engine_) / 10.0, millimetres_(engine_)}};
-  }
-  Frame frame() {
-    Frame frame;
-    frame.offset = next();
-    const std::array axis{millimetres_(engine_), millimetres_(engine_), millimetres_(engine_)};
-    frame.rotation = Rotation::about(axis, degrees_(engine_));
-    return frame;
-  }
-
- private:
-  std::mt19937 engine_{seed};
-  std::uniform_real_distribution<double> millimetres_{-300.0, 300.0};
-  std::uniform_real_distribution<double> degrees_{-400.0, 400.0};
-};
-
-class EveryScheme : public ::testing::TestWithParam<std::string> {};
+class EveryScheme : public ::testing::TestWithParam<Specimen> {};
 
 TEST_P(EveryScheme, ForwardOfInverseIsThePointInBothModesWithToolAndFrame) {
   SCOPED_TRACE(::testing::Message() << "seed " << seed);
-  const auto scheme = make_scheme(complete_config(GetParam()));
+  const auto scheme = GetParam().scheme();
   ASSERT_NE(scheme, nullptr);
-  Poses poses;
+  Poses poses(GetParam(), seed);
   for (int i = 0; i < 100'000; ++i) {
     const AxisVector<double> point_W = poses.next();
     const Transform transform{.scheme = scheme.get(),
@@ -77,8 +38,8 @@ TEST_P(EveryScheme, ForwardOfInverseIsThePointInBothModesWithToolAndFrame) {
 }
 
 TEST_P(EveryScheme, JetOfAConstantPointIsTheDoubleResultWithoutDerivatives) {
-  const auto scheme = make_scheme(complete_config(GetParam()));
-  Poses poses;
+  const auto scheme = GetParam().scheme();
+  Poses poses(GetParam(), seed);
   for (int i = 0; i < 10'000; ++i) {
     const AxisVector<double> point_B = poses.next();
     const PointMode mode = i % 2 == 0 ? PointMode::tip : PointMode::axes;
@@ -99,8 +60,8 @@ TEST_P(EveryScheme, JetOfAConstantPointIsTheDoubleResultWithoutDerivatives) {
 }
 
 TEST_P(EveryScheme, ResultMayOverwriteTheArgument) {
-  const auto scheme = make_scheme(complete_config(GetParam()));
-  Poses poses;
+  const auto scheme = GetParam().scheme();
+  Poses poses(GetParam(), seed);
   for (int i = 0; i < 1000; ++i) {
     const AxisVector<double> point_B = poses.next();
     const ToolVector tool = poses.tool();
@@ -117,7 +78,7 @@ TEST_P(EveryScheme, ResultMayOverwriteTheArgument) {
 }
 
 TEST_P(EveryScheme, AxesThatDoNotTakePartPassThroughToTheBit) {
-  const auto scheme = make_scheme(complete_config(GetParam()));
+  const auto scheme = GetParam().scheme();
   AxisVector<double> point_B{1, 2, 3, 4, 5, 0.1, 33.3, -1e-300};
   AxisVector<double> axes_M{};
   for (const PointMode mode : {PointMode::axes, PointMode::tip}) {
@@ -129,31 +90,74 @@ TEST_P(EveryScheme, AxesThatDoNotTakePartPassThroughToTheBit) {
 }
 
 TEST_P(EveryScheme, RotaryValuesAreKeptToTheBitWhenTheirZeroIsZero) {
-  SchemeConfig config = complete_config(GetParam());
+  SchemeConfig config = GetParam().config;
   config.zero[3] = config.zero[4] = 0.0;
-  const auto scheme = make_scheme(config);
+  const auto scheme = GetParam().make(config);
   const AxisVector<double> point_B{10, 20, 30, 33.3, 1e6 + 0.1};
   AxisVector<double> axes_M{};
   scheme->inverse(PointMode::tip, ToolVector{{0, 0, -80}}, point_B, axes_M);
-  EXPECT_EQ(axes_M[3], 33.3);
-  EXPECT_EQ(axes_M[4], 1e6 + 0.1);
+  for (const std::size_t axis : {3U, 4U}) {
+    if (static_cast<int>(axis) == config.rotary_axis) continue;  // it holds a length
+    EXPECT_EQ(axes_M[axis], point_B[axis]);
+  }
+}
+
+TEST_P(EveryScheme, PointModesAgreeAtZeroAnglesWithTheZeroThatFollowsFromTheGeometry) {
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  SchemeConfig config = GetParam().config;
+  config.zero = zero_default(config);
+  const auto scheme = GetParam().make(config);
+  Poses poses(GetParam(), seed);
+  for (int i = 0; i < 1000; ++i) {
+    AxisVector<double> point_B = poses.next();
+    point_B[3] = point_B[4] = 0.0;
+    const ToolVector tool = poses.tool();
+    AxisVector<double> tip{};
+    AxisVector<double> axes{};
+    scheme->inverse(PointMode::tip, tool, point_B, tip);
+    scheme->inverse(PointMode::axes, tool, point_B, axes);
+    for (std::size_t axis = 0; axis < axes_max; ++axis) ASSERT_NEAR(tip[axis], axes[axis], 1e-12);
+  }
 }
 
 TEST_P(EveryScheme, AllocatesNothingInTheCycle) {
-  const auto scheme = make_scheme(complete_config(GetParam()));
+  const auto scheme = GetParam().scheme();
   const Transform transform{
       .scheme = scheme.get(), .frame = {}, .mode = PointMode::tip, .tool = {}};
-  AxisVector<Jet> axes_M{};
+  AxisVector<Jet> axes_jet{};
+  AxisVector<double> axes_M{};
   const testing::NoAllocation guard;
-  inverse(transform, AxisVector<Jet>{}, axes_M);
+  inverse(transform, AxisVector<Jet>{1.0, 2.0, 3.0, 4.0, 5.0}, axes_jet);
+  inverse(transform, AxisVector<double>{}, axes_M);
+  forward(transform, axes_M, axes_M);
+  EXPECT_GE(scheme->distance_to_singularity(axes_M), 0.0);
+  EXPECT_LT(scheme->winding_axes(), 1U << static_cast<unsigned>(axes_max));
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, EveryScheme, ::testing::ValuesIn(scheme_types()),
-                         [](const auto& type) { return type.param; });
+INSTANTIATE_TEST_SUITE_P(Specimens, EveryScheme, ::testing::ValuesIn(specimens()),
+                         [](const auto& specimen) { return specimen.param.name; });
+
+TEST(Scheme, EveryTypeHasASpecimen) {
+  for (const std::string& type : scheme_types()) {
+    EXPECT_TRUE(std::ranges::any_of(specimens(), [&](const Specimen& specimen) {
+      return specimen.config.type == type;
+    })) << type;
+  }
+}
+
+TEST(Scheme, TypesOfAProgramCannotStandInAFile) {
+  for (const std::string& type : scheme_types_of_files()) {
+    EXPECT_TRUE(type != "polar_face" && type != "cylinder") << type;
+  }
+  EXPECT_EQ(scheme_types_of_files().size() + 2, scheme_types().size());
+}
 
 TEST(Scheme, UnknownTypeIsNoSchemeAndSaysSo) {
-  EXPECT_EQ(make_scheme(complete_config("hexapod")), nullptr);
-  EXPECT_EQ(scheme_defect(complete_config("hexapod")), "unknown type 'hexapod'");
+  SchemeConfig config;
+  config.type = "hexapod";
+  EXPECT_EQ(make_scheme(config), nullptr);
+  EXPECT_EQ(scheme_defect(config), "unknown type 'hexapod'");
+  EXPECT_EQ(zero_default(config), AxisVector<double>{});
 }
 
 TEST(Transform, IsTheIdentityWithoutScheme) {

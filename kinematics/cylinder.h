@@ -1,0 +1,42 @@
+// Cylinder scheme (G7.1): milling on the side of a turned workpiece as if it were rolled out flat.
+//
+// In the point B the developed length u along the circumference of radius R, in mm, stands in the
+// place of the rotary axis:
+//   C: M = u / R + zero   in deg, without wrapping: the length may go round many times
+// All other axes, X (the depth) among them: as lathe.h. There is no singularity.
+#pragma once
+
+#include "kinematics/lathe.h"
+
+namespace stanok::kinematics {
+
+class Cylinder final : public Scheme {
+ public:
+  explicit Cylinder(const SchemeConfig& config);
+
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+               AxisVector<Jet>& axes_M) const RT_SAFE override;
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
+               AxisVector<double>& axes_M) const RT_SAFE override;
+  void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE override;
+
+ private:
+  template <class Scalar>
+  void roll_up(const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE;
+
+  LatheShift shift_;
+  std::size_t rotary_ = 0;
+  double mm_per_deg_ = 1.0;  // of the circumference
+};
+
+// "" or what is missing: the radius must be positive, besides turned_workpiece_defect.
+[[nodiscard]] std::string cylinder_defect(const SchemeConfig& config);
+
+// The scheme of a channel while G7.1 is on: `active` (cartesian or lathe) with the side of the
+// cylinder of `radius_mm` about `rotary_axis`, index in the channel.
+[[nodiscard]] SchemeConfig cylinder_scheme(const SchemeConfig& active, int rotary_axis,
+                                           double radius_mm);
+
+}  // namespace stanok::kinematics

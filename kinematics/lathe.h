@@ -1,0 +1,66 @@
+// Lathe scheme: X across, Z along the spindle, Y where there is one; points always in radius.
+//
+//   X: M = f_x (B - nose_to_tip) + zero     f_x = 1, 2 where the machine's X counts the diameter
+//   Y: M = f_y (B - nose_to_tip) + zero     f_y = 1
+//   Z and all others that take part: as cartesian.h
+// With the turret in front, X and Y of the machine point against X and Y of the workpiece: f_x and
+// f_y change their sign, so that a program (and the tool vector, which is in workpiece directions)
+// is the same for both turrets. Diameter programming (G7) is the interpreter's affair: it hands on
+// radii. Both point modes are the same. Units mm and deg.
+#pragma once
+
+#include "kinematics/cartesian.h"
+
+namespace stanok::kinematics {
+
+// The map as a value, for schemes that ride on a lathe.
+class LatheShift {
+ public:
+  explicit LatheShift(const SchemeConfig& config);
+
+  template <class Scalar>
+  void inverse(const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    axes_M = point_B;
+    for (std::size_t k = 0; k < factor_.size(); ++k) {
+      if (linear_[k] < 0) continue;
+      auto& reading = axes_M[static_cast<std::size_t>(linear_[k])];
+      reading = factor_[k] * reading;
+    }
+    shift_.inverse(as_read(tool), axes_M, axes_M);
+  }
+  void forward(const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE;
+
+ private:
+  // The tool vector in readings of the machine axes.
+  [[nodiscard]] ToolVector as_read(const ToolVector& tool) const RT_SAFE;
+
+  AxisShift shift_;
+  std::array<int, 3> linear_;
+  std::array<double, 3> factor_;  // machine reading per mm of B, for X, Y, Z: +-1 or +-2, exact
+};
+
+class Lathe final : public Scheme {
+ public:
+  explicit Lathe(const SchemeConfig& config);
+
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+               AxisVector<Jet>& axes_M) const RT_SAFE override;
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
+               AxisVector<double>& axes_M) const RT_SAFE override;
+  void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE override;
+
+ private:
+  LatheShift shift_;
+};
+
+// "" or what is missing: X and Z must take part.
+[[nodiscard]] std::string lathe_defect(const SchemeConfig& config);
+
+// For schemes of the turned workpiece (polar_face, cylinder), "" or what is missing: they ride on a
+// cartesian or lathe scheme in which X and another axis, `rotary_axis`, take part.
+[[nodiscard]] std::string turned_workpiece_defect(const SchemeConfig& config);
+
+}  // namespace stanok::kinematics

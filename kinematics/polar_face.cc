@@ -1,0 +1,100 @@
+// Polar face scheme: the formulas of polar_face.h, written once over the scalar.
+#include "kinematics/polar_face.h"
+
+#include <cmath>
+
+#include "kinematics/angle_units.h"
+
+namespace stanok::kinematics {
+namespace {
+
+constexpr double pole_radius_mm = 1e-9;  // the accuracy asked of forward(inverse(point))
+
+template <class Scalar>
+struct Polar {
+  Scalar radius;  // mm
+  Scalar angle;   // rad
+};
+
+Polar<double> polar(double x, double y) RT_SAFE {
+  const double r = std::hypot(x, y);
+  if (r <= pole_radius_mm) return {};
+  return {r, std::atan2(y, x)};
+}
+
+// Velocity, acceleration and jerk of a plane motion p(t) along the radial direction u and the
+// transverse direction n, solved for the derivatives of radius r and angle a:
+//   u.p'   = r'                           n.p'   = r a'
+//   u.p''  = r'' - r a'^2                 n.p''  = r a'' + 2 r' a'
+//   u.p''' = r''' - 3 r' a'^2 - 3 r a' a''
+//   n.p''' = r a''' + 3 r'' a' + 3 r' a'' - r a'^3
+Polar<Jet> polar(const Jet& x, const Jet& y) RT_SAFE {
+  const auto [r, angle] = polar(x.value, y.value);
+  if (r <= pole_radius_mm) return {};
+  const double ux = x.value / r;
+  const double uy = y.value / r;
+  const auto radial = [&](double px, double py) RT_SAFE { return ux * px + uy * py; };
+  const auto transverse = [&](double px, double py) RT_SAFE { return ux * py - uy * px; };
+  const double r1 = radial(x.first, y.first);
+  const double a1 = transverse(x.first, y.first) / r;
+  const double r2 = radial(x.second, y.second) + r * a1 * a1;
+  const double a2 = (transverse(x.second, y.second) - 2.0 * r1 * a1) / r;
+  const double r3 = radial(x.third, y.third) + 3.0 * a1 * (r1 * a1 + r * a2);
+  const double a3 = (transverse(x.third, y.third) - 3.0 * (r2 * a1 + r1 * a2)) / r + a1 * a1 * a1;
+  return {{r, r1, r2, r3}, {angle, a1, a2, a3}};
+}
+
+}  // namespace
+
+PolarFace::PolarFace(const SchemeConfig& config)
+    : Scheme(config),
+      shift_(config),
+      x_(static_cast<std::size_t>(config.linear[0])),
+      rotary_(static_cast<std::size_t>(config.rotary_axis)),
+      side_(config.negative_side ? -1.0 : 1.0) {}
+
+template <class Scalar>
+void PolarFace::turn_to(const ToolVector& tool, const AxisVector<Scalar>& point_B,
+                        AxisVector<Scalar>& axes_M) const RT_SAFE {
+  const Polar<Scalar> at = polar(side_ * point_B[x_], side_ * point_B[rotary_]);
+  axes_M = point_B;
+  axes_M[x_] = side_ * at.radius;
+  axes_M[rotary_] = deg_per_rad * at.angle;
+  shift_.inverse(tool, axes_M, axes_M);
+}
+
+void PolarFace::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+                        AxisVector<Jet>& axes_M) const RT_SAFE {
+  turn_to(tool, point_B, axes_M);
+}
+
+void PolarFace::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
+                        AxisVector<double>& axes_M) const RT_SAFE {
+  turn_to(tool, point_B, axes_M);
+}
+
+// On the negative side the radius is negative and the angle that of the opposite point: the product
+// is the same.
+void PolarFace::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
+                        AxisVector<double>& point_B) const RT_SAFE {
+  shift_.forward(tool, axes_M, point_B);
+  const double radius = point_B[x_];
+  const auto [sine, cosine] = sine_cosine(rad_per_deg * point_B[rotary_]);
+  point_B[x_] = radius * cosine;
+  point_B[rotary_] = radius * sine;
+}
+
+double PolarFace::distance_to_singularity(const AxisVector<double>& point_B) const RT_SAFE {
+  return std::hypot(point_B[x_], point_B[rotary_]);
+}
+
+SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, bool negative_side) {
+  SchemeConfig config = active;
+  config.type = "polar_face";
+  config.base_type = active.type;
+  config.rotary_axis = rotary_axis;
+  config.negative_side = negative_side;
+  return config;
+}
+
+}  // namespace stanok::kinematics

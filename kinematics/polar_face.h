@@ -1,0 +1,49 @@
+// Polar face scheme (G12.1): milling on the end face of a turned workpiece with X and C alone.
+//
+// The program thinks in a plane (x, y) that is fixed to the workpiece. In the point B, x stands in
+// the place of X and y, in mm, in the place of the rotary axis; the machine goes there by radius
+// and angle:
+//   X: B' = +-hypot(x, y)            then as lathe.h: x_reading, turret, zero, tool vector
+//   C: M  = atan2(+-y, +-x) + zero   in deg, a positive angle turns the tool round the workpiece
+//                                    counter-clockwise, seen against Z (ISO 841)
+// The lower signs are the negative side: the tool works beyond the centre of the workpiece. All
+// other axes: as lathe.h. C is given in (-180, 180] before the zero; whole turns are the caller's
+// (winding_axes). The pole x = y = 0 is singular: within 1e-9 mm of it the angle is taken as 0 and
+// all derivatives of radius and angle as 0, callers keep away from it (distance_to_singularity).
+#pragma once
+
+#include "kinematics/lathe.h"
+
+namespace stanok::kinematics {
+
+class PolarFace final : public Scheme {
+ public:
+  explicit PolarFace(const SchemeConfig& config);
+
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+               AxisVector<Jet>& axes_M) const RT_SAFE override;
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
+               AxisVector<double>& axes_M) const RT_SAFE override;
+  void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE override;
+  [[nodiscard]] unsigned winding_axes() const RT_SAFE override { return 1U << rotary_; }
+  [[nodiscard]] double distance_to_singularity(const AxisVector<double>& point_B) const
+      RT_SAFE override;
+
+ private:
+  template <class Scalar>
+  void turn_to(const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE;
+
+  LatheShift shift_;
+  std::size_t x_ = 0;
+  std::size_t rotary_ = 0;
+  double side_ = 1.0;  // -1: the negative side
+};
+
+// The scheme of a channel while G12.1 is on: `active` (cartesian or lathe) with the plane of its X
+// and `rotary_axis`, index in the channel.
+[[nodiscard]] SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis,
+                                       bool negative_side);
+
+}  // namespace stanok::kinematics

@@ -1,0 +1,69 @@
+// Base of the schemes whose rotary axes turn tool and workpiece: head_table, head_head,
+// table_table.
+//
+// Two chains meet at the tool tip. The head hangs on the linear axes X, the table stands on the bed
+// at `centre` c:
+//   tip             X + head.reach(nose_to_tip)       (in M)
+//   workpiece point c + table.reach(p)                (in M; p in the base frame B)
+// so, in PointMode::tip,
+//   inverse  X = table.reach(p) + (c - head.reach(nose_to_tip))
+//   forward  p = table.reach_back(X + head.reach(nose_to_tip) - c)
+// PointMode::axes rides on the linear axes as cartesian.h does, M = B + zero - nose_to_tip. Rotary
+// axes: M = B + zero in both modes: `zero` is the reading at which an angle counts as 0. A derived
+// type only lays down its geometry. Derivation and pictures: docs/kinematics.md.
+#pragma once
+
+#include <string_view>
+
+#include "kinematics/cartesian.h"
+#include "kinematics/rotary_chain.h"
+
+namespace stanok::kinematics {
+
+class RotaryScheme : public Scheme {
+ public:
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
+               AxisVector<Jet>& axes_M) const RT_SAFE override;
+  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
+               AxisVector<double>& axes_M) const RT_SAFE override;
+  void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
+               AxisVector<double>& point_B) const RT_SAFE override;
+
+ protected:
+  struct Geometry {
+    RotaryChain head;         // its end is nose_to_tip
+    RotaryChain table;        // its end is the workpiece point
+    Vector<double> centre{};  // position of X, Y, Z with the head's start at the table's start, mm
+  };
+
+  RotaryScheme(const SchemeConfig& config, const Geometry& geometry);
+
+ private:
+  template <class Scalar>
+  void follow(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+              AxisVector<Scalar>& axes_M) const RT_SAFE;
+
+  AxisShift shift_;
+  std::array<std::size_t, 3> linear_{};  // X, Y, Z
+  Geometry geometry_;
+};
+
+// A rotary axis as a scheme file names it, for messages: key, index in the channel, unit vector.
+struct RotaryRole {
+  std::string_view axis_key;
+  int axis = -1;
+  std::string_view vector_key;
+  Vector<double> vector{};
+};
+
+// "" or what is missing: X, Y, Z and both rotary axes must take part, these must differ and turn
+// about unit vectors.
+[[nodiscard]] std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& first,
+                                               const RotaryRole& second);
+
+// The zero of X, Y, Z with which both point modes name the same point at zero angles, for types
+// whose base stands on the table: table_centre + centre_to_centre - pivot_to_pivot -
+// pivot_to_spindle (what a type does not have is zero).
+[[nodiscard]] AxisVector<double> zero_of_table_base(const SchemeConfig& config);
+
+}  // namespace stanok::kinematics
