@@ -34,7 +34,8 @@ TEST_P(ProjectMachine, IsReadWithoutFaultAndItsSchemesCanBeMade) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ProjectMachine,
-                         ::testing::Values("e7106mf4", "mill3", "mill5", "lathe", "stress8"),
+                         ::testing::Values("e7106mf4", "mill3", "mill5", "lathe", "stress8",
+                                           "trunnion"),
                          [](const auto& name) { return name.param; });
 
 TEST(MachineFiles, E7106mf4HasAWorkChannelWithTwoSchemesAndAMaster) {
@@ -133,6 +134,32 @@ TEST(MachineFiles, E7106mf4ReachesTheWorkpieceAtBothBases) {
       for (int B = -tilt_max; B <= tilt_max; B += 15)
         for (int C = 0; C < 360; C += 30)
           expect_corners_within_reach(*scheme, config, length, B, C);
+  }
+}
+
+// A block of 120 x 120 x 60 mm on the plate is reached from above and at every tilt of the cradle
+// down to the horizontal, whatever way the plate is turned.
+TEST(MachineFiles, TrunnionReachesTheBlockOnItsPlate) {
+  const MachineFile file = machine("trunnion");
+  const channels::ChannelConfig& mill = file.machine.channels[0];
+  EXPECT_EQ(mill.schemes[0].type, "table_table");
+  EXPECT_EQ(mill.schemes[0].zero, (kinematics::AxisVector<double>{0, -25, -560}));
+  ASSERT_EQ(file.machine.tables.tools.size(), 3U);
+  const auto config = channels::motion_config(file.machine, mill);
+  const auto scheme = kinematics::make_scheme(mill.schemes[0]);
+  for (const auto& tool : file.machine.tables.tools) {
+    for (const double A : {-90.0, -60.0, -30.0, 0.0, 30.0}) {
+      for (int C = 0; C < 360; C += 30) {
+        for (const double x : {-60.0, 60.0})
+          for (const double y : {-60.0, 60.0})
+            for (const double z : {0.0, 60.0, 110.0}) {
+              kinematics::AxisVector<double> axes_M{};
+              scheme->inverse(kinematics::PointMode::tip, {{0.0, 0.0, -tool.length}},
+                              {x, y, z, A, static_cast<double>(C)}, axes_M);
+              expect_within_reach(axes_M, config);
+            }
+      }
+    }
   }
 }
 

@@ -1,0 +1,50 @@
+// The example programs of the project run to their end on the machines they are written for.
+//
+// Not here: master.nc, which needs the generated full-size programs (./start runs it).
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <ostream>
+#include <string>
+
+namespace stanok::client {
+namespace {
+
+const std::string program = STANOK_BINARY_DIR "/bin/stanok";
+const std::string root = STANOK_SOURCE_DIR;
+
+struct Example {
+  const char* name;
+  const char* machine;
+  const char* scheme;  // active at the start; "" that of power-on
+};
+
+void PrintTo(const Example& example, std::ostream* stream) {
+  *stream << example.name;
+}
+
+class ExampleProgram : public ::testing::TestWithParam<Example> {};
+
+TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
+  const Example& example = GetParam();
+  std::string command = program + " simulate " + root + "/programs/examples/" + example.name +
+                        ".nc --machine " + root + "/config/machines/" + example.machine + ".toml";
+  if (*example.scheme != '\0') command += std::string(" --scheme 1=") + example.scheme;
+  const int status = std::system((command + " >/dev/null").c_str());
+  ASSERT_TRUE(WIFEXITED(status)) << command;
+  EXPECT_EQ(WEXITSTATUS(status), 0) << command;
+}
+
+constexpr Example examples[] = {
+    {"square_and_circle", "mill3", ""},
+    {"helix", "mill3", ""},
+    {"bolt_circle", "mill3", ""},
+    {"trunnion", "trunnion", ""},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),
+                         [](const auto& example) { return std::string(example.param.name); });
+
+}  // namespace
+}  // namespace stanok::client
