@@ -21,6 +21,7 @@ void change_length(ActiveBlock& block, const ToolLength& after) {
   block.queue.emit(after);
   if (before.mode == LengthMode::tip || after.mode == LengthMode::tip) {
     block.queue.emit(Request{});
+    block.awaits_position = true;
     return;
   }
   AxisValues distance_B{};

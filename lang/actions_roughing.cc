@@ -88,7 +88,9 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
     execute_block(inner);
     modal.compensation = {};
     modal.set(Group::radius_compensation, 400, block.line);
-    if (inner.fault) {
+    if (inner.awaits_position) {
+      fail_contour(block, code, "tip control changes in line " + std::to_string(one.origin.line));
+    } else if (inner.fault) {
       fail_contour(block, code,
                    "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);
     } else {

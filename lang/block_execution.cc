@@ -220,14 +220,17 @@ void sort_by_phase(BlockCodes& codes) {
 
 void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
-  for (int i = 0; i < codes.count && !block.failed(); ++i) {
+  for (int i = block.actions_done; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[static_cast<std::size_t>(i)];
     row.action(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
     }
+    block.actions_done = i + 1;
+    if (block.awaits_position && block.actions_done < codes.count) return;
   }
+  block.awaits_position = false;
 }
 
 }  // namespace

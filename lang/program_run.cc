@@ -35,6 +35,11 @@ Step ProgramRun::next(Command& command) {
     }
     if (!queue_.empty()) return deliver(queue_, command);
     if (phase_ != Phase::running) return failed_or(Step::ended);
+    if (rest_) {
+      const RestOfBlock rest = *std::exchange(rest_, std::nullopt);
+      execute(rest.span, rest.places, rest.actions_done);
+      continue;
+    }
     if (stop_ && reaches_stop()) return failed_or(Step::stopped);
     if (plain_.at == plain_.end) {
       work += run_code(work_bound - work);
@@ -110,9 +115,11 @@ bool ProgramRun::run_plain_line(Command& command) {
   return false;
 }
 
-void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* places) {
+void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* places,
+                         int actions_done) {
   queue_.set_origin({frames_.back().file, block_span.line}, block_);
   ActiveBlock block(words_, around_, block_span.line);
+  block.actions_done = actions_done;
   const AxisValues start_W = modal_.position_W;
   states_.set_level(frames_.size() - 1);
   if (const auto macro = macro_at_hand()) {
@@ -120,6 +127,10 @@ void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* pla
     if (!block.fault) return call_macro(*macro);
   } else {
     execute_block(block);
+  }
+  if (block.awaits_position && !block.fault) {
+    rest_ = {block_span, places, block.actions_done};
+    return;
   }
   if (!block.fault) {
     if (auto fault = compensation_.select(modal_.compensation, start_W)) {

@@ -133,7 +133,7 @@ class ProgramRun : private ContourSource, private Parameters {
   void fail_compensation(CompensationFault fault);
   bool run_plain_line(Command& command);
   // Executes words_; `places` nullptr: found in the text when they are needed.
-  void execute(const Span& block_span, const std::vector<IsoWord>* places);
+  void execute(const Span& block_span, const std::vector<IsoWord>* places, int actions_done = 0);
   void follow_flow(const ActiveBlock& block);
   void end_program(ProgramEndKind kind);
   void read_tables_again();
@@ -286,6 +286,13 @@ class ProgramRun : private ContourSource, private Parameters {
   StateStack states_;
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand
+  // The second part of the block at hand, after the answer to its first (ActiveBlock).
+  struct RestOfBlock {
+    Span span;
+    const std::vector<IsoWord>* places = nullptr;
+    int actions_done = 0;
+  };
+  std::optional<RestOfBlock> rest_;
   PlainCursor plain_;
   TextValues text_values_{*this};  // of the plain line at hand
   // G70: what comes behind the contour that is being run.

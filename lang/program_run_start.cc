@@ -27,6 +27,7 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   plain_ = {};
   states_.clear();
   contour_return_.reset();
+  rest_.reset();
   block_ = 0;
   stop_.reset();
   stack_.clear();

@@ -37,10 +37,8 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
 }
 
 constexpr Example examples[] = {
-    {"square_and_circle", "mill3", ""},
-    {"helix", "mill3", ""},
-    {"bolt_circle", "mill3", ""},
-    {"trunnion", "trunnion", ""},
+    {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},       {"bolt_circle", "mill3", ""},
+    {"tilted_pocket", "e7106mf4", "2"}, {"trunnion", "trunnion", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),

@@ -176,6 +176,24 @@ TEST_F(PlainProgram, WaitsForThePositionWhenTipControlBeginsAndEnds) {
   EXPECT_EQ(requests[0].kind, RequestKind::sync);
 }
 
+// The block of G43.4 is divided at the standstill: what follows in it starts from the position that
+// the tip has been found at, for programmed axes, for the others and for the next block.
+TEST_F(PlainProgram, GoesOnInTheBlockOfTipControlFromThePositionOfTheTip) {
+  tables.tools[1] = {1, {0.0, 0.0, 60.0}, 0.0};
+  answering = [](const Request&) {
+    Answer answer;
+    answer.position_valid = true;
+    answer.position_B = {1.0, 2.0, 3.0, 30.0, 40.0};
+    return answer;
+  };
+  const auto list = moves("G0 X9 Y9\nG43.4 H1 G90 G0 X15 Z50\nG91 X1\nG49 Y-3\nG90 Z0\nM30\n");
+  ASSERT_EQ(list.size(), 5u);
+  EXPECT_EQ(list[1].end, (AxisValues{15.0, 2.0, 50.0, 30.0, 40.0}));
+  EXPECT_EQ(list[2].end, (AxisValues{16.0, 2.0, 50.0, 30.0, 40.0}));
+  EXPECT_EQ(list[3].end, (AxisValues{1.0, -1.0, 3.0, 30.0, 40.0}));
+  EXPECT_EQ(list[4].end, (AxisValues{1.0, -1.0, 0.0, 30.0, 40.0}));
+}
+
 TEST_F(PlainProgram, SelectsPathModes) {
   const auto list =
       moves("G0 X1\nG61 X2\nG61.1 X3\nG64 P0.02 Q0.01 X4\nG20 G64 P0.1 X1\nG9 X2\nM30");
