@@ -32,10 +32,10 @@ class MotorScheme : public Scheme {
     for (std::size_t k = 0; k < 3; ++k) point_B[k] = nose[k] + tool.nose_to_tip_mm[k];
   }
 
- protected:
-  using Scheme::Scheme;
-
  private:
+  friend Type;
+  explicit MotorScheme(const SchemeConfig& config) : Scheme(config) {}
+
   template <class Scalar>
   static void drive(const ToolVector& tool, const AxisVector<Scalar>& point_B,
                     AxisVector<Scalar>& axes_M) RT_SAFE {

@@ -58,15 +58,14 @@ using Samples = std::array<Axes, 7>;  // at -3h ... 3h
 Samples samples(const Specimen& specimen, PointMode mode, const ToolVector& tool,
                 const CubicMotion& motion, unsigned winding_axes) {
   const auto map = mode == PointMode::tip ? specimen.tip : specimen.axes;
-  const auto at = [&](int n) {
-    return map(specimen.config, motion.at(static_cast<Real>(n) * h),
-               reference::exact(tool.nose_to_tip_mm));
+  const auto at = [&](Real t) {
+    return map(specimen.config, motion.at(t), reference::exact(tool.nose_to_tip_mm));
   };
   const Axes middle = at(0);
   Samples all{};
-  for (int n = -3; n <= 3; ++n) {
-    Axes& sample = all[static_cast<std::size_t>(n + 3)];
-    sample = at(n);
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    Axes& sample = all[n];
+    sample = at((static_cast<Real>(n) - 3) * h);
     for (std::size_t axis = 0; axis < axes_max; ++axis) {
       if ((winding_axes >> axis & 1U) == 0) continue;
       sample[axis] -= 360 * std::round((sample[axis] - middle[axis]) / 360);
