@@ -31,9 +31,6 @@ constexpr double exact_tolerance = 1e-9;  // mm or deg
 // Shorter rests between two blends are not worth a piece of their own; their blend gives way.
 constexpr double rest_min = 1e-4;
 
-// A blend and a run that lie closer have no piece between them.
-constexpr double touching = 1e-9;  // mm
-
 bool moves(const PathBlock& block, const Point& start, std::size_t axis, double threshold) {
   return !(std::abs(block.end[axis] - start[axis]) <= threshold);
 }
@@ -187,12 +184,9 @@ bool PathBuilder::belong_together(const Pending& one, const Pending& next) const
 void PathBuilder::open_run(const Pending& next) {
   const bool begins_chain = stands_ && pending_->from == 0.0 && pending_->straight == 0.0;
   const auto end = begins_chain ? SmoothRun::End::at_rest : SmoothRun::End::straight;
-  const SmoothRun::Place place = run_.begin(pending_->whole, pending_->tolerance, end);
-  if (place.s - pending_->from > touching) {
-    emit_pending(place.s, place.point);
-  } else {
-    run_.meet(pending_->from_point);
-  }
+  const SmoothRun::Place place =
+      run_.begin(pending_->whole, pending_->tolerance, end, {pending_->from, pending_->from_point});
+  if (place.s > pending_->from) emit_pending(place.s, place.point);
   pending_.reset();
   run_.add(next.whole, next.tolerance, smoothed_);
   last_of_run_ = next;

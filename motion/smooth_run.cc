@@ -12,7 +12,7 @@
 namespace stanok::motion {
 namespace {
 
-constexpr double length_min = 1e-4;            // mm of a block
+constexpr double length_min = 1e-4;            // mm of a block, and of its part before the spline
 constexpr double tolerance_min = 5e-4;         // mm: below, corners are left to blends
 constexpr double rate_step_max = 1000.0;       // tolerances of another axis per mm, at a corner
 constexpr double tolerance_used = 0.99;        // the rest is for rounding of every kind
@@ -81,21 +81,26 @@ void SmoothRun::clear() {
   frozen_ = 0;
 }
 
-SmoothRun::Place SmoothRun::begin(const Piece& first, const Tolerance& tolerance, End end) {
+SmoothRun::Place SmoothRun::begin(const Piece& first, const Tolerance& tolerance, End end,
+                                  const Place& taken) {
   clear();
   spline_.way.add(first, tolerance);
+  Place place = taken;
   if (end == End::at_rest) {
-    spline_.knots.assign(RunSpline::order, 0.0);
+    spline_.knots.assign(RunSpline::order, place.s);
   } else {
-    const double step = std::min(first.length / 6.0, width_max);
-    const double from = first.length - 3.0 * step;
-    for (int k = -3; k < 3; ++k) spline_.knots.push_back(from + k * step);
+    const double straight_to = std::max(0.5 * first.length, first.length - 3.0 * width_max);
+    if (straight_to - taken.s >= length_min) {
+      place = {straight_to, point_of(spline_.way.last(), straight_to)};
+    }
+    const double step = (first.length - place.s) / 3.0;
+    for (int k = -3; k < 3; ++k) spline_.knots.push_back(place.s + k * step);
     spline_.knots.push_back(first.length);
   }
   frozen_ = spline_.knots.size();
   settled_ = emitted_ = RunSpline::order - 1;
-  emitted_to_ = point_of(spline_.way.last(), spline_.knots[emitted_]);
-  return {spline_.knots[emitted_], emitted_to_};
+  emitted_to_ = place.point;
+  return place;
 }
 
 void SmoothRun::add(const Piece& next, const Tolerance& tolerance, std::vector<Piece>& out) {

@@ -39,10 +39,10 @@ class SmoothRun {
     double s = 0.0;
     Point point{};
   };
-  // Opens a run with its first block; returns where on it the spline begins.
-  [[nodiscard]] Place begin(const Piece& first, const Tolerance& tolerance, End end);
-  // The piece before ends at `point`, which is the begin of the spline but for rounding.
-  void meet(const Point& point) { emitted_to_ = point; }
+  // Opens a run with its first block, of which a blend has taken the part up to `taken`; returns
+  // where on it the spline begins: there or later.
+  [[nodiscard]] Place begin(const Piece& first, const Tolerance& tolerance, End end,
+                            const Place& taken);
   // Takes the next block. Pieces that are final are appended to `out`, without bounds.
   void add(const Piece& next, const Tolerance& tolerance, std::vector<Piece>& out);
   // Closes the run. Returns where on its last block the spline ends.

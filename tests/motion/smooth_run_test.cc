@@ -164,6 +164,34 @@ TEST(SmoothRun, ContinuesInPositionDirectionAndCurvature) {
   }
 }
 
+// Two runs of blocks of nearly the same length meet at a corner: its blend takes all that the first
+// one left of its last block, a little less or more than half of the next.
+TEST(SmoothRun, BeginsWhereTheBlendBeforeItEnds) {
+  for (int n = -20; n <= 20; ++n) {
+    SCOPED_TRACE(n);
+    Course run;
+    run.config = mill(3);
+    run.tolerance = {0.05, 0.05};
+    Point at{};
+    for (int k = 0; k < 8; ++k) {
+      const double length = k < 4 ? 0.13 : 0.13 + 1e-5 * n;
+      const double heading = 0.02 * k + (k < 4 ? 0.0 : 0.5);
+      at[0] += length * std::cos(heading);
+      at[1] += length * std::sin(heading);
+      run.blocks.push_back(line_to(at, 10.0));
+    }
+    build(run);
+    ASSERT_EQ(std::ranges::count(run.ends_chain, true), 1);
+    Point end{};
+    for (const Piece& piece : run.pieces) {
+      EXPECT_EQ(piece.geometry.start, end);
+      const Point begin = position_at(piece, 1e-12);
+      EXPECT_LT(xyz_norm(begin[0] - end[0], begin[1] - end[1], begin[2] - end[2]), 1e-11);
+      end = piece.geometry.end;
+    }
+  }
+}
+
 TEST(SmoothRun, TakesEveryBlockInOrderWithItsFeed) {
   Course run;
   run.config = mill(3);
