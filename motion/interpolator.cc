@@ -317,13 +317,10 @@ PathState Interpolator::state(const PathQueue& queue, const FeedControl& control
 void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
   if (cursor_.has_chunk()) {
     stand_here(queue);
-    cursor_.leave(queue);
     ++chunks_done_;
   }
   chunks_done_ += queue.chunks.size();
-  queue.chunks.pop_front(queue.chunks.size());
-  queue.pieces.pop_front(queue.pieces.size());
-  queue.phases.pop_front(queue.phases.size());
+  cursor_.drop(queue);
   is_nominal_ = true;
   overlap_ = Overlap::undecided;
   phase_time_first_ = 0.0;

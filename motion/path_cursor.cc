@@ -20,6 +20,16 @@ void PathCursor::leave(PathQueue& queue) RT_SAFE {
   has_chunk_ = false;
 }
 
+void PathCursor::drop(PathQueue& queue) RT_SAFE {
+  piece_number_ += queue.pieces.size();
+  queue.chunks.pop_front(queue.chunks.size());
+  queue.pieces.pop_front(queue.pieces.size());
+  queue.phases.pop_front(queue.phases.size());
+  pieces_left_ = 0;
+  phases_left_ = 0;
+  has_chunk_ = false;
+}
+
 void PathCursor::go_to(PathQueue& queue, double s, std::uint64_t closed_from_block) RT_SAFE {
   while (pieces_left_ > 1 && s >= piece_start_ + queue.pieces.front().length &&
          queue.pieces[1].tag.block < closed_from_block) {

@@ -18,6 +18,8 @@ class PathCursor {
   void enter(PathQueue& queue) RT_SAFE;
   // Leaves the chunk at hand: all its pieces and phases are given back.
   void leave(PathQueue& queue) RT_SAFE;
+  // Leaves the whole path, what is queued included; its pieces keep their numbers.
+  void drop(PathQueue& queue) RT_SAFE;
 
   [[nodiscard]] bool has_chunk() const RT_SAFE { return has_chunk_; }
   [[nodiscard]] const Chunk& chunk() const RT_SAFE { return chunk_; }
