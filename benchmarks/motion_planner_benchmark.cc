@@ -1,10 +1,13 @@
-// Cost of planning a piece and of one real-time cycle: nominal, under override, under hold.
+// Cost of planning a block and of one real-time cycle: nominal, under override, under hold.
 //
-// The path is dense CAM work: blends of 0.1 mm on a curve whose curvature changes, five axes,
-// several blocks a cycle.
+// The path is dense CAM work: blocks of 0.1 mm on a curve whose curvature changes, five axes,
+// several blocks a cycle. Planning is also measured where every join is a blend of its own, so that
+// pieces of high and low limits take turns, at a feed that the axes do not allow, and on corners.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <functional>
+#include <random>
 
 #include "kinematics/scheme.h"
 #include "motion/interpolator.h"
@@ -43,46 +46,86 @@ const kinematics::Transform& transform() {
   return transform;
 }
 
-const std::vector<PathBuilder::Built>& dense_path() {
-  static const std::vector<PathBuilder::Built> path = [] {
-    PathBuilder builder(five_axes());
-    builder.restart({});
-    for (int k = 1; k <= 12000; ++k) {
-      const double t = 0.003 * k;
-      PathBlock block;
-      block.tag = {.run = 1, .block = static_cast<std::uint64_t>(k)};
-      block.end = {30.0 * t, 8.0 * std::sin(t) + 0.5 * std::sin(9.0 * t), 3.0 * std::sin(2.3 * t),
-                   10.0 * std::sin(0.7 * t), 5.0 * t};
-      block.feed_per_s = 5000.0 / 60.0;
-      block.tolerance_mm = 0.01;
-      block.tolerance_deg = 0.05;
-      block.transform = &transform();
-      static_cast<void>(builder.add(block));
-    }
-    builder.finish();
-    return builder.built();
-  }();
-  return path;
+constexpr int blocks = 12000;
+constexpr double feed = 5000.0 / 60.0;
+
+std::vector<PathBuilder::Built> dense_path(const MotionConfig& config, double feed_per_s) {
+  PathBuilder builder(config);
+  builder.restart({});
+  for (int k = 1; k <= blocks; ++k) {
+    const double t = 0.003 * k;
+    PathBlock block;
+    block.tag = {.run = 1, .block = static_cast<std::uint64_t>(k)};
+    block.end = {30.0 * t, 8.0 * std::sin(t) + 0.5 * std::sin(9.0 * t), 3.0 * std::sin(2.3 * t),
+                 10.0 * std::sin(0.7 * t), 5.0 * t};
+    block.feed_per_s = feed_per_s;
+    block.tolerance_mm = 0.01;
+    block.tolerance_deg = 0.05;
+    block.transform = &transform();
+    static_cast<void>(builder.add(block));
+  }
+  builder.finish();
+  return builder.built();
 }
 
-void plan_pieces(benchmark::State& state) {
-  const auto& path = dense_path();
-  const MotionConfig config = five_axes();
+// Legs of 0.5 to 5 mm with a turn of up to 57 degrees and a feed of its own each, in three axes.
+std::vector<PathBuilder::Built> corners() {
+  PathBuilder builder(five_axes());
+  builder.restart({});
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  double heading = 0.0;
+  for (int k = 1; k <= blocks; ++k) {
+    const double length = 0.5 * std::pow(10.0, part(random));
+    heading += 2.0 * part(random) - 1.0;
+    PathBlock block;
+    block.tag = {.run = 1, .block = static_cast<std::uint64_t>(k)};
+    block.end = builder.end();
+    block.end[0] += length * std::cos(heading);
+    block.end[1] += length * std::sin(heading);
+    block.feed_per_s = 20.0 + 60.0 * part(random);
+    block.tolerance_mm = 0.01;
+    block.tolerance_deg = 0.05;
+    block.transform = &transform();
+    static_cast<void>(builder.add(block));
+  }
+  builder.finish();
+  return builder.built();
+}
+
+void plan_blocks(benchmark::State& state,
+                 const std::function<std::vector<PathBuilder::Built>()>& built) {
+  const auto path = built();
   for ([[maybe_unused]] auto _ : state) {
-    LookAhead look_ahead(config);
-    for (const auto& built : path) look_ahead.add(built);
+    LookAhead look_ahead(five_axes());
+    for (const auto& piece : path) look_ahead.add(piece);
     benchmark::DoNotOptimize(look_ahead.is_empty());
   }
-  state.counters["time_per_piece"] = benchmark::Counter(
-      static_cast<double>(path.size()),
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  using benchmark::Counter;
+  state.counters["time_per_block"] =
+      Counter(blocks, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["pieces_per_block"] = static_cast<double>(path.size()) / blocks;
 }
-BENCHMARK(plan_pieces)->Unit(benchmark::kMillisecond);
+
+MotionConfig without_runs() {
+  MotionConfig config = five_axes();
+  config.run_turn_max_deg = 0.0;
+  return config;
+}
+
+constexpr double axis_limits = 10.0 * feed;
+BENCHMARK_CAPTURE(plan_blocks, run, [] { return dense_path(five_axes(), feed); });
+BENCHMARK_CAPTURE(plan_blocks, run_at_axis_limits,
+                  [] { return dense_path(five_axes(), axis_limits); });
+BENCHMARK_CAPTURE(plan_blocks, blends, [] { return dense_path(without_runs(), feed); });
+BENCHMARK_CAPTURE(plan_blocks, blends_at_axis_limits,
+                  [] { return dense_path(without_runs(), axis_limits); });
+BENCHMARK_CAPTURE(plan_blocks, corners, corners);
 
 // One cycle; the path is run again and again, preparation is not timed.
 void run_cycles(benchmark::State& state, const FeedControl& even, const FeedControl& odd) {
-  const auto& path = dense_path();
   const MotionConfig config = five_axes();
+  static const auto path = dense_path(config, feed);
   PathQueue queue;
   LookAhead look_ahead(config);
   Interpolator interpolator(config);

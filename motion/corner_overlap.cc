@@ -48,21 +48,15 @@ Moment moment_at(std::span<const Phase> phases, double t) {
   return {&phases.back(), t};
 }
 
-double place_at(std::span<const Phase> phases, double t) {
-  const Moment moment = moment_at(phases, t);
-  return motion_at(*moment.phase, moment.t).s;
-}
-
 // When the phases come to `s`; s grows with the time.
 double time_of(std::span<const Phase> phases, double s) {
-  double low = 0.0;
-  double high = duration_of(phases);
-  constexpr int halvings = 48;
-  for (int k = 0; k < halvings; ++k) {
-    const double t = 0.5 * (low + high);
-    (place_at(phases, t) < s ? low : high) = t;
+  double time = 0.0;
+  for (const Phase& phase : phases) {
+    if (s <= phase.s) return time;
+    if (s < phase.s_end) return time + time_at(phase, s);
+    time += phase.duration;
   }
-  return low;
+  return time;
 }
 
 // How long before its end a braking is still `distance` from there.

@@ -14,21 +14,6 @@ std::uint64_t blocks_between(const BlockTag& from, const BlockTag& to) {
   return to.block >= from.block ? to.block - from.block : 1;
 }
 
-// Time after which a phase has come to `s`, which lies within it.
-double time_at(const Phase& phase, double s) {
-  double low = 0.0;
-  double high = phase.duration;
-  double t = phase.duration * (s - phase.s) / (phase.s_end - phase.s);
-  constexpr int steps = 60;
-  for (int k = 0; k < steps && low < t && t < high; ++k) {
-    const PathMotion motion = motion_at(phase, t);
-    (motion.s < s ? low : high) = t;
-    const double newton = motion.v > 0.0 ? t - (motion.s - s) / motion.v : high;
-    t = newton > low && newton < high ? newton : 0.5 * (low + high);
-  }
-  return t;
-}
-
 // Moves the phases before `s` from the front of one list to the end of another; a phase across `s`
 // is split there.
 void split_phases(std::vector<Phase>& phases, double s, std::vector<Phase>& before) {

@@ -6,38 +6,19 @@
 namespace stanok::motion {
 namespace {
 
-// Largest x found in [low, high] with f(x) <= 0, for a growing f with f(low) <= 0: regula falsi
-// with halved weights (Illinois), which keeps the root bracketed.
-template <class Function>
-double last_below(const Function& f, double low, double high, double tolerance) RT_SAFE {
-  double f_low = f(low);
-  double f_high = f(high);
-  if (f_high <= 0.0) return high;
-  for (int step = 0; step < 60 && f_low < -tolerance; ++step) {
-    double x = high - f_high * (high - low) / (f_high - f_low);
-    if (!(x > low && x < high)) x = 0.5 * (low + high);
-    if (!(x > low && x < high)) break;
-    const double fx = f(x);
-    if (fx > 0.0) {
-      if (fx <= tolerance) {  // just above: the root lies a hair below
-        const double below = x - (fx + tolerance) * (x - low) / (fx - f_low);
-        if (below > low && f(below) <= 0.0) return below;
-      }
-      high = x;
-      f_high = fx;
-      f_low *= 0.5;
-    } else {
-      if (fx > -tolerance) return x;
-      low = x;
-      f_low = fx;
-      f_high *= 0.5;
-    }
-  }
-  return low;
-}
+// A value is found when the next step of Newton's method is this part of it: its rounding.
+constexpr double settled = 1e-15;
+constexpr int steps_max = 60;
 
-// Part of a length to which roots are found; the rest of it is run at constant speed.
-constexpr double length_tolerance = 1e-13;
+// The highest speed, at or just below `v` and not below `least`, that covers no more than
+// `distance`: v itself does but for rounding.
+template <class Covered>
+double highest_within(double distance, const Covered& covered, double v, double least) RT_SAFE {
+  for (double step = settled * v; v > least && covered(v) > distance; step *= 2.0) {
+    v = std::max(v - step, least);
+  }
+  return v;
+}
 
 double peak_acceleration(double dv, const RampLimits& limits) RT_SAFE {
   return std::min(limits.a, std::sqrt(dv * limits.j));
@@ -49,6 +30,34 @@ Phase phase_from(double s, double v, double a, double j, double duration) RT_SAF
   phase.s_end = end.s;
   phase.v_end = end.v;
   return phase;
+}
+
+// How much longer the ramp from `low` gets with its high speed: dD / dv, v > low.
+double distance_gain(double low, double v, const RampLimits& limits) RT_SAFE {
+  const double dv = v - low;
+  const double duration = ramp_duration(low, v, limits);
+  const double duration_gain =
+      dv * limits.j <= limits.a * limits.a ? 0.5 * duration / dv : 1.0 / limits.a;
+  return 0.5 * (duration + (low + v) * duration_gain);
+}
+
+// Change of speed of the ramp that covers `distance`, to rounding. With A = a, J = j:
+//   up to dv = A^2 / J   D = (2 v0 + dv) sqrt(dv / J), a cubic for x = sqrt(dv / J), half the time:
+//                        x^3 + 3 p x = 2 q, p = 2 v0 / 3J, q = D / 2J (Cardano's formula);
+//   beyond it            D = (v0 + dv / 2) (A / J + dv / A), a quadratic for dv:
+//                        (dv + v0 + r)^2 = (v0 - r)^2 + 2 A D, r = A^2 / 2J.
+double speed_gain(double v0, double distance, const RampLimits& limits) RT_SAFE {
+  const double r = 0.5 * limits.a * limits.a / limits.j;
+  if (distance * limits.a > 4.0 * r * (v0 + r)) {
+    const double root = std::sqrt((v0 - r) * (v0 - r) + 2.0 * limits.a * distance);
+    return (2.0 * limits.a * distance - 4.0 * v0 * r) / (root + v0 + r);
+  }
+  const double p = 2.0 * v0 / (3.0 * limits.j);
+  const double q = 0.5 * distance / limits.j;
+  const double u = std::cbrt(q + std::sqrt(q * q + p * p * p));
+  const double w = p / u;
+  const double x = 2.0 * q / (u * u + p + w * w);
+  return limits.j * x * x;
 }
 
 }  // namespace
@@ -67,38 +76,57 @@ double ramp_distance(double v0, double v1, const RampLimits& limits) RT_SAFE {
   return 0.5 * (v0 + v1) * ramp_duration(v0, v1, limits);
 }
 
-double distance_from_slow_end(double low, double high, const RampLimits& limits, double v) RT_SAFE {
-  const double peak = peak_acceleration(high - low, limits);
-  const double rounding = 0.5 * peak * peak / limits.j;  // speed gained while the jerk acts
-  if (v - low <= rounding) {
-    const double t = std::sqrt(2.0 * std::max(v - low, 0.0) / limits.j);
-    return low * t + limits.j * t * t * t / 6.0;
+RampCourse::RampCourse(double low, double high, const RampLimits& limits) RT_SAFE
+    : low_(low),
+      high_(high),
+      jerk_(limits.j),
+      length_(ramp_distance(low, high, limits)),
+      peak_(peak_acceleration(high - low, limits)),
+      rounding_(0.5 * peak_ * peak_ / limits.j) {
+  const double t = peak_ / jerk_;
+  rounded_ = low_ * t + jerk_ * t * t * t / 6.0;
+}
+
+double RampCourse::distance_to(double v) const RT_SAFE {
+  if (v - low_ <= rounding_) {
+    const double t = std::sqrt(2.0 * std::max(v - low_, 0.0) / jerk_);
+    return low_ * t + jerk_ * t * t * t / 6.0;
   }
-  const double t_jerk = peak / limits.j;
-  if (high - v < rounding) {
-    const double t = std::sqrt(2.0 * std::max(high - v, 0.0) / limits.j);
-    return ramp_distance(low, high, limits) - (high * t - limits.j * t * t * t / 6.0);
+  if (high_ - v < rounding_) {
+    const double t = std::sqrt(2.0 * std::max(high_ - v, 0.0) / jerk_);
+    return length_ - (high_ * t - jerk_ * t * t * t / 6.0);
   }
-  const double t = (v - low - rounding) / peak;
-  return low * t_jerk + limits.j * t_jerk * t_jerk * t_jerk / 6.0 + (low + rounding) * t +
-         0.5 * peak * t * t;
+  const double t = (v - low_ - rounding_) / peak_;
+  return rounded_ + (low_ + rounding_) * t + 0.5 * peak_ * t * t;
 }
 
 double reachable_speed(double v0, double distance, const RampLimits& limits) RT_SAFE {
   if (distance <= 0.0) return v0;
-  // D >= dv^1.5 / sqrt(J) and D >= dv^2 / (2 A) bound the change from above.
-  const double dv_max =
-      std::min(std::cbrt(distance * distance * limits.j), std::sqrt(2.0 * distance * limits.a));
-  const auto excess = [&](double v) { return ramp_distance(v0, v, limits) - distance; };
-  return last_below(excess, v0, v0 + dv_max, length_tolerance * distance);
+  const auto covered = [&](double v) RT_SAFE { return ramp_distance(v0, v, limits); };
+  return highest_within(distance, covered, v0 + speed_gain(v0, distance, limits), v0);
 }
 
+// Newton's method, kept between speeds that are known to be too low and too high.
 double peak_speed(double v0, double v1, double distance, const RampLimits& up,
                   const RampLimits& down, double v_max) RT_SAFE {
-  const auto excess = [&](double v) {
-    return ramp_distance(v0, v, up) + ramp_distance(v, v1, down) - distance;
+  const auto covered = [&](double v) RT_SAFE {
+    return ramp_distance(v0, v, up) + ramp_distance(v, v1, down);
   };
-  return last_below(excess, std::max(v0, v1), v_max, length_tolerance * distance);
+  if (covered(v_max) <= distance) return v_max;
+  const double least = std::max(v0, v1);
+  const double room = distance - covered(least);
+  if (room <= 0.0) return least;
+  double low = least;
+  double high = v_max;
+  double v = least + speed_gain(least, 0.5 * room, lower_of(up, down));
+  for (int step = 0; step < steps_max && v > low && v < high; ++step) {
+    const double excess = covered(v) - distance;
+    (excess > 0.0 ? high : low) = v;
+    const double newton = v - excess / (distance_gain(v0, v, up) + distance_gain(v1, v, down));
+    if (std::abs(newton - v) <= settled * v) break;
+    v = newton > low && newton < high ? newton : 0.5 * (low + high);
+  }
+  return highest_within(distance, covered, v, least);
 }
 
 PathMotion motion_at(const Phase& phase, double t) RT_SAFE {
@@ -106,6 +134,20 @@ PathMotion motion_at(const Phase& phase, double t) RT_SAFE {
           .v = phase.v + t * (phase.a + t * 0.5 * phase.j),
           .a = phase.a + t * phase.j,
           .j = phase.j};
+}
+
+double time_at(const Phase& phase, double s) RT_SAFE {
+  double low = 0.0;
+  double high = phase.duration;
+  double t = phase.duration * (s - phase.s) / (phase.s_end - phase.s);
+  for (int step = 0; step < steps_max && low < t && t < high; ++step) {
+    const PathMotion motion = motion_at(phase, t);
+    (motion.s < s ? low : high) = t;
+    const double newton = motion.v > 0.0 ? t - (motion.s - s) / motion.v : high;
+    if (std::abs(newton - t) <= settled * t) break;
+    t = newton > low && newton < high ? newton : 0.5 * (low + high);
+  }
+  return t;
 }
 
 PhaseRun ramp_up(double s0, double v0, double v1, const RampLimits& limits) RT_SAFE {

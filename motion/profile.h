@@ -26,10 +26,26 @@ struct RampLimits {
 [[nodiscard]] double ramp_duration(double v0, double v1, const RampLimits& limits) RT_SAFE;
 [[nodiscard]] double ramp_distance(double v0, double v1, const RampLimits& limits) RT_SAFE;
 
-// Distance from the slow end of the ramp between `low` and `high` to the place where its speed is
-// `v`, low <= v <= high. Ramps up and down are mirror images, so it serves both.
-[[nodiscard]] double distance_from_slow_end(double low, double high, const RampLimits& limits,
-                                            double v) RT_SAFE;
+// Where the ramp between two speeds has which speed. Ramps up and down are mirror images, so it
+// serves both: distances count from the slow end.
+class RampCourse {
+ public:
+  RampCourse(double low, double high, const RampLimits& limits) RT_SAFE;
+
+  [[nodiscard]] double high() const RT_SAFE { return high_; }
+  [[nodiscard]] double length() const RT_SAFE { return length_; }
+  // low <= v <= high
+  [[nodiscard]] double distance_to(double v) const RT_SAFE;
+
+ private:
+  double low_;
+  double high_;
+  double jerk_;
+  double length_;
+  double peak_;      // acceleration
+  double rounding_;  // speed gained while the jerk acts
+  double rounded_;   // distance covered until then
+};
 
 // The highest speed that a ramp from v0 attains within `distance`; by symmetry also the highest
 // speed from which a ramp comes down to v0 in it.
@@ -50,6 +66,9 @@ struct PathMotion {
 
 // State within a phase `t` after its start, 0 <= t <= duration.
 [[nodiscard]] PathMotion motion_at(const Phase& phase, double t) RT_SAFE;
+
+// Time after which a phase has come to `s`, which lies between its ends.
+[[nodiscard]] double time_at(const Phase& phase, double s) RT_SAFE;
 
 // A few phases one after another.
 class PhaseRun {

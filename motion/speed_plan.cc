@@ -186,8 +186,8 @@ SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, Segment& segment) const {
     if (least > s1 - s0) return rises ? Fit::right_too_fast : Fit::left_too_fast;
     segment.top = peak_speed(segment.v0, segment.v1, s1 - s0, segment.up, segment.down, v_cap);
     if (round == rounds) return Fit::fits;
-    const RampLimits up = limits_between(s0, s0 + segment.up_distance());
-    const RampLimits down = limits_between(s1 - segment.down_distance(), s1);
+    const RampLimits up = limits_between(s0, std::min(s0 + segment.up_distance(), s1));
+    const RampLimits down = limits_between(std::max(s1 - segment.down_distance(), s0), s1);
     if (up.a >= segment.up.a && up.j >= segment.up.j && down.a >= segment.down.a &&
         down.j >= segment.down.j) {
       return Fit::fits;
@@ -301,28 +301,24 @@ std::size_t SpeedPlan::slowest_violated(const Segment& segment) const {
   if (segment.top <= v_[slowest] * allowed) return npos;
   const double s0 = boundaries_[segment.first];
   const double s1 = boundaries_[segment.last];
-  const double top_first = s0 + segment.up_distance();
-  const double top_last = std::max(s1 - segment.down_distance(), top_first);
+  const RampCourse up(segment.v0, segment.top, segment.up);
+  const RampCourse down(segment.v1, segment.top, segment.down);
+  const double top_first = s0 + up.length();
+  const double top_last = std::max(s1 - down.length(), top_first);
   std::size_t found = npos;
   const auto consider = [&](std::size_t i) {
     if (found == npos || v_[i] < v_[found]) found = i;
   };
   std::size_t i = segment.first;
-  for (; i < segment.last && boundaries_[i + 1] < top_first; ++i) {  // ramp up
+  for (; i < segment.last && boundaries_[i + 1] < top_first; ++i) {
     const double v = v_[i] * allowed;
-    if (v < segment.top &&
-        s0 + distance_from_slow_end(segment.v0, segment.top, segment.up, v) < boundaries_[i + 1]) {
-      consider(i);
-    }
+    if (v < segment.top && s0 + up.distance_to(v) < boundaries_[i + 1]) consider(i);
   }
   const std::size_t top_begin = std::min(i, segment.last - 1);
   std::size_t k = segment.last;
-  for (; k > top_begin + 1 && boundaries_[k - 1] > top_last; --k) {  // ramp down
+  for (; k > top_begin + 1 && boundaries_[k - 1] > top_last; --k) {
     const double v = v_[k - 1] * allowed;
-    if (v < segment.top && s1 - distance_from_slow_end(segment.v1, segment.top, segment.down, v) >
-                               boundaries_[k - 1]) {
-      consider(k - 1);
-    }
+    if (v < segment.top && s1 - down.distance_to(v) > boundaries_[k - 1]) consider(k - 1);
   }
   const std::size_t held = slowest_.place(top_begin, k - 1);
   if (segment.top > v_[held] * allowed) consider(held);

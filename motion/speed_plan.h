@@ -102,10 +102,11 @@ class SpeedPlan {
   [[nodiscard]] bool add_keys(Key& left, std::size_t piece, std::vector<Key>& pending);
   [[nodiscard]] bool add_stair(Key& left, const Key& right, std::size_t far_end,
                                Direction direction, std::vector<Key>& pending);
-  [[nodiscard]] bool stair_fits(const Key& from, std::size_t end, double v, double wait,
-                                const RampLimits& limits) const;
+  [[nodiscard]] bool stair_fits(const Key& from, std::size_t end, const RampCourse& ramp,
+                                double wait) const;
   [[nodiscard]] double stair_speed(const Key& from, std::size_t end) const;
-  [[nodiscard]] double stair_wait(const Key& from, std::size_t end, double v) const;
+  [[nodiscard]] double stair_wait(const Key& from, std::size_t end, double v,
+                                  const RampLimits& limits) const;
   [[nodiscard]] Key best_stair(const Key& from, std::size_t nearest, std::size_t stop) const;
   [[nodiscard]] double distance(std::size_t from, std::size_t to) const;
 

@@ -16,7 +16,7 @@ bool SpeedPlan::add_stair(Key& left, const Key& right, std::size_t far_end, Dire
   Key key = best_stair(from, far_end, forward ? right.boundary : left.boundary);
   const RampLimits limits =
       limits_over(std::min(from.boundary, key.boundary), std::max(from.boundary, key.boundary));
-  const double wait = stair_wait(from, key.boundary, key.v);
+  const double wait = stair_wait(from, key.boundary, key.v, limits);
   if (forward) {
     left.begins_stair = true;
     left.stair = {.first = left.boundary,
@@ -67,54 +67,55 @@ SpeedPlan::Key SpeedPlan::best_stair(const Key& from, std::size_t nearest, std::
 
 // The highest speed of a stair that ends at boundary `end`, its ramp as far out as possible.
 double SpeedPlan::stair_speed(const Key& from, std::size_t end) const {
-  const RampLimits limits = limits_over(std::min(from.boundary, end), std::max(from.boundary, end));
-  const double length = distance(from.boundary, end);
-  const auto latest = [&](double v) {
-    return from.v > 0.0 ? std::max(length - ramp_distance(from.v, v, limits), 0.0) : 0.0;
-  };
+  const std::size_t first = std::min(from.boundary, end);
+  const std::size_t last = std::max(from.boundary, end);
+  const RampLimits limits = limits_over(first, last);
+  const double length = distance(first, last);
   double high = std::min(boundary_limit(end), reachable_speed(from.v, length, limits));
-  if (high <= from.v) return from.v;
-  if (stair_fits(from, end, high, latest(high), limits)) return high;
+  if (high <= from.v || slowest_.value(first, last - 1) < from.v) return from.v;
+  const auto fits = [&](double v) {
+    const RampCourse ramp(from.v, v, limits);
+    const double latest = from.v > 0.0 ? std::max(length - ramp.length(), 0.0) : 0.0;
+    return stair_fits(from, end, ramp, latest);
+  };
+  if (fits(high)) return high;
   double low = from.v;
   constexpr int halvings = 10;
   for (int k = 0; k < halvings; ++k) {
     const double v = 0.5 * (low + high);
-    (stair_fits(from, end, v, latest(v), limits) ? low : high) = v;
+    (fits(v) ? low : high) = v;
   }
   return low;
 }
 
 // The shortest wait before the ramp of a stair that keeps the limits.
-double SpeedPlan::stair_wait(const Key& from, std::size_t end, double v) const {
-  const RampLimits limits = limits_over(std::min(from.boundary, end), std::max(from.boundary, end));
-  const double length = distance(from.boundary, end);
-  if (from.v <= 0.0 || v <= from.v || stair_fits(from, end, v, 0.0, limits)) return 0.0;
-  double high = std::max(length - ramp_distance(from.v, v, limits), 0.0);
+double SpeedPlan::stair_wait(const Key& from, std::size_t end, double v,
+                             const RampLimits& limits) const {
+  if (from.v <= 0.0 || v <= from.v) return 0.0;
+  const RampCourse ramp(from.v, v, limits);
+  if (stair_fits(from, end, ramp, 0.0)) return 0.0;
+  double high = std::max(distance(from.boundary, end) - ramp.length(), 0.0);
   double low = 0.0;
   constexpr int halvings = 10;
   for (int k = 0; k < halvings; ++k) {
     const double wait = 0.5 * (low + high);
-    (stair_fits(from, end, v, wait, limits) ? high : low) = wait;
+    (stair_fits(from, end, ramp, wait) ? high : low) = wait;
   }
   return high;
 }
 
 // Whether the stair from the key point outward to boundary `end`, `wait` of length at the key's
-// speed and then up to `v`, keeps the speed of every piece.
-bool SpeedPlan::stair_fits(const Key& from, std::size_t end, double v, double wait,
-                           const RampLimits& limits) const {
-  const bool forward = end > from.boundary;
-  const std::size_t count = forward ? end - from.boundary : from.boundary - end;
-  const double length = ramp_distance(from.v, v, limits);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t piece = forward ? from.boundary + k : from.boundary - 1 - k;
-    if (v_[piece] >= v) continue;
-    if (v_[piece] < from.v) return false;
-    const double far_side = distance(from.boundary, forward ? piece + 1 : piece);
-    const double reached = wait + distance_from_slow_end(from.v, v, limits, v_[piece]);
-    if (reached < far_side) return false;
+// speed and then the ramp, keeps the speed of every piece; none may be slower than the key point.
+bool SpeedPlan::stair_fits(const Key& from, std::size_t end, const RampCourse& ramp,
+                           double wait) const {
+  const bool outward_is_forward = end > from.boundary;
+  for (std::size_t far = end; far != from.boundary;) {
+    const double far_side = distance(from.boundary, far);
+    if (far_side <= wait) break;
+    const std::size_t piece = outward_is_forward ? --far : far++;
+    if (v_[piece] < ramp.high() && wait + ramp.distance_to(v_[piece]) < far_side) return false;
   }
-  return wait + length <= distance(from.boundary, end) * (1.0 + 1e-12);
+  return wait + ramp.length() <= distance(from.boundary, end) * (1.0 + 1e-12);
 }
 
 }  // namespace stanok::motion

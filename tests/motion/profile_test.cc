@@ -68,9 +68,27 @@ TEST(Profile, DistanceToASpeedWithinTheRampAgreesWithThePhases) {
     const double low = 100.0 * part(random);
     const double high = low + 300.0 * part(random) + 1e-3;
     const PhaseRun up = ramp_up(0.0, low, high, limits);
+    const RampCourse course(low, high, limits);
+    EXPECT_EQ(course.length(), ramp_distance(low, high, limits));
     for (const Phase& phase : up) {
       const PathMotion inside = motion_at(phase, part(random) * phase.duration);
-      EXPECT_NEAR(distance_from_slow_end(low, high, limits, inside.v), inside.s, 1e-9);
+      EXPECT_NEAR(course.distance_to(inside.v), inside.s, 1e-9);
+    }
+  }
+}
+
+TEST(Profile, TimeAtAPlaceIsWhenThePhaseComesThere) {
+  std::mt19937_64 random(16);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int k = 0; k < 500; ++k) {
+    const double low = 100.0 * part(random) * static_cast<double>(k % 3 != 0);
+    const double high = low + 300.0 * part(random) + 1e-3;
+    for (const Phase& phase : ramp_up(7.0, low, high, limits)) {
+      const double t = part(random) * phase.duration;
+      const PathMotion inside = motion_at(phase, t);
+      if (!(phase.s < inside.s && inside.s < phase.s_end)) continue;
+      // A place is known to its rounding, which is more time where the motion is slow.
+      EXPECT_NEAR(time_at(phase, inside.s), t, 1e-14 + 4e-15 / inside.v);
     }
   }
 }

@@ -178,6 +178,25 @@ TEST(SpeedPlan, LimitsAreKeptOnRandomRunsOfPieces) {
   }
 }
 
+// A key point that was too fast is lowered until the ramp behind it fills its room to the last bit;
+// rounding must not make that ramp touch the piece before, whose limits are poorer.
+TEST(SpeedPlan, RampsThatFillTheirRoomObeyNoPieceBesideIt) {
+  for (const unsigned seed : {25320U, 33193U, 39447U, 46293U}) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    std::vector<SpeedPiece> pieces(4 + static_cast<std::size_t>(20.0 * part(random)));
+    for (SpeedPiece& piece : pieces) {
+      const bool poor = part(random) < 0.5;
+      piece.length = std::pow(10.0, 1.5 * part(random) - 1.5);
+      piece.v = poor ? 5.0 + 45.0 * part(random) : 200.0;
+      piece.ramp.a = poor ? 20.0 + 300.0 * part(random) : 2500.0;
+      piece.ramp.j = poor ? 500.0 + 5e3 * part(random) : 5e4;
+    }
+    SCOPED_TRACE(seed);
+    expect_limits(pieces, plan(pieces));
+  }
+}
+
 TEST(SpeedPlan, StartTooFastToStopIsToldSo) {
   SpeedPlan planner;
   EXPECT_FALSE(planner.plan({{.length = 1.0, .v = 200.0, .ramp = machine}}, 200.0));
