@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <numeric>
 
@@ -21,6 +22,15 @@ bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
 
 double at(const motion::Point& point, int axis) {
   return point[static_cast<std::size_t>(axis)];
+}
+
+// Nearer to the centre of a face its rotary axis turns faster than it is worth.
+constexpr double pole_distance_min_mm = 0.02;
+
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4f", value);
+  return text.data();
 }
 
 // How far stretches may deviate from the programmed curve.
@@ -65,31 +75,30 @@ double block_length(const motion::MotionConfig& motion, const motion::Point& sta
 }
 
 BlockPreparation::BlockPreparation(const motion::MotionConfig& motion, const ChannelConfig& channel)
-    : motion_(motion), channel_(channel), transforms_(1) {}
+    : motion_(motion), channel_(channel), face_(motion), transforms_(1) {}
 
 void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::Point& axes_M) {
   transforms_.clear();
-  transforms_.emplace_back();
-  transforms_.back().scheme = scheme;
-  transformation_ = {};
-  kinematics::forward(transform(), axes_M, position_W_);
+  face_.forget();
+  programmed_ = {};
+  programmed_.scheme = scheme;
+  transforms_.push_back(programmed_);
+  stand_at(axes_M);
 }
 
 void BlockPreparation::change_scheme(const kinematics::Scheme* scheme,
                                      const motion::Point& axes_M) {
-  kinematics::Transform next = transform();
-  next.scheme = scheme;
-  transforms_.push_back(next);
-  kinematics::forward(next, axes_M, position_W_);
+  face_.end();
+  programmed_.scheme = scheme;
+  transforms_.push_back(programmed_);
+  stand_at(axes_M);
 }
 
 bool BlockPreparation::take_state(const lang::Payload& command) {
   if (const auto* frame = std::get_if<lang::FrameChange>(&command)) return set_frame(*frame);
   if (const auto* length = std::get_if<lang::ToolLength>(&command)) return set_tool_length(*length);
-  if (const auto* change = std::get_if<lang::TransformationChange>(&command)) {
-    transformation_ = *change;
-    return true;
-  }
+  if (const auto* change = std::get_if<lang::TransformationChange>(&command))
+    return set_transformation(*change);
   if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command)) {
     const bool stops = spindle->action == lang::SpindleAction::stop;
     spindle_rev_per_min_ = stops ? 0.0 : spindle->speed_rev_per_min;
@@ -98,69 +107,92 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
 }
 
 bool BlockPreparation::set_frame(const lang::FrameChange& change) {
-  kinematics::Transform next = transform();
+  kinematics::Transform next = programmed_;
   next.frame = {change.offset, change.rotation, motion_.geometry};
-  return take_transform(next);
+  return take_programmed(next);
 }
 
 bool BlockPreparation::set_tool_length(const lang::ToolLength& length) {
-  kinematics::Transform next = transform();
+  kinematics::Transform next = programmed_;
   next.mode = length.mode == lang::LengthMode::tip ? kinematics::PointMode::tip
                                                    : kinematics::PointMode::axes;
   for (std::size_t k = 0; k < 3; ++k) next.tool.nose_to_tip_mm[k] = 0.0 - length.offset_mm[k];
-  return take_transform(next);
+  return take_programmed(next);
 }
 
-bool BlockPreparation::take_transform(const kinematics::Transform& next) {
-  if (equal(next, transform())) return false;
-  motion::Point axes_M{};
-  kinematics::inverse(transform(), position_W_, axes_M);
-  transforms_.push_back(next);
-  kinematics::forward(next, axes_M, position_W_);
+bool BlockPreparation::set_transformation(const lang::TransformationChange& change) {
+  const motion::Point standing = axes_M();
+  if (change.kind == lang::Transformation::off) {
+    face_.end();
+  } else {
+    face_.begin(change, *programmed_.scheme, standing);
+  }
+  transforms_.push_back(face_.applied_to(programmed_));
+  stand_at(standing);
   return true;
 }
 
-motion::Point BlockPreparation::position_B() const {
-  kinematics::Transform without_frame = transform();
-  without_frame.frame = kinematics::Frame{};
+bool BlockPreparation::take_programmed(const kinematics::Transform& next) {
+  if (equal(next, programmed_)) return false;
+  const motion::Point standing = axes_M();
+  programmed_ = next;
+  transforms_.push_back(face_.applied_to(programmed_));
+  stand_at(standing);
+  return true;
+}
+
+void BlockPreparation::stand_at(const motion::Point& axes_M) {
+  kinematics::forward(transform(), axes_M, position_W_);
+}
+
+motion::Point BlockPreparation::axes_M() const {
   motion::Point axes_M{};
-  motion::Point point_B{};
   kinematics::inverse(transform(), position_W_, axes_M);
-  kinematics::forward(without_frame, axes_M, point_B);
-  return point_B;
+  return axes_M;
+}
+
+motion::Point BlockPreparation::position_B() const {
+  return kinematics::base_from_workpiece(programmed_.frame, face_.to_program(position_W_));
+}
+
+std::optional<Diagnostic> BlockPreparation::refusal(
+    const lang::TransformationChange& change) const {
+  return face_.refusal(change, *programmed_.scheme);
 }
 
 motion::Point BlockPreparation::end_of(const lang::Move& move) const {
-  motion::Point end = position_W_;
-  if (move.machine_coordinates) {
-    motion::Point axes_M{};
-    kinematics::inverse(transform(), position_W_, axes_M);
+  const auto with_words = [&](motion::Point point) {
     for (int k = 0; k < motion_.axis_count; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      if ((move.words >> k & 1U) != 0) axes_M[i] = move.end[i];
+      if ((move.words >> k & 1U) != 0) point[i] = move.end[i];
     }
-    kinematics::forward(transform(), axes_M, end);
-    return end;
+    return point;
+  };
+  if (!move.machine_coordinates) {
+    const motion::Point end = face_.to_path(with_words(face_.to_program(position_W_)));
+    motion::Point kept = position_W_;  // to the bit where no word is
+    for (int k = 0; k < motion_.axis_count; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if ((move.words >> k & 1U) != 0) kept[i] = end[i];
+    }
+    return kept;
   }
-  for (int k = 0; k < motion_.axis_count; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if ((move.words >> k & 1U) != 0) end[i] = move.end[i];
-  }
+  motion::Point end{};
+  kinematics::forward(transform(), with_words(axes_M()), end);
   return end;
 }
 
 // First and second axis of a plane: XY, ZX, YZ (ISO 841), XC on a face, CZ on a cylinder.
 std::array<int, 2> BlockPreparation::plane_axes(lang::Plane plane) const {
-  const std::array<int, 3>& geometry = motion_.geometry;
-  if (transformation_.kind == lang::Transformation::polar_face)
-    return {geometry[0], transformation_.rotary_axis};
+  const std::array<int, 3> axes = face_.geometry();
+  if (face_.is_on() && face_.is_face()) return {axes[0], axes[1]};
   switch (plane) {
     case lang::Plane::xy:
-      return {geometry[0], geometry[1]};
+      return {axes[0], axes[1]};
     case lang::Plane::zx:
-      return {geometry[2], geometry[0]};
+      return {axes[2], axes[0]};
     case lang::Plane::yz:
-      return {is_transformed() ? transformation_.rotary_axis : geometry[1], geometry[2]};
+      return {axes[1], axes[2]};
   }
   return {0, 1};
 }
@@ -171,12 +203,9 @@ void BlockPreparation::shape_arc(const lang::Move& move, motion::PathBlock& bloc
   block.kind = motion::BlockKind::arc;
   block.plane = plane_axes(move.plane);
   block.centre = move.centre;
-  const bool on_cylinder = transformation_.kind == lang::Transformation::cylinder &&
-                           block.plane[0] == transformation_.rotary_axis;
-  const double scale = on_cylinder ? transformation_.radius_mm * full_turn / 360.0 : 1.0;
   const auto direction = [&](const motion::Point& point) {
     return std::atan2(at(point, block.plane[1]) - block.centre[1],
-                      scale * at(point, block.plane[0]) - block.centre[0]);
+                      at(point, block.plane[0]) - block.centre[0]);
   };
   double sweep = direction(block.end) - direction(position_W_);
   if (move.counter_clockwise) {
@@ -222,8 +251,37 @@ std::optional<Diagnostic> BlockPreparation::set_feed(const lang::Move& move,
   return std::nullopt;
 }
 
+std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move& move) const {
+  const kinematics::Scheme* scheme = transform().scheme;
+  if (scheme == nullptr) return std::nullopt;
+  const unsigned refused = move.words & ~scheme->participants();
+  if (refused == 0) return std::nullopt;
+  std::size_t axis = 0;
+  while ((refused >> axis & 1U) == 0) ++axis;
+  Diagnostic d;
+  d.code = "E5102";
+  d.message = "axis " + channel_.words.at(axis) + " takes no part in scheme " +
+              std::to_string(scheme->config().id);
+  d.help = {"change to a scheme with this axis by #kinematics, or take the word out"};
+  return d;
+}
+
+// A blend at the end of the block may come nearer than the block itself.
+std::optional<Diagnostic> BlockPreparation::refuse_pole(const motion::PathBlock& block) const {
+  if (!face_.is_on() || !face_.is_face()) return std::nullopt;
+  const double distance = face_.distance_to_pole(position_W_, block);
+  if (distance >= pole_distance_min_mm + block.tolerance_mm) return std::nullopt;
+  Diagnostic d;
+  d.code = "E5103";
+  d.message = "the path comes within " + number_text(distance) +
+              " mm of the centre of the face, where its rotary axis would have to jump";
+  d.help = {"pass at least 0.02 mm and the path tolerance beside the centre, or leave G12.1"};
+  return d;
+}
+
 Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move& move,
                                                                 const motion::BlockTag& tag) {
+  if (auto refusal = refuse_parked_axes(move)) return Unexpected<Diagnostic>(std::move(*refusal));
   motion::PathBlock block;
   block.tag = tag;
   block.rapid = move.kind == lang::MoveKind::rapid;
@@ -232,6 +290,7 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
   shape_ending(move, block);
   if (move.kind == lang::MoveKind::arc) shape_arc(move, block);
   if (auto refusal = set_feed(move, block)) return Unexpected<Diagnostic>(std::move(*refusal));
+  if (auto refusal = refuse_pole(block)) return Unexpected<Diagnostic>(std::move(*refusal));
   position_W_ = block.end;
   return block;
 }

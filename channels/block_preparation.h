@@ -10,6 +10,7 @@
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
+#include "channels/face_transformation.h"
 #include "channels/machine_config.h"
 #include "lang/command.h"
 #include "motion/path.h"
@@ -32,12 +33,17 @@ class BlockPreparation {
   // position_W().
   [[nodiscard]] bool take_state(const lang::Payload& command);
 
-  // Between G12.1 or G7.1 and G13.1 the positions are those of a face or a cylinder.
-  [[nodiscard]] bool is_transformed() const {
-    return transformation_.kind != lang::Transformation::off;
-  }
+  // Why a face or cylinder transformation cannot begin here, or nothing.
+  [[nodiscard]] std::optional<Diagnostic> refusal(const lang::TransformationChange& change) const;
+  // X, Y, Z of the workpiece space at hand, by index in the channel; -1: none.
+  [[nodiscard]] std::array<int, 3> geometry() const { return face_.geometry(); }
   [[nodiscard]] const kinematics::Transform& transform() const { return transforms_.back(); }
   [[nodiscard]] const motion::Point& position_W() const { return position_W_; }
+  // A point of the path as programmed: on a cylinder the path has a length where the word is in
+  // deg.
+  [[nodiscard]] motion::Point programmed(const motion::Point& point_W) const {
+    return face_.to_program(point_W);
+  }
   // The programmed point in B: what the interpreter keeps as its position.
   [[nodiscard]] motion::Point position_B() const;
 
@@ -53,19 +59,25 @@ class BlockPreparation {
  private:
   [[nodiscard]] bool set_frame(const lang::FrameChange& change);
   [[nodiscard]] bool set_tool_length(const lang::ToolLength& length);
-  [[nodiscard]] bool take_transform(const kinematics::Transform& next);
+  [[nodiscard]] bool set_transformation(const lang::TransformationChange& change);
+  [[nodiscard]] bool take_programmed(const kinematics::Transform& next);
+  void stand_at(const motion::Point& axes_M);
+  [[nodiscard]] motion::Point axes_M() const;
+  [[nodiscard]] std::optional<Diagnostic> refuse_pole(const motion::PathBlock& block) const;
   [[nodiscard]] motion::Point end_of(const lang::Move& move) const;
   [[nodiscard]] std::array<int, 2> plane_axes(lang::Plane plane) const;
   void shape_arc(const lang::Move& move, motion::PathBlock& block) const;
   void shape_ending(const lang::Move& move, motion::PathBlock& block) const;
+  [[nodiscard]] std::optional<Diagnostic> refuse_parked_axes(const lang::Move& move) const;
   [[nodiscard]] std::optional<Diagnostic> set_feed(const lang::Move& move,
                                                    motion::PathBlock& block) const;
 
   const motion::MotionConfig& motion_;
   const ChannelConfig& channel_;
+  kinematics::Transform programmed_;  // without face or cylinder transformation
+  FaceTransformation face_;
   std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
-  motion::Point position_W_{};
-  lang::TransformationChange transformation_;
+  motion::Point position_W_{};                    // of the path
   double spindle_rev_per_min_ = 0.0;
 };
 

@@ -33,6 +33,10 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
     setpoints_[k].position = figures_.start[k];
     setpoints_[k].position_code = motion::position_code(figures_.start[k], figures_.axes[k].codes);
   }
+  owned_ = static_cast<lang::AxisSet>((1U << figures_.axis_count) - 1U);
+  for (const int axis : figures_.spindle_axis) {
+    if (axis >= 0) spindle_axes_ = static_cast<lang::AxisSet>(spindle_axes_ | 1U << axis);
+  }
   make_regulators();
   select_scheme(scheme);
 }
@@ -52,10 +56,10 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   take_step();
   move();
   demand_velocities();
+  turn_spindles();
   stop_at_step();
   work_riders();
   show_remarks(cycle);
-  for (Spindle& spindle : spindles_) spindle.advance(figures_.cycle_s);
   if (power_off_wanted_ && !resetting_ && interpolator_.at_rest()) {
     power(false);
     power_off_wanted_ = false;
@@ -140,6 +144,8 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.point_W = path_.point;
   output.axes = setpoints_;
   output.drives = drives_;
+  for (int k = 0; k < figures_.axis_count; ++k)
+    output.drives[static_cast<std::size_t>(k)].follows_velocity = is_spindle_now(k);
 }
 
 void Channel::hold(HoldCause cause) RT_SAFE {

@@ -51,6 +51,8 @@ struct ChannelFigures {
   std::array<int, motion::axes_max> machine_axis{};  // index among all axes of the machine
   std::array<double, motion::axes_max> start{};
   std::array<SpindleConfig, spindles_max> spindles{};
+  std::array<int, spindles_max> spindle_axis{-1, -1, -1,
+                                             -1};  // that it becomes with M902; -1: none
   int spindle_count = 0;
 };
 
@@ -155,6 +157,7 @@ class Channel {
   [[nodiscard]] bool has_scheme(int scheme) const RT_SAFE { return find_scheme(scheme) != nullptr; }
   [[nodiscard]] Outcome load_outcome() const RT_SAFE { return load_; }
   [[nodiscard]] Outcome switch_outcome() const RT_SAFE { return switch_; }
+  [[nodiscard]] const FixedText<8>& switch_fault() const RT_SAFE { return switch_fault_; }
   [[nodiscard]] const ShortText& last_text() const RT_SAFE { return text_; }
   [[nodiscard]] std::uint32_t run() const RT_SAFE { return run_; }
   [[nodiscard]] bool has_ended(std::uint32_t run) const RT_SAFE { return run != run_ || !running_; }
@@ -168,6 +171,34 @@ class Channel {
   [[nodiscard]] const FileName& file_name(const motion::BlockTag& tag) const RT_SAFE;
   // The request of the own program that waits for the coordinator, or nullptr.
   [[nodiscard]] const Item* request() const RT_SAFE { return asks_ ? &asked_ : nullptr; }
+
+  // Axes (channel_axes.cc). An axis that another channel has stands still for this one.
+  struct YieldedAxis {
+    double position = 0.0;
+    DriveCommand drive;
+  };
+  [[nodiscard]] int axis_count() const RT_SAFE { return figures_.axis_count; }
+  [[nodiscard]] bool owns(int axis) const RT_SAFE { return (owned_ >> axis & 1U) != 0; }
+  [[nodiscard]] int axis_of_machine_axis(int machine_axis) const RT_SAFE;  // -1: none
+  [[nodiscard]] lang::AxisSet axes_of_scheme() const RT_SAFE;
+  [[nodiscard]] lang::AxisSet axes_of_scheme(int scheme) const RT_SAFE;  // parked ones, too
+  void set_owned(int axis, bool owned) RT_SAFE;
+  YieldedAxis yield_axis(int axis) RT_SAFE;
+  void take_axis(int axis, const YieldedAxis& yielded) RT_SAFE;
+  void release_axes(lang::AxisSet axes) RT_SAFE;  // drives on, brakes open
+  [[nodiscard]] const FixedText<16>& axis_name(int axis) const RT_SAFE {
+    return figures_.axes[static_cast<std::size_t>(axis)].name;
+  }
+  [[nodiscard]] bool is_switching() const RT_SAFE { return switch_ == Outcome::pending; }
+
+  // Spindles and axes (channel_spindle_axis.cc). `id` of a spindle of the channel; 0: the first.
+  [[nodiscard]] int axis_of_spindle(int id) const RT_SAFE;  // index in the channel; -1: none
+  [[nodiscard]] bool is_spindle_now(int axis) const RT_SAFE;
+  void stop_spindle(int id) RT_SAFE;
+  [[nodiscard]] bool spindle_stands(int id) const RT_SAFE;
+  void close_position_loop(int id) RT_SAFE;  // of a spindle that stands
+  [[nodiscard]] bool position_loop_is_closed(int id) const RT_SAFE;
+  void open_position_loop(int id) RT_SAFE;
 
   // Marks (channel_riders.cc).
   [[nodiscard]] bool is_mark_set(int mark) const RT_SAFE {
@@ -196,10 +227,15 @@ class Channel {
   void set_output(const Item& item) RT_SAFE;
   void stop_by_program(const Item& item) RT_SAFE;
   void begin_brakes(const Item& item) RT_SAFE;
+  [[nodiscard]] int disobedient_axis() const RT_SAFE;
+  void fail_switch(int axis) RT_SAFE;
   void end_run(bool ok, std::uint64_t blocks) RT_SAFE;
   void close_run(bool ok, std::uint64_t blocks) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;
+  [[nodiscard]] int spindle_index(int id) const RT_SAFE;
+  void open_position_loops() RT_SAFE;
+  void turn_spindles() RT_SAFE;
   // Position regulators (channel_drives.cc).
   void make_regulators();
   void demand_velocities() RT_SAFE;
@@ -259,6 +295,12 @@ class Channel {
   std::array<bool, motion::axes_max> drive_is_referenced_{};
   std::array<bool, motion::axes_max> drive_holds_axis_{};  // ideal drives always do
   std::array<double, motion::axes_max> following_error_{};
+  std::array<bool, motion::axes_max> drive_brake_closed_{};
+  std::array<double, motion::axes_max> drive_position_{};
+  std::array<double, motion::axes_max> drive_velocity_{};
+  bool drives_are_ideal_ = true;
+  lang::AxisSet spindle_axes_ = 0;  // axes that are spindles now
+  lang::AxisSet owned_ = 0;         // that no other channel moves
   std::array<motion::PositionRegulator, motion::axes_max> regulators_{};  // feedback in the cycle
   lang::OverrideControl overrides_;                                       // which of them act
   double spindle_override_ = 1.0;
@@ -269,6 +311,8 @@ class Channel {
   Stepper stepper_;
   Outcome load_ = Outcome::succeeded;
   Outcome switch_ = Outcome::succeeded;
+  FixedText<8> switch_fault_;        // why the latest switch failed; its text is text_
+  lang::AxisSet switched_axes_ = 0;  // that the switch at hand braked or released so far
   int scheme_ = 0;
   std::uint32_t run_ = 0;
   std::int64_t cycle_ = 0;

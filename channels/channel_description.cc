@@ -1,10 +1,26 @@
 // ChannelDescription of one channel, its axes in the channel's order.
 #include "channels/channel_description.h"
 
+#include <algorithm>
+
 #include "channels/motion_config.h"
 #include "lang/channel_dialect.h"
 
 namespace stanok::channels {
+namespace {
+
+// The spindle of the channel that becomes this axis; 0: none.
+int spindle_of_axis(const MachineConfig& machine, const ChannelConfig& channel,
+                    const std::string& axis) {
+  for (const SpindleConfig& spindle : machine.spindles) {
+    const bool is_own = std::find(channel.spindles.begin(), channel.spindles.end(), spindle.id) !=
+                        channel.spindles.end();
+    if (is_own && spindle.axis == axis) return spindle.id;
+  }
+  return 0;
+}
+
+}  // namespace
 
 lang::ChannelDescription channel_description(const MachineConfig& machine,
                                              const ChannelConfig& channel) {
@@ -21,8 +37,10 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;
   for (std::size_t index = 0; index < channel.axes.size(); ++index) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[index])];
-    description.axes.push_back(
-        {.word = channel.words[index], .rotary = axis.rotary, .modulo_deg = axis.modulo_deg});
+    description.axes.push_back({.word = channel.words[index],
+                                .rotary = axis.rotary,
+                                .modulo_deg = axis.modulo_deg,
+                                .spindle = spindle_of_axis(machine, channel, axis.name)});
   }
   const std::array<int, 3> geometry = geometry_axes(channel);
   for (std::size_t k = 0; k < geometry.size(); ++k) {

@@ -1,5 +1,4 @@
-// Power, brakes, position regulators and the watch over the drives of one channel; the switch of
-// kinematics.
+// Power, position regulators and the watch over the drives of one channel.
 #include <algorithm>
 
 #include "channels/channel.h"
@@ -27,6 +26,7 @@ void Channel::power(bool on) RT_SAFE {
   powered_ = on;
   const kinematics::Scheme* scheme = find_scheme(scheme_);
   for (int k = 0; k < figures_.axis_count; ++k) {
+    if (!owns(k)) continue;
     const bool free = on && (scheme == nullptr || scheme->takes_part(k));
     drives_[static_cast<std::size_t>(k)] = {.enabled = free, .brake_closed = !free};
   }
@@ -34,7 +34,7 @@ void Channel::power(bool on) RT_SAFE {
 
 void Channel::set_axes(lang::AxisSet axes, bool free) RT_SAFE {
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    if ((axes >> k & 1U) != 0) drives_[k] = {.enabled = free, .brake_closed = !free};
+    if ((axes & owned_) >> k & 1U) drives_[k] = {.enabled = free, .brake_closed = !free};
   }
 }
 
@@ -47,7 +47,8 @@ void Channel::fault(std::string_view code, std::string_view text) RT_SAFE {
 }
 
 void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
-  if (feedback.empty()) return;
+  drives_are_ideal_ = feedback.empty();
+  if (drives_are_ideal_) return;
   drives_answer_ = true;
   drives_ready_ = true;
   AxisNames silent;
@@ -59,7 +60,10 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     drive_is_referenced_[i] = drive.valid && drive.referenced;
     drive_holds_axis_[i] = drive.valid && drive.enabled;
     following_error_[i] = drive.setpoint - drive.position;
-    if (!drives_[i].enabled) {
+    drive_brake_closed_[i] = drive.brake_closed;
+    drive_position_[i] = drive.position;
+    drive_velocity_[i] = drive.velocity;
+    if (!drives_[i].enabled || !owns(k)) {
       drive_was_ready_[i] = false;
       continue;
     }
@@ -101,20 +105,6 @@ void Channel::demand_velocities() RT_SAFE {
       setpoint.velocity_demand = 0.0;
     }
   }
-}
-
-void Channel::begin_switch(int scheme) RT_SAFE {
-  switch_ = Outcome::pending;
-  // Asked for by the own program: the steps of the switch come before the answer.
-  if (activity_ == Activity::request) activity_ = Activity::none;
-  Notice notice;
-  notice.kind = NoticeKind::switch_scheme;
-  notice.number = scheme;
-  notice.axes_M = axes_M();
-  for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    if (drives_[k].enabled) notice.enabled = static_cast<lang::AxisSet>(notice.enabled | (1U << k));
-  }
-  static_cast<void>(link_.notices.push(notice));
 }
 
 }  // namespace stanok::channels

@@ -7,7 +7,8 @@
 namespace stanok::channels {
 namespace {
 
-constexpr int items_per_cycle = 16;      // bound of work
+constexpr int items_per_cycle = 16;  // bound of work
+constexpr double drives_obey_within_s = 3.0;
 constexpr double dwell_rounding = 1e-9;  // cycles; a dwell of whole cycles stays whole
 
 // What a program brings about, as opposed to what its load, reset or switch needs.
@@ -67,6 +68,11 @@ bool Channel::finish_activity() RT_SAFE {
       break;
     case Activity::brakes:
       if (activity_cycles_-- > 0) return false;
+      if (const int axis = disobedient_axis(); axis >= 0) {
+        const auto waited = static_cast<double>(cycle_ - activity_began_) * figures_.cycle_s;
+        if (waited >= drives_obey_within_s) fail_switch(axis);
+        return false;
+      }
       set_axes(item_.axes, item_.kind == ItemKind::join_axes);
       break;
     case Activity::request:
@@ -137,6 +143,7 @@ void Channel::execute(const Item& item) RT_SAFE {
       return;
     case ItemKind::switch_failed:
       switch_ = Outcome::failed;
+      switch_fault_ = item.code;
       text_ = item.text;
       return;
   }
@@ -175,17 +182,6 @@ void Channel::stop_by_program(const Item& item) RT_SAFE {
     return emit(cycle_, "", "program stop: going on at once", item.tag);
   }
   hold(HoldCause::program_stop);
-}
-
-void Channel::begin_brakes(const Item& item) RT_SAFE {
-  double seconds = 0.0;
-  for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    if ((item.axes >> k & 1U) == 0) continue;
-    seconds = std::max(seconds, figures_.axes[k].brake_s + figures_.axes[k].power_s);
-    if (item.kind == ItemKind::park_axes) drives_[k].brake_closed = true;
-    if (item.kind == ItemKind::join_axes) drives_[k].enabled = true;
-  }
-  wait(Activity::brakes, seconds);
 }
 
 }  // namespace stanok::channels

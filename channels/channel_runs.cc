@@ -18,7 +18,10 @@ void Channel::begin_run(Job job) RT_SAFE {
   running_ = true;
   run_ok_ = false;
   was_reset_ = false;
-  if (job == Job::program) marks_ = {};
+  if (job == Job::program) {
+    marks_ = {};
+    open_position_loops();
+  }
   state_ = ChannelState::running;
   stepper_.begin(run_);
   control_.hold = false;
@@ -57,6 +60,7 @@ void Channel::end_run(bool ok, std::uint64_t blocks) RT_SAFE {
   if (!running_) return;
   take_overrides({});
   for (Spindle& spindle : spindles_) spindle.stop();
+  open_position_loops();
   close_run(ok, blocks);
 }
 
@@ -103,6 +107,7 @@ void Channel::continue_reset() RT_SAFE {
     forget_riders();
     link_.remarks.pop_front(link_.remarks.size());
     end_run(false, blocks_);
+    open_position_loops();
     resetting_ = false;
     was_reset_ = true;
     control_.hold = false;

@@ -33,12 +33,17 @@ Coordinator::Coordinator(std::span<Channel* const> channels,
                          const std::array<OwnerFailure, channels_max>& on_owner_failure,
                          double cycle_s, Ring<OperatorReply>& replies, MachineStores stores)
     : channel_count_(static_cast<int>(channels.size())),
+      ownership_(channels),
       on_owner_failure_(on_owner_failure),
       cycle_s_(cycle_s),
       replies_(replies),
       stores_(stores) {
   std::copy(channels.begin(), channels.end(), channels_.begin());
   owner_.fill(operator_asker);
+}
+
+void Coordinator::settle_owners() {
+  ownership_ = AxisOwnership({channels_.data(), static_cast<std::size_t>(channel_count_)});
 }
 
 Coordinator::Verdict Coordinator::pending() RT_SAFE {
@@ -262,6 +267,12 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   if (errand.kind == RequestKind::terminate) return success();
   if (errand.kind == RequestKind::program_restart)
     return step_restart(*channels_[static_cast<std::size_t>(errand.asker)]);
+  if (errand.kind == RequestKind::spindle_to_axis)
+    return step_spindle_to_axis(errand, channel(errand.asker));
+  if (errand.kind == RequestKind::axis_to_spindle) {
+    channel(errand.asker).open_position_loop(errand.number);
+    return success();
+  }
   if (errand.kind == RequestKind::mark_wait) return step_mark_wait(errand);
   if (errand.kind == RequestKind::shared_read || errand.kind == RequestKind::shared_write)
     return step_shared(errand);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "channels/axis_ownership.h"
 #include "channels/channel.h"
 #include "channels/live_tables.h"
 #include "channels/operator_event.h"
@@ -35,6 +36,12 @@ class Coordinator {
   void take(const OperatorEvent& event) RT_SAFE;
   // After all channels have done their cycle.
   void step() RT_SAFE;
+
+  // Before the first cycle: the axes of the schemes that are active now belong to their channels.
+  void settle_owners();
+
+  // Outputs of axes that several channels have are those of the channel that moves them.
+  void show_owners(CycleOutput& output) const RT_SAFE { ownership_.show_owners(output); }
 
   [[nodiscard]] bool is_quiet() const RT_SAFE;
   // Whether channel `index` waits, without a timeout, for other channels.
@@ -91,6 +98,11 @@ class Coordinator {
   [[nodiscard]] Verdict step_reset(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_restart(Channel& asker) RT_SAFE;
   [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] Verdict step_spindle_to_axis(Errand& errand, Channel& asker) RT_SAFE;
+  [[nodiscard]] static std::optional<Verdict> unreferenced(const Channel& target,
+                                                           lang::AxisSet axes) RT_SAFE;
+  // Nothing: all these axes of channel `index` are its own now.
+  [[nodiscard]] std::optional<Verdict> claim(int index, lang::AxisSet axes) RT_SAFE;
   // Values (coordinator_values.cc)
   [[nodiscard]] Verdict step_shared(const Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict step_table(const Errand& errand) RT_SAFE;
@@ -127,6 +139,7 @@ class Coordinator {
 
   std::array<Channel*, channels_max> channels_{};
   int channel_count_ = 0;
+  AxisOwnership ownership_;
   std::array<OwnerFailure, channels_max> on_owner_failure_{};
   double cycle_s_;
   Ring<OperatorReply>& replies_;

@@ -6,6 +6,8 @@ namespace {
 
 // A drive needs several polls of the bus from switch-on to holding its axis.
 constexpr double drives_ready_within_s = 3.0;
+// The slowest spindle needs this long from its greatest speed to rest.
+constexpr double spindle_stands_within_s = 120.0;
 
 }  // namespace
 
@@ -36,6 +38,8 @@ Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT
   if (errand.job == Job::program && !target.has_program())
     return refusal("E6005", target, " has no program loaded");
   if (!target.is_powered()) return refusal("E6006", "the machine is off");
+  if (const auto taken = claim(errand.target, target.axes_of_scheme())) return *taken;
+  target.release_axes(target.axes_of_scheme());
   if (!target.drives_ready()) {
     const double waited = static_cast<double>(errand.cycles) * cycle_s_;
     return waited < drives_ready_within_s ? pending()
@@ -85,6 +89,31 @@ Coordinator::Verdict Coordinator::step_restart(Channel& asker) RT_SAFE {
   return refusal("W2099", "M99 in the main program");
 }
 
+std::optional<Coordinator::Verdict> Coordinator::claim(int index, lang::AxisSet axes) RT_SAFE {
+  const AxisOwnership::Obstacle obstacle = ownership_.obstacle(index, axes);
+  if (obstacle.axis < 0) {
+    ownership_.claim(index, axes);
+    return std::nullopt;
+  }
+  Verdict verdict = refusal("E5203", "axis ");
+  verdict.text.append(channel(index).axis_name(obstacle.axis).view());
+  verdict.text.append(" belongs to channel ").append(channel(obstacle.owner).id());
+  verdict.text.append(obstacle.owner_is_busy ? ", which is running or held" : " and is moving");
+  return verdict;
+}
+
+// A scheme may only begin where every axis knows its position.
+std::optional<Coordinator::Verdict> Coordinator::unreferenced(const Channel& target,
+                                                              lang::AxisSet axes) RT_SAFE {
+  for (int axis = 0; axis < target.axis_count(); ++axis) {
+    if ((axes >> axis & 1U) == 0 || target.is_homed(axis)) continue;
+    Verdict verdict = refusal("E5208", "axis ");
+    verdict.text.append(target.axis_name(axis).view()).append(" is not homed");
+    return verdict;
+  }
+  return std::nullopt;
+}
+
 Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
     const bool own = errand.asker == errand.target;
@@ -96,14 +125,47 @@ Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& targe
       return refusal("E6004", target, " has an alarm; reset it first");
     if (!target.is_powered()) return refusal("E6006", "the machine is off");
     if (!own && !target.is_quiet()) return pending();
+    const lang::AxisSet axes = target.axes_of_scheme(errand.number);
+    if (const auto homeless = unreferenced(target, axes)) return *homeless;
+    if (const auto taken = claim(errand.target, axes)) return *taken;
     target.begin_switch(errand.number);
     errand.stage = 1;
     return pending();
   }
   if (target.switch_outcome() == Outcome::pending) return pending();
   if (target.switch_outcome() == Outcome::failed)
-    return refusal("E5204", target.last_text().view());
+    return refusal(target.switch_fault().view(), target.last_text().view());
   return success();
+}
+
+// M902: the spindle stops, the drive takes the position over where it stands.
+Coordinator::Verdict Coordinator::step_spindle_to_axis(Errand& errand, Channel& asker) RT_SAFE {
+  const int spindle = errand.number;
+  const double waited = static_cast<double>(errand.cycles) * cycle_s_;
+  switch (errand.stage) {
+    case 0:
+      asker.stop_spindle(spindle);
+      errand.stage = 1;
+      return pending();
+    case 1:
+      if (!asker.spindle_stands(spindle)) {
+        return waited < spindle_stands_within_s
+                   ? pending()
+                   : refusal("E5206", "the spindle that becomes an axis does not come to rest");
+      }
+      asker.close_position_loop(spindle);
+      errand.stage = 2;
+      errand.cycles = 0;
+      return pending();
+    default:
+      if (asker.position_loop_is_closed(spindle) && asker.is_homed(asker.axis_of_spindle(spindle)))
+        return success();
+      if (waited < drives_ready_within_s) return pending();
+      asker.open_position_loop(spindle);
+      return asker.is_homed(asker.axis_of_spindle(spindle))
+                 ? refusal("E5206", "the drive does not close the position loop of the axis")
+                 : refusal("E5207", "the axis that a spindle becomes has no reference");
+  }
 }
 
 }  // namespace stanok::channels

@@ -37,7 +37,10 @@ std::optional<double> Coordinator::axis_value(std::string_view name, const Chann
   if (name == "pos") return asker.position_W(axis);
   if (name == "pos_mcs") return asker.position_M(axis);
   if (name == "homed") return asker.is_homed(axis) ? 1.0 : 0.0;
-  if (name == "axis_channel") return static_cast<double>(asker.id());
+  if (name == "axis_channel") {
+    const int owner = ownership_.owner(asker.machine_axis(axis));
+    return static_cast<double>(channel(owner).id());
+  }
   return std::nullopt;
 }
 

@@ -18,6 +18,16 @@ constexpr std::size_t replies_max = 256;
 // A regulator may ask for this much more than the fastest set-point, to catch up with it.
 constexpr double demand_reserve = 1.2;
 
+// Index in the channel of the axis that a spindle becomes; -1: none.
+int channel_axis_of(const MachineConfig& machine, const ChannelConfig& channel,
+                    const SpindleConfig& spindle) {
+  for (std::size_t k = 0; k < channel.axes.size(); ++k) {
+    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    if (!spindle.axis.empty() && axis.name == spindle.axis) return static_cast<int>(k);
+  }
+  return -1;
+}
+
 ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig& channel,
                                const MachineOptions& options) {
   ChannelFigures figures;
@@ -43,7 +53,9 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
         std::find_if(machine.spindles.begin(), machine.spindles.end(),
                      [id](const SpindleConfig& candidate) { return candidate.id == id; });
     if (spindle == machine.spindles.end() || figures.spindle_count == spindles_max) continue;
-    figures.spindles.at(static_cast<std::size_t>(figures.spindle_count++)) = *spindle;
+    const auto s = static_cast<std::size_t>(figures.spindle_count++);
+    figures.spindles.at(s) = *spindle;
+    figures.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
   }
   return figures;
 }
@@ -156,6 +168,7 @@ bool Machine::select_scheme_at_start(int channel, int scheme) {
   for (const auto& seat : parts_->seats) {
     if (seat->channel.id() != channel || !seat->channel.has_scheme(scheme)) continue;
     seat->channel.select_scheme(scheme);
+    parts_->coordinator->settle_owners();
     if (seat->channel.is_powered()) seat->channel.power(true);
     return true;
   }
@@ -186,6 +199,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
   output.channel_count = static_cast<std::int32_t>(parts.seats.size());
   for (std::size_t k = 0; k < parts.seats.size(); ++k)
     parts.seats[k]->channel.fill(output.channels[k]);
+  parts.coordinator->show_owners(output);
 }
 
 bool Machine::is_idle() const RT_SAFE {

@@ -25,10 +25,12 @@ namespace stanok::channels {
 struct AxisFeedback {
   double position = 0.0;
   double setpoint = 0.0;  // what the drive was told in the exchange that brought this position
-  bool valid = false;     // an answer not older than the bus timeout
+  double velocity = 0.0;
+  bool valid = false;  // an answer not older than the bus timeout
   bool fault = false;
   bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
   bool referenced = false;  // the position belongs to the machine
+  bool brake_closed = true;
 };
 
 struct CycleInputs {

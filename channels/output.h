@@ -55,6 +55,7 @@ struct AxisSetpoint {
 struct DriveCommand {
   bool enabled = false;
   bool brake_closed = true;
+  bool follows_velocity = false;  // the axis is a spindle now; else its position loop is closed
 };
 
 // Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].

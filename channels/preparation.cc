@@ -148,6 +148,7 @@ void Preparation::start(const Notice& notice) {
     interpreter_.start(running_, blocks_.position_B());
   }
   scheme_switched_ = false;
+  axes_change_ = false;
   task_ = Task::running;
 }
 
@@ -166,11 +167,12 @@ void Preparation::take_answer(const Notice& notice) {
   answer.text = std::string(notice.code.view());
   if (!answer.text.empty()) answer.text += ' ';
   answer.text += notice.text.view();
-  if (scheme_switched_) {
+  if (scheme_switched_ || axes_change_) {
     blocks_.change_scheme(scheme_, notice.axes_M);
-    tables_.set_scheme_zero(scheme_->config().zero);
+    if (scheme_switched_) tables_.set_scheme_zero(scheme_->config().zero);
     push_transform();
     scheme_switched_ = false;
+    axes_change_ = false;
   }
   answer.position_B = blocks_.position_B();
   answer.position_valid = true;
@@ -257,7 +259,7 @@ void Preparation::push_rider(const Rider& rider) {
 }
 
 void Preparation::push_transform() {
-  builder_.restart(blocks_.position_W());
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
   Item item = item_of(ItemKind::transform, {});
   item.transform = &blocks_.transform();
   push(item);

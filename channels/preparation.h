@@ -99,6 +99,7 @@ class Preparation {
   std::uint64_t blocks_executed_ = 0;
   bool chain_open_ = false;
   bool scheme_switched_ = false;  // since the last answer or start
+  bool axes_change_ = false;      // the answer to come tells where a spindle stands as an axis
   lang::Command command_;
   std::deque<Item> pending_items_;
   std::deque<Remark> pending_remarks_;

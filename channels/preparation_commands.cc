@@ -9,77 +9,82 @@ namespace stanok::channels {
 
 void Preparation::take(const lang::Command& command) {
   const auto item = [&](ItemKind kind) { return item_of(kind, tag_of(command)); };
-  std::visit(
-      Overloaded{
-          [&](const lang::Move& move) { add_move(command, move); },
-          [&](const lang::Dwell& dwell) {
-            Item next = item(ItemKind::dwell);
-            next.value = dwell.seconds;
-            push(next);
-          },
-          [&](const lang::SpindleCommand& spindle) {
-            Item next = item(ItemKind::spindle);
-            next.spindle = spindle;
-            take_state(command);
-            push(next);
-          },
-          [&](const lang::CoolantCommand& coolant) {
-            Item next = item(ItemKind::coolant);
-            next.coolant = coolant;
-            push(next);
-          },
-          [&](const lang::ToolPrepare&) {},
-          [&](const lang::ToolChange& change) {
-            Item next = item(ItemKind::tool_change);
-            next.number = change.tool;
-            push(next);
-          },
-          [&](const lang::ToolLength&) { take_state(command); },
-          [&](const lang::FrameChange&) { take_state(command); },
-          [&](const lang::OverrideControl& control) {
-            Item next = item(ItemKind::override_control);
-            next.overrides = control;
-            push(next);
-          },
-          [&](const lang::Message& message) {
-            pending_remarks_.push_back(
-                {tag_of(command), SpokenText{message.kind, ShortText(message.text)}});
-          },
-          [&](const lang::ModalReport&) {},
-          [&](const lang::ProgramStop& stop) {
-            Item next = item(ItemKind::program_stop);
-            next.number = static_cast<std::int64_t>(stop.kind);
-            push(next);
-          },
-          [&](const lang::ProgramEnd& end) {
-            const bool is_line = end.kind == lang::ProgramEndKind::end_of_line;
-            Item next = item(is_line ? ItemKind::line_end : ItemKind::run_end);
-            next.number = static_cast<std::int64_t>(blocks_executed_);
-            next.flag = end.kind == lang::ProgramEndKind::restart;
-            push(next);
-            task_ = Task::idle;
-          },
-          [&](const lang::Request& request) { add_request(command, request); },
-          [&](const lang::SplineMove& spline) { add_curve(command, spline); },
-          [&](const lang::SynchronousMove&) { refuse(command, "a thread"); },
-          [&](const lang::ProbeMove&) { refuse(command, "probing"); },
-          [&](const lang::TransformationChange&) { refuse(command, "a face transformation"); },
-          [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
-          [&](const lang::OutputCommand& output) { add_output(command, output); },
-          [&](const lang::MachineFunction& function) {
-            Item next = item(ItemKind::machine_function);
-            next.text = ShortText("M" + std::to_string(function.code));
-            push(next);
-          },
-          [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
-          [&](const lang::WorkpieceAnnouncement& shape) {
-            pending_remarks_.push_back({tag_of(command), shape});
-          },
-          [&](const lang::WorkpiecePosition& position) {
-            pending_remarks_.push_back({tag_of(command), position});
-          },
-      },
-      command.payload);
+  std::visit(Overloaded{
+                 [&](const lang::Move& move) { add_move(command, move); },
+                 [&](const lang::Dwell& dwell) {
+                   Item next = item(ItemKind::dwell);
+                   next.value = dwell.seconds;
+                   push(next);
+                 },
+                 [&](const lang::SpindleCommand& spindle) {
+                   Item next = item(ItemKind::spindle);
+                   next.spindle = spindle;
+                   take_state(command);
+                   push(next);
+                 },
+                 [&](const lang::CoolantCommand& coolant) {
+                   Item next = item(ItemKind::coolant);
+                   next.coolant = coolant;
+                   push(next);
+                 },
+                 [&](const lang::ToolPrepare&) {},
+                 [&](const lang::ToolChange& change) {
+                   Item next = item(ItemKind::tool_change);
+                   next.number = change.tool;
+                   push(next);
+                 },
+                 [&](const lang::ToolLength&) { take_state(command); },
+                 [&](const lang::FrameChange&) { take_state(command); },
+                 [&](const lang::OverrideControl& control) {
+                   Item next = item(ItemKind::override_control);
+                   next.overrides = control;
+                   push(next);
+                 },
+                 [&](const lang::Message& message) {
+                   pending_remarks_.push_back(
+                       {tag_of(command), SpokenText{message.kind, ShortText(message.text)}});
+                 },
+                 [&](const lang::ModalReport&) {},
+                 [&](const lang::ProgramStop& stop) {
+                   Item next = item(ItemKind::program_stop);
+                   next.number = static_cast<std::int64_t>(stop.kind);
+                   push(next);
+                 },
+                 [&](const lang::ProgramEnd& end) {
+                   const bool is_line = end.kind == lang::ProgramEndKind::end_of_line;
+                   Item next = item(is_line ? ItemKind::line_end : ItemKind::run_end);
+                   next.number = static_cast<std::int64_t>(blocks_executed_);
+                   next.flag = end.kind == lang::ProgramEndKind::restart;
+                   push(next);
+                   task_ = Task::idle;
+                 },
+                 [&](const lang::Request& request) { add_request(command, request); },
+                 [&](const lang::SplineMove& spline) { add_curve(command, spline); },
+                 [&](const lang::SynchronousMove&) { refuse(command, "a thread"); },
+                 [&](const lang::ProbeMove&) { refuse(command, "probing"); },
+                 [&](const lang::TransformationChange& change) {
+                   if (const auto refusal = blocks_.refusal(change)) {
+                     fail_at_block(command, *refusal);
+                   } else {
+                     take_state(command);
+                   }
+                 },
+                 [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
+                 [&](const lang::OutputCommand& output) { add_output(command, output); },
+                 [&](const lang::MachineFunction& function) {
+                   Item next = item(ItemKind::machine_function);
+                   next.text = ShortText("M" + std::to_string(function.code));
+                   push(next);
+                 },
+                 [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
+                 [&](const lang::WorkpieceAnnouncement& shape) {
+                   pending_remarks_.push_back({tag_of(command), shape});
+                 },
+                 [&](const lang::WorkpiecePosition& position) {
+                   pending_remarks_.push_back({tag_of(command), position});
+                 },
+             },
+             command.payload);
 }
 
 void Preparation::take_state(const lang::Command& command) {
@@ -129,6 +134,7 @@ void Preparation::add_request(const lang::Command& command, const lang::Request&
   data.seconds = request.seconds;
   data.value = request.value;
   item.text = ShortText(request.text);
+  axes_change_ = axes_change_ || request.kind == lang::RequestKind::spindle_to_axis;
   if (request.kind == lang::RequestKind::shared_read ||
       request.kind == lang::RequestKind::shared_write) {
     const SharedVariables::Cell cell = shared_.cell(request.text, request.index);

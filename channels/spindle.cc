@@ -1,8 +1,15 @@
 #include "channels/spindle.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stanok::channels {
+namespace {
+
+constexpr double full_turn_deg = 360.0;
+constexpr double deg_per_s_of_rev_per_min = 6.0;
+
+}  // namespace
 
 void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
   switch (command.action) {
@@ -29,7 +36,13 @@ double Spindle::target() const RT_SAFE {
   return direction_ * std::clamp(programmed_ * override_, speed_min_, speed_max_);
 }
 
+void Spindle::set_angle(double angle_deg) RT_SAFE {
+  angle_deg_ = angle_deg - full_turn_deg * std::floor(angle_deg / full_turn_deg);
+  if (angle_deg_ >= full_turn_deg) angle_deg_ = 0.0;  // the sum of a tiny negative angle rounds up
+}
+
 void Spindle::advance(double period_s) RT_SAFE {
+  const double before = speed_;
   const double wanted = target();
   const double step = acceleration_ * period_s;
   if (acceleration_ <= 0.0) {
@@ -37,6 +50,8 @@ void Spindle::advance(double period_s) RT_SAFE {
   } else {
     speed_ += std::clamp(wanted - speed_, -step, step);
   }
+  if (before == 0.0 && speed_ == 0.0) return;
+  set_angle(angle_deg_ + deg_per_s_of_rev_per_min * 0.5 * (before + speed_) * period_s);
 }
 
 }  // namespace stanok::channels

@@ -1,5 +1,5 @@
 // The commanded side of one spindle in the cycle: speed ramps with its acceleration, "at speed",
-// override.
+// override, angle.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -26,6 +26,8 @@ class Spindle {
   void advance(double period_s) RT_SAFE;
 
   [[nodiscard]] double speed() const RT_SAFE { return speed_; }  // rev/min, signed: clockwise > 0
+  [[nodiscard]] double angle_deg() const RT_SAFE { return angle_deg_; }  // in [0, 360)
+  void set_angle(double angle_deg) RT_SAFE;                              // any whole turns
   [[nodiscard]] bool is_settled() const RT_SAFE { return !wait_at_speed_ || speed_ == target(); }
 
  private:
@@ -40,6 +42,7 @@ class Spindle {
   double override_ = 1.0;
   int direction_ = 0;
   double speed_ = 0.0;
+  double angle_deg_ = 0.0;
 };
 
 }  // namespace stanok::channels

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "channels/channel_description.h"
 #include "channels/motion_config.h"
@@ -165,6 +166,24 @@ void check_master(const toml::table& table, const ChannelConfig& channel, const 
   }
 }
 
+// Names of the axes that several channels have.
+using SharedAxes = std::set<std::string, std::less<>>;
+
+SharedAxes shared_axes(const toml::array& channels) {
+  SharedAxes seen;
+  SharedAxes shared;
+  for (const toml::node& node : channels) {
+    const toml::table* const table = node.as_table();
+    const toml::array* const axes = table == nullptr ? nullptr : (*table)["axes"].as_array();
+    if (axes == nullptr) continue;
+    for (const toml::node& axis : *axes) {
+      const std::string name = axis.value_or(std::string());
+      if (!seen.insert(name).second) shared.insert(name);
+    }
+  }
+  return shared;
+}
+
 kinematics::SchemeConfig default_scheme(const ChannelConfig& channel) {
   kinematics::SchemeConfig scheme;
   scheme.id = 1;
@@ -177,10 +196,12 @@ kinematics::SchemeConfig default_scheme(const ChannelConfig& channel) {
 
 void resolve_schemes(const toml::table& table, const ChannelFile& file,
                      const MachineConfig& machine, const std::filesystem::path& folder,
-                     ChannelConfig& channel, const Scope& scope) {
-  ChannelAxes axes{.words = channel.words, .axes = {}};
+                     const SharedAxes& shared, ChannelConfig& channel, const Scope& scope) {
+  ChannelAxes axes{.words = channel.words, .axes = {}, .is_shared = {}};
   for (const int axis : channel.axes) {
-    axes.axes.push_back(&machine.axes[static_cast<std::size_t>(axis)]);
+    const channels::AxisConfig& config = machine.axes[static_cast<std::size_t>(axis)];
+    axes.axes.push_back(&config);
+    axes.is_shared.push_back(shared.contains(config.name));
   }
   channel.schemes = read_schemes(file.schemes, axes, folder, scope);
   if (channel.schemes.empty()) channel.schemes = {default_scheme(channel)};
@@ -193,8 +214,35 @@ void resolve_schemes(const toml::table& table, const ChannelFile& file,
   }
 }
 
+// The axis of a spindle is part of every scheme: parked, it could not turn.
+void check_spindle_axes(const toml::table& table, const ChannelConfig& channel,
+                        const MachineConfig& machine, const SharedAxes& shared,
+                        const Scope& scope) {
+  for (const channels::SpindleConfig& spindle : machine.spindles) {
+    if (std::ranges::find(channel.spindles, spindle.id) == channel.spindles.end()) continue;
+    const auto axis = std::ranges::find_if(channel.axes, [&](int index) {
+      return machine.axes[static_cast<std::size_t>(index)].name == spindle.axis;
+    });
+    if (axis == channel.axes.end()) continue;
+    if (shared.contains(spindle.axis)) {
+      scope.fault(place_of(table, "axes"), "axis '" + spindle.axis + "' is spindle " +
+                                               std::to_string(spindle.id) +
+                                               "; only one channel can have it");
+    }
+    const int index = static_cast<int>(axis - channel.axes.begin());
+    for (const kinematics::SchemeConfig& scheme : channel.schemes) {
+      if (std::ranges::find(scheme.axes, index) != scheme.axes.end()) continue;
+      scope.fault(place_of(table, "spindles"),
+                  "scheme " + std::to_string(scheme.id) + " leaves out axis '" + spindle.axis +
+                      "', which is spindle " + std::to_string(spindle.id) +
+                      "; name it in the axes of the scheme");
+    }
+  }
+}
+
 ChannelConfig read_channel(const toml::table& table, const MachineConfig& machine,
-                           const std::filesystem::path& folder, const Scope& scope) {
+                           const SharedAxes& shared, const std::filesystem::path& folder,
+                           const Scope& scope) {
   const std::size_t faults_before = scope.faults.size();
   ChannelFile file;
   read_table(table, channel_keys(), file, scope);
@@ -211,7 +259,8 @@ ChannelConfig read_channel(const toml::table& table, const MachineConfig& machin
   if (scope.faults.size() == faults_before) check_master(table, channel, scope);
   const bool words_are_right = channel.words.size() == channel.axes.size();
   if (axes_are_right && words_are_right && !channel.axes.empty()) {
-    resolve_schemes(table, file, machine, folder, channel, scope);
+    resolve_schemes(table, file, machine, folder, shared, channel, scope);
+    check_spindle_axes(table, channel, machine, shared, scope);
   }
   return channel;
 }
@@ -225,19 +274,28 @@ bool is_integer_assignment(std::string_view text) {
   return value != std::string_view::npos && text[value] >= '0' && text[value] <= '9';
 }
 
-// An axis listens to one channel.
-void check_axes_are_not_shared(const std::vector<ChannelConfig>& earlier,
-                               const ChannelConfig& channel, const MachineConfig& machine,
-                               const toml::table& table, const Scope& scope) {
+bool takes_part_at_start(const ChannelConfig& channel, int machine_axis) {
+  const auto scheme =
+      std::ranges::find(channel.schemes, channel.scheme, &kinematics::SchemeConfig::id);
+  const auto axis = std::ranges::find(channel.axes, machine_axis);
+  if (scheme == channel.schemes.end() || axis == channel.axes.end()) return false;
+  const int index = static_cast<int>(axis - channel.axes.begin());
+  return std::ranges::find(scheme->axes, index) != scheme->axes.end();
+}
+
+// An axis listens to one channel: at power-on to the one whose scheme it is part of.
+void check_claims_at_start(const std::vector<ChannelConfig>& earlier, const ChannelConfig& channel,
+                           const MachineConfig& machine, const toml::table& table,
+                           const Scope& scope) {
   for (const int axis : channel.axes) {
-    const auto owner = std::ranges::find_if(earlier, [&](const ChannelConfig& other) {
-      return std::ranges::find(other.axes, axis) != other.axes.end();
-    });
+    if (!takes_part_at_start(channel, axis)) continue;
+    const auto owner = std::ranges::find_if(
+        earlier, [&](const ChannelConfig& other) { return takes_part_at_start(other, axis); });
     if (owner == earlier.end()) continue;
     scope.fault(place_of(table, "axes"),
                 "axis '" + machine.axes[static_cast<std::size_t>(axis)].name +
-                    "' already belongs to channel " + std::to_string(owner->id) +
-                    "; an axis belongs to one channel");
+                    "' takes part in the power-on scheme of channel " + std::to_string(owner->id) +
+                    ", too; begin with a scheme that leaves it out");
   }
 }
 
@@ -247,14 +305,15 @@ std::vector<ChannelConfig> read_channels(Subtables channels, const MachineConfig
                                          const std::filesystem::path& folder, const Scope& scope) {
   std::vector<ChannelConfig> configs;
   if (channels == nullptr) return configs;
+  const SharedAxes shared = shared_axes(*channels);
   for (const toml::node& node : *channels) {
     const toml::table& table = *node.as_table();
     const Scope inner{scope.faults, "channel " + std::to_string(table["id"].value_or(0))};
-    ChannelConfig channel = read_channel(table, machine, folder, inner);
+    ChannelConfig channel = read_channel(table, machine, shared, folder, inner);
     if (std::ranges::find(configs, channel.id, &ChannelConfig::id) != configs.end()) {
       inner.fault(place_of(table, "id"), "the id is taken; every channel needs its own");
     }
-    check_axes_are_not_shared(configs, channel, machine, table, inner);
+    check_claims_at_start(configs, channel, machine, table, inner);
     configs.push_back(std::move(channel));
   }
   if (configs.size() > channels::channels_max) {

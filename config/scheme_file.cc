@@ -155,7 +155,7 @@ class SchemeReader {
   void check_every_axis_has_a_place() {
     for (std::size_t axis = 0; axis < axes_.words.size(); ++axis) {
       const int index = static_cast<int>(axis);
-      if (takes_part(scheme(), index) || is_parked(index)) continue;
+      if (takes_part(scheme(), index) || is_parked(index) || axes_.is_shared[axis]) continue;
       scope_.fault(place_of(table_, "axes"),
                    axis_text(axes_.words[axis]) +
                        " neither takes part nor is parked; name it in axes or add [[parked]] "

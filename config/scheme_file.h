@@ -16,6 +16,7 @@ namespace stanok::config {
 struct ChannelAxes {
   std::span<const std::string> words;
   std::vector<const channels::AxisConfig*> axes;
+  std::vector<bool> is_shared;  // another channel has the axis, too
 
   // Index of the axis that programs or the machine call `name`; words come first. -1: none.
   [[nodiscard]] int find(std::string_view name) const;

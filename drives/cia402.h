@@ -2,7 +2,8 @@
 // from a state to where the master wants the drive.
 //
 // Source: CiA 402 part 2 / IEC 61800-7-201: objects 6040h (control word), 6041h (status word),
-// 603Fh (error code). Of the manufacturer-specific bits, control bit 11 closes the brake, status
+// 603Fh (error code). Of the manufacturer-specific bits, control bit 11 closes the brake, bit 12
+// changes to cyclic synchronous velocity (object 6060h in a word that is written anyway), status
 // bit 14 says that it is closed and status bit 15 that the position is referenced (docs/drives.md).
 #pragma once
 
@@ -21,6 +22,7 @@ inline constexpr std::uint16_t no_quick_stop = 1U << 2;  // the bit is low-activ
 inline constexpr std::uint16_t enable_operation = 1U << 3;
 inline constexpr std::uint16_t fault_reset = 1U << 7;
 inline constexpr std::uint16_t close_brake = 1U << 11;
+inline constexpr std::uint16_t follow_velocity = 1U << 12;
 }  // namespace control
 
 namespace status {

@@ -28,9 +28,18 @@ enum class DriveState : std::uint8_t {
 // "operation enabled", as the standard writes it.
 [[nodiscard]] std::string_view name_of(DriveState state);
 
+// Modes of operation of CiA 402 that a drive changes between while it is on: an axis, or a spindle.
+// In cyclic synchronous velocity the drive follows `velocity` and reports the angle in [0, 360)
+// deg.
+enum class OperationMode : std::uint8_t {
+  cyclic_synchronous_position,
+  cyclic_synchronous_velocity
+};
+
 struct DriveTarget {
   double position = 0.0;
   double velocity = 0.0;
+  OperationMode mode = OperationMode::cyclic_synchronous_position;
   bool enabled = false;
   bool brake_closed = true;
   bool fault_reset = false;        // a rising edge acknowledges the fault of the drive

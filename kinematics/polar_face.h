@@ -26,6 +26,7 @@ class PolarFace final : public Scheme {
                AxisVector<double>& axes_M) const RT_SAFE override;
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
+  [[nodiscard]] bool is_affine(PointMode) const RT_SAFE override { return false; }
   [[nodiscard]] unsigned winding_axes() const RT_SAFE override { return 1U << rotary_; }
   [[nodiscard]] double distance_to_singularity(const AxisVector<double>& point_B) const
       RT_SAFE override;

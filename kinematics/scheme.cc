@@ -72,8 +72,7 @@ void set_geometry(const Frame& frame, const std::array<Scalar, 3>& point, AxisVe
 
 // p_B = rotation * p_W + offset.
 template <class Scalar>
-AxisVector<Scalar> base_from_workpiece(const Frame& frame, const AxisVector<Scalar>& point_W)
-    RT_SAFE {
+AxisVector<Scalar> framed(const Frame& frame, const AxisVector<Scalar>& point_W) RT_SAFE {
   AxisVector<Scalar> point_B = point_W;
   if (!frame.rotation.is_identity()) {
     set_geometry(frame, frame.rotation.turned(geometry_of(frame, point_W)), point_B);
@@ -91,8 +90,8 @@ void machine_from_workpiece(const Transform& transform, const AxisVector<Scalar>
     axes_M = point_W;
     return;
   }
-  transform.scheme->inverse(transform.mode, transform.tool,
-                            base_from_workpiece(transform.frame, point_W), axes_M);
+  transform.scheme->inverse(transform.mode, transform.tool, framed(transform.frame, point_W),
+                            axes_M);
 }
 
 }  // namespace
@@ -134,6 +133,11 @@ std::vector<std::string> scheme_types_of_files() {
     if (type.chosen_by == ChosenBy::file) names.emplace_back(type.name);
   }
   return names;
+}
+
+AxisVector<double> base_from_workpiece(const Frame& frame, const AxisVector<double>& point_W)
+    RT_SAFE {
+  return framed(frame, point_W);
 }
 
 void inverse(const Transform& transform, const AxisVector<Jet>& point_W, AxisVector<Jet>& axes_M)

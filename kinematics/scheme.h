@@ -92,6 +92,8 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
   [[nodiscard]] const SchemeConfig& config() const RT_SAFE { return config_; }
+  // Axes that take part, as bits.
+  [[nodiscard]] unsigned participants() const RT_SAFE { return participants_; }
   // Whether axis `index` takes part; the others stand parked and are left as they are.
   [[nodiscard]] bool takes_part(int index) const RT_SAFE {
     return (participants_ >> index & 1U) != 0;
@@ -106,6 +108,11 @@ class Scheme {
   virtual void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                        AxisVector<double>& point_B) const RT_SAFE = 0;
 
+  // Whether lines of B stay lines of M, one parameter for all: second derivatives then come from
+  // the path alone.
+  [[nodiscard]] virtual bool is_affine(PointMode mode) const RT_SAFE {
+    return mode == PointMode::axes;
+  }
   // Axes whose position the inverse gives only up to whole turns of 360 deg: bit k for axis k. The
   // caller unwinds them.
   [[nodiscard]] virtual unsigned winding_axes() const RT_SAFE { return 0; }
@@ -142,6 +149,10 @@ struct Frame {
 
   [[nodiscard]] bool operator==(const Frame&) const = default;
 };
+
+// p_B of a point in W.
+[[nodiscard]] AxisVector<double> base_from_workpiece(const Frame& frame,
+                                                     const AxisVector<double>& point_W) RT_SAFE;
 
 // What path pieces carry: frame, scheme, tool and mode together, fixed for a run of blocks. Owned
 // by the channel. The path itself is kept in W, so that a programmed end is reached to the last

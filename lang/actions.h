@@ -60,6 +60,18 @@ void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action);
 // Fails the block when the spindle stands.
 void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code);
 
+// Spindles that are axes for a while (actions_spindle_axis.cc)
+void make_axis_of_spindle(ActiveBlock& block, CodeNumber code);  // M902
+void make_spindle_of_axis(ActiveBlock& block, CodeNumber code);  // M903
+// Whether a code of the block takes the word H1=, H2=.
+[[nodiscard]] bool is_word_of_spindle_axis(const BlockCodes& codes, const NamedWord& word);
+[[nodiscard]] bool is_spindle_now(const ActiveBlock& block, std::size_t axis);
+void refuse_axis_that_is_spindle(ActiveBlock& block, std::size_t axis);
+// Fails the block when one of its axis words means an axis that is a spindle now.
+void refuse_axes_that_are_spindles(ActiveBlock& block);
+// Fails the block, and returns true, when the spindle (0: master, -1: any) is an axis now.
+bool refuse_spindle_that_is_axis(ActiveBlock& block, int spindle, const WordName& word);
+
 // Threads by single blocks (actions_thread.cc)
 void cut_thread(ActiveBlock& block, CodeNumber code);   // G33 G32
 void tap_rigidly(ActiveBlock& block, CodeNumber code);  // G33.1
@@ -176,7 +188,7 @@ struct ActiveMode {
 [[nodiscard]] bool only_axes(ActiveBlock& block, CodeNumber code, AxisSet allowed);
 // Fails the block when one of `modes` is active. True when it failed.
 [[nodiscard]] bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
-                                    std::initializer_list<Exclusion> modes);
+                                    std::initializer_list<Exclusion> exclusions, char letter = 'G');
 
 // The ends of the programmed axes, absolute in W (M under G53); others stay where they are.
 void resolve_ends(const ActiveBlock& block, Move& move);

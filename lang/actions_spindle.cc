@@ -51,6 +51,7 @@ double cutting_speed(const ActiveBlock& block) {
 }
 
 void set_speed(ActiveBlock& block, int spindle, double speed, const WordName& word) {
+  if (refuse_spindle_that_is_axis(block, spindle, word)) return;
   if (speed < 0.0) {
     block.fail("E4022", word, "the spindle speed must not be negative", "negative speed");
     return;
@@ -151,15 +152,17 @@ void take_speed(ActiveBlock& block, CodeNumber) {
 void switch_spindle(ActiveBlock& block, CodeNumber code) {
   const auto spindle = named_spindle(block);
   if (!spindle) return;
+  const bool stops = code == 50;
+  if (!stops && refuse_spindle_that_is_axis(block, *spindle, {'M', code, {}})) return;
   turn_spindle(block, *spindle,
                code == 30   ? SpindleAction::clockwise
                : code == 40 ? SpindleAction::counter_clockwise
                             : SpindleAction::stop);
 }
 
-void orient_spindle(ActiveBlock& block, CodeNumber) {
+void orient_spindle(ActiveBlock& block, CodeNumber code) {
   const auto spindle = named_spindle(block);
-  if (!spindle) return;
+  if (!spindle || refuse_spindle_that_is_axis(block, *spindle, {'M', code, {}})) return;
   SpindleCommand command;
   command.spindle = *spindle;
   command.action = SpindleAction::orient;
@@ -192,6 +195,7 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
     block.queue.emit(CuttingSpeedMode{modal.cutting_spindle});
     return;
   }
+  if (refuse_spindle_that_is_axis(block, *spindle, {'G', code, {}})) return;
   if (block.has('D')) modal.speed_limit_rev_per_min = block.value('D');
   if (block.has('S')) modal.cutting_speed_m_per_min = cutting_speed(block);
   modal.cutting_spindle = *spindle;

@@ -70,6 +70,7 @@ std::optional<SynchronousMove> synchronous_move(ActiveBlock& block, CodeNumber c
 }  // namespace
 
 void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
+  if (refuse_spindle_that_is_axis(block, spindle, {'G', code, {}})) return;
   if (spindle_turns(block, spindle)) return;
   block.fail("E4064", {'G', code, {}}, "`" + code_text('G', code) + "` while the spindle stands",
              "no M3 or M4 before");

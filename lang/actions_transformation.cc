@@ -19,12 +19,18 @@ void change(ActiveBlock& block, const TransformationChange& transformation) {
   block.modal.cylinder_radius_mm = transformation.radius_mm;
   block.queue.emit(transformation);
   block.queue.emit(Request{});
+  block.awaits_position = true;
 }
 
 std::optional<std::size_t> rotary_axis(ActiveBlock& block, CodeNumber code) {
   const int axis = block.channel_words.axis_called("C");
   if (axis >= 0 && block.channel.axes[static_cast<std::size_t>(axis)].rotary) {
-    return static_cast<std::size_t>(axis);
+    const auto found = static_cast<std::size_t>(axis);
+    if (is_spindle_now(block, found)) {
+      refuse_axis_that_is_spindle(block, found);
+      return std::nullopt;
+    }
+    return found;
   }
   block.fail("E4306", {'G', code, {}},
              "`" + code_text('G', code) + "` needs a rotary axis C in the channel", "");

@@ -202,7 +202,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   }
   for (const NamedWord& word : block.words.named) {
     if (block.channel_words.axis_called(word.name) >= 0) continue;
-    if (spindle_of_indexed_speed(word)) continue;
+    if (spindle_of_indexed_speed(word) || is_word_of_spindle_axis(codes, word)) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
                "unused word");
   }
@@ -301,6 +301,7 @@ void execute_block(ActiveBlock& block) {
   apply_units(block, codes);
   collect_axis_words(block);
   collect_incremental_words(block, codes);
+  refuse_axes_that_are_spindles(block);
   if (block.failed()) return;
   if (auto fault = missing_axes(codes, block.programmed != 0)) {
     block.fault = std::move(fault);
@@ -333,6 +334,8 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
     return false;
   }
   collect_axis_words(block);
+  refuse_axes_that_are_spindles(block);
+  if (block.failed()) return false;
   move = {};
   move.kind = motion == 0 ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);

@@ -10,6 +10,7 @@ ChannelWords::ChannelWords(const ChannelDescription& channel)
   for (std::size_t i = 0; i < channel.axes.size(); ++i) {
     const AxisDescription& axis = channel.axes[i];
     if (!axis.rotary) linear_ = static_cast<AxisSet>(linear_ | axis_bit(i));
+    if (axis.spindle != 0) spindle_axes_ = static_cast<AxisSet>(spindle_axes_ | axis_bit(i));
     if (axis.geometry >= 0 && axis.geometry < 3) {
       geometry_[static_cast<std::size_t>(axis.geometry)] = static_cast<int>(i);
     }

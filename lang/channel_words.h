@@ -31,6 +31,8 @@ class ChannelWords {
   [[nodiscard]] int geometry_axis(std::size_t coordinate) const { return geometry_[coordinate]; }
   [[nodiscard]] const std::array<int, 3>& geometry() const { return geometry_; }
   [[nodiscard]] AxisSet linear_axes() const { return linear_; }
+  // Axes that are spindles until M902.
+  [[nodiscard]] AxisSet spindle_axes() const { return spindle_axes_; }
   [[nodiscard]] const ChannelDialect& dialect() const { return dialect_; }
 
  private:
@@ -40,6 +42,7 @@ class ChannelWords {
   std::array<std::size_t, 26> axis_{};
   std::array<int, 3> geometry_{-1, -1, -1};
   AxisSet linear_ = 0;
+  AxisSet spindle_axes_ = 0;
   ChannelDialect dialect_;
 };
 

@@ -226,8 +226,10 @@ constexpr auto rows = std::to_array<Code>({
     m(980, subprogram, P::stop, "PL", everywhere, call_program, "subprogram call"),
     m(990, subprogram, P::stop, "", everywhere, return_from_program, "return from subprogram"),
     m(1980, subprogram, P::stop, "PL", everywhere, call_program, "call of another file"),
-    m(9020, spindle_axis, P::spindle_axis, "", not_master, later, "spindle becomes an axis"),
-    m(9030, spindle_axis, P::spindle_axis, "", not_master, later, "axis becomes a spindle"),
+    m(9020, spindle_axis, P::spindle_axis, "", not_master, make_axis_of_spindle,
+      "spindle becomes an axis"),
+    m(9030, spindle_axis, P::spindle_axis, "", not_master, make_spindle_of_axis,
+      "axis becomes a spindle"),
 });
 
 // Row of each number below G100 and M100, found without a search.

@@ -24,6 +24,7 @@ struct AxisDescription {
   bool rotary = false;
   double modulo_deg = 0.0;  // > 0: G90 takes the shortest way
   int geometry = -1;        // 0, 1, 2: the channel's X, Y, Z of planes and arcs; -1: none
+  int spindle = 0;          // id of the spindle that becomes this axis with M902; 0: always an axis
 };
 
 // A G or M code to which the machine file gives a meaning.

@@ -115,6 +115,7 @@ struct ModalState {
   bool spindle_running = false;                           // any
   std::array<double, spindles_max> speeds_rev_per_min{};  // in the order of the channel's spindles
   std::uint16_t running_spindles = 0;                     // bit k: the k-th of them turns
+  AxisSet converted_axes = 0;                             // that spindles have become with M902
   double orient_angle_deg = 0.0;                          // of the last M19
   int cutting_spindle = 0;                                // of G96, as in SpindleCommand
   double cutting_speed_m_per_min = 0.0;

@@ -66,12 +66,12 @@ std::optional<ActiveMode> active_mode(const ModalState& modal,
 }
 
 bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
-                      std::initializer_list<Exclusion> exclusions) {
+                      std::initializer_list<Exclusion> exclusions, char letter) {
   const auto mode = active_mode(block.modal, exclusions);
   if (!mode) return false;
-  BlockFault& fault = block.fail("E4301", {'G', code, {}},
-                                 "`" + code_text('G', code) + "` while " + std::string(mode->name),
-                                 "not in this mode");
+  BlockFault& fault = block.fail(
+      "E4301", {letter, code, {}},
+      "`" + code_text(letter, code) + "` while " + std::string(mode->name), "not in this mode");
   fault.notes.push_back(mode->set_by);
   fault.help.emplace_back(mode->remedy);
   return true;

@@ -41,6 +41,7 @@ Interpolator::Interpolator(const MotionConfig& config)
 
 void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
   standing_axes_ = axes_M;
+  last_axes_ = axes_M;
   kinematics::forward(transform, axes_M, standing_point_);
 }
 
@@ -278,13 +279,24 @@ void Interpolator::stand_here(const PathQueue& queue) RT_SAFE {
   for (std::size_t k = 0; k < point.size(); ++k) standing_point_[k] = point[k].value;
   derivatives_to_zero(point, standing_point_);
   to_axes(piece.transform, point, axes);
+  unwind(piece.transform, axes);
   for (std::size_t k = 0; k < axes.size(); ++k) standing_axes_[k] = axes[k].value;
   last_tag_ = piece.tag;
   motion_ = {};
 }
 
+void Interpolator::unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE {
+  if (transform == nullptr || transform->scheme == nullptr) return;
+  constexpr double turn = 360.0;
+  const unsigned winding = transform->scheme->winding_axes();
+  for (std::size_t k = 0; winding >> k != 0; ++k) {
+    if ((winding >> k & 1U) == 0) continue;
+    axes[k].value += turn * std::round((last_axes_[k] - axes[k].value) / turn);
+  }
+}
+
 void Interpolator::report(const PathQueue& queue, const FeedControl& control,
-                          InterpolatorOutput& out) const RT_SAFE {
+                          InterpolatorOutput& out) RT_SAFE {
   out.chunks_done = chunks_done_;
   out.path_advanced = advanced_;
   out.s_speed = motion_.v;
@@ -306,6 +318,8 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
   if (overlap_ == Overlap::runs) add_next_chain(queue, out);
   to_axes(piece.transform, out.point, out.axes);
+  unwind(piece.transform, out.axes);
+  for (std::size_t k = 0; k < out.axes.size(); ++k) last_axes_[k] = out.axes[k].value;
 }
 
 PathState Interpolator::state(const PathQueue& queue, const FeedControl& control) const RT_SAFE {

@@ -86,8 +86,8 @@ class Interpolator {
   [[nodiscard]] bool stands_at_gate(const PathQueue& queue, const FeedControl& control) const
       RT_SAFE;
   void stand_here(const PathQueue& queue) RT_SAFE;
-  void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) const
-      RT_SAFE;
+  void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
+  void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
   [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
 
   double cycle_s_ = 0.001;
@@ -107,6 +107,9 @@ class Interpolator {
   std::uint64_t chunks_done_ = 0;
   double advanced_ = 0.0;  // in this cycle
 
+  // Machine axes of the cycle before: those that a scheme gives only up to whole turns go on from
+  // there.
+  Point last_axes_{};
   // Where the axes stand while no path is at hand.
   Point standing_point_{};
   Point standing_axes_{};

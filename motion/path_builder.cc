@@ -31,6 +31,8 @@ constexpr double exact_tolerance = 1e-9;  // mm or deg
 // Shorter rests between two blends are not worth a piece of their own; their blend gives way.
 constexpr double rest_min = 1e-4;
 
+constexpr double shortest_part = 0.02;  // mm; of a block that is divided near a singularity
+
 bool moves(const PathBlock& block, const Point& start, std::size_t axis, double threshold) {
   return !(std::abs(block.end[axis] - start[axis]) <= threshold);
 }
@@ -125,7 +127,11 @@ MotionConfig narrowed(MotionConfig config, const Piece& piece, const Tolerance& 
 
 PathBuilder::PathBuilder(const MotionConfig& config) : config_(config), run_(config) {}
 
-void PathBuilder::restart(const Point& point) {
+void PathBuilder::restart(const Point& point, const std::array<int, 3>& geometry) {
+  if (geometry != config_.geometry) {
+    config_.geometry = geometry;
+    run_ = SmoothRun(config_);
+  }
   pending_.reset();
   run_.clear();
   stands_ = true;
@@ -327,8 +333,24 @@ void PathBuilder::emit_pending(double to, const Point& to_point, double jerk_par
   emit_part(middle, middle_point, to, to_point, jerk_part_at_end);
 }
 
+// The bounds of a piece hold for all of it: near a singularity of the scheme, where they grow
+// steeply, a piece is no longer than its distance from there.
 void PathBuilder::emit_part(double from, const Point& from_point, double to, const Point& to_point,
                             double jerk_part) {
+  const double length = to - from;
+  if (length > shortest_part && has_singularity(pending_->whole)) {
+    JetPoint point_s;
+    const double middle = 0.5 * (from + to);
+    evaluate(pending_->whole, middle, point_s);
+    const Point middle_point = contact(point_s).position;
+    const double clearance = std::min({distance_to_singularity(pending_->whole, from_point),
+                                       distance_to_singularity(pending_->whole, middle_point),
+                                       distance_to_singularity(pending_->whole, to_point)});
+    if (length > clearance) {
+      emit_part(from, from_point, middle, middle_point, jerk_part);
+      return emit_part(middle, middle_point, to, to_point, jerk_part);
+    }
+  }
   Piece piece = pending_->whole;
   if (from > 0.0 || to < piece.length) {
     const Shape rest = part(pending_->whole, from, from_point, to, to_point);

@@ -29,7 +29,9 @@ class PathBuilder {
 
   // Stands at `point` with nothing pending; the next block starts there. To be called after
   // finish() whenever the transform changes: a chain has one transform.
-  void restart(const Point& point);
+  void restart(const Point& point) { restart(point, config_.geometry); }
+  // The same, with other axes as X, Y and Z of the workpiece space from here on.
+  void restart(const Point& point, const std::array<int, 3>& geometry);
 
   // Takes the next block. Pieces that are final now are appended to `out`; a piece with
   // `ends_chain` set closes a chain at rest. An unreachable pose is reported and the block is not

@@ -57,6 +57,8 @@ std::optional<AxisLimits> common_limits(const Piece& piece, const MotionConfig& 
     const AxisLimits& limits = config.axes[k];
     if (std::ranges::find(config.geometry, static_cast<int>(k)) == config.geometry.end()) {
       if (moves(piece, k)) return std::nullopt;
+    } else if (!limits.linear) {
+      return std::nullopt;  // the side of a cylinder: its mm are deg of the axis
     } else if (!common) {
       common = limits;
     } else if (limits.acceleration_max != common->acceleration_max ||

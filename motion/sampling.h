@@ -18,7 +18,7 @@ inline constexpr double between_samples = 1.5 / 8.0;
 // The transform only shifts and turns: it is affine, lines stay lines.
 [[nodiscard]] inline bool is_affine(const Piece& piece) {
   return piece.transform == nullptr || piece.transform->scheme == nullptr ||
-         piece.transform->mode == kinematics::PointMode::axes;
+         piece.transform->scheme->is_affine(piece.transform->mode);
 }
 
 // Intervals to begin with: 1/16 turn of an arc, and 10 deg of any rotary axis that a transform
@@ -34,6 +34,19 @@ inline constexpr double between_samples = 1.5 / 8.0;
   }
   const int least = g.kind == PieceKind::quintic ? 8 : 4;
   return static_cast<int>(std::clamp(std::ceil(turns), static_cast<double>(least), 4096.0));
+}
+
+// Whether the scheme has places where an axis would have to jump; and how far a point is from them,
+// mm.
+[[nodiscard]] inline bool has_singularity(const Piece& piece) {
+  return piece.transform != nullptr && piece.transform->scheme != nullptr &&
+         piece.transform->scheme->winding_axes() != 0;
+}
+
+[[nodiscard]] inline double distance_to_singularity(const Piece& piece, const Point& point_W) {
+  const kinematics::Transform& transform = *piece.transform;
+  return transform.scheme->distance_to_singularity(
+      kinematics::base_from_workpiece(transform.frame, point_W));
 }
 
 template <class Scalar>

@@ -15,6 +15,8 @@ namespace {
 
 using drives::DriveState;
 
+constexpr double full_turn_deg = 360.0;
+
 // A demand without news stops to move after this time.
 constexpr double bridged_s = 0.1;
 
@@ -59,11 +61,13 @@ SimulatedDrive::SimulatedDrive(const SimulatedDriveConfig& config)
 // A target that is merely repeated is no news: its time runs on.
 void SimulatedDrive::command(const drives::CommandBlock& block) RT_SAFE {
   const bool was_following = power_.state() == DriveState::operation_enabled;
+  const bool followed_velocity = follows_velocity();
   power_.take_control_word(block.control_word);
   if (!was_following || !has_same_target(block, command_)) {
     target_age_s_ = 0.0;
   }
   command_ = block;
+  if (!was_following || !followed_velocity) turned_ = motor_->motion().position;
   silence_s_ = 0.0;
 }
 
@@ -73,6 +77,7 @@ void SimulatedDrive::advance(double dt_s) RT_SAFE {
   }
   target_age_s_ += dt_s;
   silence_s_ += dt_s;
+  if (follows_velocity()) turn(dt_s);
   move(dt_s);
   watch(dt_s);
 }
@@ -107,7 +112,29 @@ void SimulatedDrive::watch(double dt_s) RT_SAFE {
   }
 }
 
+bool SimulatedDrive::follows_velocity() const RT_SAFE {
+  return config_.kind != DriveKind::spindle &&
+         (command_.control_word & drives::control::follow_velocity) != 0;
+}
+
+// The demand goes on with the velocity; demand and motor are counted within one turn.
+void SimulatedDrive::turn(double dt_s) RT_SAFE {
+  if (power_.state() != DriveState::operation_enabled) {
+    turned_ = motor_->motion().position;
+    return;
+  }
+  turned_ += command_.target_velocity / config_.registers.velocity_scale * dt_s;
+  const double turns = full_turn_deg * std::floor(turned_ / full_turn_deg);
+  if (turns == 0.0) return;
+  turned_ -= turns;
+  motor_->shift_position(-turns);
+}
+
 Demand SimulatedDrive::demand() const RT_SAFE {
+  if (follows_velocity()) {
+    return {.position = turned_,
+            .velocity = command_.target_velocity / config_.registers.velocity_scale};
+  }
   const double velocity = command_.target_velocity / config_.registers.velocity_scale;
   const double position = command_.target_position / config_.registers.position_scale;
   const bool is_bridged = target_age_s_ <= bridged_s;

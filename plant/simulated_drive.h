@@ -56,6 +56,8 @@ class SimulatedDrive {
   [[nodiscard]] drives::StatusBlock measured_status() const RT_SAFE;
   [[nodiscard]] std::uint16_t status_word() const RT_SAFE;
   [[nodiscard]] Demand demand() const RT_SAFE;
+  [[nodiscard]] bool follows_velocity() const RT_SAFE;
+  void turn(double dt_s) RT_SAFE;
   void move(double dt_s) RT_SAFE;
   void watch(double dt_s) RT_SAFE;
 
@@ -63,6 +65,7 @@ class SimulatedDrive {
   std::unique_ptr<Motor> motor_;
   PowerState power_;
   drives::CommandBlock command_;
+  double turned_ = 0.0;  // following a velocity: where the demand is, deg
   double target_age_s_ = 0.0;
   double silence_s_ = 0.0;
   double following_error_s_ = 0.0;

@@ -72,10 +72,12 @@ struct Assembly::Parts {
                          raw.following_error_exceeded;
       feedback[k] = {.position = raw.position,
                      .setpoint = raw.target_position,
+                     .velocity = raw.velocity,
                      .valid = raw.valid,
                      .fault = fault,
                      .enabled = raw.state == drives::DriveState::operation_enabled,
-                     .referenced = raw.referenced};
+                     .referenced = raw.referenced,
+                     .brake_closed = raw.brake_closed};
     }
   }
 
@@ -87,6 +89,9 @@ struct Assembly::Parts {
         drives::DriveTarget& target = targets[static_cast<std::size_t>(axes[k])];
         target.position = channel.axes[k].position;
         target.velocity = channel.axes[k].velocity_demand;
+        target.mode = channel.drives[k].follows_velocity
+                          ? drives::OperationMode::cyclic_synchronous_velocity
+                          : drives::OperationMode::cyclic_synchronous_position;
         target.enabled = channel.drives[k].enabled;
         target.brake_closed = channel.drives[k].brake_closed;
       }

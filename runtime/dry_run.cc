@@ -62,7 +62,7 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
   }
   blocks_.restart(scheme_, start_of(machine, channel_));
   if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
-  builder_.restart(blocks_.position_W());
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
 DryRunResult DryRun::run(const std::string& program, Reachability reachability,
@@ -199,10 +199,17 @@ void DryRun::take(const lang::Command& command, Reachability reachability, const
   if (const auto* wish = std::get_if<lang::Request>(&command.payload)) {
     return take_request(command, *wish, request);
   }
+  if (const auto* change = std::get_if<lang::TransformationChange>(&command.payload)) {
+    if (auto refusal = blocks_.refusal(*change)) {
+      lang::put_at_block(*program_, command.origin, *refusal);
+      diagnostics.push_back(std::move(*refusal));
+      return;
+    }
+  }
   if (blocks_.take_state(command.payload) && reachability == Reachability::checked) {
     builder_.finish();
     builder_.built().clear();
-    builder_.restart(blocks_.position_W());
+    builder_.restart(blocks_.position_W(), blocks_.geometry());
   }
 }
 
@@ -216,11 +223,13 @@ void DryRun::take_move(const lang::Command& command, const lang::Move& move,
     diagnostics.push_back(std::move(diagnostic));
   };
   if (!block) return refuse(block.error());
-  record(command, &*block);
-  if (reachability == Reachability::unchecked || blocks_.is_transformed()) return;
+  motion::PathBlock programmed = *block;
+  programmed.end = blocks_.programmed(block->end);
+  record(command, &programmed);
+  if (reachability == Reachability::unchecked) return;
   if (const auto pose = builder_.add(*block)) {
     refuse(channels::unreachable_pose(*pose, channel_));
-    builder_.restart(blocks_.position_W());
+    builder_.restart(blocks_.position_W(), blocks_.geometry());
   }
   builder_.built().clear();
 }
@@ -292,7 +301,7 @@ void DryRun::switch_scheme(int id) {
   }
   blocks_.change_scheme(scheme_, axes_M);
   tables_.set_scheme_zero(scheme_->config().zero);
-  builder_.restart(blocks_.position_W());
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
 namespace {

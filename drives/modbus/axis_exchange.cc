@@ -41,6 +41,10 @@ CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_
   if (target.brake_closed) {
     sent_.control_word |= control::close_brake;
   }
+  follows_velocity_ = target.mode == OperationMode::cyclic_synchronous_velocity;
+  if (follows_velocity_) {
+    sent_.control_word |= control::follow_velocity;
+  }
   if (sendable) {
     sent_.target_position = *position;
   }
@@ -92,8 +96,8 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
 // While contact lasts the axis cannot be further away than it can have travelled. What it did out
 // of sight is judged by check_reference.
 bool AxisExchange::is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE {
-  if (config_.velocity_max <= 0.0) {
-    return true;
+  if (config_.velocity_max <= 0.0 || follows_velocity_) {
+    return true;  // limits and travel are those of the axis, not of the spindle that it is now
   }
   const double fastest = velocity_margin * config_.velocity_max;
   if (std::fabs(answer.velocity / config_.velocity_scale) > fastest) {
@@ -133,7 +137,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
 void AxisExchange::check_reference(double position, BusTime now) RT_SAFE {
   if (position_accepted_) {
     moved_out_of_sight_ = false;
-  } else if (lost_ && feedback_.sequence > 0) {
+  } else if (lost_ && feedback_.sequence > 0 && !follows_velocity_) {
     const double reach =
         speed_before_loss_ * seconds(now - feedback_from_) + config_.following_error_max;
     moved_out_of_sight_ |= std::fabs(position - feedback_.position) > reach;
@@ -141,7 +145,8 @@ void AxisExchange::check_reference(double position, BusTime now) RT_SAFE {
 }
 
 void AxisExchange::watch_following_error(BusTime now) RT_SAFE {
-  if (std::fabs(feedback_.following_error) <= config_.following_error_max) {
+  const double error = follows_velocity_ ? 0.0 : feedback_.following_error;
+  if (std::fabs(error) <= config_.following_error_max) {
     following_error_since_.reset();
   } else if (!following_error_since_) {
     following_error_since_ = now;

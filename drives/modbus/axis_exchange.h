@@ -65,6 +65,7 @@ class AxisExchange {
   int leak_ = 0;
   std::uint64_t errors_ = 0;
   double speed_before_loss_ = 0.0;  // the greater of target and actual speed
+  bool follows_velocity_ = false;
   bool answering_ = true;
   bool lost_ = false;
   bool enable_blocked_ = false;

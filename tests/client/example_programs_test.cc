@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <ostream>
+#include <set>
 #include <string>
 
 namespace stanok::client {
@@ -38,11 +40,23 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
 
 constexpr Example examples[] = {
     {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},       {"bolt_circle", "mill3", ""},
-    {"tilted_pocket", "e7106mf4", "2"}, {"trunnion", "trunnion", ""},
+    {"tilted_pocket", "e7106mf4", "2"}, {"trunnion", "trunnion", ""}, {"lathe", "lathe", ""},
+    {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},       {"helix", "stress8", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),
-                         [](const auto& example) { return std::string(example.param.name); });
+                         [](const auto& example) {
+                           return std::string(example.param.name) + "_on_" + example.param.machine;
+                         });
+
+TEST(ExamplePrograms, ExistForEveryMachineFile) {
+  std::set<std::string> machines;
+  for (const Example& example : examples) machines.insert(example.machine);
+  for (const auto& entry : std::filesystem::directory_iterator(root + "/config/machines")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_TRUE(machines.contains(entry.path().stem().string())) << entry.path();
+  }
+}
 
 }  // namespace
 }  // namespace stanok::client

@@ -187,7 +187,7 @@ const Case cases[] = {
     {"ChannelIdTaken", end_of_file, "[[channel]]\nid = 1\nname = \"m\"\nkind = \"master\"", 30, 6,
      "channel 1: the id is taken"},
     {"AxisOfAnotherChannel", end_of_file, "[[channel]]\nid = 2\nname = \"b\"\naxes = [\"C\"]", 32,
-     8, "axis 'C' already belongs to channel 1"},
+     8, "axis 'C' takes part in the power-on scheme of channel 1, too"},
     {"CodeThatIsNone", 24, "spindles = [1]\n[channel.codes]\nX200 = \"a.nc\"", 26, 1,
      "'X200' is no G or M code"},
     {"AliasOfTwoLetters", 24, "spindles = [1]\n[channel.address_alias]\nEE = \"dS\"", 26, 1,
@@ -250,6 +250,33 @@ INSTANTIATE_TEST_SUITE_P(Cases, WrongMachineFile, ::testing::ValuesIn(cases),
 TEST(MachineFaults, TheValidFileHasNone) {
   const TemporaryFiles files;
   EXPECT_THAT(faults_of(files.write("m.toml", valid_file)), ::testing::IsEmpty());
+}
+
+TEST(MachineFaults, AxisOfASpindleBelongsToOneChannelAndAllItsSchemes) {
+  const TemporaryFiles files;
+  const std::string spindle_axis = with_line(19, "speed_max = 6000\naxis = \"C\"");
+  const auto shared = faults_of(files.write(
+      "shared.toml", spindle_axis + "[[channel]]\nid = 2\nname = \"b\"\naxes = [\"C\"]\n"));
+  ASSERT_FALSE(shared.empty());
+  EXPECT_EQ(shared[0].line, 24U);
+  EXPECT_THAT(shared[0].text, HasSubstr("axis 'C' is spindle 1; only one channel can have it"));
+  std::string parked = spindle_axis;
+  parked.replace(parked.rfind("axes = [\"X\", \"C\"]"), std::string::npos,
+                 "axes = [\"X\"]\n[[channel.scheme.parked]]\naxis = \"C\"\n");
+  const auto left_out = faults_of(files.write("parked.toml", parked));
+  ASSERT_EQ(left_out.size(), 1U);
+  EXPECT_EQ(left_out[0].line, 25U);
+  EXPECT_THAT(left_out[0].text, HasSubstr("scheme 1 leaves out axis 'C', which is spindle 1"));
+}
+
+TEST(MachineFaults, ASchemeMayLeaveOutAnAxisThatAnotherChannelHas) {
+  const TemporaryFiles files;
+  const std::string text = std::string(valid_file) +
+                           "[[channel]]\nid = 2\nname = \"b\"\naxes = [\"Y\", \"C\"]\n"
+                           "[[channel.scheme]]\nid = 1\ntype = \"cartesian\"\naxes = [\"Y\"]\n"
+                           "[[axis]]\nname = \"Y\"\nkind = \"linear\"\nmin = 0\nmax = 1\n"
+                           "velocity_max = 1\nacceleration_max = 1\njerk_max = 1\n";
+  EXPECT_THAT(faults_of(files.write("m.toml", text)), ::testing::IsEmpty());
 }
 
 TEST(MachineFaults, LinearAxisNeedsItsTravel) {

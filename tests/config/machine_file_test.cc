@@ -60,6 +60,13 @@ acceleration_max = 900
 jerk_max = 9000
 modulo = 360
 
+[[axis]]
+name = "C3"
+kind = "rotary"
+velocity_max = 90
+acceleration_max = 900
+jerk_max = 9000
+
 [[spindle]]
 id = 3
 speed_max = 4000
@@ -68,7 +75,7 @@ acceleration = 1500
 wait_at_speed = false
 power_idle = 300
 encoder = 2048
-axis = "C2"
+axis = "C3"
 
 [[channel]]
 id = 4
@@ -205,7 +212,7 @@ TEST_F(FullFile, SpindleAndChannelsAreComplete) {
   EXPECT_FALSE(spindle.wait_at_speed);
   EXPECT_EQ(spindle.power_idle_w, 300.0);
   EXPECT_EQ(spindle.encoder_pulses, 2048);
-  EXPECT_EQ(spindle.axis, "C2");
+  EXPECT_EQ(spindle.axis, "C3");
 
   ASSERT_EQ(file_.machine.channels.size(), 2U);
   const channels::ChannelConfig& channel = file_.machine.channels[0];  // ascending ids

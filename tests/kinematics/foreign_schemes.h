@@ -31,6 +31,7 @@ class MotorScheme : public Scheme {
     const std::array<double, 3> nose = Type::nose({axes_M[0], axes_M[1], axes_M[2]});
     for (std::size_t k = 0; k < 3; ++k) point_B[k] = nose[k] + tool.nose_to_tip_mm[k];
   }
+  [[nodiscard]] bool is_affine(PointMode) const RT_SAFE override { return false; }
 
  private:
   friend Type;

@@ -4,8 +4,9 @@
 //   ; expect error 3:7 E4031         the errors of the load or the error of the run
 //   ; expect warning W211            the warnings of the load, in order
 //   ; channel lathe                  mill (X Y Z B C; C modulo 360), grind (the same axes), lathe
-//                                  (X Z C), master, or two spindles: the mill with spindle 1, which
-//                                  has a position, and 2
+//                                  (X Z C), master; two spindles: the mill with spindle 1, which
+//                                  has a position, and 2; spindle axis: the mill whose spindle
+//                                  becomes C
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
 // Requests are answered with success and the number 2; M99 in the main program begins it again
@@ -294,6 +295,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       channel.kind = ChannelKind::lathe;
       channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}, {"C", true, 0.0, -1}};
     }
+    if (kind == "spindle axis") channel.axes.back().spindle = 1;
     for (int number = 1; number <= 9; ++number) {
       tables.tools[number] = {number, {0.0, 0.0, 10.0 * number}, 1.0};
     }

@@ -19,6 +19,86 @@ Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> MemoryFiles::read(
   return std::shared_ptr<const lang::SourceText>(source);
 }
 
+namespace {
+
+channels::AxisConfig linear_axis(const std::string& name) {
+  channels::AxisConfig axis;
+  axis.name = name;
+  axis.limits.position_min = -500.0;
+  axis.limits.position_max = 500.0;
+  axis.limits.velocity_max = 250.0;
+  axis.limits.acceleration_max = 2500.0;
+  axis.limits.jerk_max = 50000.0;
+  axis.limits.rapid_max = axis.limits.velocity_max;
+  return axis;
+}
+
+channels::AxisConfig rotary_axis(const std::string& name) {
+  channels::AxisConfig axis;
+  axis.name = name;
+  axis.rotary = true;
+  axis.limits.linear = false;
+  axis.limits.velocity_max = 120.0;
+  axis.limits.acceleration_max = 1200.0;
+  axis.limits.jerk_max = 24000.0;
+  axis.limits.rapid_max = axis.limits.velocity_max;
+  return axis;
+}
+
+kinematics::SchemeConfig cartesian_scheme(int id, std::vector<int> axes,
+                                          const std::array<int, 3>& linear) {
+  kinematics::SchemeConfig scheme;
+  scheme.id = id;
+  scheme.type = "cartesian";
+  scheme.axes = std::move(axes);
+  scheme.linear = linear;
+  return scheme;
+}
+
+}  // namespace
+
+channels::MachineConfig turning_machine() {
+  channels::MachineConfig machine;
+  machine.name = "lathe";
+  machine.file = "turning.toml";
+  machine.axes = {linear_axis("X"), linear_axis("Z"), rotary_axis("C1")};
+  channels::SpindleConfig spindle;
+  spindle.speed_max = 3000.0;
+  spindle.acceleration = 1500.0;
+  spindle.encoder_pulses = 1024;
+  spindle.axis = "C1";
+  machine.spindles = {spindle};
+  channels::ChannelConfig turn;
+  turn.name = "turn";
+  turn.kind = lang::ChannelKind::lathe;
+  turn.axes = {0, 1, 2};
+  turn.words = {"X", "Z", "C"};
+  turn.spindles = {1};
+  turn.scheme = 1;
+  turn.schemes = {cartesian_scheme(1, {0, 1, 2}, {0, -1, 1})};
+  machine.channels = {turn};
+  return machine;
+}
+
+channels::MachineConfig machine_with_a_shared_axis() {
+  channels::MachineConfig machine;
+  machine.name = "shared";
+  machine.file = "shared.toml";
+  machine.axes = {linear_axis("X1"), linear_axis("X2"), rotary_axis("C")};
+  for (int k = 0; k < 2; ++k) {
+    channels::ChannelConfig channel;
+    channel.id = k + 1;
+    channel.name = "side" + std::to_string(k + 1);
+    channel.axes = {k, 2};
+    channel.words = {"X", "C"};
+    channel.scheme = 1;
+    channel.schemes = {cartesian_scheme(1, {0}, {0, -1, -1}),
+                       cartesian_scheme(2, {0, 1}, {0, -1, -1})};
+    machine.channels.push_back(channel);
+  }
+  return machine;
+}
+
 channels::MachineConfig two_channel_machine() {
   channels::MachineConfig machine;
   machine.name = "bench";

@@ -28,6 +28,14 @@ class MemoryFiles final : public lang::Files {
 // channel 2 is a master channel.
 [[nodiscard]] channels::MachineConfig two_channel_machine();
 
+// A lathe: X, Z 250 mm/s, 2500 mm/s2, 50000 mm/s3; spindle 1 to 3000 rev/min, which becomes C with
+// 120 deg/s, 1200, 24000 after M902.
+[[nodiscard]] channels::MachineConfig turning_machine();
+
+// Channels 1 and 2 with an axis of their own (X1 and X2, both called X) and C, which both have.
+// Schemes 1 leave C out, schemes 2 have it.
+[[nodiscard]] channels::MachineConfig machine_with_a_shared_axis();
+
 // Channels 1 to `count` with one axis X each (machine axes X1, X2, ...): 250 mm/s, 2500 mm/s2,
 // 50000 mm/s3.
 [[nodiscard]] channels::MachineConfig machine_of_one_axis_channels(int count);
