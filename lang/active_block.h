@@ -95,9 +95,9 @@ struct ActiveBlock : BlockSurroundings {
   bool stop_at_end = false;          // G9
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
 
-  // An action after which the position is known only when the axes stand (tip control, M902, G12.1) sets
-  // `awaits_position`. Is it still set after the execution, the first `actions_done` actions are
-  // done, and the block is to be executed again with this number when the position is known.
+  // An action after which the position is known only when the axes stand (tip control, M902, G12.1)
+  // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions
+  // are done, and the block is to be executed again with this number when the position is known.
   bool awaits_position = false;
   int actions_done = 0;
 
