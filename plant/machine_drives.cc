@@ -1,6 +1,8 @@
 // From the sections of a machine file to simulated drives.
 #include "plant/machine_drives.h"
 
+#include <algorithm>
+
 namespace stanok::plant {
 namespace {
 
@@ -18,6 +20,17 @@ VelocityLoopConfig velocity_loop(const config::SimulationConfig& simulation) {
           .damping = simulation.servo_damping,
           .resonance_hz = simulation.resonance_frequency_hz,
           .resonance_damping = simulation.resonance_damping};
+}
+
+// The motor of an axis that is a spindle until M902 reaches the speed of the spindle.
+void let_turn(const channels::SpindleConfig& spindle, std::vector<SimulatedDriveConfig>& drives) {
+  constexpr double deg_per_s_of_rev_per_min = 6.0;
+  constexpr double reserve = 1.2;
+  for (SimulatedDriveConfig& drive : drives) {
+    if (spindle.axis.empty() || drive.registers.axis != spindle.axis) continue;
+    drive.axis.velocity_max =
+        std::max(drive.axis.velocity_max, reserve * deg_per_s_of_rev_per_min * spindle.speed_max);
+  }
 }
 
 }  // namespace
@@ -50,6 +63,7 @@ std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) 
       drive.kind = DriveKind::velocity_axis;
   }
   for (const channels::SpindleConfig& spindle : machine.machine.spindles) {
+    let_turn(spindle, drives);
     SpindlePlantConfig plant{.acceleration = spindle.acceleration};
     if (spindle.speed_max > 0.0) {
       plant.speed_max = spindle.speed_max;

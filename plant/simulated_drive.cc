@@ -102,7 +102,7 @@ void SimulatedDrive::watch(double dt_s) RT_SAFE {
     following_error_s_ = 0.0;
     return;
   }
-  const double error = std::fabs(motor_->following_error(demand()));
+  const double error = follows_velocity() ? 0.0 : std::fabs(motor_->following_error(demand()));
   following_error_s_ = error > config_.watch.following_error_max ? following_error_s_ + dt_s : 0.0;
   if (following_error_s_ > config_.watch.following_error_time_s) {
     power_.trip(drives::fault_code::following_error);
@@ -169,7 +169,8 @@ drives::StatusBlock SimulatedDrive::status() RT_SAFE {
 drives::StatusBlock SimulatedDrive::measured_status() const RT_SAFE {
   const Motion& motion = motor_->motion();
   const bool is_following = power_.state() == DriveState::operation_enabled;
-  const double following_error = is_following ? motor_->following_error(demand()) : 0.0;
+  const double following_error =
+      is_following && !follows_velocity() ? motor_->following_error(demand()) : 0.0;
   const double power_w = (power_.is_powered() ? motor_->power_w() : 0.0) + load_.power_w;
   const double position_scale = config_.registers.position_scale;
   return {

@@ -216,6 +216,40 @@ TEST(VelocityDrive, FollowsTheTargetVelocityAndReportsItsErrorAgainstTheTargetPo
   EXPECT_NEAR(drive.motion().velocity, 0.0, 0.01);
 }
 
+// An axis of 100 deg/s that is a spindle of 6000 deg/s for a while.
+TEST(SpindleAxisDrive, TurnsWithinATurnThenHoldsWhereItStands) {
+  SimulatedDriveConfig axis = config();
+  axis.start = 0.0;
+  axis.axis.velocity_max = 7200.0;
+  SimulatedDrive drive(axis);
+  constexpr std::uint16_t spindle = 0x0F | drives::control::follow_velocity;
+  const auto run = [&](std::uint16_t word, double position, double velocity, int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      drive.command({.control_word = word,
+                     .target_position = static_cast<std::int32_t>(std::lround(position * 1e3)),
+                     .target_velocity = static_cast<std::int32_t>(std::lround(velocity * 1e3))});
+      drive.advance(1e-3);
+      EXPECT_EQ(drive.state(), DriveState::operation_enabled);
+      EXPECT_GE(drive.status().position, -2000);
+      EXPECT_LT(drive.status().position, 362000);
+    }
+  };
+  drive.command({.control_word = 0x06});
+  drive.command({.control_word = 0x0F});
+  for (int k = 1; k <= 600; ++k) run(spindle, 90.0, 10.0 * k, 1);
+  run(spindle, 90.0, 6000.0, 400);
+  EXPECT_NEAR(drive.motion().velocity, 6000.0, 1.0);
+  EXPECT_EQ(drive.status().following_error, 0);
+  for (int k = 599; k >= 0; --k) run(spindle, 90.0, 10.0 * k, 1);
+  run(spindle, 90.0, 0.0, 200);
+  // The sum of the velocities: 2 x 10 x 600 x 601 / 2 - 6000 on the ramps and 400 x 6000, per ms.
+  const double turned = 1e-3 * (10.0 * 600 * 601 - 6000.0 + 400 * 6000.0);
+  const double angle = drive.motion().position;
+  EXPECT_NEAR(std::remainder(angle - turned, 360.0), 0.0, 0.01);
+  run(0x0F, angle, 0.0, 300);
+  EXPECT_NEAR(drive.motion().position, angle, 0.001);
+}
+
 TEST(SpindleDrive, RunsAtTheTargetSpeed) {
   SimulatedDrive drive(spindle_drive(1, {.speed_max = 6000.0, .acceleration = 6000.0}));
   EXPECT_EQ(drive.config().registers.unit, 201);
