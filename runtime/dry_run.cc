@@ -213,6 +213,16 @@ void DryRun::take(const lang::Command& command, Reachability reachability, const
   }
 }
 
+// The end of a block with its words to the last bit: on a cylinder the path has lengths for
+// degrees.
+motion::Point DryRun::as_programmed(const lang::Move& move, const motion::PathBlock& block) const {
+  motion::Point end = blocks_.programmed(block.end);
+  for (std::size_t k = 0; k < end.size() && !move.machine_coordinates; ++k) {
+    if ((move.words >> k & 1U) != 0) end[k] = move.end[k];
+  }
+  return end;
+}
+
 void DryRun::take_move(const lang::Command& command, const lang::Move& move,
                        Reachability reachability, const RecordSink& record,
                        Diagnostics& diagnostics) {
@@ -224,7 +234,7 @@ void DryRun::take_move(const lang::Command& command, const lang::Move& move,
   };
   if (!block) return refuse(block.error());
   motion::PathBlock programmed = *block;
-  programmed.end = blocks_.programmed(block->end);
+  programmed.end = as_programmed(move, *block);
   record(command, &programmed);
   if (reachability == Reachability::unchecked) return;
   if (const auto pose = builder_.add(*block)) {

@@ -69,6 +69,8 @@ class DryRun {
                                                        const lang::SearchCollector& collector);
   void take(const lang::Command& command, Reachability reachability, const RecordSink& record,
             const RequestSink& request, Diagnostics& diagnostics);
+  [[nodiscard]] motion::Point as_programmed(const lang::Move& move,
+                                            const motion::PathBlock& block) const;
   void take_move(const lang::Command& command, const lang::Move& move, Reachability reachability,
                  const RecordSink& record, Diagnostics& diagnostics);
   void take_synchronous(const lang::Command& command, const lang::SynchronousMove& move,
