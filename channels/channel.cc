@@ -29,7 +29,10 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
   }
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
     path_.axes[k] = figures_.start[k];
-    drive_is_referenced_[k] = figures_.axes[k].homed_at_start;
+    // Ideal drives, until real ones answer.
+    feedback_[k].valid = true;
+    feedback_[k].enabled = true;
+    feedback_[k].referenced = figures_.axes[k].homed_at_start;
     setpoints_[k].position = figures_.start[k];
     setpoints_[k].position_code = motion::position_code(figures_.start[k], figures_.axes[k].codes);
   }
@@ -144,6 +147,8 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.point_W = path_.point;
   output.axes = setpoints_;
   output.drives = drives_;
+  output.has_feedback = !drives_are_ideal_;
+  output.feedback = feedback_;
   for (int k = 0; k < figures_.axis_count; ++k)
     output.drives[static_cast<std::size_t>(k)].follows_velocity = is_spindle_now(k);
 }

@@ -145,7 +145,7 @@ class Channel {
   }
   // The position of the axis belongs to the machine, as its drive says.
   [[nodiscard]] bool is_homed(int axis) const RT_SAFE {
-    return drive_is_referenced_[static_cast<std::size_t>(axis)];
+    return feedback_[static_cast<std::size_t>(axis)].referenced;
   }
   // rev/min, clockwise > 0; 0 is the master spindle. Nothing: the channel has no such spindle.
   [[nodiscard]] std::optional<double> spindle_speed(int id) const RT_SAFE;
@@ -292,12 +292,8 @@ class Channel {
   bool drives_answer_ = true;
   bool drives_ready_ = true;
   std::array<bool, motion::axes_max> drive_was_ready_{};  // since it was commanded on
-  std::array<bool, motion::axes_max> drive_is_referenced_{};
-  std::array<bool, motion::axes_max> drive_holds_axis_{};  // ideal drives always do
-  std::array<double, motion::axes_max> following_error_{};
-  std::array<bool, motion::axes_max> drive_brake_closed_{};
-  std::array<double, motion::axes_max> drive_position_{};
-  std::array<double, motion::axes_max> drive_velocity_{};
+  // What the drives told last; `enabled` and `referenced` count only while they are valid.
+  std::array<AxisFeedback, motion::axes_max> feedback_{};
   bool drives_are_ideal_ = true;
   lang::AxisSet spindle_axes_ = 0;  // axes that are spindles now
   lang::AxisSet owned_ = 0;         // that no other channel moves

@@ -57,12 +57,9 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     const auto i = static_cast<std::size_t>(k);
     const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
     drives_answer_ = drives_answer_ && drive.valid;
-    drive_is_referenced_[i] = drive.valid && drive.referenced;
-    drive_holds_axis_[i] = drive.valid && drive.enabled;
-    following_error_[i] = drive.setpoint - drive.position;
-    drive_brake_closed_[i] = drive.brake_closed;
-    drive_position_[i] = drive.position;
-    drive_velocity_[i] = drive.velocity;
+    feedback_[i] = drive;
+    feedback_[i].referenced = drive.valid && drive.referenced;
+    feedback_[i].enabled = drive.valid && drive.enabled;
     if (!drives_[i].enabled || !owns(k)) {
       drive_was_ready_[i] = false;
       continue;
@@ -79,7 +76,6 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
 }
 
 void Channel::make_regulators() {
-  drive_holds_axis_.fill(true);
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const AxisFigures& axis = figures_.axes[i];
@@ -96,10 +92,11 @@ void Channel::demand_velocities() RT_SAFE {
     AxisSetpoint& setpoint = setpoints_[i];
     if (figures_.axes[i].regulator.feedback == FeedbackPlace::drive) {
       setpoint.velocity_demand = setpoint.velocity;
-    } else if (drives_[i].enabled && drive_holds_axis_[i]) {
+    } else if (drives_[i].enabled && feedback_[i].enabled) {
       const double held_s = std::max(figures_.axes[i].regulator.demand_held_s, figures_.cycle_s);
       const motion::SetpointRates coming = motion::coming_rates(path_.axes[i], held_s);
-      setpoint.velocity_demand = regulators_[i].demand(following_error_[i], coming);
+      setpoint.velocity_demand =
+          regulators_[i].demand(feedback_[i].setpoint - feedback_[i].position, coming);
     } else {
       regulators_[i].reset();
       setpoint.velocity_demand = 0.0;

@@ -35,7 +35,7 @@ bool Channel::is_spindle_now(int axis) const RT_SAFE {
 bool Channel::spindle_stands(int id) const RT_SAFE {
   const auto s = static_cast<std::size_t>(spindle_index(id));
   const auto axis = static_cast<std::size_t>(figures_.spindle_axis[s]);
-  return spindles_[s].speed() == 0.0 && std::fabs(drive_velocity_[axis]) < standstill_deg_per_s;
+  return spindles_[s].speed() == 0.0 && std::fabs(feedback_[axis].velocity) < standstill_deg_per_s;
 }
 
 void Channel::stop_spindle(int id) RT_SAFE {
@@ -47,7 +47,7 @@ void Channel::close_position_loop(int id) RT_SAFE {
   const int axis = figures_.spindle_axis[s];
   const auto k = static_cast<std::size_t>(axis);
   if (!is_spindle_now(axis)) return;
-  const double angle = drives_are_ideal_ ? spindles_[s].angle_deg() : drive_position_[k];
+  const double angle = drives_are_ideal_ ? spindles_[s].angle_deg() : feedback_[k].position;
   path_.axes[k] = angle;
   setpoints_[k].position = angle;
   spindle_axes_ = static_cast<lang::AxisSet>(spindle_axes_ & ~(1U << axis));
@@ -57,7 +57,7 @@ void Channel::close_position_loop(int id) RT_SAFE {
 bool Channel::position_loop_is_closed(int id) const RT_SAFE {
   const auto axis = static_cast<std::size_t>(axis_of_spindle(id));
   return !is_spindle_now(static_cast<int>(axis)) && drives_[axis].enabled &&
-         drive_holds_axis_[axis];
+         feedback_[axis].enabled;
 }
 
 void Channel::open_position_loop(int id) RT_SAFE {

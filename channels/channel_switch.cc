@@ -39,7 +39,7 @@ int Channel::disobedient_axis() const RT_SAFE {
   const bool parks = item_.kind == ItemKind::park_axes;
   for (int axis = 0; axis < figures_.axis_count; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
-    const bool obeys = parks ? drive_brake_closed_[k] : drive_holds_axis_[k];
+    const bool obeys = parks ? feedback_[k].brake_closed : feedback_[k].enabled;
     if ((item_.axes >> axis & 1U) != 0 && !obeys) return axis;
   }
   return -1;

@@ -21,18 +21,6 @@
 
 namespace stanok::channels {
 
-// What the drives told, as far as it changes the outcome.
-struct AxisFeedback {
-  double position = 0.0;
-  double setpoint = 0.0;  // what the drive was told in the exchange that brought this position
-  double velocity = 0.0;
-  bool valid = false;  // an answer not older than the bus timeout
-  bool fault = false;
-  bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
-  bool referenced = false;  // the position belongs to the machine
-  bool brake_closed = true;
-};
-
 struct CycleInputs {
   std::span<const OperatorEvent> events;
   std::span<const AxisFeedback> feedback;  // machine axis order; empty: ideal drives

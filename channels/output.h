@@ -58,6 +58,18 @@ struct DriveCommand {
   bool follows_velocity = false;  // the axis is a spindle now; else its position loop is closed
 };
 
+// What the drives told, as far as it changes the outcome.
+struct AxisFeedback {
+  double position = 0.0;
+  double setpoint = 0.0;  // what the drive was told in the exchange that brought this position
+  double velocity = 0.0;
+  bool valid = false;  // an answer not older than the bus timeout
+  bool fault = false;
+  bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
+  bool referenced = false;  // the position belongs to the machine
+  bool brake_closed = true;
+};
+
 // Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].
 struct Signals {
   static constexpr int digital_count = 64;
@@ -104,6 +116,8 @@ struct ChannelOutput {
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
   std::array<AxisSetpoint, motion::axes_max> axes{};
   std::array<DriveCommand, motion::axes_max> drives{};
+  bool has_feedback = false;  // of drives; without, ideal ones are assumed
+  std::array<AxisFeedback, motion::axes_max> feedback{};  // that this cycle acted on
 };
 
 // Something that happened, for logs and operators; text is made elsewhere from the code

@@ -121,20 +121,27 @@ channel_state_t to_state(const channels::ChannelOutput& output, std::string_view
   return message;
 }
 
-drive_status_t to_drive_status(const channels::ChannelOutput& output,
-                               std::span<const channels::AxisFeedback> feedback,
-                               const Stamp& stamp) {
+drive_status_t to_drive_status(const channels::ChannelOutput& output, const Stamp& stamp) {
+  const auto& feedback = output.feedback;
+  const auto flags = [&](bool channels::AxisFeedback::* flag) {
+    return bits(output.axis_count, [&](std::size_t k) { return feedback[k].*flag; });
+  };
   auto message = zeroed<drive_status_t>();
   put_stamp(stamp, message);
   message.channel = output.id;
-  message.axis_count = std::min(output.axis_count, static_cast<std::int32_t>(feedback.size()));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(message.axis_count); ++k) {
+  message.axis_count = output.axis_count;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(output.axis_count); ++k) {
     message.position[k] = feedback[k].position;
+    message.velocity[k] = feedback[k].velocity;
     message.following_error[k] = feedback[k].setpoint - feedback[k].position;
   }
-  message.valid = bits(message.axis_count, [&](std::size_t k) { return feedback[k].valid; });
-  message.fault = bits(message.axis_count, [&](std::size_t k) { return feedback[k].fault; });
-  message.enabled = bits(message.axis_count, [&](std::size_t k) { return feedback[k].enabled; });
+  message.valid = flags(&channels::AxisFeedback::valid);
+  message.fault = flags(&channels::AxisFeedback::fault);
+  message.enabled = flags(&channels::AxisFeedback::enabled);
+  message.brake_closed = flags(&channels::AxisFeedback::brake_closed);
+  message.referenced = flags(&channels::AxisFeedback::referenced);
+  message.follows_velocity =
+      bits(output.axis_count, [&](std::size_t k) { return output.drives[k].follows_velocity; });
   return message;
 }
 

@@ -27,9 +27,7 @@ struct Stamp {
 [[nodiscard]] setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] channel_state_t to_state(const channels::ChannelOutput& output,
                                        std::string_view program, const Stamp& stamp);
-// `feedback` in the order of the channel's axes.
 [[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,
-                                             std::span<const channels::AxisFeedback> feedback,
                                              const Stamp& stamp);
 [[nodiscard]] workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] event_t to_event(const channels::Event& event, const Stamp& stamp);

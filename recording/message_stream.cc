@@ -69,6 +69,7 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
            Topic::setpoint);
     }
     state_when_due(output.cycle, channel);
+    drives_when_due(output.cycle, channel);
     workpiece_when_due(output.cycle, channel);
   }
 }
@@ -101,13 +102,6 @@ void MessageStream::text(const TextRecord& record) {
   } while (offset < record.text.size());
 }
 
-void MessageStream::drives(std::int64_t cycle, const channels::ChannelOutput& output,
-                           std::span<const channels::AxisFeedback> feedback) {
-  send_meta_when_due(cycle);
-  send(to_drive_status(output, feedback, next_stamp(cycle, output.id, Topic::drive)), output.id,
-       Topic::drive);
-}
-
 void MessageStream::set_program(int channel, std::string_view name) {
   STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
   programs_[static_cast<std::size_t>(channel)] = name;
@@ -117,6 +111,12 @@ void MessageStream::send_meta_when_due(std::int64_t cycle) {
   if (cycle < next_meta_cycle_) return;
   next_meta_cycle_ = cycle + meta_period_;
   send(to_log_meta(description_, next_stamp(cycle, 0, Topic::log_meta)), 0, Topic::log_meta);
+}
+
+void MessageStream::drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (!output.has_feedback || output.axis_count == 0 || cycle % state_period_ != 0) return;
+  send(to_drive_status(output, next_stamp(cycle, output.id, Topic::drive)), output.id,
+       Topic::drive);
 }
 
 void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {

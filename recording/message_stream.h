@@ -43,9 +43,6 @@ class MessageStream {
   void event(const channels::Event& event);
   void input(const channels::InputRecord& record);
   void text(const TextRecord& record);
-  // `feedback` in the order of the channel's axes; rate is the caller's choice.
-  void drives(std::int64_t cycle, const channels::ChannelOutput& output,
-              std::span<const channels::AxisFeedback> feedback);
 
   // Shown in the STATE messages of the channel from now on.
   void set_program(int channel, std::string_view name);
@@ -56,6 +53,7 @@ class MessageStream {
   [[nodiscard]] Stamp next_stamp(std::int64_t cycle, int channel, Topic topic);
   void send_meta_when_due(std::int64_t cycle);
   void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
   void send(const Message& message, int channel, Topic topic);

@@ -111,6 +111,56 @@ TEST(MessageStream, SendsAWorkpieceWhenItIsAnnouncedAndEveryMinuteFromThenOn) {
   EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_WORKPIECE"), 4);
 }
 
+TEST(Encode, TellsWhatTheDrivesReported) {
+  channels::ChannelOutput output = output_of(1).channels[0];
+  output.drives[1].follows_velocity = true;
+  output.feedback[0] = {.position = 12.0,
+                        .setpoint = 12.5,
+                        .velocity = -3.0,
+                        .valid = true,
+                        .fault = false,
+                        .enabled = false,
+                        .referenced = true,
+                        .brake_closed = true};
+  output.feedback[1] = {.position = 0.0,
+                        .setpoint = 0.0,
+                        .velocity = 0.0,
+                        .valid = true,
+                        .fault = true,
+                        .enabled = true,
+                        .referenced = false,
+                        .brake_closed = false};
+  const drive_status_t message = to_drive_status(output, {.utime = 1000, .cycle = 1, .seq = 0});
+  EXPECT_EQ(message.channel, output.id);
+  EXPECT_EQ(message.position[0], 12.0);
+  EXPECT_EQ(message.velocity[0], -3.0);
+  EXPECT_EQ(message.following_error[0], 0.5);
+  EXPECT_EQ(message.valid & 3, 3);
+  EXPECT_EQ(message.fault & 3, 2);
+  EXPECT_EQ(message.enabled & 3, 2);
+  EXPECT_EQ(message.referenced & 3, 1);
+  EXPECT_EQ(message.brake_closed & 3, 1);
+  EXPECT_EQ(message.follows_velocity & 3, 2);
+}
+
+TEST(MessageStream, SendsDrivesTwentyTimesASecondWhereThereAreSome) {
+  const auto file = test_file("lcm");
+  {
+    auto writer = LogWriter::open(file);
+    ASSERT_TRUE(writer);
+    LogDescription machine = small_machine();
+    machine.cycle_us = 1000;
+    MessageStream stream(machine, {writer->get()});
+    for (int cycle = 1; cycle <= 200; ++cycle) {
+      channels::CycleOutput output = output_of(cycle);
+      output.channels[0].has_feedback = cycle > 100;
+      stream.cycle(output);
+    }
+    ASSERT_TRUE((*writer)->flush());
+  }
+  EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_DRIVE"), 2);  // in cycles 150 and 200
+}
+
 TEST(Encode, WritesTheWorkpieceAsItIsKnown) {
   channels::ChannelOutput output = output_of(7).channels[0];
   output.workpiece.has_position = true;
