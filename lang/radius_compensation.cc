@@ -245,7 +245,8 @@ CompensationResult CompensationStage::finish() {
 
 // The held element up to `end` of its parallel, which cuts `cut` from it.
 CompensationResult CompensationStage::emit_held(PlanePoint end, double cut) {
-  const Held held = *std::exchange(held_, std::nullopt);
+  const Held held = std::move(*held_);
+  held_.reset();
   const double remaining = extent(held.element) - held.cut - cut;
   if (!held.lead_in && remaining < -same_point) {
     waiting_.clear();
