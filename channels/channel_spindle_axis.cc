@@ -29,7 +29,7 @@ int Channel::axis_of_spindle(int id) const RT_SAFE {
 }
 
 bool Channel::is_spindle_now(int axis) const RT_SAFE {
-  return (spindle_axes_ >> axis & 1U) != 0;
+  return axis >= 0 && (spindle_axes_ >> axis & 1U) != 0;
 }
 
 bool Channel::spindle_stands(int id) const RT_SAFE {
@@ -55,9 +55,10 @@ void Channel::close_position_loop(int id) RT_SAFE {
 }
 
 bool Channel::position_loop_is_closed(int id) const RT_SAFE {
-  const auto axis = static_cast<std::size_t>(axis_of_spindle(id));
-  return !is_spindle_now(static_cast<int>(axis)) && drives_[axis].enabled &&
-         feedback_[axis].enabled;
+  const int axis = axis_of_spindle(id);
+  if (axis < 0 || is_spindle_now(axis)) return false;
+  const auto k = static_cast<std::size_t>(axis);
+  return drives_[k].enabled && feedback_[k].enabled;
 }
 
 void Channel::open_position_loop(int id) RT_SAFE {
