@@ -207,61 +207,79 @@ MachineConfig two_sided_machine() {
   return machine;
 }
 
+// Every cycle of the two-sided machine: steps within the limits, one shared axis for both.
+class Watch {
+ public:
+  void look(const CycleOutput& output) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      const ChannelOutput& channel = output.channels[c];
+      changes += channel.scheme != schemes_[c] ? 1 : 0;
+      schemes_[c] = channel.scheme;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(channel.axis_count); ++k)
+        judge(channel, c, k);
+    }
+    ASSERT_EQ(output.channels[0].axes[1].position, output.channels[1].axes[1].position);
+  }
+
+  int changes = 0;      // of schemes
+  int conversions = 0;  // of the spindle to its axis
+
+ private:
+  void judge(const ChannelOutput& channel, std::size_t c, std::size_t k) {
+    const bool turns = channel.drives[k].follows_velocity;
+    const bool turned = turned_[c][k];
+    const double way = channel.axes[k].position - before_[c][k];
+    const double step = turns || turned ? std::remainder(way, 360.0) : way;
+    const double most = k == 0 ? 0.25 : turns || turned ? 1.8 : 0.12;  // 300 rev/min, 120 deg/s
+    ASSERT_LE(std::abs(step), most + 1e-9) << "channel " << c + 1 << " axis " << k;
+    conversions += turned && !turns ? 1 : 0;
+    turned_[c][k] = turns;
+    before_[c][k] = channel.axes[k].position;
+  }
+
+  std::array<std::array<double, 3>, 2> before_{};
+  std::array<std::array<bool, 3>, 2> turned_{};
+  std::array<int, 2> schemes_{1, 1};
+};
+
+// Two random programs at once, perhaps a hold, then a reset.
+void run_sequence(MachineBench& bench, Sequences& sequence, Watch& watch) {
+  for (const int channel : {1, 2}) {
+    const std::string name = "p" + std::to_string(channel) + ".nc";
+    bench.program(name, sequence.program(channel == 1));
+    bench.run(channel, name);
+  }
+  const auto cycles = [&](int count) {
+    for (int k = 0; k < count; ++k) watch.look(bench.cycle());
+  };
+  cycles(sequence.pick(10, 400));
+  if (sequence.pick(0, 1) == 1) {
+    bench.ask(OperatorAction::program_hold, sequence.pick(1, 2));
+    cycles(50);
+    bench.ask(OperatorAction::program_resume, 0);
+  }
+  cycles(100);
+  bench.ask(OperatorAction::program_reset, 1);
+  bench.ask(OperatorAction::program_reset, 2);
+  bench.run_to_end([&](const CycleOutput& output) { watch.look(output); }, 5000);  // or a wedge
+}
+
 TEST(SchemeSequences, RandomOnesKeepTheLimitsAndAlwaysComeToAnEnd) {
   constexpr int sequences = 1000;
   const std::vector<std::string> known = {"E5010", "E5102", "E5201", "E5202", "E5203", "E6003",
                                           "E4055", "E4056", "W0001", "E6004", "",      "E4010"};
   MachineBench bench(two_sided_machine());
   Sequences sequence(20261);
-  std::array<std::array<double, 3>, 2> before{};
-  std::array<bool, 2> was_spindle{};
-  int changes = 0;
-  int conversions = 0;
-  std::array<int, 2> schemes{1, 1};
-  const auto look = [&](const CycleOutput& output) {
-    for (std::size_t c = 0; c < 2; ++c) {
-      changes += output.channels[c].scheme != schemes[c] ? 1 : 0;
-      schemes[c] = output.channels[c].scheme;
-      conversions += was_spindle[c] && !output.channels[c].drives[2].follows_velocity ? 1 : 0;
-      const ChannelOutput& channel = output.channels[c];
-      for (std::size_t k = 0; k < static_cast<std::size_t>(channel.axis_count); ++k) {
-        const bool turns = channel.drives[k].follows_velocity;
-        const double step = turns || was_spindle[c]
-                                ? std::remainder(channel.axes[k].position - before[c][k], 360.0)
-                                : channel.axes[k].position - before[c][k];
-        const double most = k == 0 ? 0.25 : turns || was_spindle[c] ? 1.8 : 0.12;
-        ASSERT_LE(std::abs(step), most + 1e-9) << "channel " << c + 1 << " axis " << k;
-        before[c][k] = channel.axes[k].position;
-      }
-      was_spindle[c] = channel.drives[2].follows_velocity;
-    }
-    ASSERT_EQ(output.channels[0].axes[1].position, output.channels[1].axes[1].position);
-  };
-  for (int n = 0; n < sequences; ++n) {
+  Watch watch;
+  for (int n = 0; n < sequences && !::testing::Test::HasFailure(); ++n) {
     SCOPED_TRACE(::testing::Message() << "sequence " << n);
-    for (const int channel : {1, 2}) {
-      const std::string name = "p" + std::to_string(channel) + ".nc";
-      bench.program(name, sequence.program(channel == 1));
-      bench.run(channel, name);
-    }
-    const int cycles = sequence.pick(10, 400);
-    for (int k = 0; k < cycles; ++k) look(bench.cycle());
-    if (sequence.pick(0, 1) == 1) {
-      bench.ask(OperatorAction::program_hold, sequence.pick(1, 2));
-      for (int k = 0; k < 50; ++k) look(bench.cycle());
-      bench.ask(OperatorAction::program_resume, 0);
-    }
-    for (int k = 0; k < 100; ++k) look(bench.cycle());
-    bench.ask(OperatorAction::program_reset, 1);
-    bench.ask(OperatorAction::program_reset, 2);
-    bench.run_to_end(look, 5000);  // a wedge fails here
-    if (::testing::Test::HasFailure()) return;
+    run_sequence(bench, sequence, watch);
   }
   EXPECT_THAT(bench.event_codes(), ::testing::Each(::testing::AnyOfArray(known)));
   EXPECT_THAT(bench.event_codes(), Contains("E5203"));
   EXPECT_THAT(bench.event_codes(), Contains("E5102"));
-  EXPECT_GT(changes, 100);
-  EXPECT_GT(conversions, 100);
+  EXPECT_GT(watch.changes, 100);
+  EXPECT_GT(watch.conversions, 100);
 }
 
 }  // namespace
