@@ -38,8 +38,8 @@ AxisOwnership::Obstacle AxisOwnership::obstacle(int claimant, lang::AxisSet axes
     const Channel& other = channel(holder);
     const int theirs = other.axis_of_machine_axis(channel(claimant).machine_axis(axis));
     const bool is_used = contains(other.axes_of_scheme(), theirs);
-    const bool is_busy = other.is_running() || other.is_switching();
-    if (is_used && is_busy) return {axis, holder, true};
+    // During a change of scheme it is the coming scheme that counts, too.
+    if (other.is_switching() || (is_used && other.is_running())) return {axis, holder, true};
     if (is_used && !other.is_standing()) return {axis, holder, false};
   }
   return {};

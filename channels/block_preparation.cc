@@ -235,7 +235,7 @@ std::optional<Diagnostic> BlockPreparation::set_feed(const lang::Move& move,
       block.feed_per_s = move.feed / 60.0;
       break;
     case lang::FeedMode::inverse_time:
-      block.feed_per_s = block_length(motion_, position_W_, block) * move.feed / 60.0;
+      block.feed_per_s = length_of(block) * move.feed / 60.0;
       break;
     case lang::FeedMode::per_revolution:
       block.feed_per_s = move.feed * spindle_rev_per_min_ / 60.0;
@@ -264,6 +264,13 @@ std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move&
               std::to_string(scheme->config().id);
   d.help = {"change to a scheme with this axis by #kinematics, or take the word out"};
   return d;
+}
+
+// From where the path stands, in the workspace at hand: that of a face or cylinder, too.
+double BlockPreparation::length_of(const motion::PathBlock& block) const {
+  motion::MotionConfig motion = motion_;
+  motion.geometry = face_.geometry();
+  return block_length(motion, position_W_, block);
 }
 
 // A blend at the end of the block may come nearer than the block itself.
@@ -325,7 +332,7 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
       part.ending = motion::BlockEnding::continuous;
       part.end = point_on(start, whole->end, stretch, plane);
     }
-    length += block_length(motion_, position_W_, part);
+    length += length_of(part);
     position_W_ = part.end;
     blocks.push_back(part);
   }

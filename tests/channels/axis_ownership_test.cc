@@ -71,6 +71,15 @@ TEST_F(SharedAxis, OfARunningChannelIsRefusedByName) {
   EXPECT_EQ(bench.channel(2).scheme, 1);
 }
 
+TEST_F(SharedAxis, CannotBeTakenFromASchemeThatIsAboutToHaveIt) {
+  run(1, "#kinematics (2, 1)\nG0 C30\nM30\n");
+  run(2, "#kinematics (2, 2)\nG0 C-30\nM30\n");
+  to_end();
+  EXPECT_THAT(bench.alarm_codes(), Contains("E5203"));
+  EXPECT_NEAR(bench.channel(1).axes[C].position, 30.0, 1e-9);
+  EXPECT_EQ(bench.channel(2).scheme, 1);
+}
+
 TEST_F(SharedAxis, OfAHeldChannelIsRefused) {
   run(1, "#kinematics (2, 1)\nG1 C300 F3000\nM30\n");
   cycles(500);

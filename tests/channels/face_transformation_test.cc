@@ -193,6 +193,23 @@ TEST_F(Face, AWorkOffsetOfCTurnsTheFace) {
   EXPECT_NEAR(x, 20.0 * std::numbers::sqrt2, 1e-9);
 }
 
+TEST_F(Face, InverseTimeCountsTheWayOverTheFace) {
+  // 15 mm along X and 20 mm along C, 25 mm, in 2 s: F30 per minute.
+  std::int64_t cycles = 0;
+  double fastest = 0.0;
+  run("G94 G8 M902\nG0 X30 C0\nG12.1\nG1 F1000 X30 C0\nG93 G1 X15 C20 F30\nG94\nG13.1\nM0\nM30\n",
+      [&](const ChannelOutput& channel) {
+        if (channel.tag.line != 5 || !channel.moving) return;
+        const Vector v = velocity_on_face(channel);
+        fastest = std::max(fastest, std::hypot(v.x, v.y));
+        ++cycles;
+      });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_NEAR(fastest, 12.5, 1e-6);
+  EXPECT_GT(cycles, 2000);
+  EXPECT_LT(cycles, 2200);
+}
+
 TEST_F(Face, EndsWhereItStandsInDegrees) {
   run("G94 G8 M902\nG0 X20 C0\nG12.1\nG1 F1000 X20 C20\nG13.1\n"
       "if (abs ($pos[C] - 45) > 1e-6) { terminate (1001, \"not 45\"); }\nM30\n");
