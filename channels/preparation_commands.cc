@@ -69,6 +69,7 @@ void Preparation::take(const lang::Command& command) {
                      take_state(command);
                    }
                  },
+                 [&](const lang::FeedLawChange&) { refuse(command, "a feed law"); },
                  [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
                  [&](const lang::OutputCommand& output) { add_output(command, output); },
                  [&](const lang::MachineFunction& function) {

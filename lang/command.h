@@ -42,6 +42,48 @@ struct PathControl {
 
 enum class MoveKind : std::uint8_t { rapid, line, arc };
 
+// How the feed, and with it perhaps the speed of the spindle, steps along the path (seed 000).
+// Feeds in mm/min or mm/rev as `feed_mode` says, lengths of path in mm, speeds in rev/min or m/min
+// as `speed` says. Values stand as programmed: whether they are multiples of the machine's
+// discretes, and whether the feed stays positive over the path, is known only where the path is.
+struct FeedLaw {
+  enum class Kind : std::uint8_t {
+    off,
+    linear,       // S_n, then a step of dS after every |dl|; with or without speed
+    modulated,    // Smin, n_s steps of dS up, n_s down, and so on
+    interrupted,  // a way L_B at the programmed feed, then the time that L_A would take, standing
+    curve,        // feeds over points of the path
+  };
+  enum class Speed : std::uint8_t { unchanged, rev_per_min, m_per_min };
+  struct CurvePoint {
+    double way_mm = 0.0;
+    double feed = 0.0;
+    double speed = 0.0;
+  };
+
+  Kind kind = Kind::off;
+  FeedMode feed_mode = FeedMode::per_minute;
+  double feed_first = 0.0;   // S_n, Smin
+  double feed_step = 0.0;    // dS > 0; linear: its direction is that of `falls`
+  bool falls = false;        // linear: dl < 0, or S_k < S_n
+  double way_step_mm = 0.0;  // |dl|; 0: follows from the length of the block and `feed_last`
+  double feed_last = 0.0;    // S_k; modulated: Smax
+  int steps = 0;             // n_s of the modulated law
+  double stand_mm = 0.0;     // L_A
+  double cut_mm = 0.0;       // L_B
+  Speed speed = Speed::unchanged;
+  double speed_first = 0.0;  // n_n, v_n
+  double speed_step = 0.0;   // dn, dv, signed; with way_step_mm == 0: from `speed_last`
+  double speed_last = 0.0;   // n_k, v_k
+  std::vector<CurvePoint> curve;
+};
+
+// A law for the motion that follows: until the next change, or for the next motion only.
+struct FeedLawChange {
+  FeedLaw law;
+  bool of_next_block = false;  // the modal law is suspended meanwhile and its path does not count
+};
+
 struct Move {
   MoveKind kind = MoveKind::rapid;
   bool machine_coordinates = false;  // G53: `end` is in M for the words named
