@@ -97,10 +97,12 @@ class Parser {
   bool parse_plain_value(IsoWord& word);
   void apply_alias(IsoWord& word) const;
   bool parse_parameter_setting(IsoBlock& block);
-  bool parse_comment(IsoBlock& block);
   bool add_word(IsoBlock& block, IsoWord word);
   bool end_iso_in_braces();
   bool is_named_address(std::string_view name) const;
+
+  // parser_comment.cc: comments in ISO blocks
+  bool parse_comment(IsoBlock& block);
   Expression comment_text(std::string_view text, const Span& span);
 
   // parser_bracket.cc: values and expressions of the RS274 kind
