@@ -1,43 +1,9 @@
 #include "client/record_text.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
+#include "client/record_parts.h"
 
 namespace stanok::client {
 namespace {
-
-using Words = std::vector<std::string>;
-
-template <class... Arguments>
-void append(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-}
-
-// A JSON string: quotes, backslashes and control characters escaped.
-void append_string(std::string& text, std::string_view value) {
-  text += '"';
-  for (const char c : value) {
-    if (c == '"' || c == '\\') {
-      text += '\\';
-      text += c;
-    } else if (static_cast<unsigned char>(c) < ' ') {
-      append(text, "\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      text += c;
-    }
-  }
-  text += '"';
-}
-
-void append_axes(std::string& text, const Words& words, const motion::Point& point) {
-  text += '{';
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    append(text, R"({}"{}":{})", k == 0 ? "" : ",", words[k], point[k]);
-  }
-  text += '}';
-}
 
 const char* name_of(lang::FeedMode mode) {
   switch (mode) {
@@ -114,22 +80,6 @@ const char* name_of(lang::RequestKind kind) {
       return "shared_write";
     case RequestKind::program_restart:
       return "program_restart";
-  }
-  return "";
-}
-
-const char* name_of(lang::SpindleAction action) {
-  switch (action) {
-    case lang::SpindleAction::set_speed:
-      return "speed";
-    case lang::SpindleAction::clockwise:
-      return "clockwise";
-    case lang::SpindleAction::counter_clockwise:
-      return "counter_clockwise";
-    case lang::SpindleAction::stop:
-      return "stop";
-    case lang::SpindleAction::orient:
-      return "orient";
   }
   return "";
 }
@@ -252,7 +202,7 @@ struct Fields {
   }
   void operator()(const lang::SpindleCommand& spindle) const {
     kind("spindle");
-    append(text, R"(,"spindle":{},"action":"{}")", spindle.spindle, name_of(spindle.action));
+    append(text, R"(,"spindle":{},"action":"{}")", spindle.spindle, action_name(spindle.action));
     if (spindle.cutting_speed_m_per_min > 0.0) {
       append(text, R"(,"cutting_speed":{})", spindle.cutting_speed_m_per_min);
     } else {
@@ -360,52 +310,6 @@ void append_record(std::string& text, const lang::Command& command, const motion
                    const Words& words) {
   append(text, R"({{"line":{})", command.origin.line);
   std::visit(Fields{text, block, words}, command.payload);
-  text += "}\n";
-}
-
-namespace {
-
-void append_spindles(std::string& text, const lang::SearchState& state) {
-  text += R"(,"spindles":[)";
-  const char* comma = "";
-  for (const auto& [id, spindle] : state.spindles) {
-    const auto speed = state.speeds.find(id);
-    append(text, R"({}{{"spindle":{},"action":"{}","speed_rev_per_min":{}}})", comma, id,
-           name_of(spindle.action), speed == state.speeds.end() ? 0.0 : speed->second);
-    comma = ",";
-  }
-  text += ']';
-}
-
-void append_omissions(std::string& text, const lang::SearchState& state) {
-  text += R"(,"not_executed":[)";
-  const char* comma = "";
-  for (const auto& omission : state.omissions) {
-    append(text, R"({}{{"what":"{}","count":{},"first_line":{}}})", comma, omission.what,
-           omission.count, omission.first.line);
-    comma = ",";
-  }
-  text += ']';
-}
-
-}  // namespace
-
-void append_search(std::string& text, const lang::SearchState& state, const lang::Origin& target,
-                   const Words& words) {
-  append(text, R"({{"line":{},"kind":"search","file":{},"calculated":{})", target.line, target.file,
-         state.calculated);
-  if (state.calculated) {
-    motion::Point position{};
-    std::copy(state.position_W.begin(), state.position_W.end(), position.begin());
-    text += R"(,"position":)";
-    append_axes(text, words, position);
-    append(text, R"(,"work_offset":{},"tool":{},"tool_prepared":{},"length":[{}])",
-           state.frame.work_offset, state.tool, state.tool_prepared,
-           fmt::join(state.length.offset_mm, ","));
-    append_spindles(text, state);
-    append(text, R"(,"mist":{},"flood":{})", state.coolant.mist, state.coolant.flood);
-    append_omissions(text, state);
-  }
   text += "}\n";
 }
 
