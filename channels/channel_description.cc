@@ -20,6 +20,17 @@ int spindle_of_axis(const MachineConfig& machine, const ChannelConfig& channel,
   return 0;
 }
 
+// The smallest step of the channel's linear axes, mm; 0 without one.
+double finest_resolution(const MachineConfig& machine, const ChannelConfig& channel) {
+  double finest = 0.0;
+  for (const int index : channel.axes) {
+    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(index)];
+    if (axis.rotary || axis.resolution <= 0.0) continue;
+    finest = finest == 0.0 ? axis.resolution : std::min(finest, axis.resolution);
+  }
+  return finest;
+}
+
 }  // namespace
 
 lang::ChannelDescription channel_description(const MachineConfig& machine,
@@ -42,6 +53,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
                                 .modulo_deg = axis.modulo_deg,
                                 .spindle = spindle_of_axis(machine, channel, axis.name)});
   }
+  description.finest_resolution_mm = finest_resolution(machine, channel);
   const std::array<int, 3> geometry = geometry_axes(channel);
   for (std::size_t k = 0; k < geometry.size(); ++k) {
     if (geometry[k] >= 0) {
@@ -54,7 +66,9 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
     }
   }
   for (const auto& [letter, address] : channel.address_alias) {
-    description.address_alias.push_back({letter.front(), address});
+    if (const auto read = lang::read_address_alias(letter, address, channel.kind, channel.words)) {
+      description.address_alias.push_back(*read);
+    }
   }
   for (const ChannelConfig& any : machine.channels) {
     description.channels.push_back(any.id);
@@ -65,6 +79,12 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
 
 std::optional<std::string> fault_of_code(std::string_view code, std::string_view meaning) {
   const auto read = lang::read_user_code(code, meaning);
+  return read ? std::nullopt : std::optional(read.error());
+}
+
+std::optional<std::string> fault_of_alias(std::string_view letter, std::string_view address,
+                                          const ChannelConfig& channel) {
+  const auto read = lang::read_address_alias(letter, address, channel.kind, channel.words);
   return read ? std::nullopt : std::optional(read.error());
 }
 

@@ -16,5 +16,9 @@ namespace stanok::channels {
 // What is wrong with an entry of ChannelConfig::codes, if anything is.
 [[nodiscard]] std::optional<std::string> fault_of_code(std::string_view code,
                                                        std::string_view meaning);
+// What is wrong with an entry of ChannelConfig::address_alias of this channel, if anything is.
+[[nodiscard]] std::optional<std::string> fault_of_alias(std::string_view letter,
+                                                        std::string_view address,
+                                                        const ChannelConfig& channel);
 
 }  // namespace stanok::channels

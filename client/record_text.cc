@@ -1,5 +1,6 @@
 #include "client/record_text.h"
 
+#include "client/feed_law_text.h"
 #include "client/record_parts.h"
 
 namespace stanok::client {
@@ -190,6 +191,11 @@ struct Fields {
     end_fields();
     append(text, R"(,"feed":{},"until_contact":{},"alarm_when_missed":{})", probe.line.feed,
            probe.until_contact, probe.alarm_when_missed);
+  }
+  void operator()(const lang::FeedLawChange& change) const {
+    kind("feed_law");
+    append(text, R"(,"of_next_block":{},"feed_law":)", change.of_next_block);
+    append_feed_law(text, change.law);
   }
   void operator()(const lang::TransformationChange& change) const {
     kind("offset");

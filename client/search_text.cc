@@ -1,6 +1,7 @@
 // The line about a block search.
 #include <algorithm>
 
+#include "client/feed_law_text.h"
 #include "client/record_parts.h"
 #include "client/record_text.h"
 
@@ -46,6 +47,8 @@ void append_search(std::string& text, const lang::SearchState& state, const lang
            fmt::join(state.length.offset_mm, ","));
     append_spindles(text, state);
     append(text, R"(,"mist":{},"flood":{})", state.coolant.mist, state.coolant.flood);
+    text += R"(,"feed_law":)";
+    append_feed_law(text, state.feed_law);
     append_omissions(text, state);
   }
   text += "}\n";

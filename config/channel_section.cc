@@ -59,7 +59,8 @@ const Keys<ChannelFile>& channel_keys() {
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",
        "what T says: the tool, or tool and edge (T0101)", one_of({"plain", "tool_edge"})},
       {"address_alias", at<&ChannelFile::channel, &ChannelConfig::address_alias>, optional, "",
-       "free single letters that stand for named addresses (E = \"dS\")"},
+       "free letters that stand for named addresses (E = \"dS\"): A, B, C, E and, but on a lathe, "
+       "V and W, as far as they are no axes"},
       {"codes", at<&ChannelFile::channel, &ChannelConfig::codes>, optional, "",
        "G and M codes of the user: the program they call (G200 = \"cycles/groove.nc\", G201 = "
        "\"lib.nc:slot\" for a function of it), or M100 to M899 as output before, after or "
@@ -136,7 +137,7 @@ void check_spindles(const toml::table& table, const ChannelConfig& channel,
   }
 }
 
-void check_names(const toml::table& table, const Scope& scope) {
+void check_names(const toml::table& table, const ChannelConfig& channel, const Scope& scope) {
   if (const toml::table* codes = table["codes"].as_table()) {
     for (const auto& [key, node] : *codes) {
       const auto fault =
@@ -146,8 +147,10 @@ void check_names(const toml::table& table, const Scope& scope) {
   }
   if (const toml::table* aliases = table["address_alias"].as_table()) {
     for (const auto& [key, node] : *aliases) {
-      if (key.str().size() == 1 && key.str()[0] >= 'A' && key.str()[0] <= 'Z') continue;
-      scope.fault(key.source(), "'" + std::string(key.str()) + "' is no single capital letter");
+      const auto address = node.value<std::string>();
+      if (!address) continue;
+      const auto fault = channels::fault_of_alias(key.str(), *address, channel);
+      if (fault) scope.fault(key.source(), *fault);
     }
   }
 }
@@ -252,7 +255,7 @@ ChannelConfig read_channel(const toml::table& table, const MachineConfig& machin
   resolve_axes(table, file, machine, channel, scope);
   if (!table.contains("words")) channel.words = file.axes;
   check_spindles(table, channel, machine, scope);
-  check_names(table, scope);
+  check_names(table, channel, scope);
   // A wrong axis is one fault, not one more for every word and scheme that counts on it.
   const bool axes_are_right = channel.axes.size() == file.axes.size();
   if (axes_are_right) check_words(table, channel, scope);

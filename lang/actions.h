@@ -13,6 +13,8 @@ struct BlockCodes;
 
 // Feed, speed, tool and machine functions (actions_machine.cc)
 void take_feed(ActiveBlock& block, CodeNumber);
+// F alone, while no feed law is modal.
+void set_feed(ActiveBlock& block);
 void take_tool(ActiveBlock& block, CodeNumber);
 void select_feed_mode(ActiveBlock& block, CodeNumber code);     // G93 G94 G95
 void select_path_mode(ActiveBlock& block, CodeNumber code);     // G60 G61 G61.1 G64
@@ -37,6 +39,22 @@ void only_modal(ActiveBlock& block, CodeNumber code);
 
 // What the modal state says about the overrides, as a command.
 [[nodiscard]] OverrideControl override_control_of(const ModalState& modal);
+
+// Feed laws (actions_feed_law.cc)
+void take_feed_law(ActiveBlock& block, CodeNumber);  // S_n, dS, dl, ...
+[[nodiscard]] bool has_feed_law(const BlockWords& words);
+// Why the block cannot have the law that its words say, nothing when it can or says none; `moves`:
+// it is one of a motion, or has axis words for another code.
+[[nodiscard]] std::optional<BlockFault> check_feed_law(const BlockWords& words,
+                                                       const BlockCodes& codes, bool moves);
+// What the surroundings of a law must be; false, with the block failed at `word`, when they are
+// not. `what`: "`n_n` = 500".
+[[nodiscard]] bool allows_feed_law(ActiveBlock& block, const WordName& word);
+[[nodiscard]] bool spindle_takes_law(ActiveBlock& block, const WordName& word,
+                                     const std::string& what);
+// The law is the modal one from here on; FeedLaw{}: none is.
+void set_feed_law(ActiveBlock& block, FeedLaw law);
+void end_feed_law(ActiveBlock& block);
 
 // Inputs and outputs (actions_signal.cc)
 void switch_output(ActiveBlock& block, CodeNumber code);      // M62 M63 M64 M65
@@ -114,6 +132,7 @@ void cancel_transformation(ActiveBlock& block, CodeNumber code);  // G13.1
 // Parts that all changes of the frame share.
 
 // Parts of a saved state.
+void restore_feed_law(ActiveBlock& block, const ModalState& saved);  // and F
 void restore_work_offset(ActiveBlock& block, const ModalState& saved);
 void restore_shifts(ActiveBlock& block, const ModalState& saved);  // G52, G92, G68, G51, G51.1
 void restore_spindle_mode(ActiveBlock& block, const ModalState& saved);
@@ -196,6 +215,8 @@ void resolve_ends(const ActiveBlock& block, Move& move);
 [[nodiscard]] bool is_length(const ActiveBlock& block, std::size_t axis);
 // Feed and path mode; fails the block when a feed is missing.
 void resolve_feed(ActiveBlock& block, Move& move);
+// The same, in a block without a feed law of its own.
+void resolve_modal_feed(ActiveBlock& block, Move& move);
 // Tool length along an axis, as far as it lies between the axis and the programmed point, mm.
 [[nodiscard]] double length_along(const ActiveBlock& block, const AxisDescription& axis);
 // Puts the programmed point to the end of `move`.

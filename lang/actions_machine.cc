@@ -31,6 +31,11 @@ bool changes_at_tool_word(const ActiveBlock& block) {
 void only_modal(ActiveBlock&, CodeNumber) {}
 
 void take_feed(ActiveBlock& block, CodeNumber) {
+  set_feed(block);
+  if (!block.failed()) end_feed_law(block);
+}
+
+void set_feed(ActiveBlock& block) {
   const double feed = block.value('F');
   if (feed < 0.0) {
     block.fail("E4022", {'F', -1, {}}, "the feed must not be negative", "negative feed");
@@ -95,7 +100,10 @@ void set_tool_number(ActiveBlock& block, CodeNumber) {
 }
 
 void select_feed_mode(ActiveBlock& block, CodeNumber code) {
-  if (block.modal.code(Group::feed_mode) != code) block.modal.feed_known = false;
+  if (block.modal.code(Group::feed_mode) == code) return;
+  block.modal.feed_known = false;
+  block.modal.feed_behind_law = false;
+  end_feed_law(block);
 }
 
 void select_path_mode(ActiveBlock& block, CodeNumber code) {

@@ -75,6 +75,13 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
 }
 
 void resolve_feed(ActiveBlock& block, Move& move) {
+  if (block.law_feed == 0.0 || move.kind == MoveKind::rapid) return resolve_modal_feed(block, move);
+  move.path = block.modal.path;
+  move.feed_mode = block.modal.feed_mode();
+  move.feed = block.law_feed;
+}
+
+void resolve_modal_feed(ActiveBlock& block, Move& move) {
   const ModalState& modal = block.modal;
   move.path = modal.path;
   move.feed_mode = modal.feed_mode();
@@ -89,6 +96,10 @@ void resolve_feed(ActiveBlock& block, Move& move) {
   }
   move.feed = linear && !inverse_time ? modal.feed_mm : modal.feed_programmed;
   if (!modal.feed_known || move.feed <= 0.0) {
+    if (modal.feed_law.gives_feed()) {
+      move.feed = modal.feed_law.feed_first;
+      return;
+    }
     block
         .fail("E4020", {}, modal.feed_known ? "motion at feed with F0" : "motion at feed without F",
               "no feed")

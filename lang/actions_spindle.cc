@@ -12,8 +12,6 @@
 namespace stanok::lang {
 namespace {
 
-constexpr double m_per_foot = 0.3048;
-
 // Index of a spindle among those of the channel; the master spindle is the first.
 std::size_t index_of(const ActiveBlock& block, int spindle) {
   const std::vector<int>& known = block.channel.spindles;
@@ -196,6 +194,13 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
     return;
   }
   if (refuse_spindle_that_is_axis(block, *spindle, {'G', code, {}})) return;
+  if (modal.feed_law.speed != FeedLaw::Speed::unchanged) {
+    block
+        .fail("E4344", {'G', code, {}}, "`G96` while a feed law gives the speed of the spindle",
+              "who gives the speed?")
+        .help.emplace_back("end the law with `#feedlaw (off)` or an F word before");
+    return;
+  }
   if (block.has('D')) modal.speed_limit_rev_per_min = block.value('D');
   if (block.has('S')) modal.cutting_speed_m_per_min = cutting_speed(block);
   modal.cutting_spindle = *spindle;

@@ -94,6 +94,7 @@ struct ActiveBlock : BlockSurroundings {
   bool machine_coordinates = false;  // G53
   bool stop_at_end = false;          // G9
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
+  double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
 
   // An action after which the position is known only when the axes stand (tip control, M902, G12.1)
   // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lang/actions.h"
+#include "lang/feed_law_words.h"
 #include "lang/macro_arguments.h"
 #include "lang/number.h"
 #include "lang/source.h"
@@ -78,7 +79,7 @@ std::optional<BlockFault> check_master(const BlockWords& words, const ChannelDes
                     "a master channel has no axes and no spindle");
   }
   for (const NamedWord& word : words.named) {
-    if (!spindle_of_indexed_speed(word)) continue;
+    if (!spindle_of_indexed_speed(word) && !is_law_address(word.name)) continue;
     return fault_at("E4009", {0, -1, word.name}, "`" + word.name + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
@@ -90,6 +91,12 @@ std::optional<BlockFault> missing_axes(const BlockCodes& codes, bool any_axis_wo
   if (user == nullptr || user->axes != AxisWords::required || any_axis_word) return std::nullopt;
   return fault_at("E4007", {user->letter, user->number, {}},
                   "`" + code_text(user->letter, user->number) + "` needs an axis word", "");
+}
+
+// Whether a named word may be one of an axis.
+bool any_named_axis(const BlockWords& words) {
+  return std::any_of(words.named.begin(), words.named.end(),
+                     [](const NamedWord& word) { return !is_law_address(word.name); });
 }
 
 // Units and diameter mode set in a block hold for its own words too.
@@ -203,6 +210,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   for (const NamedWord& word : block.words.named) {
     if (block.channel_words.axis_called(word.name) >= 0) continue;
     if (spindle_of_indexed_speed(word) || is_word_of_spindle_axis(codes, word)) continue;
+    if (is_law_address(word.name)) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
                "unused word");
   }
@@ -267,7 +275,6 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   const char dwell = dwell_word(words, codes);
   const LetterSet dwell_set = dwell == 0 ? 0 : letter_bit(dwell);
   LetterSet axes = customary_axis_letters;
-  const bool any_named_axis = !words.named.empty();
   if (channel != nullptr) {
     if (auto fault = check_master(words, *channel)) return fault;
     axes = channel_words->letters() | channel_words->incremental_letters();
@@ -276,7 +283,12 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
   const LetterSet unused = words.letters & ~allowed;
   if (unused != 0) return unused_word(unused, channel);
-  return missing_axes(codes, any_named_axis || (words.letters & axes & ~dwell_set) != 0);
+  bool any_axis_word = (words.letters & axes & ~dwell_set) != 0;
+  if (!words.named.empty()) {
+    any_axis_word = any_axis_word || any_named_axis(words);
+    if (auto fault = check_feed_law(words, codes, any_axis_word)) return fault;
+  }
+  return missing_axes(codes, any_axis_word);
 }
 
 bool dwells_suspiciously_long(const BlockWords& words) {
@@ -309,6 +321,10 @@ void execute_block(ActiveBlock& block) {
   }
   add_modal_motion(block, codes, block.words.letters & ~codes.words);
   if (block.failed()) return;
+  if (auto fault = check_feed_law(block.words, codes, block.programmed != 0)) {
+    block.fault = std::move(fault);
+    return;
+  }
   check_unused(block, codes);
   check_shared_words(block, codes);
   check_incremental_words(block, codes);
@@ -328,8 +344,8 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   const LetterSet axes = words.letters & block.channel_words.letters();
   if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
   if (words.has('F')) {
-    if (words.value('F') <= 0.0) return false;
-    take_feed(block, 0);
+    if (words.value('F') <= 0.0 || block.modal.feed_law.kind != FeedLaw::Kind::off) return false;
+    set_feed(block);
   } else if (motion == 10 && (!block.modal.feed_known || block.modal.feed_programmed <= 0.0)) {
     return false;
   }
@@ -339,7 +355,7 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   move = {};
   move.kind = motion == 0 ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
-  resolve_feed(block, move);
+  resolve_modal_feed(block, move);
   if (block.failed()) return false;
   advance_position(block, move);
   if (block.modal.code(Group::motion) != motion) block.set_modal(Group::motion, motion);

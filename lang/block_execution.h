@@ -11,7 +11,7 @@ namespace stanok::lang {
 
 // The rows of all codes of a block and what they claim together.
 struct BlockCodes {
-  static constexpr int capacity = 2 * CodeList::capacity + 4;  // + F, S, T and the modal motion
+  static constexpr int capacity = 2 * CodeList::capacity + 5;  // + F, law, S, T, modal motion
   std::array<const Code*, capacity> rows{};
   int count = 0;
   GroupSet groups = 0;

@@ -159,6 +159,9 @@ void SearchCollector::take(const Command& command) {
                    }
                  },
                  [&](const CoolantCommand& coolant) { state_.coolant = coolant; },
+                 [&](const FeedLawChange& change) {
+                   if (!change.of_next_block) state_.feed_law = change.law;
+                 },
                  [&](const ToolPrepare& prepare) { state_.tool_prepared = prepare.tool; },
                  [&](const ToolChange& change) {
                    state_.tool = change.tool;

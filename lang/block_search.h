@@ -50,6 +50,7 @@ struct SearchState {
   std::map<int, SpindleCommand> spindles;  // the last command of each
   std::map<int, double> speeds;            // rev/min
   CoolantCommand coolant;
+  FeedLaw feed_law;  // modal
   int tool_prepared = 0;
   int tool = 0;
   bool tool_changed = false;

@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "lang/actions.h"
+#include "lang/feed_law_words.h"
+#include "lang/named_address.h"
 #include "lang/source.h"
 
 namespace stanok::lang {
@@ -18,6 +20,10 @@ constexpr int output_last = 8990;
 constexpr auto fixed_g =
     std::to_array<int>({0, 10, 20, 30, 170, 180, 190, 200, 210, 400, 530, 650, 900, 910});
 constexpr auto fixed_m = std::to_array<int>({0, 10, 20, 300, 980, 990, 9020, 9030});
+
+// Letters that codes of every channel take (E only few of them, which then have it in their
+// blocks), and the axes of every drawing.
+constexpr LetterSet taken_letters = letters_of("DFGHIJKLMNOPQRSTUXYZ");
 
 bool is_fixed(char letter, int number) {
   const auto has = [number](const auto& list) {
@@ -153,6 +159,33 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
                           "' is neither a program file nor before, after or with_motion");
   }
   return made;
+}
+
+Expected<AddressAlias, std::string> read_address_alias(std::string_view letter,
+                                                       std::string_view address, ChannelKind kind,
+                                                       std::span<const std::string> axis_words) {
+  const std::string name = "'" + std::string(letter) + "'";
+  const auto is_axis = [&](std::string_view word) {
+    return std::ranges::find(axis_words, word) != axis_words.end();
+  };
+  if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
+    return tl::unexpected(name + " is no single capital letter");
+  }
+  if (is_axis(letter)) {
+    return tl::unexpected(name + " is an axis of the channel; use a letter that is free");
+  }
+  const LetterSet taken =
+      kind == ChannelKind::lathe ? taken_letters | letters_of("UVW") : taken_letters;
+  if ((taken & letter_bit(letter[0])) != 0) {
+    return tl::unexpected(name + " has a meaning in every program; A, B, C and E can be free" +
+                          (kind == ChannelKind::lathe ? "" : ", V and W too"));
+  }
+  const std::string_view known = find_named_address(address);
+  if (is_law_address(known)) return AddressAlias{letter[0], std::string(known)};
+  if (address.size() > 1 && is_axis(address)) return AddressAlias{letter[0], std::string(address)};
+  return tl::unexpected("'" + std::string(address) +
+                        "' is no named address; use one of a feed law, as dS, or an axis word of "
+                        "more than one character");
 }
 
 }  // namespace stanok::lang

@@ -2,6 +2,7 @@
 // addresses. It holds for every text the channel executes, included files too.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,5 +50,12 @@ struct MacroCode {
 // stands to the motion of its block), "wait" behind it. The error says what is wrong.
 [[nodiscard]] Expected<UserCode, std::string> read_user_code(std::string_view code,
                                                              std::string_view meaning);
+
+// One letter of the machine file for a named address: "E" and "dS", or an axis word of more than
+// one character. The error says what is wrong. `axis_words`: how programs of the channel call its
+// axes.
+[[nodiscard]] Expected<AddressAlias, std::string> read_address_alias(
+    std::string_view letter, std::string_view address, ChannelKind kind,
+    std::span<const std::string> axis_words);
 
 }  // namespace stanok::lang

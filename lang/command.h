@@ -43,9 +43,10 @@ struct PathControl {
 enum class MoveKind : std::uint8_t { rapid, line, arc };
 
 // How the feed, and with it perhaps the speed of the spindle, steps along the path (seed 000).
-// Feeds in mm/min or mm/rev as `feed_mode` says, lengths of path in mm, speeds in rev/min or m/min
-// as `speed` says. Values stand as programmed: whether they are multiples of the machine's
-// discretes, and whether the feed stays positive over the path, is known only where the path is.
+// Feeds in mm/min or mm/rev as `feed_mode` says, lengths of path in mm, speeds of the master
+// spindle in rev/min or m/min as `speed` says. Each value by itself is checked: steps and lengths
+// are multiples of the machine's discretes. Whether feed and speed stay positive over the path is
+// known only where the path is.
 struct FeedLaw {
   enum class Kind : std::uint8_t {
     off,
@@ -59,29 +60,38 @@ struct FeedLaw {
     double way_mm = 0.0;
     double feed = 0.0;
     double speed = 0.0;
+
+    bool operator==(const CurvePoint&) const = default;
   };
 
   Kind kind = Kind::off;
   FeedMode feed_mode = FeedMode::per_minute;
   double feed_first = 0.0;   // S_n, Smin
-  double feed_step = 0.0;    // dS > 0; linear: its direction is that of `falls`
+  double feed_step = 0.0;    // dS > 0; linear: its direction is that of `falls`; 0: S_k = S_n
   bool falls = false;        // linear: dl < 0, or S_k < S_n
   double way_step_mm = 0.0;  // |dl|; 0: follows from the length of the block and `feed_last`
-  double feed_last = 0.0;    // S_k; modulated: Smax
+  double feed_last = 0.0;    // S_k, where the steps end; 0: not given; modulated: Smax
   int steps = 0;             // n_s of the modulated law
   double stand_mm = 0.0;     // L_A
   double cut_mm = 0.0;       // L_B
   Speed speed = Speed::unchanged;
-  double speed_first = 0.0;  // n_n, v_n
-  double speed_step = 0.0;   // dn, dv, signed; with way_step_mm == 0: from `speed_last`
-  double speed_last = 0.0;   // n_k, v_k
-  std::vector<CurvePoint> curve;
+  double speed_first = 0.0;       // n_n, v_n
+  double speed_step = 0.0;        // dn, dv, signed
+  double speed_last = 0.0;        // n_k, v_k, from which the step follows; 0: `speed_step` is given
+  std::vector<CurvePoint> curve;  // the first at way 0
+
+  bool operator==(const FeedLaw&) const = default;
+  // Whether the law says the feed itself, instead of F.
+  [[nodiscard]] bool gives_feed() const { return kind != Kind::off && kind != Kind::interrupted; }
 };
 
-// A law for the motion that follows: until the next change, or for the next motion only.
+// A law for the motion that follows: until the next change, or for the next Move or SplineMove
+// only. The feed of a move under a law that gives the feed is the first one of the law.
 struct FeedLawChange {
   FeedLaw law;
   bool of_next_block = false;  // the modal law is suspended meanwhile and its path does not count
+
+  bool operator==(const FeedLawChange&) const = default;
 };
 
 struct Move {
@@ -334,11 +344,12 @@ struct Answer {
   AxisValues probe_B{};
 };
 
-using Payload = std::variant<Move, SplineMove, SynchronousMove, ProbeMove, TransformationChange,
-                             Dwell, SpindleCommand, CuttingSpeedMode, CoolantCommand, ToolPrepare,
-                             ToolChange, ToolLength, FrameChange, OverrideControl, OutputCommand,
-                             MachineFunction, MarkCommand, WorkpieceAnnouncement, WorkpiecePosition,
-                             Message, ModalReport, ProgramStop, ProgramEnd, Request>;
+using Payload =
+    std::variant<Move, SplineMove, SynchronousMove, ProbeMove, FeedLawChange, TransformationChange,
+                 Dwell, SpindleCommand, CuttingSpeedMode, CoolantCommand, ToolPrepare, ToolChange,
+                 ToolLength, FrameChange, OverrideControl, OutputCommand, MachineFunction,
+                 MarkCommand, WorkpieceAnnouncement, WorkpiecePosition, Message, ModalReport,
+                 ProgramStop, ProgramEnd, Request>;
 
 // The Move in a payload that moves axes along a path, or nullptr.
 [[nodiscard]] inline const Move* move_of(const Payload& payload) {

@@ -169,6 +169,17 @@ void Compiler::compile_kind(const ToolOverhangDirective& directive) {
   emit(Op::tool_overhang, statement_span_, 0, static_cast<std::uint8_t>(arguments.size()));
 }
 
+void Compiler::compile_kind(const FeedLawDirective& directive) {
+  for (const Expression& array : directive.arguments) {
+    const ValueType type = compile_expression(array);
+    if (!type.known()) return;
+    if (type.type == Type::number && type.dimensions != 0) continue;
+    reporter_.error("E3004", array.span, "a curve takes arrays of num", "not such an array");
+    return;
+  }
+  emit(Op::feed_law, statement_span_, 0, static_cast<std::uint8_t>(directive.arguments.size()));
+}
+
 void Compiler::compile_kind(const KinematicsDirective& directive) {
   const Expression& scheme = directive.arguments[0];
   const Expression& channel = directive.arguments[1];

@@ -81,6 +81,7 @@ void Compiler::add_constant_word(const IsoWord& word, double value, BlockTemplat
   }
 }
 
+// The value of a named word is no number until it is computed: feed laws name it in their errors.
 void Compiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
   BlockWords& words = made.words;
   ComputedWord computed;
@@ -96,7 +97,7 @@ void Compiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
   } else {
     computed.kind = ComputedWord::Kind::named;
     computed.index = static_cast<std::uint16_t>(words.named.size());
-    words.named.push_back({word.name.name, 0.0});
+    words.named.push_back({word.name.name, std::nan("")});
   }
   made.computed.push_back(computed);
 }

@@ -64,6 +64,7 @@ struct ChannelDescription {
   std::vector<std::pair<int, int>>
       schemes;  // (channel, scheme id) of all channels, for constant checks
   double arc_radius_tolerance_mm = 0.01;
+  double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
   std::vector<UserCode> user_codes;
   std::vector<AddressAlias> address_alias;
 };

@@ -1,5 +1,5 @@
-// F, S and T of a block as rows of the code table, so that they take part in the order of effects,
-// and the codes that have an F or S of their own.
+// F, S, T and the feed law of a block as rows of the code table, so that they take part in the
+// order of effects, and the codes that have an F or S of their own.
 #include <algorithm>
 
 #include "lang/actions.h"
@@ -16,6 +16,9 @@ constexpr Code word_row(char letter, Phase phase, Availability availability, Act
 constexpr Code feed_word = word_row('F', Phase::feed, Availability::everywhere, take_feed, "feed");
 constexpr Code speed_word =
     word_row('S', Phase::speed, Availability::not_master, take_speed, "spindle speed");
+// Behind the spindle of its block, which a law may need, and before the motion.
+constexpr Code law_words =
+    word_row(0, Phase::motion_modifier, Availability::not_master, take_feed_law, "feed law");
 constexpr Code tool_word = word_row('T', Phase::tool, Availability::not_master, take_tool, "tool");
 
 // G76 and G92 have a word of their own on lathe channels only.
@@ -43,6 +46,9 @@ void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes) {
     if (present && !is_taken(block, codes, row->letter)) {
       codes.rows[static_cast<std::size_t>(codes.count++)] = row;
     }
+  }
+  if (has_feed_law(block.words)) {
+    codes.rows[static_cast<std::size_t>(codes.count++)] = &law_words;
   }
 }
 

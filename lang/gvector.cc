@@ -2,13 +2,16 @@
 
 #include <fast_float/fast_float.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <variant>
+#include <vector>
 
+#include "lang/feed_law_numbers.h"
 #include "lang/source.h"
 
 namespace stanok::lang {
@@ -17,11 +20,11 @@ namespace {
 constexpr std::string_view version = "GV1";
 
 // Where a value stands in the modal state.
-using Member =
-    std::variant<double ModalState::*, int ModalState::*, bool ModalState::*,
-                 AxisValues ModalState::*, double PathControl::*, int ToolLength::*,
-                 std::array<double, 3> ToolLength::*, double ProgrammedRotation::*,
-                 std::array<double, 3> ProgrammedRotation::*, CoordinateMap ModalState::*>;
+using Member = std::variant<double ModalState::*, int ModalState::*, bool ModalState::*,
+                            AxisValues ModalState::*, double PathControl::*, int ToolLength::*,
+                            std::array<double, 3> ToolLength::*, double ProgrammedRotation::*,
+                            std::array<double, 3> ProgrammedRotation::*,
+                            CoordinateMap ModalState::*, FeedLaw ModalState::*>;
 
 struct Field {
   StateParts part;
@@ -38,6 +41,8 @@ const auto fields = std::to_array<Field>({
     {state_feed, "known", &ModalState::feed_known},
     {state_feed, "F", &ModalState::feed_programmed},
     {state_feed, "mm", &ModalState::feed_mm},
+    {state_feed, "law", &ModalState::feed_law},
+    {state_feed, "behind_law", &ModalState::feed_behind_law},
     {state_spindle, "S", &ModalState::speed_rev_per_min},
     {state_spindle, "turns", &ModalState::spindle_running},
     {state_spindle, "cutting_spindle", &ModalState::cutting_spindle},
@@ -139,6 +144,8 @@ std::string value_text(ModalState& state, const Member& member) {
           return number_text(static_cast<double>(value));
         } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
           return list_text(value.numbers());
+        } else if constexpr (std::is_same_v<Type, FeedLaw>) {
+          return list_text(numbers_of(value));
         } else {
           return list_text(value);
         }
@@ -174,6 +181,12 @@ bool read_value(std::string_view text, ModalState& state, const Member& member) 
         } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
           CoordinateMap::Numbers numbers{};
           return read_list(text, numbers) && value.take(numbers);
+        } else if constexpr (std::is_same_v<Type, FeedLaw>) {
+          std::vector<double> numbers(
+              static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1);
+          const auto law = read_list(text, numbers) ? law_of_numbers(numbers) : std::nullopt;
+          if (law) value = *law;
+          return law.has_value();
         } else {
           return read_list(text, value);
         }

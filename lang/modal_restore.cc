@@ -105,11 +105,8 @@ void restore_state(ActiveBlock& block, const ModalState& saved, StateParts parts
     block.set_modal(Group::motion, saved.code(Group::motion));
     modal.cycle = saved.cycle;
   }
-  if ((parts & state_feed) != 0) {
-    modal.feed_known = saved.feed_known;
-    modal.feed_programmed = saved.feed_programmed;
-    modal.feed_mm = saved.feed_mm;
-  }
+  if ((parts & state_feed) != 0) restore_feed_law(block, saved);
+  if (modal.feed_law.feed_mode != modal.feed_mode()) end_feed_law(block);
   if ((parts & state_spindle) != 0) restore_spindle(block, saved);
   if ((parts & (state_tool | state_length)) != 0) {
     restore_length(block, saved.length);

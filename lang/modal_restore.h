@@ -8,7 +8,7 @@ namespace stanok::lang {
 // Parts of the modal state; the first six are the GV_* constants of programs.
 using StateParts = unsigned;
 inline constexpr StateParts state_modal = 1;     // G codes but those of other parts, M48 M49
-inline constexpr StateParts state_feed = 2;      // F
+inline constexpr StateParts state_feed = 2;      // F, the feed law
 inline constexpr StateParts state_spindle = 4;   // S, M3 M4 M5, G96 G97
 inline constexpr StateParts state_tool = 8;      // T, tool length, overhang
 inline constexpr StateParts state_frames = 16;   // G52, G92, rotation, scaling, mirror

@@ -25,6 +25,7 @@ namespace stanok::lang {
 }
 
 inline constexpr double mm_per_inch = 25.4;
+inline constexpr double m_per_foot = 0.3048;
 inline constexpr std::size_t spindles_max = 16;
 
 // A sequence of drilling cycles: what stays valid from hole to hole. Levels along the tool axis in
@@ -110,6 +111,10 @@ struct ModalState {
   bool feed_known = false;
   double feed_programmed = 0.0;
   double feed_mm = 0.0;
+  // The modal feed law. While it gives the feed, F counts as not known, and is known again behind
+  // it.
+  FeedLaw feed_law;
+  bool feed_behind_law = false;
 
   double speed_rev_per_min = 0.0;                         // of the master spindle
   bool spindle_running = false;                           // any

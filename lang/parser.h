@@ -95,7 +95,7 @@ class Parser {
   bool parse_word(IsoBlock& block);
   bool parse_long_word(IsoBlock& block, std::string_view name);
   bool parse_plain_value(IsoWord& word);
-  void apply_alias(IsoWord& word) const;
+  bool apply_aliases(IsoBlock& block);
   bool parse_parameter_setting(IsoBlock& block);
   bool add_word(IsoBlock& block, IsoWord word);
   bool end_iso_in_braces();
@@ -120,6 +120,13 @@ class Parser {
   MaybeStatement parse_workpiece(bool position, const Span& name);
   MaybeStatement parse_tool_overhang(const Span& name);
   MaybeStatement parse_macro_line();
+
+  // parser_feed_law.cc
+  MaybeStatement parse_feed_law(const Span& name);
+  MaybeStatement feed_law_statement(const Span& name, const Token& law,
+                                    std::vector<Expression> arguments);
+  MaybeStatement refuse_law_arguments(const Span& name, std::size_t given,
+                                      const std::string& signature);
 
   // parser_o_line.cc
   struct OLineAhead {

@@ -4,6 +4,7 @@
 
 #include "lang/builtin.h"
 #include "lang/limits.h"
+#include "lang/named_address.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {
@@ -24,6 +25,7 @@ std::string_view reason_against(std::string_view name) {
   if (name.size() > limits::name_characters) return "a name has at most 64 characters";
   if (is_keyword(wanted)) return "it is a keyword";
   if (is_reserved_word(wanted)) return "it is a reserved word";
+  if (!find_named_address(wanted).empty()) return "it is an address of blocks, as in `dS=0.1`";
   if (find_builtin(wanted) != nullptr || find_builtin_constant(wanted)) return "it is built in";
   if (bracket_function(std::string_view(wanted).substr(1))) {
     return "it reads like a word with a function, as in `Xsin[30]`";

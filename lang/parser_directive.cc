@@ -26,6 +26,7 @@ Parser::MaybeStatement Parser::parse_directive() {
     return parse_workpiece(wanted == "workpiece_pos", span);
   }
   if (wanted == "tool_overhang") return parse_tool_overhang(span);
+  if (wanted == "feedlaw") return parse_feed_law(span);
   for (const std::string_view known : directives) {
     if (wanted != known) continue;
     reporter_.error("E2090", span, "`#" + wanted + "` is not supported in this release",

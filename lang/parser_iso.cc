@@ -1,6 +1,7 @@
 // ISO blocks: words and parameter settings.
 #include <algorithm>
 
+#include "lang/feed_law_words.h"
 #include "lang/later_word.h"
 #include "lang/limits.h"
 #include "lang/named_address.h"
@@ -39,6 +40,7 @@ Parser::MaybeStatement Parser::parse_iso() {
     reporter_.error("E1007", {start, 1, line}, "the block is longer than 4096 bytes", "too long");
     return std::nullopt;
   }
+  if (!apply_aliases(block)) return std::nullopt;
   Statement statement;
   statement.kind = std::move(block);
   return statement;
@@ -118,16 +120,7 @@ bool Parser::parse_word(IsoBlock& block) {
     return false;
   }
   word.span = scanner_.span_from(start, line);
-  apply_alias(word);
   return add_word(block, std::move(word));
-}
-
-// A letter that the machine file binds to a named address becomes a word of that address.
-void Parser::apply_alias(IsoWord& word) const {
-  const std::string_view address = dialect_.alias(word.name.letter);
-  if (address.empty()) return;
-  word.name.letter = 0;
-  word.name.name = address;
 }
 
 // A number, or a value of the RS274 kind.
@@ -177,10 +170,11 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
         .help.push_back("for spindle 2 write e.g. `M3 $2`");
     return false;
   }
-  if (!has_index && !find_named_address(name).empty()) {
+  const std::string_view address = has_index ? std::string_view() : find_named_address(name);
+  if (!address.empty() && !is_law_address(address)) {
     reporter_.error("E2090", name_span,
                     "`" + std::string(name) + "` is not supported in this release",
-                    "address of a feed law or spindle position");
+                    "address of a spindle position");
     return false;
   }
   scanner_.advance(name.size());
@@ -198,9 +192,41 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
     block.settings.push_back({std::move(target), std::move(word.value)});
     return true;
   }
-  word.name.name = name;
-  std::transform(word.name.name.begin(), word.name.name.end(), word.name.name.begin(), upper_case);
+  word.name.name = address.empty() ? name : address;
+  if (address.empty()) {
+    std::transform(word.name.name.begin(), word.name.name.end(), word.name.name.begin(),
+                   upper_case);
+  }
   return add_word(block, std::move(word));
+}
+
+// A letter that the machine file binds to a named address becomes a word of that address, unless a
+// code of the block takes the letter itself.
+bool Parser::apply_aliases(IsoBlock& block) {
+  const auto takes = [&](const IsoWord& code, char letter) {
+    const char kind = code.name.letter;
+    if ((kind != 'G' && kind != 'M') || code.name.code < 0) return false;
+    const Code* const row = find_code(kind, static_cast<CodeNumber>(code.name.code));
+    const bool macro_call = kind == 'G' && code.name.code == 650;
+    return macro_call || dialect_.macro(kind, code.name.code) != nullptr ||
+           (row != nullptr && (row->words & letter_bit(letter)) != 0);
+  };
+  for (IsoWord& word : block.words) {
+    const char letter = word.name.letter;
+    const std::string_view address = dialect_.alias(letter);
+    const auto takes_letter = [&](const IsoWord& code) { return takes(code, letter); };
+    if (address.empty() || std::ranges::any_of(block.words, takes_letter)) continue;
+    if (std::ranges::any_of(block.words, [&](const IsoWord& other) {
+          return other.name.letter == 0 && other.name.name == address;
+        })) {
+      reporter_.error("E4001", word.span, "`" + std::string(address) + "` twice in one block",
+                      "second word of this address");
+      return false;
+    }
+    word.name.letter = 0;
+    word.name.name = address;
+  }
+  return true;
 }
 
 bool Parser::add_word(IsoBlock& block, IsoWord word) {

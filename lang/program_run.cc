@@ -174,6 +174,7 @@ void ProgramRun::end_program(ProgramEndKind kind) {
       kind == ProgramEndKind::end_of_text || kind == ProgramEndKind::restart;
   if (is_line_ && ends_like_text) return queue_.emit(ProgramEnd{ProgramEndKind::end_of_line});
   line_state_lasts_ = false;
+  if (modal_.feed_law.kind != FeedLaw::Kind::off) queue_.emit(FeedLawChange{});
   if (modal_.spindle_running) queue_.emit(SpindleCommand{.spindle = -1});
   if (modal_.mist || modal_.flood) queue_.emit(CoolantCommand{});
   const bool overrides_usual =

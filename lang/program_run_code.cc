@@ -235,6 +235,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return call_file();
     case Op::tool_overhang:
       return ask_overhang(instruction);
+    case Op::feed_law:
+      return take_feed_law_directive(instruction);
     case Op::workpiece:
       return announce_workpiece(instruction);
     case Op::table:

@@ -25,7 +25,8 @@ Contour ProgramRun::contour(int first, int last) {
     BlockWords words;
     const bool plain = inside &&
                        read_plain_line(next, end, Surroundings::file_level, words, text_values_) &&
-                       text_values_.settings().empty();
+                       text_values_.settings().empty() &&
+                       (words.letters & channel_words_.dialect().alias_letters()) == 0;
     if (inside && !plain) {
       contour.problem = "line " + std::to_string(line) + " of the contour is no plain block";
       return contour;

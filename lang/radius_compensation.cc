@@ -56,6 +56,7 @@ void CompensationStage::reset() {
   selected_ = {};
   deviation_ = {};
   held_.reset();
+  law_.reset();
   waiting_.clear();
   ready_.clear();
 }
@@ -107,6 +108,10 @@ CompensationResult CompensationStage::take(Command& command) {
     pass(command);
     return std::nullopt;
   }
+  if (const auto* law = std::get_if<FeedLawChange>(&command.payload); law && law->of_next_block) {
+    law_ = std::move(command);
+    return std::nullopt;
+  }
   if (Move* const move = straight_or_arc(command.payload)) return take_move(command, *move);
   if (auto* const spline = std::get_if<SplineMove>(&command.payload)) {
     return lead_out(command, spline->base);
@@ -141,6 +146,23 @@ CompensationResult CompensationStage::wait_with_element(Command& command) {
   return std::nullopt;
 }
 
+// A move that is no element of the contour, with the law of its block.
+CompensationResult CompensationStage::wait_with_law(Command& command) {
+  if (law_) {
+    Command law = std::move(*law_);
+    law_.reset();
+    if (auto fault = wait_with_element(law)) return fault;
+  }
+  return wait_with_element(command);
+}
+
+void CompensationStage::pass_law() {
+  if (!law_) return;
+  Command law = std::move(*law_);
+  law_.reset();
+  pass(law);
+}
+
 bool CompensationStage::moves_in_plane(const Move& move) const {
   if (move.kind == MoveKind::arc) return true;
   if (move.machine_coordinates) {
@@ -152,7 +174,7 @@ bool CompensationStage::moves_in_plane(const Move& move) const {
 CompensationResult CompensationStage::take_move(Command& command, Move& move) {
   if (!moves_in_plane(move)) {
     programmed_W_ = move.end;
-    return wait_with_element(command);
+    return wait_with_law(command);
   }
   if (!compensating()) return lead_out(command, move);
   if (state_ == State::armed) return lead_in(command, move);
@@ -171,7 +193,8 @@ CompensationResult CompensationStage::lead_in(Command& command, const Move& move
                     "the move that leads in to radius compensation is not longer than the radius",
                     "too short");
   }
-  held_ = Held{{start, end, false, {}, false, 0.0}, command, start, 0.0, true};
+  held_ = Held{{start, end, false, {}, false, 0.0}, command, start, 0.0, true,
+               std::exchange(law_, std::nullopt)};
   programmed_W_ = move.end;
   state_ = State::active;
   return std::nullopt;
@@ -186,7 +209,7 @@ PlaneElement CompensationStage::element_of(const Move& move) const {
 }
 
 CompensationResult CompensationStage::continue_contour(Command& command, const Move& move) {
-  Held next{element_of(move), command, {}, 0.0, false};
+  Held next{element_of(move), command, {}, 0.0, false, std::exchange(law_, std::nullopt)};
   if (next.element.arc && std::min(parallel_start_radius(next.element, offset_),
                                    parallel_end_radius(next.element, offset_)) < -same_point) {
     return fault_of(command.origin, "E4145", "the tool is too large for the inside of this arc",
@@ -220,6 +243,7 @@ CompensationResult CompensationStage::lead_out(Command& command, Move& move) {
     return fault_of(command.origin, "E4143", "radius compensation ends with an arc",
                     "G0 or G1 must come first");
   }
+  pass_law();
   if (move.machine_coordinates) {
     pass(command);
   } else {
@@ -259,6 +283,7 @@ CompensationResult CompensationStage::emit_held(PlanePoint end, double cut) {
   if (move.end == emitted_ && move.kind != MoveKind::arc) return std::nullopt;
   emitted_ = move.end;
   ready_.set_origin(held.command.origin, held.command.block);
+  if (held.law) ready_.emit(held.law->payload);
   ready_.emit(move);
   return std::nullopt;
 }

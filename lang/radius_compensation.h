@@ -10,9 +10,10 @@
 // smaller than the tool, a corner that the tool cannot reach, an element that vanishes between its
 // corners. Places that are narrow between elements which do not follow each other are not seen. A
 // tool without a radius runs on the contour itself. One element is held until the next one is
-// known; commands without plane motion wait with it, in their order. Source: T. R. Kramer, F. M.
-// Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3" (NISTIR 6556, 2000), appendix B;
-// the intersections and the orientations of lathe tools as in LinuxCNC. All points in W, mm.
+// known; commands without plane motion wait with it, in their order. The feed law of a block stays
+// before the parallel of its own element, behind the arc about the corner. Source: T. R. Kramer, F.
+// M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3" (NISTIR 6556, 2000), appendix
+// B; the intersections and the orientations of lathe tools as in LinuxCNC. All points in W, mm.
 #pragma once
 
 #include <optional>
@@ -71,6 +72,7 @@ class CompensationStage {
     PlanePoint start;  // of the parallel
     double cut = 0.0;  // at the start
     bool lead_in = false;
+    std::optional<Command> law;  // of its block
   };
 
   [[nodiscard]] bool compensating() const { return selected_.on(); }
@@ -80,6 +82,8 @@ class CompensationStage {
   [[nodiscard]] PlaneElement element_of(const Move& move) const;
 
   CompensationResult take_move(Command& command, Move& move);
+  CompensationResult wait_with_law(Command& command);
+  void pass_law();
   CompensationResult lead_in(Command& command, const Move& move);
   CompensationResult continue_contour(Command& command, const Move& move);
   CompensationResult lead_out(Command& command, Move& move);
@@ -101,6 +105,7 @@ class CompensationStage {
   AxisValues emitted_{};  // end of the last move given out
   PlanePoint deviation_;  // the tool's point - the programmed one
   std::optional<Held> held_;
+  std::optional<Command> law_;  // of the block whose motion comes next
   std::vector<Command> waiting_;
   CommandQueue ready_;
 };

@@ -128,6 +128,10 @@ struct WorkpieceDirective {
 struct ToolOverhangDirective {
   std::vector<Expression> arguments;  // none, value, or value and axis
 };
+// #feedlaw (off), #feedlaw (curve, ways, feeds, speeds); other laws are an IsoBlock.
+struct FeedLawDirective {
+  std::vector<Expression> arguments;  // none: off
+};
 struct NumberedProgram {
   int number = 0;
 };
@@ -247,8 +251,8 @@ struct Statement {
   Span span;
   int skip_level = 0;  // 1..9: leading /
   std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, WorkpieceDirective,
-               ToolOverhangDirective, NumberedProgram, Declaration, Assignment, CallStatement,
-               Compound, If, While, DoWhile, For, Switch, Break, Continue, Return,
+               ToolOverhangDirective, FeedLawDirective, NumberedProgram, Declaration, Assignment,
+               CallStatement, Compound, If, While, DoWhile, For, Switch, Break, Continue, Return,
                FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat, FaultyText>
       kind;
 };

@@ -73,5 +73,26 @@ TEST(ChannelDescription, TellsTheInterpreterAxesSpindlesAndAllSchemes) {
   EXPECT_EQ(description.arc_radius_tolerance_mm, 0.005);
 }
 
+// Of X 0.002 and Z 0.0005 mm; the 0.0001 deg of C are no length. A channel of rotary axes has none.
+TEST(ChannelDescription, KnowsTheFinestResolutionOfItsLinearAxes) {
+  MachineConfig machine = two_channels();
+  machine.axes[1].resolution = 0.002;
+  machine.axes[2].resolution = 0.0001;
+  machine.axes[3].resolution = 0.0005;
+  EXPECT_EQ(channel_description(machine, machine.channels[1]).finest_resolution_mm, 0.0005);
+  machine.channels[0].axes = {2};
+  EXPECT_EQ(channel_description(machine, machine.channels[0]).finest_resolution_mm, 0.0);
+}
+
+// The address as the language spells it; a letter that is no alias is left out.
+TEST(ChannelDescription, TakesTheLettersOfNamedAddresses) {
+  MachineConfig machine = two_channels();
+  machine.channels[1].address_alias = {{"E", "ds"}, {"X", "dl"}};
+  const auto aliases = channel_description(machine, machine.channels[1]).address_alias;
+  ASSERT_EQ(aliases.size(), 1U);
+  EXPECT_EQ(aliases[0].letter, 'E');
+  EXPECT_EQ(aliases[0].address, "dS");
+}
+
 }  // namespace
 }  // namespace stanok::channels

@@ -6,7 +6,7 @@
 //   ; channel lathe                  mill (X Y Z B C; C modulo 360), grind (the same axes), lathe
 //                                  (X Z C), master; two spindles: the mill with spindle 1, which
 //                                  has a position, and 2; spindle axis: the mill whose spindle
-//                                  becomes C
+//                                  becomes C; letters: E is dS, V is dl
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
 // Requests are answered with success and the number 2; M99 in the main program begins it again
@@ -137,6 +137,31 @@ class Describer {
     return std::string("probe ") + (probe.until_contact ? "contact" : "loss") +
            (probe.alarm_when_missed ? " or alarm" : "") +
            axes_text(probe.line.end, probe.line.words) + " F" + number_text(probe.line.feed);
+  }
+  std::string operator()(const FeedLawChange& change) const {
+    const FeedLaw& law = change.law;
+    static const char* const names[] = {"off", "linear", "modulated", "interrupted", "curve"};
+    std::string text = std::string("law ") + names[static_cast<int>(law.kind)];
+    const auto add = [&](const char* name, double value) {
+      if (value != 0.0) text += std::string(" ") + name + number_text(value);
+    };
+    add("S_n=", law.feed_first);
+    add("S_k=", law.feed_last);
+    add(law.falls ? "dS=-" : "dS=", law.feed_step);
+    add("dl=", law.way_step_mm);
+    add("n_s=", law.steps);
+    add("L_A=", law.stand_mm);
+    add("L_B=", law.cut_mm);
+    const char* const unit = law.speed == FeedLaw::Speed::m_per_min ? "v_n=" : "n_n=";
+    add(unit, law.speed_first);
+    add("step ", law.speed_step);
+    add("to ", law.speed_last);
+    for (const FeedLaw::CurvePoint& point : law.curve) {
+      text += " (" + number_text(point.way_mm) + " " + number_text(point.feed) + " " +
+              number_text(point.speed) + ")";
+    }
+    if (law.gives_feed() && law.feed_mode == FeedMode::per_revolution) text += " per revolution";
+    return text + (change.of_next_block ? " for the block" : "");
   }
   std::string operator()(const TransformationChange& change) const {
     static const char* const names[] = {"off", "polar face", "cylinder"};
@@ -296,6 +321,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}, {"C", true, 0.0, -1}};
     }
     if (kind == "spindle axis") channel.axes.back().spindle = 1;
+    if (kind == "letters") channel.address_alias = {{'E', "dS"}, {'V', "dl"}};
     for (int number = 1; number <= 9; ++number) {
       tables.tools[number] = {number, {0.0, 0.0, 10.0 * number}, 1.0};
     }

@@ -8,6 +8,7 @@
 
 #include "lang/builtin.h"
 #include "lang/code_table.h"
+#include "lang/feed_law_words.h"
 #include "lang/later_word.h"
 #include "lang/limits.h"
 #include "tests/lang/program_support.h"
@@ -135,9 +136,32 @@ std::string limit_table_text() {
       {"MiB of all arrays of a run, with their strings | E8002",
        std::to_string(limits::run_array_bytes >> 20)},
       {"files of a program | E8003", std::to_string(limits::files)},
+      {"steps of a modulated feed law, one way | E4337", std::to_string(limits::feed_law_steps)},
+      {"points of a curve of feeds | E4345", std::to_string(limits::feed_law_points)},
       {"errors shown of a file |", std::to_string(limits::diagnostics)}};
   std::string text = "\n| what | beyond it | at most |\n|---|---|---|\n";
   for (const auto& [what, most] : rows) text += "| " + what + " | " + most + " |\n";
+  return text + "\n";
+}
+
+std::string law_table_text() {
+  std::string text = "\n| law | addresses | as a directive |\n|---|---|---|\n";
+  for (const LawForm& form : law_forms()) {
+    std::string addresses;
+    std::string arguments;
+    for (const LawAddress address : form.must()) {
+      addresses += (addresses.empty() ? "" : " ") + std::string(name_of(address));
+      arguments += ", " + std::string(name_of(address));
+    }
+    for (std::size_t i = 0; i < law_address_count; ++i) {
+      if ((form.may >> i & 1U) == 0) continue;
+      addresses += " [" + std::string(name_of(static_cast<LawAddress>(i))) + "]";
+    }
+    text += "| " + std::string(form.law) + " | `" + addresses + "` | ";
+    text += form.directive.empty() ? "–"
+                                   : "`#feedlaw (" + std::string(form.directive) + arguments + ")`";
+    text += " |\n";
+  }
   return text + "\n";
 }
 
@@ -155,6 +179,7 @@ std::vector<WrittenPart> written_parts() {
           {"functions", function_table_text()},
           {"system variables", variable_table_text()},
           {"limits", limit_table_text()},
+          {"feed laws", law_table_text()},
           {"later words", later_table_text()}};
 }
 

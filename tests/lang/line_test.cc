@@ -65,6 +65,16 @@ TEST_F(LineTest, ModalStateLastsFromLineToLine) {
   EXPECT_EQ(all<Move>().back().feed, 500.0);
 }
 
+TEST_F(LineTest, AFeedLawLastsFromLineToLine) {
+  enter("S_n=60 dS=1 dl=1");
+  EXPECT_EQ(all<FeedLawChange>().size(), 1U);
+  enter("G1 X10");
+  EXPECT_EQ(all<Move>().back().feed, 60.0);
+  EXPECT_THAT(all<FeedLawChange>(), IsEmpty()) << "its way goes on";
+  enter("M30");
+  EXPECT_EQ(all<FeedLawChange>().at(0).law, FeedLaw{});
+}
+
 TEST_F(LineTest, ALineBeginsWhereTheAxesStandNow) {
   enter("G91");
   position_B[0] = 7.0;

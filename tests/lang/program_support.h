@@ -70,6 +70,7 @@ inline ChannelDescription mill_xyzbc() {
   channel.spindles = {1};
   channel.channels = {1, 2};
   channel.schemes = {{1, 1}, {1, 2}};
+  channel.finest_resolution_mm = 0.001;
   return channel;
 }
 

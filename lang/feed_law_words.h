@@ -1,0 +1,93 @@
+// The addresses of feed laws, and which of them make a law together.
+//
+// A table has a row for every way to write a law: the addresses it must have and those it may have.
+// What fits no row is answered with the address that is missing or too many. Source of the laws and
+// their addresses: seed 000; docs/language.md, "Feed laws".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/expected.h"
+#include "lang/active_block.h"
+#include "lang/block_words.h"
+#include "lang/command.h"
+
+namespace stanok::lang {
+
+enum class LawAddress : std::uint8_t {
+  feed_first,     // S_n
+  feed_last,      // S_k
+  feed_step,      // dS
+  way_step,       // dl, its sign is the direction of the feed
+  feed_min,       // Smin
+  feed_max,       // Smax
+  steps,          // n_s
+  stand,          // L_A
+  cut,            // L_B
+  speed_first,    // n_n
+  speed_last,     // n_k
+  speed_step,     // dn
+  cutting_first,  // v_n
+  cutting_last,   // v_k
+  cutting_step,   // dv
+};
+inline constexpr std::size_t law_address_count = 15;
+
+// As programs write it: "S_n".
+[[nodiscard]] std::string_view name_of(LawAddress address);
+// Whether a named word belongs to feed laws; `name` as registered.
+[[nodiscard]] bool is_law_address(std::string_view name);
+
+// Bit k stands for the k-th address.
+using LawAddressSet = std::uint16_t;
+
+// The words of a law in a block, with their values as programmed; a value that is computed later is
+// not a number.
+struct LawWords {
+  LawAddressSet set = 0;
+  std::array<double, law_address_count> values{};
+
+  [[nodiscard]] bool empty() const { return set == 0; }
+  [[nodiscard]] bool has(LawAddress address) const {
+    return (set >> static_cast<unsigned>(address) & 1U) != 0;
+  }
+  [[nodiscard]] double value(LawAddress address) const {
+    return values[static_cast<std::size_t>(address)];
+  }
+};
+[[nodiscard]] LawWords law_words_of(const BlockWords& words);
+
+// One way to write a law.
+struct LawForm {
+  std::string_view law;  // "linear": as messages call it
+  // The word of #feedlaw, whose arguments are the addresses of `must` in their order; empty: the
+  // form is none of #feedlaw.
+  std::string_view directive;
+  FeedLaw::Kind kind = FeedLaw::Kind::linear;
+  FeedLaw::Speed speed = FeedLaw::Speed::unchanged;
+  std::array<LawAddress, 5> addresses{};
+  std::size_t must_count = 0;
+  LawAddressSet may = 0;
+
+  [[nodiscard]] std::span<const LawAddress> must() const { return {addresses.data(), must_count}; }
+};
+
+[[nodiscard]] std::span<const LawForm> law_forms();
+// "`S_n dS dl` or `S_n S_k dS`": the forms of the law.
+[[nodiscard]] std::string forms_text(std::string_view law);
+
+// The form that the words fill, or why they fill none.
+[[nodiscard]] Expected<const LawForm*, BlockFault> form_of(const LawWords& words);
+
+// "`S_n` = 60", or the name alone when the value is not known.
+[[nodiscard]] std::string word_text(const LawWords& words, LawAddress address);
+[[nodiscard]] WordName word_name(LawAddress address);
+// A number as messages show it.
+[[nodiscard]] std::string law_number_text(double number);
+
+}  // namespace stanok::lang
