@@ -52,6 +52,9 @@ class BlockPreparation {
   [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block(const lang::Move& move,
                                                               const motion::BlockTag& tag);
 
+  // A tap is back where it began, `point_W`.
+  void return_to(const motion::Point& point_W) { position_W_ = point_W; }
+
   // The same for a spline, in stretches that the path can hold.
   [[nodiscard]] Expected<std::vector<motion::PathBlock>, Diagnostic> curve(
       const lang::SplineMove& spline, const motion::BlockTag& tag);

@@ -57,7 +57,9 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   if (resetting_) continue_reset();
   work_items();
   take_step();
+  observe_spindles();
   move();
+  follow_thread();
   demand_velocities();
   turn_spindles();
   stop_at_step();

@@ -20,10 +20,12 @@
 #include "motion/axis_codes.h"
 #include "motion/interpolator.h"
 #include "motion/position_regulator.h"
+#include "motion/spindle_observer.h"
 
 namespace stanok::channels {
 
 inline constexpr int spindles_max = 4;
+static_assert(spindles_max == motion::coupled_spindles_max);
 
 // What is loaded and run: a program, or one line of an operator (MDI).
 enum class Job : std::uint8_t { program, line };
@@ -236,6 +238,10 @@ class Channel {
   [[nodiscard]] int spindle_index(int id) const RT_SAFE;
   void open_position_loops() RT_SAFE;
   void turn_spindles() RT_SAFE;
+  // Threads (channel_thread.cc).
+  void observe_spindles() RT_SAFE;
+  [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
+  void follow_thread() RT_SAFE;
   // Position regulators (channel_drives.cc).
   void make_regulators();
   void demand_velocities() RT_SAFE;
@@ -276,6 +282,12 @@ class Channel {
   std::array<DriveCommand, motion::axes_max> drives_{};
   std::array<AxisSetpoint, motion::axes_max> setpoints_{};
   std::array<Spindle, spindles_max> spindles_{};
+  std::array<motion::SpindleObserver, spindles_max> observers_{};
+  struct EncoderNews {
+    double angle_deg = 0.0;
+    double age_s = 0.0;
+  };
+  std::array<EncoderNews, spindles_max> encoder_news_{};  // the latest of each spindle
 
   ChannelState state_ = ChannelState::idle;
   bool powered_ = false;

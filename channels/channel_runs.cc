@@ -86,6 +86,7 @@ void Channel::begin_reset() RT_SAFE {
   resetting_ = true;
   reset_sent_ = false;
   control_.hold = true;
+  control_.leaves_thread = true;
 }
 
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
@@ -111,6 +112,7 @@ void Channel::continue_reset() RT_SAFE {
     resetting_ = false;
     was_reset_ = true;
     control_.hold = false;
+    control_.leaves_thread = false;
     load_ = load_ == Outcome::pending ? Outcome::failed : load_;
     switch_ = switch_ == Outcome::pending ? Outcome::failed : switch_;
     state_ = has_program_ ? ChannelState::ready : ChannelState::idle;

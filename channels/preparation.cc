@@ -50,7 +50,8 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
       interpreter_(description_, tables_, files),
       blocks_(motion_, channel),
       builder_(motion_),
-      look_ahead_(motion_) {}
+      look_ahead_(motion_),
+      threads_(machine, channel, motion_) {}
 
 Progress Preparation::step() {
   Progress progress = Progress::blocked;
@@ -187,6 +188,7 @@ void Preparation::reset() {
   look_ahead_.clear();
   builder_.restart({});
   builder_.built().clear();
+  threads_.forget();
   chain_open_ = false;
   pending_items_.clear();
   pending_remarks_.clear();
@@ -234,11 +236,18 @@ void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag
 }
 
 void Preparation::end_chain() {
+  end_thread();
   if (!chain_open_) return;
   builder_.finish();
   collect_pieces();
   chain_open_ = false;
   riders_in_chain_ = 0;
+}
+
+void Preparation::end_thread() {
+  if (threads_.is_empty()) return;
+  look_ahead_.add(threads_.finish());
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
 void Preparation::collect_pieces() {

@@ -15,6 +15,7 @@
 #include "channels/machine.h"
 #include "channels/report_book.h"
 #include "channels/shared_variables.h"
+#include "channels/thread_preparation.h"
 #include "lang/interpreter.h"
 #include "motion/look_ahead.h"
 #include "motion/path_builder.h"
@@ -58,6 +59,7 @@ class Preparation {
   void add_move(const lang::Command& command, const lang::Move& move);
   void add_curve(const lang::Command& command, const lang::SplineMove& spline);
   bool add_block(const lang::Command& command, const motion::PathBlock& block);
+  void add_thread(const lang::Command& command, const lang::SynchronousMove& move);
   void fail_at_block(const lang::Command& command, Diagnostic diagnostic);
   void add_request(const lang::Command& command, const lang::Request& request);
   void add_output(const lang::Command& command, const lang::OutputCommand& output);
@@ -67,6 +69,7 @@ class Preparation {
 
   // Path and items, in program order.
   void end_chain();
+  void end_thread();
   void collect_pieces();
   void push(Item item);
   void push_rider(const Rider& rider);
@@ -88,6 +91,7 @@ class Preparation {
   BlockPreparation blocks_;
   motion::PathBuilder builder_;
   motion::LookAhead look_ahead_;
+  ThreadPreparation threads_;
 
   Task task_ = Task::idle;
   std::shared_ptr<const lang::Program> program_;  // loaded

@@ -19,6 +19,7 @@ void Preparation::take(const lang::Command& command) {
                  [&](const lang::SpindleCommand& spindle) {
                    Item next = item(ItemKind::spindle);
                    next.spindle = spindle;
+                   threads_.take_spindle(spindle);
                    take_state(command);
                    push(next);
                  },
@@ -60,7 +61,7 @@ void Preparation::take(const lang::Command& command) {
                  },
                  [&](const lang::Request& request) { add_request(command, request); },
                  [&](const lang::SplineMove& spline) { add_curve(command, spline); },
-                 [&](const lang::SynchronousMove&) { refuse(command, "a thread"); },
+                 [&](const lang::SynchronousMove& move) { add_thread(command, move); },
                  [&](const lang::ProbeMove&) { refuse(command, "probing"); },
                  [&](const lang::TransformationChange& change) {
                    if (const auto refusal = blocks_.refusal(change)) {
@@ -94,12 +95,14 @@ void Preparation::take_state(const lang::Command& command) {
 }
 
 void Preparation::add_move(const lang::Command& command, const lang::Move& move) {
+  end_thread();
   const auto block = blocks_.block(move, tag_of(command));
   if (!block) return fail_at_block(command, block.error());
   add_block(command, *block);
 }
 
 void Preparation::add_curve(const lang::Command& command, const lang::SplineMove& spline) {
+  end_thread();
   const auto blocks = blocks_.curve(spline, tag_of(command));
   if (!blocks) return fail_at_block(command, blocks.error());
   for (const motion::PathBlock& block : *blocks) {
@@ -116,6 +119,17 @@ bool Preparation::add_block(const lang::Command& command, const motion::PathBloc
   }
   collect_pieces();
   return true;
+}
+
+// A tap comes back to where it begins.
+void Preparation::add_thread(const lang::Command& command, const lang::SynchronousMove& move) {
+  if (!threads_.continues(move)) end_chain();
+  const motion::Point start = blocks_.position_W();
+  const auto line = blocks_.block(move.line, tag_of(command));
+  if (!line) return fail_at_block(command, line.error());
+  if (const auto refusal = threads_.add(move, *line, start, blocks_.geometry()))
+    return fail_at_block(command, *refusal);
+  if (move.kind == lang::SynchronousMove::Kind::rigid_tap) blocks_.return_to(start);
 }
 
 void Preparation::fail_at_block(const lang::Command& command, Diagnostic diagnostic) {
@@ -173,6 +187,7 @@ void Preparation::add_mark(const lang::Command& command, const lang::MarkCommand
   rider.before_block = command.block + 1;
   rider.number = mark.id;
   rider.channels = mark.channels;
+  if (mark.kind == Kind::wait_soft) end_thread();
   push_rider(rider);
 }
 

@@ -12,6 +12,7 @@ constexpr double deg_per_s_of_rev_per_min = 6.0;
 }  // namespace
 
 void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
+  go_on();
   switch (command.action) {
     case lang::SpindleAction::set_speed:
       programmed_ = command.speed_rev_per_min;
@@ -33,7 +34,25 @@ void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
 
 double Spindle::target() const RT_SAFE {
   if (direction_ == 0 || programmed_ == 0.0) return 0.0;
-  return direction_ * std::clamp(programmed_ * override_, speed_min_, speed_max_);
+  const double commanded = std::clamp(programmed_ * override_, speed_min_, speed_max_);
+  return direction_ * std::clamp(share_ * commanded, -speed_max_, speed_max_);
+}
+
+void Spindle::stop_within(double turns) RT_SAFE {
+  // v^2 / 2a turns, v in rev/min, a in rev/min/s.
+  constexpr double seconds_per_minute = 60.0;
+  acceleration_asked_ = turns > 0.0 ? 0.5 * speed_ * speed_ / (seconds_per_minute * turns) : 0.0;
+  share_ = 0.0;
+}
+
+void Spindle::turn_back(double factor, double acceleration) RT_SAFE {
+  acceleration_asked_ = acceleration;
+  share_ = -factor;
+}
+
+void Spindle::go_on() RT_SAFE {
+  acceleration_asked_ = 0.0;
+  share_ = 1.0;
 }
 
 void Spindle::set_angle(double angle_deg) RT_SAFE {
@@ -44,14 +63,17 @@ void Spindle::set_angle(double angle_deg) RT_SAFE {
 void Spindle::advance(double period_s) RT_SAFE {
   const double before = speed_;
   const double wanted = target();
-  const double step = acceleration_ * period_s;
+  const bool is_softer = acceleration_asked_ > 0.0 && acceleration_asked_ < acceleration_;
+  const double step = (is_softer ? acceleration_asked_ : acceleration_) * period_s;
   if (acceleration_ <= 0.0) {
     speed_ = wanted;
   } else {
     speed_ += std::clamp(wanted - speed_, -step, step);
   }
   if (before == 0.0 && speed_ == 0.0) return;
-  set_angle(angle_deg_ + deg_per_s_of_rev_per_min * 0.5 * (before + speed_) * period_s);
+  const double way_deg = deg_per_s_of_rev_per_min * 0.5 * (before + speed_) * period_s;
+  turns_ += way_deg / full_turn_deg;
+  set_angle(angle_deg_ + way_deg);
 }
 
 }  // namespace stanok::channels

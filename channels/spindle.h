@@ -21,18 +21,27 @@ class Spindle {
   [[nodiscard]] int id() const RT_SAFE { return id_; }
   void command(const lang::SpindleCommand& command) RT_SAFE;
   void stop() RT_SAFE { direction_ = 0; }
+
+  // Tapping, until the next command. Comes to rest after `turns`, or as soon as it can.
+  void stop_within(double turns) RT_SAFE;
+  // Turns against its direction, `factor` times as fast, with this acceleration in rev/min/s, both
+  // as far as it can.
+  void turn_back(double factor, double acceleration) RT_SAFE;
+  // Turns again as it is commanded.
+  void go_on() RT_SAFE;
+
   void set_override(double factor) RT_SAFE { override_ = factor; }
   // One cycle of `period_s`.
   void advance(double period_s) RT_SAFE;
 
   [[nodiscard]] double speed() const RT_SAFE { return speed_; }  // rev/min, signed: clockwise > 0
+  [[nodiscard]] double turns() const RT_SAFE { return turns_; }  // since power-on, signed
   [[nodiscard]] double angle_deg() const RT_SAFE { return angle_deg_; }  // in [0, 360)
   void set_angle(double angle_deg) RT_SAFE;                              // any whole turns
   [[nodiscard]] bool is_settled() const RT_SAFE { return !wait_at_speed_ || speed_ == target(); }
+  [[nodiscard]] double target() const RT_SAFE;  // rev/min, signed: that it comes to
 
  private:
-  [[nodiscard]] double target() const RT_SAFE;
-
   int id_ = 0;
   double speed_min_ = 0.0;
   double speed_max_ = 0.0;
@@ -41,7 +50,10 @@ class Spindle {
   double programmed_ = 0.0;
   double override_ = 1.0;
   int direction_ = 0;
+  double share_ = 1.0;               // of the commanded speed: below zero back, 0 at rest
+  double acceleration_asked_ = 0.0;  // rev/min/s; 0: that of the machine file
   double speed_ = 0.0;
+  double turns_ = 0.0;
   double angle_deg_ = 0.0;
 };
 

@@ -150,6 +150,7 @@ double parametric_speed(const Geometry& geometry, double u) RT_SAFE {
       return arc_speed(geometry, straight_squared(geometry) + change * change, u);
     }
     case PieceKind::line:
+    case PieceKind::even:
       break;
   }
   return arc_length(geometry);
@@ -190,6 +191,7 @@ double parameter_at(const Geometry& geometry, double s, double length) RT_SAFE {
     case PieceKind::arc:
       return arc_parameter(geometry, s, length);
     case PieceKind::line:
+    case PieceKind::even:
       break;
   }
   return s / length;

@@ -12,6 +12,7 @@ struct FeedControl {
   double feed_override = 1.0;   // 0..2, of programmed feed
   double rapid_override = 1.0;  // 0..1
   bool hold = false;            // feed hold: come to rest on the path
+  bool leaves_thread = false;   // within a thread, too, which a hold lets run to its end
   // A gate: the path comes to rest before the first piece of this block or a later one.
   std::uint64_t closed_from_block = no_gate;
 

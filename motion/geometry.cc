@@ -96,7 +96,8 @@ void evaluate_at_parameter(const Piece& piece, double u, JetPoint& point_s) RT_S
   } else {
     ParametricPoint p;
     g.kind == PieceKind::arc ? arc_at(g, u, p) : quintic_at(g, u, p);
-    const Jet u_s = parameter_by_length(g.metric, p, u);
+    const Jet u_s = g.kind == PieceKind::even ? Jet{u, 1.0 / piece.length, 0.0, 0.0}
+                                              : parameter_by_length(g.metric, p, u);
     for (std::size_t k = 0; k < axes_max; ++k) {
       point_s[k] = compose(u_s, p.P[k], p.P1[k], p.P2[k], p.P3[k]);
     }

@@ -37,7 +37,10 @@ bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
 }  // namespace
 
 Interpolator::Interpolator(const MotionConfig& config)
-    : cycle_s_(config.cycle_s), axis_count_(config.axis_count), planner_(config.cycle_s) {}
+    : cycle_s_(config.cycle_s),
+      axis_count_(config.axis_count),
+      planner_(config.cycle_s),
+      synchronous_(config.cycle_s) {}
 
 void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
   standing_axes_ = axes_M;
@@ -53,6 +56,7 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
                            std::uint64_t chunk_limit) RT_SAFE {
   out.chain_ended = false;
   out.cycle_left = 0.0;
+  out.spindle_order = {};
   advanced_ = 0.0;
   double time = cycle_s_;
   // Each round ends a chunk; a cycle holds only so many of them.
@@ -60,9 +64,10 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
   for (int round = 0; round < chunks_per_cycle_max; ++round) {
     if (!cursor_.has_chunk()) {
       if (control.hold || !may_enter(queue, control, chunk_limit)) break;
-      cursor_.enter(queue);
+      enter(queue);
     }
     time = run(queue, control, time);
+    if (is_synchronous()) out.spindle_order = synchronous_.order();
     run_overlap(queue, control, chunk_limit);
     if (!has_run_chunk() || !finish_chunk(queue, control, out)) break;
     out.cycle_left = time;
@@ -80,9 +85,28 @@ bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
   return next.sequence < chunk_limit && (ends_alone || queue.chunks.size() > 1);
 }
 
+// The first chunk of a chain.
+void Interpolator::enter(PathQueue& queue) RT_SAFE {
+  cursor_.enter(queue);
+  if (!is_synchronous()) return;
+  synchronous_.begin(cursor_.chunk().coupling, cursor_.chunk().length);
+  is_nominal_ = true;
+}
+
+// Runs for a cycle by the spindle; nothing is left of it.
+double Interpolator::follow_spindle(PathQueue& queue, const FeedControl& control) RT_SAFE {
+  const auto spindle = static_cast<std::size_t>(cursor_.chunk().coupling.spindle);
+  const double before = motion_.s;
+  motion_ = synchronous_.advance(spindles_[spindle], control);
+  advanced_ += std::abs(motion_.s - before);
+  cursor_.go_to(queue, motion_.s);
+  return 0.0;
+}
+
 // Whether the chunk at hand lies behind. Close to rest s comes to its end, to rounding, before the
 // motion does.
 bool Interpolator::has_run_chunk() const RT_SAFE {
+  if (is_synchronous()) return synchronous_.is_over();
   if (is_nominal_) return !cursor_.has_phase();
   const double length = cursor_.chunk().length;
   return cursor_.chunk().last ? at_rest() && motion_.s == length : motion_.s >= length;
@@ -93,6 +117,7 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 }
 
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
+  if (is_synchronous()) return follow_spindle(queue, control);
   const bool wants_nominal =
       overlap_ == Overlap::runs ||
       (control.is_nominal() && knows_next(queue) && !sees_gate(queue, control));
@@ -253,7 +278,7 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
     return true;
   }
   overlap_ = Overlap::undecided;
-  cursor_.go_to(queue, length);
+  if (!is_synchronous()) cursor_.go_to(queue, length);
   const double beyond = motion_.s - length;
   const bool chain_ends = cursor_.chunk().last;
   if (chain_ends) {
@@ -301,6 +326,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.path_advanced = advanced_;
   out.s_speed = motion_.v;
   out.at_gate = stands_at_gate(queue, control);
+  out.has_lost_spindle = is_synchronous() && synchronous_.is_lost();
   if (!cursor_.has_chunk()) {
     out.state = PathState::idle;
     out.tag = last_tag_;
@@ -316,10 +342,24 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   JetPoint point_s;
   evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
+  if (is_synchronous()) turns_to_way(piece, point_s, out);
   if (overlap_ == Overlap::runs) add_next_chain(queue, out);
   to_axes(piece.transform, out.point, out.axes);
   unwind(piece.transform, out.axes);
   for (std::size_t k = 0; k < out.axes.size(); ++k) last_axes_[k] = out.axes[k].value;
+}
+
+// s counts turns: what is told outside is the tip's way in mm.
+void Interpolator::turns_to_way(const Piece& piece, const JetPoint& point_s,
+                                InterpolatorOutput& out) const RT_SAFE {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
+    if (piece.geometry.metric.counts(k)) squared += point_s[k].first * point_s[k].first;
+  }
+  const double lead = std::sqrt(squared);
+  out.s_speed = lead * std::abs(motion_.v);
+  out.path_advanced = lead * advanced_;
+  out.feed_commanded *= lead;
 }
 
 PathState Interpolator::state(const PathQueue& queue, const FeedControl& control) const RT_SAFE {

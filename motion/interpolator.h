@@ -5,8 +5,11 @@
 // overlap the end of the one before begins within it: the axes then move by the sum of both. Under
 // hold, resume and override a bounded one-dimensional profile is planned in the cycle on the same
 // path (docs/motion.md#override); the path is never left, the limits are kept, and there is always
-// a way to rest.
+// a way to rest. A chain that a spindle leads has no phases: there the spindle is followed
+// (motion/synchronous_run.h), whatever the overrides are.
 #pragma once
+
+#include <array>
 
 #include "base/rt_safe.h"
 #include "motion/feed_control.h"
@@ -15,6 +18,8 @@
 #include "motion/path_cursor.h"
 #include "motion/path_queue.h"
 #include "motion/profile.h"
+#include "motion/spindle_observer.h"
+#include "motion/synchronous_run.h"
 
 namespace stanok::motion {
 
@@ -37,7 +42,9 @@ struct InterpolatorOutput {
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
   bool chain_ended =
       false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
-  double cycle_left = 0.0;  // s
+  double cycle_left = 0.0;        // s
+  SpindleOrder spindle_order;     // of a tap, from this cycle on
+  bool has_lost_spindle = false;  // the axes could not follow; the chain will not come to its end
 };
 
 class Interpolator {
@@ -49,6 +56,11 @@ class Interpolator {
   // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
   // `axes_M`.
   void stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE;
+
+  // How spindle `index` of the channel turns at the set-point to come.
+  void see_spindle(std::size_t index, const SpindleMotion& motion) RT_SAFE {
+    spindles_[index] = motion;
+  }
 
   // Advances by one cycle on `queue`. A chain is entered only when its next chunk is known too (or
   // it is the chain's last one), so that what the override planner may see depends on content, not
@@ -70,6 +82,11 @@ class Interpolator {
   // Runs for `time` within the chunk at hand, or, under override, beyond its end; returns what is
   // left of it.
   [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
+  void enter(PathQueue& queue) RT_SAFE;
+  [[nodiscard]] bool is_synchronous() const RT_SAFE {
+    return cursor_.has_chunk() && cursor_.chunk().coupling.kind != SpindleCoupling::Kind::none;
+  }
+  double follow_spindle(PathQueue& queue, const FeedControl& control) RT_SAFE;
   [[nodiscard]] bool has_run_chunk() const RT_SAFE;
   [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
   void run_overlap(const PathQueue& queue, const FeedControl& control, std::uint64_t chunk_limit)
@@ -87,6 +104,8 @@ class Interpolator {
       RT_SAFE;
   void stand_here(const PathQueue& queue) RT_SAFE;
   void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
+  void turns_to_way(const Piece& piece, const JetPoint& point_s, InterpolatorOutput& out) const
+      RT_SAFE;
   void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
   [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
 
@@ -103,6 +122,8 @@ class Interpolator {
   Overlap overlap_ = Overlap::undecided;
   PathMotion next_motion_;  // along the first chunk of the next chain
   OverridePlanner planner_;
+  SynchronousRun synchronous_;
+  std::array<SpindleMotion, coupled_spindles_max> spindles_{};
   bool is_nominal_ = true;  // committed phases are being run
   std::uint64_t chunks_done_ = 0;
   double advanced_ = 0.0;  // in this cycle

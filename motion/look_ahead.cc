@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/assert.h"
 
@@ -59,6 +60,17 @@ void LookAhead::add(const PathBuilder::Built& built) {
   if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
     plan_window(built.ends_chain);
   }
+}
+
+void LookAhead::add(ThreadChain chain) {
+  STANOK_ASSERT(window_.empty() && chain.pieces.size() <= chunk_pieces_max);
+  Committed committed;
+  committed.chunk = {.pieces = static_cast<std::uint32_t>(chain.pieces.size()),
+                     .last = true,
+                     .coupling = chain.coupling};
+  for (const Piece& piece : chain.pieces) committed.chunk.length += piece.length;
+  committed.pieces = std::move(chain.pieces);
+  ready_.push_back(std::move(committed));
 }
 
 bool LookAhead::deliver(PathQueue& queue) {

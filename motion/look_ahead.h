@@ -14,6 +14,7 @@
 #include "motion/path_builder.h"
 #include "motion/path_queue.h"
 #include "motion/speed_plan.h"
+#include "motion/thread_builder.h"
 
 namespace stanok::motion {
 
@@ -26,6 +27,9 @@ class LookAhead {
 
   // Takes a piece; plans and keeps committed chunks ready when content allows.
   void add(const PathBuilder::Built& built);
+
+  // A chain that a spindle leads, whole; the chain before has ended.
+  void add(ThreadChain chain);
 
   // Moves committed chunks into the queue, whole chunks only. Returns false when one had no room.
   // The end of a chain that the next one may overlap waits for the start of that one, which is

@@ -79,7 +79,12 @@ struct PathBlock {
   const kinematics::Transform* transform = nullptr;  // outlives the queue
 };
 
-enum class PieceKind : std::uint8_t { line, arc, quintic };
+enum class PieceKind : std::uint8_t {
+  line,
+  arc,
+  quintic,
+  even  // a quintic whose parameter goes evenly with s, whatever s counts
+};
 
 // Which axes make up the path coordinate: s is the Euclidean length of their common way.
 struct PathMetric {
@@ -105,7 +110,8 @@ struct Geometry {
   double radius_change = 0.0;
   double start_angle = 0.0;  // rad
   double sweep = 0.0;        // rad
-  // quintic: coefficients of u^0..u^5 per axis; knots: s at u = k/8 (arc length)
+  // quintic, even: coefficients of u^0..u^5 per axis; quintic: knots, s at u = k/8
+  // (arc length)
   std::array<std::array<double, 6>, axes_max> coefficients{};
   std::array<double, 9> knots{};
 };
@@ -159,6 +165,31 @@ struct Phase {
   double v_end = 0.0;
 };
 
+// A chain that a spindle leads: its path coordinate s counts turns of the spindle from the start of
+// the thread, its pieces are lines and even quintics, it has no phases (motion/synchronous_run.h).
+struct SpindleCoupling {
+  enum class Kind : std::uint8_t { none, thread, tap };
+  Kind kind = Kind::none;
+  std::int32_t spindle = 0;      // index in the channel
+  double start_angle_deg = 0.0;  // of the spindle at s = 0
+  // What the axes allow along s: turns per s, s^2, s^3.
+  double speed_max = 0.0;
+  struct Section {
+    double acceleration_max = 0.0;
+    double jerk_max = 0.0;
+  };
+  Section entry{};  // up to the first corner
+  Section chain{};  // all over it
+  Section exit{};   // from the last corner on
+  double entry_end = 0.0;
+  double exit_begin = 0.0;
+  // Tap: the spindle turns back at `bottom`; the path reaches farther, for what a spindle overruns.
+  double bottom = 0.0;
+  double spindle_acceleration = 0.0;  // turns/s^2, with which it shall turn back
+  double return_speed_factor = 1.0;
+  double dwell_s = 0.0;
+};
+
 // A committed stretch of a chain: the next `pieces` and `phases` of their rings. Chunks of a chain
 // meet in one state (s, v, a), to the bit.
 struct Chunk {
@@ -169,6 +200,7 @@ struct Chunk {
   double overlap_s = 0.0;      // the next chain may begin so long before this one has ended; s
   std::uint64_t sequence = 0;  // counts all chunks of the channel
   std::uint32_t lookahead_blocks = 0;  // blocks known beyond this chunk when it was committed
+  SpindleCoupling coupling{};          // of a chain that is one chunk
 };
 
 }  // namespace stanok::motion

@@ -27,7 +27,8 @@ constexpr double margin_share_max = 0.05;
 
 bool moves(const Piece& piece, std::size_t axis) {
   const Geometry& g = piece.geometry;
-  if (g.kind != PieceKind::quintic) return g.start[axis] != g.end[axis];
+  const bool is_polynomial = g.kind == PieceKind::quintic || g.kind == PieceKind::even;
+  if (!is_polynomial) return g.start[axis] != g.end[axis];
   return std::any_of(g.coefficients[axis].begin() + 1, g.coefficients[axis].end(),
                      [](double c) { return c != 0.0; });
 }

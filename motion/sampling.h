@@ -32,7 +32,7 @@ inline constexpr double between_samples = 1.5 / 8.0;
       if (!config.axes[k].linear) turns = std::max(turns, std::abs(g.end[k] - g.start[k]) / 10.0);
     }
   }
-  const int least = g.kind == PieceKind::quintic ? 8 : 4;
+  const int least = g.kind == PieceKind::quintic || g.kind == PieceKind::even ? 8 : 4;
   return static_cast<int>(std::clamp(std::ceil(turns), static_cast<double>(least), 4096.0));
 }
 

@@ -39,9 +39,11 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
 }
 
 constexpr Example examples[] = {
-    {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},       {"bolt_circle", "mill3", ""},
-    {"tilted_pocket", "e7106mf4", "2"}, {"trunnion", "trunnion", ""}, {"lathe", "lathe", ""},
-    {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},       {"helix", "stress8", ""},
+    {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},
+    {"bolt_circle", "mill3", ""},       {"tilted_pocket", "e7106mf4", "2"},
+    {"trunnion", "trunnion", ""},       {"lathe", "lathe", ""},
+    {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},
+    {"helix", "stress8", ""},           {"thread", "lathe", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),

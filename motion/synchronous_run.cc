@@ -1,0 +1,367 @@
+#include "motion/synchronous_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/numeric.h"
+
+namespace stanok::motion {
+namespace {
+
+using kinematics::Jet;
+
+// Of the regulator: that of the observer it follows.
+constexpr double bandwidth = SpindleObserver::bandwidth;  // rad/s
+
+// Shares of the limits that the run-in uses at the speed it begins with; the rest is for a spindle
+// that turns up to 20 % faster meanwhile (1.2^3 = 1.73) and for the regulator.
+constexpr double run_in_share = 0.45;
+// The share of its speed by which a spindle may change during the run-in.
+constexpr double change_in_run_in = 0.25;
+
+// Kept of the highest speed: a bound in steps of cycles passes it by jerk * cycle^2 / 8.
+constexpr double speed_share = 0.99;
+
+// A spindle that is farther from the speed it is commanded to has not come to it.
+constexpr double ripple_max = 0.3;
+constexpr double speed_min = 0.1;    // turns/s; slower ones do not turn
+constexpr double standstill = 0.05;  // turns/s, within what the observer sees of a spindle at rest
+// A spindle is told to stop somewhat early, with less than it has: so it stops where it is told to,
+// though the speed of the moment is not quite known.
+constexpr double stop_reserve = 1.05;
+constexpr double lag_max = 1.0 / 50;  // turns off the law
+
+PathMotion after(const PathMotion& m, double j, double t) RT_SAFE {
+  return {.s = m.s + t * (m.v + t * (0.5 * m.a + t * j / 6.0)),
+          .v = m.v + t * (m.a + t * 0.5 * j),
+          .a = m.a + t * j,
+          .j = j};
+}
+
+RampLimits limits_of(const SpindleCoupling::Section& section) RT_SAFE {
+  return {section.acceleration_max, section.jerk_max};
+}
+
+// A spindle that brakes with all it has.
+double turns_to_stop(double speed, double acceleration) RT_SAFE {
+  return 0.5 * speed * speed / acceleration;
+}
+
+RampLimits scaled(const RampLimits& limits, double share) RT_SAFE {
+  return {share * limits.a, share * limits.j};
+}
+
+}  // namespace
+
+// Gains that lay the three poles of the sampled loop together at exp(-bandwidth * cycle), for a
+// jerk that is constant within a cycle (docs/motion.md#threads).
+SynchronousRun::SynchronousRun(double cycle_s) : cycle_s_(cycle_s) {
+  const double T = cycle_s;
+  const double p = 1.0 - std::exp(-bandwidth * T);
+  gain_s_ = p * p * p / (T * T * T);
+  gain_v_ = p * p * (3.0 - p) / (T * T);
+  gain_a_ = p * (3.0 - p * (1.5 - p / 3.0)) / T;
+}
+
+void SynchronousRun::begin(const SpindleCoupling& coupling, double length) RT_SAFE {
+  coupling_ = coupling;
+  length_ = length;
+  stage_ = Stage::waits;
+  motion_ = {};
+  order_ = {};
+  is_lost_ = false;
+  has_watched_ = false;
+  leaves_ = false;
+  is_in_law_ = false;
+  spindle_stops_ = false;
+}
+
+PathMotion SynchronousRun::advance(const SpindleMotion& spindle, const FeedControl& control)
+    RT_SAFE {
+  order_ = {};
+  if (stage_ == Stage::waits) {
+    if (control.hold || !is_due(spindle)) return motion_;
+    stage_ = Stage::goes_in;
+  }
+  if (control.leaves_thread) leave(spindle);
+  switch (stage_) {
+    case Stage::goes_in:
+    case Stage::dwells:
+    case Stage::returns:
+      if (!leaves_) turn_spindle(spindle);
+      follow(course(spindle));
+      break;
+    case Stage::comes_to_rest:
+      run_brake();
+      break;
+    case Stage::waits:
+    case Stage::stands:
+    case Stage::over:
+      break;
+  }
+  return motion_;
+}
+
+// A tap that leaves its spindle would break: it comes to rest with it.
+void SynchronousRun::leave(const SpindleMotion& spindle) RT_SAFE {
+  const bool follows =
+      stage_ == Stage::goes_in || stage_ == Stage::dwells || stage_ == Stage::returns;
+  if (!follows) return;
+  if (coupling_.kind == SpindleCoupling::Kind::tap && !stands_with(spindle)) {
+    if (!leaves_) stop_spindle(turns_to_stop(spindle.speed, coupling_.spindle_acceleration));
+    leaves_ = true;
+    return;
+  }
+  leaves_ = true;
+  take(shortest_way());
+}
+
+// Whether the run-in begins within this cycle: half its turns before the start angle comes.
+bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
+  const double speed = std::abs(spindle.speed);
+  if (speed < speed_min) return false;
+  if (std::abs(spindle.speed - spindle.speed_wanted) > ripple_max * speed) return false;
+  if (speed > speed_share * coupling_.speed_max) {
+    lose();
+    return false;
+  }
+  RampLimits limits = scaled(limits_of(coupling_.entry), run_in_share);
+  if (ramp_distance(0.0, speed, limits) > coupling_.entry_end)
+    limits = scaled(limits_of(coupling_.chain), run_in_share);
+  const double duration = ramp_duration(0.0, speed, limits);
+  if (std::abs(spindle.acceleration) * duration > change_in_run_in * speed) {
+    has_watched_ = false;
+    return false;
+  }
+  constexpr double full_turn_deg = 360.0;
+  direction_ = spindle.speed < 0.0 ? -1.0 : 1.0;
+  const double half = 0.5 * speed * duration;
+  const double to_start =
+      direction_ * (spindle.turns - coupling_.start_angle_deg / full_turn_deg) + half;
+  const double whole_turns = std::floor(to_start);
+  const bool is_due = has_watched_ && whole_turns > whole_turns_before_;
+  has_watched_ = true;
+  whole_turns_before_ = whole_turns;
+  if (!is_due) return false;
+  origin_ = direction_ * spindle.turns + half - (to_start - whole_turns);
+  ramp_ = ramp_up(0.0, 0.0, speed, limits);
+  ramp_speed_ = speed;
+  return true;
+}
+
+// Where the path is to be at the set-point: in the law, or on the ramp that leads into it. The
+// ramp's time is the angle since its start over the speed it was made for.
+Jet SynchronousRun::course(const SpindleMotion& spindle) RT_SAFE {
+  const Jet law{direction_ * spindle.turns - origin_, direction_ * spindle.speed,
+                direction_ * spindle.acceleration, direction_ * spindle.jerk};
+  if (is_in_law_) return law;
+  const double half = ramp_[ramp_.size() - 1].s_end;
+  const Jet time{(law.value + half) / ramp_speed_, law.first / ramp_speed_,
+                 law.second / ramp_speed_, law.third / ramp_speed_};
+  double t = std::max(time.value, 0.0);
+  std::size_t k = 0;
+  while (k < ramp_.size() && t >= ramp_[k].duration) t -= ramp_[k++].duration;
+  is_in_law_ = k == ramp_.size();
+  if (is_in_law_) return law;
+  const PathMotion m = motion_at(ramp_[k], t);
+  return kinematics::compose(time, m.s, m.v, m.a, m.j);
+}
+
+// One cycle towards the course, if from there a way to rest within the chain is known; else the way
+// to rest that is known from here.
+void SynchronousRun::follow(const Jet& course) RT_SAFE {
+  const PathMotion next = after(motion_, jerk_allowed(jerk_towards(course)), cycle_s_);
+  const bool goes_back = next.v < 0.0;
+  const double end = goes_back ? 0.0 : length_;
+  if (!comes_to_rest_before(end, next)) {
+    const bool is_tap = coupling_.kind == SpindleCoupling::Kind::tap;
+    const bool may_end = goes_back ? stage_ == Stage::returns : !is_tap;
+    may_end ? take(way_to(end)) : lose();
+    return run_brake();
+  }
+  motion_ = next;
+  if (is_in_law_ && std::abs(course.value - motion_.s) > lag_max) lose();
+}
+
+// Up to the first corner and behind the last one the axes have more than in the corners; an
+// acceleration that is too high for these goes before.
+RampLimits SynchronousRun::limits_here() const RT_SAFE {
+  if (motion_.s >= coupling_.exit_begin) return limits_of(coupling_.exit);
+  const double excess = std::max(std::abs(motion_.a) - coupling_.chain.acceleration_max, 0.0);
+  const double way = std::abs(motion_.v) * (excess / coupling_.chain.jerk_max + 2.0 * cycle_s_);
+  return limits_of(motion_.s + way < coupling_.entry_end ? coupling_.entry : coupling_.chain);
+}
+
+// The jerk over the cycle up to the set-point: that of the course, and the regulator's on the
+// difference at the start of the cycle.
+double SynchronousRun::jerk_towards(const Jet& course) const RT_SAFE {
+  const PathMotion due =
+      after({course.value, course.first, course.second}, course.third, -cycle_s_);
+  return course.third + gain_s_ * (due.s - motion_.s) + gain_v_ * (due.v - motion_.v) +
+         gain_a_ * (due.a - motion_.a);
+}
+
+// The jerk nearest to the one wanted that keeps jerk, acceleration, and the speed at which the
+// acceleration can be gone.
+double SynchronousRun::jerk_allowed(double wanted) const RT_SAFE {
+  const RampLimits limits = limits_here();
+  const double least = (-limits.a - motion_.a) / cycle_s_;
+  const double most = (limits.a - motion_.a) / cycle_s_;
+  const double low = std::clamp(least, -limits.j, limits.j);
+  const double high = std::clamp(most, -limits.j, limits.j);
+  const double v_max = speed_share * coupling_.speed_max;
+  const auto eased = [&](double j) RT_SAFE {
+    const PathMotion next = after(motion_, j, cycle_s_);
+    return eased_speed(next.v, next.a, limits.j);
+  };
+  double jerk = std::clamp(wanted, low, high);
+  const double excess = eased(jerk);
+  if (std::abs(excess) <= v_max) return jerk;
+  const double sign = excess > 0.0 ? 1.0 : -1.0;
+  double kept = excess > 0.0 ? low : high;
+  constexpr int halvings = 40;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (kept + jerk);
+    (sign * eased(middle) <= v_max ? kept : jerk) = middle;
+  }
+  return kept;
+}
+
+// What a tap asks of the spindle on its way.
+void SynchronousRun::turn_spindle(const SpindleMotion& spindle) RT_SAFE {
+  if (coupling_.kind != SpindleCoupling::Kind::tap) return;
+  if (stage_ == Stage::goes_in && !spindle_stops_) {
+    // The spindle obeys in this cycle, at the end of which it is predicted.
+    const double way = std::abs(spindle.speed) * cycle_s_;
+    const double left = coupling_.bottom - (direction_ * spindle.turns - origin_) + way;
+    const double needed = turns_to_stop(spindle.speed, coupling_.spindle_acceleration);
+    if (left - way <= stop_reserve * needed) stop_spindle(std::max(left, 0.0));
+  } else if (stage_ == Stage::goes_in) {
+    if (!stands_with(spindle)) return;
+    stage_ = Stage::dwells;
+    dwell_cycles_ = ceiling(coupling_.dwell_s / cycle_s_);
+  } else if (stage_ == Stage::dwells) {
+    if (dwell_cycles_-- > 0) return;
+    stage_ = Stage::returns;
+    order_ = {.kind = SpindleOrder::Kind::turn_back,
+              .spindle = coupling_.spindle,
+              .factor = coupling_.return_speed_factor,
+              .acceleration = coupling_.spindle_acceleration};
+  }
+}
+
+void SynchronousRun::stop_spindle(double turns) RT_SAFE {
+  spindle_stops_ = true;
+  order_ = {.kind = SpindleOrder::Kind::stop_within, .spindle = coupling_.spindle, .turns = turns};
+}
+
+// Both, as far as the observer sees.
+bool SynchronousRun::stands_with(const SpindleMotion& spindle) const RT_SAFE {
+  return spindle.speed_wanted == 0.0 && std::abs(spindle.speed) < standstill &&
+         std::abs(motion_.v) < standstill;
+}
+
+void SynchronousRun::lose() RT_SAFE {
+  is_lost_ = true;
+  leaves_ = true;
+  take(shortest_way());
+}
+
+// Coordinate of a way to rest: counts from its end, in the direction of travel.
+SynchronousRun::Approach SynchronousRun::approach(const PathMotion& from, double end) const
+    RT_SAFE {
+  Approach approach;
+  const double forward = from.v < 0.0 ? -1.0 : 1.0;
+  const bool is_behind_corners = from.s >= coupling_.exit_begin;
+  const double j = (is_behind_corners ? coupling_.exit : coupling_.chain).jerk_max;
+  const PathMotion m{forward * (from.s - end), forward * from.v, forward * from.a, 0.0};
+  approach.forward = forward;
+  approach.ease = {
+      .duration = std::abs(m.a) / j, .s = m.s, .v = m.v, .a = m.a, .j = m.a > 0.0 ? -j : j};
+  const PathMotion eased = motion_at(approach.ease, approach.ease.duration);
+  approach.ease.s_end = eased.s;
+  approach.ease.v_end = eased.v;
+  if (eased.v <= 0.0) return approach;
+  for (const auto& [section, earliest] :
+       {std::pair{coupling_.exit, forward * (coupling_.exit_begin - end)},
+        std::pair{coupling_.chain, eased.s}}) {
+    approach.limits = limits_of(section);
+    approach.ramp_begin = -ramp_distance(eased.v, 0.0, approach.limits);
+    approach.fits = approach.ramp_begin >= std::max(earliest, eased.s);
+    if (approach.fits) break;
+  }
+  return approach;
+}
+
+// A path that is about to stand comes to rest without a ramp.
+bool SynchronousRun::comes_to_rest_before(double end, const PathMotion& from) const RT_SAFE {
+  const Approach way = approach(from, end);
+  return way.fits || (way.ease.v_end <= 0.0 && way.ease.s <= 0.0);
+}
+
+// The acceleration is taken away, the speed held, and ramped down to the very end: behind the last
+// corner, or where there is no room for that with what the whole chain allows.
+SynchronousRun::WayToRest SynchronousRun::way_to(double end) const RT_SAFE {
+  const Approach course = approach(motion_, end);
+  if (!course.fits) return shortest_way();
+  WayToRest way;
+  const double v = course.ease.v_end;
+  way.phases[way.size++] = course.ease;
+  way.phases[way.size++] = {.duration = (course.ramp_begin - course.ease.s_end) / v,
+                            .s = course.ease.s_end,
+                            .v = v,
+                            .s_end = course.ramp_begin,
+                            .v_end = v};
+  for (const Phase& phase : ramp_down(v, 0.0, 0.0, course.limits)) way.phases[way.size++] = phase;
+  for (std::size_t k = 0; k < way.size; ++k) {
+    Phase& phase = way.phases[k];
+    phase.s = end + course.forward * phase.s;
+    phase.s_end = end + course.forward * phase.s_end;
+    phase.v *= course.forward;
+    phase.v_end *= course.forward;
+    phase.a *= course.forward;
+    phase.j *= course.forward;
+  }
+  way.ends_chain = true;
+  return way;
+}
+
+// Wherever it ends.
+SynchronousRun::WayToRest SynchronousRun::shortest_way() const RT_SAFE {
+  WayToRest way;
+  for (const Phase& phase : change_speed(motion_, 0.0, limits_of(coupling_.chain)))
+    way.phases[way.size++] = phase;
+  return way;
+}
+
+// From the next cycle on.
+void SynchronousRun::take(const WayToRest& way) RT_SAFE {
+  brake_ = way;
+  brake_time_ = 0.0;
+  stage_before_ = stage_;
+  stage_ = Stage::comes_to_rest;
+}
+
+void SynchronousRun::run_brake() RT_SAFE {
+  brake_time_ += cycle_s_;
+  double t = brake_time_;
+  for (std::size_t k = 0; k < brake_.size; ++k) {
+    const Phase& phase = brake_.phases[k];
+    if (t < phase.duration) {
+      motion_ = motion_at(phase, t);
+      return;
+    }
+    t -= phase.duration;
+  }
+  motion_ = {.s = brake_.size > 0 ? brake_.phases[brake_.size - 1].s_end : motion_.s};
+  if (!brake_.ends_chain) {
+    stage_ = leaves_ ? Stage::stands : stage_before_;
+    return;
+  }
+  stage_ = Stage::over;
+  if (coupling_.kind == SpindleCoupling::Kind::tap)
+    order_ = {.kind = SpindleOrder::Kind::go_on, .spindle = coupling_.spindle};
+}
+
+}  // namespace stanok::motion

@@ -1,0 +1,270 @@
+#include "motion/thread_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/geometry.h"
+#include "motion/sampling.h"
+#include "motion/shape.h"
+
+namespace stanok::motion {
+namespace {
+
+constexpr std::size_t blocks_max = 500;  // three pieces each, in one chunk of the queue
+
+// A corner is made for a spindle that turns so much faster than programmed, where it may be; it
+// must be good for the lesser one.
+constexpr double reserve_wanted = 1.45;
+constexpr double reserve_least = 1.25;
+
+// Of a block, that one corner may take; and where another one follows that needs room.
+constexpr double part_max = 0.95;
+constexpr double part_of_two = 0.475;
+
+// Where a spindle begins to brake or to turn back its acceleration steps, that of an axis does not:
+// the axis is off the helix by some 0.9 of this over the square of the observer's bandwidth, 1.7
+// um.
+constexpr double reversal_mm_per_s2 = 120.0;
+
+// Turns that a spindle may overrun the bottom of a tap, where the axes have the room.
+constexpr std::array<double, 3> overruns{1.0, 0.25, 0.0};
+
+PieceBounds largest(const PieceBounds& one, const PieceBounds& other) {
+  return {.velocity = std::max(one.velocity, other.velocity),
+          .tangent = std::max(one.tangent, other.tangent),
+          .thrust = std::max(one.thrust, other.thrust),
+          .curvature = std::max(one.curvature, other.curvature),
+          .bend = std::max(one.bend, other.bend),
+          .aberrancy = std::max(one.aberrancy, other.aberrancy)};
+}
+
+// Sums of what acts along and across the path: where s counts turns no Euclidean length is 1.
+PieceBounds bounds_by_turns(const Piece& piece, const MotionConfig& config) {
+  PieceBounds bounds = piece_bounds(piece, config);
+  bounds.euclidean = {};
+  return bounds;
+}
+
+ThreadFault too_slow_axis(const Piece& piece, double speed, const MotionConfig& config) {
+  JetPoint point;
+  JetPoint axes;
+  evaluate(piece, 0.0, point);
+  to_machine(piece, point, axes);
+  ThreadFault fault{.kind = ThreadFault::Kind::axis_too_slow,
+                    .speed_max = 1.0 / piece.bounds.velocity};
+  double most = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+    const double used = std::abs(axes[k].first) / config.axes[k].velocity_max;
+    if (used <= most) continue;
+    most = used;
+    fault.axis = static_cast<int>(k);
+    fault.value = std::abs(axes[k].first) * speed;
+    fault.limit = config.axes[k].velocity_max;
+  }
+  return fault;
+}
+
+ThreadFault unreachable(const Excess& excess) {
+  return {.kind = ThreadFault::Kind::unreachable,
+          .axis = excess.axis,
+          .value = excess.position,
+          .limit = excess.limit};
+}
+
+Point on(const Point& start, const Point& per_turn, double turns) {
+  Point point = start;
+  for (std::size_t k = 0; k < point.size(); ++k) point[k] += per_turn[k] * turns;
+  return point;
+}
+
+}  // namespace
+
+void ThreadBuilder::begin(const Point& start, const std::array<int, 3>& geometry,
+                          const SpindleCoupling& coupling, double speed) {
+  config_.geometry = geometry;
+  coupling_ = coupling;
+  speed_ = speed;
+  end_ = start;
+  blocks_.clear();
+}
+
+ThreadBuilder::Straight ThreadBuilder::straight(const ThreadBlock& block,
+                                                const Point& start) const {
+  PathMetric metric{config_.axis_count, 0};
+  for (const int axis : config_.geometry) {
+    if (axis >= 0) metric.axes |= 1U << static_cast<unsigned>(axis);
+  }
+  const Shape shape = line(metric, start, block.end);
+  Straight straight;
+  straight.whole.tag = block.tag;
+  straight.whole.geometry = shape.geometry;
+  straight.whole.length = shape.length / block.lead_mm;
+  straight.whole.feed_per_s = speed_;
+  straight.whole.transform = block.transform;
+  straight.whole.bounds = bounds_by_turns(straight.whole, config_);
+  for (std::size_t k = 0; k < start.size(); ++k)
+    straight.per_turn[k] = (block.end[k] - start[k]) / straight.whole.length;
+  straight.tolerance = block.tolerance_mm;
+  straight.keeps_tolerance = block.keeps_tolerance;
+  straight.from_point = start;
+  return straight;
+}
+
+std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block) const {
+  if (const auto excess = soft_limit_excess(block.whole, config_)) return unreachable(*excess);
+  if (block.whole.bounds.velocity * speed_ > 1.0)
+    return too_slow_axis(block.whole, speed_, config_);
+  return std::nullopt;
+}
+
+std::optional<ThreadFault> ThreadBuilder::add(const ThreadBlock& block) {
+  Straight next = straight(block, end_);
+  if (auto fault = fault_of(next)) return fault;
+  if (blocks_.size() >= blocks_max) return ThreadFault{.kind = ThreadFault::Kind::too_many_blocks};
+  if (auto fault = append(next)) return fault;
+  end_ = block.end;
+  return std::nullopt;
+}
+
+// Joins a block to the chain. Where the corner before left too little room, it is made smaller.
+std::optional<ThreadFault> ThreadBuilder::append(Straight next) {
+  if (blocks_.empty()) {
+    blocks_.push_back(next);
+    return std::nullopt;
+  }
+  Straight one = blocks_.back();
+  auto fault = join(one, next, part_max);
+  if (fault && blocks_.size() > 1 && one.from > part_of_two * one.whole.length) {
+    Straight before = blocks_[blocks_.size() - 2];
+    fault = join(before, one, part_of_two);
+    if (!fault) fault = join(one, next, part_max);
+    if (!fault) blocks_[blocks_.size() - 2] = before;
+  }
+  if (fault) return fault;
+  blocks_.back() = one;
+  blocks_.push_back(next);
+  return std::nullopt;
+}
+
+std::optional<ThreadFault> ThreadBuilder::add_tap(const ThreadBlock& block) {
+  Straight tap = straight(block, end_);
+  if (auto fault = fault_of(tap)) return fault;
+  coupling_.bottom = tap.whole.length;
+  coupling_.spindle_acceleration =
+      std::min(coupling_.spindle_acceleration, reversal_mm_per_s2 / block.lead_mm);
+  for (const double overrun : overruns) {
+    ThreadBlock longer = block;
+    longer.end = on(block.end, tap.per_turn, overrun);
+    Straight with_overrun = straight(longer, end_);
+    if (fault_of(with_overrun)) continue;
+    blocks_.push_back(with_overrun);
+    break;
+  }
+  return std::nullopt;
+}
+
+// Of the tip, in mm per turn.
+double ThreadBuilder::change_of_lead(const Straight& one, const Straight& next) const {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < next.per_turn.size(); ++k) {
+    const double change = next.per_turn[k] - one.per_turn[k];
+    if (one.whole.geometry.metric.counts(k)) squared += change * change;
+  }
+  return std::sqrt(squared);
+}
+
+// `turns` on both sides.
+ThreadBuilder::Corner ThreadBuilder::corner(const Straight& one, const Straight& next,
+                                            double turns) const {
+  Corner corner{.before = one.whole, .behind = one.whole, .turns = turns, .bounds = {}};
+  Geometry& before = corner.before.geometry;
+  Geometry& behind = corner.behind.geometry;
+  const double h = turns;
+  before.kind = behind.kind = PieceKind::even;
+  before.start = on(one.whole.geometry.end, one.per_turn, -h);
+  behind.end = on(next.whole.geometry.start, next.per_turn, h);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(config_.axis_count); ++k) {
+    const double d1 = one.per_turn[k];
+    const double change = next.per_turn[k] - d1;
+    before.end[k] = behind.start[k] = before.start[k] + h * (d1 + change / 6.0);
+    before.coefficients[k] = {before.start[k], h * d1, 0.0, h * change / 6.0, 0.0, 0.0};
+    behind.coefficients[k] = {
+        behind.start[k], h * (d1 + 0.5 * change), 0.5 * h * change, -h * change / 6.0, 0.0, 0.0};
+  }
+  for (Piece* piece : {&corner.before, &corner.behind}) {
+    piece->length = turns;
+    piece->bounds = bounds_by_turns(*piece, config_);
+    corner.bounds = largest(corner.bounds, piece->bounds);
+  }
+  return corner;
+}
+
+// The corner as large as the tolerance, or, where that is allowed, as the axes need; it takes no
+// more than a part of `next`.
+std::optional<ThreadFault> ThreadBuilder::join(Straight& one, Straight& next, double part) const {
+  constexpr double same_lead = 1e-9;       // mm
+  constexpr double deviation = 1.0 / 6.0;  // over h |d2 - d1|
+  constexpr double exact = 1e-6;           // mm
+  constexpr double growth = 1.1;
+  next.from = 0.0;
+  next.from_point = next.whole.geometry.start;
+  const double change = change_of_lead(one, next);
+  if (change < same_lead) return std::nullopt;
+  const double turns_max =
+      std::min(part_max * (one.whole.length - one.from), part * next.whole.length);
+  const double tolerance = std::max(exact, std::min(one.tolerance, next.tolerance));
+  const bool may_grow = !one.keeps_tolerance && !next.keeps_tolerance;
+  Corner found = corner(one, next, std::min(turns_max, tolerance / (deviation * change)));
+  while (may_grow && found.turns < turns_max &&
+         piece_limits(found.bounds, unlimited).v < reserve_wanted * speed_) {
+    found = corner(one, next, std::min(turns_max, growth * found.turns));
+  }
+  const double speed_max = piece_limits(found.bounds, unlimited).v / reserve_least;
+  if (speed_max < speed_)
+    return ThreadFault{.kind = ThreadFault::Kind::corner_too_sharp, .speed_max = speed_max};
+  if (const auto excess = soft_limit_excess(found.behind, config_)) return unreachable(*excess);
+  if (const auto excess = soft_limit_excess(found.before, config_)) return unreachable(*excess);
+  next.from = found.turns;
+  next.from_point = found.behind.geometry.end;
+  one.corner = found;
+  return std::nullopt;
+}
+
+ThreadChain ThreadBuilder::finish() {
+  ThreadChain chain;
+  PieceBounds bounds;
+  bool has_corner = false;
+  for (const Straight& block : blocks_) {
+    Piece rest = block.whole;
+    rest.geometry.start = block.from_point;
+    rest.length -= block.from;
+    if (block.corner) {
+      rest.geometry.end = block.corner->before.geometry.start;
+      rest.length -= block.corner->turns;
+    }
+    bounds = largest(bounds, block.whole.bounds);
+    chain.pieces.push_back(rest);
+    if (!block.corner) continue;
+    has_corner = true;
+    bounds = largest(bounds, block.corner->bounds);
+    chain.pieces.push_back(block.corner->before);
+    chain.pieces.push_back(block.corner->behind);
+  }
+  const double cap = has_corner && speed_ > 0.0 ? reserve_least * speed_ : unlimited;
+  const auto section = [cap](const PieceBounds& of) {
+    const PieceLimits limits = piece_limits(of, cap);
+    return SpindleCoupling::Section{limits.a, limits.j};
+  };
+  chain.coupling = coupling_;
+  chain.coupling.speed_max = piece_limits(bounds, cap).v;
+  chain.coupling.chain = section(bounds);
+  chain.coupling.entry = section(chain.pieces.front().bounds);
+  chain.coupling.exit = section(chain.pieces.back().bounds);
+  chain.coupling.entry_end = chain.pieces.front().length;
+  for (const Piece& piece : chain.pieces) chain.coupling.exit_begin += piece.length;
+  chain.coupling.exit_begin -= chain.pieces.back().length;
+  blocks_.clear();
+  return chain;
+}
+
+}  // namespace stanok::motion

@@ -1,0 +1,294 @@
+// Threads through the whole chain: program text to set-points, the spindle as the machine turns it.
+//
+// The law is s = lead * (angle - start angle) / 360. The angle is the one that the machine tells
+// for C, the axis of the spindle, or that of a formula where the test plays its drive.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "channels/machine.h"
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::MachineBench;
+
+constexpr std::size_t X = 0;
+constexpr std::size_t Z = 1;
+constexpr std::size_t C = 2;
+constexpr double discrete = 0.001;  // mm
+constexpr double cycle_s = 0.001;
+
+// Distance along Z, in mm, from the helix that begins at z_start; `lead` has the sign of the way.
+double off_helix(const ChannelOutput& channel, double z_start, double lead, double start_deg) {
+  const double turns = (channel.axes[C].position - start_deg) / 360.0;
+  const double off = turns - (channel.axes[Z].position - z_start) / lead;
+  return std::abs(off - std::round(off)) * std::abs(lead);
+}
+
+struct Watched {
+  double error = 0.0;  // on the helix, mm
+  int samples = 0;
+  double limits = 0.0;  // used of those of X and Z, at most
+  std::optional<ChannelOutput> before;
+};
+
+// By the derivatives, and by the way from one set-point to the next.
+void watch_limits(const ChannelOutput& channel, Watched& watched) {
+  for (const std::size_t k : {X, Z}) {
+    if (!watched.before) break;
+    const double way = channel.axes[k].position - watched.before->axes[k].position;
+    watched.limits = std::max(watched.limits, std::abs(way) / cycle_s / 250.0);
+  }
+  watched.before = channel;
+  for (const std::size_t k : {X, Z}) {
+    const AxisSetpoint& axis = channel.axes[k];
+    watched.limits =
+        std::max({watched.limits, std::abs(axis.velocity) / 250.0,
+                  std::abs(axis.acceleration) / 2500.0, std::abs(axis.jerk) / 50000.0});
+  }
+}
+
+TEST(Thread, FollowsTheAngleOfTheSpindle) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-30 K1.5 Q45\nG0 X20\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    watch_limits(channel, watched);
+    const double z = channel.axes[Z].position;
+    if (channel.tag.line != 4 || z > 0.5 || z < -28.5) return;
+    watched.error = std::max(watched.error, off_helix(channel, 2.0, -1.5, 45.0));
+    ++watched.samples;
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_GT(watched.samples, 1800);  // 29 mm at 15 mm/s
+  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+  EXPECT_EQ(bench.channel(1).axes[Z].position, -30.0);
+}
+
+// Three starts of one thread, and the helix of each.
+TEST(Thread, CutsAHelixPerStartAngle) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc",
+                "G8 G18 G95\nS450 M3\nnum start = 0;\n"
+                "for (start = 0; start < 3; start = start + 1)\n{\n"
+                "G0 X12 Z2\nG0 X10\nG33 Z-20 F3 Q=start*120\nG0 X12\n}\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  int pass = 0;
+  bool cuts = false;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    watch_limits(channel, watched);
+    const double z = channel.axes[Z].position;
+    const bool in_thread = channel.tag.line == 8 && z < -1.0 && z > -17.0;
+    if (in_thread) {
+      watched.error = std::max(watched.error, off_helix(channel, 2.0, -3.0, 120.0 * pass));
+      ++watched.samples;
+    }
+    if (cuts && !in_thread) ++pass;
+    cuts = in_thread;
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(pass, 3);
+  EXPECT_GT(watched.samples, 3 * 600);  // 16 mm at 22.5 mm/s
+  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
+// A drive that turns C by a formula: 20 % of ripple at 2 Hz, an encoder of 4096 lines.
+TEST(Thread, FollowsTheMeasuredAngleNotTheCommandedOne) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc",
+                "G8 G18 G95\nS600 M3\nnum pass = 0;\n"
+                "for (pass = 0; pass < 10; pass = pass + 1)\n{\n"
+                "G0 X12 Z2\nG0 X10\nG33 Z-30 K2\nG0 X12\nG4 P0.123\n}\nM30\n");
+  bench.run(1, "p.nc");
+  const auto turns = [](double t) {
+    const double w = 2.0 * std::numbers::pi * 2.0;
+    return 10.0 * (t - 0.2 / w * std::cos(w * t));
+  };
+  Watched watched;
+  int cycles = 0;
+  do {
+    const double seen = std::floor(turns(cycles * cycle_s) * 4.0 * 4096.0) / (4.0 * 4096.0);
+    std::vector<AxisFeedback> feedback(3);
+    for (AxisFeedback& axis : feedback) axis.valid = axis.enabled = axis.referenced = true;
+    feedback[C].position = 360.0 * (seen - std::floor(seen));
+    bench.feedback(feedback);
+    bench.cycle();
+    ++cycles;
+    ChannelOutput channel = bench.channel(1);
+    watch_limits(channel, watched);
+    const double z = channel.axes[Z].position;
+    if (channel.tag.line != 8 || z > -1.0 || z < -28.0) continue;
+    channel.axes[C].position = 360.0 * turns(cycles * cycle_s);
+    watched.error = std::max(watched.error, off_helix(channel, 2.0, -2.0, 0.0));
+    ++watched.samples;
+  } while (cycles < 10 || (bench.channel(1).running && cycles < 60000));
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_GT(watched.samples, 10 * 1200);  // 27 mm at 20 mm/s
+  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
+TEST(Thread, StaysOnTheHelixWhileTheSpindleOverrideChanges) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-60 K1.5\nG0 X20\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  bool lowered = false;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    watch_limits(channel, watched);
+    const double z = channel.axes[Z].position;
+    if (z < -20.0 && !lowered) {
+      bench.ask(OperatorAction::override_spindle, 1, "", 0.6);
+      bench.ask(OperatorAction::override_feed, 1, "", 0.3);  // it has no effect in a thread
+      lowered = true;
+    }
+    if (channel.tag.line != 4 || z > 0.5 || z < -58.5) return;
+    watched.error = std::max(watched.error, off_helix(channel, 2.0, -1.5, 0.0));
+    ++watched.samples;
+  });
+  EXPECT_TRUE(lowered);
+  EXPECT_GT(watched.samples, 5000);  // 20 mm at 15 mm/s, 38 mm at 9 mm/s
+  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
+TEST(Thread, ACycleOfPassesCutsOneHelix) {
+  MachineBench bench(testing::turning_machine());
+  // From X12: crest 11, passes 0.4, 0.8, 0.9 deep and once more, a taper at the end.
+  bench.program("p.nc",
+                "G8 G18 G95\nS400 M3\nG0 X12 Z2\n"
+                "G76 P1.5 Z-25 I-1 J0.4 K0.9 R1 Q0 H1 E2 L2\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  std::vector<double> depths;
+  double z_before = 2.0;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    watch_limits(channel, watched);
+    const double x = channel.axes[X].position;
+    const double z = channel.axes[Z].position;
+    if (z_before > -10.0 && z <= -10.0) depths.push_back(x);
+    z_before = z;
+    if (channel.tag.line != 4 || x > 10.99 || z > 0.5 || z < -24.0) return;
+    // Z does not know where the taper begins.
+    watched.error = std::max(watched.error, off_helix(channel, 2.0, -1.5, 0.0));
+    ++watched.samples;
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_THAT(depths, ElementsAre(DoubleNear(10.6, 1e-9), DoubleNear(10.2, 1e-9),
+                                  DoubleNear(10.1, 1e-9), DoubleNear(10.1, 1e-9)));
+  EXPECT_GT(watched.samples, 4 * 2000);  // 24 mm at 10 mm/s
+  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
+// The spindle turns back at the bottom, the tool comes back along the same helix, and the spindle
+// turns as before.
+TEST(Thread, ATapComesBackOnItsHelix) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G94\nS600 M3\nG0 X0 Z5\nG33.1 Z-20 K1.5\nG4 P0.5\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  double bottom = 5.0;
+  double fastest_back = 0.0;
+  double speed_at_end = 0.0;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    watch_limits(channel, watched);
+    const double z = channel.axes[Z].position;
+    bottom = std::min(bottom, z);
+    fastest_back = std::min(fastest_back, channel.axes[C].velocity);
+    if (channel.tag.line == 5) speed_at_end = channel.axes[C].velocity;
+    if (channel.tag.line != 4 || z > 3.5) return;
+    watched.error = std::max(watched.error, off_helix(channel, 5.0, -1.5, 0.0));
+    ++watched.samples;
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_NEAR(bottom, -20.0, discrete);
+  EXPECT_EQ(fastest_back, -3600.0);  // 600 rev/min in deg/s
+  EXPECT_EQ(bench.channel(1).axes[Z].position, 5.0);
+  EXPECT_GT(watched.samples, 2 * 1500);
+  EXPECT_LE(watched.error, 2.0 * discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
+TEST(Thread, AHoldActsBehindTheThread) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-30 K1.5\nG0 X20\nM30\n");
+  bench.run(1, "p.nc");
+  bool asked = false;
+  bench.run_to_end([&](const CycleOutput& output) {
+    if (asked || output.channels[0].axes[Z].position > -10.0) return;
+    bench.ask(OperatorAction::program_hold, 1);
+    asked = true;
+  });
+  EXPECT_EQ(bench.channel(1).state, ChannelState::held);
+  EXPECT_EQ(bench.channel(1).axes[Z].position, -30.0);
+  EXPECT_EQ(bench.channel(1).axes[X].position, 10.0);
+}
+
+TEST(Thread, AResetEndsItOnItsWay) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-60 K1.5\nG0 X20\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  bool asked = false;
+  bench.run_to_end([&](const CycleOutput& output) {
+    watch_limits(output.channels[0], watched);
+    if (asked || output.channels[0].axes[Z].position > -10.0) return;
+    bench.ask(OperatorAction::program_reset, 1);
+    asked = true;
+  });
+  EXPECT_EQ(bench.channel(1).state, ChannelState::ready);
+  EXPECT_NEAR(bench.channel(1).axes[Z].position, -10.3, 0.2);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+  // And the machine can be used on.
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.channel(1).axes[Z].position, -60.0);
+}
+
+TEST(Thread, NeedsAnEncoder) {
+  MachineConfig machine = testing::turning_machine();
+  machine.spindles[0].encoder_pulses = 0;
+  MachineBench bench(machine);
+  bench.program("p.nc", "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-30 K1.5\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5301"));
+}
+
+TEST(Thread, IsRefusedWhereAnAxisIsTooSlowForIt) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G95\nS3000 M3\nG0 X10 Z2\nG33 Z-30 K6\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  const auto alarms = bench.machine().alarms();
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms[0].diagnostic.code, "E5302");
+  EXPECT_EQ(alarms[0].diagnostic.message,
+            "axis Z would need 300 mm/s at 3000 rev/min, its limit is 250");
+  EXPECT_EQ(alarms[0].diagnostic.help[0],
+            "turn the spindle with at most S2500, or cut a smaller lead");
+  EXPECT_EQ(bench.channel(1).axes[Z].position, 2.0);
+}
+
+}  // namespace
+}  // namespace stanok::channels

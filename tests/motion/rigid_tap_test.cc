@@ -1,0 +1,161 @@
+// Rigid taps: in, back on the same helix, and the spindle as before (docs/motion.md#threads).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/motion/thread_bench.h"
+
+namespace stanok::motion::testing {
+namespace {
+
+// A spindle with an acceleration, 20 % of ripple on whatever speed it has, and the obedience that a
+// tap asks for.
+class TapSpindle {
+ public:
+  TapSpindle(double speed, double acceleration, double ripple)
+      : commanded_(speed), wanted_(speed), acceleration_(acceleration), ripple_(ripple) {
+    speed_ = speed;
+    braking_ = acceleration;
+  }
+
+  [[nodiscard]] double angle() const { return angle_; }
+  [[nodiscard]] double wanted() const { return wanted_; }
+
+  // As commanded, without the ripple.
+  [[nodiscard]] SpindleMotion commanded(double later) const {
+    const double step = braking_ * later;
+    const double speed = speed_ + std::clamp(wanted_ - speed_, -step, step);
+    return {.turns = commanded_turns_ + 0.5 * (speed_ + speed) * later,
+            .speed = speed,
+            .acceleration = later > 0.0 ? (speed - speed_) / later : 0.0,
+            .speed_wanted = wanted_};
+  }
+
+  // One cycle, in small steps.
+  void turn(const SpindleOrder& order) {
+    if (order.kind == SpindleOrder::Kind::stop_within) {
+      wanted_ = 0.0;
+      braking_ = std::min(acceleration_, 0.5 * speed_ * speed_ / order.turns);
+    } else if (order.kind == SpindleOrder::Kind::turn_back) {
+      wanted_ = -order.factor * commanded_;
+      braking_ = std::min(acceleration_, order.acceleration);
+    } else if (order.kind == SpindleOrder::Kind::go_on) {
+      wanted_ = commanded_;
+    }
+    constexpr int steps = 100;
+    const double h = cycle_s / steps;
+    for (int k = 0; k < steps; ++k) {
+      const double before = speed_;
+      speed_ += std::clamp(wanted_ - speed_, -braking_ * h, braking_ * h);
+      time_ += h;
+      commanded_turns_ += 0.5 * (before + speed_) * h;
+      const double w = 2.0 * std::numbers::pi * 2.0;
+      angle_ += 0.5 * (before + speed_) * h * (1.0 + ripple_ * std::sin(w * time_));
+    }
+  }
+
+ private:
+  double commanded_;
+  double wanted_;
+  double acceleration_;
+  double ripple_;
+  double braking_ = 0.0;
+  double speed_ = 0.0;
+  double angle_ = 0.0;
+  double commanded_turns_ = 0.0;
+  double time_ = 0.0;
+};
+
+struct TapCase {
+  const char* name;
+  double speed;         // turns/s, < 0: counter-clockwise
+  double acceleration;  // turns/s^2
+  double ripple;
+  double factor;  // of the way back
+};
+
+class Tap : public ::testing::TestWithParam<TapCase> {};
+
+TEST_P(Tap, GoesInAndComesBackOnOneHelix) {
+  const TapCase& the = GetParam();
+  constexpr double lead = 1.5;
+  TapSpindle spindle(the.speed, the.acceleration, the.ripple);
+  ThreadBench bench([&](double) { return spindle.angle(); }, the.speed, at(0.0, 5.0));
+  bench.spindle_obeys([&](const SpindleOrder& order) { spindle.turn(order); },
+                      [&](double later) { return spindle.commanded(later); });
+  bench.idle(0.5);
+  ThreadBuilder builder(bench.config());
+  SpindleCoupling coupling;
+  coupling.kind = SpindleCoupling::Kind::tap;
+  coupling.spindle_acceleration = the.acceleration;
+  coupling.return_speed_factor = the.factor;
+  coupling.dwell_s = 0.1;
+  builder.begin(at(0.0, 5.0), bench.config().geometry, coupling,
+                std::abs(the.speed) * std::max(1.0, the.factor));
+  ASSERT_FALSE(builder.add_tap(block_to(at(0.0, -20.0), lead)));
+  bench.send(builder);
+  const std::uint64_t done = bench.output().chunks_done;
+  double error = 0.0;
+  double bottom = 5.0;
+  double origin = 0.0;
+  bool has_origin = false;
+  int dwelling = 0;
+  while (bench.output().chunks_done == done && bench.time() < 20.0) {
+    bench.cycle();
+    const double z = bench.output().axes[Z].value;
+    bottom = std::min(bottom, z);
+    if (z > 2.0) continue;  // run-in and run-out
+    const double turns = std::copysign(1.0, the.speed) * spindle.angle();
+    const double off = turns - (5.0 - z) / lead;
+    if (!has_origin) origin = std::round(off);
+    has_origin = true;
+    error = std::max(error, std::abs(off - origin) * lead);
+    dwelling += std::abs(bench.output().axes[Z].first) < 0.1 ? 1 : 0;
+  }
+  EXPECT_GT(bench.output().chunks_done, done);
+  EXPECT_LE(error, 2.0 * discrete);
+  // With ripple the spindle stops elsewhere than it was asked to; the helix stays the same.
+  EXPECT_NEAR(bottom, -20.0, the.ripple > 0.0 ? lead : 2.0 * discrete);
+  EXPECT_GE(dwelling, 100);
+  EXPECT_EQ(bench.output().axes[Z].value, 5.0);
+  EXPECT_EQ(spindle.wanted(), the.speed);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(SynchronousRun, Tap,
+                         ::testing::Values(TapCase{"S300", 5.0, 30.0, 0.0, 1.0},
+                                           TapCase{"S600", 10.0, 33.0, 0.0, 1.0},
+                                           TapCase{"S600Left", -10.0, 33.0, 0.0, 1.0},
+                                           TapCase{"S600BackTwice", 10.0, 33.0, 0.0, 2.0},
+                                           TapCase{"S1500", 25.0, 100.0, 0.0, 1.0},
+                                           TapCase{"S600Ripple", 10.0, 33.0, 0.2, 1.0},
+                                           TapCase{"S1200Ripple", 20.0, 60.0, 0.2, 1.5}),
+                         [](const auto& with) { return std::string(with.param.name); });
+
+TEST(SynchronousRun, LeavingATapStopsItsSpindleAndStaysOnTheHelix) {
+  TapSpindle spindle(10.0, 33.0, 0.0);
+  ThreadBench bench([&](double) { return spindle.angle(); }, 10.0);
+  bench.spindle_obeys([&](const SpindleOrder& order) { spindle.turn(order); },
+                      [&](double later) { return spindle.commanded(later); });
+  bench.idle(0.5);
+  ThreadBuilder builder(bench.config());
+  SpindleCoupling coupling;
+  coupling.kind = SpindleCoupling::Kind::tap;
+  coupling.spindle_acceleration = 33.0;
+  builder.begin(at(0.0, 0.0), bench.config().geometry, coupling, 10.0);
+  ASSERT_FALSE(builder.add_tap(block_to(at(0.0, -30.0), 1.5)));
+  bench.send(builder);
+  while (bench.output().axes[Z].value > -5.0) bench.cycle();
+  bench.control().hold = true;
+  bench.control().leaves_thread = true;
+  bench.idle(1.0);
+  EXPECT_EQ(spindle.wanted(), 0.0);
+  EXPECT_EQ(bench.output().axes[Z].first, 0.0);
+  const double off = spindle.angle() + bench.output().axes[Z].value / 1.5;
+  EXPECT_LE(std::abs(off - std::round(off)) * 1.5, 2.0 * discrete);
+}
+
+}  // namespace
+}  // namespace stanok::motion::testing

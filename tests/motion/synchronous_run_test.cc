@@ -1,0 +1,284 @@
+// Threads: the path follows the measured angle of a spindle (docs/motion.md#threads).
+//
+// What it must come to follows from the formula of the spindle itself: s = lead * (turns - turns at
+// the start), the start being at the start angle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tests/motion/thread_bench.h"
+
+namespace stanok::motion::testing {
+namespace {
+
+// Largest distance, in mm along Z, of the set-points between two places from the helix that the
+// formula of the spindle gives. `lead` is along Z and has its sign.
+double helix_error(const std::vector<Sample>& samples, const Turning& turning, double z_start,
+                   double lead, double angle_deg, double z_from, double z_to) {
+  double error = 0.0;
+  int seen = 0;
+  for (const Sample& sample : samples) {
+    const double way = (sample.z - z_start) / lead;  // turns
+    if (way < (z_from - z_start) / lead || way > (z_to - z_start) / lead) continue;
+    const double off = turning(sample.t) - angle_deg / 360.0 - way;
+    error = std::max(error, std::abs(off - std::round(off)) * std::abs(lead));
+    ++seen;
+  }
+  EXPECT_GT(seen, 50);
+  return error;
+}
+
+TEST(SynchronousRun, CutsTheHelixOfTheStartAngleAtSteadySpeed) {
+  const Turning turning = steady(10.0);
+  ThreadBench bench(turning, 10.0);
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(90.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  EXPECT_EQ(samples.back().z, -20.0);  // to the bit
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 90.0, -1.0, -19.0), 0.2 * discrete);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+struct RippleCase {
+  const char* name;
+  double speed;  // turns/s
+  double lead;   // mm
+};
+
+class Ripple : public ::testing::TestWithParam<RippleCase> {};
+
+// Ten starts at random instants, to and fro, at start angles of a thread of three starts.
+TEST_P(Ripple, TenPassesCutOneHelixPerStart) {
+  const auto [name, speed, lead] = GetParam();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> pause(0.1, 0.7);
+  const Turning turning = with_ripple(speed, 0.3);
+  ThreadBench bench(turning, speed);
+  for (int pass = 0; pass < 10; ++pass) {
+    SCOPED_TRACE(::testing::Message() << "pass " << pass);
+    bench.idle(pause(random));
+    ThreadBuilder builder(bench.config());
+    const double z = pass % 2 == 0 ? 0.0 : -60.0;
+    const double way = pass % 2 == 0 ? -1.0 : 1.0;
+    const double start_deg = 120.0 * (pass % 3);
+    builder.begin(at(0.0, z), bench.config().geometry, thread_from(start_deg), speed);
+    ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0 - z), lead)));
+    bench.send(builder);
+    const auto samples = bench.cut(60.0);
+    // Run-in and run-out take half the way of a ramp to and from 1.2 times the speed.
+    const double ramp = 5.0 + 1.2 * speed * lead * 0.06;
+    EXPECT_LE(helix_error(samples, turning, z, way * lead, start_deg, z + way * ramp,
+                          -60.0 - z - way * ramp),
+              discrete);
+    EXPECT_EQ(samples.back().z, -60.0 - z);
+    EXPECT_EQ(samples.back().v_z, 0.0);
+  }
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(SynchronousRun, Ripple,
+                         ::testing::Values(RippleCase{"S300F5", 5.0, 5.0},
+                                           RippleCase{"S600F2", 10.0, 2.0},
+                                           RippleCase{"S1500F2", 25.0, 2.0},
+                                           RippleCase{"S3000F1", 50.0, 1.0},
+                                           RippleCase{"S3000F2", 50.0, 2.0}),
+                         [](const auto& with) { return std::string(with.param.name); });
+
+// The start angle is one of the spindle, whichever way it turns.
+TEST(SynchronousRun, FollowsASpindleThatTurnsCounterClockwise) {
+  const Turning turning = [](double t) { return -10.0 * t; };
+  ThreadBench bench(turning, -10.0);
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(30.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  // Falling angles, falling Z.
+  const Turning against = [&](double t) { return -turning(t); };
+  EXPECT_LE(helix_error(samples, against, 0.0, -2.0, -30.0, -1.0, -19.0), 0.2 * discrete);
+}
+
+TEST(SynchronousRun, KeepsTheHelixWhileTheSpeedChanges) {
+  // From 10 to 16 turns/s at 6 turns/s^2, from t = 1 s on; a parabola between two straight lines.
+  const Turning turning = [](double t) {
+    const double into = std::clamp(t - 1.0, 0.0, 1.0);
+    return 10.0 * t + 3.0 * into * into + 6.0 * std::max(t - 2.0, 0.0);
+  };
+  ThreadBench bench(turning, 10.0);
+  bench.idle(0.5);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -58.0), discrete);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+TEST(SynchronousRun, ATaperHasItsLeadAlongThePath) {
+  const Turning turning = with_ripple(10.0, 1.0);
+  ThreadBench bench(turning, 10.0, at(10.0, 0.0));
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(13.0, -40.0), 2.0)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  const double lead_z = -2.0 * 40.0 / std::hypot(3.0, 40.0);
+  EXPECT_LE(helix_error(samples, turning, 0.0, lead_z, 0.0, -2.0, -38.0), discrete);
+  for (const Sample& sample : samples)
+    EXPECT_NEAR(sample.x, 10.0 - sample.z * 3.0 / 40.0, 1e-9);  // on the line, run-in and all
+}
+
+// A straight thread with tapers at both ends and one lead along Z: Z knows nothing of the corners.
+TEST(SynchronousRun, AChainDoesNotStopAtItsCorners) {
+  const Turning turning = with_ripple(5.0, 2.0);
+  ThreadBench bench(turning, 5.0, at(12.0, 0.0));
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(12.0, 0.0), bench.config().geometry, thread_from(0.0), 5.0);
+  const double slope = std::hypot(2.0, 4.0) / 4.0;
+  ASSERT_FALSE(builder.add(block_to(at(10.0, -4.0), 2.0 * slope)));
+  ASSERT_FALSE(builder.add(block_to(at(10.0, -26.0), 2.0)));
+  ASSERT_FALSE(builder.add(block_to(at(12.0, -30.0), 2.0 * slope)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -29.0), discrete);
+  EXPECT_EQ(samples.back().x, 12.0);
+  EXPECT_EQ(samples.back().z, -30.0);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+  double off = 0.0;
+  for (const Sample& sample : samples) {
+    const double depth = std::min({2.0, -0.5 * sample.z, 0.5 * (30.0 + sample.z)});
+    off = std::max(off, std::abs(sample.x - (12.0 - depth)));
+  }
+  // At 10 mm/s the axes can turn the corner well within a tenth of a millimetre, and not at once.
+  EXPECT_LT(off, 0.1);
+  EXPECT_GT(off, 1e-4);
+}
+
+TEST(SynchronousRun, ACornerKeepsAToleranceThatIsProgrammed) {
+  const Turning turning = steady(1.0);
+  ThreadBench bench(turning, 1.0, at(10.0, 0.0));
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 1.0);
+  ThreadBlock straight = block_to(at(10.0, -10.0), 2.0);
+  straight.keeps_tolerance = true;
+  ThreadBlock out = block_to(at(12.0, -12.0), 2.0 * std::sqrt(2.0));
+  out.keeps_tolerance = true;
+  ASSERT_FALSE(builder.add(straight));
+  ASSERT_FALSE(builder.add(out));
+  bench.send(builder);
+  double off = 0.0;
+  for (const Sample& sample : bench.cut())
+    off = std::max(off, sample.x - std::max(10.0, 10.0 - (sample.z + 10.0)));
+  EXPECT_LE(off, 0.01 + 1e-9);
+  EXPECT_GT(off, 0.009);  // it uses what it may
+}
+
+TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
+  const Turning turning = steady(10.0);
+  ThreadBench bench(turning, 10.0);
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -10.0), 1.0)));
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -40.0), 2.0)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  EXPECT_LE(helix_error(samples, turning, 0.0, -1.0, 0.0, -1.0, -9.0), discrete);
+  // Ten turns have passed where the second lead begins.
+  EXPECT_LE(helix_error(samples, turning, -10.0, -2.0, 0.0, -12.0, -38.0), discrete);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+TEST(SynchronousRun, AHoldWaitsForTheEndOfTheThread) {
+  const Turning turning = steady(10.0);
+  ThreadBench bench(turning, 10.0);
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
+  bench.send(builder);
+  while (bench.output().axes[Z].value > -5.0) bench.cycle();
+  bench.control().hold = true;
+  bench.control().feed_override = 0.5;
+  const auto samples = bench.cut();
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -5.0, -19.0), discrete);
+  EXPECT_EQ(samples.back().z, -20.0);
+}
+
+TEST(SynchronousRun, AHoldBeforeTheRunInKeepsThePathAtRest) {
+  ThreadBench bench(steady(10.0), 10.0);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
+  bench.send(builder);
+  bench.cycle();
+  bench.control().hold = true;
+  bench.idle(1.0);
+  EXPECT_EQ(bench.output().axes[Z].value, 0.0);
+  bench.control().hold = false;
+  EXPECT_EQ(bench.cut().back().z, -20.0);
+}
+
+TEST(SynchronousRun, LeavingAThreadBrakesOnItsWay) {
+  ThreadBench bench(steady(10.0), 10.0);
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
+  bench.send(builder);
+  while (bench.output().axes[Z].value > -5.0) bench.cycle();
+  bench.control().hold = true;
+  bench.control().leaves_thread = true;
+  bench.idle(0.2);
+  EXPECT_EQ(bench.output().axes[Z].first, 0.0);
+  // From 20 mm/s under 50000 mm/s^3 a ramp takes 40 ms and 0.4 mm.
+  EXPECT_NEAR(bench.output().axes[Z].value, -5.4, 0.03);
+  EXPECT_FALSE(bench.output().has_lost_spindle);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+TEST(SynchronousRun, ASpindleThatTheAxesCannotFollowIsLostWithinTheLimits) {
+  // From 10 to 30 turns/s at 1000 turns/s^2: 2000 mm/s^2 of axis at a lead of 2 mm, at once.
+  const Turning turning = [](double t) {
+    const double into = std::clamp(t - 1.0, 0.0, 0.02);
+    return 10.0 * t + 500.0 * into * into + 20.0 * std::max(t - 1.02, 0.0);
+  };
+  ThreadBench bench(turning, 10.0);
+  bench.idle(0.5);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
+  bench.send(builder);
+  bench.idle(1.0);
+  EXPECT_TRUE(bench.output().has_lost_spindle);
+  EXPECT_EQ(bench.output().axes[Z].first, 0.0);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+TEST(SynchronousRun, AShortThreadEndsAtItsEnd) {
+  ThreadBench bench(steady(10.0), 10.0);
+  bench.idle(0.3);
+  for (const double way : {0.001, 0.05, 0.3, 0.5, 0.9}) {
+    ThreadBuilder builder(bench.config());
+    const double z = bench.output().axes[Z].value;
+    builder.begin(at(0.0, z), bench.config().geometry, thread_from(0.0), 10.0);
+    ASSERT_FALSE(builder.add(block_to(at(0.0, z - way), 2.0)));
+    bench.send(builder);
+    EXPECT_EQ(bench.cut().back().z, z - way);
+  }
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+}  // namespace
+}  // namespace stanok::motion::testing

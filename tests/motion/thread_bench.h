@@ -1,0 +1,195 @@
+// ThreadBench: threads on two axes of a lathe, led by a spindle that is a formula of time.
+//
+// The path sees the spindle only through an encoder, one cycle late. All set-points are watched:
+// limits, and that positions and derivatives belong together.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "motion/interpolator.h"
+#include "motion/look_ahead.h"
+#include "motion/thread_builder.h"
+#include "tests/support/no_allocation.h"
+
+namespace stanok::motion::testing {
+
+inline constexpr double discrete = 0.001;  // mm
+inline constexpr double cycle_s = 0.001;
+inline constexpr double rounding = 1e-12;  // of what is used of a limit
+inline constexpr int counts = 4 * 4096;
+inline constexpr std::size_t X = 0;
+inline constexpr std::size_t Z = 1;
+
+inline MotionConfig lathe_axes() {
+  MotionConfig config;
+  config.axis_count = 2;
+  config.geometry = {0, -1, 1};
+  config.cycle_s = cycle_s;
+  for (std::size_t k = 0; k < 2; ++k) {
+    config.axes[k].velocity_max = 250.0;
+    config.axes[k].acceleration_max = 2500.0;
+    config.axes[k].jerk_max = 50000.0;
+    config.axes[k].position_min = -300.0;
+    config.axes[k].position_max = 300.0;
+    config.axes[k].rapid_max = 250.0;
+  }
+  return config;
+}
+
+inline Point at(double x, double z) {
+  Point point{};
+  point[X] = x;
+  point[Z] = z;
+  return point;
+}
+
+// Turns of a spindle at a time, from a formula.
+using Turning = std::function<double(double)>;
+
+// 20 % of ripple at 2 Hz on `speed` turns/s.
+inline Turning with_ripple(double speed, double phase) {
+  return [=](double t) {
+    const double w = 2.0 * std::numbers::pi * 2.0;
+    return speed * (t - 0.2 / w * (std::cos(w * t + phase) - std::cos(phase)));
+  };
+}
+
+inline Turning steady(double speed) {
+  return [=](double t) { return speed * t; };
+}
+
+// One set-point.
+struct Sample {
+  double t = 0.0;
+  double x = 0.0;
+  double z = 0.0;
+  double v_z = 0.0;
+};
+
+class ThreadBench {
+ public:
+  explicit ThreadBench(Turning turning, double speed_wanted, const Point& start = {})
+      : turning_(std::move(turning)),
+        speed_wanted_(speed_wanted),
+        look_ahead_(config_),
+        interpolator_(config_) {
+    interpolator_.stand_at(start, {});
+  }
+
+  MotionConfig& config() { return config_; }
+  FeedControl& control() { return control_; }
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const InterpolatorOutput& output() const { return output_; }
+
+  // The spindle turns, nothing is to be cut.
+  void idle(double seconds) {
+    const int cycles = static_cast<int>(seconds / cycle_s);
+    for (int n = 0; n < cycles; ++n) cycle();
+  }
+
+  void send(ThreadBuilder& builder) {
+    look_ahead_.add(builder.finish());
+    ASSERT_TRUE(look_ahead_.deliver(queue_));
+  }
+
+  // Until the chain is over; the samples of all its set-points.
+  std::vector<Sample> cut(double seconds_max = 30.0) {
+    const std::uint64_t done = output_.chunks_done;
+    std::vector<Sample> samples;
+    while (output_.chunks_done == done && time_ < seconds_max) {
+      cycle();
+      samples.push_back(
+          {time_, output_.axes[X].value, output_.axes[Z].value, output_.axes[Z].first});
+    }
+    EXPECT_GT(output_.chunks_done, done) << "the chain is not over after " << time_ << " s";
+    return samples;
+  }
+
+  void cycle() {
+    observer_.advance(cycle_s, command(0.0));
+    const double seen = std::floor(turning_(time_) * counts) / counts;
+    observer_.observe(360.0 * (seen - std::floor(seen)));
+    interpolator_.see_spindle(0, observer_.ahead(cycle_s, command(cycle_s)));
+    {
+      stanok::testing::NoAllocation guard;
+      interpolator_.advance(queue_, control_, output_);
+    }
+    if (obey_) obey_(output_.spindle_order);
+    time_ += cycle_s;
+    watch_limits();
+  }
+
+  [[nodiscard]] double used() const { return used_; }  // of the limits, at most
+  // A spindle that obeys a tap, in every cycle, and how it is commanded to turn some time later.
+  void spindle_obeys(std::function<void(const SpindleOrder&)> obey,
+                     std::function<SpindleMotion(double)> commands) {
+    obey_ = std::move(obey);
+    commands_ = std::move(commands);
+  }
+
+ private:
+  // Without an obedient spindle only the speed is known that it shall have.
+  [[nodiscard]] SpindleMotion command(double later) const {
+    return commands_ ? commands_(later) : SpindleMotion{.speed_wanted = speed_wanted_};
+  }
+
+  // Set-points by their derivatives, and the speed between them by differences.
+  void watch_limits() {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const AxisLimits& limits = config_.axes[k];
+      const kinematics::Jet& q = output_.axes[k];
+      used_ = std::max({used_, std::abs(q.first) / limits.velocity_max,
+                        std::abs(q.second) / limits.acceleration_max,
+                        std::abs(q.third) / limits.jerk_max});
+      if (before_) {
+        // Between two set-points at most one change of jerk within the limits: both ends of the
+        // cycle tell where the other one is, to J T^3 / 6.
+        const kinematics::Jet& p = (*before_)[k];
+        const double due = p.value + cycle_s * (p.first + 0.5 * cycle_s * p.second);
+        EXPECT_NEAR(q.value, due, limits.jerk_max * std::pow(cycle_s, 3) / 6.0 + 1e-9);
+        EXPECT_LE(std::abs(q.second - p.second), limits.jerk_max * cycle_s * (1.0 + 1e-9));
+      }
+    }
+    before_ = output_.axes;
+  }
+
+  MotionConfig config_ = lathe_axes();
+  Turning turning_;
+  std::function<void(const SpindleOrder&)> obey_;
+  std::function<SpindleMotion(double)> commands_;
+  double speed_wanted_;
+  LookAhead look_ahead_;
+  PathQueue queue_;
+  Interpolator interpolator_;
+  SpindleObserver observer_;
+  FeedControl control_;
+  InterpolatorOutput output_;
+  double time_ = 0.0;
+  double used_ = 0.0;
+  std::optional<JetPoint> before_;
+};
+
+inline SpindleCoupling thread_from(double angle_deg) {
+  SpindleCoupling coupling;
+  coupling.kind = SpindleCoupling::Kind::thread;
+  coupling.start_angle_deg = angle_deg;
+  return coupling;
+}
+
+inline ThreadBlock block_to(const Point& end, double lead_mm) {
+  ThreadBlock block;
+  block.tag = {1, 1, 1, 0};
+  block.end = end;
+  block.lead_mm = lead_mm;
+  block.tolerance_mm = 0.01;
+  return block;
+}
+
+}  // namespace stanok::motion::testing
