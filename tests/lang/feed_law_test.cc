@@ -201,9 +201,12 @@ TEST_F(FeedLaws, EndWithTheFeedModeAndWithAFeedThatWasNeverKnown) {
   EXPECT_EQ(error.place.line, 4);
   EXPECT_EQ(error_code("G1 F50 S_n=60 dS=1 dl=1\nX1\nG93 X2 F1\nG94 X3\nM30\n"), "E4020");
   EXPECT_EQ(error.place.line, 4);
-  const auto changes = laws("G1 F50 S_n=60 dS=1 dl=1\nG93\nM30\n");
-  ASSERT_EQ(changes.size(), 2u);
-  EXPECT_EQ(changes[1].law, FeedLaw{});
+  EXPECT_EQ(error_code("G1 F50 S_n=60 dS=1 dl=1\nG95\nX1\nM30\n"), "E4020");
+  EXPECT_EQ(error.place.line, 3);
+  const auto list = run("G1 F50 S_n=60 dS=1 dl=1\nG93\nG0 X1\nM30\n");
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(std::get<FeedLawChange>(list[1].payload).law, FeedLaw{});
+  EXPECT_TRUE(std::holds_alternative<Move>(list[2].payload));
 }
 
 TEST_F(FeedLaws, AreNotEndedByTheModeThatIsActiveAlready) {

@@ -194,5 +194,15 @@ TEST_F(Subprograms, UnderstandsLettersForNamedAddresses) {
   EXPECT_EQ(error_code("G1 F10 E1 X2=3\nM30\n"), "E4001");
 }
 
+// Cycles read a contour as plain text, which knows no such letters: they must not be lost there.
+TEST_F(Subprograms, RefuseALetterForANamedAddressInAContour) {
+  channel.kind = ChannelKind::lathe;
+  channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}, {"X2", false, 0.0, -1}};
+  const std::string cycle = "G0 X50 Z2 F0.2\nG70 P10 Q20\nN10 G0 X20\n";
+  EXPECT_EQ(error_code(cycle + "N20 G1 Z-10\nM30\n"), "");
+  channel.address_alias = {{'E', "X2"}};
+  EXPECT_EQ(error_code(cycle + "N20 G1 Z-10 E3\nM30\n"), "E4068");
+}
+
 }  // namespace
 }  // namespace stanok::lang::testing
