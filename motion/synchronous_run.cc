@@ -20,6 +20,10 @@ constexpr double run_in_share = 0.45;
 // The share of its speed by which a spindle may change during the run-in.
 constexpr double change_in_run_in = 0.25;
 
+// Lengths of run-in up to the first corner, within which the run-in and a brake from 1.4 times its
+// speed have room.
+constexpr double run_ins_before_corner = 3.0;
+
 // Kept of the highest speed: a bound in steps of cycles passes it by jerk * cycle^2 / 8.
 constexpr double speed_share = 0.99;
 
@@ -74,6 +78,7 @@ void SynchronousRun::begin(const SpindleCoupling& coupling, double length) RT_SA
   has_watched_ = false;
   leaves_ = false;
   is_in_law_ = false;
+  has_joined_ = false;
   spindle_stops_ = false;
 }
 
@@ -126,9 +131,13 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
     lose();
     return false;
   }
-  RampLimits limits = scaled(limits_of(coupling_.entry), run_in_share);
-  if (ramp_distance(0.0, speed, limits) > coupling_.entry_end)
-    limits = scaled(limits_of(coupling_.chain), run_in_share);
+  // Where the run-in could be braked off before the first corner, that has no part in it.
+  limits_ = limits_of(coupling_.entry);
+  RampLimits limits = scaled(limits_, run_in_share);
+  if (run_ins_before_corner * ramp_distance(0.0, speed, limits) > coupling_.entry_end) {
+    limits_ = limits_of(coupling_.chain);
+    limits = scaled(limits_, run_in_share);
+  }
   const double duration = ramp_duration(0.0, speed, limits);
   if (std::abs(spindle.acceleration) * duration > change_in_run_in * speed) {
     has_watched_ = false;
@@ -171,6 +180,10 @@ Jet SynchronousRun::course(const SpindleMotion& spindle) RT_SAFE {
 // One cycle towards the course, if from there a way to rest within the chain is known; else the way
 // to rest that is known from here.
 void SynchronousRun::follow(const Jet& course) RT_SAFE {
+  if (!changes_limits()) {
+    lose();
+    return run_brake();
+  }
   const PathMotion next = after(motion_, jerk_allowed(jerk_towards(course)), cycle_s_);
   const bool goes_back = next.v < 0.0;
   const double end = goes_back ? 0.0 : length_;
@@ -184,13 +197,19 @@ void SynchronousRun::follow(const Jet& course) RT_SAFE {
   if (is_in_law_ && std::abs(course.value - motion_.s) > lag_max) lose();
 }
 
-// Up to the first corner and behind the last one the axes have more than in the corners; an
-// acceleration that is too high for these goes before.
-RampLimits SynchronousRun::limits_here() const RT_SAFE {
-  if (motion_.s >= coupling_.exit_begin) return limits_of(coupling_.exit);
-  const double excess = std::max(std::abs(motion_.a) - coupling_.chain.acceleration_max, 0.0);
-  const double way = std::abs(motion_.v) * (excess / coupling_.chain.jerk_max + 2.0 * cycle_s_);
-  return limits_of(motion_.s + way < coupling_.entry_end ? coupling_.entry : coupling_.chain);
+// From the limits of the run-in, which is before the first corner, to those of the whole chain, and
+// behind the last corner to those there. False: the motion is beyond the limits of the chain.
+bool SynchronousRun::changes_limits() RT_SAFE {
+  if (motion_.s >= coupling_.exit_begin) {
+    limits_ = limits_of(coupling_.exit);
+  } else if (is_in_law_ && !has_joined_) {
+    const RampLimits chain = limits_of(coupling_.chain);
+    has_joined_ = std::abs(motion_.a) <= chain.a &&
+                  std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
+    if (has_joined_) limits_ = chain;
+    return has_joined_;
+  }
+  return true;
 }
 
 // The jerk over the cycle up to the set-point: that of the course, and the regulator's on the
@@ -205,25 +224,26 @@ double SynchronousRun::jerk_towards(const Jet& course) const RT_SAFE {
 // The jerk nearest to the one wanted that keeps jerk, acceleration, and the speed at which the
 // acceleration can be gone.
 double SynchronousRun::jerk_allowed(double wanted) const RT_SAFE {
-  const RampLimits limits = limits_here();
-  const double least = (-limits.a - motion_.a) / cycle_s_;
-  const double most = (limits.a - motion_.a) / cycle_s_;
-  const double low = std::clamp(least, -limits.j, limits.j);
-  const double high = std::clamp(most, -limits.j, limits.j);
+  const double low = std::max(-limits_.j, (-limits_.a - motion_.a) / cycle_s_);
+  const double high = std::min(limits_.j, (limits_.a - motion_.a) / cycle_s_);
+  // A thread does not go back.
+  const bool is_tap = coupling_.kind == SpindleCoupling::Kind::tap;
   const double v_max = speed_share * coupling_.speed_max;
+  const double v_min = is_tap ? -v_max : 0.0;
   const auto eased = [&](double j) RT_SAFE {
     const PathMotion next = after(motion_, j, cycle_s_);
-    return eased_speed(next.v, next.a, limits.j);
+    return eased_speed(next.v, next.a, limits_.j);
   };
-  double jerk = std::clamp(wanted, low, high);
-  const double excess = eased(jerk);
-  if (std::abs(excess) <= v_max) return jerk;
-  const double sign = excess > 0.0 ? 1.0 : -1.0;
-  double kept = excess > 0.0 ? low : high;
+  double beyond = std::clamp(wanted, low, high);
+  const double speed = eased(beyond);
+  if (v_min <= speed && speed <= v_max) return beyond;
+  const bool is_too_fast = speed > v_max;
+  double kept = is_too_fast ? low : high;
   constexpr int halvings = 40;
   for (int k = 0; k < halvings; ++k) {
-    const double middle = 0.5 * (kept + jerk);
-    (sign * eased(middle) <= v_max ? kept : jerk) = middle;
+    const double middle = 0.5 * (kept + beyond);
+    const double v = eased(middle);
+    ((is_too_fast ? v <= v_max : v >= v_min) ? kept : beyond) = middle;
   }
   return kept;
 }
@@ -273,8 +293,7 @@ SynchronousRun::Approach SynchronousRun::approach(const PathMotion& from, double
     RT_SAFE {
   Approach approach;
   const double forward = from.v < 0.0 ? -1.0 : 1.0;
-  const bool is_behind_corners = from.s >= coupling_.exit_begin;
-  const double j = (is_behind_corners ? coupling_.exit : coupling_.chain).jerk_max;
+  const double j = limits_.j;
   const PathMotion m{forward * (from.s - end), forward * from.v, forward * from.a, 0.0};
   approach.forward = forward;
   approach.ease = {
@@ -304,7 +323,7 @@ bool SynchronousRun::comes_to_rest_before(double end, const PathMotion& from) co
 // corner, or where there is no room for that with what the whole chain allows.
 SynchronousRun::WayToRest SynchronousRun::way_to(double end) const RT_SAFE {
   const Approach course = approach(motion_, end);
-  if (!course.fits) return shortest_way();
+  if (!course.fits) return brake();
   WayToRest way;
   const double v = course.ease.v_end;
   way.phases[way.size++] = course.ease;
@@ -328,11 +347,19 @@ SynchronousRun::WayToRest SynchronousRun::way_to(double end) const RT_SAFE {
 }
 
 // Wherever it ends.
-SynchronousRun::WayToRest SynchronousRun::shortest_way() const RT_SAFE {
+SynchronousRun::WayToRest SynchronousRun::brake() const RT_SAFE {
   WayToRest way;
-  for (const Phase& phase : change_speed(motion_, 0.0, limits_of(coupling_.chain)))
-    way.phases[way.size++] = phase;
+  for (const Phase& phase : change_speed(motion_, 0.0, limits_)) way.phases[way.size++] = phase;
   return way;
+}
+
+// The brake, or where it would end beyond the chain, the way to its end.
+SynchronousRun::WayToRest SynchronousRun::shortest_way() const RT_SAFE {
+  const WayToRest way = brake();
+  if (way.size == 0) return way;
+  const double s = way.phases[way.size - 1].s_end;
+  if (s > length_) return way_to(length_);
+  return s < 0.0 ? way_to(0.0) : way;
 }
 
 // From the next cycle on.

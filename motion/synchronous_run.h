@@ -69,7 +69,7 @@ class SynchronousRun {
   void stop_spindle(double turns) RT_SAFE;
   [[nodiscard]] bool stands_with(const SpindleMotion& spindle) const RT_SAFE;
   void lose() RT_SAFE;
-  [[nodiscard]] RampLimits limits_here() const RT_SAFE;
+  [[nodiscard]] bool changes_limits() RT_SAFE;
   // Phases to rest, and whether they end where the chain does.
   struct WayToRest {
     std::array<Phase, 2 + PhaseRun::capacity> phases{};
@@ -87,6 +87,7 @@ class SynchronousRun {
   [[nodiscard]] Approach approach(const PathMotion& from, double end) const RT_SAFE;
   [[nodiscard]] bool comes_to_rest_before(double end, const PathMotion& from) const RT_SAFE;
   [[nodiscard]] WayToRest way_to(double end) const RT_SAFE;
+  [[nodiscard]] WayToRest brake() const RT_SAFE;
   [[nodiscard]] WayToRest shortest_way() const RT_SAFE;
   void take(const WayToRest& way) RT_SAFE;
   void run_brake() RT_SAFE;
@@ -97,6 +98,7 @@ class SynchronousRun {
   double gain_a_;
 
   SpindleCoupling coupling_;
+  RampLimits limits_;  // at hand
   double length_ = 0.0;
   Stage stage_ = Stage::over;
   PathMotion motion_;
@@ -113,6 +115,7 @@ class SynchronousRun {
   PhaseRun ramp_;
   double ramp_speed_ = 1.0;
   bool is_in_law_ = false;
+  bool has_joined_ = false;  // the law, with the limits of the chain
 
   std::int64_t dwell_cycles_ = 0;
   bool spindle_stops_ = false;  // by order

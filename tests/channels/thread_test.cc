@@ -265,6 +265,54 @@ TEST(Thread, AResetEndsItOnItsWay) {
   EXPECT_EQ(bench.channel(1).axes[Z].position, -60.0);
 }
 
+// Single block stops before the thread and behind it; its blocks are one motion.
+TEST(Thread, IsOneStepOfSingleBlock) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc",
+                "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-20 K1.5\nG33 Z-40 K1.5\nG0 X20\nM30\n");
+  bench.ask(OperatorAction::single_block, 1, "", 0.0, 1);
+  bench.run(1, "p.nc");
+  double slowest = 1e9;
+  int stops = 0;
+  for (; stops < 10; ++stops) {
+    bench.run_to_end([&](const CycleOutput& output) {
+      const AxisSetpoint& z = output.channels[0].axes[Z];
+      if (z.position < -18.0 && z.position > -22.0) slowest = std::min(slowest, -z.velocity);
+    });
+    if (!bench.channel(1).running) break;
+    EXPECT_EQ(bench.channel(1).hold_cause, HoldCause::single_block);
+    bench.ask(OperatorAction::program_start, 1);
+  }
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_LT(stops, 8);
+  EXPECT_NEAR(slowest, 15.0, 0.5);
+  EXPECT_EQ(bench.channel(1).axes[Z].position, -40.0);
+}
+
+// A tool in a hole must not be torn off its helix.
+TEST(Thread, AResetInATapStopsTheSpindleOnTheHelix) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G94\nS600 M3\nG0 X0 Z5\nG33.1 Z-40 K1.5\nM30\n");
+  bench.run(1, "p.nc");
+  bool asked = false;
+  double error = 0.0;
+  Watched watched;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    watch_limits(channel, watched);
+    if (asked && channel.running) error = std::max(error, off_helix(channel, 5.0, -1.5, 0.0));
+    if (asked || channel.axes[Z].position > -10.0) return;
+    bench.ask(OperatorAction::program_reset, 1);
+    asked = true;
+  });
+  EXPECT_EQ(bench.channel(1).state, ChannelState::ready);
+  EXPECT_EQ(bench.channel(1).axes[C].velocity, 0.0);
+  // 600 rev/min at 1500 rev/min/s: two turns, 3 mm.
+  EXPECT_NEAR(bench.channel(1).axes[Z].position, -13.0, 0.2);
+  EXPECT_LE(error, 2.0 * discrete);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
 TEST(Thread, NeedsAnEncoder) {
   MachineConfig machine = testing::turning_machine();
   machine.spindles[0].encoder_pulses = 0;

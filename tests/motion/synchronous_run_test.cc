@@ -280,5 +280,53 @@ TEST(SynchronousRun, AShortThreadEndsAtItsEnd) {
   EXPECT_LE(bench.used(), 1.0 + rounding);
 }
 
+// Chains of all kinds, led by spindles of all kinds: those that the axes can follow, and those that
+// they lose. Whatever comes of it, the axes keep their limits, and an end that is reached is exact.
+TEST(SynchronousRun, RandomChainsKeepTheLimits) {
+  int over = 0;
+  int lost = 0;
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    const double speed = 1.0 + 30.0 * part(random) * part(random);
+    const double ripple = seed % 3 == 0 ? 0.8 * part(random) : 0.25 * part(random);
+    const double w = 2.0 * std::numbers::pi * (0.5 + 6.0 * part(random));
+    const Turning turning = [=](double t) {
+      return speed * (t - ripple / w * (std::cos(w * t) - 1.0));
+    };
+    const double z_start = 50.0 * part(random);
+    ThreadBench bench(turning, speed, at(20.0, z_start));
+    bench.idle(0.2);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(20.0, z_start), bench.config().geometry, thread_from(360.0 * part(random)),
+                  speed);
+    Point end = at(20.0, z_start);
+    const int blocks = 1 + static_cast<int>(4.0 * part(random));
+    for (int k = 0; k < blocks; ++k) {
+      const Point next =
+          at(end[X] + 3.0 * (part(random) - 0.5), end[Z] - 0.2 - 15.0 * part(random));
+      if (!builder.add(block_to(next, 0.3 + 3.0 * part(random)))) end = next;
+    }
+    if (builder.is_empty()) continue;
+    bench.send(builder);
+    const double hold_at = 10.0 * part(random);
+    while (bench.time() < 20.0 && bench.output().chunks_done == 0) {
+      bench.cycle();
+      bench.control().hold = bench.time() > hold_at && bench.time() < hold_at + 0.3;
+      bench.control().leaves_thread = bench.control().hold && seed % 7 == 0;
+      if (bench.output().has_lost_spindle && bench.output().axes[Z].first == 0.0) break;
+    }
+    lost += bench.output().has_lost_spindle ? 1 : 0;
+    EXPECT_LE(bench.used(), 1.0 + 1e-9);
+    if (bench.output().chunks_done == 0) continue;
+    ++over;
+    EXPECT_EQ(bench.output().axes[X].value, end[X]);
+    EXPECT_EQ(bench.output().axes[Z].value, end[Z]);
+  }
+  EXPECT_GT(over, 80);
+  EXPECT_GT(lost, 3);
+}
+
 }  // namespace
 }  // namespace stanok::motion::testing
