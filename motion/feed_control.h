@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/rt_safe.h"
+
 namespace stanok::motion {
 
 struct FeedControl {
@@ -15,6 +17,18 @@ struct FeedControl {
   bool leaves_thread = false;   // within a thread, too, which a hold lets run to its end
   // A gate: the path comes to rest before the first piece of this block or a later one.
   std::uint64_t closed_from_block = no_gate;
+  double spindle_rev_per_min = 0.0;  // that a feed per revolution follows
+
+  // What the spindle makes of the feed of a block; `block_rev_per_min`: the speed it is planned
+  // for, 0 for a feed per time.
+  [[nodiscard]] double spindle_part(double block_rev_per_min) const RT_SAFE {
+    if (block_rev_per_min <= 0.0 || spindle_rev_per_min == block_rev_per_min) return 1.0;
+    return spindle_rev_per_min / block_rev_per_min;
+  }
+  // The same under the override.
+  [[nodiscard]] double feed_part(double block_rev_per_min) const RT_SAFE {
+    return feed_override * spindle_part(block_rev_per_min);
+  }
 
   [[nodiscard]] bool is_nominal() const {
     return feed_override == 1.0 && rapid_override == 1.0 && !hold;

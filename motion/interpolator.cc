@@ -34,6 +34,12 @@ bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
          queue.pieces[queue.pieces.size() - 1].tag.block >= control.closed_from_block;
 }
 
+// The spindle turns as fast as the feed of the piece at hand was planned for.
+bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE {
+  const double planned = queue.pieces.front().process.rev_per_min;
+  return planned <= 0.0 || planned == control.spindle_rev_per_min;
+}
+
 }  // namespace
 
 Interpolator::Interpolator(const MotionConfig& config)
@@ -62,6 +68,11 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
   // Each round ends a chunk; a cycle holds only so many of them.
   constexpr int chunks_per_cycle_max = 64;
   for (int round = 0; round < chunks_per_cycle_max; ++round) {
+    if (stand_mm_ > 0.0) {
+      time = stand(control, time);
+      out.cycle_left = time;
+      if (stand_mm_ > 0.0) break;
+    }
     if (!cursor_.has_chunk()) {
       if (control.hold || !may_enter(queue, control, chunk_limit)) break;
       enter(queue);
@@ -74,6 +85,18 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
     if (time <= 0.0) break;
   }
   report(queue, control, out);
+}
+
+// Goes on along the fictitious path; returns what is left of the time at its end.
+double Interpolator::stand(const FeedControl& control, double time) RT_SAFE {
+  const double speed = control.hold ? 0.0 : stand_feed_ * control.feed_part(stand_rev_per_min_);
+  if (stand_mm_ > speed * time) {
+    stand_mm_ -= speed * time;
+    return 0.0;
+  }
+  const double left = time - stand_mm_ / speed;
+  stand_mm_ = 0.0;
+  return left;
 }
 
 bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
@@ -119,8 +142,8 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
   if (is_synchronous()) return follow_spindle(queue, control);
   const bool wants_nominal =
-      overlap_ == Overlap::runs ||
-      (control.is_nominal() && knows_next(queue) && !sees_gate(queue, control));
+      overlap_ == Overlap::runs || (control.is_nominal() && follows_spindle(queue, control) &&
+                                    knows_next(queue) && !sees_gate(queue, control));
   if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
   if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
   if (is_nominal_) planner_.forget();
@@ -282,6 +305,9 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
   const double beyond = motion_.s - length;
   const bool chain_ends = cursor_.chunk().last;
   if (chain_ends) {
+    stand_mm_ = cursor_.chunk().stand_mm;
+    stand_feed_ = cursor_.piece(queue).feed_per_s;
+    stand_rev_per_min_ = cursor_.piece(queue).process.rev_per_min;
     stand_here(queue);
     out.chain_ended = true;
   }
@@ -307,6 +333,7 @@ void Interpolator::stand_here(const PathQueue& queue) RT_SAFE {
   unwind(piece.transform, axes);
   for (std::size_t k = 0; k < axes.size(); ++k) standing_axes_[k] = axes[k].value;
   last_tag_ = piece.tag;
+  last_process_ = piece.process;
   motion_ = {};
 }
 
@@ -328,9 +355,11 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.at_gate = stands_at_gate(queue, control);
   out.has_lost_spindle = is_synchronous() && synchronous_.is_lost();
   if (!cursor_.has_chunk()) {
-    out.state = PathState::idle;
+    out.state = stand_mm_ > 0.0 ? PathState::standing : PathState::idle;
     out.tag = last_tag_;
-    out.feed_commanded = 0.0;
+    out.feed_commanded =
+        stand_mm_ > 0.0 ? stand_feed_ * control.spindle_part(stand_rev_per_min_) : 0.0;
+    out.process = last_process_;
     derivatives_to_zero(out.point, standing_point_);
     derivatives_to_zero(out.axes, standing_axes_);
     return;
@@ -338,7 +367,9 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   const Piece& piece = cursor_.piece(queue);
   out.state = state(queue, control);
   out.tag = piece.tag;
-  out.feed_commanded = piece.rapid ? 0.0 : piece.feed_per_s;
+  out.feed_commanded =
+      piece.rapid ? 0.0 : piece.feed_per_s * control.spindle_part(piece.process.rev_per_min);
+  out.process = piece.process;
   JetPoint point_s;
   evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
@@ -374,6 +405,7 @@ void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
     ++chunks_done_;
   }
   chunks_done_ += queue.chunks.size();
+  stand_mm_ = 0.0;
   cursor_.drop(queue);
   is_nominal_ = true;
   overlap_ = Overlap::undecided;

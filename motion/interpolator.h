@@ -26,8 +26,9 @@ namespace stanok::motion {
 enum class PathState : std::uint8_t {
   idle,  // no chunk: standing
   moving,
-  holding,  // at rest on the path by hold or override 0
-  starved,  // at rest on the path: the next chunk of the chain did not arrive in time
+  holding,   // at rest on the path by hold or override 0
+  starved,   // at rest on the path: the next chunk of the chain did not arrive in time
+  standing,  // on a fictitious path, which a feed law puts between two chains
 };
 
 struct InterpolatorOutput {
@@ -37,6 +38,7 @@ struct InterpolatorOutput {
   JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
+  PieceProcess process;         // of the piece at hand, or the last one
   double path_advanced = 0.0;   // path length travelled in this cycle, mm (or deg)
   bool at_gate = false;         // at rest before a gate of FeedControl
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
@@ -94,6 +96,7 @@ class Interpolator {
   [[nodiscard]] double time_to_end(const PathQueue& queue, double farthest) const RT_SAFE;
   void enter_overlapped(PathQueue& queue) RT_SAFE;
   void add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
+  [[nodiscard]] double stand(const FeedControl& control, double time) RT_SAFE;
   void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
@@ -135,6 +138,10 @@ class Interpolator {
   Point standing_point_{};
   Point standing_axes_{};
   BlockTag last_tag_;
+  PieceProcess last_process_;
+  double stand_mm_ = 0.0;    // what is left of the fictitious path
+  double stand_feed_ = 0.0;  // mm/s
+  double stand_rev_per_min_ = 0.0;
 };
 
 }  // namespace stanok::motion

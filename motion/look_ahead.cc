@@ -52,11 +52,13 @@ void LookAhead::add(const PathBuilder::Built& built) {
   const Piece& piece = built.piece;
   STANOK_ASSERT(piece.length > 0.0);
   const std::uint64_t known = blocks_.empty() ? 0 : blocks_.back();
-  blocks_.push_back(known + (window_.empty() ? 1 : blocks_between(window_.back().tag, piece.tag)));
+  const bool begins = window_.empty() || built.counts_as_block;
+  blocks_.push_back(known + (begins ? 1 : blocks_between(window_.back().tag, piece.tag)));
   window_.push_back(piece);
   speeds_.push_back(speed_piece(piece, 1.0));
   speeds_.back().ramp.j *= built.jerk_part;
   overlap_ = built.overlap;
+  stand_mm_ = built.stand_mm;
   if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
     plan_window(built.ends_chain);
   }
@@ -195,7 +197,10 @@ void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bo
                        .last = chain_ends && last == pieces,
                        .length = s_last - s_first,
                        .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
-    if (committed.chunk.last) committed.overlap = overlap_;
+    if (committed.chunk.last) {
+      committed.overlap = overlap_;
+      committed.chunk.stand_mm = stand_mm_;
+    }
     if (!ready_.empty() && ready_.back().overlap) decide_overlap(ready_.back(), committed);
     ready_.push_back(std::move(committed));
     first = last;

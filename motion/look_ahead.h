@@ -76,6 +76,7 @@ class LookAhead {
   std::vector<SpeedPiece> speeds_;
   std::vector<std::uint64_t> blocks_;
   std::optional<OverlapCorner> overlap_;  // at the end of the chain
+  double stand_mm_ = 0.0;                 // there, too
   double v_start_ = 0.0;
   std::uint64_t plan_at_blocks_ = 2 * blocks_beyond;
 

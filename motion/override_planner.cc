@@ -9,6 +9,8 @@ namespace {
 // Speeds that differ by less count as equal.
 constexpr double speed_tolerance = 1e-9;
 
+constexpr double spindle_room = 1.05;
+
 bool is_faster(double v, double cap) RT_SAFE {
   return v > cap * (1.0 + speed_tolerance);
 }
@@ -79,25 +81,38 @@ double speed_at(const PhaseRun& run, double s) RT_SAFE {
 
 void OverridePlanner::forget() RT_SAFE {
   has_plan_ = false;
-  reach_ = 1.0;
+  reach_ = {};
 }
 
 bool OverridePlanner::advance(const PathQueue& queue, const PathCursor& cursor,
                               const FeedControl& control, double time, PathMotion& motion,
                               double& left) RT_SAFE {
-  reach_ = std::max(reach_, control.feed_override);
+  extend_reach(control);
   sight_.look(queue, cursor, control, reach_);
   if (find_plan(control, time, motion)) {
     current_ = 1 - current_;
     has_plan_ = true;
     plan_caps_ = draft_caps_;
     plan_control_ = control;
-    if (plan_caps_ == Caps::asked) reach_ = std::max(1.0, control.feed_override);
+    if (plan_caps_ == Caps::asked) narrow_reach(control);
   } else if (!has_plan_) {
     return false;
   }
   left = plans_[current_].run(time, motion);
   return true;
+}
+
+// A spindle whose speed changes would change the limits in every cycle: it is given some room.
+void OverridePlanner::extend_reach(const FeedControl& control) RT_SAFE {
+  reach_.feed_override = std::max(reach_.feed_override, control.feed_override);
+  if (control.spindle_rev_per_min > reach_.rev_per_min)
+    reach_.rev_per_min = spindle_room * control.spindle_rev_per_min;
+}
+
+void OverridePlanner::narrow_reach(const FeedControl& control) RT_SAFE {
+  reach_.feed_override = std::max(1.0, control.feed_override);
+  if (control.spindle_rev_per_min * spindle_room * spindle_room < reach_.rev_per_min)
+    reach_.rev_per_min = spindle_room * control.spindle_rev_per_min;
 }
 
 double OverridePlanner::cap(std::size_t piece, Caps caps) RT_SAFE {

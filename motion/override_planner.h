@@ -58,6 +58,8 @@ class OverridePlanner {
     double binding_speed = 0.0;
   };
 
+  void extend_reach(const FeedControl& control) RT_SAFE;
+  void narrow_reach(const FeedControl& control) RT_SAFE;
   [[nodiscard]] double cap(std::size_t piece, Caps caps) RT_SAFE;
   [[nodiscard]] bool find_plan(const FeedControl& control, double time, const PathMotion& motion)
       RT_SAFE;
@@ -80,7 +82,7 @@ class OverridePlanner {
   Caps plan_caps_ = Caps::hard;  // under which the plan was found
   FeedControl plan_control_;
   Caps draft_caps_ = Caps::hard;
-  double reach_ = 1.0;
+  PathSight::Reach reach_;
 };
 
 }  // namespace stanok::motion

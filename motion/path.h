@@ -53,6 +53,21 @@ struct BlockTag {
   std::uint16_t file = 0;
 };
 
+class FeedLaw;
+enum class LawKind : std::uint8_t { none, linear, modulated, interrupted, curve };
+// What a law changes besides the feed: the spindle's speed, or the cutting speed.
+enum class LawSpeed : std::uint8_t { unchanged, rev_per_min, m_per_min };
+
+// How the process moves along a block: the law of its feed, and the spindle that its feed follows.
+struct BlockProcess {
+  const FeedLaw* law = nullptr;  // outlives the queue; none: the feed is constant
+  double way_start = 0.0;        // path of the law where the block begins, mm
+  double way_length = 0.0;       // and how much of it the block is
+  double way_end = unlimited;    // where the law ends
+  // Feed per revolution: `feed_per_s` holds at this speed of the spindle. 0: feed per time.
+  double rev_per_min = 0.0;
+};
+
 enum class BlockKind : std::uint8_t { line, arc, curve };
 enum class BlockEnding : std::uint8_t { continuous, exact_stop };
 
@@ -77,6 +92,7 @@ struct PathBlock {
   // Curve: the axes of the plane as polynomials of u, 0 to 1; all other axes linearly with u.
   std::array<std::array<double, 6>, 2> curve{};
   const kinematics::Transform* transform = nullptr;  // outlives the queue
+  BlockProcess process;
 };
 
 enum class PieceKind : std::uint8_t {
@@ -143,6 +159,19 @@ struct PieceBounds {
   Euclidean euclidean{};
 };
 
+// The same along a piece of the block.
+struct PieceProcess {
+  const FeedLaw* law = nullptr;  // not for the cycle
+  LawKind kind = LawKind::none;
+  LawSpeed speed = LawSpeed::unchanged;
+  double way_start = 0.0;  // path of the law where the piece begins, and where it ends
+  double way_stop = 0.0;
+  double way_end = unlimited;
+  double rev_per_min = 0.0;      // as of the block
+  std::uint64_t increments = 0;  // that the law has made
+  double spindle_speed = 0.0;    // that the law asks for, in its unit; 0: unchanged
+};
+
 struct Piece {
   BlockTag tag;
   Geometry geometry;
@@ -151,6 +180,7 @@ struct Piece {
   double feed_per_s = 0.0;  // programmed feed along s; infinity for rapid
   bool rapid = false;
   const kinematics::Transform* transform = nullptr;
+  PieceProcess process;
 };
 
 // Constant jerk along s for `duration`: s(t) = s + v t + a t^2/2 + j t^3/6. `s` counts from the
@@ -198,6 +228,7 @@ struct Chunk {
   bool last = false;  // the chain ends at rest at the end of this chunk
   double length = 0.0;
   double overlap_s = 0.0;      // the next chain may begin so long before this one has ended; s
+  double stand_mm = 0.0;       // fictitious path at the end of the chain: the axes stand meanwhile
   std::uint64_t sequence = 0;  // counts all chunks of the channel
   std::uint32_t lookahead_blocks = 0;  // blocks known beyond this chunk when it was committed
   SpindleCoupling coupling{};          // of a chain that is one chunk

@@ -74,6 +74,23 @@ PathMetric metric_of(const PathBlock& block, const Point& start, const MotionCon
   return metric;
 }
 
+PieceProcess process_of(const BlockProcess& block) {
+  return {.law = block.law,
+          .way_start = block.way_start,
+          .way_stop = block.way_start + block.way_length,
+          .way_end = block.way_end,
+          .rev_per_min = block.rev_per_min};
+}
+
+// The same between two path lengths of the piece.
+PieceProcess part_of(const Piece& whole, double from, double to) {
+  PieceProcess process = whole.process;
+  const double way = process.way_stop - process.way_start;
+  process.way_start = whole.process.way_start + way * (from / whole.length);
+  if (to < whole.length) process.way_stop = whole.process.way_start + way * (to / whole.length);
+  return process;
+}
+
 // The shortest rest of a block between its two blends, when `left` remains of it.
 double rest_wanted(double left) {
   return std::min(rest_min, 0.125 * left);
@@ -183,7 +200,8 @@ void PathBuilder::finish() {
 
 // Two blocks that may be neighbours in a smooth run.
 bool PathBuilder::belong_together(const Pending& one, const Pending& next) const {
-  return one.keeps_clear && next.keeps_clear &&
+  const bool have_laws = one.whole.process.law != nullptr || next.whole.process.law != nullptr;
+  return !have_laws && one.keeps_clear && next.keeps_clear &&
          run_.may_join(one.whole, next.whole, lower_of(one.tolerance, next.tolerance));
 }
 
@@ -227,6 +245,7 @@ PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
   pending.whole.feed_per_s = block.rapid ? unlimited : block.feed_per_s;
   pending.whole.rapid = block.rapid;
   pending.whole.transform = block.transform;
+  pending.whole.process = process_of(block.process);
   pending.tolerance = {block.tolerance_mm, block.tolerance_deg};
   pending.from_point = end_;
   return pending;
@@ -300,6 +319,7 @@ std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
   piece.length = blend->shape.length;
   piece.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
   piece.rapid = incoming.rapid && outgoing.rapid;
+  if (incoming.feed_per_s < outgoing.feed_per_s) piece.process = incoming.process;
   piece.bounds = piece_bounds(piece, config_);
   return curve;
 }
@@ -313,7 +333,7 @@ void PathBuilder::take(const Curve& curve, Pending& next) {
   } else {
     piece.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
   }
-  append(piece);
+  append_blend(piece, next, curve.reach);
   next.from = curve.reach;
   next.from_point = piece.geometry.end;
 }
@@ -356,9 +376,40 @@ void PathBuilder::emit_part(double from, const Point& from_point, double to, con
     const Shape rest = part(pending_->whole, from, from_point, to, to_point);
     piece.geometry = rest.geometry;
     piece.length = rest.length;
+    piece.process = part_of(pending_->whole, from, to);
   }
   piece.bounds = piece_bounds(piece, config_);
   append(piece, jerk_part);
+}
+
+// Between two blocks of one feed law its path goes on through the blend; else the blend belongs to
+// either block up to its middle.
+void PathBuilder::append_blend(Piece piece, const Pending& next, double reach) {
+  const Piece& incoming = pending_->whole;
+  const Piece& outgoing = next.whole;
+  const PieceProcess before =
+      part_of(incoming, std::max(incoming.length - reach, 0.0), incoming.length);
+  const PieceProcess behind = part_of(outgoing, 0.0, reach);
+  if (before.law == behind.law) {
+    if (before.law != nullptr) {
+      piece.process = before;
+      piece.process.way_stop = behind.way_stop;
+    }
+    return append(piece);
+  }
+  const double middle = 0.5 * piece.length;
+  JetPoint point_s;
+  evaluate(piece, middle, point_s);
+  const Point middle_point = contact(point_s).position;
+  for (const bool first : {true, false}) {
+    Piece half = piece;
+    const Shape shape = first ? part(piece, 0.0, piece.geometry.start, middle, middle_point)
+                              : part(piece, middle, middle_point, piece.length, piece.geometry.end);
+    half.geometry = shape.geometry;
+    half.length = shape.length;
+    half.process = first ? before : behind;
+    append(half);
+  }
 }
 
 void PathBuilder::append(const Piece& piece, double jerk_part) {

@@ -48,6 +48,8 @@ class PathBuilder {
     // The next chain follows, and may begin before this one has ended.
     std::optional<OverlapCorner> overlap = std::nullopt;
     double jerk_part = 1.0;  // of the jerk the axes allow, that the profile may use on the piece
+    double stand_mm = 0.0;   // Chunk::stand_mm
+    bool counts_as_block = false;  // for look-ahead: a part that a feed law made of a block
   };
   // Final pieces not yet taken; the caller empties it.
   [[nodiscard]] std::vector<Built>& built() { return built_; }
@@ -92,6 +94,7 @@ class PathBuilder {
   void stop();
   void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
   void append(const Piece& piece, double jerk_part = 1.0);
+  void append_blend(Piece piece, const Pending& next, double reach);
   void end_chain();
 
   MotionConfig config_;

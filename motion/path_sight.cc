@@ -21,12 +21,18 @@ std::size_t open_pieces(const PathQueue& queue, std::size_t count, std::uint64_t
   return first;
 }
 
+// Of a piece whose feed is planned for a spindle speed (0: for none).
+double highest_part(const PathSight::Reach& reach, double rev_per_min) RT_SAFE {
+  if (rev_per_min <= 0.0) return reach.feed_override;
+  return reach.feed_override * std::max(1.0, reach.rev_per_min / rev_per_min);
+}
+
 }  // namespace
 
 PathSight::PathSight() : kept_(2 * pieces_max) {}
 
 void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
-                     double reach) RT_SAFE {
+                     const Reach& reach) RT_SAFE {
   queue_ = &queue;
   control_ = control;
   reach_ = reach;
@@ -53,20 +59,23 @@ const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
   if (kept.number == number && kept.reach == reach_) return kept;
   const Piece& piece = queue_->pieces[index];
   const SpeedPiece nominal = speed_piece(piece, 1.0);
-  const SpeedPiece limits = reach_ > 1.0 && !piece.rapid ? speed_piece(piece, reach_) : nominal;
+  const double part = highest_part(reach_, piece.process.rev_per_min);
+  const SpeedPiece limits = part > 1.0 && !piece.rapid ? speed_piece(piece, part) : nominal;
   kept = {.number = number,
           .reach = reach_,
           .length = piece.length,
           .feed = piece.rapid ? nominal.v : piece.feed_per_s,
           .v = limits.v,
           .ramp = limits.ramp,
+          .rev_per_min = piece.process.rev_per_min,
           .rapid = piece.rapid};
   return kept;
 }
 
 double PathSight::asked_speed(std::size_t index) RT_SAFE {
   const Limits& limits = limits_of(index);
-  const double part = limits.rapid ? control_.rapid_override : control_.feed_override;
+  const double part =
+      limits.rapid ? control_.rapid_override : control_.feed_part(limits.rev_per_min);
   return std::min(limits.v, part * limits.feed);
 }
 

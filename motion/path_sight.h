@@ -26,10 +26,17 @@ class PathSight {
 
   PathSight();
 
-  // Looks along the path from the piece at hand, once a cycle. `reach`: the highest override, at
-  // least 1, that the present speed may come from. A gate ahead is a wall.
+  // From where the present speed may come: the highest override, at least 1, and the highest speed
+  // of the spindle that a feed per revolution followed.
+  struct Reach {
+    double feed_override = 1.0;
+    double rev_per_min = 0.0;
+    friend bool operator==(const Reach&, const Reach&) = default;
+  };
+
+  // Looks along the path from the piece at hand, once a cycle. A gate ahead is a wall.
   void look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
-            double reach) RT_SAFE;
+            const Reach& reach) RT_SAFE;
 
   [[nodiscard]] std::size_t size() const RT_SAFE { return size_; }
   // Where piece `index` starts and ends along the chunk at hand; index < size().
@@ -45,18 +52,19 @@ class PathSight {
  private:
   struct Limits {
     std::uint64_t number = ~std::uint64_t{0};  // of the piece
-    double reach = 0.0;
+    Reach reach;
     double length = 0.0;
     double feed = 0.0;  // programmed; of a rapid piece what its axes allow
     double v = 0.0;
     RampLimits ramp;
+    double rev_per_min = 0.0;  // that a feed per revolution was planned for
     bool rapid = false;
   };
   [[nodiscard]] const Limits& limits_of(std::size_t index) RT_SAFE;
 
   const PathQueue* queue_ = nullptr;
   FeedControl control_;
-  double reach_ = 1.0;
+  Reach reach_;
   std::uint64_t first_ = 0;
   std::size_t size_ = 0;
   std::size_t starts_known_ = 0;

@@ -58,14 +58,13 @@ std::optional<AxisLimits> common_limits(const Piece& piece, const MotionConfig& 
     const AxisLimits& limits = config.axes[k];
     if (std::ranges::find(config.geometry, static_cast<int>(k)) == config.geometry.end()) {
       if (moves(piece, k)) return std::nullopt;
-    } else if (!limits.linear) {
-      return std::nullopt;  // the side of a cylinder: its mm are deg of the axis
-    } else if (!common) {
-      common = limits;
-    } else if (limits.acceleration_max != common->acceleration_max ||
-               limits.jerk_max != common->jerk_max) {
-      return std::nullopt;
+      continue;
     }
+    const bool differs = common && (limits.acceleration_max != common->acceleration_max ||
+                                    limits.jerk_max != common->jerk_max);
+    // On the side of a cylinder mm are deg of an axis.
+    if (differs || !limits.linear) return std::nullopt;
+    common = limits;
   }
   return common;
 }
