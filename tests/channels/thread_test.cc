@@ -323,6 +323,36 @@ TEST(Thread, NeedsAnEncoder) {
   EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5301"));
 }
 
+// With a tolerance of its own a corner keeps it, and must be passed at the speed of the spindle.
+TEST(Thread, IsRefusedWhereItsCornerIsTooSharpForTheTolerance) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc",
+                "G8 G18 G95\nS1500 M3\nG0 X10 Z2\nG64 P0.001\nG33 Z-10 K3\nG33 X30 Z-12 K3\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5303"));
+}
+
+TEST(Thread, IsRefusedBeyondTheBlocksThatAChainMayHave) {
+  MachineBench bench(testing::turning_machine());
+  std::string blocks;
+  for (int n = 0; n < 600; ++n) blocks += "G33 Z-0.2 K1.5\n";
+  bench.program("p.nc", "G8 G18 G95\nS300 M3\nG0 X10 Z2\nG91\n" + blocks + "M30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5304"));
+}
+
+TEST(Thread, IsTappedRigidlyOnlyByASpindleWithAnAcceleration) {
+  MachineConfig machine = testing::turning_machine();
+  machine.spindles[0].acceleration = 0.0;
+  MachineBench bench(machine);
+  bench.program("p.nc", "G8 G18 G95\nS300 M3\nG0 X0 Z2\nG33.1 Z-10 K1.5\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5305"));
+}
+
 TEST(Thread, IsRefusedWhereAnAxisIsTooSlowForIt) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc", "G8 G18 G95\nS3000 M3\nG0 X10 Z2\nG33 Z-30 K6\nM30\n");
