@@ -74,11 +74,17 @@ double block_length(const motion::MotionConfig& motion, const motion::Point& sta
   return geometry > 0.0 ? std::sqrt(geometry) : std::sqrt(all);
 }
 
-BlockPreparation::BlockPreparation(const motion::MotionConfig& motion, const ChannelConfig& channel)
-    : motion_(motion), channel_(channel), face_(motion), transforms_(1) {}
+BlockPreparation::BlockPreparation(const MachineConfig& machine, const ChannelConfig& channel,
+                                   const motion::MotionConfig& motion)
+    : motion_(motion),
+      channel_(channel),
+      process_(machine, channel),
+      face_(motion),
+      transforms_(1) {}
 
 void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::Point& axes_M) {
   transforms_.clear();
+  process_.restart();
   face_.forget();
   programmed_ = {};
   programmed_.scheme = scheme;
@@ -99,10 +105,7 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
   if (const auto* length = std::get_if<lang::ToolLength>(&command)) return set_tool_length(*length);
   if (const auto* change = std::get_if<lang::TransformationChange>(&command))
     return set_transformation(*change);
-  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command)) {
-    const bool stops = spindle->action == lang::SpindleAction::stop;
-    spindle_rev_per_min_ = stops ? 0.0 : spindle->speed_rev_per_min;
-  }
+  process_.take_state(command, diameter(position_W_));
   return false;
 }
 
@@ -227,30 +230,6 @@ void BlockPreparation::shape_ending(const lang::Move& move, motion::PathBlock& b
   block.tolerance_deg = block.tolerance_mm > 0.0 ? channel_.orientation_tolerance_deg : 0.0;
 }
 
-std::optional<Diagnostic> BlockPreparation::set_feed(const lang::Move& move,
-                                                     motion::PathBlock& block) const {
-  if (block.rapid) return std::nullopt;
-  switch (move.feed_mode) {
-    case lang::FeedMode::per_minute:
-      block.feed_per_s = move.feed / 60.0;
-      break;
-    case lang::FeedMode::inverse_time:
-      block.feed_per_s = length_of(block) * move.feed / 60.0;
-      break;
-    case lang::FeedMode::per_revolution:
-      block.feed_per_s = move.feed * spindle_rev_per_min_ / 60.0;
-      if (spindle_rev_per_min_ <= 0.0) {
-        Diagnostic d;
-        d.code = "E4021";
-        d.message = "feed per revolution while the spindle stands";
-        d.help = {"program S and M3 or M4 before, or feed per minute with G94"};
-        return d;
-      }
-      break;
-  }
-  return std::nullopt;
-}
-
 std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move& move) const {
   const kinematics::Scheme* scheme = transform().scheme;
   if (scheme == nullptr) return std::nullopt;
@@ -273,6 +252,23 @@ double BlockPreparation::length_of(const motion::PathBlock& block) const {
   return block_length(motion, position_W_, block);
 }
 
+// In the diameters of a turned part around Z; without an X axis there are none.
+double BlockPreparation::diameter(const motion::Point& point_W) const {
+  const int x = motion_.geometry[0];
+  return x < 0 ? 0.0 : 2.0 * std::abs(at(point_W, x));
+}
+
+ProcessPreparation::Way BlockPreparation::way_of(const motion::PathBlock& block,
+                                                 double length) const {
+  const int x = motion_.geometry[0];
+  const bool passes_centre =
+      x >= 0 && std::signbit(at(position_W_, x)) != std::signbit(at(block.end, x));
+  const double smaller = std::min(diameter(position_W_), diameter(block.end));
+  return {.length = length,
+          .diameter_min_mm = passes_centre ? 0.0 : smaller,
+          .diameter_end_mm = diameter(block.end)};
+}
+
 // A blend at the end of the block may come nearer than the block itself.
 std::optional<Diagnostic> BlockPreparation::refuse_pole(const motion::PathBlock& block) const {
   if (!face_.is_on() || !face_.is_face()) return std::nullopt;
@@ -286,8 +282,8 @@ std::optional<Diagnostic> BlockPreparation::refuse_pole(const motion::PathBlock&
   return d;
 }
 
-Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move& move,
-                                                                const motion::BlockTag& tag) {
+Expected<motion::PathBlock, Diagnostic> BlockPreparation::block_without_feed(
+    const lang::Move& move, const motion::BlockTag& tag) const {
   if (auto refusal = refuse_parked_axes(move)) return Unexpected<Diagnostic>(std::move(*refusal));
   motion::PathBlock block;
   block.tag = tag;
@@ -296,9 +292,18 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
   block.transform = &transform();
   shape_ending(move, block);
   if (move.kind == lang::MoveKind::arc) shape_arc(move, block);
-  if (auto refusal = set_feed(move, block)) return Unexpected<Diagnostic>(std::move(*refusal));
   if (auto refusal = refuse_pole(block)) return Unexpected<Diagnostic>(std::move(*refusal));
-  position_W_ = block.end;
+  return block;
+}
+
+Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move& move,
+                                                                const motion::BlockTag& tag) {
+  auto block = block_without_feed(move, tag);
+  if (!block) return block;
+  const auto way = way_of(*block, length_of(*block));
+  if (auto refusal = process_.apply(move, way, *block))
+    return Unexpected<Diagnostic>(std::move(*refusal));
+  position_W_ = block->end;
   return block;
 }
 
@@ -318,11 +323,10 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
     d.help = {"move the first or the last inner control point away from the end beside it"};
     return Unexpected<Diagnostic>(std::move(d));
   }
-  auto whole = block(spline.base, tag);
+  auto whole = block_without_feed(spline.base, tag);
   if (!whole) return Unexpected<Diagnostic>(whole.error());
   std::vector<motion::PathBlock> blocks;
-  double length = 0.0;
-  position_W_ = start;
+  std::vector<double> lengths;
   for (const motion::CurveStretch& stretch : stretches) {
     motion::PathBlock part = *whole;
     part.kind = motion::BlockKind::curve;
@@ -332,12 +336,22 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
       part.ending = motion::BlockEnding::continuous;
       part.end = point_on(start, whole->end, stretch, plane);
     }
-    length += length_of(part);
+    lengths.push_back(length_of(part));
     position_W_ = part.end;
     blocks.push_back(part);
   }
-  if (spline.base.feed_mode == lang::FeedMode::inverse_time) {
-    for (motion::PathBlock& part : blocks) part.feed_per_s = length * spline.base.feed / 60.0;
+  position_W_ = start;
+  const auto way = way_of(*whole, std::accumulate(lengths.begin(), lengths.end(), 0.0));
+  if (auto refusal = process_.apply(spline.base, way, *whole))
+    return Unexpected<Diagnostic>(std::move(*refusal));
+  position_W_ = whole->end;
+  double way_start = whole->process.way_start;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    blocks[k].feed_per_s = whole->feed_per_s;
+    blocks[k].process = whole->process;
+    blocks[k].process.way_start = way_start;
+    blocks[k].process.way_length = lengths[k];
+    way_start += lengths[k];
   }
   return blocks;
 }

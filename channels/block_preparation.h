@@ -12,6 +12,7 @@
 #include "base/expected.h"
 #include "channels/face_transformation.h"
 #include "channels/machine_config.h"
+#include "channels/process_preparation.h"
 #include "lang/command.h"
 #include "motion/path.h"
 
@@ -19,7 +20,8 @@ namespace stanok::channels {
 
 class BlockPreparation {
  public:
-  BlockPreparation(const motion::MotionConfig& motion, const ChannelConfig& channel);
+  BlockPreparation(const MachineConfig& machine, const ChannelConfig& channel,
+                   const motion::MotionConfig& motion);
 
   // Begins afresh with `scheme`, frame and tool at zero, the axes standing at `axes_M`. Transforms
   // given out before become invalid.
@@ -28,10 +30,16 @@ class BlockPreparation {
   // Another scheme is active, the axes stand at `axes_M`; frame and tool stay.
   void change_scheme(const kinematics::Scheme* scheme, const motion::Point& axes_M);
 
-  // Takes over what a command sets up for the motion after it: frame, tool length, spindle speed.
+  // Takes over what a command sets up for the motion after it: frame, tool length, what feed and
+  // spindle do.
   // True when the transform is a new one: the chain must have ended before, and a new one begins at
   // position_W().
   [[nodiscard]] bool take_state(const lang::Payload& command);
+
+  // A feed law for the motion that follows; the path goes on.
+  void take_process(const lang::Payload& command) {
+    process_.take_state(command, diameter(position_W_));
+  }
 
   // Why a face or cylinder transformation cannot begin here, or nothing.
   [[nodiscard]] std::optional<Diagnostic> refusal(const lang::TransformationChange& change) const;
@@ -73,16 +81,18 @@ class BlockPreparation {
   void shape_ending(const lang::Move& move, motion::PathBlock& block) const;
   [[nodiscard]] double length_of(const motion::PathBlock& block) const;
   [[nodiscard]] std::optional<Diagnostic> refuse_parked_axes(const lang::Move& move) const;
-  [[nodiscard]] std::optional<Diagnostic> set_feed(const lang::Move& move,
-                                                   motion::PathBlock& block) const;
+  [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block_without_feed(
+      const lang::Move& move, const motion::BlockTag& tag) const;
+  [[nodiscard]] ProcessPreparation::Way way_of(const motion::PathBlock& block, double length) const;
+  [[nodiscard]] double diameter(const motion::Point& point_W) const;
 
   const motion::MotionConfig& motion_;
   const ChannelConfig& channel_;
   kinematics::Transform programmed_;  // without face or cylinder transformation
+  ProcessPreparation process_;
   FaceTransformation face_;
   std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
   motion::Point position_W_{};                    // of the path
-  double spindle_rev_per_min_ = 0.0;
 };
 
 // Length of a block in its own metric: mm of the geometry axes, or deg when none of them moves

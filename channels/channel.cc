@@ -61,6 +61,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   move();
   follow_thread();
   demand_velocities();
+  follow_process();
   turn_spindles();
   stop_at_step();
   work_riders();
@@ -86,6 +87,7 @@ void Channel::move() RT_SAFE {
   if (!overrides_.feed_enabled) control.feed_override = 1.0;
   find_gates();  // riders, too, are pushed before the chunks whose blocks they stand before
   control.closed_from_block = closed_from_block();
+  control.spindle_rev_per_min = std::abs(spindles_[0].speed());
   if (!link_.path.chunks.empty())
     lookahead_max_ = std::max(lookahead_max_, link_.path.chunks.front().lookahead_blocks);
   interpolator_.advance(link_.path, control, path_, limit);
@@ -145,6 +147,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
   output.feed_override = control_.feed_override;
+  output.process = process();
   output.workpiece = workpiece_;
   output.point_W = path_.point;
   output.axes = setpoints_;

@@ -226,6 +226,7 @@ class Channel {
   void stop_at_step() RT_SAFE;
   void take_load(const Item& item) RT_SAFE;
   void command_spindles(const lang::SpindleCommand& command) RT_SAFE;
+  void command_cutting_speed(const lang::CuttingSpeedMode& mode) RT_SAFE;
   void set_output(const Item& item) RT_SAFE;
   void stop_by_program(const Item& item) RT_SAFE;
   void begin_brakes(const Item& item) RT_SAFE;
@@ -237,6 +238,10 @@ class Channel {
   void move() RT_SAFE;
   [[nodiscard]] int spindle_index(int id) const RT_SAFE;
   void open_position_loops() RT_SAFE;
+  // Feed laws, constant cutting speed (channel_process.cc).
+  void follow_process() RT_SAFE;
+  [[nodiscard]] double diameter() const RT_SAFE;  // of a part turned around Z, at the tool; mm
+  [[nodiscard]] ProcessOutput process() const RT_SAFE;
   void turn_spindles() RT_SAFE;
   // Threads (channel_thread.cc).
   void observe_spindles() RT_SAFE;

@@ -16,6 +16,7 @@ bool is_of_program(ItemKind kind) RT_SAFE {
   switch (kind) {
     case ItemKind::dwell:
     case ItemKind::spindle:
+    case ItemKind::cutting_speed:
     case ItemKind::coolant:
     case ItemKind::tool_change:
     case ItemKind::override_control:
@@ -114,6 +115,8 @@ void Channel::execute(const Item& item) RT_SAFE {
       return wait(Activity::dwell, item.value);
     case ItemKind::spindle:
       return command_spindles(item.spindle);
+    case ItemKind::cutting_speed:
+      return command_cutting_speed(item.cutting);
     case ItemKind::coolant:
     case ItemKind::tool_change:
       return;
@@ -164,6 +167,17 @@ void Channel::command_spindles(const lang::SpindleCommand& command) RT_SAFE {
                           (command.spindle == 0 && is_master);
     if (is_meant) spindle.command(command);
   }
+  follow_process();
+  wait(Activity::spindle, 0.0);
+}
+
+void Channel::command_cutting_speed(const lang::CuttingSpeedMode& mode) RT_SAFE {
+  for (Spindle& spindle : spindles_) {
+    const bool is_master = &spindle == spindles_.data();
+    const bool is_meant = mode.spindle == spindle.id() || (mode.spindle == 0 && is_master);
+    if (is_meant) spindle.command(mode);
+  }
+  follow_process();
   wait(Activity::spindle, 0.0);
 }
 

@@ -29,6 +29,7 @@ enum class ItemKind : std::uint8_t {
   transform,         // `transform` holds from here
   dwell,             // value = s
   spindle,           // spindle command
+  cutting_speed,     // G96, G97
   coolant,           // mist, flood
   tool_change,       // number = tool
   override_control,  // M48 to M53
@@ -66,6 +67,7 @@ struct Item {
   double value = 0.0;
   lang::AxisSet axes = 0;
   lang::SpindleCommand spindle;
+  lang::CuttingSpeedMode cutting;
   lang::CoolantCommand coolant;
   lang::OverrideControl overrides;
   RequestData request;

@@ -98,6 +98,17 @@ struct Workpiece {
   lang::WorkpiecePosition position;
 };
 
+// Feed and speed of the cutting process, and the law that they follow.
+struct ProcessOutput {
+  motion::LawKind law = motion::LawKind::none;
+  std::uint64_t increments = 0;          // that the law has made
+  bool stands = false;                   // on the fictitious path of an interrupted feed
+  double feed_mm_per_min = 0.0;          // S, programmed, before override; 0 in rapid
+  double feed_mm_per_rev = 0.0;          // S_0 = S / n; 0: the spindle stands
+  double spindle_rev_per_min = 0.0;      // n of the master spindle; clockwise > 0
+  double cutting_speed_m_per_min = 0.0;  // v at the diameter on which the tool stands
+};
+
 struct ChannelOutput {
   std::int32_t id = 0;
   std::int32_t axis_count = 0;
@@ -112,6 +123,7 @@ struct ChannelOutput {
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
   double feed_override = 1.0;
+  ProcessOutput process;
   Workpiece workpiece;
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
   std::array<AxisSetpoint, motion::axes_max> axes{};

@@ -48,7 +48,7 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
       description_(channel_description(machine, channel)),
       tables_(tables, machine, channel),
       interpreter_(description_, tables_, files),
-      blocks_(motion_, channel),
+      blocks_(machine, channel, motion_),
       builder_(motion_),
       look_ahead_(motion_),
       threads_(machine, channel, motion_) {}
@@ -188,6 +188,7 @@ void Preparation::reset() {
   look_ahead_.clear();
   builder_.restart({});
   builder_.built().clear();
+  laws_.clear();
   threads_.forget();
   chain_open_ = false;
   pending_items_.clear();
@@ -246,13 +247,20 @@ void Preparation::end_chain() {
 
 void Preparation::end_thread() {
   if (threads_.is_empty()) return;
+  while (!laws_.is_empty()) look_ahead_.add(laws_.next());
   look_ahead_.add(threads_.finish());
   builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
 void Preparation::collect_pieces() {
-  for (const motion::PathBuilder::Built& built : builder_.built()) look_ahead_.add(built);
+  for (const motion::PathBuilder::Built& built : builder_.built()) plan(built);
   builder_.built().clear();
+}
+
+// Pieces without a law pass as long as none with a law waits before them.
+void Preparation::plan(const motion::PathBuilder::Built& built) {
+  const bool may_pass = laws_.is_empty() && built.piece.process.law == nullptr;
+  may_pass ? look_ahead_.add(built) : laws_.add(built);
 }
 
 void Preparation::push(Item item) {
@@ -282,6 +290,10 @@ bool Preparation::flush() {
     pending_riders_.pop_front();
   if (!pending_riders_.empty()) return false;
   if (!look_ahead_.deliver(link_.path)) return false;
+  while (!laws_.is_empty()) {
+    look_ahead_.add(laws_.next());
+    if (!look_ahead_.deliver(link_.path)) return false;
+  }
   while (!pending_items_.empty()) {
     Item& item = pending_items_.front();
     item.after_chunk = link_.path.chunks.pushed();

@@ -17,6 +17,7 @@
 #include "channels/shared_variables.h"
 #include "channels/thread_preparation.h"
 #include "lang/interpreter.h"
+#include "motion/feed_law_stage.h"
 #include "motion/look_ahead.h"
 #include "motion/path_builder.h"
 
@@ -71,6 +72,7 @@ class Preparation {
   void end_chain();
   void end_thread();
   void collect_pieces();
+  void plan(const motion::PathBuilder::Built& built);
   void push(Item item);
   void push_rider(const Rider& rider);
   void push_transform();
@@ -90,6 +92,7 @@ class Preparation {
   lang::Interpreter interpreter_;
   BlockPreparation blocks_;
   motion::PathBuilder builder_;
+  motion::FeedLawStage laws_;
   motion::LookAhead look_ahead_;
   ThreadPreparation threads_;
 

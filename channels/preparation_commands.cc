@@ -70,8 +70,13 @@ void Preparation::take(const lang::Command& command) {
                      take_state(command);
                    }
                  },
-                 [&](const lang::FeedLawChange&) { refuse(command, "a feed law"); },
-                 [&](const lang::CuttingSpeedMode&) { refuse(command, "constant cutting speed"); },
+                 [&](const lang::FeedLawChange&) { blocks_.take_process(command.payload); },
+                 [&](const lang::CuttingSpeedMode& mode) {
+                   Item next = item(ItemKind::cutting_speed);
+                   next.cutting = mode;
+                   take_state(command);
+                   push(next);
+                 },
                  [&](const lang::OutputCommand& output) { add_output(command, output); },
                  [&](const lang::MachineFunction& function) {
                    Item next = item(ItemKind::machine_function);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stanok::channels {
 namespace {
@@ -13,6 +14,7 @@ constexpr double deg_per_s_of_rev_per_min = 6.0;
 
 void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
   go_on();
+  cutting_speed_ = command.cutting_speed_m_per_min;
   switch (command.action) {
     case lang::SpindleAction::set_speed:
       programmed_ = command.speed_rev_per_min;
@@ -32,9 +34,28 @@ void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
   }
 }
 
+void Spindle::command(const lang::CuttingSpeedMode& mode) RT_SAFE {
+  cutting_speed_ = mode.constant ? mode.speed_m_per_min : 0.0;
+  speed_limit_ = mode.constant ? mode.limit_rev_per_min : 0.0;
+}
+
+void Spindle::run_at(double rev_per_min) RT_SAFE {
+  programmed_ = rev_per_min;
+  cutting_speed_ = 0.0;
+}
+
+// v = pi D n / 1000. At the centre the limits give the speed.
+void Spindle::follow_diameter(double diameter_mm) RT_SAFE {
+  if (cutting_speed_ <= 0.0) return;
+  constexpr double mm_per_m = 1000.0;
+  const double wanted = mm_per_m * cutting_speed_ / (std::numbers::pi * diameter_mm);
+  programmed_ = std::clamp(wanted, speed_min_, speed_max_);
+}
+
 double Spindle::target() const RT_SAFE {
   if (direction_ == 0 || programmed_ == 0.0) return 0.0;
-  const double commanded = std::clamp(programmed_ * override_, speed_min_, speed_max_);
+  const double limit = speed_limit_ > 0.0 ? std::min(speed_limit_, speed_max_) : speed_max_;
+  const double commanded = std::max(speed_min_, std::min(programmed_ * override_, limit));
   return direction_ * std::clamp(share_ * commanded, -speed_max_, speed_max_);
 }
 

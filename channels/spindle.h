@@ -20,6 +20,13 @@ class Spindle {
 
   [[nodiscard]] int id() const RT_SAFE { return id_; }
   void command(const lang::SpindleCommand& command) RT_SAFE;
+  // G96 and G97: from now on the speed follows the diameter, or stays where it is.
+  void command(const lang::CuttingSpeedMode& mode) RT_SAFE;
+  // What a feed law asks of a spindle that turns: a speed, or a cutting speed in m/min.
+  void run_at(double rev_per_min) RT_SAFE;
+  void cut_at(double m_per_min) RT_SAFE { cutting_speed_ = m_per_min; }
+  // Under constant cutting speed: the tool stands at this diameter.
+  void follow_diameter(double diameter_mm) RT_SAFE;
   void stop() RT_SAFE { direction_ = 0; }
 
   // Tapping, until the next command. Comes to rest after `turns`, or as soon as it can.
@@ -48,6 +55,8 @@ class Spindle {
   double acceleration_ = 0.0;  // rev/min/s; 0 = at once
   bool wait_at_speed_ = true;
   double programmed_ = 0.0;
+  double cutting_speed_ = 0.0;  // m/min; 0: the speed does not follow the diameter
+  double speed_limit_ = 0.0;    // of G96, rev/min; 0: none
   double override_ = 1.0;
   int direction_ = 0;
   double share_ = 1.0;               // of the commanded speed: below zero back, 0 at rest

@@ -50,7 +50,7 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
       live_(machine),
       tables_(live_, machine, channel_),
       schemes_(channels::make_schemes(channel_)),
-      blocks_(motion_, channel_),
+      blocks_(machine, channel_, motion_),
       builder_(motion_),
       interpreter_(description_, tables_, files) {
   const int id = scheme < 0 ? channel_.scheme : scheme;

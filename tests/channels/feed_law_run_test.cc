@@ -1,0 +1,197 @@
+// Feed laws stated in programs, through language, preparation and cycle: the feed at each place of
+// the path against the law's definition, written out here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::MachineBench;
+
+constexpr double discrete_mm = 0.001;
+
+MachineConfig lathe() {
+  MachineConfig config = testing::turning_machine();
+  config.spindles[0].speed_min = 10.0;
+  config.spindles[0].speed_max = 3000.0;
+  config.spindles[0].acceleration = 0.0;
+  return config;
+}
+
+struct Cut {
+  double way = 0.0;  // along Z from where the cut began
+  ProcessOutput process;
+  double x = 0.0;
+};
+
+// Runs a program that cuts along Z from 0 and gives the cycles of the cut.
+std::vector<Cut> cut(const std::string& program, double spindle_acceleration = 0.0) {
+  MachineConfig config = lathe();
+  config.spindles[0].acceleration = spindle_acceleration;
+  MachineBench bench(config);
+  bench.program("cut.nc", program);
+  bench.run(1, "cut.nc");
+  std::vector<Cut> cuts;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    if (channel.process.feed_mm_per_min > 0.0)
+      cuts.push_back({-channel.point_W[1].value, channel.process, channel.point_W[0].value});
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  return cuts;
+}
+
+std::vector<std::string> alarms_of(const std::string& program, int line) {
+  MachineBench bench(lathe());
+  bench.program("cut.nc", program);
+  bench.run(1, "cut.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.machine().alarms().size(), 1U);
+  if (!bench.machine().alarms().empty()) {
+    EXPECT_EQ(bench.machine().alarms()[0].diagnostic.place.line, line);
+  }
+  return bench.alarm_codes();
+}
+
+// Increments that a law with one at every `step` mm has made at `way`; at an increment either
+// count.
+void expect_count(const Cut& one, double step, double increments_max = 1e9) {
+  const double low = std::min(std::floor((one.way - discrete_mm) / step), increments_max);
+  const double high = std::min(std::floor((one.way + discrete_mm) / step), increments_max);
+  EXPECT_GE(static_cast<double>(one.process.increments), low) << "at " << one.way;
+  EXPECT_LE(static_cast<double>(one.process.increments), high) << "at " << one.way;
+}
+
+TEST(FeedLawRun, LinearFeedRisesWithTheWay) {
+  const auto cuts = cut("G0 X60 Z0\nG94 G1 Z-20 S_n=120 dS=0.5 dl=0.1\nM30\n");
+  ASSERT_GT(cuts.size(), 1000U);
+  for (const Cut& one : cuts) {
+    expect_count(one, 0.1);
+    EXPECT_NEAR(one.process.feed_mm_per_min,
+                120.0 + 0.5 * static_cast<double>(one.process.increments), 1e-9);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_EQ(cuts.back().process.law, motion::LawKind::linear);
+}
+
+// dl follows from the length, rounded down to discretes: 7 mm / 30 -> 0.233 mm.
+TEST(FeedLawRun, LinearFeedReachesItsLastFeed) {
+  const auto cuts = cut("G0 X60 Z0\nG94 G1 Z-7 S_n=100 S_k=70 dS=1\nM30\n");
+  for (const Cut& one : cuts) {
+    expect_count(one, 0.233, 30.0);
+    EXPECT_NEAR(one.process.feed_mm_per_min, 100.0 - static_cast<double>(one.process.increments),
+                1e-9);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_NEAR(cuts.back().process.feed_mm_per_min, 70.0, 1e-9);
+}
+
+TEST(FeedLawRun, ModulatedFeedGoesOnAcrossBlocks) {
+  const auto cuts =
+      cut("G0 X60 Z0\nG94 G61\nSmin=100 Smax=200 dS=10 dl=0.2\nG1 Z-5.5\nZ-11.3\n#feedlaw (off)\n"
+          "G1 Z-12 F50\nM30\n");
+  for (const Cut& one : cuts) {
+    if (one.way > 11.3 - discrete_mm) break;
+    expect_count(one, 0.2);
+    const auto in_cycle = one.process.increments % 20;
+    const auto above = static_cast<double>(in_cycle < 10 ? in_cycle : 20 - in_cycle);
+    EXPECT_NEAR(one.process.feed_mm_per_min, 100.0 + 10.0 * above, 1e-9);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_NEAR(cuts.back().process.feed_mm_per_min, 50.0, 1e-9);
+  EXPECT_EQ(cuts.back().process.law, motion::LawKind::none);
+}
+
+TEST(FeedLawRun, FeedPerRevolutionStepsWithTheSpindleAtItsSpeed) {
+  const auto cuts = cut("G0 X60 Z0\nS800 M3\nG95 G1 Z-6 S_n=0.10 dS=0.002 dl=0.5\nM5\nM30\n");
+  for (const Cut& one : cuts) {
+    expect_count(one, 0.5);
+    EXPECT_NEAR(one.process.feed_mm_per_rev,
+                0.1 + 0.002 * static_cast<double>(one.process.increments), 1e-12);
+  }
+}
+
+TEST(FeedLawRun, SpindleStepsAtThePlacesOfTheFeed) {
+  const auto cuts =
+      cut("G0 X60 Z0\nS600 M3\nG94 G1 Z-10 n_n=600 dn=-4 S_n=90 dS=2 dl=0.25\nM5\nM30\n");
+  for (const Cut& one : cuts) {
+    const auto k = static_cast<double>(one.process.increments);
+    expect_count(one, 0.25);
+    EXPECT_NEAR(one.process.feed_mm_per_min, 90.0 + 2.0 * k, 1e-9);
+    EXPECT_NEAR(one.process.spindle_rev_per_min, 600.0 - 4.0 * k, 1e-9);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(FeedLawRun, CuttingSpeedStepsAtThePlacesOfTheFeed) {
+  const auto cuts =
+      cut("G0 X60 Z0\nS530 M3\nG94 G1 X50 Z-10 v_n=100 dv=2 S_n=90 dS=2 dl=0.25\nM5\nM30\n");
+  double diameter_before = 60.0;
+  for (const Cut& one : cuts) {
+    const auto k = static_cast<double>(one.process.increments);
+    const double v = 100.0 + 2.0 * k;
+    const double n = 1000.0 * v / (std::numbers::pi * diameter_before);
+    // The spindle takes the diameter of this cycle or the one before.
+    EXPECT_NEAR(one.process.spindle_rev_per_min, n, 1e-3 * n);
+    diameter_before = 2.0 * one.x;
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(FeedLawRun, InterruptedFeedStands) {
+  const std::string head = "G0 X60 Z0\nG94 G61\n";
+  const auto plain = cut(head + "G1 Z-10 F120\nM30\n");
+  const auto cuts = cut(head + "G1 Z-10 F120 L_A=0.4 L_B=2\nM30\n");
+  // Four stands of 0.4 mm at 2 mm/s, and four times the loss of a stop from 2 mm/s, which takes
+  // 2 sqrt(v / j) and is half of it behind, twice: 12.6 ms.
+  const double extra = static_cast<double>(cuts.size()) - static_cast<double>(plain.size());
+  EXPECT_NEAR(extra, 4.0 * (200.0 + 2.0 * 1000.0 * std::sqrt(2.0 / 50000.0)), 6.0);
+  EXPECT_TRUE(std::any_of(cuts.begin(), cuts.end(), [](const Cut& one) {
+    return one.process.stands && std::abs(one.way - 2.0) < 1e-9;
+  }));
+}
+
+TEST(FeedLawRun, CurveOfArrays) {
+  const auto cuts =
+      cut("double ways[3] = {0, 4, 10};\ndouble feeds[3] = {60, 100, 80};\nG0 X60 Z0\nG94\n"
+          "#feedlaw (curve, ways, feeds)\nG1 Z-12\nM30\n");
+  for (const Cut& one : cuts) {
+    const double wanted = one.way < 4.0    ? 60.0 + 10.0 * one.way
+                          : one.way < 10.0 ? 100.0 - 20.0 * (one.way - 4.0) / 6.0
+                                           : 80.0;
+    EXPECT_NEAR(one.process.feed_mm_per_min, wanted, 0.15);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(FeedLawRun, IsTheSameToTheBitWithoutALaw) {
+  const std::string head = "G0 X60 Z0\nG94 G1 Z-1 F120\n";
+  const std::string tail = "X64 Z-5\nG3 X60 Z-12 R9\nG1 Z-14\nM30\n";
+  std::vector<Cut> with = cut(head + tail);
+  const std::vector<Cut> without = cut(head + "#feedlaw (off)\n" + tail);
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t k = 0; k < with.size(); ++k) {
+    EXPECT_EQ(with[k].way, without[k].way);
+    EXPECT_EQ(with[k].x, without[k].x);
+  }
+}
+
+TEST(FeedLawRun, RefusesALawThatComesToZero) {
+  EXPECT_THAT(alarms_of("G0 X60 Z0\nG94\nG1 Z-1 F100\nZ-20 S_n=10 dS=1 dl=-1\nM30\n", 4),
+              ElementsAre("E5106"));
+}
+
+TEST(FeedLawRun, RefusesMoreIncrementsThanDiscretes) {
+  EXPECT_THAT(alarms_of("G0 X60 Z0\nG94\nG1 Z-0.05 S_n=10 S_k=1000 dS=0.1\nM30\n", 3),
+              ElementsAre("E5105"));
+}
+
+}  // namespace
+}  // namespace stanok::channels
