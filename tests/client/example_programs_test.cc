@@ -44,6 +44,7 @@ constexpr Example examples[] = {
     {"trunnion", "trunnion", ""},       {"lathe", "lathe", ""},
     {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},
     {"helix", "stress8", ""},           {"thread", "lathe", ""},
+    {"chip_breaking", "lathe", ""},     {"slender_shaft", "lathe", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),
