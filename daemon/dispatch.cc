@@ -68,6 +68,8 @@ const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
        [](Dispatch& d, const json& p) { return d.report_.kinematics_list(d.channel_or_first(p)); }},
       {"kinematics.status",
        [](Dispatch& d, const json& p) { return d.report_.kinematics(d.channel_or_first(p)); }},
+      {"process.status",
+       [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
       {"drive.list", [](Dispatch& d, const json&) { return drive_list(d.machine_); }},
       {"drive.status", [](Dispatch& d, const json&) { return drive_status(d.machine_); }},
       {"alarm.list",

@@ -57,6 +57,22 @@ const char* kind_word(lang::ChannelKind kind) {
   return "";
 }
 
+const char* law_word(motion::LawKind law) {
+  switch (law) {
+    case motion::LawKind::none:
+      return "";
+    case motion::LawKind::linear:
+      return "linear";
+    case motion::LawKind::modulated:
+      return "modulated";
+    case motion::LawKind::interrupted:
+      return "interrupted";
+    case motion::LawKind::curve:
+      return "curve";
+  }
+  return "";
+}
+
 json percentiles_us(const Histogram& histogram) {
   const auto us = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-3; };
   return {{"p50", us(histogram.percentile(0.5))},
@@ -291,6 +307,20 @@ json StatusReport::kinematics(int channel) const {
           {"scheme", output.scheme},
           {"type", scheme == config.schemes.end() ? json(nullptr) : json(scheme->type)},
           {"axes", std::move(axes)}};
+}
+
+json StatusReport::process(int channel) const {
+  const auto output = output_of(machine_.newest_output(), channel);
+  const channels::ProcessOutput& process = output.process;
+  const bool has_law = output.running && process.law != motion::LawKind::none;
+  return {{"channel", channel},
+          {"law", has_law ? json(law_word(process.law)) : json(nullptr)},
+          {"increments", has_law ? process.increments : 0},
+          {"stands", process.stands},
+          {"feed_mm_min", process.feed_mm_per_min},
+          {"feed_mm_rev", process.feed_mm_per_rev},
+          {"spindle_rev_min", process.spindle_rev_per_min},
+          {"cutting_speed_m_min", process.cutting_speed_m_per_min}};
 }
 
 json StatusReport::alarms_standing(int channel) const {

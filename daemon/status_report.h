@@ -25,6 +25,8 @@ class StatusReport {
   [[nodiscard]] nlohmann::json channels() const;
   [[nodiscard]] nlohmann::json kinematics_list(int channel) const;
   [[nodiscard]] nlohmann::json kinematics(int channel) const;
+  // Feed law, feed and speed of the cutting process.
+  [[nodiscard]] nlohmann::json process(int channel) const;
   // `channel` 0: of all channels.
   [[nodiscard]] nlohmann::json alarms_standing(int channel) const;
   [[nodiscard]] nlohmann::json alarm_history(int channel) const;

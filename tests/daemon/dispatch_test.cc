@@ -306,6 +306,26 @@ TEST_F(DispatchTest, ShowsSchemesAndTheirAxes) {
   EXPECT_EQ(active["axes"][1]["takes_part"], false);
 }
 
+TEST_F(DispatchTest, ShowsTheCuttingProcess) {
+  channels::ChannelOutput& channel = machine.output.channels[0];
+  channel.running = true;
+  channel.process = {.law = motion::LawKind::modulated,
+                     .increments = 12,
+                     .stands = false,
+                     .feed_mm_per_min = 150.0,
+                     .feed_mm_per_rev = 0.25,
+                     .spindle_rev_per_min = 600.0,
+                     .cutting_speed_m_per_min = 94.2};
+  const json process = result("process.status");
+  EXPECT_EQ(process["law"], "modulated");
+  EXPECT_EQ(process["increments"], 12);
+  EXPECT_EQ(process["feed_mm_min"], 150.0);
+  EXPECT_EQ(process["feed_mm_rev"], 0.25);
+  EXPECT_EQ(process["spindle_rev_min"], 600.0);
+  channel.running = false;
+  EXPECT_TRUE(result("process.status")["law"].is_null());
+}
+
 TEST(ProgramList, NamesFilesBeneathTheRootAndFollowsNoLinks) {
   namespace fs = std::filesystem;
   const TemporaryDirectory root;
