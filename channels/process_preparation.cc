@@ -21,10 +21,24 @@ Diagnostic standing_spindle() {
   return d;
 }
 
-Diagnostic vanishing_feed(double feed, double way) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "the feed law reaches %.6g after %.6g mm of its path",
-                feed, way);
+// Where a falling law comes to zero within its first increments.
+Diagnostic vanishing_feed(const motion::FeedLaw& law, double way) {
+  std::uint64_t first = 0;
+  std::uint64_t last = law.increments_at(way);
+  while (first < last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    if (law.stretch(middle).feed <= 0.0) {
+      last = middle;
+    } else {
+      first = middle + 1;
+    }
+  }
+  const double place = law.stretch(std::max<std::uint64_t>(last, 1) - 1).end_mm;
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(),
+                "the feed law comes to %.6g %s after %.6g mm of its path of %.6g mm",
+                law.stretch(last).feed, law.units().per_revolution ? "mm/rev" : "mm/min", place,
+                way);
   Diagnostic d;
   d.code = "E5106";
   d.message = text.data();
@@ -131,7 +145,7 @@ std::optional<Diagnostic> ProcessPreparation::apply_law(const Law& law, const Wa
   const double way_stop = law.way_start + way.length;
   const motion::LawStretch last = law.law->stretch(law.law->increments_at(way_stop));
   const double highest = law.law->highest_feed(way_stop);
-  if (highest > 0.0 && last.feed <= 0.0) return vanishing_feed(last.feed, way_stop);
+  if (highest > 0.0 && last.feed <= 0.0) return vanishing_feed(*law.law, way_stop);
   const motion::LawUnits& units = law.law->units();
   if (units.speed == motion::LawSpeed::rev_per_min && last.speed > 0.0) {
     spindle_rev_per_min_ = last.speed;

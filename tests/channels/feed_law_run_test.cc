@@ -183,9 +183,19 @@ TEST(FeedLawRun, IsTheSameToTheBitWithoutALaw) {
   }
 }
 
+// 10 - k after k mm: zero at the tenth.
 TEST(FeedLawRun, RefusesALawThatComesToZero) {
-  EXPECT_THAT(alarms_of("G0 X60 Z0\nG94\nG1 Z-1 F100\nZ-20 S_n=10 dS=1 dl=-1\nM30\n", 4),
-              ElementsAre("E5106"));
+  MachineBench bench(lathe());
+  bench.program("cut.nc", "G0 X60 Z0\nG94\nG1 Z-1 F100\nZ-20 S_n=10 dS=1 dl=-1\nM30\n");
+  bench.run(1, "cut.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5106"));
+  EXPECT_EQ(bench.channel(1).point_W[1].value, -1.0) << "the end of the block before";
+  const auto alarms = bench.machine().alarms();
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms[0].diagnostic.place.line, 4);
+  EXPECT_EQ(alarms[0].diagnostic.message,
+            "the feed law comes to 0 mm/min after 10 mm of its path of 19 mm");
 }
 
 TEST(FeedLawRun, RefusesMoreIncrementsThanDiscretes) {
