@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view prefix = "STANOK_";
 constexpr std::array<std::string_view, topic_count> topics{
-    "SETPOINT", "STATE", "DRIVE", "EVENT", "INPUT", "PROGRAM", "WORKPIECE", "LOG_META"};
+    "SETPOINT", "STATE", "DRIVE", "PROCESS", "EVENT", "INPUT", "PROGRAM", "WORKPIECE", "LOG_META"};
 // "_CH16_" and the longest topic of a channel.
 constexpr std::size_t longest_suffix = 6 + 9;
 

@@ -16,8 +16,8 @@ namespace stanok::recording {
 
 inline constexpr std::size_t channel_name_max = 63;  // bytes, LCM's limit
 
-enum class Topic { setpoint, state, drive, event, input, program, workpiece, log_meta };
-inline constexpr std::size_t topic_count = 8;
+enum class Topic { setpoint, state, drive, process, event, input, program, workpiece, log_meta };
+inline constexpr std::size_t topic_count = 9;
 
 class ChannelNames {
  public:

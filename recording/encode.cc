@@ -145,6 +145,21 @@ drive_status_t to_drive_status(const channels::ChannelOutput& output, const Stam
   return message;
 }
 
+process_status_t to_process_status(const channels::ChannelOutput& output, const Stamp& stamp) {
+  const channels::ProcessOutput& process = output.process;
+  auto message = zeroed<process_status_t>();
+  put_stamp(stamp, message);
+  message.channel = output.id;
+  message.law = static_cast<std::int8_t>(process.law);
+  message.stands = process.stands ? 1 : 0;
+  message.increments = static_cast<std::int64_t>(process.increments);
+  message.feed = process.feed_mm_per_min;
+  message.feed_per_rev = process.feed_mm_per_rev;
+  message.spindle_speed = process.spindle_rev_per_min;
+  message.cutting_speed = process.cutting_speed_m_per_min;
+  return message;
+}
+
 workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp) {
   const channels::Workpiece& workpiece = output.workpiece;
   auto message = zeroed<workpiece_t>();

@@ -8,6 +8,7 @@
 #include <stanok_messages/drive_status_t.hpp>
 #include <stanok_messages/event_t.hpp>
 #include <stanok_messages/input_t.hpp>
+#include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
 #include <stanok_messages/workpiece_t.hpp>
 #include <string_view>
@@ -27,6 +28,8 @@ struct Stamp {
 [[nodiscard]] setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] channel_state_t to_state(const channels::ChannelOutput& output,
                                        std::string_view program, const Stamp& stamp);
+[[nodiscard]] process_status_t to_process_status(const channels::ChannelOutput& output,
+                                                 const Stamp& stamp);
 [[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,
                                              const Stamp& stamp);
 [[nodiscard]] workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp);

@@ -81,6 +81,7 @@ log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp) {
   add_type<setpoint_t>(meta);
   add_type<channel_state_t>(meta);
   add_type<drive_status_t>(meta);
+  add_type<process_status_t>(meta);
   add_type<event_t>(meta);
   add_type<input_t>(meta);
   add_type<program_chunk_t>(meta);

@@ -70,6 +70,7 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
     }
     state_when_due(output.cycle, channel);
     drives_when_due(output.cycle, channel);
+    process_when_due(output.cycle, channel);
     workpiece_when_due(output.cycle, channel);
   }
 }
@@ -117,6 +118,12 @@ void MessageStream::drives_when_due(std::int64_t cycle, const channels::ChannelO
   if (!output.has_feedback || output.axis_count == 0 || cycle % state_period_ != 0) return;
   send(to_drive_status(output, next_stamp(cycle, output.id, Topic::drive)), output.id,
        Topic::drive);
+}
+
+void MessageStream::process_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (output.axis_count == 0 || cycle % state_period_ != 0) return;
+  send(to_process_status(output, next_stamp(cycle, output.id, Topic::process)), output.id,
+       Topic::process);
 }
 
 void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {

@@ -54,6 +54,7 @@ class MessageStream {
   void send_meta_when_due(std::int64_t cycle);
   void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void process_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
   void send(const Message& message, int channel, Topic topic);

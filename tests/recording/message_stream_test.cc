@@ -161,6 +161,26 @@ TEST(MessageStream, SendsDrivesTwentyTimesASecondWhereThereAreSome) {
   EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_DRIVE"), 2);  // in cycles 150 and 200
 }
 
+TEST(Encode, TellsTheCuttingProcess) {
+  channels::ChannelOutput output = output_of(1).channels[0];
+  output.process = {.law = motion::LawKind::interrupted,
+                    .increments = 7,
+                    .stands = true,
+                    .feed_mm_per_min = 120.0,
+                    .feed_mm_per_rev = 0.2,
+                    .spindle_rev_per_min = -600.0,
+                    .cutting_speed_m_per_min = 94.2};
+  const process_status_t message = to_process_status(output, {.utime = 1000, .cycle = 1, .seq = 0});
+  EXPECT_EQ(message.channel, output.id);
+  EXPECT_EQ(message.law, 3);
+  EXPECT_EQ(message.stands, 1);
+  EXPECT_EQ(message.increments, 7);
+  EXPECT_EQ(message.feed, 120.0);
+  EXPECT_EQ(message.feed_per_rev, 0.2);
+  EXPECT_EQ(message.spindle_speed, -600.0);
+  EXPECT_EQ(message.cutting_speed, 94.2);
+}
+
 TEST(Encode, WritesTheWorkpieceAsItIsKnown) {
   channels::ChannelOutput output = output_of(7).channels[0];
   output.workpiece.has_position = true;
