@@ -1,5 +1,6 @@
 #include "channels/block_preparation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -264,9 +265,12 @@ ProcessPreparation::Way BlockPreparation::way_of(const motion::PathBlock& block,
   const bool passes_centre =
       x >= 0 && std::signbit(at(position_W_, x)) != std::signbit(at(block.end, x));
   const double smaller = std::min(diameter(position_W_), diameter(block.end));
-  return {.length = length,
-          .diameter_min_mm = passes_centre ? 0.0 : smaller,
-          .diameter_end_mm = diameter(block.end)};
+  const std::array<int, 3> geometry = face_.geometry();
+  const bool in_mm = block.kind != motion::BlockKind::line ||
+                     std::any_of(geometry.begin(), geometry.end(), [&](int axis) {
+                       return axis >= 0 && at(position_W_, axis) != at(block.end, axis);
+                     });
+  return {.length = length, .in_mm = in_mm, .diameter_min_mm = passes_centre ? 0.0 : smaller};
 }
 
 // A blend at the end of the block may come nearer than the block itself.

@@ -28,11 +28,13 @@ class ProcessPreparation {
   // at which the tool stands.
   void take_state(const lang::Payload& command, double diameter_mm);
 
-  // The way of a block in its own metric, and the smallest diameter that it comes to.
+  // The way of a block in its own metric, and the smallest diameter that it comes to. Laws hold for
+  // ways in mm: a block of rotary axes alone has its feed F, and the path of a law does not count
+  // it.
   struct Way {
     double length = 0.0;
+    bool in_mm = true;
     double diameter_min_mm = 0.0;
-    double diameter_end_mm = 0.0;
   };
   // Gives a block its feed and process, or says why it has none.
   [[nodiscard]] std::optional<Diagnostic> apply(const lang::Move& move, const Way& way,

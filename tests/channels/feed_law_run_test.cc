@@ -198,6 +198,23 @@ TEST(FeedLawRun, RefusesALawThatComesToZero) {
             "the feed law comes to 0 mm/min after 10 mm of its path of 19 mm");
 }
 
+TEST(FeedLawRun, DoesNotCountBlocksOfRotaryAxesAlone) {
+  MachineBench bench;
+  bench.program("p.nc",
+                "#kinematics (2, 1)\nG21 G90 G94 G61\nG1 X0 F600\n#feedlaw (linear, 600, 30, "
+                "1)\nX5\nB30\nX12\nM30\n");
+  bench.run(1, "p.nc");
+  std::uint64_t made = 0;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    if (channel.process.law != motion::LawKind::linear || !channel.moving) return;
+    made = std::max(made, channel.process.increments);
+    EXPECT_NEAR(channel.process.feed_mm_per_min,
+                600.0 + 30.0 * static_cast<double>(channel.process.increments), 1e-9);
+  });
+  EXPECT_EQ(made, 11U);
+}
+
 TEST(FeedLawRun, RefusesMoreIncrementsThanDiscretes) {
   EXPECT_THAT(alarms_of("G0 X60 Z0\nG94\nG1 Z-0.05 S_n=10 S_k=1000 dS=0.1\nM30\n", 3),
               ElementsAre("E5105"));
