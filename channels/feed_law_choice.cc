@@ -116,6 +116,7 @@ Made make_interrupted(const lang::FeedLaw& wanted, const LawPlace&) {
 Made make_curve(const lang::FeedLaw& wanted, const LawPlace& place) {
   const motion::LawUnits units = units_of(wanted);
   std::vector<motion::CurveLawPoint> points;
+  points.reserve(wanted.curve.size());
   for (const lang::FeedLaw::CurvePoint& point : wanted.curve)
     points.push_back({point.way_mm, point.feed, point.speed});
   return std::make_unique<const motion::CurveLaw>(

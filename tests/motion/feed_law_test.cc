@@ -218,7 +218,7 @@ TEST_P(LinearFeed, RunsByTheSumOverItsIncrements) {
   double feed = c.feed;
   double way = 0.0;
   double increments = 0.0;
-  for (double place = c.way_step; place < length - 1e-9; place += c.way_step) {
+  for (int n = 1; n * c.way_step < length - 1e-9; ++n) {
     steps.push_back({c.way_step, feed});
     way += c.way_step;
     feed += c.step;
@@ -264,7 +264,7 @@ TEST_P(ModulatedFeed, RisesAndFallsByTheSumOverItsIncrements) {
   double increments = 0.0;
   double direction = 1.0;  // the sign of the buffer cell of dl in the seed
   std::uint64_t left = c.steps;
-  for (double place = c.way_step; place < length - 1e-9; place += c.way_step) {
+  for (int n = 1; n * c.way_step < length - 1e-9; ++n) {
     steps.push_back({c.way_step, feed});
     way += c.way_step;
     feed += direction * c.step;
@@ -508,7 +508,8 @@ TEST(FeedLaw, OfACurvePassesItsPointsWithinOneIncrement) {
                                           {.way_mm = 9.0, .feed = 91.0, .speed = 400.0}};
   const LawUnits units{.speed = LawSpeed::rev_per_min};
   const CurveLaw law(units, points, 0.5, discrete_mm);
-  for (double way = 0.0; way < 12.0; way += 0.0371) {
+  for (int n = 0; n < 324; ++n) {
+    const double way = 0.0371 * n;
     std::size_t k = 0;
     while (k + 2 < points.size() && way > points[k + 1].way_mm) ++k;
     const double part =
