@@ -85,7 +85,6 @@ BlockPreparation::BlockPreparation(const MachineConfig& machine, const ChannelCo
 
 void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::Point& axes_M) {
   transforms_.clear();
-  process_.restart();
   face_.forget();
   programmed_ = {};
   programmed_.scheme = scheme;

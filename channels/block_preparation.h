@@ -41,6 +41,10 @@ class BlockPreparation {
     process_.take_state(command, diameter(position_W_));
   }
 
+  // At the start of a program; lines of an operator go on with the law at hand.
+  void forget_laws() { process_.forget_laws(); }
+  void reset_process() { process_.reset(); }
+
   // Why a face or cylinder transformation cannot begin here, or nothing.
   [[nodiscard]] std::optional<Diagnostic> refusal(const lang::TransformationChange& change) const;
   // X, Y, Z of the workpiece space at hand, by index in the channel; -1: none.

@@ -146,6 +146,7 @@ void Preparation::start(const Notice& notice) {
   if (is_line) {
     interpreter_.start_line(running_, blocks_.position_B());
   } else {
+    blocks_.forget_laws();
     interpreter_.start(running_, blocks_.position_B());
   }
   scheme_switched_ = false;
@@ -185,6 +186,7 @@ void Preparation::take_answer(const Notice& notice) {
 void Preparation::reset() {
   task_ = Task::idle;
   interpreter_.reset();
+  blocks_.reset_process();
   look_ahead_.clear();
   builder_.restart({});
   builder_.built().clear();

@@ -57,12 +57,15 @@ ProcessPreparation::ProcessPreparation(const MachineConfig& machine, const Chann
   }
 }
 
-void ProcessPreparation::restart() {
-  laws_.clear();
-  modal_law_ = nullptr;
+void ProcessPreparation::forget_laws() {
+  take_law({});
   of_block_.reset();
+  laws_.clear();
+}
+
+void ProcessPreparation::reset() {
+  forget_laws();
   spindle_turns_ = false;
-  spindle_rev_per_min_ = 0.0;
   cutting_speed_ = 0.0;
   speed_limit_ = 0.0;
 }

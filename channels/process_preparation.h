@@ -21,8 +21,10 @@ class ProcessPreparation {
  public:
   ProcessPreparation(const MachineConfig& machine, const ChannelConfig& channel);
 
-  // Begins afresh: no law, the spindle stands. Laws given out before become invalid.
-  void restart();
+  // No law holds any more; those given out before become invalid. The spindle turns on.
+  void forget_laws();
+  // The same, and the spindle stands.
+  void reset();
 
   // Takes over what a command sets up for the motion after it; others are ignored. `diameter_mm`:
   // at which the tool stands.

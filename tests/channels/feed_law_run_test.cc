@@ -215,6 +215,48 @@ TEST(FeedLawRun, DoesNotCountBlocksOfRotaryAxesAlone) {
   EXPECT_EQ(made, 11U);
 }
 
+// Lines of an operator share the spindle and the modal law.
+TEST(FeedLawRun, LastsFromLineToLineAsTheSpindleDoes) {
+  MachineBench bench(lathe());
+  for (const char* line : {"G18 S600 M3", "G95 G1 Z-1 F0.1", "G94 S_n=60 dS=1 dl=1"}) {
+    bench.ask(OperatorAction::mdi, 1, line);
+    bench.run_to_end();
+  }
+  bench.ask(OperatorAction::mdi, 1, "G1 Z-6.5");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(bench.channel(1).process.law, motion::LawKind::linear);
+  EXPECT_EQ(bench.channel(1).process.increments, 5U);
+}
+
+TEST(FeedLawRun, EndsWithAReset) {
+  MachineBench bench(lathe());
+  bench.program("law.nc", "G94 G18\nS_n=60 dS=1 dl=1\nG1 Z-50\nM30\n");
+  bench.program("plain.nc", "G94 G18\nG1 Z-60 F300\nM30\n");
+  bench.run(1, "law.nc");
+  for (int cycle = 0; cycle < 500; ++cycle) bench.cycle();
+  EXPECT_EQ(bench.channel(1).process.law, motion::LawKind::linear);
+  bench.ask(OperatorAction::program_reset, 1);
+  bench.run_to_end();
+  bench.run(1, "plain.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(bench.channel(1).process.law, motion::LawKind::none);
+}
+
+// A reset stops the spindle: a feed per revolution would wait for it for ever.
+TEST(FeedPerRevolution, NeedsTheSpindleAnewAfterAReset) {
+  MachineBench bench(lathe());
+  bench.program("cut.nc", "G95 G18 S600 M3\nG1 Z-50 F0.1\nM30\n");
+  bench.run(1, "cut.nc");
+  for (int cycle = 0; cycle < 500; ++cycle) bench.cycle();
+  bench.ask(OperatorAction::program_reset, 1);
+  bench.run_to_end();
+  bench.ask(OperatorAction::mdi, 1, "G95 G1 Z-60 F0.1");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4021"));
+}
+
 TEST(FeedLawRun, RefusesMoreIncrementsThanDiscretes) {
   EXPECT_THAT(alarms_of("G0 X60 Z0\nG94\nG1 Z-0.05 S_n=10 S_k=1000 dS=0.1\nM30\n", 3),
               ElementsAre("E5105"));
