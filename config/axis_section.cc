@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/drive_section.h"
+#include "config/plant_section.h"
+
 namespace stanok::config {
 namespace {
 
@@ -11,7 +14,6 @@ using channels::AxisConfig;
 using channels::HomingConfig;
 using channels::RegulatorConfig;
 using channels::SpindleConfig;
-using drives::AxisDriveConfig;
 using motion::AxisLimits;
 using motion::RegulatorGains;
 
@@ -22,18 +24,12 @@ struct AxisFile {
   Subtable homing = nullptr;
   Subtable regulator = nullptr;
   Subtable drive = nullptr;
+  Subtable plant = nullptr;
 };
 
 struct RegulatorFile {
   RegulatorConfig regulator;
   std::string feedback = "drive";
-};
-
-struct DriveFile {
-  AxisDriveConfig drive;
-  AxisConfig axis;
-  Subtable registers = nullptr;
-  Subtable scales = nullptr;
 };
 
 const Keys<AxisFile>& axis_keys() {
@@ -67,6 +63,8 @@ const Keys<AxisFile>& axis_keys() {
       {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its reference mark"},
       {"regulator", at<&AxisFile::regulator>, optional, "", "position regulator"},
       {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
+      {"plant", at<&AxisFile::plant>, optional, "",
+       "machine behind the simulated drive: encoder, switches, backlash, friction"},
   };
   return keys;
 }
@@ -100,41 +98,6 @@ const Keys<RegulatorFile>& regulator_keys() {
        "s", "gain of the acceleration set-point", not_negative},
       {"kr", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kr>, optional,
        "s2", "gain of the jerk set-point", not_negative},
-  };
-  return keys;
-}
-
-const Keys<DriveFile>& drive_keys() {
-  static const Keys<DriveFile> keys = {
-      {"address", at<&DriveFile::drive, &AxisDriveConfig::unit>, optional, "",
-       "Modbus unit of the drive", from(1, 247), "place of the axis in the file"},
-      {"registers", at<&DriveFile::registers>, optional, "", "register map: control, status"},
-      {"scales", at<&DriveFile::scales>, optional, "",
-       "units of the registers: position, velocity"},
-      {"brake_time", at<&DriveFile::axis, &AxisConfig::brake_s>, optional, "s",
-       "time the brake takes to close or open", not_negative},
-      {"power_time", at<&DriveFile::axis, &AxisConfig::power_s>, optional, "s",
-       "time the drive takes to take the axis over", not_negative},
-  };
-  return keys;
-}
-
-const Keys<AxisDriveConfig>& register_keys() {
-  static const Keys<AxisDriveConfig> keys = {
-      {"control", at<&AxisDriveConfig::control_register>, optional, "",
-       "first register of the block written in every exchange", from(0, 65535)},
-      {"status", at<&AxisDriveConfig::status_register>, optional, "",
-       "first register of the block read in every exchange", from(0, 65535)},
-  };
-  return keys;
-}
-
-const Keys<AxisDriveConfig>& scale_keys() {
-  static const Keys<AxisDriveConfig> keys = {
-      {"position", at<&AxisDriveConfig::position_scale>, optional, "1/mm, 1/deg",
-       "increments of the position registers", positive},
-      {"velocity", at<&AxisDriveConfig::velocity_scale>, optional, "s/mm, s/deg",
-       "increments of the velocity registers", positive},
   };
   return keys;
 }
@@ -222,23 +185,28 @@ void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& sco
   }
 }
 
-void read_drive(const toml::table& table, AxisSection& section, const Scope& scope) {
-  DriveFile file{.drive = section.drive, .axis = section.axis};
-  read_table(table, drive_keys(), file, scope);
-  if (file.registers != nullptr) {
-    read_table(*file.registers, register_keys(), file.drive, scope.inner("registers"));
-  }
-  if (file.scales != nullptr) {
-    read_table(*file.scales, scale_keys(), file.drive, scope.inner("scales"));
-  }
-  section.drive = file.drive;
-  section.axis = file.axis;
+void read_drive_of(const AxisFile& file, int place, AxisSection& section, const Scope& scope) {
+  AxisConfig& axis = section.axis;
+  const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
+  DriveSection drive{
+      .drive = {.axis = axis.name,
+                .unit = place,
+                .kind = in_cycle ? drives::DriveKind::velocity : drives::DriveKind::position,
+                .absolute_encoder = axis.homing.order == 0,
+                .following_error_max = axis.following_error_max,
+                .velocity_max = axis.limits.velocity_max},
+      .brake_s = axis.brake_s,
+      .power_s = axis.power_s};
+  if (file.drive != nullptr) read_drive(*file.drive, DriveLoad::axis, drive, scope.inner("drive"));
+  section.drive = drive.drive;
+  axis.brake_s = drive.brake_s;
+  axis.power_s = drive.power_s;
 }
 
 AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   AxisFile file;
   read_table(table, axis_keys(), file, scope);
-  AxisSection section{.axis = file.axis, .drive = {}};
+  AxisSection section{.axis = file.axis, .drive = {}, .plant = {}};
   AxisConfig& axis = section.axis;
   axis.rotary = file.kind == "rotary";
   axis.limits.linear = !axis.rotary;
@@ -251,11 +219,8 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
     check_homing(*file.homing, axis, scope.inner("homing"));
   }
   if (file.regulator != nullptr) read_regulator(*file.regulator, axis, scope.inner("regulator"));
-  section.drive.unit = place;
-  if (file.drive != nullptr) read_drive(*file.drive, section, scope.inner("drive"));
-  section.drive.axis = axis.name;
-  section.drive.following_error_max = axis.following_error_max;
-  section.drive.velocity_max = axis.limits.velocity_max;
+  read_drive_of(file, place, section, scope);
+  if (file.plant != nullptr) section.plant = read_axis_plant(*file.plant, scope.inner("plant"));
   return section;
 }
 
@@ -337,18 +302,6 @@ std::vector<KeyRow> homing_key_rows() {
 }
 std::vector<KeyRow> regulator_key_rows() {
   return describe(regulator_keys());
-}
-std::vector<KeyRow> drive_key_rows() {
-  std::vector<KeyRow> rows = describe(drive_keys());
-  const auto append = [&](const char* table, std::vector<KeyRow> inner) {
-    for (KeyRow& row : inner) {
-      row.name = std::string(table) + "." + row.name;
-      rows.push_back(std::move(row));
-    }
-  };
-  append("registers", describe(register_keys()));
-  append("scales", describe(scale_keys()));
-  return rows;
 }
 std::vector<KeyRow> spindle_key_rows() {
   return describe(spindle_keys());

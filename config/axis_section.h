@@ -5,6 +5,7 @@
 
 #include "channels/machine_config.h"
 #include "config/key_table.h"
+#include "config/machine_file.h"
 #include "drives/bus_config.h"
 
 namespace stanok::config {
@@ -13,6 +14,7 @@ namespace stanok::config {
 struct AxisSection {
   channels::AxisConfig axis;
   drives::AxisDriveConfig drive;
+  AxisSimulation plant;
 };
 
 // All axes in the order of the file.
@@ -32,7 +34,6 @@ struct AxisSection {
 [[nodiscard]] std::vector<KeyRow> axis_key_rows();
 [[nodiscard]] std::vector<KeyRow> homing_key_rows();
 [[nodiscard]] std::vector<KeyRow> regulator_key_rows();
-[[nodiscard]] std::vector<KeyRow> drive_key_rows();
 [[nodiscard]] std::vector<KeyRow> spindle_key_rows();
 
 }  // namespace stanok::config

@@ -3,7 +3,10 @@
 
 #include "config/axis_section.h"
 #include "config/channel_section.h"
+#include "config/drive_section.h"
 #include "config/machine_sections.h"
+#include "config/plant_section.h"
+#include "config/register_section.h"
 #include "config/scheme_keys.h"
 #include "config/tables_file.h"
 
@@ -16,6 +19,11 @@ std::vector<KeySection> key_sections() {
       {"[axis.homing]", homing_key_rows()},
       {"[axis.regulator]", regulator_key_rows()},
       {"[axis.drive]", drive_key_rows()},
+      {"[axis.drive.map]", register_map_key_rows()},
+      {"a quantity of [axis.drive.map]", register_field_key_rows()},
+      {"[axis.drive.bits]", drive_bit_key_rows()},
+      {"[axis.drive.words]", run_word_key_rows()},
+      {"[axis.plant]", axis_plant_key_rows()},
       {"[[spindle]]", spindle_key_rows()},
       {"[[channel]]", channel_key_rows()},
       {"[[channel.scheme]], scheme file", scheme_key_rows()},

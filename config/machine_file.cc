@@ -1,6 +1,7 @@
 // Assembles a MachineFile from its tables and the files it names.
 #include "config/machine_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +41,17 @@ const Keys<TopLevel>& top_level_keys() {
   return keys;
 }
 
+// Whether both write the same register.
+bool share_a_register(const drives::RegisterMap& one, const drives::RegisterMap& other) {
+  return std::ranges::any_of(drives::written_fields, [&](drives::FieldOfMap of_one) {
+    return std::ranges::any_of(drives::written_fields, [&](drives::FieldOfMap of_other) {
+      const drives::RegisterField& a = one.*of_one;
+      const drives::RegisterField& b = other.*of_other;
+      return a.exists() && b.exists() && a.address < b.end() && b.address < a.end();
+    });
+  });
+}
+
 class MachineReader {
  public:
   MachineReader(const std::filesystem::path& path, FaultList& faults)
@@ -51,7 +63,10 @@ class MachineReader {
   MachineFile read(const toml::table& root) {
     read_table(root, top_level_keys(), top_, Scope{faults_, "machine file"});
     const std::vector<AxisSection> axes = read_axes(top_.axes, Scope{faults_, "machine file"});
-    for (const AxisSection& section : axes) file_.machine.axes.push_back(section.axis);
+    for (const AxisSection& section : axes) {
+      file_.machine.axes.push_back(section.axis);
+      file_.axis_plants.push_back(section.plant);
+    }
     if (names_are_right(axes)) read_users_of_axes(root, axes);
     read_machine();
     read_drives(axes);
@@ -108,7 +123,7 @@ class MachineReader {
       for (std::size_t earlier = 0; earlier < i; ++earlier) {
         const auto& drive = file_.bus.axes[i];
         const auto& other = file_.bus.axes[earlier];
-        if (drive.unit != other.unit || drive.control_register != other.control_register) continue;
+        if (drive.unit != other.unit || !share_a_register(drive.map, other.map)) continue;
         const toml::table& axis = *top_.axes->get(i)->as_table();
         Scope{faults_, "axis " + drive.axis}.fault(
             place_of(axis, "drive"), "its drive has the address of axis " + other.axis + ", " +

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "channels/machine_config.h"
 #include "config/config_error.h"
@@ -40,6 +42,21 @@ struct SimulationConfig {
   bool outputs_to_inputs = false;  // outputs of programs come back as inputs of the same number
 };
 
+// [axis.plant]: the machine behind the simulated drive of an axis, mm or deg.
+struct AxisSimulation {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  bool absolute_encoder = true;    // else it counts from where it is switched on
+  double home_switch_from = none;  // active from here to there
+  double home_switch_to = -none;
+  double limit_negative = -none;  // active at and below
+  double limit_positive = none;   // active at and above
+  double index_position = 0.0;    // of one of the pulses
+  double index_pitch = 0.0;       // 0: there are none
+  double backlash = 0.0;
+  double dry_friction = 0.0;  // mm/s2, deg/s2
+};
+
 struct MachineFile {
   std::filesystem::path path;
   channels::MachineConfig machine;
@@ -48,6 +65,7 @@ struct MachineFile {
   RecorderConfig recorder;
   ProcessConfig process;
   SimulationConfig simulation;
+  std::vector<AxisSimulation> axis_plants;  // in machine axis order
 };
 
 // Throws ConfigError.

@@ -36,8 +36,8 @@ json drive_list(const RunningMachine& machine) {
   for (const auto& drive : bus.axes) {
     drives.push_back({{"axis", drive.axis},
                       {"unit", drive.unit},
-                      {"position_scale", drive.position_scale},
-                      {"velocity_scale", drive.velocity_scale}});
+                      {"position_scale", drive.map.position.scale},
+                      {"velocity_scale", drive.map.velocity.scale}});
   }
   return {{"bus", bus_word(bus.kind)}, {"drives", std::move(drives)}};
 }

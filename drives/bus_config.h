@@ -2,22 +2,32 @@
 // file.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "drives/register_map.h"
+#include "drives/run_words.h"
+
 namespace stanok::drives {
 
-// Register map and scales of one drive (docs/drives.md). All positions as 32-bit integers over two
-// registers, high word first.
+// The functions of Modbus by which a drive is written: 23 together with a read, 16, or 6.
+enum class RequestStyle : std::uint8_t { write_and_read, write_multiple, write_single };
+
+// What a drive follows: a position, a velocity, or only the command to run.
+enum class DriveKind : std::uint8_t { position, velocity, on_off };
+
+// One drive on the bus (docs/drives.md).
 struct AxisDriveConfig {
   std::string axis;
   int unit = 1;  // Modbus unit id
-  int control_register =
-      0;  // first register of the written block: control, target position, target velocity
-  int status_register =
-      100;  // first register of the read block: status, actual position, actual velocity, ...
-  double position_scale = 1000.0;    // increments per mm or deg
-  double velocity_scale = 1000.0;    // increments/s per mm/s or deg/s
+  DriveKind kind = DriveKind::position;
+  RegisterMap map = register_map({});
+  std::optional<RunWords> words{};  // absent: control and status word of CiA 402
+  RequestStyle requests = RequestStyle::write_and_read;
+  int gap_max = 0;                   // registers of no use that may be read along to save a request
+  bool absolute_encoder = true;      // knows its position at power-on
   double following_error_max = 0.5;  // mm or deg
   double velocity_max = 0.0;  // mm/s or deg/s; feedback faster than twice this is absurd; 0: any
 };

@@ -2,9 +2,7 @@
 // from a state to where the master wants the drive.
 //
 // Source: CiA 402 part 2 / IEC 61800-7-201: objects 6040h (control word), 6041h (status word),
-// 603Fh (error code). Of the manufacturer-specific bits, control bit 11 closes the brake, bit 12
-// changes to cyclic synchronous velocity (object 6060h in a word that is written anyway), status
-// bit 14 says that it is closed and status bit 15 that the position is referenced (docs/drives.md).
+// 603Fh (error code). The bits that these leave to the manufacturer stand in drives/register_map.h.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +19,6 @@ inline constexpr std::uint16_t enable_voltage = 1U << 1;
 inline constexpr std::uint16_t no_quick_stop = 1U << 2;  // the bit is low-active
 inline constexpr std::uint16_t enable_operation = 1U << 3;
 inline constexpr std::uint16_t fault_reset = 1U << 7;
-inline constexpr std::uint16_t close_brake = 1U << 11;
-inline constexpr std::uint16_t follow_velocity = 1U << 12;
 }  // namespace control
 
 namespace status {
@@ -30,8 +26,6 @@ inline constexpr std::uint16_t voltage_enabled = 1U << 4;
 inline constexpr std::uint16_t remote = 1U << 9;
 inline constexpr std::uint16_t follows_target = 1U << 12;
 inline constexpr std::uint16_t following_error = 1U << 13;
-inline constexpr std::uint16_t brake_closed = 1U << 14;
-inline constexpr std::uint16_t referenced = 1U << 15;
 }  // namespace status
 
 namespace fault_code {

@@ -44,6 +44,9 @@ struct DriveTarget {
   bool brake_closed = true;
   bool fault_reset = false;        // a rising edge acknowledges the fault of the drive
   bool position_accepted = false;  // the position the drive reports now is taken for true (homing)
+  // Added to the positions that the drive counts, in both directions: what homing has found. A
+  // change takes effect with `position_accepted` only.
+  double position_offset = 0.0;
 };
 
 struct DriveFeedback {
@@ -54,14 +57,20 @@ struct DriveFeedback {
   double power_w = 0.0;
   double vibration_um = 0.0;
   double vibration_hz = 0.0;
-  std::uint32_t sequence = 0;    // answers accepted so far
-  std::uint32_t age_cycles = 0;  // reads since `sequence` changed
-  std::uint32_t losses = 0;      // how often contact was lost so far
-  std::uint16_t fault_code = 0;  // CiA 402 error code, 0: none
+  double temperature_c = 0.0;
+  double index_position = 0.0;    // where the measuring system was at the last index pulse
+  std::uint32_t index_count = 0;  // index pulses so far, as the drive counts them: 16 bits
+  std::uint32_t sequence = 0;     // answers accepted so far
+  std::uint32_t age_cycles = 0;   // reads since `sequence` changed
+  std::uint32_t losses = 0;       // how often contact was lost so far
+  std::uint16_t fault_code = 0;   // CiA 402 error code, 0: none
   DriveState state = DriveState::not_ready_to_switch_on;
   bool valid = false;       // false: no trustworthy answer within the timeout; values are the last
   bool referenced = false;  // the position belongs to the machine; false after a jump out of sight
   bool brake_closed = true;
+  bool home_switch = false;     // stands on its reference switch
+  bool limit_negative = false;  // stands on the limit switch at this end
+  bool limit_positive = false;
   bool following_error_exceeded = false;  // over the limit for longer than a disturbance lasts
 };
 

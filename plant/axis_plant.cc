@@ -38,15 +38,24 @@ double axis_power_w(const AxisPlantConfig& config, const Motion& motion) RT_SAFE
 AxisPlant::AxisPlant(const AxisPlantConfig& config, double start)
     : config_(config), motion_{.position = start} {}
 
-// In the frame of the demand, y = x - p - y_end with the steady error y_end = 2 d (k - 1) v / w
-// obeys the homogeneous equation.
+// In the frame of the demand, y = x - p - y_end with the steady error y_end = 2 d (k - 1) v / w -
+// f / w^2 obeys the homogeneous equation. Friction that would turn the motion round brings it to
+// rest.
 void AxisPlant::follow(const Demand& demand, double dt_s) RT_SAFE {
   const double w = 2.0 * std::numbers::pi * config_.bandwidth_hz;
   const double d = config_.damping;
   const double v = demand.velocity;
-  const double y_end = 2.0 * d * (config_.velocity_feed_forward - 1.0) * v / w;
   const double position_before = motion_.position;
   const double demand_before = demand.position - v * dt_s;
+  const double force = w * w * (demand_before - position_before) +
+                       2.0 * d * w * (config_.velocity_feed_forward * v - motion_.velocity);
+  if (motion_.velocity == 0.0 && std::fabs(force) < config_.dry_friction) {
+    motion_.acceleration = 0.0;
+    return;  // held by friction
+  }
+  const double moves_to = motion_.velocity != 0.0 ? motion_.velocity : force;
+  const double friction = std::copysign(config_.dry_friction, moves_to);
+  const double y_end = 2.0 * d * (config_.velocity_feed_forward - 1.0) * v / w - friction / (w * w);
 
   const double y = motion_.position - demand_before - y_end;
   const double dy = motion_.velocity - v;
@@ -58,6 +67,7 @@ void AxisPlant::follow(const Demand& demand, double dt_s) RT_SAFE {
   motion_.position = demand.position + y_end + y_after;
   motion_.velocity = v + dy_after;
   motion_.acceleration = -2.0 * d * w * dy_after - w * w * y_after;
+  if (motion_.velocity * friction < 0.0) motion_.velocity = 0.0;
   limit_velocity(position_before, dt_s);
 }
 

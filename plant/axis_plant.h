@@ -1,8 +1,9 @@
 // A feed axis: position loop of second order with velocity feed-forward.
 //
-// x'' = w^2 (p - x) + 2 d w (k v - x'). For a demand that moves at constant velocity the step is
-// the exact solution, whatever its length (docs/drives.md#plant); only the velocity limit depends
-// on the step.
+// x'' = w^2 (p - x) + 2 d w (k v - x') - f sign x', with f the dry friction per mass. For a demand
+// that moves at constant velocity the step is the exact solution, whatever its length
+// (docs/drives.md#plant); only the velocity limit and the instant at which dry friction holds the
+// axis depend on the step.
 #pragma once
 
 #include "plant/motor.h"

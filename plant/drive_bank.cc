@@ -17,9 +17,8 @@ modbus_mapping_t* holding_registers(int count) {
   return mapping;
 }
 
-int register_count(const drives::AxisDriveConfig& map) {
-  return std::max(map.control_register + drives::command_register_count,
-                  map.status_register + drives::status_register_count);
+std::span<std::uint16_t> image_of(modbus_mapping_t& mapping) {
+  return {mapping.tab_registers, static_cast<std::size_t>(mapping.nb_registers)};
 }
 
 double seconds(std::chrono::nanoseconds time) {
@@ -29,7 +28,7 @@ double seconds(std::chrono::nanoseconds time) {
 }  // namespace
 
 DriveBank::Slot::Slot(const SimulatedDriveConfig& config)
-    : drive(config), registers(holding_registers(register_count(config.registers))) {}
+    : drive(config), registers(holding_registers(drives::register_count(config.registers.map))) {}
 
 DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives, double step_s)
     : panel_(holding_registers(static_cast<int>(drives.size()))), step_s_(step_s) {
@@ -103,13 +102,15 @@ void DriveBank::write_drive(Slot& slot, const RegisterWrite& write) {
     return;
   }
   std::copy(write.values.begin(), write.values.end(), mapping.tab_registers + write.first);
-  const int control = slot.drive.config().registers.control_register;
-  const bool touches_command = written.first < control + drives::command_register_count &&
-                               written.first + written.count > control;
+  const drives::RegisterMap& map = slot.drive.config().registers.map;
+  const bool touches_command =
+      std::ranges::any_of(drives::written_fields, [&](drives::FieldOfMap member) {
+        const drives::RegisterField& field = map.*member;
+        return field.exists() && written.first < field.end() &&
+               written.first + written.count > field.address;
+      });
   if (touches_command) {
-    slot.drive.command(
-        drives::command_block(std::span<const std::uint16_t, drives::command_register_count>(
-            mapping.tab_registers + control, drives::command_register_count)));
+    slot.drive.command(drives::command_block(map, image_of(mapping)));
   }
 }
 
@@ -133,9 +134,8 @@ void DriveBank::show_faults() {
 }
 
 void DriveBank::show_status(Slot& slot) {
-  const drives::StatusRegisters status = drives::to_registers(slot.drive.status());
-  std::copy(status.begin(), status.end(),
-            slot.registers->tab_registers + slot.drive.config().registers.status_register);
+  drives::write_block(slot.drive.config().registers.map, slot.drive.status(),
+                      image_of(*slot.registers));
 }
 
 void DriveBank::inject(std::size_t drive, FaultKind kind) {

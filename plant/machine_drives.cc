@@ -6,13 +6,14 @@
 namespace stanok::plant {
 namespace {
 
-drives::AxisDriveConfig default_registers(const channels::AxisConfig& axis, int place) {
-  drives::AxisDriveConfig registers;
-  registers.axis = axis.name;
-  registers.unit = place;
-  registers.following_error_max = axis.following_error_max;
-  registers.velocity_max = axis.limits.velocity_max;
-  return registers;
+drives::AxisDriveConfig default_drive(const channels::AxisConfig& axis, int place) {
+  const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
+  return {.axis = axis.name,
+          .unit = place,
+          .kind = in_cycle ? drives::DriveKind::velocity : drives::DriveKind::position,
+          .absolute_encoder = axis.homing.order == 0,
+          .following_error_max = axis.following_error_max,
+          .velocity_max = axis.limits.velocity_max};
 }
 
 VelocityLoopConfig velocity_loop(const config::SimulationConfig& simulation) {
@@ -20,6 +21,17 @@ VelocityLoopConfig velocity_loop(const config::SimulationConfig& simulation) {
           .damping = simulation.servo_damping,
           .resonance_hz = simulation.resonance_frequency_hz,
           .resonance_damping = simulation.resonance_damping};
+}
+
+ReferenceConfig reference(const config::AxisSimulation& plant) {
+  return {.absolute_encoder = plant.absolute_encoder,
+          .home_switch_from = plant.home_switch_from,
+          .home_switch_to = plant.home_switch_to,
+          .limit_negative = plant.limit_negative,
+          .limit_positive = plant.limit_positive,
+          .index_position = plant.index_position,
+          .index_pitch = plant.index_pitch,
+          .backlash = plant.backlash};
 }
 
 // The motor of an axis that is a spindle until M902 reaches the speed of the spindle.
@@ -41,7 +53,7 @@ drives::BusConfig simulated_bus(const config::MachineFile& machine) {
   bus.host = "127.0.0.1";
   if (bus.axes.empty()) {
     for (const channels::AxisConfig& axis : machine.machine.axes) {
-      bus.axes.push_back(default_registers(axis, static_cast<int>(bus.axes.size()) + 1));
+      bus.axes.push_back(default_drive(axis, static_cast<int>(bus.axes.size()) + 1));
     }
   }
   return bus;
@@ -59,8 +71,12 @@ std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) 
     drive.axis.bandwidth_hz = machine.simulation.drive_frequency_hz;
     drive.axis.damping = machine.simulation.drive_damping;
     drive.velocity_loop = velocity_loop(machine.simulation);
+    if (k < machine.axis_plants.size()) {
+      drive.axis.dry_friction = machine.axis_plants[k].dry_friction;
+      drive.reference = reference(machine.axis_plants[k]);
+    }
     if (machine.machine.axes[k].regulator.feedback == channels::FeedbackPlace::cycle)
-      drive.kind = DriveKind::velocity_axis;
+      drive.kind = PlantKind::velocity_axis;
   }
   for (const channels::SpindleConfig& spindle : machine.machine.spindles) {
     let_turn(spindle, drives);

@@ -19,11 +19,10 @@ std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
 }
 
 SimulatedDriveConfig spindle_drive(int id, const SpindlePlantConfig& config) {
-  SimulatedDriveConfig drive{.kind = DriveKind::spindle, .spindle = config};
+  SimulatedDriveConfig drive{.kind = PlantKind::spindle, .spindle = config};
   drive.registers.axis = "S" + std::to_string(id);
   drive.registers.unit = spindle_unit_base + id;
-  drive.registers.position_scale = 100.0;
-  drive.registers.velocity_scale = 1.0;
+  drive.registers.map = drives::register_map({.position_scale = 100.0, .velocity_scale = 1.0});
   return drive;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct AxisPlantConfig {
   double coasting_time_s = 0.3;          // velocity falls by e in this time without power
   double power_idle_w = 20.0;            // of the electronics, when switched on
   double friction_w_per_unit = 0.2;      // W per mm/s or deg/s
+  double dry_friction = 0.0;             // mm/s2 or deg/s2 by which it brakes
   double inertia_w_per_unit = 5e-5;      // W per (mm/s)(mm/s2): mass in t, or its rotary like
 };
 
@@ -42,6 +44,27 @@ struct SpindlePlantConfig {
   double acceleration_w = 5000.0;  // at speed_max and full acceleration
 };
 
+// Encoder, index pulses and switches of a feed axis, in positions of the machine, mm or deg.
+struct ReferenceConfig {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  bool absolute_encoder = true;    // else it counts from where it is switched on
+  double home_switch_from = none;  // active from here to there
+  double home_switch_to = -none;
+  double limit_negative = -none;  // active at and below
+  double limit_positive = none;   // active at and above
+  double index_position = 0.0;    // of one of the pulses
+  double index_pitch = 0.0;       // from one to the next; 0: there are none
+  double backlash = 0.0;  // play between motor, with the encoder, and load, with the switches
+};
+
+// Body of the motor: T' = (T0 + heating |P| - T) / time constant.
+struct ThermalConfig {
+  double ambient_c = 22.0;        // T0, and the temperature at power-on
+  double heating_k_per_w = 0.03;  // steady rise by electrical power
+  double time_constant_s = 900.0;
+};
+
 // What the drive itself watches over.
 struct WatchConfig {
   double watchdog_s = 0.5;              // quick stop and fault when enabled and nothing is written
@@ -50,16 +73,18 @@ struct WatchConfig {
 };
 
 // A velocity_axis is an axis that follows the target velocity.
-enum class DriveKind : std::uint8_t { axis, velocity_axis, spindle };
+enum class PlantKind : std::uint8_t { axis, velocity_axis, spindle };
 
 // One simulated drive: its registers, what moves, and what it watches over.
 struct SimulatedDriveConfig {
   drives::AxisDriveConfig registers{};
-  DriveKind kind = DriveKind::axis;
+  PlantKind kind = PlantKind::axis;
   double start = 0.0;  // position at power-on
   AxisPlantConfig axis{};
   VelocityLoopConfig velocity_loop{};  // velocity_axis
   SpindlePlantConfig spindle{};
+  ReferenceConfig reference{};
+  ThermalConfig thermal{};
   WatchConfig watch{};
 };
 

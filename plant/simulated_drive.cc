@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "drives/cia402.h"
 #include "plant/axis_plant.h"
@@ -26,25 +25,13 @@ constexpr double shift_elsewhere = 10.0;
 constexpr unsigned one_lost_in = 5;
 
 std::unique_ptr<Motor> motor_of(const SimulatedDriveConfig& config) {
-  if (config.kind == DriveKind::spindle) {
+  if (config.kind == PlantKind::spindle) {
     return std::make_unique<SpindlePlant>(config.spindle);
   }
-  if (config.kind == DriveKind::velocity_axis) {
+  if (config.kind == PlantKind::velocity_axis) {
     return std::make_unique<ServoAxis>(config.velocity_loop, config.axis, config.start);
   }
   return std::make_unique<AxisPlant>(config.axis, config.start);
-}
-
-std::int32_t saturated_increments(double value, double scale) RT_SAFE {
-  constexpr std::int32_t limit = std::numeric_limits<std::int32_t>::max();
-  return drives::increments(value, scale).value_or(value < 0.0 ? -limit : limit);
-}
-
-template <class Register>
-Register saturated(double value) RT_SAFE {
-  constexpr double low = std::numeric_limits<Register>::min();
-  constexpr double high = std::numeric_limits<Register>::max();
-  return static_cast<Register>(std::clamp(std::round(value), low, high));
 }
 
 bool has_same_target(const drives::CommandBlock& a, const drives::CommandBlock& b) RT_SAFE {
@@ -56,19 +43,41 @@ bool has_same_target(const drives::CommandBlock& a, const drives::CommandBlock& 
 SimulatedDrive::SimulatedDrive(const SimulatedDriveConfig& config)
     : config_(config),
       motor_(motor_of(config)),
+      measuring_(config.reference, motor_->motion().position),
+      temperature_c_(config.thermal.ambient_c),
       random_(static_cast<std::uint32_t>(config.registers.unit)) {}
 
 // A target that is merely repeated is no news: its time runs on.
 void SimulatedDrive::command(const drives::CommandBlock& block) RT_SAFE {
   const bool was_following = power_.state() == DriveState::operation_enabled;
   const bool followed_velocity = follows_velocity();
-  power_.take_control_word(block.control_word);
+  take_word(block.control_word);
   if (!was_following || !has_same_target(block, command_)) {
     target_age_s_ = 0.0;
   }
   command_ = block;
   if (!was_following || !followed_velocity) turned_ = motor_->motion().position;
   silence_s_ = 0.0;
+}
+
+void SimulatedDrive::take_word(std::uint16_t word) RT_SAFE {
+  const auto& words = config_.registers.words;
+  words ? take_run_word(*words, word) : power_.take_control_word(word);
+}
+
+// An inverter behind the same power state: it runs, or stops on its ramp.
+void SimulatedDrive::take_run_word(const drives::RunWords& words, std::uint16_t word) RT_SAFE {
+  namespace control = drives::control;
+  constexpr std::uint16_t shutdown = control::enable_voltage | control::no_quick_stop;
+  constexpr std::uint16_t run = shutdown | control::switch_on | control::enable_operation;
+  if (word == words.fault_reset) {
+    power_.take_control_word(control::fault_reset);
+  } else if (!drives::is_run_word(words, word)) {
+    power_.take_control_word(control::enable_voltage);
+  } else {
+    power_.take_control_word(shutdown);
+    power_.take_control_word(run);
+  }
 }
 
 void SimulatedDrive::advance(double dt_s) RT_SAFE {
@@ -79,7 +88,15 @@ void SimulatedDrive::advance(double dt_s) RT_SAFE {
   silence_s_ += dt_s;
   if (follows_velocity()) turn(dt_s);
   move(dt_s);
+  measuring_.take(motor_->motion().position);
   watch(dt_s);
+  warm_up(dt_s);
+}
+
+void SimulatedDrive::warm_up(double dt_s) RT_SAFE {
+  const ThermalConfig& thermal = config_.thermal;
+  const double end_c = thermal.ambient_c + thermal.heating_k_per_w * std::fabs(power_w());
+  temperature_c_ -= (end_c - temperature_c_) * std::expm1(-dt_s / thermal.time_constant_s);
 }
 
 void SimulatedDrive::move(double dt_s) RT_SAFE {
@@ -113,8 +130,8 @@ void SimulatedDrive::watch(double dt_s) RT_SAFE {
 }
 
 bool SimulatedDrive::follows_velocity() const RT_SAFE {
-  return config_.kind != DriveKind::spindle &&
-         (command_.control_word & drives::control::follow_velocity) != 0;
+  return config_.kind != PlantKind::spindle &&
+         (command_.control_word & config_.registers.map.bits.follow_velocity) != 0;
 }
 
 // The demand goes on with the velocity; demand and motor are counted within one turn.
@@ -123,23 +140,34 @@ void SimulatedDrive::turn(double dt_s) RT_SAFE {
     turned_ = motor_->motion().position;
     return;
   }
-  turned_ += command_.target_velocity / config_.registers.velocity_scale * dt_s;
+  turned_ += commanded_velocity() * dt_s;
   const double turns = full_turn_deg * std::floor(turned_ / full_turn_deg);
   if (turns == 0.0) return;
   turned_ -= turns;
   motor_->shift_position(-turns);
+  measuring_.place(motor_->motion().position);
+}
+
+// A contactor knows one speed only.
+double SimulatedDrive::commanded_velocity() const RT_SAFE {
+  const drives::AxisDriveConfig& registers = config_.registers;
+  const bool has_speed = registers.map.target_velocity.exists();
+  const double velocity = has_speed ? registers.map.target_velocity.value(command_.target_velocity)
+                                    : config_.spindle.speed_max;
+  const bool is_reverse = registers.words && command_.control_word == registers.words->run_reverse;
+  return is_reverse ? -velocity : velocity;
 }
 
 Demand SimulatedDrive::demand() const RT_SAFE {
+  const drives::RegisterMap& map = config_.registers.map;
+  const double velocity = commanded_velocity();
   if (follows_velocity()) {
-    return {.position = turned_,
-            .velocity = command_.target_velocity / config_.registers.velocity_scale};
+    return {.position = turned_, .velocity = velocity};
   }
-  const double velocity = command_.target_velocity / config_.registers.velocity_scale;
-  const double position = command_.target_position / config_.registers.position_scale;
+  const double position = map.target_position.value(command_.target_position) + measuring_.zero();
   const bool is_bridged = target_age_s_ <= bridged_s;
   return {.position = position + velocity * std::min(target_age_s_, bridged_s),
-          .velocity = is_bridged || config_.kind == DriveKind::spindle ? velocity : 0.0};
+          .velocity = is_bridged || config_.kind == PlantKind::spindle ? velocity : 0.0};
 }
 
 bool SimulatedDrive::has_supply() const RT_SAFE {
@@ -148,7 +176,7 @@ bool SimulatedDrive::has_supply() const RT_SAFE {
 
 // The brake needs power to open; a drive in fault lets it fall.
 bool SimulatedDrive::is_braked() const RT_SAFE {
-  const bool is_commanded = (command_.control_word & drives::control::close_brake) != 0;
+  const bool is_commanded = (command_.control_word & config_.registers.map.bits.close_brake) != 0;
   return is_commanded || !has_supply() || power_.state() == DriveState::fault;
 }
 
@@ -157,11 +185,7 @@ drives::StatusBlock SimulatedDrive::status() RT_SAFE {
     return stuck_status_;
   }
   if (fault_ == FaultKind::garbage) {
-    drives::StatusRegisters registers{};
-    for (std::uint16_t& value : registers) {
-      value = static_cast<std::uint16_t>(random_() & 0xFFFFU);
-    }
-    return drives::status_block(registers);
+    return arbitrary_status();
   }
   return measured_status();
 }
@@ -171,25 +195,72 @@ drives::StatusBlock SimulatedDrive::measured_status() const RT_SAFE {
   const bool is_following = power_.state() == DriveState::operation_enabled;
   const double following_error =
       is_following && !follows_velocity() ? motor_->following_error(demand()) : 0.0;
-  const double power_w = (power_.is_powered() ? motor_->power_w() : 0.0) + load_.power_w;
-  const double position_scale = config_.registers.position_scale;
+  const drives::RegisterMap& map = config_.registers.map;
+  const bool is_magnitude = config_.registers.words && config_.registers.words->run_reverse;
   return {
       .status_word = status_word(),
-      .position = saturated_increments(motion.position, position_scale),
-      .velocity = saturated_increments(motion.velocity, config_.registers.velocity_scale),
-      .following_error = saturated_increments(following_error, position_scale),
-      .power_w = saturated<std::int16_t>(power_w),
-      .vibration = saturated<std::uint16_t>(load_.vibration_um * 10.0),
-      .vibration_frequency = saturated<std::uint16_t>(load_.vibration_hz * 10.0),
+      .position = map.position.saturated_increments(motion.position - measuring_.zero()),
+      .velocity = map.velocity.saturated_increments(is_magnitude ? std::fabs(motion.velocity)
+                                                                 : motion.velocity),
+      .following_error = map.following_error.saturated_increments(following_error),
+      .power = map.power.saturated_increments(power_w()),
+      .vibration = map.vibration.saturated_increments(load_.vibration_um),
+      .vibration_frequency = map.vibration_frequency.saturated_increments(load_.vibration_hz),
       .fault_code = power_.fault_code(),
       .heartbeat_echo = command_.heartbeat,
+      .inputs = inputs(),
+      .index_position = map.index_position.saturated_increments(measuring_.index_position()),
+      .index_count = measuring_.index_count(),
+      .temperature = map.temperature.saturated_increments(temperature_c_),
   };
 }
 
+drives::StatusBlock SimulatedDrive::arbitrary_status() RT_SAFE {
+  const auto word = [this]() RT_SAFE { return static_cast<std::uint16_t>(random_() & 0xFFFFU); };
+  const auto value = [this]() RT_SAFE { return static_cast<std::int32_t>(random_()); };
+  return {.status_word = word(),
+          .position = value(),
+          .velocity = value(),
+          .following_error = value(),
+          .power = word(),
+          .vibration = word(),
+          .vibration_frequency = word(),
+          .fault_code = word(),
+          .heartbeat_echo = word(),
+          .inputs = word(),
+          .index_position = value(),
+          .index_count = word(),
+          .temperature = word()};
+}
+
+double SimulatedDrive::power_w() const RT_SAFE {
+  return (power_.is_powered() ? motor_->power_w() : 0.0) + load_.power_w;
+}
+
+std::uint16_t SimulatedDrive::inputs() const RT_SAFE {
+  const drives::DriveBits& bits = config_.registers.map.bits;
+  std::uint16_t word = 0;
+  if (measuring_.on_limit_negative()) word |= bits.limit_negative;
+  if (measuring_.on_limit_positive()) word |= bits.limit_positive;
+  if (measuring_.on_home_switch()) word |= bits.home_switch;
+  return word;
+}
+
+std::uint16_t SimulatedDrive::own_status_word() const RT_SAFE {
+  const drives::RunWords& words = *config_.registers.words;
+  if (power_.state() == DriveState::fault) return words.fault.value;
+  return power_.is_powered() ? words.running.value : std::uint16_t{0};
+}
+
 std::uint16_t SimulatedDrive::status_word() const RT_SAFE {
+  if (config_.registers.words) return own_status_word();
   namespace status = drives::status;
   std::uint16_t word = drives::state_bits(power_.state());
-  word |= status::remote | status::voltage_enabled | status::referenced;
+  const drives::DriveBits& bits = config_.registers.map.bits;
+  word |= status::remote | status::voltage_enabled;
+  if (measuring_.is_absolute()) {
+    word |= bits.referenced;
+  }
   if (power_.state() == DriveState::operation_enabled) {
     word |= status::follows_target;
   }
@@ -197,7 +268,7 @@ std::uint16_t SimulatedDrive::status_word() const RT_SAFE {
     word |= status::following_error;
   }
   if (is_braked()) {
-    word |= status::brake_closed;
+    word |= bits.brake_closed;
   }
   return word;
 }
@@ -233,8 +304,12 @@ void SimulatedDrive::inject(FaultKind kind) RT_SAFE {
   if (had_supply && !has_supply()) {
     power_.restart();
   }
+  if (!had_supply && has_supply()) {
+    measuring_.restart();
+  }
   if (had_supply && kind == FaultKind::elsewhere) {
     motor_->shift_position(shift_elsewhere);
+    measuring_.place(motor_->motion().position);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "base/rt_safe.h"
 #include "drives/modbus/drive_registers.h"
 #include "plant/fault.h"
+#include "plant/measuring_system.h"
 #include "plant/motor.h"
 #include "plant/plant_config.h"
 #include "plant/power_state.h"
@@ -54,17 +55,27 @@ class SimulatedDrive {
   [[nodiscard]] bool has_supply() const RT_SAFE;
   [[nodiscard]] bool is_braked() const RT_SAFE;
   [[nodiscard]] drives::StatusBlock measured_status() const RT_SAFE;
+  [[nodiscard]] drives::StatusBlock arbitrary_status() RT_SAFE;
+  [[nodiscard]] std::uint16_t inputs() const RT_SAFE;
+  [[nodiscard]] double power_w() const RT_SAFE;
   [[nodiscard]] std::uint16_t status_word() const RT_SAFE;
+  [[nodiscard]] std::uint16_t own_status_word() const RT_SAFE;
+  void take_word(std::uint16_t word) RT_SAFE;
+  void take_run_word(const drives::RunWords& words, std::uint16_t word) RT_SAFE;
+  [[nodiscard]] double commanded_velocity() const RT_SAFE;
   [[nodiscard]] Demand demand() const RT_SAFE;
   [[nodiscard]] bool follows_velocity() const RT_SAFE;
   void turn(double dt_s) RT_SAFE;
   void move(double dt_s) RT_SAFE;
   void watch(double dt_s) RT_SAFE;
+  void warm_up(double dt_s) RT_SAFE;
 
   SimulatedDriveConfig config_;
   std::unique_ptr<Motor> motor_;
+  MeasuringSystem measuring_;
   PowerState power_;
   drives::CommandBlock command_;
+  double temperature_c_;
   double turned_ = 0.0;  // following a velocity: where the demand is, deg
   double target_age_s_ = 0.0;
   double silence_s_ = 0.0;

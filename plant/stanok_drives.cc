@@ -87,11 +87,11 @@ nlohmann::ordered_json description(const ServerConfig& server, int port,
     const drives::AxisDriveConfig& registers = drive.registers;
     json["units"].push_back({{"unit", registers.unit},
                              {"axis", registers.axis},
-                             {"kind", drive.kind == DriveKind::spindle ? "spindle" : "axis"},
-                             {"control_register", registers.control_register},
-                             {"status_register", registers.status_register},
-                             {"position_scale", registers.position_scale},
-                             {"velocity_scale", registers.velocity_scale}});
+                             {"kind", drive.kind == PlantKind::spindle ? "spindle" : "axis"},
+                             {"control_register", registers.map.control_word.address},
+                             {"status_register", registers.map.status_word.address},
+                             {"position_scale", registers.map.position.scale},
+                             {"velocity_scale", registers.map.velocity.scale}});
   }
   return json;
 }

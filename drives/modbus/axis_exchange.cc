@@ -30,31 +30,49 @@ AxisExchange::AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime 
       leak_max_(failure_weight * std::max(1, static_cast<int>(timeout / poll))) {}
 
 CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_SAFE {
-  const auto position = increments(target.position, config_.position_scale);
-  const auto velocity = increments(target.velocity, config_.velocity_scale);
+  take_offset(target);
+  const auto position = config_.map.target_position.increments(target.position - position_offset_);
+  const auto velocity = config_.map.target_velocity.increments(
+      has_direction_in_word() ? std::fabs(target.velocity) : target.velocity);
   const bool sendable = position && velocity;
   enable_blocked_ = target.enabled && (enable_blocked_ || lost_ || age == TargetAge::stale);
-  position_accepted_ = target.position_accepted;
   watch_fault_reset(target.fault_reset);
 
-  sent_.control_word = control_word(feedback_.state, request_for(target, sendable));
+  sent_.control_word = word_for(request_for(target, sendable), target.velocity);
+  told_reverse_ = has_direction_in_word() && sent_.control_word == config_.words->run_reverse;
   if (target.brake_closed) {
-    sent_.control_word |= control::close_brake;
+    sent_.control_word |= config_.map.bits.close_brake;
   }
   follows_velocity_ = target.mode == OperationMode::cyclic_synchronous_velocity;
   if (follows_velocity_) {
-    sent_.control_word |= control::follow_velocity;
+    sent_.control_word |= config_.map.bits.follow_velocity;
   }
   if (sendable) {
+    const RegisterField& field = config_.map.target_position;
     sent_.target_position = *position;
+    target_position_ = field.exists() ? field.value(*position) + position_offset_ : target.position;
   }
   sent_.target_velocity = sendable && !enable_blocked_ ? *velocity : 0;
   if (!lost_) {
-    speed_before_loss_ = std::max(std::fabs(feedback_.velocity),
-                                  std::fabs(sent_.target_velocity / config_.velocity_scale));
+    const double sent = config_.map.target_velocity.value(sent_.target_velocity);
+    speed_before_loss_ = std::max(std::fabs(feedback_.velocity), std::fabs(sent));
   }
   ++sent_.heartbeat;
   return sent_;
+}
+
+std::uint16_t AxisExchange::word_for(PowerRequest request, double velocity) const RT_SAFE {
+  return config_.words ? run_word(*config_.words, request, velocity)
+                       : control_word(feedback_.state, request);
+}
+
+bool AxisExchange::has_direction_in_word() const RT_SAFE {
+  return config_.words && config_.words->run_reverse;
+}
+
+void AxisExchange::take_offset(const DriveTarget& target) RT_SAFE {
+  position_accepted_ = target.position_accepted;
+  if (position_accepted_) position_offset_ = target.position_offset;
 }
 
 // One demand resets one fault: a fault that comes again stays.
@@ -78,9 +96,10 @@ PowerRequest AxisExchange::request_for(const DriveTarget& target, bool sendable)
 
 std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTime asked,
                                                 BusTime now) RT_SAFE {
-  const auto state = state_of(answer.status_word);
+  const auto state = state_in(answer);
   std::optional<ExchangeError> error;
-  if (answer.heartbeat_echo != sent_.heartbeat) {
+  const bool has_echo = config_.map.heartbeat.exists() && config_.map.heartbeat_echo.exists();
+  if (has_echo && answer.heartbeat_echo != sent_.heartbeat) {
     error = ExchangeError::stuck;
   } else if (!state || !is_plausible(answer, now)) {
     error = ExchangeError::implausible;
@@ -93,6 +112,17 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
   return error;
 }
 
+std::optional<DriveState> AxisExchange::state_in(const StatusBlock& answer) const RT_SAFE {
+  if (config_.words) return state_of(*config_.words, answer.status_word, sent_.control_word);
+  return state_of(answer.status_word);
+}
+
+// A drive that is told its direction by a word reports a speed without sign.
+double AxisExchange::velocity_in(const StatusBlock& answer) const RT_SAFE {
+  const double velocity = config_.map.velocity.value(answer.velocity);
+  return told_reverse_ ? -velocity : velocity;
+}
+
 // While contact lasts the axis cannot be further away than it can have travelled. What it did out
 // of sight is judged by check_reference.
 bool AxisExchange::is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE {
@@ -100,36 +130,56 @@ bool AxisExchange::is_plausible(const StatusBlock& answer, BusTime now) const RT
     return true;  // limits and travel are those of the axis, not of the spindle that it is now
   }
   const double fastest = velocity_margin * config_.velocity_max;
-  if (std::fabs(answer.velocity / config_.velocity_scale) > fastest) {
+  if (std::fabs(velocity_in(answer)) > fastest) {
     return false;
   }
-  const double travel = std::fabs(answer.position / config_.position_scale - feedback_.position);
+  const double position = config_.map.position.value(answer.position) + position_offset_;
+  const double travel = std::fabs(position - feedback_.position);
   const double reach = fastest * seconds(now - feedback_from_) + config_.following_error_max;
   return travel <= reach || !feedback_.valid || position_accepted_;
 }
 
 void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime asked, BusTime now)
     RT_SAFE {
-  const double position = answer.position / config_.position_scale;
+  const RegisterMap& map = config_.map;
+  const double position = map.position.value(answer.position) + position_offset_;
   check_reference(position, now);
   answering_ = true;
   leak_ = std::max(leak_ - 1, 0);
   lost_ = lost_ && leak_ > leak_max_ / 2;
   feedback_.position = position;
-  feedback_.target_position = sent_.target_position / config_.position_scale;
-  feedback_.velocity = answer.velocity / config_.velocity_scale;
-  feedback_.following_error = answer.following_error / config_.position_scale;
-  feedback_.power_w = answer.power_w;
-  feedback_.vibration_um = answer.vibration * 0.1;
-  feedback_.vibration_hz = answer.vibration_frequency * 0.1;
+  feedback_.target_position = target_position_;
+  feedback_.velocity = velocity_in(answer);
+  feedback_.following_error = map.following_error.value(answer.following_error);
   feedback_.fault_code = answer.fault_code;
   feedback_.state = state;
-  feedback_.brake_closed = (answer.status_word & status::brake_closed) != 0;
-  feedback_.referenced = (answer.status_word & status::referenced) != 0 && !moved_out_of_sight_;
+  feedback_.brake_closed = (answer.status_word & map.bits.brake_closed) != 0;
+  feedback_.referenced = is_referenced(answer);
+  take_measurements(answer);
   feedback_.valid = !lost_;
   ++feedback_.sequence;
   feedback_from_ = asked;
   watch_following_error(now);
+}
+
+// A drive without a bit for it knows its position when its encoder is absolute.
+bool AxisExchange::is_referenced(const StatusBlock& answer) const RT_SAFE {
+  const std::uint16_t bit = config_.map.bits.referenced;
+  const bool drive_knows = bit != 0 ? (answer.status_word & bit) != 0 : config_.absolute_encoder;
+  return (drive_knows || reference_found_) && !moved_out_of_sight_;
+}
+
+void AxisExchange::take_measurements(const StatusBlock& answer) RT_SAFE {
+  const RegisterMap& map = config_.map;
+  feedback_.power_w = map.power.value(answer.power);
+  feedback_.vibration_um = map.vibration.value(answer.vibration);
+  feedback_.vibration_hz = map.vibration_frequency.value(answer.vibration_frequency);
+  feedback_.temperature_c = map.temperature.value(answer.temperature);
+  feedback_.home_switch = (answer.inputs & map.bits.home_switch) != 0;
+  feedback_.limit_negative = (answer.inputs & map.bits.limit_negative) != 0;
+  feedback_.limit_positive = (answer.inputs & map.bits.limit_positive) != 0;
+  feedback_.index_position = map.index_position.value(answer.index_position) + position_offset_;
+  feedback_.index_count = answer.index_count;
 }
 
 // Without contact a drive can only have come to rest: it is at most as far as its last speed would
@@ -137,6 +187,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
 void AxisExchange::check_reference(double position, BusTime now) RT_SAFE {
   if (position_accepted_) {
     moved_out_of_sight_ = false;
+    reference_found_ = true;
   } else if (lost_ && feedback_.sequence > 0 && !follows_velocity_) {
     const double reach =
         speed_before_loss_ * seconds(now - feedback_from_) + config_.following_error_max;
@@ -168,6 +219,8 @@ void AxisExchange::supervise(BusTime now) RT_SAFE {
     leak_ = leak_max_;
     feedback_.valid = false;
     ++feedback_.losses;
+    // Whether an incremental encoder has counted on meanwhile, or begun anew, nobody can tell.
+    reference_found_ = reference_found_ && config_.absolute_encoder;
   }
 }
 

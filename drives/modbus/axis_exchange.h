@@ -53,6 +53,13 @@ class AxisExchange {
   void check_reference(double position, BusTime now) RT_SAFE;
   void watch_following_error(BusTime now) RT_SAFE;
   void watch_fault_reset(bool demanded) RT_SAFE;
+  [[nodiscard]] std::uint16_t word_for(PowerRequest request, double velocity) const RT_SAFE;
+  [[nodiscard]] std::optional<DriveState> state_in(const StatusBlock& answer) const RT_SAFE;
+  [[nodiscard]] double velocity_in(const StatusBlock& answer) const RT_SAFE;
+  [[nodiscard]] bool has_direction_in_word() const RT_SAFE;
+  void take_offset(const DriveTarget& target) RT_SAFE;
+  [[nodiscard]] bool is_referenced(const StatusBlock& answer) const RT_SAFE;
+  void take_measurements(const StatusBlock& answer) RT_SAFE;
   void accept(const StatusBlock& answer, DriveState state, BusTime asked, BusTime now) RT_SAFE;
 
   AxisDriveConfig config_;
@@ -64,13 +71,17 @@ class AxisExchange {
   std::optional<BusTime> following_error_since_;
   int leak_ = 0;
   std::uint64_t errors_ = 0;
+  double position_offset_ = 0.0;
+  double target_position_ = 0.0;    // as sent
   double speed_before_loss_ = 0.0;  // the greater of target and actual speed
   bool follows_velocity_ = false;
+  bool told_reverse_ = false;  // by a word of its own
   bool answering_ = true;
   bool lost_ = false;
   bool enable_blocked_ = false;
   bool moved_out_of_sight_ = false;
   bool position_accepted_ = false;
+  bool reference_found_ = false;  // by the control, for a drive that does not know it
   bool fault_reset_demanded_ = false;
   bool fault_reset_pending_ = false;
 };

@@ -1,78 +1,72 @@
-// Packing of the register blocks with shifts and bit casts: no word order but the one written here.
+// Blocks to registers and back, field by field.
 #include "drives/modbus/drive_registers.h"
-
-#include <bit>
-#include <cmath>
-#include <limits>
 
 namespace stanok::drives {
 namespace {
 
-constexpr std::uint16_t high_word(std::int32_t value) RT_SAFE {
-  return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(value) >> 16U);
+// Calls `visit` with every field of the map and the member of the block that it holds.
+template <class Visit>
+void visit_commands(const RegisterMap& map, Visit visit) {
+  visit(map.control_word, &CommandBlock::control_word);
+  visit(map.target_position, &CommandBlock::target_position);
+  visit(map.target_velocity, &CommandBlock::target_velocity);
+  visit(map.heartbeat, &CommandBlock::heartbeat);
 }
 
-constexpr std::uint16_t low_word(std::int32_t value) RT_SAFE {
-  return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(value) & 0xFFFFU);
+template <class Visit>
+void visit_statuses(const RegisterMap& map, Visit visit) {
+  visit(map.status_word, &StatusBlock::status_word);
+  visit(map.position, &StatusBlock::position);
+  visit(map.velocity, &StatusBlock::velocity);
+  visit(map.following_error, &StatusBlock::following_error);
+  visit(map.power, &StatusBlock::power);
+  visit(map.vibration, &StatusBlock::vibration);
+  visit(map.vibration_frequency, &StatusBlock::vibration_frequency);
+  visit(map.fault_code, &StatusBlock::fault_code);
+  visit(map.heartbeat_echo, &StatusBlock::heartbeat_echo);
+  visit(map.inputs, &StatusBlock::inputs);
+  visit(map.index_position, &StatusBlock::index_position);
+  visit(map.index_count, &StatusBlock::index_count);
+  visit(map.temperature, &StatusBlock::temperature);
 }
 
-constexpr std::int32_t joined(std::uint16_t high, std::uint16_t low) RT_SAFE {
-  return std::bit_cast<std::int32_t>((static_cast<std::uint32_t>(high) << 16U) | low);
+template <class Block>
+auto writer(const Block& block, std::span<std::uint16_t> image) {
+  return [&block, image](const RegisterField& field, auto member) RT_SAFE {
+    if (field.exists()) write_field(field, static_cast<std::int32_t>(block.*member), image);
+  };
+}
+
+template <class Block>
+auto reader(Block& block, std::span<const std::uint16_t> image) {
+  return [&block, image](const RegisterField& field, auto member) RT_SAFE {
+    using Value = std::remove_reference_t<decltype(block.*member)>;
+    if (field.exists()) block.*member = static_cast<Value>(read_field(field, image));
+  };
 }
 
 }  // namespace
 
-CommandRegisters to_registers(const CommandBlock& block) RT_SAFE {
-  return {block.control_word,
-          high_word(block.target_position),
-          low_word(block.target_position),
-          high_word(block.target_velocity),
-          low_word(block.target_velocity),
-          block.heartbeat};
-}
-
-CommandBlock command_block(std::span<const std::uint16_t, command_register_count> registers)
+void write_block(const RegisterMap& map, const CommandBlock& block, std::span<std::uint16_t> image)
     RT_SAFE {
-  return {.control_word = registers[0],
-          .target_position = joined(registers[1], registers[2]),
-          .target_velocity = joined(registers[3], registers[4]),
-          .heartbeat = registers[5]};
+  visit_commands(map, writer(block, image));
 }
 
-StatusRegisters to_registers(const StatusBlock& block) RT_SAFE {
-  return {block.status_word,
-          high_word(block.position),
-          low_word(block.position),
-          high_word(block.velocity),
-          low_word(block.velocity),
-          high_word(block.following_error),
-          low_word(block.following_error),
-          std::bit_cast<std::uint16_t>(block.power_w),
-          block.vibration,
-          block.vibration_frequency,
-          block.fault_code,
-          block.heartbeat_echo};
+void write_block(const RegisterMap& map, const StatusBlock& block, std::span<std::uint16_t> image)
+    RT_SAFE {
+  visit_statuses(map, writer(block, image));
 }
 
-StatusBlock status_block(std::span<const std::uint16_t, status_register_count> registers) RT_SAFE {
-  return {.status_word = registers[0],
-          .position = joined(registers[1], registers[2]),
-          .velocity = joined(registers[3], registers[4]),
-          .following_error = joined(registers[5], registers[6]),
-          .power_w = std::bit_cast<std::int16_t>(registers[7]),
-          .vibration = registers[8],
-          .vibration_frequency = registers[9],
-          .fault_code = registers[10],
-          .heartbeat_echo = registers[11]};
+CommandBlock command_block(const RegisterMap& map, std::span<const std::uint16_t> image) RT_SAFE {
+  CommandBlock block;
+  visit_commands(map, reader(block, image));
+  return block;
 }
 
-std::optional<std::int32_t> increments(double value, double scale) RT_SAFE {
-  const double rounded = std::round(value * scale);
-  constexpr double limit = std::numeric_limits<std::int32_t>::max();
-  if (!(std::fabs(rounded) <= limit)) {
-    return std::nullopt;
-  }
-  return static_cast<std::int32_t>(rounded);
+StatusBlock status_block(const RegisterMap& map, std::span<const std::uint16_t> image) RT_SAFE {
+  StatusBlock block;
+  visit_statuses(map, reader(block, image));
+  return block;
 }
 
 }  // namespace stanok::drives

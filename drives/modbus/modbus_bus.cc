@@ -34,6 +34,8 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle)
   status_.endpoint = link_.endpoint();
   for (const AxisDriveConfig& axis : config_.axes) {
     axes_.emplace_back(axis, poll_, timeout_);
+    plans_.push_back(exchange_plan(axis));
+    images_.emplace_back(static_cast<std::size_t>(register_count(axis.map)));
     status_.axes.push_back({.axis = axis.axis});
   }
 }
@@ -133,16 +135,15 @@ void ModbusBus::poll_one(std::size_t axis, TargetAge age) {
 std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age) {
   const AxisDriveConfig& config = config_.axes[axis];
   AxisExchange& drive = axes_[axis];
-  const CommandRegisters command = to_registers(drive.command(boxes_[axis].target.read(), age));
-  StatusRegisters answer{};
+  std::vector<std::uint16_t>& image = images_[axis];
+  write_block(config.map, drive.command(boxes_[axis].target.read(), age), image);
   const BusTime begin = now();
-  auto error =
-      link_.exchange(config.unit, config.control_register, command, config.status_register, answer);
+  auto error = link_.exchange(config.unit, plans_[axis], image);
   const BusTime end = now();
   if (error) {
     drive.fail();
   } else {
-    error = drive.take(status_block(answer), begin, end);
+    error = drive.take(status_block(config.map, image), begin, end);
   }
   count_exchange(error, end - begin);
   return error;

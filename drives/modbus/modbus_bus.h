@@ -1,6 +1,7 @@
 // Drives on Modbus TCP or RTU: a thread exchanges targets and feedback with every drive each poll.
 //
-// Per drive and poll one request with function code 23. After an error the connection is closed
+// Per drive and poll one request with function code 23 where its register map allows it, else as
+// few as possible. After an error the connection is closed
 // and made again, first at once, then with growing pauses up to a second; drives that do not answer
 // take turns, so that they do not hold up the others. What is sent and what is believed is decided
 // in AxisExchange. When the cycle writes no targets for the timeout the drives are stopped.
@@ -19,6 +20,7 @@
 #include "drives/bus_config.h"
 #include "drives/bus_statistics.h"
 #include "drives/modbus/axis_exchange.h"
+#include "drives/modbus/exchange_plan.h"
 #include "drives/modbus/modbus_link.h"
 
 namespace stanok::drives {
@@ -71,6 +73,8 @@ class ModbusBus final : public DriveBus {
   // Of the bus thread.
   ModbusLink link_;
   std::vector<AxisExchange> axes_;
+  std::vector<std::vector<Request>> plans_;
+  std::vector<std::vector<std::uint16_t>> images_;  // registers of each drive, n at place n
   BusTime pause_{0};
   BusTime connect_again_at_{0};
   std::size_t silent_axis_ = 0;  // of those that do not answer, the one to be tried

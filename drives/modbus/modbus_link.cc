@@ -66,26 +66,46 @@ void ModbusLink::close() {
   }
 }
 
-std::optional<ExchangeError> ModbusLink::exchange(int unit, int write_register,
-                                                  std::span<const std::uint16_t> command,
-                                                  int read_register,
-                                                  std::span<std::uint16_t> answer) {
+std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const Request> requests,
+                                                  std::span<std::uint16_t> image) {
   if (!connected_) {
     return ExchangeError::not_connected;
   }
-  const int wanted = static_cast<int>(answer.size());
   modbus_set_slave(context_.get(), unit);
-  const int received = modbus_write_and_read_registers(
-      context_.get(), write_register, static_cast<int>(command.size()), command.data(),
-      read_register, wanted, answer.data());
-  if (received == wanted) {
-    return std::nullopt;
+  for (const Request& request : requests) {
+    errno = 0;
+    if (carry_out(request, image)) {
+      continue;
+    }
+    const ExchangeError error = errno == 0 ? ExchangeError::mangled : error_of(errno);
+    if (error != ExchangeError::exception) {
+      close();
+    }
+    return error;
   }
-  const ExchangeError error = received == -1 ? error_of(errno) : ExchangeError::mangled;
-  if (error != ExchangeError::exception) {
-    close();
+  return std::nullopt;
+}
+
+// False: libmodbus set errno, or, with errno 0, the answer has not the length that was asked for.
+bool ModbusLink::carry_out(const Request& request, std::span<std::uint16_t> image) {
+  const RegisterRun& written = request.written;
+  const RegisterRun& read = request.read;
+  std::uint16_t* const registers = image.data();
+  switch (request.function) {
+    case Function::read_registers:
+      return modbus_read_registers(context_.get(), read.first, read.count,
+                                   registers + read.first) == read.count;
+    case Function::write_register:
+      return modbus_write_register(context_.get(), written.first, registers[written.first]) == 1;
+    case Function::write_registers:
+      return modbus_write_registers(context_.get(), written.first, written.count,
+                                    registers + written.first) == written.count;
+    case Function::write_and_read_registers:
+      return modbus_write_and_read_registers(context_.get(), written.first, written.count,
+                                             registers + written.first, read.first, read.count,
+                                             registers + read.first) == read.count;
   }
-  return error;
+  return false;
 }
 
 }  // namespace stanok::drives

@@ -15,6 +15,7 @@
 
 #include "drives/bus.h"
 #include "drives/bus_config.h"
+#include "drives/modbus/exchange_plan.h"
 
 namespace stanok::drives {
 
@@ -30,16 +31,16 @@ class ModbusLink {
   void close();
   [[nodiscard]] bool is_connected() const { return connected_; }
 
-  // Function code 23: writes one block and reads the other in one request. Returns no error when
-  // `answer` has been filled.
-  [[nodiscard]] std::optional<ExchangeError> exchange(int unit, int write_register,
-                                                      std::span<const std::uint16_t> command,
-                                                      int read_register,
-                                                      std::span<std::uint16_t> answer);
+  // Makes the requests in their order until one fails. What is written comes from the image of
+  // the registers (register n at place n), what is read goes there.
+  [[nodiscard]] std::optional<ExchangeError> exchange(int unit, std::span<const Request> requests,
+                                                      std::span<std::uint16_t> image);
 
   [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
 
  private:
+  [[nodiscard]] bool carry_out(const Request& request, std::span<std::uint16_t> image);
+
   struct Free {
     void operator()(modbus_t* context) const { modbus_free(context); }
   };

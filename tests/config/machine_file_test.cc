@@ -185,10 +185,11 @@ TEST_F(FullFile, AxisGetsItsLimitsHomingRegulatorAndDrive) {
   const drives::AxisDriveConfig& drive = file_.bus.axes[0];
   EXPECT_EQ(drive.axis, "X2");
   EXPECT_EQ(drive.unit, 17);
-  EXPECT_EQ(drive.control_register, 10);
-  EXPECT_EQ(drive.status_register, 50);
-  EXPECT_EQ(drive.position_scale, 2000.0);
-  EXPECT_EQ(drive.velocity_scale, 500.0);
+  EXPECT_EQ(drive.kind, drives::DriveKind::velocity);
+  EXPECT_FALSE(drive.absolute_encoder);
+  EXPECT_EQ(drive.map,
+            drives::register_map(
+                {.control = 10, .status = 50, .position_scale = 2000.0, .velocity_scale = 500.0}));
   EXPECT_EQ(drive.following_error_max, 0.25);
   EXPECT_EQ(drive.velocity_max, 400.0);
 }

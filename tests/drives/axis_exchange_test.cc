@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "tests/support/no_allocation.h"
 
@@ -30,7 +31,7 @@ class AxisExchangeTest : public ::testing::Test {
     sent = exchange.command(target, TargetAge::fresh);
     now += poll;
     StatusBlock block{.status_word = state_bits(state)};
-    block.status_word |= status::referenced;
+    block.status_word |= standard_bits.referenced;
     block.position = static_cast<std::int32_t>(std::lround(position_mm * 1000.0));
     block.velocity = velocity_mm_per_s * 1000;
     block.following_error = following_error_um;
@@ -92,10 +93,10 @@ TEST_F(AxisExchangeTest, SendsTargetsInIncrements) {
 
 TEST_F(AxisExchangeTest, BrakeBitFollowsTheTarget) {
   answer(0.0);
-  EXPECT_EQ(sent.control_word & control::close_brake, 0);
+  EXPECT_EQ(sent.control_word & standard_bits.close_brake, 0);
   target.brake_closed = true;
   answer(0.0);
-  EXPECT_NE(sent.control_word & control::close_brake, 0);
+  EXPECT_NE(sent.control_word & standard_bits.close_brake, 0);
 }
 
 TEST_F(AxisExchangeTest, NeverSendsATargetThatIsNoNumber) {
@@ -256,15 +257,16 @@ TEST_F(AxisExchangeTest, SurvivesArbitraryAnswers) {
   const unsigned seed = 23;
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> any(0, 65535);
+  const RegisterMap standard = register_map({});
   answer(1.0);
   for (int i = 0; i < 20000; ++i) {
     sent = exchange.command(target, TargetAge::fresh);
-    StatusRegisters registers{};
+    std::vector<std::uint16_t> registers(static_cast<std::size_t>(register_count(standard)));
     for (auto& value : registers) {
       value = static_cast<std::uint16_t>(any(random));
     }
     now += poll;
-    if (exchange.take(status_block(registers), now, now)) {
+    if (exchange.take(status_block(standard, registers), now, now)) {
       exchange.supervise(now);
     }
     ASSERT_TRUE(std::isfinite(exchange.feedback().position)) << "seed " << seed;

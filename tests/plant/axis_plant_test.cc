@@ -125,5 +125,26 @@ TEST(AxisPlant, NeverExceedsItsVelocityLimit) {
   EXPECT_NEAR(before, 100.0, 1e-6);
 }
 
+// Dry friction f moves the steady error against the motion by f / w^2, and holds within it at rest.
+TEST(AxisPlant, DryFrictionLeavesTheErrorOfAStaticFriction) {
+  const double friction = 500.0;
+  const double loop = 2.0 * std::numbers::pi * 40.0;
+  AxisPlant plant({.bandwidth_hz = 40.0, .dry_friction = friction}, 0.0);
+  double target = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    target += 10.0 * 1e-3;
+    plant.follow({.position = target, .velocity = 10.0}, 1e-3);
+  }
+  EXPECT_NEAR(target - plant.motion().position, friction / (loop * loop), 1e-9);
+  for (int i = 0; i < 1000; ++i) plant.follow({.position = target}, 1e-3);
+  EXPECT_EQ(plant.motion().velocity, 0.0);
+  EXPECT_LE(std::fabs(target - plant.motion().position), friction / (loop * loop));
+  const double rest = plant.motion().position;
+  plant.follow({.position = rest + 0.5 * friction / (loop * loop)}, 1e-3);
+  EXPECT_EQ(plant.motion().position, rest);
+  for (int i = 0; i < 1000; ++i) plant.follow({.position = rest + 0.1}, 1e-3);
+  EXPECT_GT(plant.motion().position, rest + 0.08);
+}
+
 }  // namespace
 }  // namespace stanok::plant

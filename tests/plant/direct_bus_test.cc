@@ -102,6 +102,57 @@ TEST(DirectBus, GivesTheSameBitsEveryRun) {
   EXPECT_EQ(trace(), trace());
 }
 
+// The way of a homing: a drive that counts from where it stood, a pulse, and the offset that makes
+// its count the position of the machine.
+TEST(DirectBus, AnIncrementalDriveIsReferencedByTheOffsetThatTheControlFinds) {
+  drives::BusConfig bus_config = config();
+  bus_config.axes.resize(1);
+  bus_config.axes[0].absolute_encoder = false;
+  auto simulated = drives_of(bus_config, std::array<double, 1>{37.5});
+  simulated[0].reference = {.absolute_encoder = false, .index_position = 2.0, .index_pitch = 10.0};
+  DirectBus bus(bus_config, simulated, 1.0 * millisecond);
+  std::array<drives::DriveTarget, 1> target{};
+  std::array<drives::DriveFeedback, 1> feedback{};
+  const auto run = [&](int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      bus.write(target);
+      bus.read(feedback);
+    }
+  };
+  target[0] = {.enabled = true, .brake_closed = false};
+  run(50);
+  ASSERT_EQ(feedback[0].state, DriveState::operation_enabled);
+  EXPECT_EQ(feedback[0].position, 0.0);
+  EXPECT_FALSE(feedback[0].referenced);
+  while (feedback[0].index_count == 0) {
+    target[0].position += 0.005;
+    target[0].velocity = 5.0;
+    run(1);
+    ASSERT_LT(target[0].position, 20.0);
+  }
+  target[0].velocity = 0.0;
+  run(200);
+  EXPECT_EQ(feedback[0].index_position, 4.5);  // 42 mm of the machine
+  const double offset = 42.0 - feedback[0].index_position;
+  target[0].position_offset = offset;
+  target[0].position += offset;
+  target[0].position_accepted = true;
+  run(20);
+  target[0].position_accepted = false;
+  run(50);
+  EXPECT_TRUE(feedback[0].referenced);
+  EXPECT_EQ(feedback[0].position, feedback[0].target_position);
+  EXPECT_NEAR(feedback[0].position, 42.0, 0.1);
+  EXPECT_EQ(feedback[0].index_position, 42.0);
+  EXPECT_EQ(feedback[0].state, DriveState::operation_enabled) << "no step in its target";
+  bus.inject(0, FaultKind::off);
+  run(400);
+  bus.inject(0, FaultKind::none);
+  run(1000);
+  ASSERT_TRUE(feedback[0].valid);
+  EXPECT_FALSE(feedback[0].referenced);
+}
+
 TEST_F(DirectBusTest, AllocatesNothing) {
   const testing::NoAllocation guard;
   run(20);

@@ -260,7 +260,7 @@ TEST_F(ModbusLoopback, BeyondTheRegistersIsAnIllegalAddress) {
   EXPECT_EQ(modbus_read_registers(client.unit(1), 110, 12, status.data()), -1);
   EXPECT_EQ(errno, EMBXILADD);
   const std::array<std::uint16_t, 2> values{};
-  EXPECT_EQ(modbus_write_registers(client.unit(1), 111, 2, values.data()), -1);
+  EXPECT_EQ(modbus_write_registers(client.unit(1), 116, 2, values.data()), -1);
   EXPECT_EQ(errno, EMBXILADD);
   EXPECT_EQ(modbus_read_registers(client.unit(77), 0, 1, status.data()), -1);
   EXPECT_EQ(errno, EMBXGTAR);

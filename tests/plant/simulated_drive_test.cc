@@ -126,7 +126,7 @@ TEST_F(SimulatedDriveTest, BrakeHoldsAgainstTheTarget) {
   command(0x080F, 20.4);
   advance(0.2);
   EXPECT_EQ(drive.motion().position, 20.0);
-  EXPECT_NE(drive.status().status_word & drives::status::brake_closed, 0);
+  EXPECT_NE(drive.status().status_word & drives::standard_bits.brake_closed, 0);
 }
 
 TEST_F(SimulatedDriveTest, TripsOnceAndCanBeReset) {
@@ -180,11 +180,58 @@ TEST_F(SimulatedDriveTest, IntermittentLosesOneRequestInFive) {
 
 TEST_F(SimulatedDriveTest, ShowsTheLoadOfTheProcess) {
   drive.load({.power_w = 1500.0, .vibration_um = 12.3, .vibration_hz = 85.5});
-  EXPECT_EQ(drive.status().power_w, 1500);
+  EXPECT_EQ(drive.status().power, 1500);
   EXPECT_EQ(drive.status().vibration, 123);
   EXPECT_EQ(drive.status().vibration_frequency, 855);
   drive.load({.power_w = 1e9});
-  EXPECT_EQ(drive.status().power_w, 32767);
+  EXPECT_EQ(drive.status().power, 32767);
+}
+
+// The temperature of a steady 1000 W after one time constant: 1 - 1/e of the rise.
+TEST_F(SimulatedDriveTest, WarmsUpWithItsPower) {
+  drive.load({.power_w = 1000.0});
+  EXPECT_EQ(drive.status().temperature, 220);
+  for (int i = 0; i < 900; ++i) drive.advance(1.0);
+  EXPECT_NEAR(drive.status().temperature, 10.0 * (22.0 + 30.0 * (1.0 - std::exp(-1.0))), 1.0);
+}
+
+// Switched on at 20 mm it counts from there; index pulses at 2.05 mm + k 10 mm of the
+// machine.
+TEST(IncrementalDrive, CountsFromZeroAndShowsSwitchesAndIndexPulses) {
+  SimulatedDriveConfig incremental = config();
+  incremental.reference = {.absolute_encoder = false,
+                           .home_switch_from = 25.0,
+                           .home_switch_to = 40.0,
+                           .limit_positive = 26.0,
+                           .index_position = 2.05,
+                           .index_pitch = 10.0};
+  SimulatedDrive drive(incremental);
+  EXPECT_EQ(drive.status().position, 0);
+  EXPECT_EQ(drive.status().status_word & 1U << 15, 0U) << "not referenced";
+  EXPECT_EQ(drive.status().inputs, 0);
+  drive.command({.control_word = 0x06});
+  const auto go_to = [&](std::int32_t um) {
+    drive.command({.control_word = 0x0F, .target_position = um});
+    for (int i = 0; i < 300; ++i) drive.advance(1e-3);
+  };
+  go_to(0);
+  for (std::int32_t um = 0; um <= 5500; um += 100) go_to(um);
+  EXPECT_EQ(drive.status().position, 5500);
+  EXPECT_EQ(drive.status().inputs, 1U << 2) << "home switch";
+  EXPECT_EQ(drive.status().index_count, 1);
+  EXPECT_EQ(drive.status().index_position, 2050);  // 22.05 - 20 mm
+  for (std::int32_t um = 5500; um <= 6100; um += 100) go_to(um);
+  EXPECT_EQ(drive.status().inputs, 1U << 2 | 1U << 1);
+}
+
+TEST(IncrementalDrive, CountsAnewAfterItWasWithoutPower) {
+  SimulatedDriveConfig incremental = config();
+  incremental.reference.absolute_encoder = false;
+  SimulatedDrive drive(incremental);
+  drive.inject(FaultKind::elsewhere);
+  drive.inject(FaultKind::none);
+  EXPECT_EQ(drive.status().position, 0);
+  EXPECT_EQ(drive.motion().position, 30.0);
 }
 
 TEST_F(SimulatedDriveTest, AllocatesNothing) {
@@ -198,7 +245,7 @@ TEST_F(SimulatedDriveTest, AllocatesNothing) {
 // Cyclic synchronous velocity: the target position is only watched.
 TEST(VelocityDrive, FollowsTheTargetVelocityAndReportsItsErrorAgainstTheTargetPosition) {
   SimulatedDriveConfig velocity_drive = config();
-  velocity_drive.kind = DriveKind::velocity_axis;
+  velocity_drive.kind = PlantKind::velocity_axis;
   velocity_drive.velocity_loop.resonance_hz = 0.0;  // settles within the times below
   SimulatedDrive drive(velocity_drive);
   const auto command = [&](std::uint16_t word, std::int32_t velocity) {
@@ -222,7 +269,7 @@ TEST(SpindleAxisDrive, TurnsWithinATurnThenHoldsWhereItStands) {
   axis.start = 0.0;
   axis.axis.velocity_max = 7200.0;
   SimulatedDrive drive(axis);
-  constexpr std::uint16_t spindle = 0x0F | drives::control::follow_velocity;
+  constexpr std::uint16_t spindle = 0x0F | 1U << 12;  // follow the velocity
   const auto run = [&](std::uint16_t word, double position, double velocity, int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       drive.command({.control_word = word,
@@ -250,6 +297,52 @@ TEST(SpindleAxisDrive, TurnsWithinATurnThenHoldsWhereItStands) {
   EXPECT_NEAR(drive.motion().position, angle, 0.001);
 }
 
+// An inverter: 18 runs forward, 34 backward, 1 stops, 2 resets; status 3: runs, 80h: fault.
+TEST(InverterDrive, ObeysTheWordsOfItsManufacturer) {
+  SimulatedDriveConfig inverter = spindle_drive(1, {.speed_max = 6000.0, .acceleration = 6000.0});
+  drives::AxisDriveConfig& registers = inverter.registers;
+  registers.words = drives::RunWords{.stop = 1,
+                                     .run = 18,
+                                     .run_reverse = 34,
+                                     .fault_reset = 2,
+                                     .running = {.mask = 3, .value = 3},
+                                     .fault = {.mask = 0x80, .value = 0x80}};
+  SimulatedDrive drive(inverter);
+  const auto run = [&](std::uint16_t word, int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      drive.command({.control_word = word, .target_velocity = 3000});
+      drive.advance(1e-3);
+    }
+  };
+  run(34, 600);
+  EXPECT_NEAR(drive.motion().velocity, -3000.0, 1e-6);
+  EXPECT_EQ(drive.status().velocity, 3000);
+  EXPECT_EQ(drive.status().status_word, 3);
+  run(1, 600);
+  EXPECT_EQ(drive.motion().velocity, 0.0);
+  EXPECT_EQ(drive.status().status_word, 0);
+  drive.inject(FaultKind::trip);
+  run(1, 10);
+  EXPECT_EQ(drive.status().status_word, 0x80);
+  run(18, 10);
+  EXPECT_EQ(drive.status().status_word, 0x80) << "running on is no reset";
+  run(2, 1);
+  run(18, 600);
+  EXPECT_NEAR(drive.motion().velocity, 3000.0, 1e-6);
+}
+
+TEST(ContactorDrive, TurnsAtItsOneSpeed) {
+  SimulatedDriveConfig contactor = spindle_drive(1, {.speed_max = 1440.0, .acceleration = 0.0});
+  contactor.registers.kind = drives::DriveKind::on_off;
+  contactor.registers.map = {};
+  contactor.registers.map.control_word = {.address = 4};
+  contactor.registers.words = drives::RunWords{.stop = 0, .run = 1};
+  SimulatedDrive drive(contactor);
+  drive.command({.control_word = 1});
+  drive.advance(1e-3);
+  EXPECT_EQ(drive.motion().velocity, 1440.0);
+}
+
 TEST(SpindleDrive, RunsAtTheTargetSpeed) {
   SimulatedDrive drive(spindle_drive(1, {.speed_max = 6000.0, .acceleration = 6000.0}));
   EXPECT_EQ(drive.config().registers.unit, 201);
@@ -261,7 +354,7 @@ TEST(SpindleDrive, RunsAtTheTargetSpeed) {
     drive.command({.control_word = 0x0F, .target_velocity = -3000});
   }
   EXPECT_EQ(drive.status().velocity, -3000);
-  EXPECT_GT(drive.status().power_w, 0);
+  EXPECT_GT(drive.status().power, 0);
 }
 
 }  // namespace
