@@ -11,6 +11,10 @@ constexpr double speed_tolerance = 1e-9;
 
 constexpr double spindle_room = 1.05;
 
+// A stop that would come to rest so few cycles before the end of the known path is made to end
+// there.
+constexpr double stop_cycles = 3.0;
+
 bool is_faster(double v, double cap) RT_SAFE {
   return v > cap * (1.0 + speed_tolerance);
 }
@@ -131,8 +135,9 @@ bool OverridePlanner::find_plan(const FeedControl& control, double time, const P
   draft_caps_ = Caps::asked;
   const Verdict verdict = try_speed(motion, asked, time, Caps::asked);
   if (verdict.is_safe) return true;
-  const double slower = std::min(asked, verdict.binding_speed);
-  if (slower > motion.v && try_speed(motion, slower, time, Caps::asked).is_safe) return true;
+  const double slower = verdict.binding_speed;
+  if (slower > 0.0 && slower < asked && try_speed(motion, slower, time, Caps::asked).is_safe)
+    return true;
   if (stands && (try_hop(motion) || try_creep(motion, asked, time))) return true;
   if (has_plan_ && plan_caps_ == Caps::asked && plan_control_ == control) return false;
   // The plan at hand was found for another override: slow down to this one, at once if it can.
@@ -147,11 +152,13 @@ OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, doub
                                                     Caps caps) RT_SAFE {
   const std::size_t first = sight_.piece_at(from.s, 0);
   RampLimits limits = sight_.ramp(first);
+  PhaseRun run;
   PathMotion then;
   std::size_t last = first;
   for (bool settled = false; !settled;) {  // ends: limits only shrink, over finitely many pieces
     draft().clear();
-    then = draft().add_part(change_speed(from, v, limits), from, v, time);
+    run = change_speed(from, v, limits);
+    then = draft().add_part(run, from, v, time);
     settled = true;
     const std::size_t end = sight_.piece_at(then.s, last);
     while (last < end) {
@@ -164,9 +171,11 @@ OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, doub
   const double v_high = std::max(
       {from.v, then.v,
        std::min(highest_speed(from, v, limits.j), std::max(from.v, then.v) + limits.a * time)});
+  const bool slows = v < from.v && from.a <= 0.0;  // and may be slow enough where it must be
   for (std::size_t piece = first; piece <= last; ++piece) {
     const double v_cap = cap(piece, caps);
-    if (is_faster(v_high, v_cap)) return {.binding_speed = v_cap};
+    if (is_faster(v_high, v_cap) && !(slows && keeps(run, first, last, caps)))
+      return {.binding_speed = v_cap};
   }
   return find_rest(then, last, caps);
 }
@@ -216,7 +225,7 @@ OverridePlanner::Verdict OverridePlanner::find_rest(PathMotion from, std::size_t
     if (stage == 0) verdict.binding_speed = outlook.binding_speed;
     if (outlook.fits && can_slow_down(from, outlook.limits) &&
         keeps(change_speed(from, 0.0, outlook.limits), piece, outlook.last, caps)) {
-      stop(from, outlook);
+      if (!stop_at_wall(from, piece, outlook, caps)) stop(from, outlook);
       verdict.is_safe = true;
       return verdict;
     }
@@ -321,13 +330,30 @@ bool OverridePlanner::ease(PathMotion& from, std::size_t& piece, Caps caps) RT_S
   return true;
 }
 
+// Close before the end of the known path: goes on at the speed at hand, where all pieces allow it,
+// and brakes so that it ends there exactly.
+bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t piece,
+                                   const Outlook& outlook, Caps caps) RT_SAFE {
+  if (from.a != 0.0 || outlook.last + 1 != sight_.size()) return false;
+  const double wall = sight_.end(outlook.last);
+  const double brake = wall - length_of(change_speed(from, 0.0, outlook.limits), from.s);
+  if (brake <= from.s || brake > from.s + from.v * stop_cycles * cycle_s_) return false;
+  for (std::size_t k = piece; k <= outlook.last; ++k) {
+    if (is_faster(from.v, cap(k, caps))) return false;
+  }
+  draft().add_hold(from.s, brake, from.v);
+  draft().add(change_speed({.s = brake, .v = from.v}, 0.0, outlook.limits));
+  draft().end_at(wall);
+  return true;
+}
+
 // Brakes to rest. When that ends just before the end of the known path, it is made a little softer,
 // so that it ends there exactly.
 void OverridePlanner::stop(const PathMotion& from, const Outlook& outlook) RT_SAFE {
   PhaseRun run = change_speed(from, 0.0, outlook.limits);
   const double wall = sight_.end(outlook.last);
   const double room = wall - from.s;
-  const double reach = from.v * 3.0 * cycle_s_;
+  const double reach = from.v * stop_cycles * cycle_s_;
   if (outlook.last + 1 == sight_.size() && run.size() > 0 &&
       length_of(run, from.s) + reach >= room) {
     // Part of the limits: too soft, it ends behind the wall, or the deceleration there is cannot be

@@ -71,6 +71,8 @@ class OverridePlanner {
   [[nodiscard]] bool keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
       RT_SAFE;
   [[nodiscard]] bool ease(PathMotion& from, std::size_t& piece, Caps caps) RT_SAFE;
+  [[nodiscard]] bool stop_at_wall(const PathMotion& from, std::size_t piece, const Outlook& outlook,
+                                  Caps caps) RT_SAFE;
   void stop(const PathMotion& from, const Outlook& outlook) RT_SAFE;
   [[nodiscard]] RestPlan& draft() RT_SAFE { return plans_[1 - current_]; }
 

@@ -7,11 +7,11 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "channels/machine.h"
+#include "tests/support/helix.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {
@@ -31,8 +31,7 @@ constexpr double cycle_s = 0.001;
 // Distance along Z, in mm, from the helix that begins at z_start; `lead` has the sign of the way.
 double off_helix(const ChannelOutput& channel, double z_start, double lead, double start_deg) {
   const double turns = (channel.axes[C].position - start_deg) / 360.0;
-  const double off = turns - (channel.axes[Z].position - z_start) / lead;
-  return std::abs(off - std::round(off)) * std::abs(lead);
+  return testing::off_helix(turns, channel.axes[Z].position - z_start, lead);
 }
 
 struct Watched {
@@ -116,17 +115,13 @@ TEST(Thread, FollowsTheMeasuredAngleNotTheCommandedOne) {
                 "for (pass = 0; pass < 10; pass = pass + 1)\n{\n"
                 "G0 X12 Z2\nG0 X10\nG33 Z-30 K2\nG0 X12\nG4 P0.123\n}\nM30\n");
   bench.run(1, "p.nc");
-  const auto turns = [](double t) {
-    const double w = 2.0 * std::numbers::pi * 2.0;
-    return 10.0 * (t - 0.2 / w * std::cos(w * t));
-  };
+  const testing::Turning turns = testing::with_ripple(10.0, 0.0);
   Watched watched;
   int cycles = 0;
   do {
-    const double seen = std::floor(turns(cycles * cycle_s) * 4.0 * 4096.0) / (4.0 * 4096.0);
     std::vector<AxisFeedback> feedback(3);
     for (AxisFeedback& axis : feedback) axis.valid = axis.enabled = axis.referenced = true;
-    feedback[C].position = 360.0 * (seen - std::floor(seen));
+    feedback[C].position = testing::encoder_deg(turns(cycles * cycle_s), 4096);
     bench.feedback(feedback);
     bench.cycle();
     ++cycles;

@@ -480,6 +480,25 @@ TEST(FeedLaw, IsMovedNeitherByOverrideNorByHold) {
   }
 }
 
+// Also where the feed falls in steps that are smaller than what a cycle of braking takes away.
+TEST(FeedLaw, TakesItsTimeUnderAConstantOverride) {
+  for (const double part : {0.5, 0.9, 1.2}) {
+    for (const double step : {2.0, -2.0}) {
+      SCOPED_TRACE(::testing::Message() << part << ", " << step);
+      const LinearLaw law({}, {.feed_first = 200.0, .feed_step = step, .way_step_mm = 0.1});
+      std::vector<PathBlock> blocks{line_to({5.0, 0.0, 0.0})};
+      put_law(law, std::max(200.0, 200.0 + 49.0 * step), blocks);
+      double wanted = 0.0;
+      for (int k = 0; k < 50; ++k) wanted += 60.0 * 0.1 / (part * (200.0 + k * step));
+      const auto overridden = [part](double) { return FeedControl{.feed_override = part}; };
+      const Travel run = run_blocks(blocks, strong_mill(), overridden);
+      // Where it changes within a cycle, the cycle has the smaller of the two feeds.
+      const double late = cycle_s * std::abs(std::log((200.0 + 49.0 * step) / 200.0));
+      EXPECT_NEAR(run.time, wanted, cycle_s + late);
+    }
+  }
+}
+
 // The fictitious path is travelled at the feed under override, and not at all in a hold.
 TEST(FeedLaw, StandsLongerUnderOverrideAndHold) {
   const InterruptedLaw law(2.0, 2.0);  // at 600 mm/min: 0.2 s each

@@ -23,8 +23,8 @@ double helix_error(const std::vector<Sample>& samples, const Turning& turning, d
   for (const Sample& sample : samples) {
     const double way = (sample.z - z_start) / lead;  // turns
     if (way < (z_from - z_start) / lead || way > (z_to - z_start) / lead) continue;
-    const double off = turning(sample.t) - angle_deg / 360.0 - way;
-    error = std::max(error, std::abs(off - std::round(off)) * std::abs(lead));
+    const double turns = turning(sample.t) - angle_deg / 360.0;
+    error = std::max(error, stanok::testing::off_helix(turns, sample.z - z_start, lead));
     ++seen;
   }
   EXPECT_GT(seen, 50);

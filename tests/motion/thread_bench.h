@@ -16,6 +16,7 @@
 #include "motion/interpolator.h"
 #include "motion/look_ahead.h"
 #include "motion/thread_builder.h"
+#include "tests/support/helix.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::motion::testing {
@@ -23,7 +24,7 @@ namespace stanok::motion::testing {
 inline constexpr double discrete = 0.001;  // mm
 inline constexpr double cycle_s = 0.001;
 inline constexpr double rounding = 1e-12;  // of what is used of a limit
-inline constexpr int counts = 4 * 4096;
+inline constexpr int encoder_lines = 4096;
 inline constexpr std::size_t X = 0;
 inline constexpr std::size_t Z = 1;
 
@@ -50,20 +51,9 @@ inline Point at(double x, double z) {
   return point;
 }
 
-// Turns of a spindle at a time, from a formula.
-using Turning = std::function<double(double)>;
-
-// 20 % of ripple at 2 Hz on `speed` turns/s.
-inline Turning with_ripple(double speed, double phase) {
-  return [=](double t) {
-    const double w = 2.0 * std::numbers::pi * 2.0;
-    return speed * (t - 0.2 / w * (std::cos(w * t + phase) - std::cos(phase)));
-  };
-}
-
-inline Turning steady(double speed) {
-  return [=](double t) { return speed * t; };
-}
+using stanok::testing::steady;
+using stanok::testing::Turning;
+using stanok::testing::with_ripple;
 
 // One set-point.
 struct Sample {
@@ -114,8 +104,7 @@ class ThreadBench {
 
   void cycle() {
     observer_.advance(cycle_s, command(0.0));
-    const double seen = std::floor(turning_(time_) * counts) / counts;
-    observer_.observe(360.0 * (seen - std::floor(seen)));
+    observer_.observe(stanok::testing::encoder_deg(turning_(time_), encoder_lines));
     interpolator_.see_spindle(0, observer_.ahead(cycle_s, command(cycle_s)));
     {
       stanok::testing::NoAllocation guard;
