@@ -239,7 +239,12 @@ class Channel {
   [[nodiscard]] int spindle_index(int id) const RT_SAFE;
   void open_position_loops() RT_SAFE;
   // Feed laws, constant cutting speed (channel_process.cc).
+  struct AskedSpeed {
+    motion::LawSpeed unit = motion::LawSpeed::unchanged;
+    double value = 0.0;  // 0: none
+  };
   void follow_process() RT_SAFE;
+  void ask_speed(const AskedSpeed& speed) RT_SAFE;
   [[nodiscard]] double diameter() const RT_SAFE;  // of a part turned around Z, at the tool; mm
   [[nodiscard]] ProcessOutput process() const RT_SAFE;
   void turn_spindles() RT_SAFE;
@@ -287,6 +292,7 @@ class Channel {
   std::array<DriveCommand, motion::axes_max> drives_{};
   std::array<AxisSetpoint, motion::axes_max> setpoints_{};
   std::array<Spindle, spindles_max> spindles_{};
+  AskedSpeed speed_behind_law_;  // when the law at hand is over
   std::array<motion::SpindleObserver, spindles_max> observers_{};
   struct EncoderNews {
     double angle_deg = 0.0;

@@ -6,18 +6,28 @@
 
 namespace stanok::channels {
 
-// The master spindle takes over what the piece of the path at hand asks for; it keeps that behind
-// the law until it is told another speed. All spindles that hold a cutting speed follow the
-// diameter.
+// The master spindle takes over what the piece of the path at hand asks for, and behind a law what
+// its last increment asked for, which may have no path any more; it keeps that until it is told
+// another speed. All spindles that hold a cutting speed follow the diameter.
 void Channel::follow_process() RT_SAFE {
   const motion::PieceProcess& process = path_.process;
-  const bool asks = path_.state == motion::PathState::moving && process.spindle_speed > 0.0;
-  if (asks && process.speed == motion::LawSpeed::rev_per_min)
-    spindles_[0].run_at(process.spindle_speed);
-  if (asks && process.speed == motion::LawSpeed::m_per_min)
-    spindles_[0].cut_at(process.spindle_speed);
+  const AskedSpeed behind{process.speed, process.spindle_speed_behind};
+  if (path_.state == motion::PathState::moving) {
+    if (process.spindle_speed <= 0.0) ask_speed(speed_behind_law_);
+    ask_speed({process.speed, process.spindle_speed});
+    speed_behind_law_ = behind;
+  } else if (path_.chain_ended) {
+    ask_speed(behind);
+    speed_behind_law_ = {};
+  }
   const double at = diameter();
   for (Spindle& spindle : spindles_) spindle.follow_diameter(at);
+}
+
+void Channel::ask_speed(const AskedSpeed& speed) RT_SAFE {
+  if (speed.value <= 0.0) return;
+  if (speed.unit == motion::LawSpeed::rev_per_min) spindles_[0].run_at(speed.value);
+  if (speed.unit == motion::LawSpeed::m_per_min) spindles_[0].cut_at(speed.value);
 }
 
 double Channel::diameter() const RT_SAFE {

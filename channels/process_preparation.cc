@@ -21,28 +21,38 @@ Diagnostic standing_spindle() {
   return d;
 }
 
-// Where a falling law comes to zero within its first increments.
-Diagnostic vanishing_feed(const motion::FeedLaw& law, double way) {
+// A value that a law gives along its path: the feed, or the speed of the spindle.
+using LawValue = double motion::LawStretch::*;
+
+const char* unit_of(const motion::LawUnits& units, LawValue value) {
+  if (value == &motion::LawStretch::feed) return units.per_revolution ? "mm/rev" : "mm/min";
+  return units.speed == motion::LawSpeed::m_per_min ? "m/min" : "rev/min";
+}
+
+// Where a value of a law falls to zero within the increments of its first `way` mm.
+Diagnostic vanishing_value(const motion::FeedLaw& law, double way, LawValue value) {
   std::uint64_t first = 0;
   std::uint64_t last = law.increments_at(way);
   while (first < last) {
     const std::uint64_t middle = first + (last - first) / 2;
-    if (law.stretch(middle).feed <= 0.0) {
+    if (law.stretch(middle).*value <= 0.0) {
       last = middle;
     } else {
       first = middle + 1;
     }
   }
   const double place = law.stretch(std::max<std::uint64_t>(last, 1) - 1).end_mm;
+  const bool is_feed = value == &motion::LawStretch::feed;
   std::array<char, 128> text{};
   std::snprintf(text.data(), text.size(),
-                "the feed law comes to %.6g %s after %.6g mm of its path of %.6g mm",
-                law.stretch(last).feed, law.units().per_revolution ? "mm/rev" : "mm/min", place,
-                way);
+                "the %s comes to %.6g %s after %.6g mm of its path of %.6g mm",
+                is_feed ? "feed law" : "speed of the law", law.stretch(last).*value,
+                unit_of(law.units(), value), place, way);
   Diagnostic d;
   d.code = "E5106";
   d.message = text.data();
-  d.help = {"take a smaller `dS`, a longer `dl`, or end the law before"};
+  d.help = {is_feed ? "take a smaller `dS`, a longer `dl`, or end the law before"
+                    : "take a smaller step of the speed, a longer `dl`, or end the law before"};
   return d;
 }
 
@@ -52,6 +62,7 @@ ProcessPreparation::ProcessPreparation(const MachineConfig& machine, const Chann
     : discrete_mm_(channel_description(machine, channel).finest_resolution_mm) {
   for (const SpindleConfig& spindle : machine.spindles) {
     if (channel.spindles.empty() || spindle.id != channel.spindles.front()) continue;
+    master_ = spindle.id;
     speed_min_ = spindle.speed_min;
     speed_max_ = spindle.speed_max;
   }
@@ -72,20 +83,24 @@ void ProcessPreparation::reset() {
 
 void ProcessPreparation::take_state(const lang::Payload& command, double diameter_mm) {
   if (const auto* law = std::get_if<lang::FeedLawChange>(&command)) return take_law(*law);
-  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command)) {
-    using Action = lang::SpindleAction;
-    if (spindle->action != Action::set_speed)
-      spindle_turns_ =
-          spindle->action == Action::clockwise || spindle->action == Action::counter_clockwise;
-    spindle_rev_per_min_ = spindle->speed_rev_per_min;
-    cutting_speed_ = spindle->cutting_speed_m_per_min;
-    return;
-  }
-  if (const auto* mode = std::get_if<lang::CuttingSpeedMode>(&command)) {
+  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command))
+    return take_spindle(*spindle);
+  const auto* const mode = std::get_if<lang::CuttingSpeedMode>(&command);
+  if (mode != nullptr && is_master(mode->spindle)) {
     if (!mode->constant) spindle_rev_per_min_ = rev_per_min(diameter_mm);
     cutting_speed_ = mode->constant ? mode->speed_m_per_min : 0.0;
     speed_limit_ = mode->constant ? mode->limit_rev_per_min : 0.0;
   }
+}
+
+void ProcessPreparation::take_spindle(const lang::SpindleCommand& command) {
+  if (!is_master(command.spindle)) return;
+  using Action = lang::SpindleAction;
+  if (command.action != Action::set_speed)
+    spindle_turns_ =
+        command.action == Action::clockwise || command.action == Action::counter_clockwise;
+  spindle_rev_per_min_ = command.speed_rev_per_min;
+  cutting_speed_ = command.cutting_speed_m_per_min;
 }
 
 void ProcessPreparation::take_law(const lang::FeedLawChange& change) {
@@ -148,12 +163,15 @@ std::optional<Diagnostic> ProcessPreparation::apply_law(const Law& law, const Wa
   const double way_stop = law.way_start + way.length;
   const motion::LawStretch last = law.law->stretch(law.law->increments_at(way_stop));
   const double highest = law.law->highest_feed(way_stop);
-  if (highest > 0.0 && last.feed <= 0.0) return vanishing_feed(*law.law, way_stop);
+  if (highest > 0.0 && last.feed <= 0.0)
+    return vanishing_value(*law.law, way_stop, &motion::LawStretch::feed);
   const motion::LawUnits& units = law.law->units();
-  if (units.speed == motion::LawSpeed::rev_per_min && last.speed > 0.0) {
+  if (units.speed != motion::LawSpeed::unchanged && last.speed <= 0.0)
+    return vanishing_value(*law.law, way_stop, &motion::LawStretch::speed);
+  if (units.speed == motion::LawSpeed::rev_per_min) {
     spindle_rev_per_min_ = last.speed;
     cutting_speed_ = 0.0;
-  } else if (units.speed == motion::LawSpeed::m_per_min && last.speed > 0.0) {
+  } else if (units.speed == motion::LawSpeed::m_per_min) {
     const double first = law.law->stretch(law.law->increments_at(law.way_start)).speed;
     cutting_speed_ = last.speed;
     if (block.process.rev_per_min > 0.0)

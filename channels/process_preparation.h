@@ -48,7 +48,9 @@ class ProcessPreparation {
     double way_start = 0.0;
     bool is_modal = false;
   };
+  void take_spindle(const lang::SpindleCommand& command);
   void take_law(const lang::FeedLawChange& change);
+  [[nodiscard]] bool is_master(int spindle) const { return spindle <= 0 || spindle == master_; }
   [[nodiscard]] Expected<Law, Diagnostic> law_of(double length);
   [[nodiscard]] std::optional<Diagnostic> apply_law(const Law& law, const Way& way,
                                                     motion::PathBlock& block);
@@ -56,7 +58,8 @@ class ProcessPreparation {
   [[nodiscard]] double rev_per_min(double cutting_speed, double diameter_mm) const;
 
   double discrete_mm_ = 0.0;  // Z0
-  double speed_min_ = 0.0;    // of the master spindle, rev/min
+  int master_ = 0;            // id of the master spindle: its speeds are meant below
+  double speed_min_ = 0.0;    // rev/min
   double speed_max_ = 0.0;
 
   bool spindle_turns_ = false;

@@ -70,6 +70,7 @@ PathBuilder::Built FeedLawStage::next_part() {
   piece.process.way_start = way_from;
   piece.process.way_stop = std::min(stretch.end_mm, process.way_stop);
   built.counts_as_block = true;
+  piece.process.spindle_speed_behind = law.stretch(law.increments_at(process.way_stop)).speed;
   if (stretch.stand_mm > 0.0 && comes_to_increment && law_goes_on) {
     built.ends_chain = true;
     built.overlap.reset();

@@ -167,9 +167,10 @@ struct PieceProcess {
   double way_start = 0.0;  // path of the law where the piece begins, and where it ends
   double way_stop = 0.0;
   double way_end = unlimited;
-  double rev_per_min = 0.0;      // as of the block
-  std::uint64_t increments = 0;  // that the law has made
-  double spindle_speed = 0.0;    // that the law asks for, in its unit; 0: unchanged
+  double rev_per_min = 0.0;           // as of the block
+  std::uint64_t increments = 0;       // that the law has made
+  double spindle_speed = 0.0;         // that the law asks for, in its unit; 0: unchanged
+  double spindle_speed_behind = 0.0;  // and behind this part of the block
 };
 
 struct Piece {

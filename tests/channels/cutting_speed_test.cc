@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/machine/machine_bench.h"
+#include "tests/support/machine/turning_bench.h"
 
 namespace stanok::channels {
 namespace {
@@ -16,15 +16,6 @@ using testing::MachineBench;
 
 constexpr double cycle_s = 0.001;
 constexpr std::size_t x_axis = 0;
-
-MachineConfig lathe(double spindle_acceleration) {
-  MachineConfig config = testing::turning_machine();
-  config.spindles[0].speed_min = 50.0;
-  config.spindles[0].speed_max = 3000.0;
-  config.spindles[0].acceleration = spindle_acceleration;
-  config.spindles[0].wait_at_speed = true;
-  return config;
-}
 
 struct Turned {
   double revolutions = 0.0;
@@ -63,7 +54,7 @@ Turned turn(MachineBench& bench, double cutting_speed, double radius_min, double
 }
 
 TEST(CuttingSpeed, IsHeldInFacingAndTheFeedPerRevolutionWithIt) {
-  MachineBench bench(lathe(4000.0));
+  MachineBench bench(testing::lathe_with_spindle(50.0, 4000.0));
   bench.program("face.nc", "G0 X80 Z0\nG96 S150 M3\nG95 G1 X20 F0.2\nG97 M5\nM30\n");
   bench.run(1, "face.nc");
   const Turned turned = turn(bench, 150.0, 10.5, 39.9);
@@ -75,7 +66,7 @@ TEST(CuttingSpeed, IsHeldInFacingAndTheFeedPerRevolutionWithIt) {
 }
 
 TEST(CuttingSpeed, EndsAtTheLimitOfItsBlock) {
-  MachineBench bench(lathe(4000.0));
+  MachineBench bench(testing::lathe_with_spindle(50.0, 4000.0));
   bench.program("face.nc", "G0 X80 Z0\nG96 S150 D1500 M3\nG95 G1 X20 F0.2\nM5\nM30\n");
   bench.run(1, "face.nc");
   const Turned turned = turn(bench, 0.0, 10.5, 39.9);
@@ -85,7 +76,7 @@ TEST(CuttingSpeed, EndsAtTheLimitOfItsBlock) {
 
 // A spindle that cannot follow: the cutting speed lags, the feed per revolution does not.
 TEST(CuttingSpeed, LagsWithTheSpindleWhileTheFeedPerRevolutionHolds) {
-  MachineBench bench(lathe(150.0));
+  MachineBench bench(testing::lathe_with_spindle(50.0, 150.0));
   bench.program("face.nc", "G0 X80 Z0\nG96 S150 M3\nG95 G1 X20 F0.2\nM5\nM30\n");
   bench.run(1, "face.nc");
   const Turned turned = turn(bench, 150.0, 10.5, 39.9);
@@ -94,7 +85,7 @@ TEST(CuttingSpeed, LagsWithTheSpindleWhileTheFeedPerRevolutionHolds) {
 }
 
 TEST(CuttingSpeed, IsHeldAlongAContour) {
-  MachineBench bench(lathe(4000.0));
+  MachineBench bench(testing::lathe_with_spindle(50.0, 4000.0));
   bench.program("contour.nc",
                 "G0 X60 Z0\nG96 S120 M3\nG95 G1 X60 Z-10 F0.15\nX40 Z-30\nG2 X50 Z-40 R30\n"
                 "G1 X70 Z-45\nM5\nM30\n");
@@ -106,7 +97,7 @@ TEST(CuttingSpeed, IsHeldAlongAContour) {
 }
 
 TEST(FeedPerRevolution, FollowsTheSpindleThroughItsOverride) {
-  MachineBench bench(lathe(300.0));
+  MachineBench bench(testing::lathe_with_spindle(50.0, 300.0));
   bench.program("turn.nc", "G0 X60 Z0\nG97 S600 M3\nG95 G1 Z-40 F0.2\nM5\nM30\n");
   bench.run(1, "turn.nc");
   double angle = 0.0;
@@ -133,7 +124,7 @@ TEST(FeedPerRevolution, FollowsTheSpindleThroughItsOverride) {
 TEST(FeedPerMinute, IsTheSameToTheBitWhateverTheSpindleDoes) {
   std::vector<double> ways[2];
   for (const bool with_speed : {false, true}) {
-    MachineBench bench(lathe(300.0));
+    MachineBench bench(testing::lathe_with_spindle(50.0, 300.0));
     const std::string speed = with_speed ? "G96 S150 M3\n" : "G97 S200 M3\n";
     bench.program("turn.nc", "G0 X60 Z0\n" + speed + "G94 G1 Z-4 F120\nX70 Z-8\nM30\n");
     bench.run(1, "turn.nc");

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/machine/machine_bench.h"
+#include "tests/support/machine/turning_bench.h"
 
 namespace stanok::channels {
 namespace {
@@ -17,14 +17,6 @@ using testing::MachineBench;
 
 constexpr double discrete_mm = 0.001;
 
-MachineConfig lathe() {
-  MachineConfig config = testing::turning_machine();
-  config.spindles[0].speed_min = 10.0;
-  config.spindles[0].speed_max = 3000.0;
-  config.spindles[0].acceleration = 0.0;
-  return config;
-}
-
 struct Cut {
   double way = 0.0;  // along Z from where the cut began
   ProcessOutput process;
@@ -33,9 +25,7 @@ struct Cut {
 
 // Runs a program that cuts along Z from 0 and gives the cycles of the cut.
 std::vector<Cut> cut(const std::string& program, double spindle_acceleration = 0.0) {
-  MachineConfig config = lathe();
-  config.spindles[0].acceleration = spindle_acceleration;
-  MachineBench bench(config);
+  MachineBench bench(testing::lathe_with_spindle(10.0, spindle_acceleration));
   bench.program("cut.nc", program);
   bench.run(1, "cut.nc");
   std::vector<Cut> cuts;
@@ -49,7 +39,7 @@ std::vector<Cut> cut(const std::string& program, double spindle_acceleration = 0
 }
 
 std::vector<std::string> alarms_of(const std::string& program, int line) {
-  MachineBench bench(lathe());
+  MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));
   bench.program("cut.nc", program);
   bench.run(1, "cut.nc");
   bench.run_to_end();
@@ -185,7 +175,7 @@ TEST(FeedLawRun, IsTheSameToTheBitWithoutALaw) {
 
 // 10 - k after k mm: zero at the tenth.
 TEST(FeedLawRun, RefusesALawThatComesToZero) {
-  MachineBench bench(lathe());
+  MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));
   bench.program("cut.nc", "G0 X60 Z0\nG94\nG1 Z-1 F100\nZ-20 S_n=10 dS=1 dl=-1\nM30\n");
   bench.run(1, "cut.nc");
   bench.run_to_end();
@@ -217,7 +207,7 @@ TEST(FeedLawRun, DoesNotCountBlocksOfRotaryAxesAlone) {
 
 // Lines of an operator share the spindle and the modal law.
 TEST(FeedLawRun, LastsFromLineToLineAsTheSpindleDoes) {
-  MachineBench bench(lathe());
+  MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));
   for (const char* line : {"G18 S600 M3", "G95 G1 Z-1 F0.1", "G94 S_n=60 dS=1 dl=1"}) {
     bench.ask(OperatorAction::mdi, 1, line);
     bench.run_to_end();
@@ -230,7 +220,7 @@ TEST(FeedLawRun, LastsFromLineToLineAsTheSpindleDoes) {
 }
 
 TEST(FeedLawRun, EndsWithAReset) {
-  MachineBench bench(lathe());
+  MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));
   bench.program("law.nc", "G94 G18\nS_n=60 dS=1 dl=1\nG1 Z-50\nM30\n");
   bench.program("plain.nc", "G94 G18\nG1 Z-60 F300\nM30\n");
   bench.run(1, "law.nc");
@@ -246,7 +236,7 @@ TEST(FeedLawRun, EndsWithAReset) {
 
 // A reset stops the spindle: a feed per revolution would wait for it for ever.
 TEST(FeedPerRevolution, NeedsTheSpindleAnewAfterAReset) {
-  MachineBench bench(lathe());
+  MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));
   bench.program("cut.nc", "G95 G18 S600 M3\nG1 Z-50 F0.1\nM30\n");
   bench.run(1, "cut.nc");
   for (int cycle = 0; cycle < 500; ++cycle) bench.cycle();
