@@ -27,6 +27,7 @@ class LinearLaw final : public FeedLaw {
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
   [[nodiscard]] std::uint64_t increments_at(double way_mm) const RT_SAFE override;
   [[nodiscard]] double highest_feed(double way_mm) const override;
+  [[nodiscard]] const LinearLawParameters& parameters() const { return parameters_; }
 
  private:
   LinearLawParameters parameters_;

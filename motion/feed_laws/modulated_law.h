@@ -22,6 +22,7 @@ class ModulatedLaw final : public FeedLaw {
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
   [[nodiscard]] std::uint64_t increments_at(double way_mm) const RT_SAFE override;
   [[nodiscard]] double highest_feed(double way_mm) const override;
+  [[nodiscard]] const ModulatedLawParameters& parameters() const { return parameters_; }
 
  private:
   ModulatedLawParameters parameters_;
