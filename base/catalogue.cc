@@ -490,6 +490,9 @@ constexpr auto rows = std::to_array<CatalogueRow>({
      "nothing needs to be done"},
     {"W710", "a program that is not included", Reaction::warning,
      "#include it, so that it is checked when this program is loaded", "nothing needs to be done"},
+    {"W810", "a feed above what the axes can do", Reaction::warning,
+     "see the text for the block and the limit; the path runs as fast as the axes can",
+     "nothing needs to be done"},
 });
 
 }  // namespace

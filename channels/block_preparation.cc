@@ -310,6 +310,13 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
   return block;
 }
 
+Expected<motion::PathBlock, Diagnostic> BlockPreparation::thread_line(const lang::Move& move,
+                                                                      const motion::BlockTag& tag) {
+  auto block = block_without_feed(move, tag);
+  if (block) position_W_ = block->end;
+  return block;
+}
+
 // All stretches end like the curve does; only the last one may stop.
 Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
     const lang::SplineMove& spline, const motion::BlockTag& tag) {

@@ -41,6 +41,8 @@ class BlockPreparation {
     process_.take_state(command, diameter(position_W_));
   }
 
+  [[nodiscard]] double steady_speed() const { return process_.steady_speed(); }
+
   // At the start of a program; lines of an operator go on with the law at hand.
   void forget_laws() { process_.forget_laws(); }
   void reset_process() { process_.reset(); }
@@ -63,6 +65,10 @@ class BlockPreparation {
   // the block.
   [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block(const lang::Move& move,
                                                               const motion::BlockTag& tag);
+
+  // The line of a thread, whose feed comes from the spindle; the position moves to its end.
+  [[nodiscard]] Expected<motion::PathBlock, Diagnostic> thread_line(const lang::Move& move,
+                                                                    const motion::BlockTag& tag);
 
   // A tap is back where it began, `point_W`.
   void return_to(const motion::Point& point_W) { position_W_ = point_W; }

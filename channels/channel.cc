@@ -119,10 +119,8 @@ void Channel::show_remarks(std::int64_t cycle) RT_SAFE {
 }
 
 void Channel::show(const Remark& remark, std::int64_t cycle) RT_SAFE {
-  if (const auto* spoken = std::get_if<SpokenText>(&remark.news)) {
-    const bool warns = spoken->kind == lang::Message::Kind::warning;
-    return emit(cycle, warns ? "W0001" : "", spoken->text.view(), remark.tag);
-  }
+  if (const auto* spoken = std::get_if<SpokenText>(&remark.news))
+    return emit(cycle, spoken->code.view(), spoken->text.view(), remark.tag);
   ++workpiece_.announcements;
   if (const auto* shape = std::get_if<lang::WorkpieceAnnouncement>(&remark.news)) {
     workpiece_.shape = *shape;

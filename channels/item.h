@@ -128,7 +128,7 @@ struct Rider {
 };
 
 struct SpokenText {
-  lang::Message::Kind kind = lang::Message::Kind::message;
+  FixedText<8> code;  // of a warning; "" = a message
   ShortText text;
 };
 

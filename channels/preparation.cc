@@ -4,6 +4,7 @@
 #include <string>
 
 #include "channels/channel_description.h"
+#include "channels/feed_limit.h"
 #include "channels/motion_config.h"
 
 namespace stanok::channels {
@@ -133,6 +134,7 @@ Diagnostics Preparation::declare_shared(const lang::Program& program) {
 void Preparation::start(const Notice& notice) {
   run_ = notice.run;
   blocks_executed_ = 0;
+  feed_is_warned_of_ = false;
   scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
   blocks_.restart(scheme_, notice.axes_M);
   if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
@@ -255,8 +257,20 @@ void Preparation::end_thread() {
 }
 
 void Preparation::collect_pieces() {
-  for (const motion::PathBuilder::Built& built : builder_.built()) plan(built);
+  for (const motion::PathBuilder::Built& built : builder_.built()) {
+    warn_of_feed(built.piece);
+    plan(built);
+  }
   builder_.built().clear();
+}
+
+void Preparation::warn_of_feed(const motion::Piece& piece) {
+  if (feed_is_warned_of_) return;
+  const auto warning = feed_above_limit(piece, motion_);
+  if (!warning) return;
+  feed_is_warned_of_ = true;
+  pending_remarks_.push_back(
+      {piece.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
 }
 
 // Pieces without a law pass as long as none with a law waits before them.

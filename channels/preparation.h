@@ -72,6 +72,7 @@ class Preparation {
   void end_chain();
   void end_thread();
   void collect_pieces();
+  void warn_of_feed(const motion::Piece& piece);
   void plan(const motion::PathBuilder::Built& built);
   void push(Item item);
   void push_rider(const Rider& rider);
@@ -105,8 +106,9 @@ class Preparation {
   std::uint32_t run_ = 0;
   std::uint64_t blocks_executed_ = 0;
   bool chain_open_ = false;
-  bool scheme_switched_ = false;  // since the last answer or start
-  bool axes_change_ = false;      // the answer to come tells where a spindle stands as an axis
+  bool feed_is_warned_of_ = false;  // once a run
+  bool scheme_switched_ = false;    // since the last answer or start
+  bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis
   lang::Command command_;
   std::deque<Item> pending_items_;
   std::deque<Remark> pending_remarks_;

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "base/overloaded.h"
+#include "channels/feed_limit.h"
 #include "channels/preparation.h"
 #include "channels/scheme_switch.h"
 
@@ -42,8 +43,10 @@ void Preparation::take(const lang::Command& command) {
                    push(next);
                  },
                  [&](const lang::Message& message) {
+                   const bool warns = message.kind == lang::Message::Kind::warning;
                    pending_remarks_.push_back(
-                       {tag_of(command), SpokenText{message.kind, ShortText(message.text)}});
+                       {tag_of(command),
+                        SpokenText{FixedText<8>(warns ? "W0001" : ""), ShortText(message.text)}});
                  },
                  [&](const lang::ModalReport&) {},
                  [&](const lang::ProgramStop& stop) {
@@ -101,8 +104,13 @@ void Preparation::take_state(const lang::Command& command) {
 
 void Preparation::add_move(const lang::Command& command, const lang::Move& move) {
   end_thread();
+  const motion::Point start = blocks_.position_W();
   const auto block = blocks_.block(move, tag_of(command));
   if (!block) return fail_at_block(command, block.error());
+  if (move.is_tap) {
+    if (const auto refusal = tap_refusal(*block, start, blocks_.geometry(), motion_))
+      return fail_at_block(command, *refusal);
+  }
   add_block(command, *block);
 }
 
@@ -130,7 +138,7 @@ bool Preparation::add_block(const lang::Command& command, const motion::PathBloc
 void Preparation::add_thread(const lang::Command& command, const lang::SynchronousMove& move) {
   if (!threads_.continues(move)) end_chain();
   const motion::Point start = blocks_.position_W();
-  const auto line = blocks_.block(move.line, tag_of(command));
+  const auto line = blocks_.thread_line(move.line, tag_of(command));
   if (!line) return fail_at_block(command, line.error());
   if (const auto refusal = threads_.add(move, *line, start, blocks_.geometry()))
     return fail_at_block(command, *refusal);

@@ -146,7 +146,7 @@ std::optional<Diagnostic> ProcessPreparation::apply(const lang::Move& move, cons
     block.feed_per_s = way.length * move.feed / s_per_min;
     return std::nullopt;
   }
-  const Expected<Law, Diagnostic> law = way.in_mm ? law_of(way.length) : Law{};
+  const Expected<Law, Diagnostic> law = way.in_mm && !move.is_tap ? law_of(way.length) : Law{};
   if (!law) return law.error();
   const bool per_revolution = law->law != nullptr && law->law->units().per_revolution;
   if (move.feed_mode == lang::FeedMode::per_revolution || per_revolution) {

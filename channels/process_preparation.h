@@ -26,13 +26,18 @@ class ProcessPreparation {
   // The same, and the spindle stands.
   void reset();
 
+  // The speed of the master spindle in rev/min; 0: it stands, or follows the diameter.
+  [[nodiscard]] double steady_speed() const {
+    return spindle_turns_ && cutting_speed_ <= 0.0 ? spindle_rev_per_min_ : 0.0;
+  }
+
   // Takes over what a command sets up for the motion after it; others are ignored. `diameter_mm`:
   // at which the tool stands.
   void take_state(const lang::Payload& command, double diameter_mm);
 
   // The way of a block in its own metric, and the smallest diameter that it comes to. Laws hold for
-  // ways in mm: a block of rotary axes alone has its feed F, and the path of a law does not count
-  // it.
+  // ways in mm: a block of rotary axes alone has its feed F, a tap that of its lead, and the path
+  // of a law does not count them.
   struct Way {
     double length = 0.0;
     bool in_mm = true;

@@ -73,8 +73,10 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
   const DrillingCycle& cycle = block.modal.cycle;
   const std::string name = "`" + code_text('G', code) + "`";
   if (!cycle.has_bottom || !cycle.has_retract_level) {
-    block.fail("E4061", code_word(code), name + " needs the bottom of the hole and R",
-               cycle.has_bottom ? "no R" : "no bottom");
+    block
+        .fail("E4061", code_word(code), name + " needs the bottom of the hole and R",
+              cycle.has_bottom ? "no R" : "no bottom")
+        .help.push_back("write e.g. `" + code_text('G', code) + " Z-10 R2`");
   } else if (cycle.retract_level < cycle.bottom) {
     block.fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
                "the level R lies below the bottom of the hole", "below the bottom");

@@ -32,7 +32,10 @@ Travel travel_of(const ActiveBlock& block, const Move& move) {
 double lead_of(ActiveBlock& block, const Move& move, CodeNumber code) {
   const std::string name = "`" + code_text('G', code) + "`";
   if (block.has('K') && block.has('F') && code != 331) {
-    block.fail("E4066", {'F', -1, {}}, name + " has K and F, which both are the lead", "");
+    block
+        .fail("E4066", {'F', -1, {}}, name + " has K and F, which both are the lead",
+              "one too many")
+        .help.push_back("keep K, the lead along the path, or F, that along the longer axis");
     return 0.0;
   }
   const char letter = block.has('K') || code == 331 ? 'K' : 'F';
@@ -47,7 +50,8 @@ double lead_of(ActiveBlock& block, const Move& move, CodeNumber code) {
   }
   const Travel travel = travel_of(block, move);
   if (travel.path == 0.0) {
-    block.fail("E4067", {'G', code, {}}, name + " does not move a linear axis", "no way");
+    block.fail("E4067", {'G', code, {}}, name + " does not move a linear axis", "no way")
+        .help.push_back("program the end of the thread, away from where the tool stands");
     return 0.0;
   }
   return letter == 'K' ? lead : lead * travel.path / travel.longest;
@@ -72,8 +76,10 @@ std::optional<SynchronousMove> synchronous_move(ActiveBlock& block, CodeNumber c
 void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
   if (refuse_spindle_that_is_axis(block, spindle, {'G', code, {}})) return;
   if (spindle_turns(block, spindle)) return;
-  block.fail("E4064", {'G', code, {}}, "`" + code_text('G', code) + "` while the spindle stands",
-             "no M3 or M4 before");
+  block
+      .fail("E4064", {'G', code, {}}, "`" + code_text('G', code) + "` while the spindle stands",
+            "no M3 or M4 before")
+      .help.push_back("program S and `M3` or `M4` before");
 }
 
 void cut_thread(ActiveBlock& block, CodeNumber code) {

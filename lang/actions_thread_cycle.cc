@@ -42,8 +42,11 @@ double tangent_of_deg(double angle) {
 void need(ActiveBlock& block, char letter, bool good, const std::string& what) {
   if (good) return;
   const bool present = block.has(letter);
-  block.fail(present ? "E4008" : "E4007", {present ? letter : 'G', present ? -1 : 760, {}},
-             "`G76` needs " + what, present ? "out of range" : std::string("no ") + letter);
+  block
+      .fail(present ? "E4008" : "E4007", {present ? letter : 'G', present ? -1 : 760, {}},
+            "`G76` needs " + what, present ? "out of range" : std::string("no ") + letter)
+      .help.push_back(
+          "write `G76 P Z I J K`, or the settings `G76 P Q R` and then `G76 X Z P Q F`");
 }
 
 // Depth n is first * n^exponent, then `last` once more and the spring passes.
@@ -91,7 +94,8 @@ void cut(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
   const TurningPoint start = moves.position();
   const double length = std::abs(thread.peak_end.z - thread.peak_start.z);
   if (length <= thread.entry + thread.exit || length <= thread.depth * thread.infeed_tangent) {
-    block.fail("E4067", {'G', 760, {}}, "the thread is shorter than its tapers", "no way left");
+    block.fail("E4067", {'G', 760, {}}, "the thread is shorter than its tapers", "no way left")
+        .help.push_back("take a longer thread, shorter tapers or a smaller infeed angle");
     return;
   }
   for (const double depth : thread.passes) cut_pass(moves, thread, start, depth);

@@ -22,7 +22,10 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
                     code.number == 730 ? "pattern repeating" : "face pecking cycle");
   }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
-    return fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
+    BlockFault fault =
+        fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
+    if (code.number == 840) fault.help.emplace_back("tap with `G33.1`, e.g. `G33.1 Z-12 K1.25`");
+    return fault;
   }
   if (kind != ChannelKind::lathe && code.availability == Availability::lathe_only) {
     return fault_at("E4009", word, "`" + name + "` exists on lathe channels only", "");

@@ -102,6 +102,7 @@ struct Move {
   AxisValues end{};                  // all axes, programmed or not
   double feed = 0.0;  // mm/min (deg/min without linear words), mm/rev or 1/min; rapid: unused
   FeedMode feed_mode = FeedMode::per_minute;
+  bool is_tap = false;  // with a floating chuck: the feed must be that of lead and spindle
   PathControl path;
   // Arc only. The two axes of the plane follow G17/G18/G19; every other programmed axis moves
   // linearly along (helix).

@@ -29,7 +29,8 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
   const ModalState& modal = block.modal;
   const double speed = speed_of_spindle(block, spindle);
   if (speed <= 0.0) {
-    block.fail("E4064", {'G', code, {}}, "tapping without a spindle speed", "no S before");
+    block.fail("E4064", {'G', code, {}}, "tapping without a spindle speed", "no S before")
+        .help.push_back("program S before, e.g. `S300 M3`");
     return 0.0;
   }
   double lead = modal.cycle.lead;
@@ -167,6 +168,7 @@ void Hole::tap_with_floating_chuck(int spindle, SpindleAction turning, double le
   const double speed = speed_of_spindle(block_, spindle);
   Move move;
   move.kind = MoveKind::line;
+  move.is_tap = true;
   move.feed_mode = block_.modal.feed_mode();
   move.feed = move.feed_mode == FeedMode::per_revolution ? lead_mm : lead_mm * speed;
   SpindleCommand command{

@@ -205,6 +205,45 @@ TEST(FeedLawRun, DoesNotCountBlocksOfRotaryAxesAlone) {
   EXPECT_EQ(made, 11U);
 }
 
+// y = x^2 from -2 to 2: the way is that of the curve, in its own block and for a modal law.
+TEST(FeedLawRun, FollowsASpline) {
+  for (const char* law :
+       {"G5.1 X2 I2 J-8 S_n=600 dS=10 dl=0.5\n", "S_n=600 dS=10 dl=0.5\nG5.1 X2 I2 J-8\n"}) {
+    SCOPED_TRACE(law);
+    MachineBench bench;
+    bench.program("p.nc", "G94 G17 G61\nG0 X-2 Y4 Z0\n" + std::string(law) + "M30\n");
+    bench.run(1, "p.nc");
+    std::uint64_t made = 0;
+    const auto length_to = [](double x) {  // from the vertex
+      return 0.5 * x * std::sqrt(1.0 + 4.0 * x * x) + 0.25 * std::asinh(2.0 * x);
+    };
+    bench.run_to_end([&](const CycleOutput& output) {
+      const ChannelOutput& channel = output.channels[0];
+      if (channel.process.law != motion::LawKind::linear || !channel.moving) return;
+      const double way = length_to(2.0) + length_to(channel.point_W[0].value);
+      made = channel.process.increments;
+      expect_count({.way = way, .process = channel.process}, 0.5);
+      EXPECT_NEAR(channel.process.feed_mm_per_min, 600.0 + 10.0 * static_cast<double>(made), 1e-9);
+    });
+    EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+    EXPECT_EQ(made, 18U);  // 9.29 mm
+  }
+}
+
+// The axes stand while the tool changes; the path of the law waits.
+TEST(FeedLawRun, GoesOnBehindAToolChange) {
+  const auto cuts =
+      cut("G0 X60 Z0\nG94 G61\nS_n=120 dS=2 dl=0.5\nG1 Z-3.2\nT2 M6\nG4 P0.05\nG1 Z-8\nM30\n");
+  std::uint64_t made = 0;
+  for (const Cut& one : cuts) {
+    expect_count(one, 0.5);
+    made = one.process.increments;
+    EXPECT_NEAR(one.process.feed_mm_per_min, 120.0 + 2.0 * static_cast<double>(made), 1e-9);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_EQ(made, 15U);
+}
+
 // Lines of an operator share the spindle and the modal law.
 TEST(FeedLawRun, LastsFromLineToLineAsTheSpindleDoes) {
   MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));

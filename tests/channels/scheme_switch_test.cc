@@ -266,8 +266,9 @@ void run_sequence(MachineBench& bench, Sequences& sequence, Watch& watch) {
 
 TEST(SchemeSequences, RandomOnesKeepTheLimitsAndAlwaysComeToAnEnd) {
   constexpr int sequences = 1000;
-  const std::vector<std::string> known = {"E5010", "E5102", "E5201", "E5202", "E5203", "E6003",
-                                          "E4055", "E4056", "W0001", "E6004", "",      "E4010"};
+  const std::vector<std::string> known = {"E5010", "E5102", "E5201", "E5202", "E5203",
+                                          "E6003", "E4055", "E4056", "W0001", "W810",
+                                          "E6004", "",      "E4010"};
   MachineBench bench(two_sided_machine());
   Sequences sequence(20261);
   Watch watch;

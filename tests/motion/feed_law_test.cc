@@ -241,7 +241,11 @@ INSTANTIATE_TEST_SUITE_P(
         LinearCase{8.0, 120.0, 2.0, 0.25, Way::arc}, LinearCase{8.0, 400.0, -4.0, 0.125, Way::arc},
         LinearCase{12.0, 900.0, 0.2, 0.02, Way::arc}, LinearCase{9.0, 250.0, 1.0, 0.1, Way::spline},
         LinearCase{15.0, 800.0, -0.7, 0.05, Way::spline},
-        LinearCase{6.0, 2000.0, 10.0, 0.03, Way::spline}, LinearCase{4.0, 12.0, 0.1, 0.5}));
+        LinearCase{6.0, 2000.0, 10.0, 0.03, Way::spline}, LinearCase{4.0, 12.0, 0.1, 0.5},
+        // Several in one cycle.
+        LinearCase{8.0, 3000.0, 0.5, 0.004, Way::arc},
+        LinearCase{8.0, 3000.0, -0.5, 0.002, Way::arc},
+        LinearCase{8.0, 2400.0, 0.3, 0.003, Way::spline}));
 
 struct ModulatedCase {
   double length;
