@@ -12,6 +12,7 @@
 #include "client/check_report.h"
 #include "client/diagnostic_output.h"
 #include "client/job_options.h"
+#include "client/law_report.h"
 #include "client/noun_command.h"
 #include "config/machine_file.h"
 #include "runtime/dry_run.h"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 struct CheckOptions {
   JobOptions job;
   std::vector<std::string> programs;
+  bool estimate = false;
 };
 
 // A program to check and the folder that the operator named, if it was found there.
@@ -80,7 +82,8 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
       if (diagnostic.place.file == program.name) diagnostic.place.file = candidate.path;
     }
   }
-  return {candidate.path, std::move(result.diagnostics), result.blocks, time.count()};
+  return {candidate.path, std::move(result.diagnostics), result.blocks, time.count(),
+          std::move(result.laws)};
 }
 
 // Shows on a terminal which program is at hand, and takes it away before anything else is printed.
@@ -142,7 +145,11 @@ int run(const CheckOptions& options) {
       all.push_back(to_json(diagnostic));
     }
   }
-  if (options.job.json) {
+  if (options.estimate && options.job.json) {
+    std::printf("%s\n", estimate_json(programs).dump().c_str());
+  } else if (options.estimate) {
+    std::fputs(estimate_table(programs, Terminal(STDOUT_FILENO)).c_str(), stdout);
+  } else if (options.job.json) {
     std::printf("%s\n", (folders ? summary_json(programs) : all).dump().c_str());
   } else if (folders) {
     std::fputs(summary_table(programs, Terminal(STDOUT_FILENO)).c_str(), stdout);
@@ -190,6 +197,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("check", "find errors of programs without running them");
   command->add_option("PROGRAM", options->programs, "part programs, or folders of them")
       ->required();
+  command->add_flag("--estimate", options->estimate,
+                    "time and figures of each block under a feed law; with --json an object");
   add_job_options(*command, options->job);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

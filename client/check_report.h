@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "client/terminal.h"
+#include "runtime/dry_run.h"
 
 namespace stanok::client {
 
@@ -17,6 +18,7 @@ struct CheckedProgram {
   Diagnostics diagnostics;
   std::uint64_t blocks = 0;
   double seconds = 0.0;  // wall time of the check
+  std::vector<runtime::LawBlock> laws{};
 };
 
 // One row for each program and their sum: file, blocks, errors, warnings, time.

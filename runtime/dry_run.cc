@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "channels/channel_description.h"
+#include "channels/feed_limit.h"
 #include "channels/motion_config.h"
 #include "channels/scheme_switch.h"
 
@@ -52,6 +53,7 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
       schemes_(channels::make_schemes(channel_)),
       blocks_(machine, channel_, motion_),
       builder_(motion_),
+      threads_(machine, channel_, motion_),
       interpreter_(description_, tables_, files) {
   const int id = scheme < 0 ? channel_.scheme : scheme;
   const auto found = schemes_.find(id);
@@ -71,6 +73,7 @@ DryRunResult DryRun::run(const std::string& program, Reachability reachability,
   if (!load(program, result.diagnostics)) return result;
   interpreter_.start(program_, blocks_.position_B());
   go_on(reachability, record, request, result);
+  result.laws = std::move(laws_);
   return result;
 }
 
@@ -99,6 +102,8 @@ void DryRun::go_on(Reachability reachability, const RecordSink& record, const Re
       case lang::Step::stopped:
         break;
       case lang::Step::ended:
+        builder_.finish();
+        watch_feed(result.diagnostics);
         return;
       case lang::Step::failed:
         result.diagnostics.push_back(interpreter_.error());
@@ -193,9 +198,17 @@ void DryRun::take(const lang::Command& command, Reachability reachability, const
     if (const auto* synchronous = std::get_if<lang::SynchronousMove>(&command.payload)) {
       return take_synchronous(command, *synchronous, reachability, record, diagnostics);
     }
+    threads_.forget();
+    if (const auto* spline = std::get_if<lang::SplineMove>(&command.payload))
+      return take_curve(command, *spline, reachability, record, diagnostics);
     return take_move(command, *move, reachability, record, diagnostics);
   }
   record(command, nullptr);
+  const bool only_tells = std::holds_alternative<lang::Message>(command.payload) ||
+                          std::holds_alternative<lang::ModalReport>(command.payload);
+  if (!only_tells) threads_.forget();
+  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
+    threads_.take_spindle(*spindle);
   if (const auto* wish = std::get_if<lang::Request>(&command.payload)) {
     return take_request(command, *wish, request);
   }
@@ -207,8 +220,9 @@ void DryRun::take(const lang::Command& command, Reachability reachability, const
     }
   }
   if (blocks_.take_state(command.payload) && reachability == Reachability::checked) {
+    threads_.forget();
     builder_.finish();
-    builder_.built().clear();
+    watch_feed(diagnostics);
     builder_.restart(blocks_.position_W(), blocks_.geometry());
   }
 }
@@ -227,36 +241,126 @@ void DryRun::take_move(const lang::Command& command, const lang::Move& move,
                        Reachability reachability, const RecordSink& record,
                        Diagnostics& diagnostics) {
   const motion::BlockTag tag{0, command.block, command.origin.line, command.origin.file};
-  auto block = blocks_.block(move, tag);
-  const auto refuse = [&](Diagnostic diagnostic) {
-    lang::put_at_block(*program_, command.origin, diagnostic);
-    diagnostics.push_back(std::move(diagnostic));
-  };
-  if (!block) return refuse(block.error());
+  const motion::Point start = blocks_.position_W();
+  const double steady_speed = blocks_.steady_speed();
+  const auto block = blocks_.block(move, tag);
+  if (!block) return refuse(command, block.error(), diagnostics);
   motion::PathBlock programmed = *block;
   programmed.end = as_programmed(move, *block);
   record(command, &programmed);
   if (reachability == Reachability::unchecked) return;
-  if (const auto pose = builder_.add(*block)) {
-    refuse(channels::unreachable_pose(*pose, channel_));
-    builder_.restart(blocks_.position_W(), blocks_.geometry());
+  estimate_law(*block, steady_speed);
+  if (move.is_tap) {
+    if (auto refusal = channels::tap_refusal(*block, start, blocks_.geometry(), motion_))
+      return skip(command, std::move(*refusal), diagnostics);
+  }
+  static_cast<void>(follow(*block, command, diagnostics));
+}
+
+// In the stretches that the path can hold, under one law.
+void DryRun::take_curve(const lang::Command& command, const lang::SplineMove& spline,
+                        Reachability reachability, const RecordSink& record,
+                        Diagnostics& diagnostics) {
+  const motion::BlockTag tag{0, command.block, command.origin.line, command.origin.file};
+  const double steady_speed = blocks_.steady_speed();
+  const auto blocks = blocks_.curve(spline, tag);
+  if (!blocks) return refuse(command, blocks.error(), diagnostics);
+  motion::PathBlock whole = blocks->back();
+  motion::BlockProcess& process = whole.process;
+  process.way_length += process.way_start - blocks->front().process.way_start;
+  process.way_start = blocks->front().process.way_start;
+  motion::PathBlock programmed = whole;
+  programmed.end = as_programmed(spline.base, whole);
+  record(command, &programmed);
+  if (reachability == Reachability::unchecked) return;
+  estimate_law(whole, steady_speed);
+  for (const motion::PathBlock& block : *blocks) {
+    if (!follow(block, command, diagnostics)) return;
+  }
+}
+
+// Whether the axes can reach every pose of the block.
+bool DryRun::follow(const motion::PathBlock& block, const lang::Command& command,
+                    Diagnostics& diagnostics) {
+  const auto pose = builder_.add(block);
+  if (pose) skip(command, channels::unreachable_pose(*pose, channel_), diagnostics);
+  watch_feed(diagnostics);
+  return !pose;
+}
+
+// The block is not taken; the path goes on at its end.
+void DryRun::skip(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics) {
+  refuse(command, std::move(diagnostic), diagnostics);
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
+}
+
+void DryRun::refuse(const lang::Command& command, Diagnostic diagnostic,
+                    Diagnostics& diagnostics) const {
+  lang::put_at_block(*program_, command.origin, diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+// The spindle has `steady_speed` where the block begins.
+void DryRun::estimate_law(const motion::PathBlock& block, double steady_speed) {
+  const motion::BlockProcess& process = block.process;
+  if (process.law == nullptr) return;
+  const double planned = process.rev_per_min;
+  const motion::LawPart part{
+      .from_mm = process.way_start,
+      .to_mm = process.way_start + process.way_length,
+      .feed_per_s = block.feed_per_s,
+      .rev_per_min = planned > 0.0 ? planned : steady_speed,
+  };
+  const auto estimate = motion::estimate(*process.law, part);
+  if (!estimate) return;
+  const motion::LawUnits& units = process.law->units();
+  const bool follows_diameter = steady_speed <= 0.0 || units.speed == motion::LawSpeed::m_per_min;
+  LawBlock found{.place = {},
+                 .kind = process.law->kind(),
+                 .units = units,
+                 .way_mm = process.way_length,
+                 .estimate = *estimate,
+                 .time_is_least = planned > 0.0 && follows_diameter};
+  found.place.file = std::string(lang::file_name(*program_, block.tag.file));
+  found.place.line = static_cast<int>(block.tag.line);
+  laws_.push_back(std::move(found));
+}
+
+// Looks at the pieces that are final, and takes them away.
+void DryRun::watch_feed(Diagnostics& diagnostics) {
+  for (const motion::PathBuilder::Built& built : builder_.built()) {
+    if (feed_is_warned_of_) break;
+    auto warning = channels::feed_above_limit(built.piece, motion_);
+    if (!warning) continue;
+    feed_is_warned_of_ = true;
+    lang::put_at_block(*program_, {built.piece.tag.file, built.piece.tag.line}, *warning);
+    diagnostics.push_back(std::move(*warning));
   }
   builder_.built().clear();
 }
 
-// The spindle gives the feed; the way is the same without one. A rigid tap comes back.
+// The spindle gives the feed, and whether axes and spindle can cut it is known here. A rigid tap
+// comes back.
 void DryRun::take_synchronous(const lang::Command& command, const lang::SynchronousMove& move,
                               Reachability reachability, const RecordSink& record,
                               Diagnostics& diagnostics) {
+  const motion::BlockTag tag{0, command.block, command.origin.line, command.origin.file};
   const motion::Point start_W = blocks_.position_W();
-  lang::Move way = move.line;
-  way.kind = lang::MoveKind::rapid;
-  take_move(command, way, reachability, record, diagnostics);
-  if (move.kind != lang::SynchronousMove::Kind::rigid_tap) return;
-  std::copy_n(start_W.begin(), way.end.size(), way.end.begin());
-  take_move(
-      command, way, reachability, [](const lang::Command&, const motion::PathBlock*) {},
-      diagnostics);
+  if (!threads_.continues(move)) threads_.forget();
+  const auto line = blocks_.thread_line(move.line, tag);
+  if (!line) return refuse(command, line.error(), diagnostics);
+  motion::PathBlock programmed = *line;
+  programmed.end = as_programmed(move.line, *line);
+  record(command, &programmed);
+  if (move.kind == lang::SynchronousMove::Kind::rigid_tap) blocks_.return_to(start_W);
+  if (reachability == Reachability::unchecked) return;
+  if (auto refusal = threads_.add(move, *line, start_W, blocks_.geometry())) {
+    threads_.forget();
+    refuse(command, std::move(*refusal), diagnostics);
+  }
+  builder_.finish();
+  watch_feed(diagnostics);
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
 void DryRun::take_request(const lang::Command& command, const lang::Request& request,
@@ -340,6 +444,7 @@ class Check {
         });
     for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
     found.blocks += result.blocks;
+    found.laws.insert(found.laws.end(), result.laws.begin(), result.laws.end());
   }
 
   DryRunResult found;

@@ -14,9 +14,11 @@
 #include "channels/block_preparation.h"
 #include "channels/live_tables.h"
 #include "channels/preparation.h"
+#include "channels/thread_preparation.h"
 #include "config/machine_file.h"
 #include "lang/block_search.h"
 #include "lang/interpreter.h"
+#include "motion/feed_laws/law_estimate.h"
 
 namespace stanok::runtime {
 
@@ -27,9 +29,20 @@ using RecordSink =
 // What a dry run does at a request to another channel.
 using RequestSink = std::function<void(const lang::Request& request, const lang::Command& command)>;
 
+// A block under a feed law, and what is to be expected of it.
+struct LawBlock {
+  Place place;
+  motion::LawKind kind = motion::LawKind::none;
+  motion::LawUnits units;
+  double way_mm = 0.0;
+  motion::LawEstimate estimate;
+  bool time_is_least = false;  // the spindle follows the diameter: planned for its highest speed
+};
+
 struct DryRunResult {
   Diagnostics diagnostics;  // errors, and warnings of the load
   std::uint64_t blocks = 0;
+  std::vector<LawBlock> laws;  // of a checked run, in their order
 };
 
 // Where a dry run begins: what comes before is interpreted only, or left out.
@@ -73,6 +86,14 @@ class DryRun {
                                             const motion::PathBlock& block) const;
   void take_move(const lang::Command& command, const lang::Move& move, Reachability reachability,
                  const RecordSink& record, Diagnostics& diagnostics);
+  void take_curve(const lang::Command& command, const lang::SplineMove& spline,
+                  Reachability reachability, const RecordSink& record, Diagnostics& diagnostics);
+  [[nodiscard]] bool follow(const motion::PathBlock& block, const lang::Command& command,
+                            Diagnostics& diagnostics);
+  void refuse(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics) const;
+  void skip(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics);
+  void watch_feed(Diagnostics& diagnostics);
+  void estimate_law(const motion::PathBlock& block, double steady_speed);
   void take_synchronous(const lang::Command& command, const lang::SynchronousMove& move,
                         Reachability reachability, const RecordSink& record,
                         Diagnostics& diagnostics);
@@ -90,9 +111,12 @@ class DryRun {
   channels::SchemeSet schemes_;
   channels::BlockPreparation blocks_;
   motion::PathBuilder builder_;
+  channels::ThreadPreparation threads_;
   lang::Interpreter interpreter_;
   std::shared_ptr<const lang::Program> program_;
   const kinematics::Scheme* scheme_ = nullptr;
+  bool feed_is_warned_of_ = false;  // once a program
+  std::vector<LawBlock> laws_;
 };
 
 // Everything that can be known of a program before a run: follows #kinematics, channel_run and

@@ -201,8 +201,8 @@ TEST(FloatingTap, KeepsItsFeedUnderALaw) {
     ++cycles;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_GT(cycles, 2 * 950);  // 12 mm each way at 12.5 mm/s
-  EXPECT_NEAR(law_feed, 63.0, 1e-9);   // 2.5 mm before the tap, 1.4 behind it
+  EXPECT_GT(cycles, 2 * 950);         // 12 mm each way at 12.5 mm/s
+  EXPECT_NEAR(law_feed, 63.0, 1e-9);  // 2.5 mm before the tap, 1.4 behind it
 }
 
 // 24 m/min, which no axis has: the spindle would turn on and the chuck be torn out.
