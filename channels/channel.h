@@ -24,7 +24,6 @@
 
 namespace stanok::channels {
 
-inline constexpr int spindles_max = 4;
 static_assert(spindles_max == motion::coupled_spindles_max);
 
 // What is loaded and run: a program, or one line of an operator (MDI).

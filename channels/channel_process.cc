@@ -47,6 +47,8 @@ ProcessOutput Channel::process() const RT_SAFE {
   const double speed = std::abs(output.spindle_rev_per_min);
   if (speed > 0.0) output.feed_mm_per_rev = output.feed_mm_per_min / speed;
   output.cutting_speed_m_per_min = std::numbers::pi * diameter() * speed / mm_per_m;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(figures_.spindle_count); ++k)
+    output.spindles[k] = {.id = spindles_[k].id(), .rev_per_min = spindles_[k].speed()};
   return output;
 }
 

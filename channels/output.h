@@ -98,6 +98,13 @@ struct Workpiece {
   lang::WorkpiecePosition position;
 };
 
+// What a spindle of the channel is asked for in this cycle: its ramps are made.
+struct SpindleSetpoint {
+  std::int32_t id = 0;       // 0: there is none
+  double rev_per_min = 0.0;  // clockwise > 0
+};
+inline constexpr int spindles_max = 4;
+
 // Feed and speed of the cutting process, and the law that they follow.
 struct ProcessOutput {
   motion::LawKind law = motion::LawKind::none;
@@ -107,6 +114,7 @@ struct ProcessOutput {
   double feed_mm_per_rev = 0.0;          // S_0 = S / n; 0: the spindle stands
   double spindle_rev_per_min = 0.0;      // n of the master spindle; clockwise > 0
   double cutting_speed_m_per_min = 0.0;  // v at the diameter on which the tool stands
+  std::array<SpindleSetpoint, spindles_max> spindles{};
 };
 
 struct ChannelOutput {

@@ -102,23 +102,34 @@ const Keys<RegulatorFile>& regulator_keys() {
   return keys;
 }
 
-const Keys<SpindleConfig>& spindle_keys() {
-  static const Keys<SpindleConfig> keys = {
-      {"id", at<&SpindleConfig::id>, required, "",
+struct SpindleFile {
+  SpindleConfig spindle;
+  Subtable drive = nullptr;
+};
+
+template <auto Member>
+inline constexpr auto of_spindle = at<&SpindleFile::spindle, Member>;
+
+const Keys<SpindleFile>& spindle_keys() {
+  static const Keys<SpindleFile> keys = {
+      {"id", of_spindle<&SpindleConfig::id>, required, "",
        "number by which programs call it ($1, M902 H1=1)", from(1, 16)},
-      {"speed_max", at<&SpindleConfig::speed_max>, required, "rev/min", "highest speed", positive},
-      {"speed_min", at<&SpindleConfig::speed_min>, optional, "rev/min", "lowest speed",
+      {"speed_max", of_spindle<&SpindleConfig::speed_max>, required, "rev/min", "highest speed",
+       positive},
+      {"speed_min", of_spindle<&SpindleConfig::speed_min>, optional, "rev/min", "lowest speed",
        not_negative},
-      {"acceleration", at<&SpindleConfig::acceleration>, optional, "rev/min/s",
+      {"acceleration", of_spindle<&SpindleConfig::acceleration>, optional, "rev/min/s",
        "change of speed; 0: at once", not_negative},
-      {"wait_at_speed", at<&SpindleConfig::wait_at_speed>, optional, "",
+      {"wait_at_speed", of_spindle<&SpindleConfig::wait_at_speed>, optional, "",
        "whether a feed waits until the spindle has its speed"},
-      {"power_idle", at<&SpindleConfig::power_idle_w>, optional, "W",
+      {"power_idle", of_spindle<&SpindleConfig::power_idle_w>, optional, "W",
        "power at the highest speed without cutting", not_negative},
-      {"encoder", at<&SpindleConfig::encoder_pulses>, optional, "",
+      {"encoder", of_spindle<&SpindleConfig::encoder_pulses>, optional, "",
        "pulses of its encoder per revolution; 0: no encoder", from(0)},
-      {"axis", at<&SpindleConfig::axis>, optional, "",
+      {"axis", of_spindle<&SpindleConfig::axis>, optional, "",
        "name of the rotary [[axis]] it becomes after M902"},
+      {"drive", at<&SpindleFile::drive>, optional, "",
+       "its own drive on the bus of [drives]; keys as [axis.drive]"},
   };
   return keys;
 }
@@ -224,6 +235,43 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   return section;
 }
 
+drives::AxisDriveConfig read_spindle_drive(const toml::table& table, const SpindleConfig& spindle,
+                                           const Scope& scope) {
+  constexpr int first_unit = 200;
+  DriveSection section{.drive = {.axis = "S" + std::to_string(spindle.id),
+                                 .spindle = spindle.id,
+                                 .unit = first_unit + spindle.id,
+                                 .kind = drives::DriveKind::velocity,
+                                 .velocity_max = spindle.speed_max}};
+  read_drive(table, DriveLoad::spindle, section, scope);
+  return section.drive;
+}
+
+SpindleSection read_spindle(const toml::table& table, const std::vector<AxisSection>& axes,
+                            const Scope& scope) {
+  SpindleFile file;
+  read_table(table, spindle_keys(), file, scope);
+  SpindleSection section{.spindle = file.spindle, .drive = {}};
+  const SpindleConfig& spindle = section.spindle;
+  if (spindle.speed_min > spindle.speed_max) {
+    scope.fault(place_of(table, "speed_min"),
+                "speed_min exceeds speed_max, " + number_text(spindle.speed_max));
+  }
+  const auto axis =
+      std::ranges::find(axes, spindle.axis, [](const AxisSection& one) { return one.axis.name; });
+  if (!spindle.axis.empty() && (axis == axes.end() || !axis->axis.rotary)) {
+    scope.fault(place_of(table, "axis"),
+                "'" + spindle.axis + "' is no rotary axis of the machine; name an [[axis]]");
+  }
+  if (file.drive != nullptr && !spindle.axis.empty()) {
+    scope.fault(place_of(table, "drive"), "the spindle is axis " + spindle.axis +
+                                              ", whose drive turns it; take one of both out");
+  } else if (file.drive != nullptr) {
+    section.drive = read_spindle_drive(*file.drive, spindle, scope.inner("drive"));
+  }
+  return section;
+}
+
 }  // namespace
 
 bool names_are_right(const std::vector<AxisSection>& axes) {
@@ -265,33 +313,22 @@ std::vector<AxisSection> read_axes(Subtables axes, const Scope& scope) {
   return sections;
 }
 
-std::vector<channels::SpindleConfig> read_spindles(Subtables spindles,
-                                                   const std::vector<AxisSection>& axes,
-                                                   const Scope& scope) {
-  std::vector<SpindleConfig> configs;
-  if (spindles == nullptr) return configs;
+std::vector<SpindleSection> read_spindles(Subtables spindles, const std::vector<AxisSection>& axes,
+                                          const Scope& scope) {
+  std::vector<SpindleSection> sections;
+  if (spindles == nullptr) return sections;
   for (const toml::node& node : *spindles) {
     const toml::table& table = *node.as_table();
-    SpindleConfig spindle;
     const Scope inner{scope.faults, "spindle " + std::to_string(table["id"].value_or(0))};
-    read_table(table, spindle_keys(), spindle, inner);
-    if (spindle.speed_min > spindle.speed_max) {
-      inner.fault(place_of(table, "speed_min"),
-                  "speed_min exceeds speed_max, " + number_text(spindle.speed_max));
-    }
-    const bool is_known = std::ranges::any_of(
-        configs, [&](const SpindleConfig& other) { return other.id == spindle.id; });
+    SpindleSection section = read_spindle(table, axes, inner);
+    const bool is_known = std::ranges::any_of(sections, [&](const SpindleSection& other) {
+      return other.spindle.id == section.spindle.id;
+    });
     if (is_known)
       inner.fault(place_of(table, "id"), "the id is taken; every spindle needs its own");
-    const auto axis =
-        std::ranges::find(axes, spindle.axis, [](const AxisSection& one) { return one.axis.name; });
-    if (!spindle.axis.empty() && (axis == axes.end() || !axis->axis.rotary)) {
-      inner.fault(place_of(table, "axis"),
-                  "'" + spindle.axis + "' is no rotary axis of the machine; name an [[axis]]");
-    }
-    configs.push_back(std::move(spindle));
+    sections.push_back(std::move(section));
   }
-  return configs;
+  return sections;
 }
 
 std::vector<KeyRow> axis_key_rows() {

@@ -1,6 +1,7 @@
 // [[axis]] and [[spindle]] of the machine file.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "channels/machine_config.h"
@@ -20,9 +21,16 @@ struct AxisSection {
 // All axes in the order of the file.
 [[nodiscard]] std::vector<AxisSection> read_axes(Subtables axes, const Scope& scope);
 
+// One [[spindle]] and its drive, if it has one of its own.
+struct SpindleSection {
+  channels::SpindleConfig spindle;
+  std::optional<drives::AxisDriveConfig> drive;
+};
+
 // All spindles; `axes` are the axes a spindle may become.
-[[nodiscard]] std::vector<channels::SpindleConfig> read_spindles(
-    Subtables spindles, const std::vector<AxisSection>& axes, const Scope& scope);
+[[nodiscard]] std::vector<SpindleSection> read_spindles(Subtables spindles,
+                                                        const std::vector<AxisSection>& axes,
+                                                        const Scope& scope);
 
 // One of the letters A B C U V W X Y Z, then digits: "X", "C1".
 [[nodiscard]] bool is_axis_name(std::string_view name);

@@ -35,7 +35,7 @@ inline constexpr auto of_drive = at<&DriveFile::section, &DriveSection::drive, M
 const Keys<DriveFile>& drive_keys() {
   static const Keys<DriveFile> keys = {
       {"address", of_drive<&AxisDriveConfig::unit>, optional, "", "Modbus unit of the drive",
-       from(1, 247), "place of the axis in the file"},
+       from(1, 247), "place of the axis in the file; spindle n: 200 + n"},
       {"kind", at<&DriveFile::kind>, optional, "",
        "what the drive follows: a position, a velocity, or only the command to run (spindles)",
        one_of({"position", "velocity", "on_off"}),
@@ -54,6 +54,10 @@ const Keys<DriveFile>& drive_keys() {
       {"bits", at<&DriveFile::bits>, optional, "", "places of bits in its words"},
       {"words", at<&DriveFile::words>, optional, "",
        "control words of a drive that does not speak CiA 402"},
+      {"watchdog_ms", of_drive<&AxisDriveConfig::watchdog_ms>, optional, "ms",
+       "time without a request after which the drive stops by itself, as set in the drive; longer "
+       "than timeout_ms of [drives]; 0: not known",
+       from(0, 60000)},
       {"brake_time", at<&DriveFile::section, &DriveSection::brake_s>, optional, "s",
        "time the brake takes to close or open", not_negative},
       {"power_time", at<&DriveFile::section, &DriveSection::power_s>, optional, "s",
@@ -204,6 +208,14 @@ void check_written_fields(const toml::table& table, const AxisDriveConfig& drive
   }
 }
 
+// A spindle has no brake, and nobody waits for its drive to take it over.
+void refuse_axis_keys(const toml::table& table, const Scope& scope) {
+  for (const char* key : {"brake_time", "power_time"}) {
+    if (table.contains(key))
+      scope.fault(place_of(table, key), std::string(key) + " belongs to an axis; take it out");
+  }
+}
+
 void take_kind(const toml::table& table, const std::string& kind, DriveLoad load,
                AxisDriveConfig& drive, const Scope& scope) {
   if (kind.empty()) return;
@@ -241,6 +253,7 @@ void read_drive(const toml::table& table, DriveLoad load, DriveSection& section,
   if (file.words != nullptr) drive.words = read_words(*file.words, scope.inner("words"));
   if (file.map != nullptr) check_map(*file.map, drive, load, scope.inner("map"));
   check_written_fields(table, drive, scope);
+  if (load == DriveLoad::spindle) refuse_axis_keys(table, scope);
 }
 
 std::vector<KeyRow> drive_key_rows() {

@@ -8,6 +8,7 @@
 #include "config/plant_section.h"
 #include "config/register_section.h"
 #include "config/scheme_keys.h"
+#include "config/signal_section.h"
 #include "config/tables_file.h"
 
 namespace stanok::config {
@@ -29,6 +30,7 @@ std::vector<KeySection> key_sections() {
       {"[[channel.scheme]], scheme file", scheme_key_rows()},
       {"[[parked]] of a scheme", parked_key_rows()},
       {"[drives]", drives_key_rows()},
+      {"[[signal]]", signal_key_rows()},
       {"[lcm]", lcm_key_rows()},
       {"[recorder]", recorder_key_rows()},
       {"[process]", describe(process_keys())},

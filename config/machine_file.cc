@@ -8,6 +8,7 @@
 #include "config/axis_section.h"
 #include "config/channel_section.h"
 #include "config/machine_sections.h"
+#include "config/signal_section.h"
 #include "config/tables_file.h"
 
 namespace stanok::config {
@@ -20,6 +21,7 @@ struct TopLevel {
   Subtables spindles = nullptr;
   Subtables channels = nullptr;
   Subtable drives = nullptr;
+  Subtables signals = nullptr;
   Subtable lcm = nullptr;
   Subtable recorder = nullptr;
   Subtable process = nullptr;
@@ -33,6 +35,8 @@ const Keys<TopLevel>& top_level_keys() {
       {"spindle", at<&TopLevel::spindles>, optional, "", "one [[spindle]] for each spindle"},
       {"channel", at<&TopLevel::channels>, required, "", "one [[channel]] for each channel"},
       {"drives", at<&TopLevel::drives>, optional, "", "bus of the drives"},
+      {"signal", at<&TopLevel::signals>, optional, "",
+       "one [[signal]] for each input or output of programs on the bus"},
       {"lcm", at<&TopLevel::lcm>, optional, "", "publishing"},
       {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
       {"process", at<&TopLevel::process>, optional, "", "force control"},
@@ -80,7 +84,9 @@ class MachineReader {
   // A wrong name is one fault, not one more wherever it is used: these wait until names are right.
   void read_users_of_axes(const toml::table& root, const std::vector<AxisSection>& axes) {
     const Scope scope{faults_, "machine file"};
-    file_.machine.spindles = read_spindles(top_.spindles, axes, scope);
+    spindles_ = read_spindles(top_.spindles, axes, scope);
+    for (const SpindleSection& section : spindles_)
+      file_.machine.spindles.push_back(section.spindle);
     if (root.contains("spindle") && top_.spindles == nullptr) return;
     file_.machine.channels = read_channels(top_.channels, file_.machine, folder_, scope);
   }
@@ -114,22 +120,67 @@ class MachineReader {
     if (top_.drives == nullptr) return;
     file_.bus = read_bus(*top_.drives, Scope{faults_, "[drives]"});
     for (const AxisSection& section : axes) file_.bus.axes.push_back(section.drive);
+    for (const SpindleSection& section : spindles_) {
+      if (section.drive) file_.bus.spindles.push_back(*section.drive);
+    }
+    file_.bus.signals = read_signals(top_.signals, Scope{faults_, "machine file"});
     check_addresses();
+    check_watchdogs();
     check_dead_times();
   }
 
+  // [[axis]] or [[spindle]] of a drive of the bus; the first one when its name is at fault.
+  [[nodiscard]] const toml::table& table_of(const drives::AxisDriveConfig& drive) const {
+    const bool is_axis = drive.spindle == 0;
+    const toml::array& tables = is_axis ? *top_.axes : *top_.spindles;
+    for (const toml::node& node : tables) {
+      const toml::table& table = *node.as_table();
+      const bool is_it = is_axis ? table["name"].value_or(std::string()) == drive.axis
+                                 : table["id"].value_or(0) == drive.spindle;
+      if (is_it) return table;
+    }
+    return *tables.get(0)->as_table();
+  }
+
+  [[nodiscard]] const toml::source_region& place_in_drive(const drives::AxisDriveConfig& drive,
+                                                          std::string_view key) const {
+    const toml::table& owner = table_of(drive);
+    const toml::table* const own = owner["drive"].as_table();
+    return own == nullptr ? owner.source() : place_of(*own, key);
+  }
+
+  [[nodiscard]] Scope scope_of(const drives::AxisDriveConfig& drive) const {
+    return {faults_,
+            drive.spindle == 0 ? "axis " + drive.axis : "spindle " + std::to_string(drive.spindle)};
+  }
+
   void check_addresses() {
-    for (std::size_t i = 0; i < file_.bus.axes.size(); ++i) {
+    const std::vector<drives::AxisDriveConfig> drives = drives_of(file_.bus);
+    for (std::size_t i = 0; i < drives.size(); ++i) {
       for (std::size_t earlier = 0; earlier < i; ++earlier) {
-        const auto& drive = file_.bus.axes[i];
-        const auto& other = file_.bus.axes[earlier];
+        const auto& drive = drives[i];
+        const auto& other = drives[earlier];
         if (drive.unit != other.unit || !share_a_register(drive.map, other.map)) continue;
-        const toml::table& axis = *top_.axes->get(i)->as_table();
-        Scope{faults_, "axis " + drive.axis}.fault(
-            place_of(axis, "drive"), "its drive has the address of axis " + other.axis + ", " +
-                                         std::to_string(drive.unit) +
-                                         "; give it its own address or registers");
+        scope_of(drive).fault(place_of(table_of(drive), "drive"),
+                              "its drive has the address of " +
+                                  std::string(other.spindle == 0 ? "axis " : "spindle ") +
+                                  other.axis + ", " + std::to_string(drive.unit) +
+                                  "; give it its own address or registers");
       }
+    }
+  }
+
+  // The control must notice a loss of contact and stop along the path before the drive stops by
+  // itself.
+  void check_watchdogs() {
+    for (const drives::AxisDriveConfig& drive : drives_of(file_.bus)) {
+      if (drive.watchdog_ms == 0 || drive.watchdog_ms > file_.bus.timeout_ms) continue;
+      scope_of(drive).fault(
+          place_in_drive(drive, "watchdog_ms"),
+          "E7010 watchdog_ms is " + std::to_string(drive.watchdog_ms) +
+              "; it must be longer than timeout_ms of [drives], " +
+              std::to_string(file_.bus.timeout_ms) +
+              ", or the drive stops before the control knows that contact is lost");
     }
   }
 
@@ -178,6 +229,7 @@ class MachineReader {
   FaultList& faults_;
   TopLevel top_;
   MachineFile file_;
+  std::vector<SpindleSection> spindles_;
 };
 
 }  // namespace

@@ -53,6 +53,12 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
   [[nodiscard]] std::string drive_choice() override;
   [[nodiscard]] drives::BusStatus drive_status() override { return assembly_.drive_status(); }
+  [[nodiscard]] bool reset_drive(const std::string& drive) override {
+    return assembly_.reset_drive(drive);
+  }
+  [[nodiscard]] bool inject_fault(const std::string& drive, plant::FaultKind fault) override {
+    return assembly_.inject_fault(drive, fault);
+  }
   [[nodiscard]] RecordingStatus recording_status() override { return recorder_.status(); }
 
  private:

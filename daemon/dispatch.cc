@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "channels/operator_action.h"
+#include "daemon/drive_report.h"
 #include "daemon/inventory.h"
 #include "protocol/discovery.h"
 #include "protocol/machine_request.h"
@@ -101,6 +102,11 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   if (const auto query = queries().find(method->name); query != queries().end()) {
     return answer(query->second(*this, *parameters));
   }
+  if (protocol::noun(*method) == "drive") {
+    const Outcome outcome = command_drive(*method, *parameters);
+    log_command(session, request, outcome);
+    return answer(outcome);
+  }
   if (method->name == "system.shutdown") {
     log_command(session, request, json());
     answer(json{{"accepted", true}});
@@ -153,6 +159,22 @@ void Dispatch::command(const Method& method, const json& parameters, Answer answ
                           *action == channels::OperatorAction::program_start;
   const bool waits = begins_run && parameters.value("wait", "accepted") == "done";
   desk_.submit(event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));
+}
+
+// Drives are reset and made to fail beside the cycle: what they then report enters it as feedback.
+Outcome Dispatch::command_drive(const Method& method, const json& parameters) {
+  const auto drive = parameters["drive"].get<std::string>();
+  const bool makes_fault = method.name == "drive.fault";
+  if (makes_fault && machine_.drive_choice() != "embedded") {
+    return fail(FailureKind::refused, "E6051",
+                "the drives are " + machine_.drive_choice() + ", not simulated by this daemon");
+  }
+  const bool is_done = makes_fault
+                           ? machine_.inject_fault(
+                                 drive, *plant::fault_named(parameters["fault"].get<std::string>()))
+                           : machine_.reset_drive(drive);
+  if (!is_done) return fail(FailureKind::refused, "E6050", "no such drive: " + drive);
+  return json{{"accepted", true}};
 }
 
 Outcome Dispatch::change_session(SessionState& session, const Method& method,

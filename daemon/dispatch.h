@@ -58,6 +58,8 @@ class Dispatch {
       const SessionState& session, const protocol::Method* method,
       const protocol::Request& request) const;
   void command(const protocol::Method& method, const nlohmann::json& parameters, Answer answer);
+  [[nodiscard]] Outcome command_drive(const protocol::Method& method,
+                                      const nlohmann::json& parameters);
   [[nodiscard]] Outcome change_session(SessionState& session, const protocol::Method& method,
                                        const nlohmann::json& parameters);
   [[nodiscard]] int channel_or_first(const nlohmann::json& parameters) const;

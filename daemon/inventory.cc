@@ -12,61 +12,11 @@ using nlohmann::json;
 
 constexpr int folder_depth_max = 16;
 
-const char* bus_word(drives::BusKind kind) {
-  switch (kind) {
-    case drives::BusKind::none:
-      return "none";
-    case drives::BusKind::modbus_tcp:
-      return "modbus-tcp";
-    case drives::BusKind::modbus_rtu:
-      return "modbus-rtu";
-  }
-  return "";
-}
-
 bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
 }
 
 }  // namespace
-
-json drive_list(const RunningMachine& machine) {
-  const drives::BusConfig& bus = machine.file().bus;
-  json drives = json::array();
-  for (const auto& drive : bus.axes) {
-    drives.push_back({{"axis", drive.axis},
-                      {"unit", drive.unit},
-                      {"position_scale", drive.map.position.scale},
-                      {"velocity_scale", drive.map.velocity.scale}});
-  }
-  return {{"bus", bus_word(bus.kind)}, {"drives", std::move(drives)}};
-}
-
-json drive_status(RunningMachine& machine) {
-  const drives::BusStatus bus = machine.drive_status();
-  json errors = json::object();
-  for (std::size_t k = 0; k < bus.errors.size(); ++k) {
-    errors[std::string(drives::name_of(static_cast<drives::ExchangeError>(k)))] = bus.errors[k];
-  }
-  json axes = json::array();
-  for (const auto& axis : bus.axes) {
-    axes.push_back({{"axis", axis.axis},
-                    {"in_contact", axis.in_contact},
-                    {"answers", axis.answers},
-                    {"errors", axis.errors}});
-  }
-  return {{"choice", machine.drive_choice()},
-          {"endpoint", bus.endpoint.empty() ? json(nullptr) : json(bus.endpoint)},
-          {"connected", bus.connected},
-          {"connections", bus.connections},
-          {"exchanges", bus.exchanges},
-          {"errors", std::move(errors)},
-          {"round_trip_us",
-           {{"p50", bus.round_trip.p50_us},
-            {"p99", bus.round_trip.p99_us},
-            {"max", bus.round_trip.max_us}}},
-          {"axes", std::move(axes)}};
-}
 
 json tool_list(RunningMachine& machine) {
   json tools = json::array();

@@ -9,8 +9,6 @@
 
 namespace stanok::daemon {
 
-[[nodiscard]] nlohmann::json drive_list(const RunningMachine& machine);
-[[nodiscard]] nlohmann::json drive_status(RunningMachine& machine);
 [[nodiscard]] nlohmann::json tool_list(RunningMachine& machine);
 [[nodiscard]] nlohmann::json offset_list(RunningMachine& machine);
 [[nodiscard]] nlohmann::json log_status(RunningMachine& machine);

@@ -13,6 +13,7 @@
 #include "daemon/real_time_loop.h"
 #include "daemon/real_time_rights.h"
 #include "drives/bus.h"
+#include "plant/fault.h"
 
 namespace stanok::daemon {
 
@@ -54,6 +55,10 @@ class RunningMachine {
   // "ideal", "embedded", "real".
   [[nodiscard]] virtual std::string drive_choice() = 0;
   [[nodiscard]] virtual drives::BusStatus drive_status() = 0;
+  // Acknowledges the fault of a drive. False: no such drive.
+  [[nodiscard]] virtual bool reset_drive(const std::string& drive) = 0;
+  // Makes an embedded drive fail, or work again. False: no such drive.
+  [[nodiscard]] virtual bool inject_fault(const std::string& drive, plant::FaultKind fault) = 0;
   [[nodiscard]] virtual RecordingStatus recording_status() = 0;
 };
 

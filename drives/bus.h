@@ -16,6 +16,7 @@
 
 #include "base/rt_safe.h"
 #include "drives/drive.h"
+#include "drives/signals.h"
 
 namespace stanok::drives {
 
@@ -36,25 +37,32 @@ inline constexpr std::size_t exchange_error_count = 7;
 // Time from request to answer, in microseconds; 0 before the first answer.
 struct RoundTrip {
   double p50_us = 0.0;
+  double p90_us = 0.0;
   double p99_us = 0.0;
+  double p999_us = 0.0;
   double max_us = 0.0;
 };
 
+using ErrorCounts = std::array<std::uint64_t, exchange_error_count>;  // by ExchangeError
+
 struct AxisBusStatus {
-  std::string axis;
+  std::string axis;  // "X"; "S1" of a spindle
   bool in_contact = false;
   std::uint64_t answers = 0;
   std::uint64_t errors = 0;
+  ErrorCounts errors_by_kind{};
+  DriveFeedback feedback{};  // the last that was believed
 };
 
 struct BusStatus {
   std::string endpoint{};  // "127.0.0.1:502", "/dev/ttyUSB0", "simulated"
   bool connected = false;
-  std::uint64_t connections = 0;                             // made since the start
-  std::uint64_t exchanges = 0;                               // good and bad
-  std::array<std::uint64_t, exchange_error_count> errors{};  // by ExchangeError
+  std::uint64_t connections = 0;  // made since the start
+  std::uint64_t exchanges = 0;    // good and bad
+  ErrorCounts errors{};
   RoundTrip round_trip{};
   std::vector<AxisBusStatus> axes{};
+  std::uint64_t signal_requests = 0;  // good and bad; counted in exchanges and errors, too
 };
 
 class DriveBus {
@@ -70,9 +78,14 @@ class DriveBus {
   // Asks all drives for a quick stop, then ends the connection.
   virtual void stop() = 0;
 
-  // One target and one feedback per axis, in machine axis order.
+  // One target and one feedback per drive: the axes in machine order, then the spindles.
   virtual void write(std::span<const DriveTarget> targets) RT_SAFE = 0;
   virtual void read(std::span<DriveFeedback> feedback) RT_SAFE = 0;
+
+  // Signals of programs; inputs without an answer keep their last values. A bus without signals
+  // takes outputs nowhere.
+  virtual void write_signals(const SignalValues& outputs) RT_SAFE { static_cast<void>(outputs); }
+  [[nodiscard]] virtual SignalValues read_signals() RT_SAFE { return {}; }
 
   [[nodiscard]] virtual BusStatus status() const = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "drives/register_map.h"
 #include "drives/run_words.h"
+#include "drives/signals.h"
 
 namespace stanok::drives {
 
@@ -21,15 +22,18 @@ enum class DriveKind : std::uint8_t { position, velocity, on_off };
 // One drive on the bus (docs/drives.md).
 struct AxisDriveConfig {
   std::string axis;
-  int unit = 1;  // Modbus unit id
+  int spindle = 0;  // number of the spindle that it turns; 0: it moves an axis
+  int unit = 1;     // Modbus unit id
   DriveKind kind = DriveKind::position;
   RegisterMap map = register_map({});
   std::optional<RunWords> words{};  // absent: control and status word of CiA 402
   RequestStyle requests = RequestStyle::write_and_read;
   int gap_max = 0;                   // registers of no use that may be read along to save a request
   bool absolute_encoder = true;      // knows its position at power-on
+  int watchdog_ms = 0;               // set in the drive: it stops by itself; 0: not known
   double following_error_max = 0.5;  // mm or deg
-  double velocity_max = 0.0;  // mm/s or deg/s; feedback faster than twice this is absurd; 0: any
+  double velocity_max =
+      0.0;  // mm/s, deg/s, rev/min; feedback faster than twice this is absurd; 0: any
 };
 
 enum class BusKind { none, modbus_tcp, modbus_rtu };
@@ -42,7 +46,12 @@ struct BusConfig {
   int baud = 115200;
   int poll_ms = 10;
   int timeout_ms = 250;
-  std::vector<AxisDriveConfig> axes{};  // in machine axis order
+  std::vector<AxisDriveConfig> axes{};      // in machine axis order
+  std::vector<AxisDriveConfig> spindles{};  // those that have a drive of their own
+  std::vector<SignalConfig> signals{};
 };
+
+// Axes, then spindles: the order of targets and feedback.
+[[nodiscard]] std::vector<AxisDriveConfig> drives_of(const BusConfig& bus);
 
 }  // namespace stanok::drives

@@ -35,7 +35,11 @@ double RoundTripHistogram::percentile_us(double share) const {
 }
 
 RoundTrip RoundTripHistogram::summary() const {
-  return {.p50_us = percentile_us(0.5), .p99_us = percentile_us(0.99), .max_us = max_us_};
+  return {.p50_us = percentile_us(0.5),
+          .p90_us = percentile_us(0.9),
+          .p99_us = percentile_us(0.99),
+          .p999_us = percentile_us(0.999),
+          .max_us = max_us_};
 }
 
 }  // namespace stanok::drives

@@ -63,8 +63,8 @@ void DirectBus::exchange(Axis& axis, const drives::DriveTarget& target) RT_SAFE 
     axis.drive.command(command);
     error = axis.exchange.take(axis.drive.status(), now_, now_);
   } else {
-    axis.exchange.fail();
     error = error_of(kind);
+    axis.exchange.fail(*error);
   }
   axis.exchange.supervise(now_);
   ++exchanges_;
@@ -95,7 +95,9 @@ drives::BusStatus DirectBus::status() const {
     status.axes.push_back({.axis = names_[i],
                            .in_contact = feedback.valid,
                            .answers = feedback.sequence,
-                           .errors = axes_[i].exchange.errors()});
+                           .errors = axes_[i].exchange.errors(),
+                           .errors_by_kind = axes_[i].exchange.errors_by_kind(),
+                           .feedback = feedback});
   }
   return status;
 }

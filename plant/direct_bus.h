@@ -46,7 +46,7 @@ class DirectBus final : public drives::DriveBus {
   drives::BusTime now_{0};
   drives::BusTime next_poll_{0};
   std::uint64_t exchanges_ = 0;
-  std::array<std::uint64_t, drives::exchange_error_count> errors_{};
+  drives::ErrorCounts errors_{};
   std::vector<std::string> names_;
 };
 

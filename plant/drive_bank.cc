@@ -30,8 +30,11 @@ double seconds(std::chrono::nanoseconds time) {
 DriveBank::Slot::Slot(const SimulatedDriveConfig& config)
     : drive(config), registers(holding_registers(drives::register_count(config.registers.map))) {}
 
-DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives, double step_s)
-    : panel_(holding_registers(static_cast<int>(drives.size()))), step_s_(step_s) {
+DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives,
+                     const std::vector<int>& modules, double step_s)
+    : modules_(modules.begin(), modules.end()),
+      panel_(holding_registers(static_cast<int>(drives.size()))),
+      step_s_(step_s) {
   for (const SimulatedDriveConfig& drive : drives) {
     drives_.emplace_back(drive);
   }
@@ -70,11 +73,17 @@ DriveBank::Slot* DriveBank::slot_of(int unit) {
   return found == drives_.end() ? nullptr : &*found;
 }
 
+SignalModule* DriveBank::module_of(int unit) {
+  const auto found = std::ranges::find(modules_, unit, &SignalModule::unit);
+  return found == modules_.end() ? nullptr : &*found;
+}
+
 std::optional<AnswerKind> DriveBank::answer_kind(int unit) {
   if (Slot* slot = slot_of(unit)) {
     return slot->drive.answer_kind();
   }
-  return unit == fault_panel_unit ? std::optional(AnswerKind::normal) : std::nullopt;
+  return unit == fault_panel_unit || module_of(unit) != nullptr ? std::optional(AnswerKind::normal)
+                                                                : std::nullopt;
 }
 
 modbus_mapping_t* DriveBank::registers_after(int unit, std::span<const std::uint8_t> pdu) {
@@ -85,6 +94,9 @@ modbus_mapping_t* DriveBank::registers_after(int unit, std::span<const std::uint
     }
     show_status(*slot);
     return slot->registers.get();
+  }
+  if (SignalModule* module = module_of(unit)) {
+    return module->registers();  // libmodbus writes into them as it answers
   }
   STANOK_ASSERT(unit == fault_panel_unit);
   if (write) {

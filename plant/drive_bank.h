@@ -1,4 +1,5 @@
-// All simulated drives of a machine with their register images and the fault panel.
+// All simulated drives of a machine with their register images, modules of signals, and the fault
+// panel.
 //
 // Belongs to the thread of the server, except `inject` and `load`, which any one other thread may
 // call.
@@ -19,14 +20,16 @@
 #include "base/latest.h"
 #include "plant/fault.h"
 #include "plant/modbus_request.h"
+#include "plant/signal_module.h"
 #include "plant/simulated_drive.h"
 
 namespace stanok::plant {
 
 class DriveBank {
  public:
-  // The drives move in steps of at most `step_s`.
-  DriveBank(const std::vector<SimulatedDriveConfig>& drives, double step_s);
+  // The drives move in steps of at most `step_s`; `modules` are units of inputs and outputs.
+  DriveBank(const std::vector<SimulatedDriveConfig>& drives, const std::vector<int>& modules,
+            double step_s);
 
   [[nodiscard]] std::size_t size() const { return drives_.size(); }
 
@@ -61,6 +64,7 @@ class DriveBank {
   };
 
   [[nodiscard]] Slot* slot_of(int unit);
+  [[nodiscard]] SignalModule* module_of(int unit);
   void apply_injections();
   void write_drive(Slot& slot, const RegisterWrite& write);
   void write_panel(const RegisterWrite& write);
@@ -68,6 +72,7 @@ class DriveBank {
   static void show_status(Slot& slot);
 
   std::deque<Slot> drives_;  // slots stay where they are
+  std::vector<SignalModule> modules_;
   Registers panel_;
   double step_s_;
   std::chrono::nanoseconds time_{0};

@@ -88,8 +88,34 @@ std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) 
       plant.power_idle_w = spindle.power_idle_w;
     }
     drives.push_back(spindle_drive(spindle.id, plant));
+    const auto on_bus =
+        std::ranges::find(machine.bus.spindles, spindle.id, &drives::AxisDriveConfig::spindle);
+    if (on_bus != machine.bus.spindles.end()) drives.back().registers = *on_bus;
   }
   return drives;
+}
+
+std::vector<SimulatedDriveConfig> drives_on_bus(const config::MachineFile& machine) {
+  std::vector<SimulatedDriveConfig> drives = drives_of(machine);
+  std::erase_if(drives, [&](const SimulatedDriveConfig& drive) {
+    return drive.registers.spindle != 0 &&
+           std::ranges::find(machine.bus.spindles, drive.registers.spindle,
+                             &drives::AxisDriveConfig::spindle) == machine.bus.spindles.end();
+  });
+  return drives;
+}
+
+std::vector<int> signal_modules_of(const config::MachineFile& machine) {
+  std::vector<int> units;
+  const std::vector<SimulatedDriveConfig> drives = drives_of(machine);
+  for (const drives::SignalConfig& signal : machine.bus.signals) {
+    const bool is_drive = std::ranges::any_of(drives, [&](const SimulatedDriveConfig& drive) {
+      return drive.registers.unit == signal.unit;
+    });
+    if (!is_drive && std::ranges::find(units, signal.unit) == units.end())
+      units.push_back(signal.unit);
+  }
+  return units;
 }
 
 }  // namespace stanok::plant

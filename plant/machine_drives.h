@@ -16,4 +16,10 @@ namespace stanok::plant {
 // In machine axis order, at their start positions; then the spindles.
 [[nodiscard]] std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine);
 
+// Those of them that the bus exchanges with, in the order of the bus.
+[[nodiscard]] std::vector<SimulatedDriveConfig> drives_on_bus(const config::MachineFile& machine);
+
+// Units that have signals of programs and no drive.
+[[nodiscard]] std::vector<int> signal_modules_of(const config::MachineFile& machine);
+
 }  // namespace stanok::plant

@@ -54,7 +54,9 @@ void set_patience(modbus_t* context) {
 }  // namespace
 
 ModbusServer::ModbusServer(ServerConfig config, const std::vector<SimulatedDriveConfig>& drives)
-    : config_(std::move(config)), bank_(drives, 1.0 / config_.rate_hz), epoch_(Clock::now()) {
+    : config_(std::move(config)),
+      bank_(drives, config_.modules, 1.0 / config_.rate_hz),
+      epoch_(Clock::now()) {
   STANOK_ASSERT(config_.rate_hz > 0.0);
 }
 

@@ -21,7 +21,9 @@ std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
 SimulatedDriveConfig spindle_drive(int id, const SpindlePlantConfig& config) {
   SimulatedDriveConfig drive{.kind = PlantKind::spindle, .spindle = config};
   drive.registers.axis = "S" + std::to_string(id);
+  drive.registers.spindle = id;
   drive.registers.unit = spindle_unit_base + id;
+  drive.registers.kind = drives::DriveKind::velocity;
   drive.registers.map = drives::register_map({.position_scale = 100.0, .velocity_scale = 1.0});
   return drive;
 }

@@ -65,7 +65,7 @@ struct ThermalConfig {
   double time_constant_s = 900.0;
 };
 
-// What the drive itself watches over.
+// What the drive itself watches over; its watchdog is that of the machine file where it says one.
 struct WatchConfig {
   double watchdog_s = 0.5;              // quick stop and fault when enabled and nothing is written
   double following_error_max = 0.5;     // mm or deg
@@ -97,8 +97,8 @@ inline constexpr int fault_panel_unit = 247;
 [[nodiscard]] std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
                                                           std::span<const double> start);
 
-// A spindle drive: velocity scale 1 (increments/s are rev/min), position scale 100 per degree of
-// the turn.
+// A spindle drive of its own making: velocity scale 1 (increments/s are rev/min), position scale
+// 100 per degree of the turn.
 [[nodiscard]] SimulatedDriveConfig spindle_drive(int id, const SpindlePlantConfig& config);
 
 }  // namespace stanok::plant

@@ -124,7 +124,8 @@ void SimulatedDrive::watch(double dt_s) RT_SAFE {
   if (following_error_s_ > config_.watch.following_error_time_s) {
     power_.trip(drives::fault_code::following_error);
   }
-  if (silence_s_ > config_.watch.watchdog_s) {
+  const int watchdog_ms = config_.registers.watchdog_ms;
+  if (silence_s_ > (watchdog_ms > 0 ? watchdog_ms * 1e-3 : config_.watch.watchdog_s)) {
     power_.trip(drives::fault_code::communication_lost);
   }
 }

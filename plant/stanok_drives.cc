@@ -1,11 +1,15 @@
 // stanok-drives: the simulated drives and spindles of a machine as a Modbus server.
 //
 // Reads the machine file, serves until SIGINT or SIGTERM. Prints where it serves and which unit is
-// which; registers and faults are described in docs/drives.md.
+// which; takes faults and loads from standard input. Registers and faults: docs/drives.md.
+#include <poll.h>
 #include <signal.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -14,6 +18,7 @@
 #include <vector>
 
 #include "config/machine_file.h"
+#include "plant/drive_console.h"
 #include "plant/machine_drives.h"
 #include "plant/modbus_server.h"
 
@@ -27,11 +32,6 @@ struct Options {
   ServerConfig server;
   bool json = false;
   std::vector<std::string> faults;  // AXIS=KIND
-};
-
-struct Injection {
-  std::size_t drive;
-  FaultKind kind;
 };
 
 void define(CLI::App& app, Options& options) {
@@ -57,19 +57,12 @@ void define(CLI::App& app, Options& options) {
       ->type_name("AXIS=KIND");
 }
 
-// No value when the axis or the fault is unknown.
-std::optional<Injection> injection(const std::string& text,
-                                   const std::vector<SimulatedDriveConfig>& drives) {
+// "AXIS=KIND"; no value when either is unknown.
+std::optional<Injection> injection_of(const std::string& text,
+                                      const std::vector<SimulatedDriveConfig>& drives) {
   const std::size_t sign = text.find('=');
-  const std::string axis = text.substr(0, sign);
-  const auto kind = sign == std::string::npos ? std::nullopt : fault_named(text.substr(sign + 1));
-  const auto drive = std::find_if(drives.begin(), drives.end(), [&](const auto& candidate) {
-    return candidate.registers.axis == axis;
-  });
-  if (!kind || drive == drives.end()) {
-    return std::nullopt;
-  }
-  return Injection{static_cast<std::size_t>(drive - drives.begin()), *kind};
+  if (sign == std::string::npos) return std::nullopt;
+  return injection(text.substr(0, sign), text.substr(sign + 1), drives);
 }
 
 nlohmann::ordered_json description(const ServerConfig& server, int port,
@@ -108,7 +101,7 @@ void print_description(const nlohmann::ordered_json& json) {
   std::cout << "unit " << json["fault_panel_unit"] << "  fault panel\n" << std::flush;
 }
 
-// Blocked before any thread starts, so that only wait_for_end receives them.
+// Blocked before any thread starts, so that only serve_until_signal receives them.
 sigset_t block_end_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -118,16 +111,34 @@ sigset_t block_end_signals() {
   return signals;
 }
 
-void wait_for_end(const sigset_t& signals) {
-  int received = 0;
-  sigwait(&signals, &received);
+// Carries out the lines of standard input until a signal comes; the end of the input is no end.
+void serve_until_signal(const sigset_t& signals, const std::vector<SimulatedDriveConfig>& drives,
+                        ModbusServer& server) {
+  const int signal = signalfd(-1, &signals, SFD_CLOEXEC);
+  std::string text;
+  std::array<pollfd, 2> polled = {{{signal, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}}};
+  while (poll(polled.data(), polled.size(), -1) < 0 || polled[0].revents == 0) {
+    if (polled[1].revents == 0) continue;
+    std::array<char, 4096> bytes{};
+    const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count <= 0) polled[1].fd = -1;
+    text.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
+      const std::string wrong = carry_out(text.substr(0, end), drives, server);
+      if (!wrong.empty()) std::cerr << "stanok-drives: " << wrong << '\n';
+      text.erase(0, end + 1);
+    }
+    if (text.size() > 65536) text.clear();
+  }
+  close(signal);
 }
 
 int serve(const Options& options) {
-  const auto drives = drives_of(config::read_machine_file(options.machine));
+  const config::MachineFile machine = config::read_machine_file(options.machine);
+  const auto drives = drives_of(machine);
   std::vector<Injection> injections;
   for (const std::string& text : options.faults) {
-    const auto found = injection(text, drives);
+    const auto found = injection_of(text, drives);
     if (!found) {
       std::cerr << "stanok-drives: --fault " << text << ": no such axis or fault; see --help\n";
       return exit_usage;
@@ -135,7 +146,9 @@ int serve(const Options& options) {
     injections.push_back(*found);
   }
   const sigset_t end_signals = block_end_signals();
-  ModbusServer server(options.server, drives);
+  ServerConfig config = options.server;
+  config.modules = signal_modules_of(machine);
+  ModbusServer server(config, drives);
   for (const Injection& fault : injections) {
     server.inject(fault.drive, fault.kind);
   }
@@ -146,7 +159,7 @@ int serve(const Options& options) {
   } else {
     print_description(json);
   }
-  wait_for_end(end_signals);
+  serve_until_signal(end_signals, drives, server);
   server.stop();
   return exit_ok;
 }
@@ -154,6 +167,13 @@ int serve(const Options& options) {
 int run(int argc, char** argv) {
   CLI::App app("Simulated drives and spindles of a machine: a Modbus TCP or RTU server.",
                "stanok-drives");
+  app.footer(
+      "Lines of standard input while it serves:\n"
+      "  fault AXIS KIND                 make a drive fail; none: it works again\n"
+      "  load AXIS POWER_W [UM HZ]       power and vibration of the cutting process\n"
+      "Axes are called as in the machine file, spindles S1, S2. Any Modbus client reads and "
+      "writes\n"
+      "the registers; unit 247 is the panel of faults.");
   Options options;
   define(app, options);
   try {

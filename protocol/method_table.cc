@@ -97,6 +97,20 @@ constexpr Parameter on_or_off{.name = "on",
                               .maximum = 1,
                               .help = "1 on, 0 off"};
 
+constexpr auto fault_choices =
+    std::to_array<std::string_view>({"none", "off", "stuck", "garbage", "slow", "intermittent",
+                                     "trip", "elsewhere", "mangled", "hang_up"});
+constexpr Parameter drive =
+    required_text("drive", "name of the axis; S and its number for a spindle");
+constexpr Parameter drive_fault{.name = "fault",
+                                .type = ParameterType::choice,
+                                .presence = Presence::required,
+                                .spelling = Spelling::positional,
+                                .choices = fault_choices,
+                                .help = "what it does from now on; none: it works again"};
+
+constexpr std::array of_drive{drive};
+constexpr std::array of_drive_fault{drive, drive_fault};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_channel{channel};
@@ -181,10 +195,11 @@ constexpr auto table = std::to_array<Method>({
      "kinematics_select"},
     {"kinematics.status", observer, "active scheme, its axes, their drives and brakes", of_channel},
 
-    {"drive.list", observer, "drives of the machine file with bus address and scales"},
-    {"drive.status", observer, "state of the bus and of every drive"},
-    later("drive.reset", machine_operator, "clear the fault of a drive"),
-    later("drive.fault", integrator, "make a simulated drive fail"),
+    {"drive.list", observer, "drives of the machine file with bus address, kind and requests"},
+    {"drive.status", observer,
+     "every drive: state, fault, position, switches, errors; the bus: exchanges, latency"},
+    {"drive.reset", machine_operator, "clear the fault of a drive", of_drive},
+    {"drive.fault", integrator, "make a simulated drive fail, or work again", of_drive_fault},
 
     {"alarm.list", observer, "alarms that stand", of_channel},
     {"alarm.ack", machine_operator, "acknowledge the alarms of a channel", of_channel,

@@ -1,7 +1,9 @@
 #include "runtime/assembly.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 #include "drives/modbus/modbus_bus.h"
@@ -14,6 +16,8 @@ namespace stanok::runtime {
 namespace {
 
 constexpr std::size_t axes_of_machine_max = 64;
+constexpr std::size_t drives_of_machine_max = axes_of_machine_max + 16;  // and the spindles
+constexpr double spindle_rest_rev_per_min = 1.0;
 constexpr int fault_reset_polls = 5;  // of the bus, so that the demand reaches the drive for sure
 
 }  // namespace
@@ -44,11 +48,13 @@ struct Assembly::Parts {
         return;
       case DriveChoice::simulated:
         bus_config = plant::simulated_bus(options.file);
-        bus = std::make_unique<plant::DirectBus>(bus_config, plant::drives_of(options.file), cycle);
-        return;
+        bus = std::make_unique<plant::DirectBus>(bus_config, plant::drives_on_bus(options.file),
+                                                 cycle);
+        break;
       case DriveChoice::embedded:
-        server = std::make_unique<plant::ModbusServer>(plant::ServerConfig{},
-                                                       plant::drives_of(options.file));
+        simulated = plant::drives_of(options.file);
+        server = std::make_unique<plant::ModbusServer>(
+            plant::ServerConfig{.modules = plant::signal_modules_of(options.file)}, simulated);
         server->start();
         bus_config = plant::simulated_bus(options.file);
         bus_config.port = server->port();
@@ -59,12 +65,33 @@ struct Assembly::Parts {
                                     .text = "real drives need a section [drives]; add it, or use "
                                             "embedded drives"}});
     }
-    bus = std::make_unique<drives::ModbusBus>(bus_config, cycle);
+    if (!bus) bus = std::make_unique<drives::ModbusBus>(bus_config, cycle);
+    bus_drives = drives::drives_of(bus_config);
+    drive_count = bus_drives.size();
+    has_signals = options.drives != DriveChoice::simulated && !bus_config.signals.empty();
+    if (drive_count > drives_of_machine_max) {
+      throw std::invalid_argument(options.file.machine.file + ": more than " +
+                                  std::to_string(drives_of_machine_max) + " drives");
+    }
+  }
+
+  // What the programs' inputs are in this cycle; nothing where the bus has none.
+  [[nodiscard]] const channels::Signals* read_signals() RT_SAFE {
+    if (!has_signals) return nullptr;
+    const drives::SignalValues values = bus->read_signals();
+    inputs.digital = values.digital;
+    inputs.analog = values.analog;
+    return &inputs;
+  }
+
+  void write_signals() RT_SAFE {
+    if (has_signals)
+      bus->write_signals({.digital = output.signals.digital, .analog = output.signals.analog});
   }
 
   // Feedback of the drives as the machine takes it.
   void read_drives() RT_SAFE {
-    bus->read({raw_feedback.data(), axis_count});
+    bus->read({raw_feedback.data(), drive_count});
     for (std::size_t k = 0; k < axis_count; ++k) {
       const drives::DriveFeedback& raw = raw_feedback[k];
       const bool fault = raw.state == drives::DriveState::fault ||
@@ -96,8 +123,30 @@ struct Assembly::Parts {
         target.brake_closed = channel.drives[k].brake_closed;
       }
     }
+    turn_spindles();
     carry_out_fault_resets();
-    bus->write({targets.data(), axis_count});
+    bus->write({targets.data(), drive_count});
+  }
+
+  // The channel that turns a spindle has it; one that has come to rest is switched off.
+  void turn_spindles() RT_SAFE {
+    for (std::size_t k = axis_count; k < drive_count; ++k) {
+      drives::DriveTarget& target = targets[k];
+      target.velocity = spindle_speed(bus_drives[k].spindle);
+      target.mode = drives::OperationMode::cyclic_synchronous_velocity;
+      const bool turns = std::abs(raw_feedback[k].velocity) > spindle_rest_rev_per_min;
+      target.enabled = target.velocity != 0.0 || (target.enabled && turns);
+      target.brake_closed = false;
+    }
+  }
+
+  [[nodiscard]] double spindle_speed(int id) const RT_SAFE {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(output.channel_count); ++c) {
+      for (const channels::SpindleSetpoint& spindle : output.channels[c].process.spindles) {
+        if (spindle.id == id && spindle.rev_per_min != 0.0) return spindle.rev_per_min;
+      }
+    }
+    return 0.0;
   }
 
   // Who resets a channel or switches the machine on wants its drives back: the faults they stand in
@@ -109,17 +158,23 @@ struct Assembly::Parts {
       if (!is_reset && event.action != OperatorAction::machine_on) continue;
       for (const channels::ChannelConfig& channel : options.file.machine.channels) {
         if (is_reset && channel.id != event.channel) continue;
-        for (const int axis : channel.axes) {
-          const auto k = static_cast<std::size_t>(axis);
-          if (raw_feedback[k].state == drives::DriveState::fault)
-            fault_reset_cycles[k] = reset_cycles;
+        for (const int axis : channel.axes) demand_reset(static_cast<std::size_t>(axis));
+        for (std::size_t k = axis_count; k < drive_count; ++k) {
+          if (std::ranges::find(channel.spindles, bus_drives[k].spindle) != channel.spindles.end())
+            demand_reset(k);
         }
       }
     }
   }
 
+  void demand_reset(std::size_t drive) RT_SAFE {
+    if (raw_feedback[drive].state == drives::DriveState::fault)
+      fault_reset_cycles[drive] = reset_cycles;
+  }
+
   void carry_out_fault_resets() RT_SAFE {
-    for (std::size_t k = 0; k < axis_count; ++k) {
+    for (std::size_t k = 0; k < drive_count; ++k) {
+      if (reset_demands[k].exchange(false, std::memory_order_relaxed)) demand_reset(k);
       targets[k].fault_reset = fault_reset_cycles[k] > 0;
       if (fault_reset_cycles[k] == 0) continue;
       --fault_reset_cycles[k];
@@ -133,13 +188,19 @@ struct Assembly::Parts {
   std::unique_ptr<Ring<channels::CycleOutput>> outputs;
   std::atomic<std::uint64_t> outputs_lost{0};  // counted in the cycle, read by operators
   std::size_t axis_count;
+  std::size_t drive_count = 0;  // axes, then spindles with a drive
+  std::vector<drives::AxisDriveConfig> bus_drives;
+  std::vector<plant::SimulatedDriveConfig> simulated;  // behind the server
   std::unique_ptr<plant::ModbusServer> server;
   std::unique_ptr<drives::DriveBus> bus;
   channels::CycleOutput output;
-  std::array<drives::DriveFeedback, axes_of_machine_max> raw_feedback{};
+  channels::Signals inputs;
+  bool has_signals = false;
+  std::array<drives::DriveFeedback, drives_of_machine_max> raw_feedback{};
   std::array<channels::AxisFeedback, axes_of_machine_max> feedback{};
-  std::array<drives::DriveTarget, axes_of_machine_max> targets{};
-  std::array<int, axes_of_machine_max> fault_reset_cycles{};  // still to go with the demand
+  std::array<drives::DriveTarget, drives_of_machine_max> targets{};
+  std::array<std::atomic<bool>, drives_of_machine_max> reset_demands{};  // of operators
+  std::array<int, drives_of_machine_max> fault_reset_cycles{};  // still to go with the demand
   int reset_cycles = 0;
 };
 
@@ -174,9 +235,13 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
     parts.read_drives();
     parts.note_fault_resets(events);
     inputs.feedback = {parts.feedback.data(), parts.axis_count};
+    inputs.signals = parts.read_signals();
   }
   parts.machine.cycle(inputs, parts.output);
-  if (parts.bus) parts.write_drives();
+  if (parts.bus) {
+    parts.write_drives();
+    parts.write_signals();
+  }
   if (parts.outputs && !parts.outputs->push(parts.output)) ++parts.outputs_lost;
   return parts.output;
 }
@@ -200,6 +265,23 @@ DriveChoice Assembly::drives() const {
 
 drives::BusStatus Assembly::drive_status() const {
   return parts_->bus ? parts_->bus->status() : drives::BusStatus{};
+}
+
+bool Assembly::reset_drive(std::string_view drive) {
+  const auto& drives = parts_->bus_drives;
+  const auto found = std::ranges::find(drives, drive, &drives::AxisDriveConfig::axis);
+  if (found == drives.end()) return false;
+  parts_->reset_demands[static_cast<std::size_t>(found - drives.begin())] = true;
+  return true;
+}
+
+bool Assembly::inject_fault(std::string_view drive, plant::FaultKind fault) {
+  const auto& drives = parts_->simulated;
+  const auto found = std::ranges::find_if(
+      drives, [&](const plant::SimulatedDriveConfig& one) { return one.registers.axis == drive; });
+  if (found == drives.end()) return false;
+  parts_->server->inject(static_cast<std::size_t>(found - drives.begin()), fault);
+  return true;
 }
 
 int Assembly::embedded_port() const {

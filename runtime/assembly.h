@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/ring.h"
@@ -16,6 +17,7 @@
 #include "channels/machine.h"
 #include "config/machine_file.h"
 #include "drives/bus.h"
+#include "plant/fault.h"
 
 namespace stanok::runtime {
 
@@ -62,6 +64,11 @@ class Assembly {
 
   [[nodiscard]] DriveChoice drives() const;
   [[nodiscard]] drives::BusStatus drive_status() const;
+  // Acknowledges the fault of one drive, as a reset of its channel would; from any thread. False:
+  // there is no such drive.
+  [[nodiscard]] bool reset_drive(std::string_view drive);
+  // Makes an embedded drive fail, or work again; from one thread. False: no such drive.
+  [[nodiscard]] bool inject_fault(std::string_view drive, plant::FaultKind fault);
   // Port of the simulated drives, 0 when they are not embedded.
   [[nodiscard]] int embedded_port() const;
 

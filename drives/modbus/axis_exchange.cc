@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stanok::drives {
 namespace {
@@ -105,7 +106,7 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
     error = ExchangeError::implausible;
   }
   if (error) {
-    fail();
+    fail(*error);
   } else {
     accept(answer, *state, asked, now);
   }
@@ -206,8 +207,12 @@ void AxisExchange::watch_following_error(BusTime now) RT_SAFE {
       following_error_since_ && now - *following_error_since_ > following_error_time;
 }
 
-void AxisExchange::fail() RT_SAFE {
-  ++errors_;
+std::uint64_t AxisExchange::errors() const RT_SAFE {
+  return std::accumulate(errors_.begin(), errors_.end(), std::uint64_t{0});
+}
+
+void AxisExchange::fail(ExchangeError error) RT_SAFE {
+  ++errors_[static_cast<std::size_t>(error)];
   answering_ = false;
   leak_ = std::min(leak_ + failure_weight, leak_max_);
 }

@@ -36,7 +36,7 @@ class AxisExchange {
                                                   BusTime now) RT_SAFE;
 
   // The last command had no usable answer.
-  void fail() RT_SAFE;
+  void fail(ExchangeError error) RT_SAFE;
 
   // Once per poll, whether or not there was an exchange.
   void supervise(BusTime now) RT_SAFE;
@@ -45,7 +45,8 @@ class AxisExchange {
   [[nodiscard]] const DriveFeedback& feedback() const RT_SAFE { return feedback_; }
   [[nodiscard]] bool is_lost() const RT_SAFE { return lost_; }
   [[nodiscard]] bool is_answering() const RT_SAFE { return answering_; }  // the last time asked
-  [[nodiscard]] std::uint64_t errors() const RT_SAFE { return errors_; }
+  [[nodiscard]] std::uint64_t errors() const RT_SAFE;
+  [[nodiscard]] const ErrorCounts& errors_by_kind() const RT_SAFE { return errors_; }
 
  private:
   [[nodiscard]] PowerRequest request_for(const DriveTarget& target, bool sendable) const RT_SAFE;
@@ -70,7 +71,7 @@ class AxisExchange {
   BusTime feedback_from_{0};  // the feedback is not older than this
   std::optional<BusTime> following_error_since_;
   int leak_ = 0;
-  std::uint64_t errors_ = 0;
+  ErrorCounts errors_{};
   double position_offset_ = 0.0;
   double target_position_ = 0.0;    // as sent
   double speed_before_loss_ = 0.0;  // the greater of target and actual speed

@@ -28,11 +28,13 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle)
       timeout_(std::chrono::milliseconds{config_.timeout_ms}),
       timeout_cycles_(cycles_in(config_.timeout_ms, cycle)),
       epoch_(std::chrono::steady_clock::now()),
-      boxes_(config_.axes.size()),
-      link_(config_, response_timeout(config_)) {
+      drives_(drives_of(config_)),
+      boxes_(drives_.size()),
+      link_(config_, response_timeout(config_)),
+      signals_(config_.signals, timeout_) {
   STANOK_ASSERT(config_.poll_ms > 0 && config_.timeout_ms > 0 && cycle > Duration{});
   status_.endpoint = link_.endpoint();
-  for (const AxisDriveConfig& axis : config_.axes) {
+  for (const AxisDriveConfig& axis : drives_) {
     axes_.emplace_back(axis, poll_, timeout_);
     plans_.push_back(exchange_plan(axis));
     images_.emplace_back(static_cast<std::size_t>(register_count(axis.map)));
@@ -77,6 +79,14 @@ void ModbusBus::read(std::span<DriveFeedback> feedback) RT_SAFE {
   }
 }
 
+void ModbusBus::write_signals(const SignalValues& outputs) RT_SAFE {
+  outputs_.write(outputs);
+}
+
+SignalValues ModbusBus::read_signals() RT_SAFE {
+  return inputs_.read();
+}
+
 BusStatus ModbusBus::status() const {
   const std::scoped_lock lock(status_mutex_);
   BusStatus status = status_;
@@ -99,6 +109,7 @@ void ModbusBus::run(const std::stop_token& stop_requested) {
   for (std::size_t axis = 0; axis < axes_.size() && link_.is_connected(); ++axis) {
     poll_one(axis, TargetAge::stale);
   }
+  poll_signals(TargetAge::stale);
   link_.close();
 }
 
@@ -113,6 +124,29 @@ void ModbusBus::poll_all() {
     axes_[axis].supervise(now());
     publish_axis(axis);
   }
+  poll_signals(age);
+}
+
+// Outputs fall when the cycle is silent.
+void ModbusBus::poll_signals(TargetAge age) {
+  const SignalValues outputs = outputs_.read();
+  signals_.fill_outputs(age == TargetAge::fresh ? outputs : SignalValues{});
+  for (SignalBlock& block : signals_.blocks()) {
+    if (!signals_.is_due(block, now()) || !ensure_connected()) continue;
+    const BusTime begin = now();
+    const auto error = link_.exchange(block);
+    const BusTime end = now();
+    count_exchange(error, end - begin);
+    if (!error) {
+      signals_.take(block);
+    } else {
+      signals_.fail(block, end);
+      if (!link_.is_connected()) back_off();
+    }
+    const std::scoped_lock lock(status_mutex_);
+    ++status_.signal_requests;
+  }
+  inputs_.write(signals_.inputs());
 }
 
 // A drive that has been given up is tried once per timeout: every try costs the others the time of
@@ -133,7 +167,7 @@ void ModbusBus::poll_one(std::size_t axis, TargetAge age) {
 }
 
 std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age) {
-  const AxisDriveConfig& config = config_.axes[axis];
+  const AxisDriveConfig& config = drives_[axis];
   AxisExchange& drive = axes_[axis];
   std::vector<std::uint16_t>& image = images_[axis];
   write_block(config.map, drive.command(boxes_[axis].target.read(), age), image);
@@ -141,7 +175,7 @@ std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age
   auto error = link_.exchange(config.unit, plans_[axis], image);
   const BusTime end = now();
   if (error) {
-    drive.fail();
+    drive.fail(*error);
   } else {
     error = drive.take(status_block(config.map, image), begin, end);
   }
@@ -196,9 +230,12 @@ void ModbusBus::publish_axis(std::size_t axis) {
   boxes_[axis].feedback.write(feedback);
   const std::scoped_lock lock(status_mutex_);
   status_.connected = link_.is_connected();
-  status_.axes[axis].in_contact = feedback.valid;
-  status_.axes[axis].answers = feedback.sequence;
-  status_.axes[axis].errors = axes_[axis].errors();
+  AxisBusStatus& status = status_.axes[axis];
+  status.in_contact = feedback.valid;
+  status.answers = feedback.sequence;
+  status.errors = axes_[axis].errors();
+  status.errors_by_kind = axes_[axis].errors_by_kind();
+  status.feedback = feedback;
 }
 
 void ModbusBus::count_exchange(std::optional<ExchangeError> error, BusTime round_trip) {

@@ -1,4 +1,5 @@
-// Drives on Modbus TCP or RTU: a thread exchanges targets and feedback with every drive each poll.
+// Drives on Modbus TCP or RTU: a thread exchanges targets and feedback with every drive, and the
+// signals of programs, each poll.
 //
 // Per drive and poll one request with function code 23 where its register map allows it, else as
 // few as possible. After an error the connection is closed
@@ -22,6 +23,7 @@
 #include "drives/modbus/axis_exchange.h"
 #include "drives/modbus/exchange_plan.h"
 #include "drives/modbus/modbus_link.h"
+#include "drives/modbus/signal_exchange.h"
 
 namespace stanok::drives {
 
@@ -36,6 +38,8 @@ class ModbusBus final : public DriveBus {
   void stop() override;
   void write(std::span<const DriveTarget> targets) RT_SAFE override;
   void read(std::span<DriveFeedback> feedback) RT_SAFE override;
+  void write_signals(const SignalValues& outputs) RT_SAFE override;
+  [[nodiscard]] SignalValues read_signals() RT_SAFE override;
   [[nodiscard]] BusStatus status() const override;
 
  private:
@@ -50,6 +54,7 @@ class ModbusBus final : public DriveBus {
   void run(const std::stop_token& stop_requested);
   void poll_all();
   void poll_one(std::size_t axis, TargetAge age);
+  void poll_signals(TargetAge age);
   [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t axis, TargetAge age);
   [[nodiscard]] bool ensure_connected();
   void back_off();
@@ -65,9 +70,12 @@ class ModbusBus final : public DriveBus {
   BusTime timeout_;
   std::uint32_t timeout_cycles_;
   std::chrono::steady_clock::time_point epoch_;
+  std::vector<AxisDriveConfig> drives_;
 
   // Shared with the cycle.
   std::vector<Boxes> boxes_;
+  Latest<SignalValues> outputs_;
+  Latest<SignalValues> inputs_;
   std::atomic<std::uint64_t> writes_{0};
 
   // Of the bus thread.
@@ -75,6 +83,7 @@ class ModbusBus final : public DriveBus {
   std::vector<AxisExchange> axes_;
   std::vector<std::vector<Request>> plans_;
   std::vector<std::vector<std::uint16_t>> images_;  // registers of each drive, n at place n
+  SignalExchange signals_;
   BusTime pause_{0};
   BusTime connect_again_at_{0};
   std::size_t silent_axis_ = 0;  // of those that do not answer, the one to be tried

@@ -77,13 +77,49 @@ std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const Requ
     if (carry_out(request, image)) {
       continue;
     }
-    const ExchangeError error = errno == 0 ? ExchangeError::mangled : error_of(errno);
-    if (error != ExchangeError::exception) {
-      close();
-    }
-    return error;
+    return give_up();
   }
   return std::nullopt;
+}
+
+// By errno, which libmodbus set or left at 0.
+ExchangeError ModbusLink::give_up() {
+  const ExchangeError error = errno == 0 ? ExchangeError::mangled : error_of(errno);
+  if (error != ExchangeError::exception) {
+    close();
+  }
+  return error;
+}
+
+std::optional<ExchangeError> ModbusLink::exchange(SignalBlock& block) {
+  if (!connected_) {
+    return ExchangeError::not_connected;
+  }
+  modbus_set_slave(context_.get(), block.unit);
+  errno = 0;
+  if (carry_out(block) != block.count()) {
+    return give_up();
+  }
+  return std::nullopt;
+}
+
+int ModbusLink::carry_out(SignalBlock& block) {
+  modbus_t* const context = context_.get();
+  switch (block.table) {
+    case SignalTable::coil:
+      return block.is_output
+                 ? modbus_write_bits(context, block.first, block.count(), block.bits.data())
+                 : modbus_read_bits(context, block.first, block.count(), block.bits.data());
+    case SignalTable::discrete_input:
+      return modbus_read_input_bits(context, block.first, block.count(), block.bits.data());
+    case SignalTable::holding_register:
+      return block.is_output
+                 ? modbus_write_registers(context, block.first, block.count(), block.words.data())
+                 : modbus_read_registers(context, block.first, block.count(), block.words.data());
+    case SignalTable::input_register:
+      return modbus_read_input_registers(context, block.first, block.count(), block.words.data());
+  }
+  return -1;
 }
 
 // False: libmodbus set errno, or, with errno 0, the answer has not the length that was asked for.

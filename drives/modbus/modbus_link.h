@@ -16,6 +16,7 @@
 #include "drives/bus.h"
 #include "drives/bus_config.h"
 #include "drives/modbus/exchange_plan.h"
+#include "drives/modbus/signal_exchange.h"
 
 namespace stanok::drives {
 
@@ -36,10 +37,15 @@ class ModbusLink {
   [[nodiscard]] std::optional<ExchangeError> exchange(int unit, std::span<const Request> requests,
                                                       std::span<std::uint16_t> image);
 
+  // Reads the inputs of the block, or writes its outputs.
+  [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block);
+
   [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
 
  private:
   [[nodiscard]] bool carry_out(const Request& request, std::span<std::uint16_t> image);
+  [[nodiscard]] int carry_out(SignalBlock& block);
+  [[nodiscard]] ExchangeError give_up();
 
   struct Free {
     void operator()(modbus_t* context) const { modbus_free(context); }

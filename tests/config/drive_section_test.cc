@@ -115,6 +115,37 @@ fault = [0x80, 0x80]
                                            .fault = {.mask = 0x80, .value = 0x80}}));
 }
 
+TEST_F(DriveSectionTest, ASpindleMayHaveADriveOfItsOwn) {
+  const MachineFile file = read(R"([[spindle]]
+id = 2
+speed_max = 3000
+[spindle.drive]
+kind = "on_off"
+watchdog_ms = 500
+map.control_word = { address = 7 }
+words = { stop = 0, run = 1 }
+[[spindle]]
+id = 4
+speed_max = 6000
+[spindle.drive]
+address = 9
+)");
+  ASSERT_EQ(file.bus.spindles.size(), 2U);
+  const drives::AxisDriveConfig& contactor = file.bus.spindles[0];
+  EXPECT_EQ(contactor.axis, "S2");
+  EXPECT_EQ(contactor.spindle, 2);
+  EXPECT_EQ(contactor.unit, 202);
+  EXPECT_EQ(contactor.kind, DriveKind::on_off);
+  EXPECT_EQ(contactor.watchdog_ms, 500);
+  EXPECT_EQ(contactor.map.control_word.address, 7);
+  EXPECT_FALSE(contactor.map.status_word.exists());
+  const drives::AxisDriveConfig& inverter = file.bus.spindles[1];
+  EXPECT_EQ(inverter.unit, 9);
+  EXPECT_EQ(inverter.kind, DriveKind::velocity);
+  EXPECT_EQ(inverter.velocity_max, 6000.0);
+  EXPECT_EQ(inverter.map.target_velocity.scale, 1.0) << "rev/min";
+}
+
 TEST_F(DriveSectionTest, PlantHasEncoderAndSwitches) {
   const MachineFile file = read(R"([axis.plant]
 encoder = "incremental"
@@ -138,6 +169,42 @@ friction = 300
   EXPECT_EQ(plant.backlash, 0.02);
   EXPECT_EQ(plant.dry_friction, 300.0);
   EXPECT_TRUE(read("").axis_plants[0].absolute_encoder);
+}
+
+TEST_F(DriveSectionTest, SignalsHaveTheirPlaceOnTheBus) {
+  const MachineFile file = read(R"([[signal]]
+kind = "digital_input"
+number = 3
+address = 20
+table = "input_register"
+register = 7
+bit = 12
+inverted = true
+[[signal]]
+kind = "analog_output"
+number = 1
+address = 20
+table = "holding_register"
+register = 30
+width = 32
+order = "low_first"
+scale = 327.67
+offset = 5
+)");
+  ASSERT_EQ(file.bus.signals.size(), 2U);
+  const drives::SignalConfig& input = file.bus.signals[0];
+  EXPECT_EQ(input.kind, drives::SignalKind::digital_input);
+  EXPECT_EQ(input.number, 3);
+  EXPECT_EQ(input.unit, 20);
+  EXPECT_EQ(input.table, drives::SignalTable::input_register);
+  EXPECT_EQ(input.field.address, 7);
+  EXPECT_EQ(input.bit, 12);
+  EXPECT_TRUE(input.is_inverted);
+  EXPECT_EQ(file.bus.signals[1].field, (RegisterField{.address = 30,
+                                                      .words = 2,
+                                                      .order = WordOrder::low_first,
+                                                      .scale = 327.67,
+                                                      .offset = 5.0}));
 }
 
 struct FaultCase {
@@ -206,6 +273,34 @@ INSTANTIATE_TEST_SUITE_P(
                   ":17:8: ", "kind and [axis.regulator] feedback differ"},
         FaultCase{"PatternOutsideItsMask", "[axis.drive.words]\nstop=0\nrun=1\nrunning=[1,2]\n",
                   ":19:9: ", "running must be [mask, value]"},
+        FaultCase{"WatchdogTooShort", "[axis.drive]\nwatchdog_ms = 250\n", ":17:15: ",
+                  "E7010 watchdog_ms is 250; it must be longer than timeout_ms of [drives], 250"},
+        FaultCase{"AddressOfAnAxis",
+                  "[[spindle]]\nid = 1\nspeed_max = 1\ndrive = { address = 1 }\n",
+                  ":19:9: ", "spindle 1: its drive has the address of axis X, 1"},
+        FaultCase{"SpindleWithPositions",
+                  "[[spindle]]\nid = 1\nspeed_max = 1\ndrive = { kind = \"position\" }\n",
+                  ":19:18: ", "a spindle follows a velocity, or is on or off"},
+        FaultCase{"SpindleWithABrake",
+                  "[[spindle]]\nid = 1\nspeed_max = 1\ndrive = { brake_time = 1 }\n",
+                  ":19:24: ", "brake_time belongs to an axis; take it out"},
+        FaultCase{"OutputOnAnInput",
+                  "[[signal]]\nkind=\"digital_output\"\nnumber=1\naddress=2\n"
+                  "table=\"discrete_input\"\nregister=1\n",
+                  ":20:7: ", "signal 1: an output cannot be written there"},
+        FaultCase{"AnalogCoil",
+                  "[[signal]]\nkind=\"analog_output\"\nnumber=1\naddress=2\n"
+                  "table=\"coil\"\nregister=1\n",
+                  ":20:7: ", "an analog value needs a holding_register"},
+        FaultCase{"AnalogNumber",
+                  "[[signal]]\nkind=\"analog_input\"\nnumber=16\naddress=2\n"
+                  "table=\"input_register\"\nregister=1\n",
+                  ":18:8: ", "number is 16; analog signals are 0 to 15"},
+        FaultCase{"NumberTaken",
+                  "[[signal]]\nkind=\"digital_input\"\nnumber=1\naddress=2\ntable=\"coil\"\n"
+                  "register=1\n[[signal]]\nkind=\"digital_input\"\nnumber=1\naddress=2\n"
+                  "table=\"coil\"\nregister=2\n",
+                  ":24:8: ", "signal 2: another signal of this kind has the number"},
         FaultCase{"UnknownBit", "[axis.drive.bits]\nhome_swich = 2\n",
                   ":17:1: ", "bits: unknown key 'home_swich'; did you mean 'home_switch'?"},
         FaultCase{"HalfASwitch", "[axis.plant]\nhome_switch_to = 2\n",

@@ -326,6 +326,33 @@ TEST_F(DispatchTest, ShowsTheCuttingProcess) {
   EXPECT_TRUE(result("process.status")["law"].is_null());
 }
 
+TEST_F(DispatchTest, ResetsDrivesByName) {
+  EXPECT_EQ(result("drive.reset", {{"drive", "X"}}), json({{"accepted", true}}));
+  EXPECT_EQ(machine.resets, std::vector<std::string>{"X"});
+  EXPECT_EQ(failure("drive.reset", {{"drive", "Q"}}).code, "E6050");
+  EXPECT_EQ(failure("drive.reset").code, "E9003");
+}
+
+TEST_F(DispatchTest, MakesSimulatedDrivesFailAndNoOthers) {
+  session.role = Role::integrator;
+  EXPECT_EQ(result("drive.fault", {{"drive", "X"}, {"fault", "stuck"}}),
+            json({{"accepted", true}}));
+  ASSERT_EQ(machine.faults.size(), 1U);
+  EXPECT_EQ(machine.faults[0].second, plant::FaultKind::stuck);
+  EXPECT_EQ(failure("drive.fault", {{"drive", "X"}, {"fault", "asleep"}}).code, "E9003");
+  EXPECT_EQ(failure("drive.fault", {{"drive", "Q"}, {"fault", "off"}}).code, "E6050");
+  machine.choice = "real";
+  EXPECT_EQ(failure("drive.fault", {{"drive", "X"}, {"fault", "off"}}).code, "E6051");
+}
+
+// The choices of the command are the faults there are.
+TEST(DriveFault, NamesEveryFaultOfTheSimulation) {
+  const protocol::Method* method = protocol::find_method("drive.fault");
+  const auto choices = method->parameters[1].choices;
+  ASSERT_EQ(choices.size(), plant::fault_kind_count);
+  for (const std::string_view choice : choices) EXPECT_TRUE(plant::fault_named(choice)) << choice;
+}
+
 TEST(ProgramList, NamesFilesBeneathTheRootAndFollowsNoLinks) {
   namespace fs = std::filesystem;
   const TemporaryDirectory root;

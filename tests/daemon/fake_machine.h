@@ -83,12 +83,23 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] LoopFigures loop_figures() override { return {}; }
   [[nodiscard]] RealTimeRights real_time_rights() override { return {}; }
   [[nodiscard]] std::uint64_t outputs_lost() override { return 0; }
-  [[nodiscard]] std::string drive_choice() override { return "ideal"; }
+  [[nodiscard]] std::string drive_choice() override { return choice; }
   [[nodiscard]] drives::BusStatus drive_status() override { return {}; }
+  [[nodiscard]] bool reset_drive(const std::string& drive) override {
+    resets.push_back(drive);
+    return drive != "Q";
+  }
+  [[nodiscard]] bool inject_fault(const std::string& drive, plant::FaultKind fault) override {
+    faults.emplace_back(drive, fault);
+    return drive != "Q";
+  }
   [[nodiscard]] RecordingStatus recording_status() override { return {}; }
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
+  std::string choice = "embedded";
+  std::vector<std::string> resets;
+  std::vector<std::pair<std::string, plant::FaultKind>> faults;
   channels::CycleOutput output;
   std::vector<channels::RunReport> run_reports;
   std::vector<channels::AlarmReport> alarm_reports;

@@ -44,7 +44,7 @@ class AxisExchangeTest : public ::testing::Test {
   void no_answer() {
     sent = exchange.command(target, TargetAge::fresh);
     now += poll;
-    exchange.fail();
+    exchange.fail(ExchangeError::timeout);
     exchange.supervise(now);
   }
 

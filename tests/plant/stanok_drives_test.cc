@@ -13,23 +13,28 @@
 #include <string>
 #include <vector>
 
+#include "tests/plant/loopback.h"
+
 namespace stanok::plant {
 namespace {
 
 const std::string program = STANOK_BINARY_DIR "/bin/stanok-drives";
 const std::string machine = STANOK_SOURCE_DIR "/config/machines/e7106mf4.toml";
 
-// A running stanok-drives; its standard output is a pipe, its standard error goes nowhere.
+// A running stanok-drives; its standard input and output are pipes, its standard error goes
+// nowhere.
 class Process {
  public:
   explicit Process(std::vector<std::string> arguments) {
     std::array<int, 2> pipe_ends{};
-    EXPECT_EQ(pipe(pipe_ends.data()), 0);
+    std::array<int, 2> input_ends{};
+    EXPECT_EQ(pipe2(pipe_ends.data(), O_CLOEXEC), 0);
+    EXPECT_EQ(pipe2(input_ends.data(), O_CLOEXEC), 0);
     posix_spawn_file_actions_t actions{};
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, input_ends[0], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addclose(&actions, pipe_ends[0]);
     arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
     for (std::string& argument : arguments) {
@@ -39,6 +44,8 @@ class Process {
     EXPECT_EQ(posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ), 0);
     posix_spawn_file_actions_destroy(&actions);
     close(pipe_ends[1]);
+    close(input_ends[0]);
+    input_ = input_ends[1];
     output_ = fdopen(pipe_ends[0], "r");
   }
   ~Process() {
@@ -47,6 +54,7 @@ class Process {
       waitpid(pid_, nullptr, 0);
     }
     std::fclose(output_);
+    if (input_ >= 0) close(input_);
   }
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -55,6 +63,14 @@ class Process {
   std::string line() {
     std::array<char, 8192> text{};
     return std::fgets(text.data(), text.size(), output_) == nullptr ? "" : text.data();
+  }
+
+  void type(const std::string& text) const {
+    EXPECT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+  void end_input() {
+    close(input_);
+    input_ = -1;
   }
 
   void signal(int number) const { kill(pid_, number); }
@@ -69,6 +85,7 @@ class Process {
  private:
   pid_t pid_ = 0;
   std::FILE* output_ = nullptr;
+  int input_ = -1;
 };
 
 class StanokDrives : public ::testing::Test {
@@ -97,6 +114,31 @@ TEST_F(StanokDrives, ServesTheMachineAndEndsOnASignal) {
     process.signal(end);
     EXPECT_EQ(process.exit_code(), 0);
   }
+}
+
+TEST_F(StanokDrives, TakesFaultsAndLoadsFromStandardInput) {
+  Process process({"--machine", machine});
+  int port = 0;
+  ASSERT_EQ(std::sscanf(process.line().c_str(), "port %d on 127.0.0.1", &port), 1);
+  modbus_t* client = modbus_new_tcp("127.0.0.1", port);
+  ASSERT_EQ(modbus_connect(client), 0);
+  const auto read_register = [&](int unit, int address) {
+    std::uint16_t value = 0;
+    modbus_set_slave(client, unit);
+    EXPECT_EQ(modbus_read_registers(client, address, 1, &value), 1);
+    return value;
+  };
+  process.type("nonsense\n\nfault Q off\nfault Y trip\nload S1 1500 12.5 85.5\n");
+  EXPECT_TRUE(eventually([&] { return read_register(2, 110) == 0x2310; }));
+  EXPECT_TRUE(eventually([&] { return read_register(201, 107) == 1500; }));
+  EXPECT_EQ(read_register(201, 108), 125);
+  EXPECT_EQ(read_register(201, 109), 855);
+  process.end_input();
+  EXPECT_EQ(read_register(1, 110), 0) << "it serves on";
+  modbus_close(client);
+  modbus_free(client);
+  process.signal(SIGTERM);
+  EXPECT_EQ(process.exit_code(), 0);
 }
 
 TEST_F(StanokDrives, DescribesItsUnitsAsJson) {
