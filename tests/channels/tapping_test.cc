@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "tests/support/helix.h"
 #include "tests/support/machine/turning_bench.h"
@@ -162,6 +164,64 @@ TEST(Thread, PassesOfG78FollowOneHelix) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_THAT(depths, ElementsAre(14.5, 14.0, 13.75));
   EXPECT_LE(error, discrete);
+}
+
+// The two blocks of G76: fed in along a flank of 30 degrees, so that each pass begins so much
+// farther back, always at the same angle of the spindle.
+TEST(Thread, PassesOfG76InTwoBlocksLieOnTheirFlank) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc",
+                "G8 G18 G95\nS300 M3\nG0 X20 Z5\nG76 P010060 Q0.05 R0.1\n"
+                "G76 X18 Z-20 P1 Q0.5 F2\nM30\n");
+  bench.run(1, "p.nc");
+  Turns spindle;
+  double error = 0.0;
+  std::vector<double> depths;
+  double z_before = 5.0;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    const double turns = spindle.after(channel);
+    const double x = channel.point_W[0].value;
+    const double z = channel.point_W[1].value;
+    const double depth = 19.0 - x;  // below the crest
+    if (z_before > -10.0 && z <= -10.0) depths.push_back(depth);
+    z_before = z;
+    if (channel.tag.line != 5 || depth < 0.4 || z > 2.0 || z < -18.0) return;
+    const double z_start = 5.0 + (1.0 - depth) * std::tan(std::numbers::pi / 6.0);
+    error = std::max(error, testing::off_helix(turns, z - z_start, -2.0));
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  ASSERT_EQ(depths.size(), 5U);  // up to 0.9, and the last cut
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(depths[k], 0.5 * std::sqrt(static_cast<double>(k) + 1.0), 1e-9);
+  EXPECT_NEAR(depths[3], 0.9, 1e-9);
+  EXPECT_NEAR(depths[4], 1.0, 1e-9);
+  EXPECT_LE(error, discrete);
+}
+
+// The spindle slows down as the diameter grows, and the thread with it.
+TEST(Thread, FollowsASpindleThatHoldsItsCuttingSpeed) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G8 G18 G95\nG0 X10 Z3\nG96 S60 M3\nG33 X16 Z-57 F2\nG0 X30\nM30\n");
+  bench.run(1, "p.nc");
+  Turns spindle;
+  double error = 0.0;
+  double fastest = 0.0;
+  double slowest = 1e9;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    const double turns = spindle.after(channel);
+    const double z = channel.point_W[1].value;
+    if (channel.tag.line != 4 || z > 1.0 || z < -55.0) return;
+    error = std::max(error, testing::off_helix(turns, z - 3.0, -2.0));
+    fastest = std::max(fastest, channel.process.spindle_rev_per_min);
+    slowest = std::min(slowest, channel.process.spindle_rev_per_min);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_LE(error, discrete);
+  // 60 m/min at the diameters 20.4 and 31.6.
+  EXPECT_NEAR(fastest, 60000.0 / (std::numbers::pi * 20.4), 2.0);
+  EXPECT_NEAR(slowest, 60000.0 / (std::numbers::pi * 31.6), 2.0);
 }
 
 // A thread has the feed of its lead, and the path of a law does not count it.
