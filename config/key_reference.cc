@@ -10,6 +10,7 @@
 #include "config/scheme_keys.h"
 #include "config/signal_section.h"
 #include "config/tables_file.h"
+#include "config/vibration_section.h"
 
 namespace stanok::config {
 
@@ -31,6 +32,7 @@ std::vector<KeySection> key_sections() {
       {"[[parked]] of a scheme", parked_key_rows()},
       {"[drives]", drives_key_rows()},
       {"[[signal]]", signal_key_rows()},
+      {"[[vibration_sensor]]", vibration_sensor_key_rows()},
       {"[lcm]", lcm_key_rows()},
       {"[recorder]", recorder_key_rows()},
       {"[process]", describe(process_keys())},

@@ -10,6 +10,7 @@
 #include "config/machine_sections.h"
 #include "config/signal_section.h"
 #include "config/tables_file.h"
+#include "config/vibration_section.h"
 
 namespace stanok::config {
 namespace {
@@ -22,6 +23,7 @@ struct TopLevel {
   Subtables channels = nullptr;
   Subtable drives = nullptr;
   Subtables signals = nullptr;
+  Subtables vibration_sensors = nullptr;
   Subtable lcm = nullptr;
   Subtable recorder = nullptr;
   Subtable process = nullptr;
@@ -37,6 +39,8 @@ const Keys<TopLevel>& top_level_keys() {
       {"drives", at<&TopLevel::drives>, optional, "", "bus of the drives"},
       {"signal", at<&TopLevel::signals>, optional, "",
        "one [[signal]] for each input or output of programs on the bus"},
+      {"vibration_sensor", at<&TopLevel::vibration_sensors>, optional, "",
+       "one [[vibration_sensor]] for each sensor that delivers samples"},
       {"lcm", at<&TopLevel::lcm>, optional, "", "publishing"},
       {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
       {"process", at<&TopLevel::process>, optional, "", "force control"},
@@ -124,6 +128,8 @@ class MachineReader {
       if (section.drive) file_.bus.spindles.push_back(*section.drive);
     }
     file_.bus.signals = read_signals(top_.signals, Scope{faults_, "machine file"});
+    file_.bus.vibration_sensors = read_vibration_sensors(top_.vibration_sensors, file_.bus.poll_ms,
+                                                         Scope{faults_, "machine file"});
     check_addresses();
     check_watchdogs();
     check_dead_times();

@@ -65,6 +65,15 @@ json drive_of(const drives::AxisBusStatus& status) {
           {"errors_by_kind", counts_of(status.errors_by_kind)}};
 }
 
+json vibration_of(const drives::VibrationStatus& status) {
+  return {{"sensor", status.sensor},
+          {"amplitude_um", status.level.amplitude_um},
+          {"frequency_hz", status.level.frequency_hz},
+          {"samples", status.samples},
+          {"lost", status.lost},
+          {"errors", status.errors}};
+}
+
 }  // namespace
 
 json drive_list(const RunningMachine& machine) {
@@ -91,6 +100,9 @@ json drive_status(RunningMachine& machine) {
   const drives::BusStatus bus = machine.drive_status();
   json axes = json::array();
   for (const drives::AxisBusStatus& axis : bus.axes) axes.push_back(drive_of(axis));
+  json vibration = json::array();
+  for (const drives::VibrationStatus& sensor : bus.vibration)
+    vibration.push_back(vibration_of(sensor));
   return {{"choice", machine.drive_choice()},
           {"endpoint", bus.endpoint.empty() ? json(nullptr) : json(bus.endpoint)},
           {"connected", bus.connected},
@@ -103,6 +115,7 @@ json drive_status(RunningMachine& machine) {
             {"p99", bus.round_trip.p99_us},
             {"p999", bus.round_trip.p999_us},
             {"max", bus.round_trip.max_us}}},
+          {"vibration", std::move(vibration)},
           {"axes", std::move(axes)}};
 }
 

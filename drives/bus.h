@@ -17,6 +17,7 @@
 #include "base/rt_safe.h"
 #include "drives/drive.h"
 #include "drives/signals.h"
+#include "drives/vibration.h"
 
 namespace stanok::drives {
 
@@ -54,6 +55,14 @@ struct AxisBusStatus {
   DriveFeedback feedback{};  // the last that was believed
 };
 
+struct VibrationStatus {
+  std::string sensor;  // "S1"
+  VibrationLevel level{};
+  std::uint64_t samples = 0;
+  std::uint64_t lost = 0;
+  std::uint64_t errors = 0;
+};
+
 struct BusStatus {
   std::string endpoint{};  // "127.0.0.1:502", "/dev/ttyUSB0", "simulated"
   bool connected = false;
@@ -62,6 +71,7 @@ struct BusStatus {
   ErrorCounts errors{};
   RoundTrip round_trip{};
   std::vector<AxisBusStatus> axes{};
+  std::vector<VibrationStatus> vibration{};
   std::uint64_t signal_requests = 0;  // good and bad; counted in exchanges and errors, too
 };
 
@@ -86,6 +96,15 @@ class DriveBus {
   // takes outputs nowhere.
   virtual void write_signals(const SignalValues& outputs) RT_SAFE { static_cast<void>(outputs); }
   [[nodiscard]] virtual SignalValues read_signals() RT_SAFE { return {}; }
+
+  // The new samples of a vibration sensor in um, as many as there is room for, the oldest first;
+  // their number. Those that nobody takes are given up.
+  [[nodiscard]] virtual std::size_t read_vibration(std::size_t sensor, std::span<double> samples_um)
+      RT_SAFE {
+    static_cast<void>(sensor);
+    static_cast<void>(samples_um);
+    return 0;
+  }
 
   [[nodiscard]] virtual BusStatus status() const = 0;
 };

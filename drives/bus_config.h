@@ -10,6 +10,7 @@
 #include "drives/register_map.h"
 #include "drives/run_words.h"
 #include "drives/signals.h"
+#include "drives/vibration.h"
 
 namespace stanok::drives {
 
@@ -49,6 +50,7 @@ struct BusConfig {
   std::vector<AxisDriveConfig> axes{};      // in machine axis order
   std::vector<AxisDriveConfig> spindles{};  // those that have a drive of their own
   std::vector<SignalConfig> signals{};
+  std::vector<VibrationSensorConfig> vibration_sensors{};
 };
 
 // Axes, then spindles: the order of targets and feedback.

@@ -30,13 +30,26 @@ double seconds(std::chrono::nanoseconds time) {
 DriveBank::Slot::Slot(const SimulatedDriveConfig& config)
     : drive(config), registers(holding_registers(drives::register_count(config.registers.map))) {}
 
-DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives,
-                     const std::vector<int>& modules, double step_s)
-    : modules_(modules.begin(), modules.end()),
+DriveBank::DriveBank(const std::vector<SimulatedDriveConfig>& drives, const ModuleConfig& modules,
+                     double step_s)
+    : modules_(modules.signals.begin(), modules.signals.end()),
       panel_(holding_registers(static_cast<int>(drives.size()))),
       step_s_(step_s) {
   for (const SimulatedDriveConfig& drive : drives) {
     drives_.emplace_back(drive);
+  }
+  for (const drives::VibrationSensorConfig& sensor : modules.vibration)
+    vibrations_.emplace_back(sensor);
+}
+
+// Each sensor sits on its spindle.
+void DriveBank::sample_vibration(double dt_s) {
+  for (VibrationModule& module : vibrations_) {
+    const auto spindle = std::ranges::find_if(drives_, [&](const Slot& slot) {
+      return slot.drive.config().registers.spindle == module.config().spindle;
+    });
+    const bool is_there = spindle != drives_.end();
+    module.advance(is_there ? spindle->drive.process_load() : ProcessLoad{}, dt_s);
   }
 }
 
@@ -49,6 +62,7 @@ void DriveBank::advance_to(std::chrono::nanoseconds time) {
     for (Slot& slot : drives_) {
       slot.drive.advance(seconds(step));
     }
+    sample_vibration(seconds(step));
     time_ += step;
   }
 }
@@ -78,12 +92,19 @@ SignalModule* DriveBank::module_of(int unit) {
   return found == modules_.end() ? nullptr : &*found;
 }
 
+VibrationModule* DriveBank::vibration_of(int unit) {
+  const auto found = std::ranges::find_if(
+      vibrations_, [&](const VibrationModule& module) { return module.config().unit == unit; });
+  return found == vibrations_.end() ? nullptr : &*found;
+}
+
 std::optional<AnswerKind> DriveBank::answer_kind(int unit) {
   if (Slot* slot = slot_of(unit)) {
     return slot->drive.answer_kind();
   }
-  return unit == fault_panel_unit || module_of(unit) != nullptr ? std::optional(AnswerKind::normal)
-                                                                : std::nullopt;
+  const bool is_there =
+      unit == fault_panel_unit || module_of(unit) != nullptr || vibration_of(unit) != nullptr;
+  return is_there ? std::optional(AnswerKind::normal) : std::nullopt;
 }
 
 modbus_mapping_t* DriveBank::registers_after(int unit, std::span<const std::uint8_t> pdu) {
@@ -97,6 +118,9 @@ modbus_mapping_t* DriveBank::registers_after(int unit, std::span<const std::uint
   }
   if (SignalModule* module = module_of(unit)) {
     return module->registers();  // libmodbus writes into them as it answers
+  }
+  if (VibrationModule* module = vibration_of(unit)) {
+    return module->registers();
   }
   STANOK_ASSERT(unit == fault_panel_unit);
   if (write) {

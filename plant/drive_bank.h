@@ -1,5 +1,5 @@
-// All simulated drives of a machine with their register images, modules of signals, and the fault
-// panel.
+// All simulated drives of a machine with their register images, modules of signals and
+// vibration sensors, and the fault panel.
 //
 // Belongs to the thread of the server, except `inject` and `load`, which any one other thread may
 // call.
@@ -22,13 +22,20 @@
 #include "plant/modbus_request.h"
 #include "plant/signal_module.h"
 #include "plant/simulated_drive.h"
+#include "plant/vibration_module.h"
 
 namespace stanok::plant {
 
+// Units that are no drives.
+struct ModuleConfig {
+  std::vector<int> signals{};  // units of inputs and outputs
+  std::vector<drives::VibrationSensorConfig> vibration{};
+};
+
 class DriveBank {
  public:
-  // The drives move in steps of at most `step_s`; `modules` are units of inputs and outputs.
-  DriveBank(const std::vector<SimulatedDriveConfig>& drives, const std::vector<int>& modules,
+  // The drives move in steps of at most `step_s`.
+  DriveBank(const std::vector<SimulatedDriveConfig>& drives, const ModuleConfig& modules,
             double step_s);
 
   [[nodiscard]] std::size_t size() const { return drives_.size(); }
@@ -65,6 +72,8 @@ class DriveBank {
 
   [[nodiscard]] Slot* slot_of(int unit);
   [[nodiscard]] SignalModule* module_of(int unit);
+  [[nodiscard]] VibrationModule* vibration_of(int unit);
+  void sample_vibration(double dt_s);
   void apply_injections();
   void write_drive(Slot& slot, const RegisterWrite& write);
   void write_panel(const RegisterWrite& write);
@@ -73,6 +82,7 @@ class DriveBank {
 
   std::deque<Slot> drives_;  // slots stay where they are
   std::vector<SignalModule> modules_;
+  std::vector<VibrationModule> vibrations_;
   Registers panel_;
   double step_s_;
   std::chrono::nanoseconds time_{0};

@@ -105,8 +105,9 @@ std::vector<SimulatedDriveConfig> drives_on_bus(const config::MachineFile& machi
   return drives;
 }
 
-std::vector<int> signal_modules_of(const config::MachineFile& machine) {
-  std::vector<int> units;
+ModuleConfig modules_of(const config::MachineFile& machine) {
+  ModuleConfig modules{.signals = {}, .vibration = machine.bus.vibration_sensors};
+  std::vector<int>& units = modules.signals;
   const std::vector<SimulatedDriveConfig> drives = drives_of(machine);
   for (const drives::SignalConfig& signal : machine.bus.signals) {
     const bool is_drive = std::ranges::any_of(drives, [&](const SimulatedDriveConfig& drive) {
@@ -115,7 +116,7 @@ std::vector<int> signal_modules_of(const config::MachineFile& machine) {
     if (!is_drive && std::ranges::find(units, signal.unit) == units.end())
       units.push_back(signal.unit);
   }
-  return units;
+  return modules;
 }
 
 }  // namespace stanok::plant

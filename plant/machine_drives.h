@@ -5,6 +5,7 @@
 
 #include "config/machine_file.h"
 #include "drives/bus_config.h"
+#include "plant/drive_bank.h"
 #include "plant/plant_config.h"
 
 namespace stanok::plant {
@@ -19,7 +20,7 @@ namespace stanok::plant {
 // Those of them that the bus exchanges with, in the order of the bus.
 [[nodiscard]] std::vector<SimulatedDriveConfig> drives_on_bus(const config::MachineFile& machine);
 
-// Units that have signals of programs and no drive.
-[[nodiscard]] std::vector<int> signal_modules_of(const config::MachineFile& machine);
+// Units that have signals of programs and no drive, and vibration sensors.
+[[nodiscard]] ModuleConfig modules_of(const config::MachineFile& machine);
 
 }  // namespace stanok::plant

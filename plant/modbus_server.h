@@ -26,8 +26,8 @@ struct ServerConfig {
   int port = 0;              // 0: any free one
   std::string rtu_device{};  // not empty: serve this serial line instead
   int baud = 115200;
-  std::vector<int> modules{};  // units of inputs and outputs
-  double rate_hz = 1000.0;     // the drives move in steps of at most 1/rate
+  ModuleConfig modules{};
+  double rate_hz = 1000.0;  // the drives move in steps of at most 1/rate
 };
 
 // The port or the serial line cannot be opened.

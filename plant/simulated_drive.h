@@ -46,6 +46,7 @@ class SimulatedDrive {
   [[nodiscard]] FaultKind fault() const RT_SAFE { return fault_; }
 
   void load(const ProcessLoad& load) RT_SAFE { load_ = load; }
+  [[nodiscard]] const ProcessLoad& process_load() const RT_SAFE { return load_; }
 
   [[nodiscard]] const SimulatedDriveConfig& config() const RT_SAFE { return config_; }
   [[nodiscard]] const Motion& motion() const RT_SAFE { return motor_->motion(); }

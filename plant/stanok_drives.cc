@@ -147,7 +147,7 @@ int serve(const Options& options) {
   }
   const sigset_t end_signals = block_end_signals();
   ServerConfig config = options.server;
-  config.modules = signal_modules_of(machine);
+  config.modules = modules_of(machine);
   ModbusServer server(config, drives);
   for (const Injection& fault : injections) {
     server.inject(fault.drive, fault.kind);

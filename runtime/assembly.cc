@@ -54,7 +54,7 @@ struct Assembly::Parts {
       case DriveChoice::embedded:
         simulated = plant::drives_of(options.file);
         server = std::make_unique<plant::ModbusServer>(
-            plant::ServerConfig{.modules = plant::signal_modules_of(options.file)}, simulated);
+            plant::ServerConfig{.modules = plant::modules_of(options.file)}, simulated);
         server->start();
         bus_config = plant::simulated_bus(options.file);
         bus_config.port = server->port();

@@ -16,6 +16,11 @@ std::chrono::microseconds response_timeout(const BusConfig& config) {
   return std::chrono::microseconds{std::chrono::milliseconds{config.timeout_ms}} / 3;
 }
 
+// Samples that wait for the cycle: those of a second.
+constexpr double kept_s = 1.0;
+// Level and frequency are those of a quarter of a second.
+constexpr double stretch_s = 0.25;
+
 std::uint32_t cycles_in(int timeout_ms, Duration cycle) {
   return static_cast<std::uint32_t>(std::ceil(timeout_ms * millisecond / cycle));
 }
@@ -40,7 +45,21 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle)
     images_.emplace_back(static_cast<std::size_t>(register_count(axis.map)));
     status_.axes.push_back({.axis = axis.axis});
   }
+  for (const VibrationSensorConfig& sensor : config_.vibration_sensors) {
+    sensors_.emplace_back(sensor);
+    status_.vibration.push_back({.sensor = sensor.name()});
+  }
 }
+
+ModbusBus::Sensor::Sensor(const VibrationSensorConfig& config)
+    : block{.unit = config.unit,
+            .table = SignalTable::holding_register,
+            .first = config.first_register,
+            .bits = {},
+            .words = std::vector<std::uint16_t>(static_cast<std::size_t>(config.count) + 1)},
+      reader(config),
+      meter(config.rate_hz, stretch_s),
+      samples(static_cast<std::size_t>(std::ceil(kept_s * config.rate_hz)) + 1) {}
 
 ModbusBus::~ModbusBus() {
   stop();
@@ -87,6 +106,14 @@ SignalValues ModbusBus::read_signals() RT_SAFE {
   return inputs_.read();
 }
 
+std::size_t ModbusBus::read_vibration(std::size_t sensor, std::span<double> samples_um) RT_SAFE {
+  if (sensor >= sensors_.size()) return 0;
+  Ring<double>& ring = sensors_[sensor].samples;
+  std::size_t count = 0;
+  while (count < samples_um.size() && ring.pop(samples_um[count])) ++count;
+  return count;
+}
+
 BusStatus ModbusBus::status() const {
   const std::scoped_lock lock(status_mutex_);
   BusStatus status = status_;
@@ -125,6 +152,7 @@ void ModbusBus::poll_all() {
     publish_axis(axis);
   }
   poll_signals(age);
+  for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) poll_sensor(sensor);
 }
 
 // Outputs fall when the cycle is silent.
@@ -133,20 +161,43 @@ void ModbusBus::poll_signals(TargetAge age) {
   signals_.fill_outputs(age == TargetAge::fresh ? outputs : SignalValues{});
   for (SignalBlock& block : signals_.blocks()) {
     if (!signals_.is_due(block, now()) || !ensure_connected()) continue;
-    const BusTime begin = now();
-    const auto error = link_.exchange(block);
-    const BusTime end = now();
-    count_exchange(error, end - begin);
-    if (!error) {
-      signals_.take(block);
+    if (exchange(block)) {
+      signals_.fail(block, now());
     } else {
-      signals_.fail(block, end);
-      if (!link_.is_connected()) back_off();
+      signals_.take(block);
     }
     const std::scoped_lock lock(status_mutex_);
     ++status_.signal_requests;
   }
   inputs_.write(signals_.inputs());
+}
+
+std::optional<ExchangeError> ModbusBus::exchange(SignalBlock& block) {
+  const BusTime begin = now();
+  const auto error = link_.exchange(block);
+  count_exchange(error, now() - begin);
+  if (error && !link_.is_connected()) back_off();
+  return error;
+}
+
+// A sensor that does not answer is left alone for the timeout.
+void ModbusBus::poll_sensor(std::size_t place) {
+  Sensor& sensor = sensors_[place];
+  if (now() < sensor.again_at || !ensure_connected()) return;
+  if (exchange(sensor.block)) {
+    ++sensor.errors;
+    sensor.again_at = now() + timeout_;
+  } else {
+    const std::span<const double> fresh = sensor.reader.take(sensor.block.words);
+    sensor.meter.add(fresh);
+    for (const double sample : fresh) static_cast<void>(sensor.samples.push(sample));
+  }
+  const std::scoped_lock lock(status_mutex_);
+  VibrationStatus& status = status_.vibration[place];
+  status.level = sensor.meter.level();
+  status.samples = sensor.reader.samples();
+  status.lost = sensor.reader.lost();
+  status.errors = sensor.errors;
 }
 
 // A drive that has been given up is tried once per timeout: every try costs the others the time of

@@ -1,5 +1,5 @@
-// Drives on Modbus TCP or RTU: a thread exchanges targets and feedback with every drive, and the
-// signals of programs, each poll.
+// Drives on Modbus TCP or RTU: a thread exchanges targets and feedback with every drive, the
+// signals of programs and the samples of vibration sensors each poll.
 //
 // Per drive and poll one request with function code 23 where its register map allows it, else as
 // few as possible. After an error the connection is closed
@@ -11,11 +11,13 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "base/latest.h"
+#include "base/ring.h"
 #include "base/units.h"
 #include "drives/bus.h"
 #include "drives/bus_config.h"
@@ -40,6 +42,8 @@ class ModbusBus final : public DriveBus {
   void read(std::span<DriveFeedback> feedback) RT_SAFE override;
   void write_signals(const SignalValues& outputs) RT_SAFE override;
   [[nodiscard]] SignalValues read_signals() RT_SAFE override;
+  [[nodiscard]] std::size_t read_vibration(std::size_t sensor, std::span<double> samples_um)
+      RT_SAFE override;
   [[nodiscard]] BusStatus status() const override;
 
  private:
@@ -51,10 +55,24 @@ class ModbusBus final : public DriveBus {
     std::uint32_t age_cycles = 0;
   };
 
+  // A vibration sensor: what is read, and what crosses to the cycle.
+  struct Sensor {
+    explicit Sensor(const VibrationSensorConfig& config);
+
+    SignalBlock block;
+    VibrationReader reader;
+    VibrationMeter meter;
+    Ring<double> samples;
+    std::uint64_t errors = 0;
+    BusTime again_at{0};
+  };
+
   void run(const std::stop_token& stop_requested);
   void poll_all();
   void poll_one(std::size_t axis, TargetAge age);
   void poll_signals(TargetAge age);
+  void poll_sensor(std::size_t sensor);
+  [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block);
   [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t axis, TargetAge age);
   [[nodiscard]] bool ensure_connected();
   void back_off();
@@ -84,6 +102,7 @@ class ModbusBus final : public DriveBus {
   std::vector<std::vector<Request>> plans_;
   std::vector<std::vector<std::uint16_t>> images_;  // registers of each drive, n at place n
   SignalExchange signals_;
+  std::deque<Sensor> sensors_;  // rings stay where they are
   BusTime pause_{0};
   BusTime connect_again_at_{0};
   std::size_t silent_axis_ = 0;  // of those that do not answer, the one to be tried

@@ -301,6 +301,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "register=1\n[[signal]]\nkind=\"digital_input\"\nnumber=1\naddress=2\n"
                   "table=\"coil\"\nregister=2\n",
                   ":24:8: ", "signal 2: another signal of this kind has the number"},
+        FaultCase{"BlockShorterThanAPoll",
+                  "[[vibration_sensor]]\nspindle=1\naddress=60\nregister=0\ncount=39\n", ":20:7: ",
+                  "count is 39; with poll_ms = 10 the sensor takes 40 samples in a poll"},
         FaultCase{"UnknownBit", "[axis.drive.bits]\nhome_swich = 2\n",
                   ":17:1: ", "bits: unknown key 'home_swich'; did you mean 'home_switch'?"},
         FaultCase{"HalfASwitch", "[axis.plant]\nhome_switch_to = 2\n",

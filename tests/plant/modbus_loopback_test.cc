@@ -66,6 +66,27 @@ TEST_F(ModbusLoopback, StatusCountsExchangesAndRoundTrips) {
   EXPECT_EQ(status.axes[1].axis, "A2");
 }
 
+// Ten drives, each in every poll; how long that takes is measured by
+// benchmarks/drive_exchange_figures.
+TEST(TenDrives, AreExchangedWithInEveryPollWithoutAnError) {
+  drives::BusConfig bus = bus_of(10);
+  bus.poll_ms = 10;
+  ModbusServer server({}, drives_of(bus, {}));
+  server.start();
+  CycleSide cycle(bus, server.port());
+  ASSERT_TRUE(cycle.until([&] { return cycle.feedback[9].sequence >= 100; }));
+  cycle.bus.stop();
+  const drives::BusStatus status = cycle.bus.status();
+  std::uint64_t answers = 0;
+  for (const drives::AxisBusStatus& axis : status.axes) {
+    EXPECT_EQ(axis.errors, 0U) << axis.axis;
+    EXPECT_LE(axis.answers - status.axes[9].answers, 1U) << axis.axis;
+    answers += axis.answers;
+  }
+  EXPECT_EQ(status.connections, 1U);
+  EXPECT_LE(status.exchanges - answers, 10U) << "the farewell of each drive";
+}
+
 TEST_F(ModbusLoopback, CycleSideAllocatesNothing) {
   CycleSide cycle(bus_of(3), server.port());
   ASSERT_TRUE(cycle.until([&] { return cycle.all_valid(); }));

@@ -33,7 +33,7 @@ drives::BusConfig wired_bus() {
 }
 
 TEST(SignalLoopback, OutputsComeBackAsInputsAndFallWhenTheCycleIsSilent) {
-  ModbusServer server({.modules = {30}}, drives_of(bus_of(1), {}));
+  ModbusServer server({.modules = {.signals = {30}}}, drives_of(bus_of(1), {}));
   server.start();
   CycleSide cycle(wired_bus(), server.port());
   drives::SignalValues outputs;
