@@ -47,6 +47,8 @@ std::string option_name(const Parameter& parameter) {
 std::string help_text(const Parameter& parameter) {
   std::string text(parameter.help);
   if (!parameter.unit.empty()) text += " [" + std::string(parameter.unit) + "]";
+  for (std::size_t k = 0; k < parameter.choices.size(); ++k)
+    text += (k == 0 ? ": " : ", ") + std::string(parameter.choices[k]);
   return text;
 }
 
@@ -106,7 +108,7 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
   const std::string name = is_positional ? upper(parameter.name) : option_name(parameter);
   auto* option =
       command.add_option(name, given.values[std::string(parameter.name)], help_text(parameter));
-  if (parameter.type != ParameterType::text_list) option->expected(1);
+  if (parameter.type != ParameterType::text_list) option->expected(1)->allow_extra_args(false);
   if (parameter.presence == protocol::Presence::required) option->required();
 }
 

@@ -107,7 +107,7 @@ constexpr Parameter drive_fault{.name = "fault",
                                 .presence = Presence::required,
                                 .spelling = Spelling::positional,
                                 .choices = fault_choices,
-                                .help = "what it does from now on; none: it works again"};
+                                .help = "what it does from now on"};
 
 constexpr std::array of_drive{drive};
 constexpr std::array of_drive_fault{drive, drive_fault};

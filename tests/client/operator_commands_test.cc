@@ -107,6 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"kinematics select 2", "kinematics.select", R"({"scheme":2})"},
                     Case{"subscribe channels events --rate-hz 5", "subscribe",
                          R"({"topics":["channels","events"],"rate_hz":5})"},
+                    Case{"drive fault X stuck", "drive.fault", R"({"drive":"X","fault":"stuck"})"},
                     Case{"mdi G0X1", "mdi", R"({"text":"G0X1"})"}));
 
 TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
@@ -114,7 +115,8 @@ TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
        {"override feed 201", "override feed -- -1", "override feed fast", "override feed nan",
         "override feed", "program run", "program run a.nc --channel 0",
         "program run a.nc --channel 1.5", "program hold now", "machine", "machine fly",
-        "subscribe everything", "channel list --rate 1"}) {
+        "subscribe everything", "channel list --rate 1", "drive fault X", "drive fault X asleep",
+        "drive fault X off Y"}) {
     EXPECT_FALSE(call_for(line)) << line;
   }
 }
