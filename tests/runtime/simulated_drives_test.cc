@@ -1,8 +1,11 @@
 // Runs on the virtual clock with simulated drives.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 #include "runtime/simulation.h"
@@ -108,6 +111,60 @@ TEST(SimulatedDrives, ASpindleWithADriveOfItsOwnTurnsAsItIsProgrammed) {
   EXPECT_EQ(spindle().velocity, 0.0);
   EXPECT_NE(spindle().state, drives::DriveState::operation_enabled);
   EXPECT_TRUE(assembly.machine().alarms().empty());
+}
+
+// Output 3 is wired to input 40 on a module of the embedded server: the program waits for what it
+// has switched on itself, and the change of the input is recorded.
+TEST(EmbeddedDrives, ProgramsReachSignalsOnTheBus) {
+  const config::TemporaryFiles files;
+  files.write("part.nc",
+              "M64 P3\nM66 P40 L3 Q5\nif (#5399 != 1) { terminate (1010, \"no input\"); }\nM30\n");
+  config::MachineFile file = mill();
+  file.bus.poll_ms = 2;
+  file.bus.signals = {{.kind = drives::SignalKind::digital_output,
+                       .number = 3,
+                       .unit = 30,
+                       .field = {.address = 17}},
+                      {.kind = drives::SignalKind::digital_input,
+                       .number = 40,
+                       .unit = 30,
+                       .table = drives::SignalTable::discrete_input,
+                       .field = {.address = 17}}};
+  Assembly assembly({.file = file,
+                     .drives = DriveChoice::embedded,
+                     .program_roots = {files.folder()},
+                     .machine = {.on_at_start = true, .stops_go_on = true},
+                     .output_capacity = 0});
+  assembly.start();
+  const auto cycle = [&](std::span<const channels::OperatorEvent> events) {
+    while (assembly.machine().prepare(0) == channels::Progress::worked) {
+    }
+    assembly.cycle(events);
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  };
+  const auto all_enabled = [&] {
+    const auto feedback = assembly.feedback();
+    return std::ranges::all_of(feedback, &channels::AxisFeedback::enabled);
+  };
+  int cycles = 0;
+  do cycle({});
+  while (!all_enabled() && ++cycles < 10000);
+  channels::OperatorEvent start;
+  start.action = channels::OperatorAction::program_run;
+  start.channel = 1;
+  start.text = FixedText<256>("part.nc");
+  cycle({&start, 1});
+  while (!assembly.machine().is_idle() && ++cycles < 20000) cycle({});
+  assembly.stop();
+  ASSERT_EQ(assembly.machine().runs().size(), 1U);
+  EXPECT_TRUE(assembly.machine().runs()[0].ok);
+  bool is_recorded = false;
+  channels::InputRecord record;
+  while (assembly.machine().input_records().pop(record)) {
+    is_recorded = is_recorded || (record.kind == channels::InputKind::sensor &&
+                                  record.method == 40 && record.value == 1.0);
+  }
+  EXPECT_TRUE(is_recorded);
 }
 
 }  // namespace
