@@ -190,6 +190,7 @@ void read_drive_bits(const toml::table& table, DriveBits& bits, const Scope& sco
 
 std::vector<KeyRow> register_map_key_rows() {
   std::vector<KeyRow> rows;
+  rows.reserve(quantities.size());
   for (const Quantity& quantity : quantities) {
     rows.push_back({.name = std::string(quantity.name),
                     .kind = "table",
