@@ -27,6 +27,8 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
     const auto i = static_cast<std::size_t>(k);
     spindles_[i] = Spindle(figures_.spindles[i]);
   }
+  for (std::size_t k = 0; k < automatic_feeds_max; ++k)
+    automatic_feeds_[k] = motion::AutomaticFeed(figures_.automatic_feeds[k]);
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
     path_.axes[k] = figures_.start[k];
     // Ideal drives, until real ones answer.
@@ -86,6 +88,7 @@ void Channel::move() RT_SAFE {
   motion::FeedControl control = control_;
   if (!overrides_.feed_enabled) control.feed_override = 1.0;
   find_gates();  // riders, too, are pushed before the chunks whose blocks they stand before
+  control.law_part = form_feed();
   control.closed_from_block = closed_from_block();
   control.spindle_rev_per_min = std::abs(spindles_[0].speed());
   if (!link_.path.chunks.empty())

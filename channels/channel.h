@@ -17,6 +17,7 @@
 #include "channels/spindle.h"
 #include "channels/stepper.h"
 #include "lang/builtin.h"
+#include "motion/automatic_feed.h"
 #include "motion/axis_codes.h"
 #include "motion/interpolator.h"
 #include "motion/position_regulator.h"
@@ -25,6 +26,7 @@
 namespace stanok::channels {
 
 static_assert(spindles_max == motion::coupled_spindles_max);
+inline constexpr std::size_t automatic_feeds_max = 2;  // laws that the cycle forms of a channel
 
 // What is loaded and run: a program, or one line of an operator (MDI).
 enum class Job : std::uint8_t { program, line };
@@ -53,8 +55,10 @@ struct ChannelFigures {
   std::array<double, motion::axes_max> start{};
   std::array<SpindleConfig, spindles_max> spindles{};
   std::array<int, spindles_max> spindle_axis{-1, -1, -1,
-                                             -1};  // that it becomes with M902; -1: none
+                                             -1};   // that it becomes with M902; -1: none
+  std::array<int, spindles_max> machine_spindle{};  // index among all spindles of the machine
   int spindle_count = 0;
+  std::array<motion::AutomaticFeedConfig, automatic_feeds_max> automatic_feeds{};
 };
 
 // What a request of the program came to: `code` and `text` say why `ok` is false.
@@ -94,6 +98,8 @@ class Channel {
   void advance(std::int64_t cycle) RT_SAFE;
   // A drive that is lost or faulty stops the channel along its path. Empty feedback: ideal drives.
   void watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE;
+  // The sensors of all spindles of the machine.
+  void sense(std::span<const SpindleSensors> sensors) RT_SAFE;
   void fill(ChannelOutput& output) const RT_SAFE;
 
   // Effects, asked for by the coordinator. Each is legal in every state or says so.
@@ -117,6 +123,10 @@ class Channel {
   void set_feed_override(double factor) RT_SAFE { control_.feed_override = factor; }
   void set_rapid_override(double factor) RT_SAFE { control_.rapid_override = factor; }
   void set_spindle_override(double factor) RT_SAFE;
+  // Until the end of the run, or of the next one.
+  void interrupt_feed(const motion::InterruptionLengths& lengths) RT_SAFE {
+    interpolator_.interrupt(lengths);
+  }
   void set_optional_stop(bool on) RT_SAFE { optional_stop_ = on; }
   void set_block_skip(int level, bool on) RT_SAFE;
   void set_single_block(bool on) RT_SAFE;
@@ -201,6 +211,9 @@ class Channel {
   [[nodiscard]] bool position_loop_is_closed(int id) const RT_SAFE;
   void open_position_loop(int id) RT_SAFE;
 
+  // A law of the cycle on or off; false: the channel has no such law (channel_process.cc).
+  [[nodiscard]] bool switch_automatic_feed(motion::LawKind law, bool on) RT_SAFE;
+
   // Marks (channel_riders.cc).
   [[nodiscard]] bool is_mark_set(int mark) const RT_SAFE {
     return marks_[static_cast<std::size_t>(mark)];
@@ -242,6 +255,8 @@ class Channel {
     motion::LawSpeed unit = motion::LawSpeed::unchanged;
     double value = 0.0;  // 0: none
   };
+  [[nodiscard]] double form_feed() RT_SAFE;
+  void restart_automatic_feeds() RT_SAFE;
   void follow_process() RT_SAFE;
   void ask_speed(const AskedSpeed& speed) RT_SAFE;
   [[nodiscard]] double diameter() const RT_SAFE;  // of a part turned around Z, at the tool; mm
@@ -293,6 +308,8 @@ class Channel {
   std::array<Spindle, spindles_max> spindles_{};
   AskedSpeed speed_behind_law_;  // when the law at hand is over
   std::array<motion::SpindleObserver, spindles_max> observers_{};
+  SpindleSensors sensors_;  // of the master spindle
+  std::array<motion::AutomaticFeed, automatic_feeds_max> automatic_feeds_{};
   struct EncoderNews {
     double angle_deg = 0.0;
     double age_s = 0.0;

@@ -30,6 +30,45 @@ void Channel::ask_speed(const AskedSpeed& speed) RT_SAFE {
   if (speed.unit == motion::LawSpeed::m_per_min) spindles_[0].cut_at(speed.value);
 }
 
+void Channel::sense(std::span<const SpindleSensors> sensors) RT_SAFE {
+  const auto spindle = static_cast<std::size_t>(figures_.machine_spindle[0]);
+  if (figures_.spindle_count > 0 && spindle < sensors.size()) sensors_ = sensors[spindle];
+}
+
+// What the laws of the cycle leave of the programmed feed, by the path at feed of the cycle before.
+double Channel::form_feed() RT_SAFE {
+  const double way = path_.feed_commanded > 0.0 ? path_.path_advanced : 0.0;
+  double part = 1.0;
+  for (motion::AutomaticFeed& law : automatic_feeds_) {
+    const bool was_lost = law.state() == motion::ModuleState::fault;
+    const bool is_modulated = law.config().law == motion::LawKind::modulated;
+    law.advance(is_modulated ? sensors_.vibration_um : sensors_.power_w, way);
+    part *= law.part();
+    if (law.state() == motion::ModuleState::fault && !was_lost) {
+      emit(cycle_, "W604",
+           is_modulated ? "the sensor of vibration gives no value: the feed is the smallest one"
+                        : "the sensor of power gives no value: the feed is the smallest one",
+           path_.tag);
+    }
+  }
+  return part;
+}
+
+// A program begins with the programmed feed.
+void Channel::restart_automatic_feeds() RT_SAFE {
+  for (motion::AutomaticFeed& law : automatic_feeds_)
+    law.switch_on(law.state() != motion::ModuleState::reset);
+}
+
+bool Channel::switch_automatic_feed(motion::LawKind law, bool on) RT_SAFE {
+  for (motion::AutomaticFeed& candidate : automatic_feeds_) {
+    if (candidate.config().law != law) continue;
+    candidate.switch_on(on);
+    return true;
+  }
+  return false;
+}
+
 double Channel::diameter() const RT_SAFE {
   const int x = motion_.geometry[0];
   return x < 0 ? 0.0 : 2.0 * std::abs(path_.point[static_cast<std::size_t>(x)].value);
@@ -42,6 +81,12 @@ ProcessOutput Channel::process() const RT_SAFE {
   output.law = path_.process.kind;
   output.increments = path_.process.increments;
   output.stands = path_.state == motion::PathState::standing;
+  output.interruption = interpolator_.interruption().lengths();
+  output.interruptions = interpolator_.interruption().count();
+  for (std::size_t k = 0; k < automatic_feeds_max; ++k) {
+    const motion::AutomaticFeed& law = automatic_feeds_[k];
+    output.automatic[k] = {.law = law.config().law, .state = law.state(), .part = law.part()};
+  }
   output.feed_mm_per_min = s_per_min * path_.feed_commanded;
   output.spindle_rev_per_min = spindles_[0].speed();
   const double speed = std::abs(output.spindle_rev_per_min);

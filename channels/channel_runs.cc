@@ -21,6 +21,7 @@ void Channel::begin_run(Job job) RT_SAFE {
   if (job == Job::program) {
     marks_ = {};
     open_position_loops();
+    restart_automatic_feeds();
   }
   state_ = ChannelState::running;
   stepper_.begin(run_);
@@ -59,6 +60,7 @@ RunRecord Channel::run_record() const RT_SAFE {
 void Channel::end_run(bool ok, std::uint64_t blocks) RT_SAFE {
   if (!running_) return;
   take_overrides({});
+  interrupt_feed({});
   for (Spindle& spindle : spindles_) spindle.stop();
   open_position_loops();
   close_run(ok, blocks);

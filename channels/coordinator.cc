@@ -21,6 +21,8 @@ lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
   }
 }
 
+constexpr double interruption_mm_min = 0.001;  // L_B
+
 bool is_table_request(lang::RequestKind kind) RT_SAFE {
   using lang::RequestKind;
   return kind == RequestKind::tool_table_write || kind == RequestKind::offset_table_write ||
@@ -141,6 +143,10 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return each([&](Channel& c) RT_SAFE { c.set_optional_stop(event.number != 0); });
     case OperatorAction::single_block:
       return each([&](Channel& c) RT_SAFE { c.set_single_block(event.number != 0); });
+    case OperatorAction::process_interrupt:
+      return interrupt_feed(event, channel);
+    case OperatorAction::process_automatic:
+      return switch_automatic_feed(event, channel);
     case OperatorAction::block_skip:
     case OperatorAction::block_skip_off: {
       if (event.number < 1 || event.number > 9)
@@ -176,6 +182,27 @@ Coordinator::Verdict Coordinator::switch_on(Channel* channel) RT_SAFE {
     if (channel == nullptr || channel == &candidate) candidate.power(true);
   }
   return success();
+}
+
+// For the program at hand, or the next one: an operator interrupts what he sees.
+Coordinator::Verdict Coordinator::interrupt_feed(const OperatorEvent& event, Channel* channel)
+    RT_SAFE {
+  if (channel == nullptr) return refusal("E6001", "a channel must be named");
+  if (channel->axis_count() == 0) return refusal("E6029", "the channel has no axes");
+  if (!(event.value >= 0.0) || (event.value > 0.0 && !(event.value_2 >= interruption_mm_min)))
+    return refusal("E6029",
+                   "an interruption of the feed needs L_A > 0 and L_B of 0.001 mm or more");
+  channel->interrupt_feed({.stand_mm = event.value, .cut_mm = event.value_2});
+  return success();
+}
+
+Coordinator::Verdict Coordinator::switch_automatic_feed(const OperatorEvent& event,
+                                                        Channel* channel) RT_SAFE {
+  if (channel == nullptr) return refusal("E6001", "a channel must be named");
+  const auto law =
+      event.text.view() == "linear" ? motion::LawKind::linear : motion::LawKind::modulated;
+  if (channel->switch_automatic_feed(law, event.number != 0)) return success();
+  return refusal("E6030", "the machine file gives the channel no such automatic feed law");
 }
 
 void Coordinator::set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE {

@@ -134,6 +134,8 @@ class Coordinator {
   [[nodiscard]] std::optional<Verdict> apply_at_once(const OperatorEvent& event, Channel* channel)
       RT_SAFE;
   [[nodiscard]] Verdict switch_on(Channel* channel) RT_SAFE;
+  Verdict interrupt_feed(const OperatorEvent& event, Channel* channel) RT_SAFE;
+  Verdict switch_automatic_feed(const OperatorEvent& event, Channel* channel) RT_SAFE;
   void set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE;
   void reply(std::uint64_t id, const Verdict& verdict) RT_SAFE;
 

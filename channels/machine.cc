@@ -1,6 +1,7 @@
 #include "channels/machine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "channels/channel.h"
@@ -56,7 +57,11 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
     const auto s = static_cast<std::size_t>(figures.spindle_count++);
     figures.spindles.at(s) = *spindle;
     figures.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
+    figures.machine_spindle.at(s) = static_cast<int>(spindle - machine.spindles.begin());
   }
+  std::copy_n(channel.automatic_feeds.begin(),
+              std::min(channel.automatic_feeds.size(), figures.automatic_feeds.size()),
+              figures.automatic_feeds.begin());
   return figures;
 }
 
@@ -90,6 +95,7 @@ struct Machine::Parts {
       : config(machine),
         tables(machine),
         outputs_to_inputs(options.outputs_to_inputs),
+        sensors(machine.spindles.size()),
         events(events_max),
         inputs(inputs_max),
         replies(replies_max) {
@@ -135,10 +141,32 @@ struct Machine::Parts {
     signals_in = next;
   }
 
+  void take_sensors(std::span<const SpindleSensors> given) RT_SAFE {
+    for (std::size_t k = 0; k < std::min(given.size(), sensors.size()); ++k) {
+      note_sensor(k, 0, given[k].power_w, sensors[k].power_w);
+      note_sensor(k, 1, given[k].vibration_um, sensors[k].vibration_um);
+      note_sensor(k, 2, given[k].vibration_hz, sensors[k].vibration_hz);
+    }
+  }
+
+  // Takes over a value that changed, and writes it down.
+  void note_sensor(std::size_t spindle, int quantity, double given, double& kept) RT_SAFE {
+    if (given == kept || (std::isnan(given) && std::isnan(kept))) return;
+    kept = given;
+    InputRecord record;
+    record.cycle = cycle;
+    record.kind = InputKind::spindle_sensor;
+    record.method = static_cast<std::int32_t>(spindle);
+    record.number = quantity;
+    record.value = given;
+    static_cast<void>(inputs.push(record));
+  }
+
   const MachineConfig& config;
   LiveTables tables;
   SharedVariables shared;
   bool outputs_to_inputs;
+  std::vector<SpindleSensors> sensors;  // one for each spindle of the machine
   Signals signals_in;
   Signals signals_out;
   ReportBook reports;
@@ -183,14 +211,18 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     record.cycle = parts.cycle;
     record.channel = event.channel;
     record.method = static_cast<std::int32_t>(event.action);
+    record.number = event.number;
     record.value = event.value;
+    record.value_2 = event.value_2;
     record.text = event.text;
     static_cast<void>(parts.inputs.push(record));
     parts.coordinator->take(event);
   }
   parts.take_signals(inputs.signals);
+  parts.take_sensors(inputs.sensors);
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
+    seat->channel.sense(parts.sensors);
     seat->channel.advance(parts.cycle);
   }
   parts.coordinator->step();

@@ -23,8 +23,9 @@ namespace stanok::channels {
 
 struct CycleInputs {
   std::span<const OperatorEvent> events;
-  std::span<const AxisFeedback> feedback;  // machine axis order; empty: ideal drives
-  const Signals* signals = nullptr;        // nullptr: there are none
+  std::span<const AxisFeedback> feedback;     // machine axis order; empty: ideal drives
+  const Signals* signals = nullptr;           // nullptr: there are none
+  std::span<const SpindleSensors> sensors{};  // machine spindle order; empty: there are none
 };
 
 // One finished (or running) program run of a channel, for reports.

@@ -9,6 +9,7 @@
 
 #include "kinematics/scheme.h"
 #include "lang/environment.h"
+#include "motion/automatic_feed.h"
 #include "motion/path.h"
 #include "motion/position_regulator.h"
 
@@ -72,10 +73,11 @@ struct ChannelConfig {
   double orientation_tolerance_deg = 0.05;
   double arc_radius_tolerance_mm = 0.01;
   OwnerFailure on_owner_failure = OwnerFailure::hold;
-  std::map<std::string, std::string> codes;          // "G200" -> "cycles/groove.nc"
-  std::map<std::string, std::string> address_alias;  // "E" -> "dS"
-  std::string tool_change = "m6";                    // "m6" | "t_word"
-  std::string t_format = "plain";                    // "plain" | "tool_edge"
+  std::vector<motion::AutomaticFeedConfig> automatic_feeds;  // at most one of each law
+  std::map<std::string, std::string> codes;                  // "G200" -> "cycles/groove.nc"
+  std::map<std::string, std::string> address_alias;          // "E" -> "dS"
+  std::string tool_change = "m6";                            // "m6" | "t_word"
+  std::string t_format = "plain";                            // "plain" | "tool_edge"
 };
 
 // Tools and offsets at first start, and later the live tables.

@@ -28,6 +28,8 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::single_block, "single_block"},
     {OperatorAction::block_skip, "block_skip"},
     {OperatorAction::block_skip_off, "block_skip_off"},
+    {OperatorAction::process_interrupt, "process_interrupt"},
+    {OperatorAction::process_automatic, "process_automatic"},
 });
 
 }  // namespace

@@ -30,6 +30,10 @@ enum class OperatorAction : std::uint8_t {
   block_skip_off,  // number = level
   single_block,    // the program stops after each block: number = 1 yes, 0 no
   mdi,             // text = one line, compiled and run
+  // Of the feed: value = L_A, value_2 = L_B, both in mm; L_A = 0 ends it.
+  process_interrupt,
+  process_automatic,  // a feed law of the cycle: text = "modulated" or "linear", number = 1 on, 0
+                      // off
 };
 
 struct OperatorEvent {
@@ -38,6 +42,7 @@ struct OperatorEvent {
   std::int32_t channel = 0;  // 0: the machine
   std::int32_t number = 0;
   double value = 0.0;
+  double value_2 = 0.0;
   FixedText<256> text;
 };
 

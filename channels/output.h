@@ -4,12 +4,15 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <type_traits>
 
 #include "base/fixed_text.h"
 #include "kinematics/scheme.h"
 #include "lang/command.h"
+#include "motion/automatic_feed.h"
+#include "motion/feed_interruption.h"
 #include "motion/path.h"
 
 namespace stanok::channels {
@@ -88,6 +91,13 @@ struct Signals {
   friend bool operator==(const Signals&, const Signals&) = default;
 };
 
+// What the sensors of one spindle tell; not a number: no trustworthy value.
+struct SpindleSensors {
+  double power_w = std::numeric_limits<double>::quiet_NaN();
+  double vibration_um = std::numeric_limits<double>::quiet_NaN();
+  double vibration_hz = std::numeric_limits<double>::quiet_NaN();
+};
+
 // What the programs of a channel announced with #workpiece and #workpiece_pos; for displays, no
 // effect on motion.
 struct Workpiece {
@@ -108,8 +118,17 @@ inline constexpr int spindles_max = 4;
 // Feed and speed of the cutting process, and the law that they follow.
 struct ProcessOutput {
   motion::LawKind law = motion::LawKind::none;
-  std::uint64_t increments = 0;          // that the law has made
-  bool stands = false;                   // on the fictitious path of an interrupted feed
+  std::uint64_t increments = 0;                // that the law has made
+  bool stands = false;                         // on the fictitious path of an interrupted feed
+  motion::InterruptionLengths interruption{};  // by the operator
+  std::uint64_t interruptions = 0;             // so far
+  // Laws formed in the cycle, as far as the channel has them.
+  struct Automatic {
+    motion::LawKind law = motion::LawKind::none;
+    motion::ModuleState state = motion::ModuleState::reset;
+    double part = 1.0;  // of the programmed feed
+  };
+  std::array<Automatic, 2> automatic{};
   double feed_mm_per_min = 0.0;          // S, programmed, before override; 0 in rapid
   double feed_mm_per_rev = 0.0;          // S_0 = S / n; 0: the spindle stands
   double spindle_rev_per_min = 0.0;      // n of the master spindle; clockwise > 0
@@ -161,16 +180,26 @@ static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_cop
 
 // One input that changed the outcome, with the cycle at which it took effect (docs/architecture.md,
 // "Determinism").
-enum class InputKind : std::uint8_t { operator_event, arrival, feedback, sensor, overrun };
+enum class InputKind : std::uint8_t {
+  operator_event,
+  arrival,
+  feedback,
+  sensor,
+  overrun,
+  spindle_sensor
+};
 
 struct InputRecord {
   std::int64_t cycle = 0;
   InputKind kind = InputKind::operator_event;
   std::int32_t channel = 0;  // 0: the machine
   // operator_event: channels::OperatorAction; arrival: sequence number of the item; sensor: number
-  // of the input, analog ones counted on behind the digital ones.
+  // of the input, analog ones counted on behind the digital ones; spindle_sensor: index of the
+  // spindle in the machine, and `number` is 0 power, 1 vibration, 2 its frequency.
   std::int32_t method = 0;
+  std::int32_t number = 0;  // of an operator event as well, as value_2
   double value = 0.0;
+  double value_2 = 0.0;
   FixedText<256> text;
 };
 static_assert(std::is_trivially_copyable_v<InputRecord>);

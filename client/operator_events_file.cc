@@ -32,6 +32,7 @@ runtime::TimedEvent timed_event(const json& line) {
   event.event.channel = request.channel;
   event.event.number = request.number;
   event.event.value = request.value;
+  event.event.value_2 = request.value_2;
   event.event.text = FixedText<256>(request.text);
   return event;
 }

@@ -11,6 +11,7 @@
 #include "client/diagnostic_output.h"
 #include "client/job_options.h"
 #include "client/operator_events_file.h"
+#include "client/sensor_file.h"
 #include "config/machine_file.h"
 #include "protocol/version.h"
 #include "runtime/log_observer.h"
@@ -37,6 +38,7 @@ struct SimulateOptions {
   std::vector<std::string> axis_traces;  // CH=FILE.csv
   std::string log;
   std::string events;
+  std::string sensors;
   double until_s = -1.0;
   bool drives = false;
 };
@@ -164,6 +166,8 @@ int run(const SimulateOptions& given) {
   options.until_s = given.until_s;
   if (given.drives) options.drives = runtime::DriveChoice::simulated;
   if (!given.events.empty()) options.events = read_operator_events(given.events);
+  if (!given.sensors.empty())
+    options.sensors = read_sensor_file(given.sensors, options.file.machine.spindles);
   std::vector<LocatedProgram> programs;
   const auto add_program = [&](int channel, const std::string& file) {
     programs.push_back(locate(file));
@@ -212,6 +216,8 @@ int run(const SimulateOptions& given) {
     for (const std::string& refusal : result.refusals)
       std::fprintf(stderr, "error: %s\n", refusal.c_str());
   }
+  for (const std::string& refused : result.refused_events)
+    std::fprintf(stderr, "warning: an event of the operator was refused: %s\n", refused.c_str());
   if (given.job.json) {
     std::printf("%s\n", result_json(result, options.file.machine).dump().c_str());
   } else {
@@ -236,6 +242,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("--until", options->until_s, "stop after this machine time, s");
   command->add_flag("--drives", options->drives, "run the simulated drives; else they are ideal");
   command->add_option("--events", options->events, "operator events, one JSON object a line");
+  command->add_option("--sensors", options->sensors,
+                      "CSV of sensor values over machine time: t,power_w,vibration_um");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -8,6 +8,7 @@
 #include "channels/channel_description.h"
 #include "channels/motion_config.h"
 #include "channels/output.h"
+#include "config/automatic_feed_section.h"
 #include "config/axis_section.h"
 #include "config/scheme_file.h"
 
@@ -23,6 +24,7 @@ struct ChannelFile {
   Texts axes;
   int active = 0;
   Subtables schemes = nullptr;
+  Subtables automatic_feeds = nullptr;
   std::string on_owner_failure = "hold";
 };
 
@@ -44,6 +46,8 @@ const Keys<ChannelFile>& channel_keys() {
        "scheme at power-on; may also be written scheme = N", from(1), "the first"},
       {"scheme", at<&ChannelFile::schemes>, optional, "", "kinematic schemes", any,
        "scheme 1: cartesian, all axes, zero at 0"},
+      {"automatic_feed", at<&ChannelFile::automatic_feeds>, optional, "",
+       "feed laws that the cycle forms from a sensor of the master spindle", any, "none"},
       {"path_tolerance", at<&ChannelFile::channel, &ChannelConfig::path_tolerance_mm>, optional,
        "mm", "how far the path may leave a corner under G64 without P", not_negative},
       {"orientation_tolerance",
@@ -256,6 +260,7 @@ ChannelConfig read_channel(const toml::table& table, const MachineConfig& machin
   if (!table.contains("words")) channel.words = file.axes;
   check_spindles(table, channel, machine, scope);
   check_names(table, channel, scope);
+  channel.automatic_feeds = read_automatic_feeds(file.automatic_feeds, channel, scope);
   // A wrong axis is one fault, not one more for every word and scheme that counts on it.
   const bool axes_are_right = channel.axes.size() == file.axes.size();
   if (axes_are_right) check_words(table, channel, scope);

@@ -1,6 +1,7 @@
 // The list of documented tables, and their form in Markdown.
 #include "config/key_reference.h"
 
+#include "config/automatic_feed_section.h"
 #include "config/axis_section.h"
 #include "config/channel_section.h"
 #include "config/drive_section.h"
@@ -28,6 +29,7 @@ std::vector<KeySection> key_sections() {
       {"[axis.plant]", axis_plant_key_rows()},
       {"[[spindle]]", spindle_key_rows()},
       {"[[channel]]", channel_key_rows()},
+      {"[[channel.automatic_feed]]", automatic_feed_key_rows()},
       {"[[channel.scheme]], scheme file", scheme_key_rows()},
       {"[[parked]] of a scheme", parked_key_rows()},
       {"[drives]", drives_key_rows()},

@@ -153,6 +153,7 @@ void Dispatch::command(const Method& method, const json& parameters, Answer answ
   event.channel = concerns_machine(method) ? 0 : channel_or_first(parameters);
   event.number = request.number;
   event.value = request.value;
+  event.value_2 = request.value_2;
   event.text = FixedText<256>(request.text);
   const bool begins_run = *action == channels::OperatorAction::program_run ||
                           *action == channels::OperatorAction::mdi ||

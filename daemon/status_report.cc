@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/catalogue.h"
+#include "daemon/process_status.h"
 
 namespace stanok::daemon {
 namespace {
@@ -53,22 +54,6 @@ const char* kind_word(lang::ChannelKind kind) {
       return "grind";
     case lang::ChannelKind::master:
       return "master";
-  }
-  return "";
-}
-
-const char* law_word(motion::LawKind law) {
-  switch (law) {
-    case motion::LawKind::none:
-      return "";
-    case motion::LawKind::linear:
-      return "linear";
-    case motion::LawKind::modulated:
-      return "modulated";
-    case motion::LawKind::interrupted:
-      return "interrupted";
-    case motion::LawKind::curve:
-      return "curve";
   }
   return "";
 }
@@ -310,17 +295,7 @@ json StatusReport::kinematics(int channel) const {
 }
 
 json StatusReport::process(int channel) const {
-  const auto output = output_of(machine_.newest_output(), channel);
-  const channels::ProcessOutput& process = output.process;
-  const bool has_law = output.running && process.law != motion::LawKind::none;
-  return {{"channel", channel},
-          {"law", has_law ? json(law_word(process.law)) : json(nullptr)},
-          {"increments", has_law ? process.increments : 0},
-          {"stands", process.stands},
-          {"feed_mm_min", process.feed_mm_per_min},
-          {"feed_mm_rev", process.feed_mm_per_rev},
-          {"spindle_rev_min", process.spindle_rev_per_min},
-          {"cutting_speed_m_min", process.cutting_speed_m_per_min}};
+  return process_status(output_of(machine_.newest_output(), channel));
 }
 
 json StatusReport::alarms_standing(int channel) const {

@@ -13,8 +13,9 @@ struct FeedControl {
 
   double feed_override = 1.0;   // 0..2, of programmed feed
   double rapid_override = 1.0;  // 0..1
-  bool hold = false;            // feed hold: come to rest on the path
-  bool leaves_thread = false;   // within a thread, too, which a hold lets run to its end
+  double law_part = 1.0;  // 0..1, of programmed feed: what laws formed in the cycle leave of it
+  bool hold = false;      // feed hold: come to rest on the path
+  bool leaves_thread = false;  // within a thread, too, which a hold lets run to its end
   // A gate: the path comes to rest before the first piece of this block or a later one.
   std::uint64_t closed_from_block = no_gate;
   double spindle_rev_per_min = 0.0;  // that a feed per revolution follows
@@ -25,13 +26,13 @@ struct FeedControl {
     if (block_rev_per_min <= 0.0 || spindle_rev_per_min == block_rev_per_min) return 1.0;
     return spindle_rev_per_min / block_rev_per_min;
   }
-  // The same under the override.
+  // The same under the override and the laws of the cycle.
   [[nodiscard]] double feed_part(double block_rev_per_min) const RT_SAFE {
-    return feed_override * spindle_part(block_rev_per_min);
+    return feed_override * law_part * spindle_part(block_rev_per_min);
   }
 
   [[nodiscard]] bool is_nominal() const {
-    return feed_override == 1.0 && rapid_override == 1.0 && !hold;
+    return feed_override == 1.0 && rapid_override == 1.0 && law_part == 1.0 && !hold;
   }
   friend bool operator==(const FeedControl&, const FeedControl&) = default;
 };

@@ -20,14 +20,6 @@ void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetP
   }
 }
 
-// State `t` after the start of the phases from `first` on.
-PathMotion motion_after(const PathQueue& queue, std::size_t first, double t) RT_SAFE {
-  while (first + 1 < queue.phases.size() && t >= queue.phases[first].duration) {
-    t -= queue.phases[first++].duration;
-  }
-  return motion_at(queue.phases[first], t);
-}
-
 // A gate lies on the path that is known.
 bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
   return control.closed_from_block != FeedControl::no_gate && !queue.pieces.empty() &&
@@ -46,6 +38,7 @@ Interpolator::Interpolator(const MotionConfig& config)
     : cycle_s_(config.cycle_s),
       axis_count_(config.axis_count),
       planner_(config.cycle_s),
+      interruption_(config),
       synchronous_(config.cycle_s) {}
 
 void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
@@ -77,9 +70,14 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
       if (control.hold || !may_enter(queue, control, chunk_limit)) break;
       enter(queue);
     }
+    if (is_interrupted(queue)) {
+      begin_interruption(queue);
+      continue;
+    }
     time = run(queue, control, time);
     if (is_synchronous()) out.spindle_order = synchronous_.order();
     run_overlap(queue, control, chunk_limit);
+    if (time > 0.0 && is_interrupted(queue)) continue;
     if (!has_run_chunk() || !finish_chunk(queue, control, out)) break;
     out.cycle_left = time;
     if (time <= 0.0) break;
@@ -87,9 +85,25 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
   report(queue, control, out);
 }
 
+void Interpolator::interrupt(const InterruptionLengths& lengths) RT_SAFE {
+  interruption_.set(lengths, cursor_, motion_.s, !at_rest());
+}
+
+// At rest within the chain at hand where its feed is to be interrupted.
+bool Interpolator::is_interrupted(const PathQueue& queue) const RT_SAFE {
+  if (!interruption_.is_on() || !at_rest() || is_synchronous() || has_run_chunk()) return false;
+  return interruption_.is_due(cursor_.piece(queue), motion_.s);
+}
+
+void Interpolator::begin_interruption(const PathQueue& queue) RT_SAFE {
+  stand_mm_ = interruption_.lengths().stand_mm;
+  stand_feed_ = interruption_.stand(queue, cursor_, motion_.s);
+}
+
 // Goes on along the fictitious path; returns what is left of the time at its end.
 double Interpolator::stand(const FeedControl& control, double time) RT_SAFE {
-  const double speed = control.hold ? 0.0 : stand_feed_ * control.feed_part(stand_rev_per_min_);
+  const double speed =
+      control.hold ? 0.0 : stand_feed_.per_s * control.feed_part(stand_feed_.rev_per_min);
   if (stand_mm_ > speed * time) {
     stand_mm_ -= speed * time;
     return 0.0;
@@ -111,6 +125,7 @@ bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
 // The first chunk of a chain.
 void Interpolator::enter(PathQueue& queue) RT_SAFE {
   cursor_.enter(queue);
+  interruption_.begin_chain(cursor_);
   if (!is_synchronous()) return;
   synchronous_.begin(cursor_.chunk().coupling, cursor_.chunk().length);
   is_nominal_ = true;
@@ -141,15 +156,19 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
   if (is_synchronous()) return follow_spindle(queue, control);
+  interruption_.look(queue, cursor_, motion_.s);
   const bool wants_nominal =
-      overlap_ == Overlap::runs || (control.is_nominal() && follows_spindle(queue, control) &&
-                                    knows_next(queue) && !sees_gate(queue, control));
+      overlap_ == Overlap::runs ||
+      (control.is_nominal() && follows_spindle(queue, control) && knows_next(queue) &&
+       !sees_gate(queue, control) && !interruption_.is_on());
   if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
   if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
   if (is_nominal_) planner_.forget();
   const double before = motion_.s;
   double left = 0.0;
-  if (!planner_.advance(queue, cursor_, control, time, motion_, left)) {
+  FeedControl asked = control;
+  asked.hold = control.hold || interruption_.holds(cursor_.piece(queue));
+  if (!planner_.advance(queue, cursor_, asked, interruption_.wall(), time, motion_, left)) {
     return run_nominal(queue, time);
   }
   is_nominal_ = false;
@@ -206,66 +225,6 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   return unused;
 }
 
-// Runs the next chain as far as it overlaps the end of the one at hand. It begins in the first
-// cycle that comes into the overlap, or not at all; once begun it is run as committed.
-void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& control,
-                               std::uint64_t chunk_limit) RT_SAFE {
-  const double overlap = cursor_.chunk().overlap_s;
-  if (overlap <= 0.0 || !is_nominal_ || overlap_ == Overlap::refused) return;
-  const double begun = overlap - time_to_end(queue, overlap);
-  if (begun <= 0.0) return;
-  if (overlap_ == Overlap::undecided) {
-    const bool begins = control.is_nominal() && may_enter(queue, control, chunk_limit);
-    overlap_ = begins ? Overlap::runs : Overlap::refused;
-    if (!begins) return;
-  }
-  const PathMotion motion = motion_after(queue, cursor_.phases_left(), begun);
-  advanced_ += motion.s - next_motion_.s;
-  next_motion_ = motion;
-}
-
-// Time that the committed phases of the chunk at hand still take, or more than `farthest`.
-double Interpolator::time_to_end(const PathQueue& queue, double farthest) const RT_SAFE {
-  if (!cursor_.has_phase()) return 0.0;
-  double time = -(phase_time_first_ + phase_cycles_ * cycle_s_);
-  for (std::uint32_t k = 0; k < cursor_.phases_left() && time <= farthest; ++k) {
-    time += queue.phases[k].duration;
-  }
-  return time;
-}
-
-// The chain at hand has ended, the next one runs already.
-void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
-  phase_time_first_ = cursor_.chunk().overlap_s;
-  phase_cycles_ = 0.0;
-  cursor_.leave(queue);
-  ++chunks_done_;
-  cursor_.enter(queue);
-  motion_ = next_motion_;
-  next_motion_ = {};
-  overlap_ = Overlap::undecided;
-}
-
-// The axes move by the sum of both chains: the end of one piece is the start of the other.
-void Interpolator::add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE {
-  const Piece& piece = queue.pieces[cursor_.pieces_left()];
-  const PathMetric& metric = piece.geometry.metric;
-  JetPoint point_s;
-  JetPoint next{};
-  evaluate(piece, next_motion_.s, point_s);
-  along_time(point_s, next_motion_.v, next_motion_.a, next_motion_.j, axis_count_, next);
-  double speed2 = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
-    kinematics::Jet& sum = out.point[k];
-    sum.value += next[k].value - piece.geometry.start[k];
-    sum.first += next[k].first;
-    sum.second += next[k].second;
-    sum.third += next[k].third;
-    if (metric.counts(k)) speed2 += sum.first * sum.first;
-  }
-  out.s_speed = std::sqrt(speed2);
-}
-
 // The piece behind the one at hand lies behind a gate.
 bool Interpolator::is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
     RT_SAFE {
@@ -306,8 +265,9 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
   const bool chain_ends = cursor_.chunk().last;
   if (chain_ends) {
     stand_mm_ = cursor_.chunk().stand_mm;
-    stand_feed_ = cursor_.piece(queue).feed_per_s;
-    stand_rev_per_min_ = cursor_.piece(queue).process.rev_per_min;
+    stand_feed_ = {.per_s = cursor_.piece(queue).feed_per_s,
+                   .rev_per_min = cursor_.piece(queue).process.rev_per_min};
+    interruption_.end_chain(length);
     stand_here(queue);
     out.chain_ended = true;
   }
@@ -316,6 +276,7 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
   if (chain_ends) return true;
   cursor_.enter(queue);
   planner_.shift(length);
+  interruption_.shift(length);
   motion_.s = beyond;
   cursor_.go_to(queue, beyond, control.closed_from_block);
   return true;
@@ -358,7 +319,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
     out.state = stand_mm_ > 0.0 ? PathState::standing : PathState::idle;
     out.tag = last_tag_;
     out.feed_commanded =
-        stand_mm_ > 0.0 ? stand_feed_ * control.spindle_part(stand_rev_per_min_) : 0.0;
+        stand_mm_ > 0.0 ? stand_feed_.per_s * control.spindle_part(stand_feed_.rev_per_min) : 0.0;
     out.process = last_process_;
     derivatives_to_zero(out.point, standing_point_);
     derivatives_to_zero(out.axes, standing_axes_);
@@ -395,6 +356,7 @@ void Interpolator::turns_to_way(const Piece& piece, const JetPoint& point_s,
 
 PathState Interpolator::state(const PathQueue& queue, const FeedControl& control) const RT_SAFE {
   if (!at_rest() || advanced_ > 0.0) return PathState::moving;
+  if (stand_mm_ > 0.0) return PathState::standing;
   if (knows_next(queue) || control.hold) return PathState::holding;
   return PathState::starved;
 }

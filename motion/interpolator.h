@@ -13,6 +13,7 @@
 
 #include "base/rt_safe.h"
 #include "motion/feed_control.h"
+#include "motion/feed_interruption.h"
 #include "motion/override_planner.h"
 #include "motion/path.h"
 #include "motion/path_cursor.h"
@@ -28,7 +29,7 @@ enum class PathState : std::uint8_t {
   moving,
   holding,   // at rest on the path by hold or override 0
   starved,   // at rest on the path: the next chunk of the chain did not arrive in time
-  standing,  // on a fictitious path, which a feed law puts between two chains
+  standing,  // on a fictitious path, which a feed law or an interruption puts in
 };
 
 struct InterpolatorOutput {
@@ -58,6 +59,10 @@ class Interpolator {
   // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
   // `axes_M`.
   void stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE;
+
+  // The feed is interrupted from now on, or no longer.
+  void interrupt(const InterruptionLengths& lengths) RT_SAFE;
+  [[nodiscard]] const FeedInterruption& interruption() const RT_SAFE { return interruption_; }
 
   // How spindle `index` of the channel turns at the set-point to come.
   void see_spindle(std::size_t index, const SpindleMotion& motion) RT_SAFE {
@@ -96,6 +101,8 @@ class Interpolator {
   [[nodiscard]] double time_to_end(const PathQueue& queue, double farthest) const RT_SAFE;
   void enter_overlapped(PathQueue& queue) RT_SAFE;
   void add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
+  [[nodiscard]] bool is_interrupted(const PathQueue& queue) const RT_SAFE;
+  void begin_interruption(const PathQueue& queue) RT_SAFE;
   [[nodiscard]] double stand(const FeedControl& control, double time) RT_SAFE;
   void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
@@ -125,6 +132,7 @@ class Interpolator {
   Overlap overlap_ = Overlap::undecided;
   PathMotion next_motion_;  // along the first chunk of the next chain
   OverridePlanner planner_;
+  FeedInterruption interruption_;
   SynchronousRun synchronous_;
   std::array<SpindleMotion, coupled_spindles_max> spindles_{};
   bool is_nominal_ = true;  // committed phases are being run
@@ -139,9 +147,8 @@ class Interpolator {
   Point standing_axes_{};
   BlockTag last_tag_;
   PieceProcess last_process_;
-  double stand_mm_ = 0.0;    // what is left of the fictitious path
-  double stand_feed_ = 0.0;  // mm/s
-  double stand_rev_per_min_ = 0.0;
+  double stand_mm_ = 0.0;  // what is left of the fictitious path
+  StandFeed stand_feed_;
 };
 
 }  // namespace stanok::motion

@@ -89,10 +89,10 @@ void OverridePlanner::forget() RT_SAFE {
 }
 
 bool OverridePlanner::advance(const PathQueue& queue, const PathCursor& cursor,
-                              const FeedControl& control, double time, PathMotion& motion,
-                              double& left) RT_SAFE {
+                              const FeedControl& control, const PathWall& wall, double time,
+                              PathMotion& motion, double& left) RT_SAFE {
   extend_reach(control);
-  sight_.look(queue, cursor, control, reach_);
+  sight_.look(queue, cursor, control, reach_, wall);
   if (find_plan(control, time, motion)) {
     current_ = 1 - current_;
     has_plan_ = true;

@@ -26,10 +26,10 @@ class OverridePlanner {
 
   // Runs for `time` from `motion`, which it replaces. Returns false, with nothing done, when it has
   // no plan that keeps the limits; possible only right after forget(). `left`: what remains of
-  // `time` at the end of the chain.
+  // `time` at the end of the chain, or at the wall.
   [[nodiscard]] bool advance(const PathQueue& queue, const PathCursor& cursor,
-                             const FeedControl& control, double time, PathMotion& motion,
-                             double& left) RT_SAFE;
+                             const FeedControl& control, const PathWall& wall, double time,
+                             PathMotion& motion, double& left) RT_SAFE;
 
   // The path coordinate counts from ds later on: the next chunk was entered.
   void shift(double ds) RT_SAFE { plans_[current_].shift(ds); }

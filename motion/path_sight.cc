@@ -32,7 +32,7 @@ double highest_part(const PathSight::Reach& reach, double rev_per_min) RT_SAFE {
 PathSight::PathSight() : kept_(2 * pieces_max) {}
 
 void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
-                     const Reach& reach) RT_SAFE {
+                     const Reach& reach, const PathWall& wall) RT_SAFE {
   queue_ = &queue;
   control_ = control;
   reach_ = reach;
@@ -41,6 +41,11 @@ void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const Fee
   if (control.closed_from_block != FeedControl::no_gate) {
     size_ = std::max<std::size_t>(open_pieces(queue, size_, control.closed_from_block), 1);
   }
+  if (wall.piece != PathWall::no_piece) {
+    const std::uint64_t behind = wall.piece >= first_ ? wall.piece - first_ + 1 : 1;
+    size_ = std::min<std::size_t>(size_, static_cast<std::size_t>(behind));
+  }
+  wall_s_ = wall.s;
   starts_[0] = cursor.piece_start();
   starts_known_ = 0;
 }

@@ -6,6 +6,7 @@
 // for a piece and kept. Real-time; memory is taken in the constructor.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,13 @@
 #include "motion/profile.h"
 
 namespace stanok::motion {
+
+// A place at which the path comes to rest, on a piece that is known: s along the chunk at hand.
+struct PathWall {
+  static constexpr std::uint64_t no_piece = ~std::uint64_t{0};
+  std::uint64_t piece = no_piece;  // number of the piece that holds it
+  double s = unlimited;
+};
 
 class PathSight {
  public:
@@ -34,14 +42,17 @@ class PathSight {
     friend bool operator==(const Reach&, const Reach&) = default;
   };
 
-  // Looks along the path from the piece at hand, once a cycle. A gate ahead is a wall.
+  // Looks along the path from the piece at hand as far as the wall, once a cycle. A gate ahead is a
+  // wall, too.
   void look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
-            const Reach& reach) RT_SAFE;
+            const Reach& reach, const PathWall& wall) RT_SAFE;
 
   [[nodiscard]] std::size_t size() const RT_SAFE { return size_; }
   // Where piece `index` starts and ends along the chunk at hand; index < size().
   [[nodiscard]] double start(std::size_t index) RT_SAFE;
-  [[nodiscard]] double end(std::size_t index) RT_SAFE { return start(index + 1); }
+  [[nodiscard]] double end(std::size_t index) RT_SAFE {
+    return std::min(start(index + 1), wall_s_);
+  }
   [[nodiscard]] double hard_speed(std::size_t index) RT_SAFE { return limits_of(index).v; }
   [[nodiscard]] double asked_speed(std::size_t index) RT_SAFE;
   [[nodiscard]] const RampLimits& ramp(std::size_t index) RT_SAFE { return limits_of(index).ramp; }
@@ -68,6 +79,7 @@ class PathSight {
   std::uint64_t first_ = 0;
   std::size_t size_ = 0;
   std::size_t starts_known_ = 0;
+  double wall_s_ = unlimited;
   std::array<double, pieces_max + 1> starts_{};
   std::vector<Limits> kept_;
 };

@@ -25,6 +25,12 @@ MachineRequest machine_request(const Method& method, const nlohmann::json& param
       case Carries::fraction_of_percent:
         request.value = value->get<double>() / 100.0;
         break;
+      case Carries::value:
+        request.value = value->get<double>();
+        break;
+      case Carries::value_2:
+        request.value_2 = value->get<double>();
+        break;
       case Carries::text:
         request.text = value->get<std::string>();
         break;

@@ -19,6 +19,7 @@ struct MachineRequest {
   int channel = 0;  // 0: not named
   int number = 0;
   double value = 0.0;  // overrides: 1 = 100 %
+  double value_2 = 0.0;
   std::string text;
 };
 

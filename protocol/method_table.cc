@@ -111,6 +111,38 @@ constexpr Parameter drive_fault{.name = "fault",
 
 constexpr std::array of_drive{drive};
 constexpr std::array of_drive_fault{drive, drive_fault};
+
+constexpr double interruption_mm_max = 10000.0;
+constexpr Parameter fictitious_path{.name = "la",
+                                    .type = ParameterType::number,
+                                    .presence = Presence::required,
+                                    .carries = Carries::value,
+                                    .unit = "mm",
+                                    .minimum = 0,
+                                    .maximum = interruption_mm_max,
+                                    .help =
+                                        "fictitious path L_A along which the axes rest; 0 ends "
+                                        "the interruption"};
+constexpr Parameter real_path{.name = "lb",
+                              .type = ParameterType::number,
+                              .carries = Carries::value_2,
+                              .unit = "mm",
+                              .minimum = 0,
+                              .maximum = interruption_mm_max,
+                              .help = "path at feed L_B from one rest to the next"};
+
+constexpr auto automatic_laws = std::to_array<std::string_view>({"modulated", "linear"});
+constexpr Parameter automatic_law{
+    .name = "law",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .carries = Carries::text,
+    .choices = automatic_laws,
+    .help = "modulated: acts on the vibration; linear: on the power of the spindle"};
+
+constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
+constexpr std::array of_interruption{fictitious_path, real_path, channel};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_channel{channel};
@@ -220,7 +252,12 @@ constexpr auto table = std::to_array<Method>({
     later("jog", machine_operator, "move an axis by hand"),
     later("home", machine_operator, "reference an axis"),
     {"process.status", observer, "feed law, feed, spindle and cutting speed", of_channel},
-    later("process.interrupt", machine_operator, "interrupt the feed, by L_A and L_B"),
+    {"process.interrupt", machine_operator,
+     "interrupt the feed: at once, then after each L_B of path, for the time of L_A",
+     of_interruption, "process_interrupt"},
+    {"process.automatic", machine_operator,
+     "whether the channel forms a feed law of its own from a sensor", of_automatic_law,
+     "process_automatic"},
     later("process.adaptive", machine_operator, "adaptive control on or off"),
     later("workpiece.status", observer, "virtual workpiece"),
     later("workpiece.allow", machine_operator, "allow a collision area"),

@@ -21,7 +21,15 @@ enum class Presence : std::uint8_t { optional, required };
 // Where the parameter stands on the command line of `stanok`.
 enum class Spelling : std::uint8_t { option, positional };
 // Which field of a MachineRequest the parameter fills (protocol/machine_request.h).
-enum class Carries : std::uint8_t { nothing, channel, number, fraction_of_percent, text };
+enum class Carries : std::uint8_t {
+  nothing,
+  channel,
+  number,
+  fraction_of_percent,
+  value,
+  value_2,
+  text
+};
 
 struct Parameter {
   std::string_view name;

@@ -193,7 +193,9 @@ input_t to_input(const channels::InputRecord& record, const Stamp& stamp) {
   message.channel = record.channel;
   message.method = record.method;
   message.kind = static_cast<std::int8_t>(record.kind);
+  message.number = record.number;
   message.value = record.value;
+  message.value_2 = record.value_2;
   put_text(record.text.view(), message.text);
   return message;
 }
@@ -240,7 +242,9 @@ channels::InputRecord from_input(const input_t& message) {
           .kind = static_cast<channels::InputKind>(message.kind),
           .channel = message.channel,
           .method = message.method,
+          .number = message.number,
           .value = message.value,
+          .value_2 = message.value_2,
           .text = text_of(message.text)};
 }
 

@@ -36,6 +36,7 @@ struct Assembly::Parts {
       outputs = std::make_unique<Ring<channels::CycleOutput>>(options.output_capacity);
     }
     make_bus();
+    find_spindle_drives();
     reset_cycles =
         fault_reset_polls * options.file.bus.poll_ms * 1000 / options.file.machine.cycle_us;
   }
@@ -89,6 +90,19 @@ struct Assembly::Parts {
       bus->write_signals({.digital = output.signals.digital, .analog = output.signals.analog});
   }
 
+  void find_spindle_drives() {
+    const channels::MachineConfig& config = options.file.machine;
+    sensors.resize(config.spindles.size());
+    for (const channels::SpindleConfig& spindle : config.spindles) {
+      const auto axis = std::ranges::find(config.axes, spindle.axis, &channels::AxisConfig::name);
+      const auto own = std::ranges::find(bus_drives, spindle.id, &drives::AxisDriveConfig::spindle);
+      int drive = -1;
+      if (axis != config.axes.end()) drive = static_cast<int>(axis - config.axes.begin());
+      if (own != bus_drives.end()) drive = static_cast<int>(own - bus_drives.begin());
+      spindle_drives.push_back(drive);
+    }
+  }
+
   // Feedback of the drives as the machine takes it.
   void read_drives() RT_SAFE {
     bus->read({raw_feedback.data(), drive_count});
@@ -106,6 +120,20 @@ struct Assembly::Parts {
                      .referenced = raw.referenced,
                      .brake_closed = raw.brake_closed};
     }
+  }
+
+  // Of the spindles that have a drive on the bus, their own or that of their axis.
+  std::span<const channels::SpindleSensors> read_sensors() RT_SAFE {
+    for (std::size_t s = 0; s < sensors.size(); ++s) {
+      sensors[s] = {};
+      if (spindle_drives[s] < 0) continue;
+      const drives::DriveFeedback& raw = raw_feedback[static_cast<std::size_t>(spindle_drives[s])];
+      if (!raw.valid) continue;
+      sensors[s] = {.power_w = raw.power_w,
+                    .vibration_um = raw.vibration_um,
+                    .vibration_hz = raw.vibration_hz};
+    }
+    return sensors;
   }
 
   void write_drives() RT_SAFE {
@@ -199,6 +227,8 @@ struct Assembly::Parts {
   std::array<drives::DriveFeedback, drives_of_machine_max> raw_feedback{};
   std::array<channels::AxisFeedback, axes_of_machine_max> feedback{};
   std::array<drives::DriveTarget, drives_of_machine_max> targets{};
+  std::vector<channels::SpindleSensors> sensors;  // of the spindles of the machine
+  std::vector<int> spindle_drives;                // their places on the bus; -1: none
   std::array<std::atomic<bool>, drives_of_machine_max> reset_demands{};  // of operators
   std::array<int, drives_of_machine_max> fault_reset_cycles{};  // still to go with the demand
   int reset_cycles = 0;
@@ -227,15 +257,17 @@ void Assembly::stop() {
   if (parts_->server) parts_->server->stop();
 }
 
-const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorEvent> events)
+const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorEvent> events,
+                                             std::span<const channels::SpindleSensors> sensors)
     RT_SAFE {
   Parts& parts = *parts_;
-  channels::CycleInputs inputs{.events = events, .feedback = {}};
+  channels::CycleInputs inputs{.events = events, .feedback = {}, .sensors = sensors};
   if (parts.bus) {
     parts.read_drives();
     parts.note_fault_resets(events);
     inputs.feedback = {parts.feedback.data(), parts.axis_count};
     inputs.signals = parts.read_signals();
+    if (sensors.empty()) inputs.sensors = parts.read_sensors();
   }
   parts.machine.cycle(inputs, parts.output);
   if (parts.bus) {

@@ -52,7 +52,10 @@ class Assembly {
   void stop();
 
   // One real-time cycle. The output stays valid until the next call.
-  const channels::CycleOutput& cycle(std::span<const channels::OperatorEvent> events) RT_SAFE;
+  // `sensors` of the spindles, where they do not come from the drives.
+  const channels::CycleOutput& cycle(std::span<const channels::OperatorEvent> events,
+                                     std::span<const channels::SpindleSensors> sensors = {})
+      RT_SAFE;
 
   // What the drives had told when the last cycle began; empty with ideal drives.
   [[nodiscard]] std::span<const channels::AxisFeedback> feedback() const RT_SAFE;

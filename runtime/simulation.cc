@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::int64_t interruption_interval = 1024;  // cycles between two looks at `interrupted`
 
+constexpr std::uint64_t first_event_id = 1'000'000;  // ids below are those of programs
+
 std::int64_t thread_time_ns() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -81,12 +83,22 @@ class Simulation {
     while (next_event_ < options_.events.size() &&
            options_.events[next_event_].cycle <= output_->cycle + 1) {
       events_.push_back(options_.events[next_event_++].event);
+      events_.back().id = first_event_id + next_event_;
     }
     const std::int64_t begin = thread_time_ns();
-    output_ = &assembly_.cycle(events_);
+    output_ = &assembly_.cycle(events_, sensors_now());
     result_.cycle_time.add(thread_time_ns() - begin);
     events_.clear();
     hand_on();
+  }
+
+  // Of the latest row at the cycle to come; those of the drives where there are no rows.
+  std::span<const channels::SpindleSensors> sensors_now() {
+    const double t = static_cast<double>(output_->cycle + 1) * result_.cycle_s;
+    while (next_sensors_ < options_.sensors.size() && options_.sensors[next_sensors_].t <= t)
+      ++next_sensors_;
+    if (next_sensors_ == 0) return {};
+    return options_.sensors[next_sensors_ - 1].spindles;
   }
 
   void hand_on() {
@@ -103,7 +115,8 @@ class Simulation {
     while (machine_.replies().pop(reply)) {
       if (reply.ok) continue;
       const std::string code(reply.code.view());
-      result_.refusals.push_back(code + (code.empty() ? "" : " ") + std::string(reply.text.view()));
+      const std::string text = code + (code.empty() ? "" : " ") + std::string(reply.text.view());
+      (reply.id >= first_event_id ? result_.refused_events : result_.refusals).push_back(text);
     }
   }
 
@@ -144,6 +157,7 @@ class Simulation {
   const channels::CycleOutput* output_ = &before_first_;
   std::vector<channels::OperatorEvent> events_;
   std::size_t next_event_ = 0;
+  std::size_t next_sensors_ = 0;
   SimulationResult result_;
 };
 

@@ -28,12 +28,19 @@ struct TimedEvent {
   channels::OperatorEvent event;
 };
 
+// What the sensors of all spindles of the machine tell from a time on.
+struct SensorRow {
+  double t = 0.0;  // s
+  std::vector<channels::SpindleSensors> spindles;
+};
+
 struct SimulationOptions {
   config::MachineFile file;
   std::vector<std::filesystem::path> program_roots;
   std::vector<ChannelProgram> programs;
   std::vector<std::pair<int, int>> schemes;  // channel, scheme at start
   std::vector<TimedEvent> events;            // ascending cycles
+  std::vector<SensorRow> sensors;            // ascending times; instead of those of the drives
   DriveChoice drives = DriveChoice::ideal;   // or simulated
   double until_s = -1.0;                     // < 0: until all channels are idle
 };
@@ -48,8 +55,9 @@ struct SimulationResult {
   std::vector<channels::RunReport> runs;
   std::vector<channels::AlarmReport> alarms;
   std::vector<channels::AlarmReport> load_diagnostics;
-  std::vector<std::string> refusals;  // programs that did not start: code and reason
-  Histogram cycle_time;               // processor time of one cycle over all channels
+  std::vector<std::string> refusals;        // programs that did not start: code and reason
+  std::vector<std::string> refused_events;  // of the operator, likewise
+  Histogram cycle_time;                     // processor time of one cycle over all channels
 };
 
 // What looks at every cycle: traces, logs. Events are those since the cycle before.

@@ -46,14 +46,23 @@ std::string argument_for(const protocol::Parameter& parameter) {
   return "";
 }
 
+// The required parameters, as they are written on the command line.
+std::string arguments_for(const Method& method) {
+  std::string line;
+  for (const auto& parameter : method.parameters) {
+    if (parameter.presence != protocol::Presence::required) continue;
+    if (parameter.spelling == protocol::Spelling::option)
+      line += " --" + std::string(parameter.name);
+    line += " " + argument_for(parameter);
+  }
+  return line;
+}
+
 class EveryMethod : public testing::TestWithParam<Method> {};
 
 TEST_P(EveryMethod, HasASubcommand) {
   const Method& method = GetParam();
-  std::string line = words_of(method);
-  for (const auto& parameter : method.parameters) {
-    if (parameter.presence == protocol::Presence::required) line += " " + argument_for(parameter);
-  }
+  const std::string line = words_of(method) + arguments_for(method);
   const auto call = call_for(line);
   ASSERT_TRUE(call) << line;
   EXPECT_EQ(call->method->name, method.name);
@@ -61,10 +70,7 @@ TEST_P(EveryMethod, HasASubcommand) {
 }
 
 TEST_P(EveryMethod, TakesJsonSocketAndTimeout) {
-  std::string line = words_of(GetParam());
-  for (const auto& parameter : GetParam().parameters) {
-    if (parameter.presence == protocol::Presence::required) line += " " + argument_for(parameter);
-  }
+  const std::string line = words_of(GetParam()) + arguments_for(GetParam());
   const auto call = call_for(line + " --json --socket /tmp/x.sock --timeout 1.5");
   ASSERT_TRUE(call);
   EXPECT_EQ(call->form, OutputForm::json);

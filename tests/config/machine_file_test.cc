@@ -380,6 +380,30 @@ std::string configuration_document() {
 }
 
 // docs/configuration.md holds the tables that the readers are made of, word for word.
+TEST(MachineFile, AutomaticFeedLawsOfAChannelHaveTheirFigures) {
+  const TemporaryFiles files;
+  const MachineFile file = read_machine_file(files.write(
+      "m.toml",
+      "[machine]\nname = \"m\"\n[[axis]]\nname = \"X\"\nkind = \"linear\"\nmin = 0\nmax = 1\n"
+      "velocity_max = 1\nacceleration_max = 1\njerk_max = 1\n[[spindle]]\nid = 1\nspeed_max = 1\n"
+      "[[channel]]\nid = 1\nname = \"a\"\naxes = [\"X\"]\nspindles = [1]\n"
+      "[[channel.automatic_feed]]\nlaw = \"modulated\"\nlevel = 5\nfeed_min = 0.5\n"
+      "[[channel.automatic_feed]]\nlaw = \"linear\"\nlevel = 900\nrelease = 700\nfeed_min = 0.3\n"
+      "feed_step = 0.02\npath_step = 0.4\nactive = true\n"));
+  const auto& laws = file.machine.channels[0].automatic_feeds;
+  ASSERT_EQ(laws.size(), 2U);
+  EXPECT_EQ(laws[0].law, motion::LawKind::modulated);
+  EXPECT_EQ(laws[0].release, 4.0);
+  EXPECT_FALSE(laws[0].on_at_start);
+  EXPECT_EQ(laws[1].law, motion::LawKind::linear);
+  EXPECT_EQ(laws[1].level, 900.0);
+  EXPECT_EQ(laws[1].release, 700.0);
+  EXPECT_EQ(laws[1].part_min, 0.3);
+  EXPECT_EQ(laws[1].part_step, 0.02);
+  EXPECT_EQ(laws[1].way_step_mm, 0.4);
+  EXPECT_TRUE(laws[1].on_at_start);
+}
+
 TEST(KeyReference, StandsInTheDocumentation) {
   const std::string document = configuration_document();
   for (const KeySection& section : key_sections()) {

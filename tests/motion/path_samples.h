@@ -127,12 +127,13 @@ struct Sample {
 };
 
 // Runs everything that `built` holds through look-ahead and interpolator; preparation is always as
-// far ahead as the queue allows. `control` names the operator's settings of a cycle. Ends when all
-// chains are done, or after `cycles_max`.
+// far ahead as the queue allows. `control` names the operator's settings of a cycle, `act` is what
+// an operator does before it. Ends when all chains are done, or after `cycles_max`.
 inline std::vector<Sample> run_path(
     const MotionConfig& config, const std::vector<PathBuilder::Built>& built,
     const std::function<FeedControl(int)>& control = [](int) { return FeedControl{}; },
-    int cycles_max = 200000) {
+    int cycles_max = 200000,
+    const std::function<void(int, Interpolator&)>& act = [](int, Interpolator&) {}) {
   PathQueue queue;
   LookAhead look_ahead(config);
   Interpolator interpolator(config);
@@ -147,6 +148,7 @@ inline std::vector<Sample> run_path(
   for (int cycle = 0; cycle < cycles_max; ++cycle) {
     while (look_ahead.deliver(queue) && next < built.size()) look_ahead.add(built[next++]);
     Sample sample;
+    act(cycle, interpolator);
     interpolator.advance(queue, control(cycle), sample.out);
     sample.s = samples.back().s + sample.out.path_advanced;
     samples.push_back(sample);

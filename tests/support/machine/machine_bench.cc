@@ -188,12 +188,16 @@ MachineBench::MachineBench(channels::MachineConfig config, const channels::Machi
 void MachineBench::ask(channels::OperatorAction action, int channel, const std::string& text,
                        double value, int number) {
   channels::OperatorEvent event;
-  event.id = next_id_++;
   event.action = action;
   event.channel = channel;
   event.value = value;
   event.number = number;
   event.text = FixedText<256>(text);
+  ask(event);
+}
+
+void MachineBench::ask(channels::OperatorEvent event) {
+  event.id = next_id_++;
   events_.push_back(event);
 }
 
@@ -205,7 +209,7 @@ const channels::CycleOutput& MachineBench::cycle() {
       while (machine_->prepare(k) == channels::Progress::worked) worked = true;
     }
   }
-  machine_->cycle({.events = events_, .feedback = feedback_}, output_);
+  machine_->cycle({.events = events_, .feedback = feedback_, .sensors = sensors_}, output_);
   events_.clear();
   channels::OperatorReply reply;
   while (machine_->replies().pop(reply)) replies_.push_back(reply);

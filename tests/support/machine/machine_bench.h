@@ -51,12 +51,16 @@ class MachineBench {
   // Asks for an operator's action in the next cycle.
   void ask(channels::OperatorAction action, int channel, const std::string& text = "",
            double value = 0.0, int number = 0);
+  void ask(channels::OperatorEvent event);
   void run(int channel, const std::string& program) {
     ask(channels::OperatorAction::program_run, channel, program);
   }
 
   // What the drives answer from here on, in the order of the machine's axes; empty: ideal drives.
   void feedback(std::vector<channels::AxisFeedback> feedback) { feedback_ = std::move(feedback); }
+
+  // What the sensors of the spindles tell from here on; empty: there are none.
+  void sensors(std::vector<channels::SpindleSensors> sensors) { sensors_ = std::move(sensors); }
 
   // One cycle, all preparations blocked before; returns its output.
   const channels::CycleOutput& cycle();
@@ -82,6 +86,7 @@ class MachineBench {
   std::vector<channels::OperatorReply> replies_;
   std::vector<std::string> event_codes_;
   std::vector<channels::AxisFeedback> feedback_;
+  std::vector<channels::SpindleSensors> sensors_;
   std::uint64_t next_id_ = 1;
 };
 

@@ -1,0 +1,13 @@
+// What `process.status` tells of a channel: the feed law at hand, what operators and sensors make
+// of the feed, and S, S_0, n and v (docs/feed-laws.md).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "channels/output.h"
+
+namespace stanok::daemon {
+
+[[nodiscard]] nlohmann::json process_status(const channels::ChannelOutput& output);
+
+}  // namespace stanok::daemon
