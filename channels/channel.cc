@@ -42,6 +42,10 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
   for (const int axis : figures_.spindle_axis) {
     if (axis >= 0) spindle_axes_ = static_cast<lang::AxisSet>(spindle_axes_ | 1U << axis);
   }
+  std::array<ManualAxis, motion::axes_max> manual_axes{};
+  for (std::size_t k = 0; k < motion::axes_max; ++k) manual_axes[k] = figures_.axes[k].manual;
+  manual_.set_up({manual_axes.data(), static_cast<std::size_t>(figures_.axis_count)},
+                 figures_.cycle_s);
   make_regulators();
   select_scheme(scheme);
 }
@@ -68,7 +72,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   stop_at_step();
   work_riders();
   show_remarks(cycle);
-  if (power_off_wanted_ && !resetting_ && interpolator_.at_rest()) {
+  if (power_off_wanted_ && !resetting_ && is_standing()) {
     power(false);
     power_off_wanted_ = false;
   }
@@ -96,6 +100,7 @@ void Channel::move() RT_SAFE {
   interpolator_.advance(link_.path, control, path_, limit);
   path_mm_ += path_.path_advanced;
   blocks_ = std::max(blocks_, path_.tag.run == run_ ? path_.tag.block : 0);
+  if (manual_.is_active()) move_by_hand();
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     AxisSetpoint& setpoint = setpoints_[i];
@@ -138,7 +143,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.id = figures_.id;
   output.axis_count = figures_.axis_count;
   output.state = state_;
-  output.moving = path_.state == motion::PathState::moving;
+  output.moving = path_.state == motion::PathState::moving || manual_.is_active();
   output.running = running_;
   output.run = run_;
   output.waiting = (activity_ != Activity::none && activity_ != Activity::frame) || at_soft_mark_;
@@ -155,11 +160,15 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.drives = drives_;
   output.has_feedback = !drives_are_ideal_;
   output.feedback = feedback_;
-  for (int k = 0; k < figures_.axis_count; ++k)
-    output.drives[static_cast<std::size_t>(k)].follows_velocity = is_spindle_now(k);
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    output.drives[i].follows_velocity = is_spindle_now(k);
+    output.drives[i].reference = manual_.reference(i);
+  }
 }
 
 void Channel::hold(HoldCause cause) RT_SAFE {
+  manual_.stop();
   if (!running_) return;
   hold_cause_ = cause;
   control_.hold = true;
@@ -226,7 +235,7 @@ bool Channel::ended_well(std::uint32_t run) const RT_SAFE {
 }
 
 bool Channel::is_quiet() const RT_SAFE {
-  return !running_ && !resetting_ && interpolator_.at_rest() && activity_ == Activity::none &&
+  return !running_ && !resetting_ && is_standing() && activity_ == Activity::none &&
          link_.items.empty() && link_.riders.empty() && link_.notices.empty() &&
          load_ != Outcome::pending && switch_ != Outcome::pending;
 }

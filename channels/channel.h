@@ -12,6 +12,7 @@
 
 #include "channels/channel_link.h"
 #include "channels/machine.h"
+#include "channels/manual_motion.h"
 #include "channels/output.h"
 #include "channels/report_book.h"
 #include "channels/spindle.h"
@@ -43,6 +44,7 @@ struct AxisFigures {
   FixedText<16> name;
   RegulatorConfig regulator;
   double demand_max = 0.0;  // mm/s or deg/s, of the regulator
+  ManualAxis manual{};
 };
 
 struct ChannelFigures {
@@ -139,7 +141,9 @@ class Channel {
   [[nodiscard]] bool drives_answer() const RT_SAFE { return drives_answer_; }
   // Every drive that is commanded on holds its axis.
   [[nodiscard]] bool drives_ready() const RT_SAFE { return drives_ready_; }
-  [[nodiscard]] bool is_standing() const RT_SAFE { return interpolator_.at_rest(); }
+  [[nodiscard]] bool is_standing() const RT_SAFE {
+    return interpolator_.at_rest() && !manual_.is_active();
+  }
   [[nodiscard]] bool is_resetting() const RT_SAFE { return resetting_; }
   [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
   // M99 in the main program: from its first line, in the same run.
@@ -210,9 +214,21 @@ class Channel {
   void close_position_loop(int id) RT_SAFE;  // of a spindle that stands
   [[nodiscard]] bool position_loop_is_closed(int id) const RT_SAFE;
   void open_position_loop(int id) RT_SAFE;
+  // Of its axis; false: the machine file gives it no mark to look for.
+  [[nodiscard]] bool begin_homing_of_spindle(int id) RT_SAFE;
 
   // A law of the cycle on or off; false: the channel has no such law (channel_process.cc).
   [[nodiscard]] bool switch_automatic_feed(motion::LawKind law, bool on) RT_SAFE;
+
+  // Axes moved by hand (channel_manual.cc).
+  [[nodiscard]] int axis_named(std::string_view name) const RT_SAFE;  // -1: none
+  // Why not: a code of the catalogue; empty: it goes.
+  [[nodiscard]] std::string_view jog(const Jog& jog) RT_SAFE;
+  void home(lang::AxisSet axes) RT_SAFE { manual_.home(axes); }
+  [[nodiscard]] lang::AxisSet axes_to_home() const RT_SAFE;
+  [[nodiscard]] const ManualMotion& manual_motion() const RT_SAFE { return manual_; }
+  // The first axis that stands on a limit switch; -1: none.
+  [[nodiscard]] int axis_on_limit_switch() const RT_SAFE;
 
   // Marks (channel_riders.cc).
   [[nodiscard]] bool is_mark_set(int mark) const RT_SAFE {
@@ -262,12 +278,16 @@ class Channel {
   [[nodiscard]] double diameter() const RT_SAFE;  // of a part turned around Z, at the tool; mm
   [[nodiscard]] ProcessOutput process() const RT_SAFE;
   void turn_spindles() RT_SAFE;
+  // Axes moved by hand (channel_manual.cc).
+  void move_by_hand() RT_SAFE;
+  void watch_limit_switches() RT_SAFE;
   // Threads (channel_thread.cc).
   void observe_spindles() RT_SAFE;
   [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
   void follow_thread() RT_SAFE;
   // Position regulators (channel_drives.cc).
   void make_regulators();
+  void adopt_positions() RT_SAFE;
   void demand_velocities() RT_SAFE;
   void work_riders() RT_SAFE;
   [[nodiscard]] bool rider_is_due() const RT_SAFE;
@@ -299,6 +319,8 @@ class Channel {
   CycleBooks books_;
 
   motion::Interpolator interpolator_;
+  ManualMotion manual_;
+  lang::AxisSet on_limit_switch_ = 0;
   motion::FeedControl control_;
   motion::InterpolatorOutput path_;
   kinematics::Transform transform_;

@@ -1,5 +1,6 @@
 // Power, position regulators and the watch over the drives of one channel.
 #include <algorithm>
+#include <cmath>
 
 #include "channels/channel.h"
 
@@ -69,10 +70,33 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     if (drive_was_ready_[i] && drive.fault) faulty.add(figures_.axes[i].name.view());
     drive_was_ready_[i] = drive_was_ready_[i] || (drive.valid && drive.enabled);
   }
+  watch_limit_switches();
+  adopt_positions();
   if (silent.count > 0)
     fault("A3001", silent.sentence(" does not answer", " do not answer").view());
   if (faulty.count > 0)
     fault("A3002", faulty.sentence(" reports a fault", " report faults").view());
+}
+
+// A drive that is about to take its axis over shall hold it where it is: an encoder counts from
+// elsewhere than the control believed, or the axis was moved while it was off.
+void Channel::adopt_positions() RT_SAFE {
+  constexpr double discretes_apart = 2.0;  // what the drive's own rounding cannot be
+  if (running_ || !is_standing()) return;
+  bool adopted = false;
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const AxisFeedback& drive = feedback_[i];
+    const bool is_taken_over = drives_[i].enabled && owns(k) && drive.valid && !drive.enabled;
+    const double apart = std::abs(drive.position - path_.axes[i].value);
+    if (!is_taken_over || is_spindle_now(k)) continue;
+    if (apart <= discretes_apart * figures_.axes[i].codes.resolution) continue;
+    path_.axes[i] = drive.position;
+    setpoints_[i].position = drive.position;
+    setpoints_[i].position_code = motion::position_code(drive.position, figures_.axes[i].codes);
+    adopted = true;
+  }
+  if (adopted) interpolator_.stand_at(axes_M(), transform_);
 }
 
 void Channel::make_regulators() {

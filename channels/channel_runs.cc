@@ -84,6 +84,7 @@ void Channel::close_run(bool ok, std::uint64_t blocks) RT_SAFE {
 
 void Channel::begin_reset() RT_SAFE {
   alarm_stays_ = false;
+  manual_.stop();
   if (resetting_) return;
   resetting_ = true;
   reset_sent_ = false;
@@ -94,7 +95,7 @@ void Channel::begin_reset() RT_SAFE {
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
 // dropped.
 void Channel::continue_reset() RT_SAFE {
-  if (!interpolator_.at_rest()) return;
+  if (!is_standing()) return;
   if (!reset_sent_) {
     Notice notice;
     notice.kind = NoticeKind::reset;

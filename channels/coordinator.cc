@@ -103,6 +103,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->active = true;
   slot->reply_id = event.id;
   slot->kind = errand_of(event.action);
+  slot->homes = event.action == OperatorAction::home;
   slot->job = event.action == OperatorAction::mdi ? Job::line : Job::program;
   slot->target = index;
   slot->number = event.number;
@@ -143,6 +144,8 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return each([&](Channel& c) RT_SAFE { c.set_optional_stop(event.number != 0); });
     case OperatorAction::single_block:
       return each([&](Channel& c) RT_SAFE { c.set_single_block(event.number != 0); });
+    case OperatorAction::jog:
+      return jog(event, channel);
     case OperatorAction::process_interrupt:
       return interrupt_feed(event, channel);
     case OperatorAction::process_automatic:
@@ -289,6 +292,7 @@ void Coordinator::reply(std::uint64_t id, const Verdict& verdict) RT_SAFE {
 
 Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   using lang::RequestKind;
+  if (errand.homes) return step_home(errand, channel(errand.target));
   if (errand.kind == RequestKind::sync) return success();
   // The interpreter ends the run with the alarm U<code> once it has this answer.
   if (errand.kind == RequestKind::terminate) return success();

@@ -65,6 +65,7 @@ class Coordinator {
     int stage = 0;
     std::int64_t cycles = 0;  // since the errand began
     std::uint32_t awaited_run = 0;
+    bool homes = false;         // of an operator: looks for the marks of axes
     bool input_before = false;  // input_wait: the input in the cycle before
     motion::BlockTag tag;
     ShortText text;
@@ -96,6 +97,10 @@ class Coordinator {
   [[nodiscard]] Verdict step_run(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_stop(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_reset(Errand& errand, Channel& target) RT_SAFE;
+  // Axes moved by hand (coordinator_manual.cc)
+  [[nodiscard]] Verdict jog(const OperatorEvent& event, Channel* channel) RT_SAFE;
+  [[nodiscard]] Verdict step_home(Errand& errand, Channel& target) RT_SAFE;
+  [[nodiscard]] static std::optional<Verdict> fault_before_homing(const Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_restart(Channel& asker) RT_SAFE;
   [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_spindle_to_axis(Errand& errand, Channel& asker) RT_SAFE;

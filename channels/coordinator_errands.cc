@@ -38,6 +38,11 @@ Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT
   if (errand.job == Job::program && !target.has_program())
     return refusal("E6005", target, " has no program loaded");
   if (!target.is_powered()) return refusal("E6006", "the machine is off");
+  if (target.manual_motion().is_active())
+    return refusal("E6056", target, ": axes are being moved by hand");
+  if (target.axis_on_limit_switch() >= 0)
+    return refusal("E6057", target, ": an axis stands on a limit switch; jog it back");
+  if (const auto homeless = unreferenced(target, target.axes_of_scheme())) return *homeless;
   if (const auto taken = claim(errand.target, target.axes_of_scheme())) return *taken;
   target.release_axes(target.axes_of_scheme());
   if (!target.drives_ready()) {
@@ -102,11 +107,11 @@ std::optional<Coordinator::Verdict> Coordinator::claim(int index, lang::AxisSet 
   return verdict;
 }
 
-// A scheme may only begin where every axis knows its position.
+// A program or a scheme may only begin where every axis knows its position; spindles need none.
 std::optional<Coordinator::Verdict> Coordinator::unreferenced(const Channel& target,
                                                               lang::AxisSet axes) RT_SAFE {
   for (int axis = 0; axis < target.axis_count(); ++axis) {
-    if ((axes >> axis & 1U) == 0 || target.is_homed(axis)) continue;
+    if ((axes >> axis & 1U) == 0 || target.is_homed(axis) || target.is_spindle_now(axis)) continue;
     Verdict verdict = refusal("E5208", "axis ");
     verdict.text.append(target.axis_name(axis).view()).append(" is not homed");
     return verdict;
@@ -138,7 +143,8 @@ Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& targe
   return success();
 }
 
-// M902: the spindle stops, the drive takes the position over where it stands.
+// M902: the spindle stops, the drive takes the position over where it stands; without a reference
+// it turns to its index pulse.
 Coordinator::Verdict Coordinator::step_spindle_to_axis(Errand& errand, Channel& asker) RT_SAFE {
   const int spindle = errand.number;
   const double waited = static_cast<double>(errand.cycles) * cycle_s_;
@@ -157,14 +163,23 @@ Coordinator::Verdict Coordinator::step_spindle_to_axis(Errand& errand, Channel& 
       errand.stage = 2;
       errand.cycles = 0;
       return pending();
-    default:
+    case 2:
       if (asker.position_loop_is_closed(spindle) && asker.is_homed(asker.axis_of_spindle(spindle)))
         return success();
+      if (asker.position_loop_is_closed(spindle) && asker.begin_homing_of_spindle(spindle)) {
+        errand.stage = 3;
+        return pending();
+      }
       if (waited < drives_ready_within_s) return pending();
       asker.open_position_loop(spindle);
       return asker.is_homed(asker.axis_of_spindle(spindle))
                  ? refusal("E5206", "the drive does not close the position loop of the axis")
                  : refusal("E5207", "the axis that a spindle becomes has no reference");
+    default:
+      if (asker.manual_motion().homing() == ManualMotion::Outcome::running) return pending();
+      if (asker.manual_motion().homing() == ManualMotion::Outcome::succeeded) return success();
+      asker.open_position_loop(spindle);
+      return refusal("E5207", asker.manual_motion().homing_fault().view());
   }
 }
 

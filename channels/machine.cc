@@ -45,7 +45,11 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
                        .homed_at_start = homed_at_start,
                        .name = FixedText<16>(axis.name),
                        .regulator = axis.regulator,
-                       .demand_max = demand_reserve * axis.limits.velocity_max};
+                       .demand_max = demand_reserve * axis.limits.velocity_max,
+                       .manual = {.name = FixedText<16>(axis.name),
+                                  .limits = axis.limits,
+                                  .homing = axis.homing,
+                                  .following_error_max = axis.following_error_max}};
     figures.start[k] = axis.start;
     figures.machine_axis[k] = channel.axes[k];
   }

@@ -30,6 +30,8 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::block_skip_off, "block_skip_off"},
     {OperatorAction::process_interrupt, "process_interrupt"},
     {OperatorAction::process_automatic, "process_automatic"},
+    {OperatorAction::jog, "jog"},
+    {OperatorAction::home, "home"},
 });
 
 }  // namespace

@@ -34,6 +34,8 @@ enum class OperatorAction : std::uint8_t {
   process_interrupt,
   process_automatic,  // a feed law of the cycle: text = "modulated" or "linear", number = 1 on, 0
                       // off
+  jog,                // text = axis, value = velocity, value_2 = increment (0: while it is renewed)
+  home,               // text = axis; empty: all of the channel
 };
 
 struct OperatorEvent {

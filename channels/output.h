@@ -54,11 +54,18 @@ struct AxisSetpoint {
   double velocity_demand = 0.0;
 };
 
+// What the drive of an axis shall take for its position: an offset to what it counts.
+struct DriveReference {
+  bool accepted = false;  // from this cycle on
+  double offset = 0.0;    // mm or deg
+};
+
 // Power and brake of one axis, as its drive shall have them.
 struct DriveCommand {
   bool enabled = false;
   bool brake_closed = true;
   bool follows_velocity = false;  // the axis is a spindle now; else its position loop is closed
+  DriveReference reference{};
 };
 
 // What the drives told, as far as it changes the outcome.
@@ -71,6 +78,12 @@ struct AxisFeedback {
   bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
   bool referenced = false;  // the position belongs to the machine
   bool brake_closed = true;
+  bool home_switch = false;  // it stands on its reference switch
+  bool limit_negative = false;
+  bool limit_positive = false;
+  double position_offset = 0.0;   // of what the drive counts
+  double index_position = 0.0;    // at the latest index pulse
+  std::uint32_t index_count = 0;  // pulses so far
 };
 
 // Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -31,7 +32,8 @@ bool is_watching(const OperatorCall& call) {
 // Compiling a program takes as long as the program is long; a run as long as it runs.
 OperatorClient::Deadline deadline_of(const OperatorCall& call) {
   const bool is_long = waits_for_the_end(call) || is_watching(call) ||
-                       call.method->name == "program.load" || call.method->name == "program.run";
+                       call.method->name == "program.load" || call.method->name == "program.run" ||
+                       call.method->name == "home";
   const double seconds = call.timeout_s > 0.0 ? call.timeout_s : (is_long ? 0.0 : usual_timeout_s);
   if (seconds <= 0.0) return std::nullopt;
   return OperatorClient::Clock::now() + std::chrono::duration_cast<OperatorClient::Clock::duration>(
@@ -80,6 +82,27 @@ int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Dead
   return exit_code(protocol::FailureKind::timed_out);
 }
 
+bool is_leased(const OperatorCall& call) {
+  return call.method->name == "jog" && call.parameters.value("increment", 0.0) == 0.0;
+}
+
+// A continuous jog lasts as long as this command: to its time, or until it is interrupted. Whatever
+// ends it, the axis comes to rest when the lease has run out.
+int keep_jogging(OperatorClient& client, const OperatorCall& call,
+                 OperatorClient::Deadline deadline) {
+  constexpr auto renewal = std::chrono::milliseconds(80);
+  do {
+    const auto accepted = client.call(std::string(call.method->name), call.parameters,
+                                      OperatorClient::Clock::now() + std::chrono::seconds(2));
+    if (!accepted) {
+      show_failure(accepted.error(), call.form);
+      return exit_code(accepted.error().kind);
+    }
+    client.listen(OperatorClient::Clock::now() + renewal);
+  } while (!deadline || OperatorClient::Clock::now() < *deadline);
+  return 0;
+}
+
 }  // namespace
 
 int run_operator_call(const OperatorCall& call) {
@@ -87,6 +110,10 @@ int run_operator_call(const OperatorCall& call) {
   catch_interrupts();
   const auto deadline = deadline_of(call);
   if (is_watching(call)) return watch(client, call, deadline);
+  if (is_leased(call)) {
+    const bool has_end = call.timeout_s > 0.0;
+    return keep_jogging(client, call, has_end ? deadline : std::nullopt);
+  }
   const Terminal terminal(STDERR_FILENO);
   RunProgress progress(call.parameters.value("channel", 0.0), client.hello());
   if (waits_for_the_end(call) && terminal.is_terminal()) progress.follow(client);

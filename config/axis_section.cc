@@ -27,6 +27,11 @@ struct AxisFile {
   Subtable plant = nullptr;
 };
 
+struct HomingFile {
+  channels::HomingConfig homing;
+  std::string mark = "switch";
+};
+
 struct RegulatorFile {
   RegulatorConfig regulator;
   std::string feedback = "drive";
@@ -69,14 +74,22 @@ const Keys<AxisFile>& axis_keys() {
   return keys;
 }
 
-const Keys<HomingConfig>& homing_keys() {
-  static const Keys<HomingConfig> keys = {
-      {"order", at<&HomingConfig::order>, optional, "",
+const Keys<HomingFile>& homing_keys() {
+  static const Keys<HomingFile> keys = {
+      {"order", at<&HomingFile::homing, &HomingConfig::order>, optional, "",
        "ascending; equal numbers home together; 0: absolute encoder, no move", from(0)},
-      {"position", at<&HomingConfig::position>, optional, "mm, deg",
+      {"position", at<&HomingFile::homing, &HomingConfig::position>, optional, "mm, deg",
        "reading of the axis at its reference mark"},
-      {"velocity", at<&HomingConfig::velocity>, optional, "mm/s, deg/s",
+      {"velocity", at<&HomingFile::homing, &HomingConfig::velocity>, optional, "mm/s, deg/s",
        "velocity of the search; its sign is the direction"},
+      {"velocity_slow", at<&HomingFile::homing, &HomingConfig::velocity_slow>, optional,
+       "mm/s, deg/s", "velocity with which the mark is met", positive, "a tenth of velocity"},
+      {"mark", at<&HomingFile::mark>, optional, "",
+       "what shows the mark: the reference switch, the limit switch at which the search ends, or "
+       "the index pulse of an axis that turns",
+       one_of({"switch", "limit", "index"})},
+      {"index", at<&HomingFile::homing, &HomingConfig::index>, optional, "",
+       "the mark is the first index pulse of the encoder behind the switch"},
   };
   return keys;
 }
@@ -182,6 +195,23 @@ void check_homing(const toml::table& table, const AxisConfig& axis, const Scope&
     scope.fault(place_of(table, "velocity"),
                 "velocity exceeds velocity_max, " + number_text(axis.limits.velocity_max));
   }
+  if (axis.homing.velocity != 0.0 && axis.homing.velocity_slow > std::abs(axis.homing.velocity)) {
+    scope.fault(place_of(table, "velocity_slow"),
+                "velocity_slow exceeds the velocity of the search, " +
+                    number_text(std::abs(axis.homing.velocity)));
+  }
+}
+
+void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope) {
+  constexpr double slow_usual = 0.1;  // of the velocity of the search
+  HomingFile file;
+  read_table(table, homing_keys(), file, scope);
+  axis.homing = file.homing;
+  if (file.mark == "limit") axis.homing.mark = channels::HomingMark::limit_switch;
+  if (file.mark == "index") axis.homing.mark = channels::HomingMark::index_alone;
+  if (!table.contains("velocity_slow"))
+    axis.homing.velocity_slow = slow_usual * std::abs(axis.homing.velocity);
+  check_homing(table, axis, scope);
 }
 
 void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& scope) {
@@ -226,8 +256,7 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   check_limits(table, axis, scope);
   axis.limits.rapid_max = std::min(axis.limits.rapid_max, axis.limits.velocity_max);
   if (file.homing != nullptr) {
-    read_table(*file.homing, homing_keys(), axis.homing, scope.inner("homing"));
-    check_homing(*file.homing, axis, scope.inner("homing"));
+    read_homing(*file.homing, axis, scope.inner("homing"));
   }
   if (file.regulator != nullptr) read_regulator(*file.regulator, axis, scope.inner("regulator"));
   read_drive_of(file, place, section, scope);

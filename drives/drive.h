@@ -58,6 +58,7 @@ struct DriveFeedback {
   double vibration_um = 0.0;
   double vibration_hz = 0.0;
   double temperature_c = 0.0;
+  double position_offset = 0.0;   // that is added to what the drive counts
   double index_position = 0.0;    // where the measuring system was at the last index pulse
   std::uint32_t index_count = 0;  // index pulses so far, as the drive counts them: 16 bits
   std::uint32_t sequence = 0;     // answers accepted so far

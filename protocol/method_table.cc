@@ -142,6 +142,33 @@ constexpr Parameter automatic_law{
     .help = "modulated: acts on the vibration; linear: on the power of the spindle"};
 
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
+constexpr Parameter jogged_axis =
+    required_text("axis", "axis of the machine, as in the machine file");
+constexpr double velocity_limit = 100000.0;
+constexpr Parameter jog_velocity{.name = "velocity",
+                                 .type = ParameterType::number,
+                                 .presence = Presence::required,
+                                 .carries = Carries::value,
+                                 .unit = "mm/s, deg/s",
+                                 .minimum = -velocity_limit,
+                                 .maximum = velocity_limit,
+                                 .help = "its sign is the direction"};
+constexpr Parameter jog_increment{.name = "increment",
+                                  .type = ParameterType::number,
+                                  .carries = Carries::value_2,
+                                  .unit = "mm, deg",
+                                  .minimum = 0,
+                                  .maximum = velocity_limit,
+                                  .help = "way to go; without it as long as the jog is renewed"};
+constexpr Parameter homed_axis{.name = "axis",
+                               .type = ParameterType::text,
+                               .carries = Carries::text,
+                               .minimum = 1,
+                               .maximum = text_bytes_max,
+                               .help = "one axis only; default: all of the channel"};
+
+constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, channel};
+constexpr std::array of_home{homed_axis, channel};
 constexpr std::array of_interruption{fictitious_path, real_path, channel};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_switch{on_or_off, channel};
@@ -249,8 +276,12 @@ constexpr auto table = std::to_array<Method>({
 
     {"mdi", machine_operator, "execute one line of program text: a block or a statement", of_line,
      "mdi"},
-    later("jog", machine_operator, "move an axis by hand"),
-    later("home", machine_operator, "reference an axis"),
+    {"jog", machine_operator,
+     "move an axis by hand: by an increment, or for 200 ms, to be asked again while it shall go on",
+     of_jog, "jog"},
+    {"home", machine_operator,
+     "find the reference marks of the axes of a channel, in their order; answers when it is done",
+     of_home, "home"},
     {"process.status", observer, "feed law, feed, spindle and cutting speed", of_channel},
     {"process.interrupt", machine_operator,
      "interrupt the feed: at once, then after each L_B of path, for the time of L_A",

@@ -49,8 +49,7 @@ struct Assembly::Parts {
         return;
       case DriveChoice::simulated:
         bus_config = plant::simulated_bus(options.file);
-        bus = std::make_unique<plant::DirectBus>(bus_config, plant::drives_on_bus(options.file),
-                                                 cycle);
+        bus = std::make_unique<plant::DirectBus>(bus_config, drives_at_start(), cycle);
         break;
       case DriveChoice::embedded:
         simulated = plant::drives_of(options.file);
@@ -74,6 +73,20 @@ struct Assembly::Parts {
       throw std::invalid_argument(options.file.machine.file + ": more than " +
                                   std::to_string(drives_of_machine_max) + " drives");
     }
+  }
+
+  // Of a machine that is on from the first cycle the axes know where they are; what is a spindle
+  // still has its reference to find.
+  [[nodiscard]] std::vector<plant::SimulatedDriveConfig> drives_at_start() const {
+    std::vector<plant::SimulatedDriveConfig> drives = plant::drives_on_bus(options.file);
+    if (!options.machine.on_at_start) return drives;
+    for (std::size_t k = 0; k < axis_count; ++k) {
+      const bool turns = std::ranges::any_of(options.file.machine.spindles, [&](const auto& one) {
+        return one.axis == options.file.machine.axes[k].name;
+      });
+      if (!turns) drives[k].reference.absolute_encoder = true;
+    }
+    return drives;
   }
 
   // What the programs' inputs are in this cycle; nothing where the bus has none.
@@ -118,7 +131,13 @@ struct Assembly::Parts {
                      .fault = fault,
                      .enabled = raw.state == drives::DriveState::operation_enabled,
                      .referenced = raw.referenced,
-                     .brake_closed = raw.brake_closed};
+                     .brake_closed = raw.brake_closed,
+                     .home_switch = raw.home_switch,
+                     .limit_negative = raw.limit_negative,
+                     .limit_positive = raw.limit_positive,
+                     .position_offset = raw.position_offset,
+                     .index_position = raw.index_position,
+                     .index_count = raw.index_count};
     }
   }
 
@@ -149,6 +168,8 @@ struct Assembly::Parts {
                           : drives::OperationMode::cyclic_synchronous_position;
         target.enabled = channel.drives[k].enabled;
         target.brake_closed = channel.drives[k].brake_closed;
+        target.position_accepted = channel.drives[k].reference.accepted;
+        target.position_offset = channel.drives[k].reference.offset;
       }
     }
     turn_spindles();

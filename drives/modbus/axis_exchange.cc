@@ -179,6 +179,7 @@ void AxisExchange::take_measurements(const StatusBlock& answer) RT_SAFE {
   feedback_.home_switch = (answer.inputs & map.bits.home_switch) != 0;
   feedback_.limit_negative = (answer.inputs & map.bits.limit_negative) != 0;
   feedback_.limit_positive = (answer.inputs & map.bits.limit_positive) != 0;
+  feedback_.position_offset = position_offset_;
   feedback_.index_position = map.index_position.value(answer.index_position) + position_offset_;
   feedback_.index_count = answer.index_count;
 }

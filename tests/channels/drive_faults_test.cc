@@ -18,7 +18,7 @@ using testing::MachineBench;
 class DriveFaults : public ::testing::Test {
  protected:
   DriveFaults() : drives(axes.size()) {
-    for (AxisFeedback& drive : drives) drive = {.valid = true, .enabled = true};
+    for (AxisFeedback& drive : drives) drive = {.valid = true, .enabled = true, .referenced = true};
     bench.feedback(drives);
     bench.program("p.nc", "G1 X100 F6000\nM30\n");
     bench.run(1, "p.nc");

@@ -61,8 +61,8 @@ class CycleLoop : public ::testing::Test {
   }
 
   MachineBench bench{machine()};
-  std::vector<AxisFeedback> drives{machine().axes.size(),
-                                   AxisFeedback{.valid = true, .enabled = true}};
+  std::vector<AxisFeedback> drives{
+      machine().axes.size(), AxisFeedback{.valid = true, .enabled = true, .referenced = true}};
 };
 
 TEST_F(CycleLoop, AxisThatIsBehindIsDrivenOn) {

@@ -1,0 +1,72 @@
+// Axes of one channel moved by hand: jog, homing, and the watch over their limit switches.
+#include "channels/channel.h"
+
+namespace stanok::channels {
+
+int Channel::axis_named(std::string_view name) const RT_SAFE {
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    if (axis_name(k).view() == name) return k;
+  }
+  return -1;
+}
+
+std::string_view Channel::jog(const Jog& jog) RT_SAFE {
+  const auto k = static_cast<std::size_t>(jog.axis);
+  if (running_ || resetting_) return "E6003";
+  if (!powered_ || !drives_[k].enabled) return "E6006";
+  if (!owns(jog.axis) || is_spindle_now(jog.axis)) return "E6052";
+  if (!feedback_[k].valid || !feedback_[k].enabled) return "E6008";
+  return manual_.jog(jog, path_.axes[k].value, feedback_[k]);
+}
+
+// Those that look for a mark, and that this channel moves now.
+lang::AxisSet Channel::axes_to_home() const RT_SAFE {
+  unsigned axes = 0;
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const bool has_mark = figures_.axes[static_cast<std::size_t>(k)].manual.homing.order > 0;
+    if (has_mark && owns(k) && !is_spindle_now(k)) axes |= 1U << k;
+  }
+  return static_cast<lang::AxisSet>(axes);
+}
+
+// The path stands: it begins anew from where the axes come to.
+void Channel::move_by_hand() RT_SAFE {
+  manual_.advance(feedback_, path_.axes);
+  interpolator_.stand_at(axes_M(), transform_);
+}
+
+bool Channel::begin_homing_of_spindle(int id) RT_SAFE {
+  const int axis = axis_of_spindle(id);
+  if (axis < 0 || figures_.axes[static_cast<std::size_t>(axis)].manual.homing.order == 0)
+    return false;
+  manual_.home(static_cast<lang::AxisSet>(1U << axis));
+  return true;
+}
+
+int Channel::axis_on_limit_switch() const RT_SAFE {
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    if ((on_limit_switch_ >> k & 1U) != 0) return k;
+  }
+  return -1;
+}
+
+// Who comes onto a limit switch is stopped; homing looks after its switches itself.
+void Channel::watch_limit_switches() RT_SAFE {
+  const bool homes = manual_.homing() == ManualMotion::Outcome::running;
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const AxisFeedback& drive = feedback_[static_cast<std::size_t>(k)];
+    const unsigned bit = 1U << k;
+    const bool was_on = (on_limit_switch_ & bit) != 0;
+    const bool is_on = drive.valid && (drive.limit_negative || drive.limit_positive);
+    on_limit_switch_ =
+        static_cast<lang::AxisSet>(is_on ? on_limit_switch_ | bit : on_limit_switch_ & ~bit);
+    if (!is_on || was_on || homes || !drives_[static_cast<std::size_t>(k)].enabled) continue;
+    FixedText<128> text("axis ");
+    text.append(axis_name(k).view());
+    text.append(drive.limit_negative ? " stands on the limit switch at its negative end"
+                                     : " stands on the limit switch at its positive end");
+    fault("A2002", text.view());
+  }
+}
+
+}  // namespace stanok::channels

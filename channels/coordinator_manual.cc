@@ -1,0 +1,75 @@
+// What operators ask of axes outside of programs: jog and homing.
+#include <cmath>
+
+#include "channels/coordinator.h"
+
+namespace stanok::channels {
+namespace {
+
+std::string_view jog_refusal(std::string_view code) RT_SAFE {
+  if (code == "E6003") return "the channel is running, held or in reset";
+  if (code == "E6006") return "the machine or the drive of the axis is off";
+  if (code == "E6008") return "the drive of the axis does not hold it";
+  if (code == "E6056") return "axes of the channel are being moved by hand";
+  if (code == "E6057") return "the axis stands on the limit switch at this end; jog it back";
+  if (code == "E6053") return "the axis would leave its travel";
+  return "the axis belongs to another channel, or is a spindle now";
+}
+
+}  // namespace
+
+Coordinator::Verdict Coordinator::jog(const OperatorEvent& event, Channel* channel) RT_SAFE {
+  if (channel == nullptr) return refusal("E6001", "a channel must be named");
+  const int axis = channel->axis_named(event.text.view());
+  if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
+  if (!std::isfinite(event.value) || event.value == 0.0 || !(event.value_2 >= 0.0) ||
+      !std::isfinite(event.value_2))
+    return refusal("E6054", "a jog needs a velocity that is not 0, and an increment of 0 or more");
+  const std::string_view code =
+      channel->jog({.axis = axis, .velocity = event.value, .increment = event.value_2});
+  return code.empty() ? success() : refusal(code, jog_refusal(code));
+}
+
+std::optional<Coordinator::Verdict> Coordinator::fault_before_homing(const Channel& target)
+    RT_SAFE {
+  if (is_busy(target)) return refusal("E6003", target, " is running or held");
+  if (target.state() == ChannelState::alarm)
+    return refusal("E6004", target, " has an alarm; reset it first");
+  if (!target.is_powered()) return refusal("E6006", "the machine is off");
+  if (target.manual_motion().is_active())
+    return refusal("E6056", "axes of the channel are being moved by hand");
+  return std::nullopt;
+}
+
+Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_SAFE {
+  constexpr double drives_ready_within_s = 3.0;
+  if (errand.stage == 0) {
+    if (const auto fault = fault_before_homing(target)) return *fault;
+    lang::AxisSet axes = target.axes_to_home();
+    if (!errand.text.view().empty()) {
+      const int axis = target.axis_named(errand.text.view());
+      if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
+      axes = static_cast<lang::AxisSet>(axes & 1U << axis);
+    }
+    if (!target.drives_ready()) {
+      const double waited = static_cast<double>(errand.cycles) * cycle_s_;
+      return waited < drives_ready_within_s
+                 ? pending()
+                 : refusal("E6008", target, ": the drives are not ready");
+    }
+    target.home(axes);
+    errand.stage = 1;
+    return pending();
+  }
+  switch (target.manual_motion().homing()) {
+    case ManualMotion::Outcome::running:
+      return pending();
+    case ManualMotion::Outcome::succeeded:
+      return success();
+    case ManualMotion::Outcome::failed:
+      break;
+  }
+  return refusal("A2001", target.manual_motion().homing_fault().view());
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,288 @@
+// Homing and jogging with simulated drives on the virtual clock: switches, encoders and the
+// exchange of every poll are those of the plant.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "runtime/assembly.h"
+#include "runtime/simulation.h"
+#include "tests/config/temporary_files.h"
+
+namespace stanok::runtime {
+namespace {
+
+using channels::OperatorAction;
+
+constexpr double mm = 1e-3;  // the drives count in thousandths
+
+// Five axes with incremental encoders; all the same but for their switches.
+struct AxisPlace {
+  double home_from = 0.0;
+  double home_to = 0.0;
+  double velocity = 20.0;
+  double start = 0.0;
+  int order = 1;
+};
+
+std::string machine_text(const std::vector<AxisPlace>& axes) {
+  constexpr const char* names[] = {"X", "Y", "Z", "U", "V"};
+  std::string text = "[machine]\nname = \"m\"\n";
+  std::string list;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const AxisPlace& axis = axes[k];
+    const auto number = [](double value) { return std::to_string(value); };
+    text +=
+        std::string("[[axis]]\nname = \"") + names[k] +
+        "\"\nkind = \"linear\"\nmin = -100\nmax = 100\nvelocity_max = 200\n"
+        "acceleration_max = 1000\njerk_max = 20000\nstart = " +
+        number(axis.start) + "\n[axis.homing]\norder = " + std::to_string(axis.order) +
+        "\nvelocity = " + number(axis.velocity) +
+        "\nposition = " + number(axis.velocity > 0.0 ? axis.home_from : axis.home_to) +
+        "\n[axis.plant]\nencoder = \"incremental\"\nhome_switch_from = " + number(axis.home_from) +
+        "\nhome_switch_to = " + number(axis.home_to) +
+        "\nlimit_switch_negative = -105\nlimit_switch_positive = 105\n";
+    list += std::string(list.empty() ? "" : ", ") + "\"" + names[k] + "\"";
+  }
+  return text + "[[channel]]\nid = 1\nname = \"c\"\naxes = [" + list +
+         "]\n[drives]\nbus = \"modbus-tcp\"\n";
+}
+
+class HomingBench {
+ public:
+  explicit HomingBench(const std::vector<AxisPlace>& axes)
+      : axes_(axes),
+        assembly_({.file = config::read_machine_file(files_.write("m.toml", machine_text(axes))),
+                   .drives = DriveChoice::simulated,
+                   .program_roots = {files_.folder()},
+                   .machine = {},
+                   .output_capacity = 0}) {
+    files_.write("part.nc", "G1 X1 F6000\nM30\n");
+    ask(OperatorAction::machine_on);
+    run(1.0);
+  }
+
+  std::uint64_t ask(OperatorAction action, const std::string& text = "", double value = 0.0,
+                    double value_2 = 0.0) {
+    channels::OperatorEvent event;
+    event.id = ++last_id_;
+    event.action = action;
+    event.channel = action == OperatorAction::machine_on ? 0 : 1;
+    event.text = FixedText<256>(text);
+    event.value = value;
+    event.value_2 = value_2;
+    events_.push_back(event);
+    return event.id;
+  }
+
+  // Until the reply to `id`; its code, or "ok".
+  std::string reply_to(std::uint64_t id, double within_s = 120.0) {
+    for (int k = 0; k < static_cast<int>(within_s * 1000.0); ++k) {
+      cycle();
+      channels::OperatorReply reply;
+      while (assembly_.machine().replies().pop(reply)) {
+        if (reply.id != id) continue;
+        last_text_ = std::string(reply.text.view());
+        return reply.ok ? "ok" : std::string(reply.code.view());
+      }
+    }
+    return "no reply";
+  }
+
+  void run(double seconds) {
+    for (int k = 0; k < static_cast<int>(seconds * 1000.0); ++k) cycle();
+  }
+
+  const channels::ChannelOutput& cycle() {
+    while (assembly_.machine().prepare(0) == channels::Progress::worked) {
+    }
+    output_ = &assembly_.cycle(events_).channels[0];
+    events_.clear();
+    return *output_;
+  }
+
+  [[nodiscard]] const channels::ChannelOutput& output() const { return *output_; }
+  [[nodiscard]] const std::string& text() const { return last_text_; }
+  [[nodiscard]] bool is_homed(std::size_t k) const { return output_->feedback[k].referenced; }
+  // Of the plant, whatever the encoder counts.
+  [[nodiscard]] double set_point(std::size_t k) const { return output_->axes[k].position; }
+
+ private:
+  config::TemporaryFiles files_;
+  std::vector<AxisPlace> axes_;
+  Assembly assembly_;
+  std::vector<channels::OperatorEvent> events_;
+  std::uint64_t last_id_ = 0;
+  const channels::ChannelOutput* output_ = nullptr;
+  std::string last_text_;
+};
+
+// Five axes, switches and starting places at random, some of them in the same order: afterwards
+// every axis knows its place, to what it goes in a poll at the slow velocity.
+TEST(Homing, FiveAxesInAnyOrderOfTheirSwitches) {
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int trial = 0; trial < 12; ++trial) {
+    SCOPED_TRACE(trial);
+    std::vector<AxisPlace> axes(5);
+    for (AxisPlace& axis : axes) {
+      axis.home_from = -95.0 + 160.0 * part(random);
+      axis.home_to = axis.home_from + 10.0 + 15.0 * part(random);
+      axis.velocity = (part(random) < 0.5 ? 1.0 : -1.0) * (10.0 + 30.0 * part(random));
+      axis.start = -99.0 + 198.0 * part(random);
+      axis.order = 1 + static_cast<int>(3.0 * part(random));
+    }
+    HomingBench bench(axes);
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_FALSE(bench.is_homed(k));
+    EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::program_run, "part.nc")), "E5208");
+    ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok") << bench.text();
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(bench.is_homed(k)) << k;
+    // Proof of the place: a jog to the travel's end stops there, and the limit switch, 5 mm behind
+    // it in the machine, stays off.
+    for (std::size_t k = 0; k < 5; ++k) {
+      const auto id = bench.ask(OperatorAction::jog, std::string(1, "XYZUV"[k]), 150.0,
+                                99.0 - bench.set_point(k));
+      ASSERT_EQ(bench.reply_to(id), "ok") << bench.text();
+      bench.run(4.0);
+      EXPECT_NEAR(bench.output().feedback[k].position, 99.0, 5.0 * mm);
+      EXPECT_FALSE(bench.output().feedback[k].limit_positive);
+    }
+    ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::program_run, "part.nc")), "ok")
+        << bench.text();
+  }
+}
+
+TEST(Homing, OneAxisByName) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}, {.home_from = 50.0, .home_to = 60.0}});
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home, "Y")), "ok");
+  EXPECT_FALSE(bench.is_homed(0));
+  EXPECT_TRUE(bench.is_homed(1));
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::home, "W")), "E6052");
+}
+
+// Where C is behind the latest index pulse, while it is an axis.
+class AngleBehindIndex final : public CycleObserver {
+ public:
+  void observe(const channels::CycleOutput& output) override {
+    const channels::ChannelOutput& channel = output.channels[0];
+    const channels::AxisFeedback& drive = channel.feedback[2];
+    if (!channel.drives[2].follows_velocity && drive.index_count > 0)
+      last = std::remainder(drive.position - drive.index_position, 360.0);
+  }
+  double last = 0.0;
+};
+
+// M902 on a spindle whose encoder counts from where it was switched on: it turns to its index
+// pulse, wherever that is, and C reads the machine's angle.
+TEST(Homing, ASpindleThatBecomesAnAxisTurnsToItsIndexPulse) {
+  std::ifstream stream(std::string(STANOK_SOURCE_DIR) + "/config/machines/lathe.toml");
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  text.replace(text.find("tables = "), std::string("tables = \"lathe/tables.toml\"").size(), "");
+  const std::string last_key = "jerk_max = 36000.0\n";
+  const std::string search =
+      "[axis.homing]\norder = 1\nvelocity = 120\nvelocity_slow = 60\nmark = \"index\"\n"
+      "[axis.plant]\nencoder = \"incremental\"\nindex_pitch = 360\nindex_position = 25\n";
+  text.insert(text.find(last_key) + last_key.size(), search);
+  text += "\n[drives]\nbus = \"modbus-tcp\"\n";
+  const config::TemporaryFiles files;
+  files.write("part.nc", "M3 S300\nG4 P0.4\nM5\nM902\nG94 G0 C90\nG4 P0.5\nM903\nM30\n");
+  SimulationOptions options;
+  options.file = config::read_machine_file(files.write("lathe.toml", text));
+  options.program_roots = {files.folder()};
+  options.programs = {{.channel = 1, .program = "part.nc"}};
+  options.drives = DriveChoice::simulated;
+  AngleBehindIndex angle;
+  const SimulationResult result = simulate(options, {&angle}, [] { return false; });
+  EXPECT_TRUE(result.ok) << (result.alarms.empty() ? "" : result.alarms[0].diagnostic.message);
+  // The mark reads `position`, 0: C90 is 90 deg behind the pulse, in the latched counts, too.
+  EXPECT_NEAR(angle.last, 90.0, 0.1);
+}
+
+TEST(Homing, SaysWhatItDidNotFindAndLeavesTheAxisWithoutReference) {
+  HomingBench bench({{.home_from = 150.0, .home_to = 160.0}});  // behind both limit switches
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "A2001");
+  EXPECT_EQ(bench.text(), "axis X: no reference switch between the limit switches");
+  EXPECT_FALSE(bench.is_homed(0));
+}
+
+TEST(Homing, AResetStopsIt) {
+  HomingBench bench({{.home_from = 80.0, .home_to = 95.0, .start = -90.0}});
+  const auto id = bench.ask(OperatorAction::home);
+  bench.run(1.0);
+  EXPECT_GT(bench.output().axes[0].velocity, 1.0);
+  bench.ask(OperatorAction::program_reset);
+  EXPECT_EQ(bench.reply_to(id), "A2001");
+  bench.run(0.5);
+  EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
+  EXPECT_FALSE(bench.is_homed(0));
+}
+
+// A lease of 200 ms: without renewal the axis is at rest soon after, and went no further than the
+// speed and the brake take it: 20 mm/s for 0.2 s, and D = v T / 2 = 0.63 mm.
+TEST(Jogging, EndsWhenItIsNotRenewed) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  const double from = bench.set_point(0);
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 20.0)), "ok");
+  bench.run(0.5);
+  EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
+  EXPECT_GT(bench.set_point(0) - from, 2.0);
+  EXPECT_LT(bench.set_point(0) - from, 20.0 * 0.2 + 0.7);
+}
+
+TEST(Jogging, GoesOnWhileItIsRenewed) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  const double from = bench.set_point(0);
+  for (int k = 0; k < 20; ++k) {
+    bench.ask(OperatorAction::jog, "X", -10.0);
+    bench.run(0.1);
+  }
+  EXPECT_NEAR(bench.set_point(0) - from, -20.0, 0.5);
+  bench.run(0.5);
+  EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
+}
+
+// Without a reference a jog may run onto the limit switch: everything stops with an alarm, and the
+// way back is free when the alarm has been reset.
+TEST(Jogging, LimitSwitchStopsItAndTheWayBackIsFree) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0, .start = 95.0}});
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 20.0, 30.0)), "ok");
+  bench.run(2.0);
+  EXPECT_EQ(bench.output().state, channels::ChannelState::alarm);
+  EXPECT_TRUE(bench.output().feedback[0].limit_positive);
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::program_reset)), "ok");
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::machine_on)), "ok");
+  bench.run(1.0);
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 20.0, 1.0)), "E6057");
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", -20.0, 10.0)), "ok") << bench.text();
+  bench.run(2.0);
+  EXPECT_FALSE(bench.output().feedback[0].limit_positive);
+  EXPECT_NE(bench.output().state, channels::ChannelState::alarm);
+}
+
+TEST(Jogging, KeepsTheTravelOfAnAxisWithReference) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok");
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 50.0, 200.0)), "E6053");
+  for (int k = 0; k < 30; ++k) {
+    bench.ask(OperatorAction::jog, "X", 150.0);
+    bench.run(0.1);
+  }
+  EXPECT_EQ(bench.set_point(0), 100.0);
+  EXPECT_NE(bench.output().state, channels::ChannelState::alarm);
+}
+
+TEST(Jogging, IsRefusedWhereItMakesNoSense) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 0.0)), "E6054");
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "Q", 1.0)), "E6052");
+  bench.ask(OperatorAction::home);
+  bench.run(0.2);
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 1.0)), "E6056");
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::program_run, "part.nc")), "E6056");
+}
+
+}  // namespace
+}  // namespace stanok::runtime
