@@ -164,7 +164,6 @@ class Channel {
   }
   // rev/min, clockwise > 0; 0 is the master spindle. Nothing: the channel has no such spindle.
   [[nodiscard]] std::optional<double> spindle_speed(int id) const RT_SAFE;
-  // Axis of the channel -> axis of the machine.
   [[nodiscard]] int machine_axis(int axis) const RT_SAFE {
     return figures_.machine_axis[static_cast<std::size_t>(axis)];
   }
@@ -226,6 +225,7 @@ class Channel {
   [[nodiscard]] std::string_view jog(const Jog& jog) RT_SAFE;
   void home(lang::AxisSet axes) RT_SAFE { manual_.home(axes); }
   [[nodiscard]] lang::AxisSet axes_to_home() const RT_SAFE;
+  void return_to_parking() RT_SAFE;
   [[nodiscard]] const ManualMotion& manual_motion() const RT_SAFE { return manual_; }
   // The first axis that stands on a limit switch; -1: none.
   [[nodiscard]] int axis_on_limit_switch() const RT_SAFE;

@@ -29,6 +29,16 @@ lang::AxisSet Channel::axes_to_home() const RT_SAFE {
   return static_cast<lang::AxisSet>(axes);
 }
 
+void Channel::return_to_parking() RT_SAFE {
+  const kinematics::Scheme* const scheme = find_scheme(scheme_);
+  if (scheme == nullptr) return;
+  for (const kinematics::Parking& parking : scheme->config().parking) {
+    const auto k = static_cast<std::size_t>(parking.axis);
+    if (drives_[k].enabled && owns(parking.axis) && !is_spindle_now(parking.axis))
+      manual_.go(parking.axis, path_.axes[k].value, parking.position);
+  }
+}
+
 // The path stands: it begins anew from where the axes come to.
 void Channel::move_by_hand() RT_SAFE {
   manual_.advance(feedback_, path_.axes);

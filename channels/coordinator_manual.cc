@@ -41,6 +41,7 @@ std::optional<Coordinator::Verdict> Coordinator::fault_before_homing(const Chann
   return std::nullopt;
 }
 
+// Axes that the scheme parks are released for the search and come back to where they are parked.
 Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_SAFE {
   constexpr double drives_ready_within_s = 3.0;
   if (errand.stage == 0) {
@@ -51,6 +52,7 @@ Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_
       if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
       axes = static_cast<lang::AxisSet>(axes & 1U << axis);
     }
+    target.release_axes(axes);
     if (!target.drives_ready()) {
       const double waited = static_cast<double>(errand.cycles) * cycle_s_;
       return waited < drives_ready_within_s
@@ -61,15 +63,15 @@ Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_
     errand.stage = 1;
     return pending();
   }
-  switch (target.manual_motion().homing()) {
-    case ManualMotion::Outcome::running:
-      return pending();
-    case ManualMotion::Outcome::succeeded:
-      return success();
-    case ManualMotion::Outcome::failed:
-      break;
+  if (target.manual_motion().is_active() || target.is_resetting()) return pending();
+  const bool found = target.manual_motion().homing() == ManualMotion::Outcome::succeeded;
+  if (errand.stage == 1 && found) {
+    target.return_to_parking();
+    errand.stage = 2;
+    return pending();
   }
-  return refusal("A2001", target.manual_motion().homing_fault().view());
+  if (target.is_powered()) target.power(true);  // what the scheme parks is braked again
+  return found ? success() : refusal("A2001", target.manual_motion().homing_fault().view());
 }
 
 }  // namespace stanok::channels

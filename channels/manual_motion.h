@@ -45,6 +45,8 @@ class ManualMotion {
   // empty: it goes.
   [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
       RT_SAFE;
+  // From `from` to a place of the axis, with the velocity of its search.
+  void go(int axis, double from, double to) RT_SAFE;
   // Looks for the marks of these axes; those without one (order 0) are left out.
   void home(lang::AxisSet axes) RT_SAFE;
   // All axes come to rest; what was begun is over.

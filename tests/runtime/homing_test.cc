@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <random>
 
@@ -54,8 +56,13 @@ std::string machine_text(const std::vector<AxisPlace>& axes) {
 class HomingBench {
  public:
   explicit HomingBench(const std::vector<AxisPlace>& axes)
-      : axes_(axes),
-        assembly_({.file = config::read_machine_file(files_.write("m.toml", machine_text(axes))),
+      : HomingBench([&](const std::filesystem::path& folder) {
+          std::ofstream(folder / "m.toml") << machine_text(axes);
+          return config::read_machine_file(folder / "m.toml");
+        }) {}
+  // `read` gets a folder to write into.
+  explicit HomingBench(const std::function<config::MachineFile(const std::filesystem::path&)>& read)
+      : assembly_({.file = read(files_.folder()),
                    .drives = DriveChoice::simulated,
                    .program_roots = {files_.folder()},
                    .machine = {},
@@ -97,13 +104,18 @@ class HomingBench {
   }
 
   const channels::ChannelOutput& cycle() {
-    while (assembly_.machine().prepare(0) == channels::Progress::worked) {
+    for (int k = 0; k < output_count(); ++k) {
+      while (assembly_.machine().prepare(k) == channels::Progress::worked) {
+      }
     }
     output_ = &assembly_.cycle(events_).channels[0];
     events_.clear();
     return *output_;
   }
 
+  [[nodiscard]] int output_count() {
+    return static_cast<int>(assembly_.file().machine.channels.size());
+  }
   [[nodiscard]] const channels::ChannelOutput& output() const { return *output_; }
   [[nodiscard]] const std::string& text() const { return last_text_; }
   [[nodiscard]] bool is_homed(std::size_t k) const { return output_->feedback[k].referenced; }
@@ -112,7 +124,6 @@ class HomingBench {
 
  private:
   config::TemporaryFiles files_;
-  std::vector<AxisPlace> axes_;
   Assembly assembly_;
   std::vector<channels::OperatorEvent> events_;
   std::uint64_t last_id_ = 0;
@@ -152,6 +163,26 @@ TEST(Homing, FiveAxesInAnyOrderOfTheirSwitches) {
     }
     ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::program_run, "part.nc")), "ok")
         << bench.text();
+  }
+}
+
+// In scheme 1 of this machine B and C are parked at 0, braked and without power.
+TEST(Homing, ParkedAxesAreReleasedForItAndParkedAgain) {
+  HomingBench bench([](const std::filesystem::path&) {
+    return config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
+                                     "machines" / "e7106mf4.toml");
+  });
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok") << bench.text();
+  bench.run(0.5);
+  for (const std::size_t parked : {3U, 4U}) {
+    EXPECT_NEAR(bench.set_point(parked), 0.0, 1e-9);
+    EXPECT_TRUE(bench.output().feedback[parked].brake_closed);
+    EXPECT_FALSE(bench.output().feedback[parked].enabled);
+  }
+  const double marks[] = {-445.0, 295.0, 345.0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(bench.set_point(k), marks[k], 0.1);
+    EXPECT_TRUE(bench.output().feedback[k].enabled);
   }
 }
 
