@@ -149,6 +149,20 @@ void print_summary(const runtime::SimulationResult& result) {
       microseconds(result.cycle_time.percentile(0.999)));
 }
 
+// Warnings of the run as they come: of programs, of feeds that the axes cannot follow, of sensors.
+class WarningLines final : public runtime::CycleObserver {
+ public:
+  void observe(const channels::CycleOutput& /*output*/) override {}
+  void observe(const channels::Event& event) override {
+    const std::string code(event.code.view());
+    if (code.empty() || code.front() != 'W') return;
+    const std::string line = event.tag.line > 0 ? " line " + std::to_string(event.tag.line) : "";
+    std::fprintf(stderr, "%swarning[%s]: channel %d%s: %s\n",
+                 isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", code.c_str(), event.channel,
+                 line.c_str(), std::string(event.text.view()).c_str());
+  }
+};
+
 int outcome(const runtime::SimulationResult& result) {
   if (interrupted != 0) return exit_interrupted;
   if (result.until_reached) return exit_until_reached;
@@ -183,6 +197,7 @@ int run(const SimulateOptions& given) {
 
   std::vector<std::unique_ptr<runtime::CycleObserver>> owned;
   owned.push_back(std::make_unique<ProgressLine>(options.file.machine.cycle_us * 1e-6));
+  owned.push_back(std::make_unique<WarningLines>());
   for (const std::string& text : given.tip_traces) {
     const auto [channel, file] = channel_assignment(text, "--tip-trace");
     owned.push_back(std::make_unique<runtime::TipTrace>(options.file.machine, channel, file));
