@@ -42,8 +42,12 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
   const motion::AxisLimits& limits = axes_[k].limits;
   const bool up = jog.velocity > 0.0;
   if (state.task == Task::jog && state.cycles_left > 0 && jog.increment == 0.0) {
-    state.cycles_left = std::llround(lease_s / cycle_s_);
-    return {};
+    if (state.move.goes_up() == up) {
+      state.cycles_left = std::llround(lease_s / cycle_s_);
+      return {};
+    }
+    state.move.stop();
+    state.cycles_left = -1;
   }
   if (state.task != Task::none || outcome_ == Outcome::running) return "E6056";
   if (up ? drive.limit_positive : drive.limit_negative) return "E6057";

@@ -28,6 +28,7 @@ class AxisMove {
 
   void advance(double time_s) RT_SAFE;
   [[nodiscard]] bool is_at_rest() const RT_SAFE { return at_ >= size_; }
+  [[nodiscard]] bool goes_up() const RT_SAFE { return sign_ > 0.0; }
   // Position with its derivatives by time.
   [[nodiscard]] kinematics::Jet position() const RT_SAFE;
 

@@ -275,6 +275,18 @@ TEST(Jogging, GoesOnWhileItIsRenewed) {
   EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
 }
 
+TEST(Jogging, TheOtherDirectionStopsItAtOnce) {
+  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  bench.ask(OperatorAction::jog, "X", 20.0);
+  bench.run(0.15);
+  const double at = bench.set_point(0);
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", -20.0)), "E6056");
+  bench.run(0.3);
+  EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
+  EXPECT_LT(bench.set_point(0) - at, 1.0);  // braking: v T / 2 = 0.63 mm
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", -20.0)), "ok");
+}
+
 // Without a reference a jog may run onto the limit switch: everything stops with an alarm, and the
 // way back is free when the alarm has been reset.
 TEST(Jogging, LimitSwitchStopsItAndTheWayBackIsFree) {
