@@ -118,7 +118,8 @@ void ManualMotion::advance(std::span<const AxisFeedback> drives,
       case Task::none:
         break;
       case Task::jog:
-        if (state.cycles_left > 0 && --state.cycles_left == 0) state.move.stop();
+        if (state.cycles_left == 1) state.move.stop();
+        if (state.cycles_left > 0) --state.cycles_left;
         run(state, positions[k]);
         if (state.move.is_at_rest()) state.task = Task::none;
         break;

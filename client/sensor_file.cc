@@ -59,9 +59,8 @@ struct Line {
 
   [[nodiscard]] double number_of(const Cell& cell) const {
     double value = 0.0;
-    const char* const end = cell.text.data() + cell.text.size();
-    const auto [rest, error] = std::from_chars(cell.text.data(), end, value);
-    if (error != std::errc{} || rest != end || !std::isfinite(value))
+    const auto [rest, error] = std::from_chars(cell.text.begin(), cell.text.end(), value);
+    if (error != std::errc{} || rest != cell.text.end() || !std::isfinite(value))
       refuse(cell, "'" + std::string(cell.text) + "' is no number");
     return value;
   }

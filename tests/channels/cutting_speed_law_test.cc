@@ -59,12 +59,13 @@ TEST_P(CuttingSpeedLaw, StepsCuttingSpeedAndFeedAtTheSamePlaces) {
     return c.diameter + (c.diameter_to - c.diameter) * way / c.length;
   };
   const double increments = std::min(count, std::ceil(c.length / dl - 1e-6) - 1.0);
+  const int last = static_cast<int>(increments);
   CutTime wanted;
   double v = c.v_first;
   double feed = c.feed_first;
-  for (double k = 0.0; k <= increments; k += 1.0) {
+  for (int k = 0; k <= last; ++k) {
     const double start = wanted.way();
-    wanted.add(k < increments ? dl : c.length - start, [&](double way) {
+    wanted.add(k < last ? dl : c.length - start, [&](double way) {
       const double n = testing::speed_of_cut(v, diameter_at(start + way), c.n_min, n_max);
       return c.per_revolution ? feed * n : feed;
     });
