@@ -50,7 +50,7 @@ TEST(MeasuringSystem, CountsEveryPulseOfAnyWay) {
   std::uint16_t count = 0;
   for (int i = 0; i < 2000; ++i) {
     const double after = 0.001 * any(random) + 0.0005;
-    for (double pulse = -998.0; pulse < 1000.0; pulse += 10.0) {
+    for (int pulse = -998; pulse < 1000; pulse += 10) {
       if ((before < pulse) != (after < pulse)) ++count;
     }
     measuring.take(after);
