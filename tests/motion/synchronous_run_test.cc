@@ -16,11 +16,11 @@ namespace {
 
 // Largest distance, in mm along Z, of the set-points between two places from the helix that the
 // formula of the spindle gives. `lead` is along Z and has its sign.
-double helix_error(const std::vector<Sample>& samples, const Turning& turning, double z_start,
+double helix_error(const std::vector<ThreadSample>& samples, const Turning& turning, double z_start,
                    double lead, double angle_deg, double z_from, double z_to) {
   double error = 0.0;
   int seen = 0;
-  for (const Sample& sample : samples) {
+  for (const ThreadSample& sample : samples) {
     const double way = (sample.z - z_start) / lead;  // turns
     if (way < (z_from - z_start) / lead || way > (z_to - z_start) / lead) continue;
     const double turns = turning(sample.t) - angle_deg / 360.0;
@@ -133,7 +133,7 @@ TEST(SynchronousRun, ATaperHasItsLeadAlongThePath) {
   const auto samples = bench.cut();
   const double lead_z = -2.0 * 40.0 / std::hypot(3.0, 40.0);
   EXPECT_LE(helix_error(samples, turning, 0.0, lead_z, 0.0, -2.0, -38.0), discrete);
-  for (const Sample& sample : samples)
+  for (const ThreadSample& sample : samples)
     EXPECT_NEAR(sample.x, 10.0 - sample.z * 3.0 / 40.0, 1e-9);  // on the line, run-in and all
 }
 
@@ -155,7 +155,7 @@ TEST(SynchronousRun, AChainDoesNotStopAtItsCorners) {
   EXPECT_EQ(samples.back().z, -30.0);
   EXPECT_LE(bench.used(), 1.0 + rounding);
   double off = 0.0;
-  for (const Sample& sample : samples) {
+  for (const ThreadSample& sample : samples) {
     const double depth = std::min({2.0, -0.5 * sample.z, 0.5 * (30.0 + sample.z)});
     off = std::max(off, std::abs(sample.x - (12.0 - depth)));
   }
@@ -178,7 +178,7 @@ TEST(SynchronousRun, ACornerKeepsAToleranceThatIsProgrammed) {
   ASSERT_FALSE(builder.add(out));
   bench.send(builder);
   double off = 0.0;
-  for (const Sample& sample : bench.cut())
+  for (const ThreadSample& sample : bench.cut())
     off = std::max(off, sample.x - std::max(10.0, 10.0 - (sample.z + 10.0)));
   EXPECT_LE(off, 0.01 + 1e-9);
   EXPECT_GT(off, 0.009);  // it uses what it may

@@ -56,7 +56,7 @@ using stanok::testing::Turning;
 using stanok::testing::with_ripple;
 
 // One set-point.
-struct Sample {
+struct ThreadSample {
   double t = 0.0;
   double x = 0.0;
   double z = 0.0;
@@ -90,9 +90,9 @@ class ThreadBench {
   }
 
   // Until the chain is over; the samples of all its set-points.
-  std::vector<Sample> cut(double seconds_max = 30.0) {
+  std::vector<ThreadSample> cut(double seconds_max = 30.0) {
     const std::uint64_t done = output_.chunks_done;
-    std::vector<Sample> samples;
+    std::vector<ThreadSample> samples;
     while (output_.chunks_done == done && time_ < seconds_max) {
       cycle();
       samples.push_back(
