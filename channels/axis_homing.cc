@@ -64,6 +64,9 @@ void AxisHoming::step(const AxisFeedback& drive, const Sight& sight, motion::Axi
       break;
     case Stage::approach:
       return look_for_mark(drive, sight, move);
+    case Stage::back_off:
+      if (!sight.on_switch) return stop_for(Stage::found, move);
+      break;
     case Stage::found:
     case Stage::failed:
       return;
@@ -74,16 +77,19 @@ void AxisHoming::step(const AxisFeedback& drive, const Sight& sight, motion::Axi
 void AxisHoming::look_for_mark(const AxisFeedback& drive, const Sight& sight,
                                motion::AxisMove& move) RT_SAFE {
   const bool needs_switch = homing_.mark != HomingMark::index_alone;
+  // No program starts with an axis on its limit switch.
+  const Stage behind_mark =
+      homing_.mark == HomingMark::limit_switch ? Stage::back_off : Stage::found;
   if (needs_switch && !was_on_switch_) {
     if (sight.on_switch) {
       was_on_switch_ = true;
       index_count_ = drive.index_count;
       mark_ = drive.position;
-      if (!homing_.index) return stop_for(Stage::found, move);
+      if (!homing_.index) return stop_for(behind_mark, move);
     }
   } else if (drive.index_count != index_count_) {
     mark_ = drive.index_position;
-    return stop_for(Stage::found, move);
+    return stop_for(behind_mark, move);
   }
   if (sight.end_ahead) return fail("the limit switch comes before the mark", move);
   if (sight.at_rest) fail(was_on_switch_ ? "no index pulse" : "the mark was not found", move);

@@ -4,7 +4,8 @@
 // switch turns back and looks on the other side, leaves it again, and comes back to it slowly: the
 // mark is the edge of the switch, or the first index pulse of the encoder behind it. So the mark is
 // always met from the same side, wherever the axis stands. A limit switch can stand for the
-// reference switch, and an axis that turns needs only the index pulse. Real-time.
+// reference switch, and is left again behind the mark; and an axis that turns needs only the index
+// pulse. Real-time.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +35,16 @@ class AxisHoming {
   [[nodiscard]] std::string_view reason() const RT_SAFE { return reason_; }
 
  private:
-  enum class Stage : std::uint8_t { start, search, search_back, leave, approach, found, failed };
+  enum class Stage : std::uint8_t {
+    start,
+    search,
+    search_back,
+    leave,
+    approach,
+    back_off,
+    found,
+    failed
+  };
 
   struct Sight {
     bool on_switch = false;

@@ -32,11 +32,14 @@ TEST(VibrationLoopback, SamplesArriveWithoutAGapAndShowLevelAndFrequency) {
   EXPECT_NEAR(status().level.amplitude_um, 20.0, 0.1);
   EXPECT_NEAR(status().level.frequency_hz, 200.0, 3.0);
   EXPECT_EQ(status().errors, 0U);
-  if (status().lost > 0) GTEST_SKIP() << "the machine stood still for longer than a block";
-  // Samples of a sine obey y[n+1] + y[n-1] = 2 cos(w T) y[n]; each is rounded to 0.1 um.
+  // Samples of a sine obey y[n+1] + y[n-1] = 2 cos(w T) y[n]; each is rounded to 0.1 um. Where
+  // samples were lost, because the machine stood still for longer than a block, the two triples
+  // across the gap do not; no other may be wrong.
   const double twice_cos = 2.0 * std::cos(2.0 * std::numbers::pi * 200.0 / 4000.0);
+  std::uint64_t wrong = 0;
   for (std::size_t n = 3000; n + 1 < samples.size(); ++n)
-    ASSERT_NEAR(samples[n + 1] + samples[n - 1], twice_cos * samples[n], 0.21) << n;
+    wrong += std::abs(samples[n + 1] + samples[n - 1] - twice_cos * samples[n]) > 0.21 ? 1U : 0U;
+  EXPECT_LE(wrong, 2U * status().lost);
 }
 
 }  // namespace
