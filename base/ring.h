@@ -27,11 +27,6 @@ class Ring {
   }
 
   [[nodiscard]] std::size_t capacity() const RT_SAFE { return capacity_; }
-  [[nodiscard]] std::size_t size() const RT_SAFE {
-    return tail_.load(std::memory_order_acquire) - head_.load(std::memory_order_acquire);
-  }
-  [[nodiscard]] bool empty() const RT_SAFE { return size() == 0; }
-
   // Producer. Returns false when the ring is full; nothing is lost then.
   [[nodiscard]] bool push(const T& value) RT_SAFE {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
@@ -44,7 +39,24 @@ class Ring {
   [[nodiscard]] std::size_t pushed() const RT_SAFE { return tail_.load(std::memory_order_acquire); }
   // Elements given back since construction.
   [[nodiscard]] std::size_t popped() const RT_SAFE { return head_.load(std::memory_order_acquire); }
-  [[nodiscard]] std::size_t space() const RT_SAFE { return capacity_ - size(); }
+  [[nodiscard]] std::size_t space() const RT_SAFE {
+    return capacity_ -
+           (tail_.load(std::memory_order_relaxed) - head_.load(std::memory_order_acquire));
+  }
+
+  // Consumer. It sees the first `count` elements pushed since construction, or all of them when
+  // there are fewer, until it is told anew; without being told, whatever there is. What it does
+  // then depends on what it was shown, not on how far the producer has come meanwhile.
+  void show(std::size_t count) RT_SAFE {
+    is_limited_ = true;
+    shown_ = count < pushed() ? count : pushed();
+  }
+  // Elements that the consumer has been shown since construction.
+  [[nodiscard]] std::size_t shown() const RT_SAFE { return is_limited_ ? shown_ : pushed(); }
+  [[nodiscard]] std::size_t size() const RT_SAFE {
+    return shown() - head_.load(std::memory_order_relaxed);
+  }
+  [[nodiscard]] bool empty() const RT_SAFE { return size() == 0; }
 
   // Consumer. The element `index` places behind the front; index < size().
   [[nodiscard]] const T& operator[](std::size_t index) const RT_SAFE {
@@ -67,6 +79,8 @@ class Ring {
   static constexpr std::size_t cache_line = 64;
   std::size_t capacity_;
   std::unique_ptr<T[]> slots_;
+  bool is_limited_ = false;
+  std::size_t shown_ = 0;
   alignas(cache_line) std::atomic<std::size_t> head_{0};
   alignas(cache_line) std::atomic<std::size_t> tail_{0};
 };

@@ -158,6 +158,12 @@ motion::Point BlockPreparation::position_B() const {
   return kinematics::base_from_workpiece(programmed_.frame, face_.to_program(position_W_));
 }
 
+motion::Point BlockPreparation::base_of(const motion::Point& axes_M) const {
+  motion::Point point_W{};
+  kinematics::forward(transform(), axes_M, point_W);
+  return kinematics::base_from_workpiece(programmed_.frame, face_.to_program(point_W));
+}
+
 std::optional<Diagnostic> BlockPreparation::refusal(
     const lang::TransformationChange& change) const {
   return face_.refusal(change, *programmed_.scheme);

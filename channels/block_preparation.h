@@ -61,6 +61,12 @@ class BlockPreparation {
   // The programmed point in B: what the interpreter keeps as its position.
   [[nodiscard]] motion::Point position_B() const;
 
+  // The programmed point in B where the axes of the machine stand so.
+  [[nodiscard]] motion::Point base_of(const motion::Point& axes_M) const;
+
+  // The path goes on from where the axes stand, in the frame at hand.
+  void go_on_from(const motion::Point& axes_M) { stand_at(axes_M); }
+
   // The block of a move, or why it cannot be made; the position moves to its end. `tag` goes into
   // the block.
   [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block(const lang::Move& move,

@@ -54,7 +54,7 @@ void Channel::select_scheme(int scheme) {
   scheme_ = scheme;
   transform_ = {};
   transform_.scheme = find_scheme(scheme);
-  interpolator_.stand_at(axes_M(), transform_);
+  stand_in_frame();
 }
 
 void Channel::advance(std::int64_t cycle) RT_SAFE {
@@ -63,12 +63,14 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   if (resetting_) continue_reset();
   work_items();
   take_step();
+  watch_probe();
   observe_spindles();
   move();
   follow_thread();
   demand_velocities();
   follow_process();
   turn_spindles();
+  control_force();
   stop_at_step();
   work_riders();
   show_remarks(cycle);
@@ -86,13 +88,14 @@ std::uint64_t Channel::chunk_limit(std::uint64_t available) const RT_SAFE {
 }
 
 void Channel::move() RT_SAFE {
-  // Read before the items: a chunk seen here was pushed after the items that precede it.
-  const std::uint64_t available = link_.path.chunks.pushed();
+  const std::uint64_t available = link_.path.chunks.shown();
   const std::uint64_t limit = chunk_limit(available);
   motion::FeedControl control = control_;
   if (!overrides_.feed_enabled) control.feed_override = 1.0;
-  find_gates();  // riders, too, are pushed before the chunks whose blocks they stand before
+  control.hold = control.hold || probe_.ends_path;
+  find_gates();
   control.law_part = form_feed();
+  apply_feed_demand(control);
   control.closed_from_block = closed_from_block();
   control.spindle_rev_per_min = std::abs(spindles_[0].speed());
   if (!link_.path.chunks.empty())
@@ -113,6 +116,7 @@ void Channel::move() RT_SAFE {
     setpoint.jerk = jet.third;
     setpoint.position_code = motion::position_code(jet.value, axis.codes);
   }
+  guard_limits();
 }
 
 void Channel::show_remarks(std::int64_t cycle) RT_SAFE {
@@ -158,6 +162,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.point_W = path_.point;
   output.axes = setpoints_;
   output.drives = drives_;
+  output.arrivals = arrivals_;
   output.has_feedback = !drives_are_ideal_;
   output.feedback = feedback_;
   for (int k = 0; k < figures_.axis_count; ++k) {
@@ -194,6 +199,8 @@ void Channel::answer(const ChannelAnswer& answer) RT_SAFE {
   notice.ok = answer.ok;
   notice.raises = answer.raises;
   notice.value = answer.value;
+  notice.probe_M = answer.probe_M;
+  notice.left_path = answer.left_path;
   notice.code = answer.code;
   notice.text = answer.text;
   notice.axes_M = axes_M();
@@ -204,6 +211,11 @@ void Channel::raise_alarm(std::string_view code, std::string_view text, const mo
     RT_SAFE {
   state_ = ChannelState::alarm;
   run_ok_ = false;
+  record_alarm(code, text, tag);
+}
+
+void Channel::record_alarm(std::string_view code, std::string_view text,
+                           const motion::BlockTag& tag) RT_SAFE {
   AlarmRecord record;
   record.channel = figures_.id;
   record.cycle = cycle_;
@@ -236,8 +248,8 @@ bool Channel::ended_well(std::uint32_t run) const RT_SAFE {
 
 bool Channel::is_quiet() const RT_SAFE {
   return !running_ && !resetting_ && is_standing() && activity_ == Activity::none &&
-         link_.items.empty() && link_.riders.empty() && link_.notices.empty() &&
-         load_ != Outcome::pending && switch_ != Outcome::pending;
+         link_.items.empty() && link_.riders.empty() && load_ != Outcome::pending &&
+         switch_ != Outcome::pending;
 }
 
 void Channel::emit(std::int64_t cycle, std::string_view code, std::string_view text,
@@ -257,6 +269,12 @@ const kinematics::Scheme* Channel::find_scheme(int scheme) const RT_SAFE {
     if (id == scheme) return made;
   }
   return nullptr;
+}
+
+// The axes stand where they are, in the frame that holds from here.
+void Channel::stand_in_frame() RT_SAFE {
+  interpolator_.stand_at(axes_M(), transform_);
+  frame_is_new_ = true;
 }
 
 motion::Point Channel::axes_M() const RT_SAFE {

@@ -10,82 +10,20 @@
 #include <cstdint>
 #include <optional>
 
+#include "channels/channel_figures.h"
 #include "channels/channel_link.h"
 #include "channels/machine.h"
-#include "channels/manual_motion.h"
 #include "channels/output.h"
-#include "channels/report_book.h"
 #include "channels/spindle.h"
 #include "channels/stepper.h"
 #include "lang/builtin.h"
 #include "motion/automatic_feed.h"
-#include "motion/axis_codes.h"
+#include "motion/feed_modifier.h"
 #include "motion/interpolator.h"
 #include "motion/position_regulator.h"
 #include "motion/spindle_observer.h"
 
 namespace stanok::channels {
-
-static_assert(spindles_max == motion::coupled_spindles_max);
-inline constexpr std::size_t automatic_feeds_max = 2;  // laws that the cycle forms of a channel
-
-// What is loaded and run: a program, or one line of an operator (MDI).
-enum class Job : std::uint8_t { program, line };
-
-// How a run of the channel, a load, a switch came out; the coordinator reads and acts.
-enum class Outcome : std::uint8_t { pending, succeeded, failed };
-
-// Fixed figures of one axis in the cycle.
-struct AxisFigures {
-  motion::CodeScale codes;
-  double brake_s = 0.0;        // time a brake takes to close or open
-  double power_s = 0.0;        // time a drive takes to take over
-  bool homed_at_start = true;  // until a drive says otherwise
-  FixedText<16> name;
-  RegulatorConfig regulator;
-  double demand_max = 0.0;  // mm/s or deg/s, of the regulator
-  ManualAxis manual{};
-};
-
-struct ChannelFigures {
-  std::int32_t id = 1;
-  int axis_count = 0;
-  double cycle_s = 0.001;
-  bool stops_go_on = false;  // M0 and M60 continue at once, M99 ends the run (simulate)
-  std::array<AxisFigures, motion::axes_max> axes{};
-  std::array<int, motion::axes_max> machine_axis{};  // index among all axes of the machine
-  std::array<double, motion::axes_max> start{};
-  std::array<SpindleConfig, spindles_max> spindles{};
-  std::array<int, spindles_max> spindle_axis{-1, -1, -1,
-                                             -1};   // that it becomes with M902; -1: none
-  std::array<int, spindles_max> machine_spindle{};  // index among all spindles of the machine
-  int spindle_count = 0;
-  std::array<motion::AutomaticFeedConfig, automatic_feeds_max> automatic_feeds{};
-};
-
-// What a request of the program came to: `code` and `text` say why `ok` is false.
-struct ChannelAnswer {
-  bool ok = true;
-  bool raises = false;  // lang::Answer
-  double value = 0.0;
-  FixedText<8> code;
-  ReasonText text;
-};
-
-// The latest alarm of a channel.
-struct ChannelAlarm {
-  std::uint32_t run = 0;
-  std::uint32_t line = 0;
-  FixedText<8> code;
-  FileName file;
-};
-
-// Where events, alarms and run records go; owned by the machine.
-struct CycleBooks {
-  Ring<Event>* events = nullptr;
-  ReportBook* reports = nullptr;
-  Signals* outputs = nullptr;
-};
 
 class Channel {
  public:
@@ -97,6 +35,12 @@ class Channel {
   // Before the first cycle only.
   void select_scheme(int scheme);
 
+  // What the preparation has made so far is seen in this cycle; of a recorded run, what that saw.
+  void see_arrivals(const Arrivals& recorded = {.resets = 0,
+                                                .chunks = Arrivals::everything,
+                                                .items = Arrivals::everything,
+                                                .riders = Arrivals::everything,
+                                                .remarks = Arrivals::everything}) RT_SAFE;
   void advance(std::int64_t cycle) RT_SAFE;
   // A drive that is lost or faulty stops the channel along its path. Empty feedback: ideal drives.
   void watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE;
@@ -121,6 +65,9 @@ class Channel {
   void answer(const ChannelAnswer& answer) RT_SAFE;
   void fail_run(std::string_view code, std::string_view text, const motion::BlockTag& tag) RT_SAFE;
   void raise_alarm(std::string_view code, std::string_view text, const motion::BlockTag& tag)
+      RT_SAFE;
+  // An alarm that leaves the run as it is.
+  void record_alarm(std::string_view code, std::string_view text, const motion::BlockTag& tag)
       RT_SAFE;
   void set_feed_override(double factor) RT_SAFE { control_.feed_override = factor; }
   void set_rapid_override(double factor) RT_SAFE { control_.rapid_override = factor; }
@@ -219,6 +166,12 @@ class Channel {
   // A law of the cycle on or off; false: the channel has no such law (channel_process.cc).
   [[nodiscard]] bool switch_automatic_feed(motion::LawKind law, bool on) RT_SAFE;
 
+  // Force control, as an operator orders it; false: there is none, or it does not take the order
+  // (channel_force.cc).
+  [[nodiscard]] bool order_force(const motion::ForceOrder& order) RT_SAFE;
+
+  [[nodiscard]] bool has_force_control() const RT_SAFE { return figures_.feed_modifier != nullptr; }
+
   // Axes moved by hand (channel_manual.cc).
   [[nodiscard]] int axis_named(std::string_view name) const RT_SAFE;  // -1: none
   // Why not: a code of the catalogue; empty: it goes.
@@ -278,9 +231,21 @@ class Channel {
   [[nodiscard]] double diameter() const RT_SAFE;  // of a part turned around Z, at the tool; mm
   [[nodiscard]] ProcessOutput process() const RT_SAFE;
   void turn_spindles() RT_SAFE;
+  // Force control (channel_force.cc).
+  void order_force(const Item& item) RT_SAFE;
+  void control_force() RT_SAFE;
+  [[nodiscard]] motion::CutState cut_state() RT_SAFE;
+  [[nodiscard]] unsigned geometry_axes() const RT_SAFE;  // bit k: channel axis k
+  void apply_feed_demand(motion::FeedControl& control) const RT_SAFE;
+  void tell_force_event(motion::ForceEvent event) RT_SAFE;
   // Axes moved by hand (channel_manual.cc).
   void move_by_hand() RT_SAFE;
   void watch_limit_switches() RT_SAFE;
+  void guard_limits() RT_SAFE;
+  // Probing (channel_probe.cc).
+  void begin_probing(const Item& item) RT_SAFE;
+  void watch_probe() RT_SAFE;
+  void answer_probing() RT_SAFE;
   // Threads (channel_thread.cc).
   void observe_spindles() RT_SAFE;
   [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
@@ -302,6 +267,7 @@ class Channel {
   void show_remarks(std::int64_t cycle) RT_SAFE;
   void show(const Remark& remark, std::int64_t cycle) RT_SAFE;
   void continue_reset() RT_SAFE;
+  void forget_arrivals() RT_SAFE;
   void take_overrides(const lang::OverrideControl& overrides) RT_SAFE;
   void apply_spindle_override() RT_SAFE;
   void wait(Activity activity, double seconds) RT_SAFE;
@@ -309,6 +275,7 @@ class Channel {
             const motion::BlockTag& tag) RT_SAFE;
   [[nodiscard]] const kinematics::Scheme* find_scheme(int scheme) const RT_SAFE;
   [[nodiscard]] motion::Point axes_M() const RT_SAFE;
+  void stand_in_frame() RT_SAFE;
   [[nodiscard]] RunRecord run_record() const RT_SAFE;
 
   motion::MotionConfig motion_;
@@ -316,10 +283,13 @@ class Channel {
   std::array<std::pair<int, const kinematics::Scheme*>, 16> schemes_{};
   int scheme_count_ = 0;
   ChannelLink& link_;
+  Arrivals arrivals_;   // seen in this cycle
+  Arrivals forgotten_;  // with the latest reset, counted since construction
   CycleBooks books_;
 
   motion::Interpolator interpolator_;
   ManualMotion manual_;
+  ProbeWatch probe_;
   lang::AxisSet on_limit_switch_ = 0;
   motion::FeedControl control_;
   motion::InterpolatorOutput path_;
@@ -332,6 +302,10 @@ class Channel {
   std::array<motion::SpindleObserver, spindles_max> observers_{};
   SpindleSensors sensors_;  // of the master spindle
   std::array<motion::AutomaticFeed, automatic_feeds_max> automatic_feeds_{};
+  motion::FeedDemand feed_demand_;  // of force control, for the cycle to come
+  bool frame_is_new_ = true;
+  std::uint32_t spindle_starts_ = 0;
+  int spindle_direction_ = 0;
   struct EncoderNews {
     double angle_deg = 0.0;
     double age_s = 0.0;

@@ -45,7 +45,7 @@ void Channel::take_axis(int axis, const YieldedAxis& yielded) RT_SAFE {
   setpoints_[k].position_code = motion::position_code(yielded.position, figures_.axes[k].codes);
   drives_[k] = yielded.drive;
   drive_was_ready_[k] = false;
-  interpolator_.stand_at(axes_M(), transform_);
+  stand_in_frame();
 }
 
 void Channel::release_axes(lang::AxisSet axes) RT_SAFE {

@@ -43,6 +43,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   for (const SpindleConfig& spindle : machine.spindles) {
     if (spindle.encoder_pulses > 0) description.spindles_with_position.push_back(spindle.id);
   }
+  description.has_force_control = channel.force_control;
   description.tool_word_changes_tool = channel.tool_change == "t_word";
   description.tool_word_has_edge = channel.t_format == "tool_edge";
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;

@@ -56,7 +56,8 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
   AxisNames faulty;
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const AxisFeedback& drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
+    AxisFeedback drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
+    drive.valid = drive.valid && std::isfinite(drive.position) && std::isfinite(drive.velocity);
     drives_answer_ = drives_answer_ && drive.valid;
     feedback_[i] = drive;
     feedback_[i].referenced = drive.valid && drive.referenced;
@@ -96,7 +97,7 @@ void Channel::adopt_positions() RT_SAFE {
     setpoints_[i].position_code = motion::position_code(drive.position, figures_.axes[i].codes);
     adopted = true;
   }
-  if (adopted) interpolator_.stand_at(axes_M(), transform_);
+  if (adopted) stand_in_frame();
 }
 
 void Channel::make_regulators() {

@@ -20,9 +20,11 @@ bool is_of_program(ItemKind kind) RT_SAFE {
     case ItemKind::coolant:
     case ItemKind::tool_change:
     case ItemKind::override_control:
+    case ItemKind::force_control:
     case ItemKind::output:
     case ItemKind::machine_function:
     case ItemKind::program_stop:
+    case ItemKind::probe:
     case ItemKind::request:
     case ItemKind::run_end:
       return true;
@@ -66,6 +68,8 @@ bool Channel::finish_activity() RT_SAFE {
                        [](const Spindle& s) RT_SAFE { return s.is_settled(); })) {
         return false;
       }
+      // With force control, the feed waits for the power of the idle spindle, too.
+      if (figures_.feed_modifier != nullptr && !figures_.feed_modifier->is_ready()) return false;
       break;
     case Activity::brakes:
       if (activity_cycles_-- > 0) return false;
@@ -109,7 +113,7 @@ void Channel::execute(const Item& item) RT_SAFE {
     case ItemKind::transform:
       // The axes stand for one cycle in the new frame, so that every trace begins where they are.
       transform_ = *item.transform;
-      interpolator_.stand_at(axes_M(), transform_);
+      stand_in_frame();
       return wait(Activity::frame, 0.0);
     case ItemKind::dwell:
       return wait(Activity::dwell, item.value);
@@ -122,16 +126,21 @@ void Channel::execute(const Item& item) RT_SAFE {
       return;
     case ItemKind::override_control:
       return take_overrides(item.overrides);
+    case ItemKind::force_control:
+      return order_force(item);
     case ItemKind::output:
       return set_output(item);
     case ItemKind::machine_function:
       return emit(cycle_, "", item.text.view(), item.tag);
     case ItemKind::program_stop:
       return stop_by_program(item);
+    case ItemKind::probe:
+      return begin_probing(item);
     case ItemKind::request:
       asked_ = item;
       asks_ = true;
       activity_ = Activity::request;
+      if (item.request.kind == lang::RequestKind::probe_result) answer_probing();
       return;
     case ItemKind::park_axes:
     case ItemKind::join_axes:
@@ -140,7 +149,7 @@ void Channel::execute(const Item& item) RT_SAFE {
       scheme_ = static_cast<int>(item.number);
       transform_ = {};
       transform_.scheme = find_scheme(scheme_);
-      return interpolator_.stand_at(axes_M(), transform_);
+      return stand_in_frame();
     case ItemKind::switch_done:
       switch_ = Outcome::succeeded;
       return;

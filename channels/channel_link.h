@@ -16,6 +16,21 @@ struct ChannelLink {
   Ring<Rider> riders{8192};    // preparation -> cycle
   Ring<Remark> remarks{1024};  // preparation -> cycle
   Ring<Notice> notices{16};    // cycle -> preparation
+
+  // The cycle: what it sees of the rings until the next call, counted since construction. In this
+  // order a chunk comes with the items before it, and with the riders before its blocks.
+  void show(const Arrivals& arrivals) RT_SAFE {
+    path.show(arrivals.chunks);
+    items.show(arrivals.items);
+    riders.show(arrivals.riders);
+    remarks.show(arrivals.remarks);
+  }
+  [[nodiscard]] Arrivals shown() const RT_SAFE {
+    return {.chunks = path.chunks.shown(),
+            .items = items.shown(),
+            .riders = riders.shown(),
+            .remarks = remarks.shown()};
+  }
   // Of the running program, by motion::BlockTag::file; written before anything bears a tag of the
   // run, and read for such tags only.
   std::array<FileName, 256> file_names{};

@@ -1,5 +1,8 @@
 // Axes of one channel moved by hand: jog, homing, and the watch over their limit switches.
+#include <cmath>
+
 #include "channels/channel.h"
+#include "motion/limit_guard.h"
 
 namespace stanok::channels {
 
@@ -42,7 +45,7 @@ void Channel::return_to_parking() RT_SAFE {
 // The path stands: it begins anew from where the axes come to.
 void Channel::move_by_hand() RT_SAFE {
   manual_.advance(feedback_, path_.axes);
-  interpolator_.stand_at(axes_M(), transform_);
+  stand_in_frame();
 }
 
 bool Channel::begin_homing_of_spindle(int id) RT_SAFE {
@@ -58,6 +61,23 @@ int Channel::axis_on_limit_switch() const RT_SAFE {
     if ((on_limit_switch_ >> k & 1U) != 0) return k;
   }
   return -1;
+}
+
+// The last guard: planning lets nothing pass a soft limit, so whatever comes too near to one to
+// stand before it is a fault (motion/limit_guard.h). Moves by hand keep their own limits.
+void Channel::guard_limits() RT_SAFE {
+  if (!running_ || resetting_ || manual_.is_active()) return;
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!owns(k) || is_spindle_now(k)) continue;
+    const kinematics::Jet& axis = path_.axes[i];
+    const double slack =
+        figures_.axes[i].codes.resolution + std::abs(axis.first) * figures_.cycle_s;
+    if (!motion::passes_limit(axis, motion_.axes[i], slack)) continue;
+    FixedText<128> text("axis ");
+    text.append(axis_name(k).view()).append(" comes too near to its soft limit to stand before it");
+    return fault("A2003", text.view());
+  }
 }
 
 // Who comes onto a limit switch is stopped; homing looks after its switches itself.

@@ -94,6 +94,8 @@ ProcessOutput Channel::process() const RT_SAFE {
   output.cutting_speed_m_per_min = std::numbers::pi * diameter() * speed / mm_per_m;
   for (std::size_t k = 0; k < static_cast<std::size_t>(figures_.spindle_count); ++k)
     output.spindles[k] = {.id = spindles_[k].id(), .rev_per_min = spindles_[k].speed()};
+  output.has_force_control = figures_.feed_modifier != nullptr;
+  if (output.has_force_control) output.force = figures_.feed_modifier->status();
   return output;
 }
 

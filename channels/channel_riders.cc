@@ -70,15 +70,15 @@ void Channel::execute(const Rider& rider) RT_SAFE {
 // Looks for the next two soft marks among the riders that came since.
 void Channel::find_gates() RT_SAFE {
   gate_ = std::max<std::uint64_t>(gate_, link_.riders.popped());
-  while (gate_ < link_.riders.pushed() && soft_mark_at(gate_) == nullptr) ++gate_;
+  while (gate_ < link_.riders.shown() && soft_mark_at(gate_) == nullptr) ++gate_;
   gate_behind_ = std::max(gate_behind_, gate_ + 1);
-  while (gate_behind_ < link_.riders.pushed() && soft_mark_at(gate_behind_) == nullptr)
+  while (gate_behind_ < link_.riders.shown() && soft_mark_at(gate_behind_) == nullptr)
     ++gate_behind_;
 }
 
 // The rider of this number if it is a soft mark.
 const Rider* Channel::soft_mark_at(std::uint64_t number) const RT_SAFE {
-  if (number < link_.riders.popped() || number >= link_.riders.pushed()) return nullptr;
+  if (number < link_.riders.popped() || number >= link_.riders.shown()) return nullptr;
   const Rider& rider = link_.riders[number - link_.riders.popped()];
   return rider.kind == RiderKind::mark_wait ? &rider : nullptr;
 }

@@ -61,6 +61,7 @@ void Channel::end_run(bool ok, std::uint64_t blocks) RT_SAFE {
   if (!running_) return;
   take_overrides({});
   interrupt_feed({});
+  static_cast<void>(order_force(motion::ForceOrder{}));
   for (Spindle& spindle : spindles_) spindle.stop();
   open_position_loops();
   close_run(ok, blocks);
@@ -107,9 +108,8 @@ void Channel::continue_reset() RT_SAFE {
   Item item;
   while (link_.items.pop(item)) {
     if (item.kind != ItemKind::reset_done) continue;
-    interpolator_.drop_path(link_.path);
-    forget_riders();
-    link_.remarks.pop_front(link_.remarks.size());
+    forget_arrivals();
+    probe_ = {};
     end_run(false, blocks_);
     open_position_loops();
     resetting_ = false;
@@ -123,9 +123,40 @@ void Channel::continue_reset() RT_SAFE {
     alarm_stays_ = false;
     transform_ = {};
     transform_.scheme = find_scheme(scheme_);
-    interpolator_.stand_at(axes_M(), transform_);
+    stand_in_frame();
     return;
   }
+}
+
+void Channel::see_arrivals(const Arrivals& recorded) RT_SAFE {
+  const bool resets = recorded.resets > arrivals_.resets;
+  link_.show({.resets = 0,
+              .chunks = forgotten_.chunks + (resets ? Arrivals::everything : recorded.chunks),
+              .items = forgotten_.items + (resets ? Arrivals::everything : recorded.items),
+              .riders = forgotten_.riders + (resets ? Arrivals::everything : recorded.riders),
+              .remarks = forgotten_.remarks + (resets ? Arrivals::everything : recorded.remarks)});
+  const Arrivals shown = link_.shown();
+  arrivals_.chunks = shown.chunks - forgotten_.chunks;
+  arrivals_.items = shown.items - forgotten_.items;
+  arrivals_.riders = shown.riders - forgotten_.riders;
+  arrivals_.remarks = shown.remarks - forgotten_.remarks;
+}
+
+// Behind the item that says that a reset is over the preparation has made nothing but items; all
+// else that it made is of before.
+void Channel::forget_arrivals() RT_SAFE {
+  const std::uint64_t items = link_.items.popped();
+  link_.show({.resets = 0,
+              .chunks = Arrivals::everything,
+              .items = link_.items.shown(),
+              .riders = Arrivals::everything,
+              .remarks = Arrivals::everything});
+  interpolator_.drop_path(link_.path);
+  forget_riders();
+  link_.remarks.pop_front(link_.remarks.size());
+  forgotten_ = link_.shown();
+  forgotten_.items = items;
+  arrivals_ = {.resets = arrivals_.resets + 1, .chunks = 0, .items = link_.items.size()};
 }
 
 }  // namespace stanok::channels

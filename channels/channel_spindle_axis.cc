@@ -51,7 +51,7 @@ void Channel::close_position_loop(int id) RT_SAFE {
   path_.axes[k] = angle;
   setpoints_[k].position = angle;
   spindle_axes_ = static_cast<lang::AxisSet>(spindle_axes_ & ~(1U << axis));
-  interpolator_.stand_at(axes_M(), transform_);
+  stand_in_frame();
 }
 
 bool Channel::position_loop_is_closed(int id) const RT_SAFE {

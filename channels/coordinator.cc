@@ -146,10 +146,16 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return each([&](Channel& c) RT_SAFE { c.set_single_block(event.number != 0); });
     case OperatorAction::jog:
       return jog(event, channel);
+    case OperatorAction::tool_set:
+      return set_tool(event);
+    case OperatorAction::offset_set:
+      return set_offset(event);
     case OperatorAction::process_interrupt:
       return interrupt_feed(event, channel);
     case OperatorAction::process_automatic:
       return switch_automatic_feed(event, channel);
+    case OperatorAction::process_adaptive:
+      return control_force(event, channel);
     case OperatorAction::block_skip:
     case OperatorAction::block_skip_off: {
       if (event.number < 1 || event.number > 9)
@@ -206,6 +212,36 @@ Coordinator::Verdict Coordinator::switch_automatic_feed(const OperatorEvent& eve
       event.text.view() == "linear" ? motion::LawKind::linear : motion::LawKind::modulated;
   if (channel->switch_automatic_feed(law, event.number != 0)) return success();
   return refusal("E6030", "the machine file gives the channel no such automatic feed law");
+}
+
+Coordinator::Verdict Coordinator::control_force(const OperatorEvent& event, Channel* channel)
+    RT_SAFE {
+  if (channel == nullptr) return refusal("E6001", "a channel must be named");
+  if (!channel->has_force_control())
+    return refusal("E6060", "the machine file gives the channel no force control");
+  const std::string_view quantity = event.text.view();
+  const bool is_force = quantity.empty() || quantity == "force";
+  motion::ForceOrder order;
+  switch (static_cast<ForceAction>(event.number)) {
+    case ForceAction::off:
+      break;
+    case ForceAction::on:
+      if (!is_force) return refusal("E6061", "force control is switched on with a force");
+      order.kind = motion::ForceOrder::Kind::force;
+      order.force_n = event.value;
+      break;
+    case ForceAction::set:
+      if (quantity.empty() || !(event.value > 0.0))
+        return refusal("E6061", "a quantity is set to a value above 0");
+      order.kind = motion::ForceOrder::Kind::adjust;
+      if (is_force) order.force_n = event.value;
+      if (quantity == "level") order.level_um = event.value;
+      if (quantity == "mass") order.reduced_mass_kg = event.value;
+      if (quantity == "frequency") order.oscillation_hz = event.value;
+      break;
+  }
+  if (channel->order_force(order)) return success();
+  return refusal("E6062", "no force was ordered yet: process adaptive on force N");
 }
 
 void Coordinator::set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE {

@@ -139,8 +139,13 @@ class Coordinator {
   [[nodiscard]] std::optional<Verdict> apply_at_once(const OperatorEvent& event, Channel* channel)
       RT_SAFE;
   [[nodiscard]] Verdict switch_on(Channel* channel) RT_SAFE;
+  // Tables (coordinator_tables.cc)
+  [[nodiscard]] std::optional<Verdict> refusal_while_running() const RT_SAFE;
+  [[nodiscard]] Verdict set_tool(const OperatorEvent& event) RT_SAFE;
+  [[nodiscard]] Verdict set_offset(const OperatorEvent& event) RT_SAFE;
   Verdict interrupt_feed(const OperatorEvent& event, Channel* channel) RT_SAFE;
   Verdict switch_automatic_feed(const OperatorEvent& event, Channel* channel) RT_SAFE;
+  Verdict control_force(const OperatorEvent& event, Channel* channel) RT_SAFE;
   void set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE;
   void reply(std::uint64_t id, const Verdict& verdict) RT_SAFE;
 

@@ -14,6 +14,8 @@ std::string_view text_of(HoldCause cause) {
       return "the program that started it has failed";
     case HoldCause::single_block:
       return "single block";
+    case HoldCause::sensor_fault:
+      return "the power sensor of force control";
     case HoldCause::none:
       break;
   }

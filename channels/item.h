@@ -33,9 +33,12 @@ enum class ItemKind : std::uint8_t {
   coolant,           // mist, flood
   tool_change,       // number = tool
   override_control,  // M48 to M53
+  force_control,     // #adaptive: force
   output,            // M64, M65, M68: number, value, flag = analog
   machine_function,  // M100 to M899: text
   program_stop,      // M0, M1, M60: number = lang::StopKind
+  probe,             // the move behind it ends where the probe changes: flag = until contact,
+                     // number = whether missing that is an alarm
   request,           // to the coordinator; preparation waits for the answer
   park_axes,         // axes = set: brakes closed, then drives off
   join_axes,         // axes = set: drives on, then brakes open
@@ -70,6 +73,7 @@ struct Item {
   lang::CuttingSpeedMode cutting;
   lang::CoolantCommand coolant;
   lang::OverrideControl overrides;
+  lang::ForceControl force;
   RequestData request;
   const kinematics::Transform* transform = nullptr;
   FixedText<8> code;
@@ -103,6 +107,8 @@ struct Notice {
   bool raises = false;  // lang::Answer
   double value = 0.0;
   motion::Point axes_M{};
+  motion::Point probe_M{};  // answer to a probing move: where the probe changed
+  bool left_path = false;   // the axes stand elsewhere than at the end of the path
   lang::AxisSet enabled = 0;
   FixedText<8> code;
   ReasonText text;

@@ -54,6 +54,31 @@ std::string work_offset_name(int number) {
   return "G54.1 P" + std::to_string(number - 9);
 }
 
+int work_offset_number(std::string_view name) RT_SAFE {
+  constexpr std::array<std::string_view, 9> plain{"G54", "G55",   "G56",   "G57",  "G58",
+                                                  "G59", "G59.1", "G59.2", "G59.3"};
+  const auto found = std::find(plain.begin(), plain.end(), name);
+  if (found != plain.end()) return static_cast<int>(found - plain.begin()) + 1;
+  constexpr std::string_view extended = "G54.1 P";
+  if (!name.starts_with(extended)) return 0;
+  int page = 0;
+  name.remove_prefix(extended.size());
+  if (name.empty() || name.size() > 3) return 0;
+  for (const char c : name) {
+    if (c < '0' || c > '9') return 0;
+    page = 10 * page + (c - '0');
+  }
+  return page >= 1 && page <= work_offsets_max - 9 ? page + 9 : 0;
+}
+
+int tool_value_named(std::string_view name) RT_SAFE {
+  constexpr std::array<std::string_view, tool_values> names{
+      "length",      "length_y", "length_x",    "radius",      "wear_length",
+      "wear_radius", "overhang", "orientation", "angle_front", "angle_back"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
+}
+
 LiveTables::LiveTables(const MachineConfig& machine)
     : write_protected_(machine.tables_write_protected) {
   for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
@@ -92,11 +117,19 @@ std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
   return offsets_[cell(number, static_cast<std::size_t>(axis))].load(std::memory_order_relaxed);
 }
 
-bool LiveTables::set_offset(int number, int axis, double value) RT_SAFE {
-  if (write_protected_ || !offset(number, axis)) return false;
+bool LiveTables::set_offset(int number, int axis, double value, Writer writer) RT_SAFE {
+  if (write_protected_ && writer == Writer::program) return false;
+  if (!offset(number, axis)) return false;
   if (axis == lang::rotation_of_offset) axis = static_cast<int>(columns_.size()) - 1;
   offsets_[cell(number, static_cast<std::size_t>(axis))].store(value, std::memory_order_relaxed);
   return true;
+}
+
+int LiveTables::column(std::string_view axis) const RT_SAFE {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (columns_[k] == axis) return static_cast<int>(k);
+  }
+  return -1;
 }
 
 std::optional<double> LiveTables::offset(int number, const std::string& axis) const {
@@ -126,8 +159,9 @@ std::optional<double> LiveTables::tool_value(int number, int edge, int value) co
   return row->values[static_cast<std::size_t>(value - 1)].load(std::memory_order_relaxed);
 }
 
-bool LiveTables::set_tool_value(int number, int edge, int value, double to) RT_SAFE {
-  if (write_protected_ || !tool_value(number, edge, value)) return false;
+bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writer writer) RT_SAFE {
+  if (write_protected_ && writer == Writer::program) return false;
+  if (!tool_value(number, edge, value)) return false;
   if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
   ToolRow& row = tools_[static_cast<std::size_t>(find(number, edge) - tools_.get())];
   row.values[static_cast<std::size_t>(value - 1)].store(to, std::memory_order_relaxed);

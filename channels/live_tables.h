@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/rt_safe.h"
@@ -37,6 +38,13 @@ enum class ToolValue : std::uint8_t {
   angle_back,
 };
 inline constexpr int tool_values = 10;
+// "length", "wear_radius"...; 0: there is no such value.
+[[nodiscard]] int tool_value_named(std::string_view name) RT_SAFE;
+// The number of work_offset_name; 0: there is no such offset.
+[[nodiscard]] int work_offset_number(std::string_view name) RT_SAFE;
+
+// Programs may be kept from writing by the machine file; operators may not.
+enum class Writer : std::uint8_t { program, person };
 
 class LiveTables {
  public:
@@ -52,9 +60,13 @@ class LiveTables {
   // there is no such entry; a write also when the value is out of range or the tables are
   // write-protected.
   [[nodiscard]] std::optional<double> offset(int number, int axis) const RT_SAFE;
-  [[nodiscard]] bool set_offset(int number, int axis, double value) RT_SAFE;
+  [[nodiscard]] bool set_offset(int number, int axis, double value, Writer writer = Writer::program)
+      RT_SAFE;
+  // `axis` of the calls above by the name of the machine's axis, "R": the rotation; -1: none.
+  [[nodiscard]] int column(std::string_view axis) const RT_SAFE;
   [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
-  [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to) RT_SAFE;
+  [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
+                                    Writer writer = Writer::program) RT_SAFE;
 
  private:
   struct ToolRow {

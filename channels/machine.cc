@@ -36,6 +36,7 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
   figures.axis_count = static_cast<int>(channel.axes.size());
   figures.cycle_s = machine.cycle_us * 1e-6;
   figures.stops_go_on = options.stops_go_on;
+  figures.probe_input = channel.probe_input;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
@@ -66,6 +67,8 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
   std::copy_n(channel.automatic_feeds.begin(),
               std::min(channel.automatic_feeds.size(), figures.automatic_feeds.size()),
               figures.automatic_feeds.begin());
+  const auto index = static_cast<std::size_t>(&channel - machine.channels.data());
+  if (index < options.feed_modifiers.size()) figures.feed_modifier = options.feed_modifiers[index];
   return figures;
 }
 
@@ -109,8 +112,9 @@ struct Machine::Parts {
     }
     std::vector<Channel*> channels;
     for (const ChannelConfig& channel : machine.channels) {
-      seats.push_back(std::make_unique<Seat>(machine, channel, options, files, tables, shared,
-                                             CycleBooks{&events, &reports, &signals_out}));
+      seats.push_back(
+          std::make_unique<Seat>(machine, channel, options, files, tables, shared,
+                                 CycleBooks{&events, &reports, &signals_out, &signals_in}));
       channels.push_back(&seats.back()->channel);
       if (options.on_at_start) channels.back()->power(true);
     }
@@ -210,6 +214,10 @@ bool Machine::select_scheme_at_start(int channel, int scheme) {
 void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
   Parts& parts = *parts_;
   ++parts.cycle;
+  for (std::size_t k = 0; k < parts.seats.size(); ++k) {
+    Channel& channel = parts.seats[k]->channel;
+    k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
+  }
   for (const OperatorEvent& event : inputs.events) {
     InputRecord record;
     record.cycle = parts.cycle;

@@ -26,6 +26,9 @@ struct CycleInputs {
   std::span<const AxisFeedback> feedback;     // machine axis order; empty: ideal drives
   const Signals* signals = nullptr;           // nullptr: there are none
   std::span<const SpindleSensors> sensors{};  // machine spindle order; empty: there are none
+  // In the order of the channels, of a run that is repeated; empty: what the preparations have
+  // made.
+  std::span<const Arrivals> arrivals{};
 };
 
 // One finished (or running) program run of a channel, for reports.
@@ -59,6 +62,9 @@ struct MachineOptions {
   // M0 and M60 continue at once with a message, M99 in the main program ends it (simulate).
   bool stops_go_on = false;
   bool outputs_to_inputs = false;  // where the inputs hold none
+  // Force control of each channel, in their order; nullptr, or shorter: none. They outlive the
+  // machine.
+  std::vector<motion::FeedModifier*> feed_modifiers{};
 };
 
 class Machine {

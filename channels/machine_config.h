@@ -80,11 +80,13 @@ struct ChannelConfig {
   double orientation_tolerance_deg = 0.05;
   double arc_radius_tolerance_mm = 0.01;
   OwnerFailure on_owner_failure = OwnerFailure::hold;
+  int probe_input = -1;  // digital input that is on while the probe touches; -1: no probe
   std::vector<motion::AutomaticFeedConfig> automatic_feeds;  // at most one of each law
-  std::map<std::string, std::string> codes;                  // "G200" -> "cycles/groove.nc"
-  std::map<std::string, std::string> address_alias;          // "E" -> "dS"
-  std::string tool_change = "m6";                            // "m6" | "t_word"
-  std::string t_format = "plain";                            // "plain" | "tool_edge"
+  bool force_control = false;                        // its master spindle has a power sensor for it
+  std::map<std::string, std::string> codes;          // "G200" -> "cycles/groove.nc"
+  std::map<std::string, std::string> address_alias;  // "E" -> "dS"
+  std::string tool_change = "m6";                    // "m6" | "t_word"
+  std::string t_format = "plain";                    // "plain" | "tool_edge"
 };
 
 // Tools and offsets at first start, and later the live tables.

@@ -32,6 +32,9 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::process_automatic, "process_automatic"},
     {OperatorAction::jog, "jog"},
     {OperatorAction::home, "home"},
+    {OperatorAction::tool_set, "tool_set"},
+    {OperatorAction::offset_set, "offset_set"},
+    {OperatorAction::process_adaptive, "process_adaptive"},
 });
 
 }  // namespace

@@ -36,7 +36,14 @@ enum class OperatorAction : std::uint8_t {
                       // off
   jog,                // text = axis, value = velocity, value_2 = increment (0: while it is renewed)
   home,               // text = axis; empty: all of the channel
+  tool_set,           // number = tool, text = value of it, value, value_2 = edge (0: 1)
+  offset_set,         // text = work offset and axis of the machine, "G54 X"; value
+  process_adaptive,   // number = ForceAction, text = quantity ("" or "force", "level", "mass",
+                      // "frequency"), value
 };
+
+// What an operator does with the force control of a channel.
+enum class ForceAction : std::uint8_t { off, on, set };
 
 struct OperatorEvent {
   std::uint64_t id = 0;  // of the reply; 0: nobody waits for one

@@ -13,6 +13,7 @@
 #include "lang/command.h"
 #include "motion/automatic_feed.h"
 #include "motion/feed_interruption.h"
+#include "motion/feed_modifier.h"
 #include "motion/path.h"
 
 namespace stanok::channels {
@@ -35,6 +36,7 @@ enum class HoldCause : std::uint8_t {
   channel_stop,  // of another channel
   owner_failed,  // on_owner_failure
   single_block,
+  sensor_fault,  // of force control
 };
 // For people: "feed hold by an operator"; empty for none.
 [[nodiscard]] std::string_view text_of(HoldCause cause);
@@ -84,6 +86,8 @@ struct AxisFeedback {
   double position_offset = 0.0;   // of what the drive counts
   double index_position = 0.0;    // at the latest index pulse
   std::uint32_t index_count = 0;  // pulses so far
+
+  friend bool operator==(const AxisFeedback&, const AxisFeedback&) = default;
 };
 
 // Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].
@@ -147,6 +151,23 @@ struct ProcessOutput {
   double spindle_rev_per_min = 0.0;      // n of the master spindle; clockwise > 0
   double cutting_speed_m_per_min = 0.0;  // v at the diameter on which the tool stands
   std::array<SpindleSetpoint, spindles_max> spindles{};
+  bool has_force_control = false;
+  motion::ForceStatus force;
+};
+
+// What the cycle has seen of the work of a preparation. `resets` counts the resets that are over;
+// all else is counted since the latest of them, so that two runs can be compared however far ahead
+// the preparation was at a reset.
+struct Arrivals {
+  static constexpr std::uint64_t everything = std::numeric_limits<std::uint64_t>::max() / 2;
+
+  std::uint64_t resets = 0;
+  std::uint64_t chunks = 0;
+  std::uint64_t items = 0;
+  std::uint64_t riders = 0;
+  std::uint64_t remarks = 0;
+
+  friend bool operator==(const Arrivals&, const Arrivals&) = default;
 };
 
 struct ChannelOutput {
@@ -168,6 +189,7 @@ struct ChannelOutput {
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
   std::array<AxisSetpoint, motion::axes_max> axes{};
   std::array<DriveCommand, motion::axes_max> drives{};
+  Arrivals arrivals{};        // that this cycle saw
   bool has_feedback = false;  // of drives; without, ideal ones are assumed
   std::array<AxisFeedback, motion::axes_max> feedback{};  // that this cycle acted on
 };

@@ -178,6 +178,11 @@ void Preparation::take_answer(const Notice& notice) {
     scheme_switched_ = false;
     axes_change_ = false;
   }
+  answer.probe_B = blocks_.base_of(notice.probe_M);
+  if (notice.left_path) {
+    blocks_.go_on_from(notice.axes_M);
+    push_transform();
+  }
   answer.position_B = blocks_.position_B();
   answer.position_valid = true;
   task_ = Task::running;

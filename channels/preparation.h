@@ -62,6 +62,7 @@ class Preparation {
   bool add_block(const lang::Command& command, const motion::PathBlock& block);
   void add_thread(const lang::Command& command, const lang::SynchronousMove& move);
   void fail_at_block(const lang::Command& command, Diagnostic diagnostic);
+  void add_probing(const lang::Command& command, const lang::ProbeMove& move);
   void add_request(const lang::Command& command, const lang::Request& request);
   void add_output(const lang::Command& command, const lang::OutputCommand& output);
   void add_mark(const lang::Command& command, const lang::MarkCommand& mark);

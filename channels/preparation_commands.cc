@@ -42,6 +42,11 @@ void Preparation::take(const lang::Command& command) {
                    next.overrides = control;
                    push(next);
                  },
+                 [&](const lang::ForceControl& force) {
+                   Item next = item(ItemKind::force_control);
+                   next.force = force;
+                   push(next);
+                 },
                  [&](const lang::Message& message) {
                    const bool warns = message.kind == lang::Message::Kind::warning;
                    pending_remarks_.push_back(
@@ -65,7 +70,7 @@ void Preparation::take(const lang::Command& command) {
                  [&](const lang::Request& request) { add_request(command, request); },
                  [&](const lang::SplineMove& spline) { add_curve(command, spline); },
                  [&](const lang::SynchronousMove& move) { add_thread(command, move); },
-                 [&](const lang::ProbeMove&) { refuse(command, "probing"); },
+                 [&](const lang::ProbeMove& move) { add_probing(command, move); },
                  [&](const lang::TransformationChange& change) {
                    if (const auto refusal = blocks_.refusal(change)) {
                      fail_at_block(command, *refusal);
@@ -148,6 +153,21 @@ void Preparation::add_thread(const lang::Command& command, const lang::Synchrono
 void Preparation::fail_at_block(const lang::Command& command, Diagnostic diagnostic) {
   lang::put_at_block(*running_, command.origin, diagnostic);
   fail(diagnostic, tag_of(command));
+}
+
+void Preparation::add_probing(const lang::Command& command, const lang::ProbeMove& move) {
+  if (config_.probe_input < 0) {
+    Diagnostic diagnostic;
+    diagnostic.code = "E4323";
+    diagnostic.message = "channel " + std::to_string(config_.id) + " has no probe";
+    diagnostic.help = {"give the channel of the machine file a probe_input"};
+    return fail_at_block(command, std::move(diagnostic));
+  }
+  Item probe = item_of(ItemKind::probe, tag_of(command));
+  probe.flag = move.until_contact;
+  probe.number = move.alarm_when_missed ? 1 : 0;
+  push(probe);
+  add_move(command, move.line);
 }
 
 void Preparation::add_request(const lang::Command& command, const lang::Request& request) {

@@ -2,25 +2,33 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "client/log_text.h"
 #include "client/noun_command.h"
 #include "recording/log_contents.h"
 #include "recording/log_export.h"
+#include "recording/log_play.h"
 #include "recording/log_plot.h"
+#include "recording/publisher.h"
+#include "runtime/replay.h"
 
 namespace stanok::client {
 namespace {
 
 constexpr int exit_failed = 1;
+constexpr int exit_interrupted = 130;
 
 struct LogOptions {
   std::string file;
   std::string out;
   int channel = 0;  // 0: not given
+  std::string lcm;
+  double speed = 1.0;
   bool json = false;
 };
 
@@ -97,13 +105,63 @@ int plot(const LogOptions& options) {
   return 0;
 }
 
-// Known, not made yet: answered instead of a message about a wrong command line.
-void add_later_command(CLI::App& noun, const std::string& verb, int& exit_code) {
-  CLI::App* command = noun.add_subcommand(verb)->group("")->allow_extras();
-  command->callback([verb, &exit_code] {
-    std::fprintf(stderr, "stanok: log %s: not supported in this release\n", verb.c_str());
-    exit_code = exit_failed;
+nlohmann::json to_json(const runtime::ReplayResult& result) {
+  nlohmann::json json{{"ok", result.is_same()},        {"cycles", result.cycles},
+                      {"setpoints", result.setpoints}, {"complete", result.is_complete},
+                      {"remarks", result.remarks},     {"difference", nullptr}};
+  if (result.difference) {
+    const runtime::SetpointDifference& first = *result.difference;
+    json["difference"] = {{"cycle", first.cycle},       {"channel", first.channel},
+                          {"field", first.field},       {"recorded", first.recorded},
+                          {"repeated", first.repeated}, {"ulps", first.units_in_last_place}};
+  }
+  return json;
+}
+
+int verify(const LogOptions& options) {
+  const bool shows_progress = isatty(STDERR_FILENO) != 0;
+  const auto result = runtime::replay(options.file, [&](double part) {
+    if (shows_progress) std::fprintf(stderr, "\r\033[K%3.0f %%", 100.0 * part);
   });
+  if (shows_progress) std::fprintf(stderr, "\r\033[K");
+  for (const std::string& remark : result.remarks)
+    std::fprintf(stderr, "warning: %s\n", remark.c_str());
+  if (options.json) {
+    std::printf("%s\n", to_json(result).dump().c_str());
+  } else if (result.difference) {
+    const runtime::SetpointDifference& first = *result.difference;
+    std::printf(
+        "differs in cycle %lld, channel %d, %s: recorded %.17g, repeated %.17g (%llu ULPs)\n",
+        static_cast<long long>(first.cycle), first.channel, first.field.c_str(), first.recorded,
+        first.repeated, static_cast<unsigned long long>(first.units_in_last_place));
+  } else {
+    std::printf("%lld set-points of %lld cycles are the same, bit for bit\n",
+                static_cast<long long>(result.setpoints), static_cast<long long>(result.cycles));
+  }
+  return result.is_same() ? 0 : exit_failed;
+}
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int /*signal*/) {
+  interrupted = 1;
+}
+
+int play(const LogOptions& options) {
+  recording::Publisher bus(options.lcm);
+  if (!bus.good())
+    throw std::runtime_error("LCM " + bus.status().url + " cannot be opened; see --lcm");
+  std::signal(SIGINT, on_interrupt);
+  const auto result = value_or_throw(
+      recording::play(options.file, options.speed, bus, [] { return interrupted != 0; }));
+  std::fprintf(stderr, "%lld messages of %.3f s on %s\n", static_cast<long long>(result.messages),
+               result.recorded_s, bus.status().url.c_str());
+  for (const recording::Damage& damage : result.damage) {
+    std::fprintf(stderr, "warning: %s at byte %lld: %lld bytes were left out\n",
+                 damage.kind == recording::DamageKind::cut ? "the log is cut" : "damage",
+                 static_cast<long long>(damage.offset), static_cast<long long>(damage.bytes));
+  }
+  if (interrupted != 0) return exit_interrupted;
+  return result.damage.empty() ? 0 : exit_failed;
 }
 
 }  // namespace
@@ -132,8 +190,17 @@ void add_log_commands(CLI::App& app, int& exit_code) {
   pictures->add_option("--channel", plot_options->channel, "channel of the machine; else all")
       ->check(CLI::PositiveNumber);
 
-  add_later_command(noun, "play", exit_code);
-  add_later_command(noun, "verify", exit_code);
+  const auto [again, verify_options] = add(
+      "verify", "repeat the run of a log from its inputs and compare every set-point bit for bit",
+      &verify);
+  again->add_flag("--json", verify_options->json, "print JSON");
+
+  const auto [bus, play_options] = add("play", "publish a log on the LCM bus once more", &play);
+  bus->add_option("--speed", play_options->speed, "1: as recorded; 0: as fast as it goes")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  bus->add_option("--lcm", play_options->lcm,
+                  "LCM URL; else LCM_DEFAULT_URL, else the local multicast group");
 }
 
 }  // namespace stanok::client

@@ -2,6 +2,7 @@
 
 #include "client/check_command.h"
 #include "client/explain_command.h"
+#include "client/grind_command.h"
 #include "client/interpret_command.h"
 #include "client/log_command.h"
 #include "client/simulate_command.h"
@@ -14,6 +15,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_interpret_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_log_commands(app, exit_code);
+  add_grind_commands(app, exit_code);
   add_explain_command(app, exit_code);
   add_completion_command(app);
 }

@@ -121,6 +121,22 @@ const char* name_of(lang::MarkCommand::Kind kind) {
   return "";
 }
 
+const char* name_of(lang::ForceControl::Kind kind) {
+  switch (kind) {
+    case lang::ForceControl::Kind::off:
+      return "off";
+    case lang::ForceControl::Kind::force:
+      return "force";
+    case lang::ForceControl::Kind::oscillate:
+      return "oscillate";
+    case lang::ForceControl::Kind::vibration_on:
+      return "vibration_on";
+    case lang::ForceControl::Kind::vibration_off:
+      return "vibration_off";
+  }
+  return "";
+}
+
 const char* name_of(lang::LengthMode mode) {
   switch (mode) {
     case lang::LengthMode::off:
@@ -254,6 +270,14 @@ struct Fields {
     kind("sync");
     append(text, R"(,"what":"override","feed":{},"spindle":{})", control.feed_enabled,
            control.spindle_enabled);
+  }
+  void operator()(const lang::ForceControl& force) const {
+    kind("force_control");
+    append(text,
+           R"(,"order":"{}","force":{},"feed_min":{},"feed_max":{},"per_revolution":{})"
+           R"(,"oscillation":{},"frequency":{},"level":{},"mass":{})",
+           name_of(force.kind), force.force_n, force.feed_min, force.feed_max, force.per_revolution,
+           force.oscillation_n, force.oscillation_hz, force.level_um, force.reduced_mass_kg);
   }
   void operator()(const lang::OutputCommand& output) const {
     kind("output");

@@ -128,6 +128,11 @@ nlohmann::ordered_json result_json(const runtime::SimulationResult& result,
   json["channels"] = nlohmann::ordered_json::array();
   for (const auto& channel : machine.channels)
     json["channels"].push_back(channel_json(result, channel));
+  if (result.process) {
+    json["process"] = {{"force_error_steady_max", result.process->force_error_steady_max},
+                       {"overshoot_return_max", result.process->overshoot_return_max},
+                       {"settling_s", result.process->settling_s}};
+  }
   json["rt"]["cycle_us"] = {{"p50", microseconds(result.cycle_time.percentile(0.5))},
                             {"p99", microseconds(result.cycle_time.percentile(0.99))},
                             {"p999", microseconds(result.cycle_time.percentile(0.999))},
@@ -149,17 +154,18 @@ void print_summary(const runtime::SimulationResult& result) {
       microseconds(result.cycle_time.percentile(0.999)));
 }
 
-// Warnings of the run as they come: of programs, of feeds that the axes cannot follow, of sensors.
-class WarningLines final : public runtime::CycleObserver {
+// What the run says as it comes: messages of programs, and warnings of programs, of feeds that the
+// axes cannot follow, of sensors. Faults are reported at the end, with their places.
+class EventLines final : public runtime::CycleObserver {
  public:
   void observe(const channels::CycleOutput& /*output*/) override {}
   void observe(const channels::Event& event) override {
     const std::string code(event.code.view());
-    if (code.empty() || code.front() != 'W') return;
+    if (!code.empty() && code.front() != 'W') return;
+    const std::string kind = code.empty() ? "message" : "warning[" + code + "]";
     const std::string line = event.tag.line > 0 ? " line " + std::to_string(event.tag.line) : "";
-    std::fprintf(stderr, "%swarning[%s]: channel %d%s: %s\n",
-                 isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", code.c_str(), event.channel,
-                 line.c_str(), std::string(event.text.view()).c_str());
+    std::fprintf(stderr, "%s%s: channel %d%s: %s\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "",
+                 kind.c_str(), event.channel, line.c_str(), std::string(event.text.view()).c_str());
   }
 };
 
@@ -197,7 +203,7 @@ int run(const SimulateOptions& given) {
 
   std::vector<std::unique_ptr<runtime::CycleObserver>> owned;
   owned.push_back(std::make_unique<ProgressLine>(options.file.machine.cycle_us * 1e-6));
-  owned.push_back(std::make_unique<WarningLines>());
+  owned.push_back(std::make_unique<EventLines>());
   for (const std::string& text : given.tip_traces) {
     const auto [channel, file] = channel_assignment(text, "--tip-trace");
     owned.push_back(std::make_unique<runtime::TipTrace>(options.file.machine, channel, file));
@@ -208,8 +214,8 @@ int run(const SimulateOptions& given) {
   }
   runtime::LogObserver* log = nullptr;
   if (!given.log.empty()) {
-    auto observer = std::make_unique<runtime::LogObserver>(options.file.machine, given.log,
-                                                           std::string(protocol::version));
+    auto observer = std::make_unique<runtime::LogObserver>(
+        options.file, runtime::setup_of(options), given.log, std::string(protocol::version));
     log = observer.get();
     owned.push_back(std::move(observer));
   }

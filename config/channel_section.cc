@@ -58,6 +58,8 @@ const Keys<ChannelFile>& channel_keys() {
       {"on_owner_failure", at<&ChannelFile::on_owner_failure>, optional, "",
        "what a worker does when the channel that started it fails",
        one_of({"hold", "continue", "reset"})},
+      {"probe_input", at<&ChannelFile::channel, &ChannelConfig::probe_input>, optional, "",
+       "digital input that is on while the probe of G38.2 to G38.5 touches", from(0, 63), "none"},
       {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
        "which word changes the tool", one_of({"m6", "t_word"})},
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",

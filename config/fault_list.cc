@@ -37,7 +37,24 @@ void FaultList::throw_if_any() {
   throw ConfigError(std::move(faults_));
 }
 
+bool FaultList::is_file(const std::filesystem::path& file) const {
+  return reads_given_ ? given(file) != nullptr : std::filesystem::is_regular_file(file);
+}
+
+const std::string* FaultList::given(const std::filesystem::path& file) const {
+  for (const SourceFile& source : given_) {
+    if (source.path == file) return &source.text;
+  }
+  return nullptr;
+}
+
 std::optional<std::string> read_text(const std::filesystem::path& file, FaultList& faults) {
+  if (faults.reads_given()) {
+    const std::string* text = faults.given(file);
+    if (text != nullptr) return *text;
+    faults.add(file, "the file is not among those that were recorded");
+    return std::nullopt;
+  }
   if (std::filesystem::is_directory(file)) {
     faults.add(file, "cannot read the file: it is a directory; name the file in it");
     return std::nullopt;
@@ -50,6 +67,7 @@ std::optional<std::string> read_text(const std::filesystem::path& file, FaultLis
                          "; check the path");
     return std::nullopt;
   }
+  faults.note_source({file, text});
   return text;
 }
 

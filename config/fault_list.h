@@ -9,11 +9,25 @@
 #include <vector>
 
 #include "config/config_error.h"
+#include "config/machine_file.h"
 
 namespace stanok::config {
 
 class FaultList {
  public:
+  // Files are read from disk, or are those that are given.
+  FaultList() = default;
+  explicit FaultList(std::vector<SourceFile> given)
+      : given_(std::move(given)), reads_given_(true) {}
+
+  [[nodiscard]] bool is_file(const std::filesystem::path& file) const;
+  // The text of a file that is given; nothing when none is, or the file is not among them.
+  [[nodiscard]] const std::string* given(const std::filesystem::path& file) const;
+  [[nodiscard]] bool reads_given() const { return reads_given_; }
+
+  void note_source(SourceFile source) { sources_.push_back(std::move(source)); }
+  [[nodiscard]] std::vector<SourceFile>& sources() { return sources_; }
+
   // A fault at a place of a parsed file: a node (`node.source()`) or a key (`key.source()`).
   void add(const toml::source_region& place, std::string text);
   // A fault of a file as a whole.
@@ -25,6 +39,9 @@ class FaultList {
   void throw_if_any();
 
  private:
+  std::vector<SourceFile> given_;
+  bool reads_given_ = false;
+  std::vector<SourceFile> sources_;
   std::vector<ConfigFault> faults_;
 };
 

@@ -4,9 +4,12 @@
 #include "config/automatic_feed_section.h"
 #include "config/axis_section.h"
 #include "config/channel_section.h"
+#include "config/contact_section.h"
 #include "config/drive_section.h"
+#include "config/grinding_file.h"
 #include "config/machine_sections.h"
 #include "config/plant_section.h"
+#include "config/process_section.h"
 #include "config/register_section.h"
 #include "config/scheme_keys.h"
 #include "config/signal_section.h"
@@ -37,9 +40,13 @@ std::vector<KeySection> key_sections() {
       {"[[vibration_sensor]]", vibration_sensor_key_rows()},
       {"[lcm]", lcm_key_rows()},
       {"[recorder]", recorder_key_rows()},
-      {"[process]", describe(process_keys())},
+      {"[process]", process_key_rows()},
       {"[simulation]", describe(simulation_keys())},
+      {"[simulation.cutting]", cutting_key_rows()},
+      {"[[simulation.cutting.stock]]", stock_key_rows()},
+      {"[[contact]]", contact_key_rows()},
       {"[[tool]] of the tables file", tool_key_rows()},
+      {"process file of stanok grind", grinding_key_rows()},
   };
 }
 

@@ -14,7 +14,8 @@ struct KeySection {
   std::vector<KeyRow> rows;
 };
 
-// All tables of the machine file and the files it names, in the order of the documentation.
+// All tables of the machine file, the files it names and the process file, in the order of the
+// documentation.
 [[nodiscard]] std::vector<KeySection> key_sections();
 
 // A section as Markdown: heading, then one row per key with unit, default, values and meaning.

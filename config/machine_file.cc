@@ -7,7 +7,9 @@
 
 #include "config/axis_section.h"
 #include "config/channel_section.h"
+#include "config/contact_section.h"
 #include "config/machine_sections.h"
+#include "config/process_section.h"
 #include "config/signal_section.h"
 #include "config/tables_file.h"
 #include "config/vibration_section.h"
@@ -28,6 +30,7 @@ struct TopLevel {
   Subtable recorder = nullptr;
   Subtable process = nullptr;
   Subtable simulation = nullptr;
+  Subtables contacts = nullptr;
 };
 
 const Keys<TopLevel>& top_level_keys() {
@@ -45,6 +48,8 @@ const Keys<TopLevel>& top_level_keys() {
       {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
       {"process", at<&TopLevel::process>, optional, "", "force control"},
       {"simulation", at<&TopLevel::simulation>, optional, "", "plant of the simulated drives"},
+      {"contact", at<&TopLevel::contacts>, optional, "",
+       "one [[contact]] for each input that a simulated axis switches where it stands"},
   };
   return keys;
 }
@@ -76,6 +81,8 @@ class MachineReader {
       file_.axis_plants.push_back(section.plant);
     }
     if (names_are_right(axes)) read_users_of_axes(root, axes);
+    file_.contacts =
+        read_contacts(top_.contacts, file_.machine.axes, Scope{faults_, "machine file"});
     read_machine();
     read_drives(axes);
     for (channels::AxisConfig& axis : file_.machine.axes)
@@ -108,7 +115,7 @@ class MachineReader {
 
   void read_tables_named(const std::string& name, const Scope& scope) {
     const std::filesystem::path tables = resolved(name);
-    if (!std::filesystem::is_regular_file(tables)) {
+    if (!faults_.is_file(tables)) {
       scope.fault(place_of(*top_.machine, "tables"),
                   "tables file '" + tables.string() +
                       "' does not exist; its path is relative to the machine file");
@@ -217,13 +224,16 @@ class MachineReader {
       }
     }
     if (top_.process != nullptr) {
-      const Scope scope{faults_, "[process]"};
-      read_table(*top_.process, process_keys(), file_.process, scope);
-      check_process(*top_.process, file_.process, scope);
+      file_.process = read_process(*top_.process, file_.machine, Scope{faults_, "[process]"});
     }
     if (top_.simulation != nullptr) {
-      read_table(*top_.simulation, simulation_keys(), file_.simulation,
-                 Scope{faults_, "[simulation]"});
+      const Scope scope{faults_, "[simulation]"};
+      SimulationSection section;
+      read_table(*top_.simulation, simulation_keys(), section, scope);
+      file_.simulation = section.simulation;
+      if (section.cutting != nullptr)
+        file_.simulation.cutting =
+            read_cutting(*section.cutting, file_.machine, scope.inner("cutting"));
     }
   }
 
@@ -240,8 +250,9 @@ class MachineReader {
 
 }  // namespace
 
-MachineFile read_machine_file(const std::filesystem::path& path) {
-  FaultList faults;
+namespace {
+
+MachineFile read_machine(const std::filesystem::path& path, FaultList faults) {
   MachineFile file;
   if (const auto text = read_text(path, faults)) {
     if (const auto root = parse_text(with_active_scheme_key(*text), path, faults)) {
@@ -249,7 +260,19 @@ MachineFile read_machine_file(const std::filesystem::path& path) {
     }
   }
   faults.throw_if_any();
+  file.sources = std::move(faults.sources());
   return file;
+}
+
+}  // namespace
+
+MachineFile read_machine_file(const std::filesystem::path& path) {
+  return read_machine(path, {});
+}
+
+MachineFile read_machine_sources(std::vector<SourceFile> sources) {
+  const std::filesystem::path path = sources.empty() ? "" : sources.front().path;
+  return read_machine(path, FaultList(std::move(sources)));
 }
 
 }  // namespace stanok::config

@@ -13,6 +13,7 @@
 #include "channels/machine_config.h"
 #include "config/config_error.h"
 #include "drives/bus_config.h"
+#include "process/adaptive/force_control_config.h"
 
 namespace stanok::config {
 
@@ -22,12 +23,32 @@ struct RecorderConfig {
   int size_mb = 1024;               // of one log file before the next begins
 };
 
-// [process]: what force control takes when the program does not say.
+// [process]: force control of the channels that have it.
 struct ProcessConfig {
-  double feed_min = 0.0;            // mm/s
-  double feed_max = 0.0;            // mm/s; 0: the programmed feed
-  double vibration_level_um = 0.0;  // permissible level; 0: vibration does not act
-  double reduced_mass_kg = 0.0;     // of the oscillating system
+  process::ForceControlConfig control;
+};
+
+// [[simulation.cutting.stock]]
+struct StockSection {
+  double z_mm = 0.0;  // where it begins; it reaches to the next one
+  double radius_mm = 0.0;
+  double hardness_hb = 200.0;
+};
+
+// [simulation.cutting]: the cut behind a simulated spindle, in the frame of the program.
+struct CuttingConfig {
+  int channel = 1;
+  double specific_force_n = 1600.0;  // C of P_z = C t S^y (HB / hardness)^e
+  double feed_exponent = 0.75;       // y
+  double hardness_hb = 200.0;
+  double hardness_exponent = 0.75;  // e
+  double efficiency = 1.0;
+  double power_lag_s = 0.02;
+  int sample_ms = 10;
+  double vibration_um = 0.0;  // self-oscillation; 0: none
+  double vibration_hz = 100.0;
+  double vibration_mass_kg = 1.0;
+  std::vector<StockSection> stock;  // from the face on, z falls; empty: there is no cut
 };
 
 // [simulation]: plant behind the simulated drives.
@@ -40,6 +61,16 @@ struct SimulationConfig {
   double resonance_frequency_hz = 80.0;  // 0: none
   double resonance_damping = 0.1;
   bool outputs_to_inputs = false;  // outputs of programs come back as inputs of the same number
+  CuttingConfig cutting;
+};
+
+// [[contact]]: a digital input that is on while an axis stands between two positions; a surface for
+// a probe, or a stop.
+struct SimulatedContact {
+  int input = 0;
+  int axis = 0;  // of the machine
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
 };
 
 // [axis.plant]: the machine behind the simulated drive of an axis, mm or deg.
@@ -57,8 +88,15 @@ struct AxisSimulation {
   double dry_friction = 0.0;  // mm/s2, deg/s2
 };
 
+// A file that was read, as it was.
+struct SourceFile {
+  std::filesystem::path path;
+  std::string text;
+};
+
 struct MachineFile {
   std::filesystem::path path;
+  std::vector<SourceFile> sources;  // the machine file and those that it names
   channels::MachineConfig machine;
   drives::BusConfig bus;  // kind none: no [drives], set-points only
   std::string lcm_url = "udpm://239.255.76.67:7667?ttl=0";
@@ -66,9 +104,14 @@ struct MachineFile {
   ProcessConfig process;
   SimulationConfig simulation;
   std::vector<AxisSimulation> axis_plants;  // in machine axis order
+  std::vector<SimulatedContact> contacts;
 };
 
 // Throws ConfigError.
 [[nodiscard]] MachineFile read_machine_file(const std::filesystem::path& path);
+
+// The same from texts: the machine file comes first, the others have the names it calls them by.
+// Throws ConfigError.
+[[nodiscard]] MachineFile read_machine_sources(std::vector<SourceFile> sources);
 
 }  // namespace stanok::config

@@ -72,37 +72,29 @@ const Keys<MachineSection>& machine_keys() {
   return keys;
 }
 
-const Keys<ProcessConfig>& process_keys() {
-  static const Keys<ProcessConfig> keys = {
-      {"feed_min", at<&ProcessConfig::feed_min>, optional, "mm/s", "lowest feed of force control",
-       not_negative},
-      {"feed_max", at<&ProcessConfig::feed_max>, optional, "mm/s",
-       "highest feed of force control; 0: the programmed feed", not_negative},
-      {"vibration_level", at<&ProcessConfig::vibration_level_um>, optional, "um",
-       "permissible vibration; 0: vibration does not act", not_negative},
-      {"reduced_mass", at<&ProcessConfig::reduced_mass_kg>, optional, "kg",
-       "mass of the oscillating system", not_negative},
-  };
-  return keys;
-}
-
-const Keys<SimulationConfig>& simulation_keys() {
-  static const Keys<SimulationConfig> keys = {
-      {"drive_frequency", at<&SimulationConfig::drive_frequency_hz>, optional, "Hz",
-       "natural frequency of the simulated position loops", positive},
-      {"drive_damping", at<&SimulationConfig::drive_damping>, optional, "", "their damping",
-       positive},
-      {"servo_frequency", at<&SimulationConfig::servo_frequency_hz>, optional, "Hz",
+const Keys<SimulationSection>& simulation_keys() {
+  static const Keys<SimulationSection> keys = {
+      {"drive_frequency", at<&SimulationSection::simulation, &SimulationConfig::drive_frequency_hz>,
+       optional, "Hz", "natural frequency of the simulated position loops", positive},
+      {"drive_damping", at<&SimulationSection::simulation, &SimulationConfig::drive_damping>,
+       optional, "", "their damping", positive},
+      {"servo_frequency", at<&SimulationSection::simulation, &SimulationConfig::servo_frequency_hz>,
+       optional, "Hz",
        "natural frequency of the simulated velocity loops, of axes with feedback = \"cycle\"",
        positive},
-      {"servo_damping", at<&SimulationConfig::servo_damping>, optional, "", "their damping",
-       positive},
-      {"resonance_frequency", at<&SimulationConfig::resonance_frequency_hz>, optional, "Hz",
-       "natural frequency of the load on its spring behind them; 0: none", not_negative},
-      {"resonance_damping", at<&SimulationConfig::resonance_damping>, optional, "", "its damping",
-       not_negative},
-      {"outputs_to_inputs", at<&SimulationConfig::outputs_to_inputs>, optional, "",
+      {"servo_damping", at<&SimulationSection::simulation, &SimulationConfig::servo_damping>,
+       optional, "", "their damping", positive},
+      {"resonance_frequency",
+       at<&SimulationSection::simulation, &SimulationConfig::resonance_frequency_hz>, optional,
+       "Hz", "natural frequency of the load on its spring behind them; 0: none", not_negative},
+      {"resonance_damping",
+       at<&SimulationSection::simulation, &SimulationConfig::resonance_damping>, optional, "",
+       "its damping", not_negative},
+      {"outputs_to_inputs",
+       at<&SimulationSection::simulation, &SimulationConfig::outputs_to_inputs>, optional, "",
        "outputs of programs come back as inputs of the same number"},
+      {"cutting", at<&SimulationSection::cutting>, optional, "", "the cut behind the spindle", any,
+       "there is none"},
   };
   return keys;
 }
@@ -134,13 +126,6 @@ RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
   RecorderFile file;
   read_table(table, recorder_keys(), file, scope);
   return {.directory = file.directory, .size_mb = file.size_mb};
-}
-
-void check_process(const toml::table& table, const ProcessConfig& process, const Scope& scope) {
-  if (process.feed_max > 0.0 && process.feed_min > process.feed_max) {
-    scope.fault(place_of(table, "feed_min"),
-                "feed_min exceeds feed_max, " + number_text(process.feed_max));
-  }
 }
 
 std::vector<KeyRow> drives_key_rows() {

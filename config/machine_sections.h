@@ -1,4 +1,4 @@
-// The single tables of the machine file: [machine], [drives], [lcm], [recorder], [process],
+// The single tables of the machine file: [machine], [drives], [lcm], [recorder],
 // [simulation].
 #pragma once
 
@@ -18,16 +18,18 @@ struct MachineSection {
 };
 
 [[nodiscard]] const Keys<MachineSection>& machine_keys();
-[[nodiscard]] const Keys<ProcessConfig>& process_keys();
-[[nodiscard]] const Keys<SimulationConfig>& simulation_keys();
+
+// [simulation]
+struct SimulationSection {
+  SimulationConfig simulation;
+  Subtable cutting = nullptr;
+};
+[[nodiscard]] const Keys<SimulationSection>& simulation_keys();
 
 // [drives]; the drives of the axes stand with the axes.
 [[nodiscard]] drives::BusConfig read_bus(const toml::table& table, const Scope& scope);
 [[nodiscard]] std::string read_lcm_url(const toml::table& table, const Scope& scope);
 [[nodiscard]] RecorderConfig read_recorder(const toml::table& table, const Scope& scope);
-
-// Checks of [process] that need more than one key.
-void check_process(const toml::table& table, const ProcessConfig& process, const Scope& scope);
 
 // Rows of the documentation.
 [[nodiscard]] std::vector<KeyRow> drives_key_rows();

@@ -253,7 +253,7 @@ SchemeConfig read_scheme(const toml::table& entry, const ChannelAxes& axes,
   if (scope.faults.size() != faults_before) return file.scheme;
   const std::filesystem::path path = (folder / file.file).lexically_normal();
   file.scheme.file = path.string();
-  if (!std::filesystem::is_regular_file(path)) {
+  if (!scope.faults.is_file(path)) {
     scope.fault(place_of(entry, "file"), "scheme file '" + path.string() +
                                              "' does not exist; its path is relative to the "
                                              "machine file");

@@ -2,6 +2,7 @@
 #include "config/tables_file.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace stanok::config {
 namespace {
@@ -121,6 +122,28 @@ void read_offsets(Subtable offsets, const std::vector<std::string>& axis_names,
   }
 }
 
+toml::table to_table(const ToolEdge& tool) {
+  return toml::table{{"number", tool.number},
+                     {"edge", tool.edge},
+                     {"name", tool.name},
+                     {"kind", tool.kind},
+                     {"length", tool.length},
+                     {"length_x", tool.length_x},
+                     {"length_y", tool.length_y},
+                     {"radius", tool.radius},
+                     {"corner_radius", tool.corner_radius},
+                     {"flute_length", tool.flute_length},
+                     {"shank_diameter", tool.shank_diameter},
+                     {"holder_diameter", tool.holder_diameter},
+                     {"holder_length", tool.holder_length},
+                     {"wear_length", tool.wear_length},
+                     {"wear_radius", tool.wear_radius},
+                     {"overhang", tool.overhang},
+                     {"orientation", tool.orientation},
+                     {"angle_front", tool.angle_front},
+                     {"angle_back", tool.angle_back}};
+}
+
 }  // namespace
 
 bool is_work_offset(std::string_view name) {
@@ -153,6 +176,28 @@ TablesConfig read_tables_file(const std::filesystem::path& file,
   TablesConfig tables = read_tables(file, axis_names, faults);
   faults.throw_if_any();
   return tables;
+}
+
+TablesConfig read_tables_text(const std::string& text, const std::filesystem::path& file,
+                              const std::vector<std::string>& axis_names) {
+  FaultList faults({{file, text}});
+  TablesConfig tables = read_tables(file, axis_names, faults);
+  faults.throw_if_any();
+  return tables;
+}
+
+std::string to_toml(const TablesConfig& tables) {
+  toml::array tools;
+  for (const ToolEdge& tool : tables.tools) tools.push_back(to_table(tool));
+  toml::table offsets;
+  for (const auto& [name, values] : tables.offsets) {
+    toml::table row;
+    for (const auto& [axis, value] : values) row.insert(axis, value);
+    offsets.insert(name, std::move(row));
+  }
+  std::ostringstream text;
+  text << toml::table{{"tool", std::move(tools)}, {"offset", std::move(offsets)}} << "\n";
+  return text.str();
 }
 
 std::vector<KeyRow> tool_key_rows() {

@@ -19,6 +19,14 @@ namespace stanok::config {
 [[nodiscard]] channels::TablesConfig read_tables_file(const std::filesystem::path& file,
                                                       const std::vector<std::string>& axis_names);
 
+// The same from a text of that file. Throws ConfigError.
+[[nodiscard]] channels::TablesConfig read_tables_text(const std::string& text,
+                                                      const std::filesystem::path& file,
+                                                      const std::vector<std::string>& axis_names);
+
+// The tables as a text that reads back the same, to the bit.
+[[nodiscard]] std::string to_toml(const channels::TablesConfig& tables);
+
 // "G54" ... "G59", "G59.1" ... "G59.3", "G54.1 P1" ....
 [[nodiscard]] bool is_work_offset(std::string_view name);
 

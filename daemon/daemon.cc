@@ -10,6 +10,7 @@
 #include "daemon/operator_server.h"
 #include "daemon/preparation_threads.h"
 #include "daemon/state_directory.h"
+#include "daemon/table_keeper.h"
 #include "protocol/socket_location.h"
 #include "protocol/version.h"
 #include "runtime/standard_cycles.h"
@@ -82,7 +83,8 @@ class RealTimeThread {
 
 CycleRings rings_of(runtime::Assembly& assembly) {
   channels::Machine& machine = assembly.machine();
-  return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies()};
+  return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies(),
+          [&assembly] { return assembly.program_reads(); }};
 }
 
 // The drive bus runs while this lives. Late answers trip the drives' watchdogs.
@@ -100,13 +102,14 @@ struct RunningDrives {
 }  // namespace
 
 int run_daemon(const DaemonOptions& options) {
-  const config::MachineFile file = config::read_machine_file(options.machine_file);
+  config::MachineFile file = config::read_machine_file(options.machine_file);
   const std::string& name = file.machine.name;
   const fs::path program_root =
       options.program_root.empty() ? fs::current_path() : fs::absolute(options.program_root);
   const StateDirectory state(options.state_directory.empty()
                                  ? protocol::default_state_directory(name)
                                  : options.state_directory);
+  load_tables(state.path(), file.machine);
   ListeningSocket socket(options.socket.empty() ? protocol::default_socket(name, state.path())
                                                 : options.socket);
 
@@ -126,6 +129,7 @@ int run_daemon(const DaemonOptions& options) {
     has_failed = true;
     server.end();
   };
+  const TableKeeper tables(state.path(), [&] { return assembly.machine().tables(); });
   const RunningDrives drives(assembly);
   const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server}, fail);
   const PreparationThreads preparation(

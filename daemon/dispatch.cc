@@ -102,6 +102,7 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   if (const auto query = queries().find(method->name); query != queries().end()) {
     return answer(query->second(*this, *parameters));
   }
+  if (method->name == "tool.get") return answer(tool_get(*parameters));
   if (protocol::noun(*method) == "drive") {
     const Outcome outcome = command_drive(*method, *parameters);
     log_command(session, request, outcome);
@@ -113,6 +114,15 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
     return on_shutdown_();
   }
   answer(change_session(session, *method, *parameters));
+}
+
+Outcome Dispatch::tool_get(const json& parameters) const {
+  const int number = parameters.value("number", 0);
+  const int edge = parameters.value("edge", 1);
+  if (const auto tool = tool_edge(machine_, number, edge)) return *tool;
+  return fail(
+      FailureKind::refused, "E5021",
+      "the table has no tool " + std::to_string(number) + " with edge " + std::to_string(edge));
 }
 
 // The checked parameters, if the session may call the method and the channel exists.

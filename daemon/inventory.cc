@@ -16,32 +16,41 @@ bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
 }
 
+json to_json(const channels::ToolEdge& tool) {
+  return {{"number", tool.number},
+          {"edge", tool.edge},
+          {"name", tool.name},
+          {"kind", tool.kind},
+          {"length", tool.length},
+          {"length_x", tool.length_x},
+          {"length_y", tool.length_y},
+          {"radius", tool.radius},
+          {"corner_radius", tool.corner_radius},
+          {"wear_length", tool.wear_length},
+          {"wear_radius", tool.wear_radius},
+          {"overhang", tool.overhang},
+          {"flute_length", tool.flute_length},
+          {"shank_diameter", tool.shank_diameter},
+          {"holder_diameter", tool.holder_diameter},
+          {"holder_length", tool.holder_length},
+          {"orientation", tool.orientation},
+          {"angle_front", tool.angle_front},
+          {"angle_back", tool.angle_back}};
+}
+
 }  // namespace
 
 json tool_list(RunningMachine& machine) {
   json tools = json::array();
-  for (const channels::ToolEdge& tool : machine.tables().tools) {
-    tools.push_back({{"number", tool.number},
-                     {"edge", tool.edge},
-                     {"name", tool.name},
-                     {"kind", tool.kind},
-                     {"length", tool.length},
-                     {"length_x", tool.length_x},
-                     {"length_y", tool.length_y},
-                     {"radius", tool.radius},
-                     {"corner_radius", tool.corner_radius},
-                     {"wear_length", tool.wear_length},
-                     {"wear_radius", tool.wear_radius},
-                     {"overhang", tool.overhang},
-                     {"flute_length", tool.flute_length},
-                     {"shank_diameter", tool.shank_diameter},
-                     {"holder_diameter", tool.holder_diameter},
-                     {"holder_length", tool.holder_length},
-                     {"orientation", tool.orientation},
-                     {"angle_front", tool.angle_front},
-                     {"angle_back", tool.angle_back}});
-  }
+  for (const channels::ToolEdge& tool : machine.tables().tools) tools.push_back(to_json(tool));
   return {{"tools", std::move(tools)}};
+}
+
+std::optional<json> tool_edge(RunningMachine& machine, int number, int edge) {
+  for (const channels::ToolEdge& tool : machine.tables().tools) {
+    if (tool.number == number && tool.edge == edge) return to_json(tool);
+  }
+  return std::nullopt;
 }
 
 json offset_list(RunningMachine& machine) {

@@ -4,12 +4,16 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "daemon/running_machine.h"
 
 namespace stanok::daemon {
 
 [[nodiscard]] nlohmann::json tool_list(RunningMachine& machine);
+// Nothing: there is no such edge.
+[[nodiscard]] std::optional<nlohmann::json> tool_edge(RunningMachine& machine, int number,
+                                                      int edge);
 [[nodiscard]] nlohmann::json offset_list(RunningMachine& machine);
 [[nodiscard]] nlohmann::json log_status(RunningMachine& machine);
 

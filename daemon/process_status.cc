@@ -1,5 +1,6 @@
 #include "daemon/process_status.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace stanok::daemon {
@@ -56,6 +57,49 @@ json interruption(const channels::ProcessOutput& process) {
           {"rests", process.interruptions}};
 }
 
+const char* force_word(motion::ForceState state) {
+  switch (state) {
+    case motion::ForceState::off:
+      return "off";
+    case motion::ForceState::idle_power:
+      return "idle_power";
+    case motion::ForceState::holding:
+      return "holding";
+    case motion::ForceState::regulating:
+      return "regulating";
+    case motion::ForceState::fault:
+      return "fault";
+  }
+  return "";
+}
+
+// JSON has no word for "not a number".
+json number_or_null(double value) {
+  return std::isfinite(value) ? json(value) : json(nullptr);
+}
+
+json force_control(const channels::ProcessOutput& process) {
+  if (!process.has_force_control) return nullptr;
+  constexpr double s_per_min = 60.0;
+  const motion::ForceStatus& force = process.force;
+  return {{"state", force_word(force.state)},
+          {"force_set_n", force.force_now_n},
+          {"force_n", force.force_n},
+          {"power_w", number_or_null(force.power_w)},
+          {"power_idle_w", force.power_idle_w},
+          {"idle_captures", force.captures},
+          {"radius_mm", force.radius_mm},
+          {"feed_mm_min", s_per_min * force.feed_per_s},
+          {"feed_min_mm_min", s_per_min * force.feed_min_per_s},
+          {"feed_max_mm_min", s_per_min * force.feed_max_per_s},
+          {"vibration_um", force.vibration_um},
+          {"vibration_hz", force.vibration_hz},
+          {"level_um", force.level_um},
+          {"reduced_mass_kg", force.reduced_mass_kg},
+          {"oscillation_n", force.oscillation_n},
+          {"oscillation_hz", force.oscillation_hz}};
+}
+
 }  // namespace
 
 json process_status(const channels::ChannelOutput& output) {
@@ -67,6 +111,7 @@ json process_status(const channels::ChannelOutput& output) {
           {"stands", process.stands},
           {"interruption", interruption(process)},
           {"automatic", automatic_laws(process)},
+          {"adaptive", force_control(process)},
           {"feed_mm_min", process.feed_mm_per_min},
           {"feed_mm_rev", process.feed_mm_per_rev},
           {"spindle_rev_min", process.spindle_rev_per_min},

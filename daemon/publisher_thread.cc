@@ -23,6 +23,11 @@ std::size_t drain_ring(Ring<Record>& ring, const std::vector<CycleListener*>& li
 }  // namespace
 
 std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& listeners) {
+  if (rings.program_reads) {
+    for (const recording::ProgramRead& read : rings.program_reads()) {
+      for (CycleListener* listener : listeners) listener->on_program_read(read);
+    }
+  }
   return drain_ring(rings.outputs, listeners, &CycleListener::on_output) +
          drain_ring(rings.inputs, listeners, &CycleListener::on_input) +
          drain_ring(rings.events, listeners, &CycleListener::on_event) +

@@ -12,6 +12,7 @@
 #include "base/ring.h"
 #include "channels/operator_event.h"
 #include "channels/output.h"
+#include "recording/encode_inputs.h"
 
 namespace stanok::daemon {
 
@@ -23,6 +24,7 @@ class CycleListener {
   CycleListener& operator=(const CycleListener&) = delete;
 
   virtual void on_output(const channels::CycleOutput& output) { static_cast<void>(output); }
+  virtual void on_program_read(const recording::ProgramRead& read) { static_cast<void>(read); }
   virtual void on_event(const channels::Event& event) { static_cast<void>(event); }
   virtual void on_input(const channels::InputRecord& input) { static_cast<void>(input); }
   virtual void on_reply(const channels::OperatorReply& reply) { static_cast<void>(reply); }
@@ -33,6 +35,7 @@ struct CycleRings {
   Ring<channels::Event>& events;
   Ring<channels::InputRecord>& inputs;
   Ring<channels::OperatorReply>& replies;
+  std::function<std::vector<recording::ProgramRead>()> program_reads{};
 };
 
 // Hands over what is in the rings now. Returns how many records there were.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "protocol/version.h"
+#include "runtime/run_setup.h"
 
 namespace stanok::daemon {
 namespace {
@@ -49,6 +50,7 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
   auto description = recording::describe(file.machine, std::string(protocol::version), build);
   description.utime_start = wall_clock_us();
   stream_ = std::make_unique<recording::MessageStream>(std::move(description), std::move(sinks));
+  runtime::record_setup({}, file, *stream_);
   refresh_status();
 }
 
@@ -57,6 +59,7 @@ Recorder::~Recorder() {
 }
 
 void Recorder::on_output(const channels::CycleOutput& output) {
+  cycle_ = output.cycle;
   stream_->cycle(output);
   if (output.cycle % refresh_period_ != 0) return;
   if (log_) static_cast<void>(log_->flush());

@@ -31,6 +31,9 @@ class Recorder final : public CycleListener {
   ~Recorder() override;
 
   void on_output(const channels::CycleOutput& output) override;
+  void on_program_read(const recording::ProgramRead& read) override {
+    stream_->program_read(read, cycle_);
+  }
   void on_event(const channels::Event& event) override { stream_->event(event); }
   void on_input(const channels::InputRecord& input) override { stream_->input(input); }
 
@@ -44,6 +47,7 @@ class Recorder final : public CycleListener {
   std::unique_ptr<recording::LogWriter> log_;
   std::string log_file_;
   std::unique_ptr<recording::MessageStream> stream_;
+  std::int64_t cycle_ = 0;       // of the latest output
   std::int64_t refresh_period_;  // cycles
   bool has_told_error_ = false;
   mutable std::mutex mutex_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace stanok::drives {
 
@@ -31,30 +30,39 @@ std::span<const double> VibrationReader::take(std::span<const std::uint16_t> blo
 
 VibrationMeter::VibrationMeter(double rate_hz, double stretch_s)
     : rate_hz_(rate_hz),
-      length_(static_cast<std::size_t>(std::max(2.0, std::round(rate_hz * stretch_s)))) {
-  stretch_.reserve(length_);
-}
+      stretch_(static_cast<std::size_t>(std::max(2.0, std::round(rate_hz * stretch_s)))) {}
 
-void VibrationMeter::add(std::span<const double> samples_um) {
+void VibrationMeter::add(std::span<const double> samples_um) RT_SAFE {
   for (const double sample : samples_um) {
-    stretch_.push_back(sample);
-    if (stretch_.size() == length_) measure();
+    stretch_[count_++] = sample;
+    if (count_ == stretch_.size()) measure();
   }
 }
 
-void VibrationMeter::measure() {
+void VibrationMeter::measure() RT_SAFE {
   const auto count = static_cast<double>(stretch_.size());
-  const double mean = std::accumulate(stretch_.begin(), stretch_.end(), 0.0) / count;
+  double sum = 0.0;
+  for (const double sample : stretch_) sum += sample;
+  const double mean = sum / count;
   double power = 0.0;
-  int changes = 0;
-  for (std::size_t k = 0; k < stretch_.size(); ++k) {
-    const double value = stretch_[k] - mean;
-    power += value * value;
-    if (k > 0 && (value < 0.0) != (stretch_[k - 1] - mean < 0.0)) ++changes;
-  }
+  for (const double sample : stretch_) power += (sample - mean) * (sample - mean);
   level_.amplitude_um = std::sqrt(2.0 * power / count);
-  level_.frequency_hz = 0.5 * changes * rate_hz_ / (count - 1.0);
-  stretch_.clear();
+  level_.frequency_hz = frequency(mean);
+  count_ = 0;
+}
+
+double VibrationMeter::frequency(double mean) const RT_SAFE {
+  int changes = 0;
+  double first = 0.0;  // in samples
+  double last = 0.0;
+  for (std::size_t k = 1; k < stretch_.size(); ++k) {
+    const double before = stretch_[k - 1] - mean;
+    const double now = stretch_[k] - mean;
+    if ((before < 0.0) == (now < 0.0)) continue;
+    last = static_cast<double>(k) - now / (now - before);
+    if (++changes == 1) first = last;
+  }
+  return changes < 2 ? 0.0 : 0.5 * (changes - 1) * rate_hz_ / (last - first);
 }
 
 }  // namespace stanok::drives

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "base/rt_safe.h"
+
 namespace stanok::drives {
 
 struct VibrationSensorConfig {
@@ -54,21 +56,23 @@ struct VibrationLevel {
 };
 
 // Level and frequency of consecutive stretches of samples: the amplitude is sqrt(2) times the
-// standard deviation, the frequency half the rate of changes of sign about the mean.
+// standard deviation, the frequency that of the changes of sign about the mean, from the first to
+// the last of them, each placed between its samples. Allocates in its constructor only.
 class VibrationMeter {
  public:
   VibrationMeter(double rate_hz, double stretch_s);
 
-  void add(std::span<const double> samples_um);
+  void add(std::span<const double> samples_um) RT_SAFE;
   // Of the last complete stretch; zeros before the first.
-  [[nodiscard]] const VibrationLevel& level() const { return level_; }
+  [[nodiscard]] const VibrationLevel& level() const RT_SAFE { return level_; }
 
  private:
-  void measure();
+  void measure() RT_SAFE;
+  [[nodiscard]] double frequency(double mean) const RT_SAFE;
 
   double rate_hz_;
-  std::size_t length_;
   std::vector<double> stretch_;
+  std::size_t count_ = 0;  // of its samples so far
   VibrationLevel level_;
 };
 

@@ -220,6 +220,20 @@ struct OverrideControl {
   bool feed_stop_enabled = true;  // M53
 };
 
+// #adaptive: an order to force control. Values that are not given are 0.
+struct ForceControl {
+  enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off };
+  Kind kind = Kind::off;
+  double force_n = 0.0;   // P_z
+  double feed_min = 0.0;  // clamps, mm/min, or mm per revolution
+  double feed_max = 0.0;
+  bool per_revolution = false;
+  double oscillation_n = 0.0;   // P_osc
+  double oscillation_hz = 0.0;  // f
+  double level_um = 0.0;        // permissible vibration
+  double reduced_mass_kg = 0.0;
+};
+
 // M62 to M65, M67, M68.
 struct OutputCommand {
   bool analog = false;
@@ -348,9 +362,9 @@ struct Answer {
 using Payload =
     std::variant<Move, SplineMove, SynchronousMove, ProbeMove, FeedLawChange, TransformationChange,
                  Dwell, SpindleCommand, CuttingSpeedMode, CoolantCommand, ToolPrepare, ToolChange,
-                 ToolLength, FrameChange, OverrideControl, OutputCommand, MachineFunction,
-                 MarkCommand, WorkpieceAnnouncement, WorkpiecePosition, Message, ModalReport,
-                 ProgramStop, ProgramEnd, Request>;
+                 ToolLength, FrameChange, OverrideControl, ForceControl, OutputCommand,
+                 MachineFunction, MarkCommand, WorkpieceAnnouncement, WorkpiecePosition, Message,
+                 ModalReport, ProgramStop, ProgramEnd, Request>;
 
 // The Move in a payload that moves axes along a path, or nullptr.
 [[nodiscard]] inline const Move* move_of(const Payload& payload) {

@@ -169,6 +169,14 @@ void Compiler::compile_kind(const ToolOverhangDirective& directive) {
   emit(Op::tool_overhang, statement_span_, 0, static_cast<std::uint8_t>(arguments.size()));
 }
 
+void Compiler::compile_kind(const AdaptiveDirective& directive) {
+  for (const Expression& argument : directive.arguments) {
+    if (!require(argument, Type::number, "a value of force control")) return;
+  }
+  emit(Op::adaptive, statement_span_, 0, static_cast<std::uint8_t>(directive.arguments.size()),
+       static_cast<std::uint16_t>(directive.kind));
+}
+
 void Compiler::compile_kind(const FeedLawDirective& directive) {
   for (const Expression& array : directive.arguments) {
     const ValueType type = compile_expression(array);

@@ -88,6 +88,7 @@ class Compiler {
   void compile_kind(const WorkpieceDirective& directive);
   void compile_kind(const ToolOverhangDirective& directive);
   void compile_kind(const FeedLawDirective& directive);
+  void compile_kind(const AdaptiveDirective& directive);
   void compile_kind(const NumberedProgram& start);
   void compile_kind(const CallStatement& statement);
   void compile_kind(const FaultyText& text);

@@ -63,6 +63,7 @@ struct ChannelDescription {
   std::vector<int> channels;               // ids of all channels of the machine
   std::vector<std::pair<int, int>>
       schemes;  // (channel, scheme id) of all channels, for constant checks
+  bool has_force_control = false;
   double arc_radius_tolerance_mm = 0.01;
   double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
   std::vector<UserCode> user_codes;

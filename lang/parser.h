@@ -121,6 +121,10 @@ class Parser {
   MaybeStatement parse_tool_overhang(const Span& name);
   MaybeStatement parse_macro_line();
 
+  // parser_adaptive.cc
+  MaybeStatement parse_adaptive(const Span& name);
+  bool parse_vibration_switch(AdaptiveDirective& directive);
+
   // parser_feed_law.cc
   MaybeStatement parse_feed_law(const Span& name);
   MaybeStatement feed_law_statement(const Span& name, const Token& law,

@@ -27,13 +27,7 @@ Parser::MaybeStatement Parser::parse_directive() {
   }
   if (wanted == "tool_overhang") return parse_tool_overhang(span);
   if (wanted == "feedlaw") return parse_feed_law(span);
-  for (const std::string_view known : directives) {
-    if (wanted != known) continue;
-    reporter_.error("E2090", span, "`#" + wanted + "` is not supported in this release",
-                    "known directive");
-    scanner_.skip_to_line_end();
-    return std::nullopt;
-  }
+  if (wanted == "adaptive") return parse_adaptive(span);
   Diagnostic& diagnostic = reporter_.error(
       "E2010", span, "unknown directive `#" + std::string(name) + "`", "no such directive");
   const std::string_view nearest = nearest_name(name, {directives.begin(), directives.end()});

@@ -206,6 +206,7 @@ class ProgramRun : private ContourSource, private Parameters {
   [[nodiscard]] std::optional<ToolOverhang> overhang_of(const Instruction& instruction);
   void finish_overhang();
   void take_feed_law_directive(const Instruction& instruction);  // program_run_feed_law.cc
+  void order_force_control(const Instruction& instruction);      // program_run_adaptive.cc
   void terminate();
   void announce_workpiece(const Instruction& instruction);
   bool check_workpiece(const std::vector<double>& arguments);

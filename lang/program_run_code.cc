@@ -237,6 +237,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return ask_overhang(instruction);
     case Op::feed_law:
       return take_feed_law_directive(instruction);
+    case Op::adaptive:
+      return order_force_control(instruction);
     case Op::workpiece:
       return announce_workpiece(instruction);
     case Op::table:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lang/active_block.h"
+#include "lang/command.h"
 #include "lang/plain_block.h"
 #include "lang/source.h"
 
@@ -132,6 +133,10 @@ struct ToolOverhangDirective {
 struct FeedLawDirective {
   std::vector<Expression> arguments;  // none: off
 };
+struct AdaptiveDirective {
+  ForceControl::Kind kind = ForceControl::Kind::off;
+  std::vector<Expression> arguments;
+};
 struct NumberedProgram {
   int number = 0;
 };
@@ -251,9 +256,10 @@ struct Statement {
   Span span;
   int skip_level = 0;  // 1..9: leading /
   std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, WorkpieceDirective,
-               ToolOverhangDirective, FeedLawDirective, NumberedProgram, Declaration, Assignment,
-               CallStatement, Compound, If, While, DoWhile, For, Switch, Break, Continue, Return,
-               FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat, FaultyText>
+               ToolOverhangDirective, FeedLawDirective, AdaptiveDirective, NumberedProgram,
+               Declaration, Assignment, CallStatement, Compound, If, While, DoWhile, For, Switch,
+               Break, Continue, Return, FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat,
+               FaultyText>
       kind;
 };
 

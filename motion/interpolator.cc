@@ -157,16 +157,18 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
   if (is_synchronous()) return follow_spindle(queue, control);
   interruption_.look(queue, cursor_, motion_.s);
+  // Rapid traverse does not know of force control: it runs as it was planned.
+  FeedControl asked = control;
+  if (cursor_.piece(queue).rapid && (is_nominal_ || at_rest())) asked.controlled_per_s = 0.0;
   const bool wants_nominal =
       overlap_ == Overlap::runs ||
-      (control.is_nominal() && follows_spindle(queue, control) && knows_next(queue) &&
+      (asked.is_nominal() && follows_spindle(queue, control) && knows_next(queue) &&
        !sees_gate(queue, control) && !interruption_.is_on());
   if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
   if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
   if (is_nominal_) planner_.forget();
   const double before = motion_.s;
   double left = 0.0;
-  FeedControl asked = control;
   asked.hold = control.hold || interruption_.holds(cursor_.piece(queue));
   if (!planner_.advance(queue, cursor_, asked, interruption_.wall(), time, motion_, left)) {
     return run_nominal(queue, time);
@@ -312,6 +314,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
                           InterpolatorOutput& out) RT_SAFE {
   out.chunks_done = chunks_done_;
   out.path_advanced = advanced_;
+  out.working_axes = 0;
   out.s_speed = motion_.v;
   out.at_gate = stands_at_gate(queue, control);
   out.has_lost_spindle = is_synchronous() && synchronous_.is_lost();
@@ -331,6 +334,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.feed_commanded =
       piece.rapid ? 0.0 : piece.feed_per_s * control.spindle_part(piece.process.rev_per_min);
   out.process = piece.process;
+  if (!piece.rapid && !is_synchronous()) out.working_axes = piece.geometry.metric.axes;
   JetPoint point_s;
   evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);

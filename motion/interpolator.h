@@ -39,9 +39,12 @@ struct InterpolatorOutput {
   JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
-  PieceProcess process;         // of the piece at hand, or the last one
-  double path_advanced = 0.0;   // path length travelled in this cycle, mm (or deg)
-  bool at_gate = false;         // at rest before a gate of FeedControl
+  // Axes whose way counts as that of a working feed, bit k: channel axis k; 0 in rapid, in threads
+  // and without a path.
+  unsigned working_axes = 0;
+  PieceProcess process;           // of the piece at hand, or the last one
+  double path_advanced = 0.0;     // path length travelled in this cycle, mm (or deg)
+  bool at_gate = false;           // at rest before a gate of FeedControl
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
   bool chain_ended =
       false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused

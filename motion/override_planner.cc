@@ -106,17 +106,22 @@ bool OverridePlanner::advance(const PathQueue& queue, const PathCursor& cursor,
   return true;
 }
 
-// A spindle whose speed changes would change the limits in every cycle: it is given some room.
+// A spindle whose speed changes would change the limits in every cycle, as would the highest feed
+// of force control that follows it: they are given some room.
 void OverridePlanner::extend_reach(const FeedControl& control) RT_SAFE {
   reach_.feed_override = std::max(reach_.feed_override, control.feed_override);
   if (control.spindle_rev_per_min > reach_.rev_per_min)
     reach_.rev_per_min = spindle_room * control.spindle_rev_per_min;
+  if (control.controlled_max_per_s > reach_.controlled_per_s)
+    reach_.controlled_per_s = spindle_room * control.controlled_max_per_s;
 }
 
 void OverridePlanner::narrow_reach(const FeedControl& control) RT_SAFE {
   reach_.feed_override = std::max(1.0, control.feed_override);
   if (control.spindle_rev_per_min * spindle_room * spindle_room < reach_.rev_per_min)
     reach_.rev_per_min = spindle_room * control.spindle_rev_per_min;
+  if (control.controlled_max_per_s * spindle_room * spindle_room < reach_.controlled_per_s)
+    reach_.controlled_per_s = spindle_room * control.controlled_max_per_s;
 }
 
 double OverridePlanner::cap(std::size_t piece, Caps caps) RT_SAFE {

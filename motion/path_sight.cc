@@ -21,12 +21,6 @@ std::size_t open_pieces(const PathQueue& queue, std::size_t count, std::uint64_t
   return first;
 }
 
-// Of a piece whose feed is planned for a spindle speed (0: for none).
-double highest_part(const PathSight::Reach& reach, double rev_per_min) RT_SAFE {
-  if (rev_per_min <= 0.0) return reach.feed_override;
-  return reach.feed_override * std::max(1.0, reach.rev_per_min / rev_per_min);
-}
-
 }  // namespace
 
 PathSight::PathSight() : kept_(2 * pieces_max) {}
@@ -58,13 +52,23 @@ double PathSight::start(std::size_t index) RT_SAFE {
   return starts_[index];
 }
 
+// Of the programmed feed, that the present speed may come from.
+double PathSight::highest_part(const Piece& piece) const RT_SAFE {
+  double part = 1.0;
+  const double rev_per_min = piece.process.rev_per_min;
+  if (rev_per_min > 0.0) part = std::max(part, reach_.rev_per_min / rev_per_min);
+  if (reach_.controlled_per_s > 0.0 && is_controlled(piece.geometry.metric.axes, piece.rapid))
+    part = std::max(part, reach_.controlled_per_s / piece.feed_per_s);
+  return reach_.feed_override * part;
+}
+
 const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
   const std::uint64_t number = first_ + index;
   Limits& kept = kept_[number % kept_.size()];
   if (kept.number == number && kept.reach == reach_) return kept;
   const Piece& piece = queue_->pieces[index];
   const SpeedPiece nominal = speed_piece(piece, 1.0);
-  const double part = highest_part(reach_, piece.process.rev_per_min);
+  const double part = highest_part(piece);
   const SpeedPiece limits = part > 1.0 && !piece.rapid ? speed_piece(piece, part) : nominal;
   kept = {.number = number,
           .reach = reach_,
@@ -73,12 +77,20 @@ const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
           .v = limits.v,
           .ramp = limits.ramp,
           .rev_per_min = piece.process.rev_per_min,
-          .rapid = piece.rapid};
+          .way_axes = piece.geometry.metric.axes,
+          .rapid = piece.rapid,
+          .has_law = piece.process.kind != LawKind::none};
   return kept;
 }
 
 double PathSight::asked_speed(std::size_t index) RT_SAFE {
   const Limits& limits = limits_of(index);
+  if (control_.controlled_per_s > 0.0 && is_controlled(limits.way_axes, limits.rapid)) {
+    const double spindle = control_.spindle_part(limits.rev_per_min);
+    const double law = limits.has_law ? spindle * limits.feed : unlimited;
+    return std::min(limits.v, control_.feed_override * control_.law_part *
+                                  std::min(control_.controlled_per_s, law));
+  }
   const double part =
       limits.rapid ? control_.rapid_override : control_.feed_part(limits.rev_per_min);
   return std::min(limits.v, part * limits.feed);

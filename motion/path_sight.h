@@ -39,6 +39,7 @@ class PathSight {
   struct Reach {
     double feed_override = 1.0;
     double rev_per_min = 0.0;
+    double controlled_per_s = 0.0;  // and the highest feed of force control
     friend bool operator==(const Reach&, const Reach&) = default;
   };
 
@@ -69,8 +70,14 @@ class PathSight {
     double v = 0.0;
     RampLimits ramp;
     double rev_per_min = 0.0;  // that a feed per revolution was planned for
+    unsigned way_axes = 0;
     bool rapid = false;
+    bool has_law = false;
   };
+  [[nodiscard]] bool is_controlled(unsigned way_axes, bool rapid) const RT_SAFE {
+    return !rapid && (way_axes & control_.controlled_axes) != 0;
+  }
+  [[nodiscard]] double highest_part(const Piece& piece) const RT_SAFE;
   [[nodiscard]] const Limits& limits_of(std::size_t index) RT_SAFE;
 
   const PathQueue* queue_ = nullptr;

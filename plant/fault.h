@@ -19,8 +19,9 @@ enum class FaultKind : std::uint16_t {
   elsewhere = 7,     // as off, and comes back with another position
   mangled = 8,       // answers with broken frames
   hang_up = 9,       // closes the connection instead of answering
+  jammed = 10,       // the axis does not move, whatever the motor does
 };
-inline constexpr std::uint16_t fault_kind_count = 10;
+inline constexpr std::uint16_t fault_kind_count = 11;
 
 [[nodiscard]] std::string_view name_of(FaultKind kind);
 [[nodiscard]] std::optional<FaultKind> fault_named(std::string_view name);

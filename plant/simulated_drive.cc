@@ -177,6 +177,7 @@ bool SimulatedDrive::has_supply() const RT_SAFE {
 
 // The brake needs power to open; a drive in fault lets it fall.
 bool SimulatedDrive::is_braked() const RT_SAFE {
+  if (fault_ == FaultKind::jammed) return true;
   const bool is_commanded = (command_.control_word & config_.registers.map.bits.close_brake) != 0;
   return is_commanded || !has_supply() || power_.state() == DriveState::fault;
 }

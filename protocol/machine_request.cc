@@ -1,10 +1,19 @@
 #include "protocol/machine_request.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.h"
 
 namespace stanok::protocol {
+namespace {
+
+int place_of_choice(const Parameter& parameter, std::string_view choice) {
+  const auto found = std::ranges::find(parameter.choices, choice);
+  return static_cast<int>(found - parameter.choices.begin());
+}
+
+}  // namespace
 
 MachineRequest machine_request(const Method& method, const nlohmann::json& parameters) {
   STANOK_ASSERT(!method.action.empty());
@@ -20,7 +29,9 @@ MachineRequest machine_request(const Method& method, const nlohmann::json& param
         request.channel = value->get<int>();
         break;
       case Carries::number:
-        request.number = value->get<int>();
+        request.number = parameter.type == ParameterType::choice
+                             ? place_of_choice(parameter, value->get<std::string>())
+                             : value->get<int>();
         break;
       case Carries::fraction_of_percent:
         request.value = value->get<double>() / 100.0;
@@ -33,6 +44,9 @@ MachineRequest machine_request(const Method& method, const nlohmann::json& param
         break;
       case Carries::text:
         request.text = value->get<std::string>();
+        break;
+      case Carries::more_text:
+        request.text += " " + value->get<std::string>();
         break;
     }
   }

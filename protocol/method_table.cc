@@ -99,7 +99,7 @@ constexpr Parameter on_or_off{.name = "on",
 
 constexpr auto fault_choices =
     std::to_array<std::string_view>({"none", "off", "stuck", "garbage", "slow", "intermittent",
-                                     "trip", "elsewhere", "mangled", "hang_up"});
+                                     "trip", "elsewhere", "mangled", "hang_up", "jammed"});
 constexpr Parameter drive =
     required_text("drive", "name of the axis; S and its number for a spindle");
 constexpr Parameter drive_fault{.name = "fault",
@@ -142,6 +142,37 @@ constexpr Parameter automatic_law{
     .help = "modulated: acts on the vibration; linear: on the power of the spindle"};
 
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
+// Their places are channels::ForceAction.
+constexpr auto force_actions = std::to_array<std::string_view>({"off", "on", "set"});
+constexpr Parameter force_action{
+    .name = "action",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .carries = Carries::number,
+    .choices = force_actions,
+    .help = "on: with the force given, or ordered last; set: change one value"};
+constexpr auto force_quantities =
+    std::to_array<std::string_view>({"force", "level", "mass", "frequency"});
+constexpr Parameter force_quantity{
+    .name = "quantity",
+    .type = ParameterType::choice,
+    .spelling = Spelling::positional,
+    .carries = Carries::text,
+    .choices = force_quantities,
+    .help =
+        "cutting force P_z; permissible vibration; reduced mass and frequency of the "
+        "oscillation that is formed from the vibration"};
+constexpr double force_value_max = 1e6;
+constexpr Parameter force_value{.name = "value",
+                                .type = ParameterType::number,
+                                .spelling = Spelling::positional,
+                                .carries = Carries::value,
+                                .unit = "N, um, kg, Hz",
+                                .minimum = 0,
+                                .maximum = force_value_max,
+                                .help = "of the quantity; above 0"};
+constexpr std::array of_force_control{force_action, force_quantity, force_value, channel};
 constexpr Parameter jogged_axis =
     required_text("axis", "axis of the machine, as in the machine file");
 constexpr double velocity_limit = 100000.0;
@@ -167,6 +198,53 @@ constexpr Parameter homed_axis{.name = "axis",
                                .maximum = text_bytes_max,
                                .help = "one axis only; default: all of the channel"};
 
+constexpr Parameter tool_number{.name = "number",
+                                .type = ParameterType::integer,
+                                .presence = Presence::required,
+                                .spelling = Spelling::positional,
+                                .carries = Carries::number,
+                                .minimum = 0,
+                                .maximum = 32000,
+                                .help = "number of the tool"};
+constexpr auto tool_value_choices = std::to_array<std::string_view>(
+    {"length", "length_x", "length_y", "radius", "wear_length", "wear_radius", "overhang",
+     "orientation", "angle_front", "angle_back"});
+constexpr Parameter tool_value{.name = "key",
+                               .type = ParameterType::choice,
+                               .presence = Presence::required,
+                               .spelling = Spelling::positional,
+                               .carries = Carries::text,
+                               .choices = tool_value_choices,
+                               .help = "which value of it"};
+constexpr Parameter table_value{.name = "value",
+                                .type = ParameterType::number,
+                                .presence = Presence::required,
+                                .spelling = Spelling::positional,
+                                .carries = Carries::value,
+                                .unit = "mm, deg",
+                                .minimum = -velocity_limit,
+                                .maximum = velocity_limit,
+                                .help = "its new value"};
+constexpr Parameter tool_edge{.name = "edge",
+                              .type = ParameterType::integer,
+                              .carries = Carries::value_2,
+                              .minimum = 1,
+                              .maximum = 99,
+                              .help = "edge of the tool; default 1"};
+constexpr Parameter offset_name =
+    required_text("offset", "work offset: G54 to G59, G59.1 to G59.3, \"G54.1 P1\"");
+constexpr Parameter offset_axis{.name = "axis",
+                                .type = ParameterType::text,
+                                .presence = Presence::required,
+                                .spelling = Spelling::positional,
+                                .carries = Carries::more_text,
+                                .minimum = 1,
+                                .maximum = 16,
+                                .help = "axis of the machine; R: rotation"};
+
+constexpr std::array of_tool{tool_number, tool_edge};
+constexpr std::array of_tool_value{tool_number, tool_value, table_value, tool_edge};
+constexpr std::array of_offset_value{offset_name, offset_axis, table_value};
 constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, channel};
 constexpr std::array of_home{homed_axis, channel};
 constexpr std::array of_interruption{fictitious_path, real_path, channel};
@@ -266,13 +344,15 @@ constexpr auto table = std::to_array<Method>({
     {"alarm.history", observer, "all alarms since the daemon started", of_channel},
 
     {"tool.list", observer, "tool table"},
-    later("tool.get", observer, "one tool"),
-    later("tool.set", machine_operator, "change a tool"),
+    {"tool.get", observer, "one edge of a tool", of_tool},
+    {"tool.set", machine_operator, "change a value of a tool; not while a program runs",
+     of_tool_value, "tool_set"},
     later("tool.load", integrator, "read a tool table"),
     later("tool.save", integrator, "write the tool table"),
 
     {"offset.list", observer, "work offsets"},
-    later("offset.set", machine_operator, "change a work offset"),
+    {"offset.set", machine_operator, "change a work offset; not while a program runs",
+     of_offset_value, "offset_set"},
 
     {"mdi", machine_operator, "execute one line of program text: a block or a statement", of_line,
      "mdi"},
@@ -282,14 +362,17 @@ constexpr auto table = std::to_array<Method>({
     {"home", machine_operator,
      "find the reference marks of the axes of a channel, in their order; answers when it is done",
      of_home, "home"},
-    {"process.status", observer, "feed law, feed, spindle and cutting speed", of_channel},
+    {"process.status", observer, "feed law, feed, spindle, cutting speed and force control",
+     of_channel},
     {"process.interrupt", machine_operator,
      "interrupt the feed: at once, then after each L_B of path, for the time of L_A",
      of_interruption, "process_interrupt"},
     {"process.automatic", machine_operator,
      "whether the channel forms a feed law of its own from a sensor", of_automatic_law,
      "process_automatic"},
-    later("process.adaptive", machine_operator, "adaptive control on or off"),
+    {"process.adaptive", machine_operator,
+     "adaptive control of the cutting force: on, off, or change one of its values",
+     of_force_control, "process_adaptive"},
     later("workpiece.status", observer, "virtual workpiece"),
     later("workpiece.allow", machine_operator, "allow a collision area"),
 

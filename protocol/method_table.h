@@ -21,6 +21,7 @@ enum class Presence : std::uint8_t { optional, required };
 // Where the parameter stands on the command line of `stanok`.
 enum class Spelling : std::uint8_t { option, positional };
 // Which field of a MachineRequest the parameter fills (protocol/machine_request.h).
+// A choice that carries a number is its place among the choices, from 0.
 enum class Carries : std::uint8_t {
   nothing,
   channel,
@@ -28,7 +29,8 @@ enum class Carries : std::uint8_t {
   fraction_of_percent,
   value,
   value_2,
-  text
+  text,
+  more_text,  // behind the text, after a blank
 };
 
 struct Parameter {

@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::string_view prefix = "STANOK_";
 constexpr std::array<std::string_view, topic_count> topics{
-    "SETPOINT", "STATE", "DRIVE", "PROCESS", "EVENT", "INPUT", "PROGRAM", "WORKPIECE", "LOG_META"};
+    "SETPOINT", "STATE",    "DRIVE",   "PROCESS",      "FORCE",     "EVENT",   "INPUT",
+    "ARRIVAL",  "FEEDBACK", "PROGRAM", "PROGRAM_READ", "WORKPIECE", "LOG_META"};
 // "_CH16_" and the longest topic of a channel.
-constexpr std::size_t longest_suffix = 6 + 9;
+constexpr std::size_t longest_suffix = 6 + 12;
 
 std::string upper_case(std::string_view machine) {
   std::string name;

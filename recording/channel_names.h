@@ -16,8 +16,22 @@ namespace stanok::recording {
 
 inline constexpr std::size_t channel_name_max = 63;  // bytes, LCM's limit
 
-enum class Topic { setpoint, state, drive, process, event, input, program, workpiece, log_meta };
-inline constexpr std::size_t topic_count = 9;
+enum class Topic {
+  setpoint,
+  state,
+  drive,
+  process,
+  force,
+  event,
+  input,
+  arrival,
+  feedback,
+  program,
+  program_read,
+  workpiece,
+  log_meta
+};
+inline constexpr std::size_t topic_count = 13;
 
 class ChannelNames {
  public:

@@ -120,7 +120,11 @@ Expected<ChannelPlot, LogError> gather_plot(const std::filesystem::path& file,
   const auto error = for_each_setpoint(
       file, contents, channel, [&](const setpoint_t& setpoint) { gathering.add(setpoint); });
   if (error) return Unexpected<LogError>(*error);
-  return gathering.take();
+  auto force = gather_force(file, contents, channel);
+  if (!force) return Unexpected<LogError>(force.error());
+  ChannelPlot plot = gathering.take();
+  plot.force = std::move(*force);
+  return plot;
 }
 
 }  // namespace stanok::recording

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "recording/force_plot.h"
 #include "recording/log_contents.h"
 #include "recording/plot_points.h"
 
@@ -34,6 +35,7 @@ struct ChannelPlot {
   std::vector<RunPlot> runs;  // in order of time; runs_max at most, the last holds the rest
   ThinnedPath rapid;          // programmed point in rapid traverse, all runs
   PeakSeries feed;            // mm/s, as commanded before override
+  ForcePlot force;            // of force control
   std::vector<AxisPlot> axes;
   std::array<std::optional<std::size_t>, 3> point_axes;  // channel axis of X, Y, Z
 };

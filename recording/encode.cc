@@ -160,6 +160,28 @@ process_status_t to_process_status(const channels::ChannelOutput& output, const 
   return message;
 }
 
+force_status_t to_force_status(const channels::ChannelOutput& output, const Stamp& stamp) {
+  const motion::ForceStatus& force = output.process.force;
+  auto message = zeroed<force_status_t>();
+  put_stamp(stamp, message);
+  message.channel = output.id;
+  message.control = static_cast<std::int8_t>(force.state);
+  message.force_set = force.force_set_n;
+  message.force_set_now = force.force_now_n;
+  message.force = force.force_n;
+  message.power = force.power_w;
+  message.power_idle = force.power_idle_w;
+  message.radius = force.radius_mm;
+  message.feed = force.feed_per_s;
+  message.feed_min = force.feed_min_per_s;
+  message.feed_max = force.feed_max_per_s;
+  message.vibration = force.vibration_um;
+  message.vibration_rate = force.vibration_hz;
+  message.oscillation = force.oscillation_n;
+  message.oscillation_rate = force.oscillation_hz;
+  return message;
+}
+
 workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp) {
   const channels::Workpiece& workpiece = output.workpiece;
   auto message = zeroed<workpiece_t>();

@@ -7,6 +7,7 @@
 #include <stanok_messages/channel_state_t.hpp>
 #include <stanok_messages/drive_status_t.hpp>
 #include <stanok_messages/event_t.hpp>
+#include <stanok_messages/force_status_t.hpp>
 #include <stanok_messages/input_t.hpp>
 #include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
@@ -28,6 +29,8 @@ struct Stamp {
 [[nodiscard]] setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] channel_state_t to_state(const channels::ChannelOutput& output,
                                        std::string_view program, const Stamp& stamp);
+[[nodiscard]] force_status_t to_force_status(const channels::ChannelOutput& output,
+                                             const Stamp& stamp);
 [[nodiscard]] process_status_t to_process_status(const channels::ChannelOutput& output,
                                                  const Stamp& stamp);
 [[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,

@@ -7,6 +7,8 @@
 #include <stanok_messages/program_chunk_t.hpp>
 #include <utility>
 
+#include "recording/encode_inputs.h"
+
 namespace stanok::recording {
 namespace {
 
@@ -82,9 +84,14 @@ log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp) {
   add_type<channel_state_t>(meta);
   add_type<drive_status_t>(meta);
   add_type<process_status_t>(meta);
+  add_type<force_status_t>(meta);
   add_type<event_t>(meta);
   add_type<input_t>(meta);
   add_type<program_chunk_t>(meta);
+  add_type<arrival_t>(meta);
+  add_type<feedback_t>(meta);
+  add_type<program_read_t>(meta);
+  add_type<workpiece_t>(meta);
   add_type<log_meta_t>(meta);
   const std::size_t count = std::min(description.channels.size(), channels_in_meta);
   meta.channel_count = static_cast<std::int32_t>(count);

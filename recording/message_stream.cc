@@ -68,9 +68,11 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
       send(to_setpoint(channel, next_stamp(output.cycle, channel.id, Topic::setpoint)), channel.id,
            Topic::setpoint);
     }
+    inputs_when_new(output.cycle, channel);
     state_when_due(output.cycle, channel);
     drives_when_due(output.cycle, channel);
     process_when_due(output.cycle, channel);
+    force_when_due(output.cycle, channel);
     workpiece_when_due(output.cycle, channel);
   }
 }
@@ -103,6 +105,13 @@ void MessageStream::text(const TextRecord& record) {
   } while (offset < record.text.size());
 }
 
+void MessageStream::program_read(const ProgramRead& read, std::int64_t cycle) {
+  send_meta_when_due(cycle);
+  send(to_program_read(read, next_stamp(cycle, 0, Topic::program_read)), 0, Topic::program_read);
+  if (!read.found || !sent_texts_.insert(text_hash(read.text)).second) return;
+  text({.cycle = cycle, .name = read.path, .text = read.text});
+}
+
 void MessageStream::set_program(int channel, std::string_view name) {
   STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
   programs_[static_cast<std::size_t>(channel)] = name;
@@ -126,11 +135,37 @@ void MessageStream::process_when_due(std::int64_t cycle, const channels::Channel
        Topic::process);
 }
 
+void MessageStream::force_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  const bool is_on = output.process.force.state != motion::ForceState::off;
+  if (!output.process.has_force_control || !is_on || cycle % state_period_ != 0) return;
+  send(to_force_status(output, next_stamp(cycle, output.id, Topic::force)), output.id,
+       Topic::force);
+}
+
 void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (cycle % state_period_ != 0) return;
   const std::string& program = programs_[static_cast<std::size_t>(output.id)];
   send(to_state(output, program, next_stamp(cycle, output.id, Topic::state)), output.id,
        Topic::state);
+}
+
+void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output) {
+  ShownInputs& shown = inputs_[static_cast<std::size_t>(output.id)];
+  if (output.arrivals != shown.arrivals) {
+    shown.arrivals = output.arrivals;
+    send(to_arrival(output.id, output.arrivals, next_stamp(cycle, output.id, Topic::arrival)),
+         output.id, Topic::arrival);
+  }
+  if (!output.has_feedback) return;
+  for (int k = 0; k < output.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (shown.has_feedback && output.feedback[i] == shown.feedback[i]) continue;
+    shown.feedback[i] = output.feedback[i];
+    send(to_feedback(output.id, k, output.feedback[i],
+                     next_stamp(cycle, output.id, Topic::feedback)),
+         output.id, Topic::feedback);
+  }
+  shown.has_feedback = true;
 }
 
 void MessageStream::workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "channels/machine.h"
 #include "channels/output.h"
 #include "recording/channel_names.h"
+#include "recording/encode_inputs.h"
 #include "recording/log_description.h"
 #include "recording/message_sink.h"
 
@@ -43,6 +45,8 @@ class MessageStream {
   void event(const channels::Event& event);
   void input(const channels::InputRecord& record);
   void text(const TextRecord& record);
+  // The text itself is sent when it is new.
+  void program_read(const ProgramRead& read, std::int64_t cycle);
 
   // Shown in the STATE messages of the channel from now on.
   void set_program(int channel, std::string_view name);
@@ -55,6 +59,8 @@ class MessageStream {
   void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void process_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output);
+  void force_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
   void send(const Message& message, int channel, Topic topic);
@@ -70,8 +76,15 @@ class MessageStream {
     std::int64_t cycle = 0;  // of the latest message
   };
   std::array<ShownWorkpiece, channels::channels_max + 1> workpieces_{};
-  std::int64_t meta_period_;   // cycles
-  std::int64_t state_period_;  // cycles
+  struct ShownInputs {
+    channels::Arrivals arrivals;
+    bool has_feedback = false;
+    std::array<channels::AxisFeedback, motion::axes_max> feedback{};
+  };
+  std::array<ShownInputs, channels::channels_max + 1> inputs_{};
+  std::set<std::uint64_t> sent_texts_;  // hashes
+  std::int64_t meta_period_;            // cycles
+  std::int64_t state_period_;           // cycles
   std::int64_t next_meta_cycle_;
 };
 

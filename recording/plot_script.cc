@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "recording/gnuplot.h"
 
@@ -117,6 +118,7 @@ class ScriptText {
       add_speed();
     }
     for (const Quantity& quantity : quantities) add_axes(quantity);
+    add_force();
     return {std::move(text_), std::move(pictures_)};
   }
 
@@ -130,6 +132,7 @@ class ScriptText {
     }
     add_path_data("$rapid", plot_.rapid);
     add_series("$feed", plot_.feed);
+    add_force_data();
     for (const Quantity& quantity : quantities) {
       for (std::size_t k = 0; k < plot_.axes.size(); ++k) {
         add_series(block_name(quantity.name, k), plot_.axes[k].*quantity.series);
@@ -262,41 +265,94 @@ class ScriptText {
     return {plot_.time_begin, std::max(plot_.time_end, plot_.time_begin + 1e-3)};
   }
 
-  // One panel for each axis, one below the other, over the same time.
-  void add_axes(const Quantity& quantity) {
-    if (plot_.axes.empty()) return;
-    const int count = static_cast<int>(plot_.axes.size());
+  // A line over time, and another one behind it for comparison.
+  struct Line {
+    std::string block;
+    const PeakSeries* series = nullptr;
+  };
+  struct Panel {
+    std::string label;
+    std::string unit;
+    Line line;
+    Line behind{};  // no series: none
+    std::size_t colour = 0;
+  };
+
+  // One below the other, over the same time.
+  void add_panels(const char* name, const char* title, const std::vector<Panel>& panels) {
+    if (panels.empty()) return;
+    const int count = static_cast<int>(panels.size());
     const int height = panels_top + panels_bottom + panel_height * count;
     const double bottom = static_cast<double>(panels_bottom) / height;
     const double top = 1.0 - static_cast<double>(panels_top) / height;
-    add_picture(quantity.name, height, [&] {
-      add_title(quantity.title, height);
+    add_picture(name, height, [&] {
+      add_title(title, height);
       text_ += "set xrange " + time_range().text() + "\nset xlabel\n";
       text_ += "set multiplot layout " + std::to_string(count) + ",1 margins 0.105,0.985," +
                number(bottom) + "," + number(top) + " spacing 0," +
                number(static_cast<double>(panel_gap) / height) + "\n";
-      for (int k = 0; k < count; ++k) {
-        add_panel(quantity, static_cast<std::size_t>(k), k + 1 == count);
+      for (const Panel& panel : panels) {
+        add_panel(panel, &panel == &panels.back());
         text_ += "unset label\n";
       }
       text_ += "unset multiplot\nset format x\nset ytics autofreq\n";
     });
   }
 
-  void add_panel(const Quantity& quantity, std::size_t index, bool is_last) {
-    const AxisPlot& axis = plot_.axes[index];
-    const std::string unit = (axis.axis.rotary ? "deg" : "mm") + std::string(quantity.per);
+  // One panel for each axis.
+  void add_axes(const Quantity& quantity) {
+    std::vector<Panel> panels;
+    for (std::size_t k = 0; k < plot_.axes.size(); ++k) {
+      const AxisPlot& axis = plot_.axes[k];
+      panels.push_back({.label = axis.axis.name,
+                        .unit = (axis.axis.rotary ? "deg" : "mm") + std::string(quantity.per),
+                        .line = {block_name(quantity.name, k), &(axis.*quantity.series)},
+                        .colour = k});
+    }
+    add_panels(quantity.name, quantity.title, panels);
+  }
+
+  void add_force() {
+    const ForcePlot& force = plot_.force;
+    if (force.is_empty()) return;
+    add_panels("force", "Force control",
+               {{"P_z", "N", {"$force", &force.force}, {"$force_set", &force.force_set}, 0},
+                {"N_d", "W", {"$power", &force.power}, {"$power_idle", &force.power_idle}, 1},
+                {"S", "mm/s", {"$force_feed", &force.feed}, {}, 2},
+                {"a_0", "um", {"$vibration", &force.vibration}, {}, 3}});
+  }
+
+  void add_force_data() {
+    const ForcePlot& force = plot_.force;
+    if (force.is_empty()) return;
+    add_series("$force", force.force);
+    add_series("$force_set", force.force_set);
+    add_series("$power", force.power);
+    add_series("$power_idle", force.power_idle);
+    add_series("$force_feed", force.feed);
+    add_series("$vibration", force.vibration);
+  }
+
+  void add_panel(const Panel& panel, bool is_last) {
     Range values;
-    for (const TimePoint& point : (axis.*quantity.series).points()) values.include(point.value);
+    for (const TimePoint& point : panel.line.series->points()) values.include(point.value);
+    const std::string peak =
+        "peak " + rounded(std::max(-values.low, values.high)) + " " + panel.unit;
+    if (panel.behind.series != nullptr) {
+      for (const TimePoint& point : panel.behind.series->points()) values.include(point.value);
+    }
     const Range shown = values.padded();
-    const std::string peak = "peak " + rounded(std::max(-values.low, values.high)) + " " + unit;
     text_ += is_last ? "set format x\nset xlabel 'time [s]' textcolor rgb '#2b2f33'\n"
                      : "set format x ''\nunset xlabel\n";
-    text_ += "set ylabel " + gnuplot_text(axis.axis.name + " [" + unit + "]") + "\n";
+    text_ += "set ylabel " + gnuplot_text(panel.label + " [" + panel.unit + "]") + "\n";
     text_ += "set yrange " + shown.text() + "\nset ytics " + number(tic_step(shown)) + "\n";
     text_ += "set label 1 " + gnuplot_text(peak) +
              " at graph 1, graph 1 offset 0,0.6 right font ',10' textcolor rgb '#5f676d'\n";
-    text_ += "plot " + block_name(quantity.name, index) + line_style(index, "1") + " notitle\n";
+    text_ += "plot ";
+    if (panel.behind.series != nullptr) {
+      text_ += panel.behind.block + " with lines lw 2 lc rgb '" + quiet_colour + "' notitle, ";
+    }
+    text_ += panel.line.block + line_style(panel.colour, "1") + " notitle\n";
   }
 
   const ChannelPlot& plot_;

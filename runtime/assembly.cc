@@ -10,6 +10,7 @@
 #include "plant/direct_bus.h"
 #include "plant/machine_drives.h"
 #include "plant/modbus_server.h"
+#include "runtime/force_controls.h"
 #include "runtime/program_files.h"
 
 namespace stanok::runtime {
@@ -25,8 +26,9 @@ constexpr int fault_reset_polls = 5;  // of the bus, so that the demand reaches 
 struct Assembly::Parts {
   explicit Parts(AssemblyOptions given)
       : options(std::move(given)),
-        files(options.program_roots),
-        machine(options.file.machine, files, options.machine),
+        files(options.program_roots, &texts),
+        force_controls(options.file),
+        machine(options.file.machine, files, force_controls.given_to(options.machine)),
         axis_count(options.file.machine.axes.size()) {
     if (axis_count > axes_of_machine_max) {
       throw std::invalid_argument(options.file.machine.file + ": more than " +
@@ -37,8 +39,19 @@ struct Assembly::Parts {
     }
     make_bus();
     find_spindle_drives();
+    if (options.drives != DriveChoice::real && !options.file.simulation.cutting.stock.empty())
+      process_plant = std::make_unique<ProcessPlant>(options.file);
     reset_cycles =
         fault_reset_polls * options.file.bus.poll_ms * 1000 / options.file.machine.cycle_us;
+  }
+
+  // The spindle drive bears what the cut asks for.
+  void load_spindle() RT_SAFE {
+    const int drive = spindle_drives[process_plant->spindle()];
+    if (drive < 0) return;
+    const auto index = static_cast<std::size_t>(drive);
+    if (direct != nullptr) direct->load(index, process_plant->load());
+    if (server) server->load(index, process_plant->load());
   }
 
   void make_bus() {
@@ -49,7 +62,12 @@ struct Assembly::Parts {
         return;
       case DriveChoice::simulated:
         bus_config = plant::simulated_bus(options.file);
-        bus = std::make_unique<plant::DirectBus>(bus_config, drives_at_start(), cycle);
+        simulated = drives_at_start();
+        {
+          auto made = std::make_unique<plant::DirectBus>(bus_config, simulated, cycle);
+          direct = made.get();
+          bus = std::move(made);
+        }
         break;
       case DriveChoice::embedded:
         simulated = plant::drives_of(options.file);
@@ -89,13 +107,39 @@ struct Assembly::Parts {
     return drives;
   }
 
-  // What the programs' inputs are in this cycle; nothing where the bus has none.
+  // What the programs' inputs are in this cycle; nothing where neither the bus nor a simulated
+  // contact has any.
   [[nodiscard]] const channels::Signals* read_signals() RT_SAFE {
-    if (!has_signals) return nullptr;
-    const drives::SignalValues values = bus->read_signals();
-    inputs.digital = values.digital;
-    inputs.analog = values.analog;
+    const bool has_contacts = options.drives != DriveChoice::real && !options.file.contacts.empty();
+    if (!has_signals && !has_contacts) return nullptr;
+    inputs = options.machine.outputs_to_inputs ? output.signals : channels::Signals{};
+    if (has_signals) {
+      const drives::SignalValues values = bus->read_signals();
+      inputs.digital = values.digital;
+      inputs.analog = values.analog;
+    }
+    if (has_contacts) switch_contacts();
     return &inputs;
+  }
+
+  void switch_contacts() RT_SAFE {
+    for (const config::SimulatedContact& contact : options.file.contacts) {
+      const double position = position_of(contact.axis);
+      if (position >= contact.from && position <= contact.to) inputs.set(contact.input, true);
+    }
+  }
+
+  // Of an axis of the machine: as its drive tells, or as it was set last.
+  [[nodiscard]] double position_of(int axis) const RT_SAFE {
+    const auto k = static_cast<std::size_t>(axis);
+    if (bus) return raw_feedback[k].position;
+    for (std::size_t c = 0; c < options.file.machine.channels.size(); ++c) {
+      const std::vector<int>& axes = options.file.machine.channels[c].axes;
+      const auto place = std::ranges::find(axes, axis);
+      if (place != axes.end() && output.channel_count > 0)
+        return output.channels[c].axes[static_cast<std::size_t>(place - axes.begin())].position;
+    }
+    return options.file.machine.axes[k].start;
   }
 
   void write_signals() RT_SAFE {
@@ -232,16 +276,20 @@ struct Assembly::Parts {
   }
 
   AssemblyOptions options;
+  TextBook texts;
   ProgramFiles files;
+  ForceControls force_controls;
   channels::Machine machine;
+  std::unique_ptr<ProcessPlant> process_plant;
   std::unique_ptr<Ring<channels::CycleOutput>> outputs;
   std::atomic<std::uint64_t> outputs_lost{0};  // counted in the cycle, read by operators
   std::size_t axis_count;
   std::size_t drive_count = 0;  // axes, then spindles with a drive
   std::vector<drives::AxisDriveConfig> bus_drives;
-  std::vector<plant::SimulatedDriveConfig> simulated;  // behind the server
+  std::vector<plant::SimulatedDriveConfig> simulated;  // in the order of the bus
   std::unique_ptr<plant::ModbusServer> server;
   std::unique_ptr<drives::DriveBus> bus;
+  plant::DirectBus* direct = nullptr;  // `bus`, of simulated drives on the clock of the cycle
   channels::CycleOutput output;
   channels::Signals inputs;
   bool has_signals = false;
@@ -283,15 +331,19 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
     RT_SAFE {
   Parts& parts = *parts_;
   channels::CycleInputs inputs{.events = events, .feedback = {}, .sensors = sensors};
+  if (parts.process_plant && !parts.bus && sensors.empty())
+    inputs.sensors = parts.process_plant->sensors();
   if (parts.bus) {
     parts.read_drives();
     parts.note_fault_resets(events);
     inputs.feedback = {parts.feedback.data(), parts.axis_count};
-    inputs.signals = parts.read_signals();
     if (sensors.empty()) inputs.sensors = parts.read_sensors();
   }
+  inputs.signals = parts.read_signals();
   parts.machine.cycle(inputs, parts.output);
+  if (parts.process_plant) parts.process_plant->advance(parts.output);
   if (parts.bus) {
+    if (parts.process_plant) parts.load_spindle();
     parts.write_drives();
     parts.write_signals();
   }
@@ -299,9 +351,17 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
   return parts.output;
 }
 
+const ProcessPlant* Assembly::process_plant() const RT_SAFE {
+  return parts_->process_plant.get();
+}
+
 std::span<const channels::AxisFeedback> Assembly::feedback() const RT_SAFE {
   if (!parts_->bus) return {};
   return {parts_->feedback.data(), parts_->axis_count};
+}
+
+std::vector<recording::ProgramRead> Assembly::program_reads() {
+  return parts_->texts.take();
 }
 
 Ring<channels::CycleOutput>& Assembly::outputs() {
@@ -333,7 +393,9 @@ bool Assembly::inject_fault(std::string_view drive, plant::FaultKind fault) {
   const auto found = std::ranges::find_if(
       drives, [&](const plant::SimulatedDriveConfig& one) { return one.registers.axis == drive; });
   if (found == drives.end()) return false;
-  parts_->server->inject(static_cast<std::size_t>(found - drives.begin()), fault);
+  const auto index = static_cast<std::size_t>(found - drives.begin());
+  parts_->direct != nullptr ? parts_->direct->inject(index, fault)
+                            : parts_->server->inject(index, fault);
   return true;
 }
 

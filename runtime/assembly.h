@@ -18,6 +18,8 @@
 #include "config/machine_file.h"
 #include "drives/bus.h"
 #include "plant/fault.h"
+#include "recording/encode_inputs.h"
+#include "runtime/process_plant.h"
 
 namespace stanok::runtime {
 
@@ -57,8 +59,14 @@ class Assembly {
                                      std::span<const channels::SpindleSensors> sensors = {})
       RT_SAFE;
 
+  // The simulated cut, or nullptr.
+  [[nodiscard]] const ProcessPlant* process_plant() const RT_SAFE;
+
   // What the drives had told when the last cycle began; empty with ideal drives.
   [[nodiscard]] std::span<const channels::AxisFeedback> feedback() const RT_SAFE;
+
+  // Program texts that were asked for since the last call; from one thread.
+  [[nodiscard]] std::vector<recording::ProgramRead> program_reads();
 
   // Every cycle's output for the publisher; a full ring drops the newest, counted. Only with a
   // capacity.

@@ -372,6 +372,7 @@ void DryRun::take_request(const lang::Command& command, const lang::Request& req
     sink(request, command);
   }
   lang::Answer answer = answer_of(request);
+  answer.probe_B = blocks_.position_B();  // a probe is taken to change at the end of its way
   answer.position_B = blocks_.position_B();
   answer.position_valid = true;
   interpreter_.answer(answer);

@@ -6,6 +6,7 @@
 
 #include "recording/log_writer.h"
 #include "recording/message_stream.h"
+#include "runtime/run_setup.h"
 #include "runtime/simulation.h"
 
 namespace stanok::runtime {
@@ -13,9 +14,13 @@ namespace stanok::runtime {
 class LogObserver final : public CycleObserver {
  public:
   // Throws std::runtime_error when the file cannot be written.
-  LogObserver(const channels::MachineConfig& machine, const std::string& path, std::string version);
+  LogObserver(const config::MachineFile& file, const RunSetup& setup, const std::string& path,
+              std::string version);
 
   void observe(const channels::CycleOutput& output) override { stream_->cycle(output); }
+  void observe(const recording::ProgramRead& read, std::int64_t cycle) override {
+    stream_->program_read(read, cycle);
+  }
   void observe(const channels::Event& event) override { stream_->event(event); }
   void observe(const channels::InputRecord& input) override { stream_->input(input); }
 
@@ -26,8 +31,5 @@ class LogObserver final : public CycleObserver {
   std::unique_ptr<recording::LogWriter> writer_;
   std::unique_ptr<recording::MessageStream> stream_;
 };
-
-// Compiler and its version: bit identity is promised for equal builds.
-[[nodiscard]] std::string this_build();
 
 }  // namespace stanok::runtime

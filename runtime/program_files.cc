@@ -11,27 +11,13 @@
 #include <string>
 #include <system_error>
 
+#include "base/file_descriptor.h"
+
 namespace stanok::runtime {
 namespace {
 
 namespace fs = std::filesystem;
 using Text = std::shared_ptr<const lang::SourceText>;
-
-// An open file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool is_open() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
 
 Diagnostic diagnostic(const char* code, std::string message, std::string help) {
   Diagnostic d;
@@ -66,7 +52,7 @@ std::string fault_of(std::string_view name) {
 
 // A file descriptor, or the negative error number: closing the folder may change errno.
 int open_beneath(const fs::path& folder, std::string_view name) {
-  const Descriptor root(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor root(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!root.is_open()) return -errno;
   open_how how{};
   how.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;
@@ -114,7 +100,8 @@ std::string similar_name(const fs::path& folder, std::string_view name) {
 
 }  // namespace
 
-ProgramFiles::ProgramFiles(std::vector<fs::path> roots) : roots_(std::move(roots)) {}
+ProgramFiles::ProgramFiles(std::vector<fs::path> roots, TextBook* book)
+    : roots_(std::move(roots)), book_(book) {}
 
 std::vector<fs::path> ProgramFiles::folders_for(std::string_view from) const {
   std::vector<fs::path> folders;
@@ -130,13 +117,26 @@ std::vector<fs::path> ProgramFiles::folders_for(std::string_view from) const {
 }
 
 Expected<Text, Diagnostic> ProgramFiles::read(std::string_view name, std::string_view from) const {
+  auto found = find(name, from);
+  if (book_ == nullptr) return found;
+  recording::ProgramRead read{.name = std::string(name), .from = std::string(from)};
+  if (found) {
+    read.found = true;
+    read.path = (*found)->path;
+    read.text = (*found)->text;
+  }
+  book_->note(std::move(read));
+  return found;
+}
+
+Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string_view from) const {
   if (const std::string fault = fault_of(name); !fault.empty()) {
     return Unexpected<Diagnostic>(diagnostic("E7002", fault + ": " + std::string(name),
                                              "name it as it stands below the program root"));
   }
   const auto folders = folders_for(from);
   for (const fs::path& folder : folders) {
-    const Descriptor file(open_beneath(folder, name));
+    const FileDescriptor file(open_beneath(folder, name));
     if (!file.is_open()) {
       if (const int error = -file.number(); error == EXDEV || error == ELOOP) {
         return Unexpected<Diagnostic>(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lang/environment.h"
+#include "runtime/text_book.h"
 
 namespace stanok::runtime {
 
@@ -17,15 +18,19 @@ class ProgramFiles final : public lang::Files {
  public:
   // Searched in order after the folder of the text that names the file; each with its programs/,
   // subprograms/ and cycles/.
-  explicit ProgramFiles(std::vector<std::filesystem::path> roots);
+  // What was asked for is noted in `book`, which outlives this; nullptr: nowhere.
+  explicit ProgramFiles(std::vector<std::filesystem::path> roots, TextBook* book = nullptr);
 
   [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
       std::string_view name, std::string_view from) const override;
 
  private:
+  [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> find(
+      std::string_view name, std::string_view from) const;
   [[nodiscard]] std::vector<std::filesystem::path> folders_for(std::string_view from) const;
 
   std::vector<std::filesystem::path> roots_;
+  TextBook* book_;
 };
 
 }  // namespace stanok::runtime

@@ -1,8 +1,11 @@
 #include "runtime/simulation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
+
+#include "runtime/process_report.h"
 
 namespace stanok::runtime {
 namespace {
@@ -17,19 +20,25 @@ std::int64_t thread_time_ns() {
   return time.tv_sec * 1'000'000'000 + time.tv_nsec;
 }
 
+// Recorded sensors stand for the simulated cut.
+config::MachineFile file_without_replaced_plant(const SimulationOptions& options) {
+  config::MachineFile file = options.file;
+  if (!options.sensors.empty()) file.simulation.cutting.stock.clear();
+  return file;
+}
+
 class Simulation {
  public:
   Simulation(const SimulationOptions& options, const std::vector<CycleObserver*>& observers)
       : options_(options),
         observers_(observers),
-        assembly_({.file = options.file,
+        assembly_({.file = file_without_replaced_plant(options),
                    .drives = options.drives,
                    .program_roots = options.program_roots,
-                   .machine = {.on_at_start = true,
-                               .stops_go_on = true,
-                               .outputs_to_inputs = options.file.simulation.outputs_to_inputs},
+                   .machine = setup_of(options).options,
                    .output_capacity = 0}),
-        machine_(assembly_.machine()) {
+        machine_(assembly_.machine()),
+        process_(options.file.machine.cycle_us * 1e-6) {
     for (const auto& [channel, scheme] : options.schemes) {
       if (!machine_.select_scheme_at_start(channel, scheme)) {
         result_.refusals.push_back("E5201 channel " + std::to_string(channel) +
@@ -89,7 +98,24 @@ class Simulation {
     output_ = &assembly_.cycle(events_, sensors_now());
     result_.cycle_time.add(thread_time_ns() - begin);
     events_.clear();
+    report_process();
     hand_on();
+  }
+
+  // Of the first channel that has force control.
+  void report_process() {
+    const auto begin = output_->channels.begin();
+    const auto end = begin + output_->channel_count;
+    const auto channel =
+        std::find_if(begin, end, [](const auto& one) { return one.process.has_force_control; });
+    if (channel == end) return;
+    const ProcessPlant* const plant = assembly_.process_plant();
+    if (plant != nullptr) {
+      process_.add(*channel, plant->cut().force_n(), plant->cut().cut());
+    } else {
+      process_.add(*channel, channel->process.force.force_n,
+                   {.depth_mm = channel->process.force.force_n > 0.0 ? 1.0 : 0.0});
+    }
   }
 
   // Of the latest row at the cycle to come; those of the drives where there are no rows.
@@ -102,6 +128,9 @@ class Simulation {
   }
 
   void hand_on() {
+    for (const recording::ProgramRead& read : assembly_.program_reads()) {
+      for (CycleObserver* observer : observers_) observer->observe(read, output_->cycle);
+    }
     channels::InputRecord input;
     while (machine_.input_records().pop(input)) {
       for (CycleObserver* observer : observers_) observer->observe(input);
@@ -123,6 +152,12 @@ class Simulation {
   SimulationResult report() {
     result_.cycles = output_->cycle;
     result_.machine_time_s = static_cast<double>(output_->cycle) * result_.cycle_s;
+    process_.finish();
+    if (process_.has_any()) {
+      result_.process = {.force_error_steady_max = process_.force_error_steady_max(),
+                         .overshoot_return_max = process_.overshoot_return_max(),
+                         .settling_s = process_.settling_s()};
+    }
     result_.runs = machine_.runs();
     result_.alarms = machine_.alarms();
     result_.load_diagnostics = machine_.load_diagnostics();
@@ -153,6 +188,7 @@ class Simulation {
   const std::vector<CycleObserver*>& observers_;
   Assembly assembly_;
   channels::Machine& machine_;
+  ProcessReport process_;
   channels::CycleOutput before_first_{};
   const channels::CycleOutput* output_ = &before_first_;
   std::vector<channels::OperatorEvent> events_;
@@ -162,6 +198,13 @@ class Simulation {
 };
 
 }  // namespace
+
+RunSetup setup_of(const SimulationOptions& options) {
+  return {.options = {.on_at_start = true,
+                      .stops_go_on = true,
+                      .outputs_to_inputs = options.file.simulation.outputs_to_inputs},
+          .schemes = options.schemes};
+}
 
 SimulationResult simulate(const SimulationOptions& options,
                           const std::vector<CycleObserver*>& observers,

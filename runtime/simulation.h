@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "channels/machine.h"
 #include "config/machine_file.h"
 #include "runtime/assembly.h"
+#include "runtime/run_setup.h"
 
 namespace stanok::runtime {
 
@@ -57,7 +59,14 @@ struct SimulationResult {
   std::vector<channels::AlarmReport> load_diagnostics;
   std::vector<std::string> refusals;        // programs that did not start: code and reason
   std::vector<std::string> refused_events;  // of the operator, likewise
-  Histogram cycle_time;                     // processor time of one cycle over all channels
+  // How force control held the force, where it did.
+  struct Process {
+    double force_error_steady_max = 0.0;  // relative
+    double overshoot_return_max = 0.0;    // relative
+    std::vector<double> settling_s{};     // of each disturbance
+  };
+  std::optional<Process> process;
+  Histogram cycle_time;  // processor time of one cycle over all channels
 };
 
 // What looks at every cycle: traces, logs. Events are those since the cycle before.
@@ -67,7 +76,14 @@ class CycleObserver {
   virtual void observe(const channels::CycleOutput& output) = 0;
   virtual void observe(const channels::Event& event) { static_cast<void>(event); }
   virtual void observe(const channels::InputRecord& input) { static_cast<void>(input); }
+  virtual void observe(const recording::ProgramRead& read, std::int64_t cycle) {
+    static_cast<void>(read);
+    static_cast<void>(cycle);
+  }
 };
+
+// What the run depends on before its first cycle.
+[[nodiscard]] RunSetup setup_of(const SimulationOptions& options);
 
 // Runs to the end. `interrupted` is asked now and then; true ends the simulation where it is.
 [[nodiscard]] SimulationResult simulate(const SimulationOptions& options,

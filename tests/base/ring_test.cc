@@ -126,5 +126,24 @@ TEST(RingDeathTest, NeedsACapacity) {
   EXPECT_DEATH(Ring<int>(0), "broken claim: capacity > 0");
 }
 
+// The consumer acts on what it was shown; more comes meanwhile without its notice.
+TEST(Ring, ShowsTheConsumerAsMuchAsItIsTold) {
+  Ring<int> ring(8);
+  for (const int value : {1, 2, 3}) ASSERT_TRUE(ring.push(value));
+  EXPECT_EQ(ring.size(), 3U) << "without being told, all";
+  ring.show(2);
+  EXPECT_EQ(ring.size(), 2U);
+  ASSERT_TRUE(ring.push(4));
+  EXPECT_EQ(ring.size(), 2U);
+  int value = 0;
+  ASSERT_TRUE(ring.pop(value) && ring.pop(value));
+  EXPECT_FALSE(ring.pop(value));
+  EXPECT_EQ(ring.shown(), 2U);
+  EXPECT_EQ(ring.space(), 6U) << "the producer counts what there is";
+  ring.show(100);
+  EXPECT_EQ(ring.size(), 2U) << "not more than there is";
+  EXPECT_EQ(ring.front(), 3);
+}
+
 }  // namespace
 }  // namespace stanok

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "channels/machine.h"
@@ -47,6 +48,16 @@ TEST_F(DriveFaults, TheAlarmNamesTheAxisOfTheDrive) {
 TEST_F(DriveFaults, ABusThatFallsSilentIsOneAlarmOfAllItsAxes) {
   for (AxisFeedback& drive : drives) drive.valid = false;
   EXPECT_THAT(alarm(), HasSubstr("A3001 the drives of axes " + axes[0].name + ", " + axes[1].name));
+}
+
+// What is no number is no answer, whichever way it came.
+TEST_F(DriveFaults, AValueThatIsNoNumberIsNoAnswer) {
+  drives[0].position = std::nan("");
+  EXPECT_THAT(alarm(), HasSubstr("A3001 the drive of axis " + axes[0].name));
+  for (int n = 0; n < 500; ++n) {
+    const ChannelOutput& channel = bench.cycle().channels[0];
+    for (const AxisSetpoint& axis : channel.axes) ASSERT_TRUE(std::isfinite(axis.position));
+  }
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ constexpr Example examples[] = {
     {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},
     {"helix", "stress8", ""},           {"thread", "lathe", ""},
     {"chip_breaking", "lathe", ""},     {"slender_shaft", "lathe", ""},
+    {"plunge_grinding", "grinder", ""}, {"adaptive_steps", "lathe", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),

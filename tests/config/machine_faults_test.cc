@@ -261,6 +261,12 @@ const Case cases[] = {
      "[[channel.automatic_feed]]\nlaw = \"linear\"\nlevel = 9\nfeed_min = 0.5",
      34, 7, "the law stands twice; a channel has one of each"},
     // Services
+    {"ContactOfUnknownAxis", end_of_file, "[[contact]]\ninput = 1\naxis = \"Q\"\nto = 0", 31, 8,
+     "'Q' is no axis of the machine; write the name of an [[axis]]"},
+    {"ContactAlwaysOn", end_of_file, "[[contact]]\ninput = 1\naxis = \"X\"", 29, 1,
+     "neither from nor to is given; the input would always be on"},
+    {"ContactNeverOn", end_of_file, "[[contact]]\ninput = 1\naxis = \"X\"\nfrom = 1\nto = 0", 33, 6,
+     "to lies below from, 1; the input would never be on"},
     {"BusUnknown", end_of_file, "[drives]\nbus = \"ethercat\"", 30, 7,
      "bus is 'ethercat'; it must be one of modbus-tcp, modbus-rtu"},
     {"SerialBusWithoutDevice", end_of_file, "[drives]\nbus = \"modbus-rtu\"", 30, 7,

@@ -265,10 +265,10 @@ TEST_F(FullFile, BusAndServicesAreRead) {
   EXPECT_EQ(file_.lcm_url, "udpm://239.255.76.67:7668?ttl=1");
   EXPECT_EQ(file_.recorder.directory, files_.folder() / "logs");
   EXPECT_EQ(file_.recorder.size_mb, 64);
-  EXPECT_EQ(file_.process.feed_min, 0.5);
-  EXPECT_EQ(file_.process.feed_max, 20.0);
-  EXPECT_EQ(file_.process.vibration_level_um, 3.0);
-  EXPECT_EQ(file_.process.reduced_mass_kg, 40.0);
+  EXPECT_EQ(file_.process.control.feed_min, 0.5);
+  EXPECT_EQ(file_.process.control.feed_max, 20.0);
+  EXPECT_EQ(file_.process.control.vibration_level_um, 3.0);
+  EXPECT_EQ(file_.process.control.reduced_mass_kg, 40.0);
   EXPECT_EQ(file_.simulation.drive_frequency_hz, 60.0);
   EXPECT_EQ(file_.simulation.drive_damping, 0.7);
   EXPECT_EQ(file_.simulation.servo_frequency_hz, 200.0);

@@ -34,8 +34,8 @@ TEST_P(ProjectMachine, IsReadWithoutFaultAndItsSchemesCanBeMade) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ProjectMachine,
-                         ::testing::Values("e7106mf4", "mill3", "mill5", "lathe", "stress8",
-                                           "trunnion"),
+                         ::testing::Values("e7106mf4", "grinder", "mill3", "mill5", "lathe",
+                                           "stress8", "trunnion"),
                          [](const auto& name) { return name.param; });
 
 TEST(MachineFiles, E7106mf4HasAWorkChannelWithTwoSchemesAndAMaster) {

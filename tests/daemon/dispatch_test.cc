@@ -309,13 +309,12 @@ TEST_F(DispatchTest, ShowsSchemesAndTheirAxes) {
 TEST_F(DispatchTest, ShowsTheCuttingProcess) {
   channels::ChannelOutput& channel = machine.output.channels[0];
   channel.running = true;
-  channel.process = {.law = motion::LawKind::modulated,
-                     .increments = 12,
-                     .stands = false,
-                     .feed_mm_per_min = 150.0,
-                     .feed_mm_per_rev = 0.25,
-                     .spindle_rev_per_min = 600.0,
-                     .cutting_speed_m_per_min = 94.2};
+  channel.process.law = motion::LawKind::modulated;
+  channel.process.increments = 12;
+  channel.process.feed_mm_per_min = 150.0;
+  channel.process.feed_mm_per_rev = 0.25;
+  channel.process.spindle_rev_per_min = 600.0;
+  channel.process.cutting_speed_m_per_min = 94.2;
   const json process = result("process.status");
   EXPECT_EQ(process["law"], "modulated");
   EXPECT_EQ(process["increments"], 12);
@@ -324,6 +323,12 @@ TEST_F(DispatchTest, ShowsTheCuttingProcess) {
   EXPECT_EQ(process["spindle_rev_min"], 600.0);
   channel.running = false;
   EXPECT_TRUE(result("process.status")["law"].is_null());
+}
+
+TEST_F(DispatchTest, ShowsOneToolAndSaysWhichThereIsNot) {
+  EXPECT_EQ(result("tool.get", {{"number", 32000}})["length"], 77.5);
+  EXPECT_EQ(failure("tool.get", {{"number", 5}}).code, "E5021");
+  EXPECT_EQ(failure("tool.get", {{"number", 32000}, {"edge", 2}}).code, "E5021");
 }
 
 TEST_F(DispatchTest, ResetsDrivesByName) {

@@ -79,7 +79,12 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
     return copy(diagnostics);
   }
-  [[nodiscard]] channels::TablesConfig tables() override { return {}; }
+  [[nodiscard]] channels::TablesConfig tables() override {
+    channels::ToolEdge tool;
+    tool.number = 32000;
+    tool.length = 77.5;
+    return {.tools = {tool}, .offsets = {}};
+  }
   [[nodiscard]] LoopFigures loop_figures() override { return {}; }
   [[nodiscard]] RealTimeRights real_time_rights() override { return {}; }
   [[nodiscard]] std::uint64_t outputs_lost() override { return 0; }

@@ -22,10 +22,10 @@ fail() {
   exit 1
 }
 
-# start_daemon [ARGUMENT...]: returns when it answers.
+# start_daemon [ARGUMENT...]: returns when it answers; its drives are $drive_choice, else embedded.
 # shellcheck disable=SC2120
 start_daemon() {
-  "$stanokd" --machine "$machine_file" --drives embedded --lcm off --state "$folder/state" \
+  "$stanokd" --machine "$machine_file" --drives "${drive_choice:-embedded}" --lcm off --state "$folder/state" \
     --socket "$folder/op.sock" --program-root "$folder" "$@" 2>>"$folder/stanokd.err" &
   daemon=$!
   local k

@@ -65,7 +65,8 @@ TEST(VibrationReader, SamplesHaveASign) {
   EXPECT_EQ(fresh[1], -3276.8);
 }
 
-// A stretch of whole periods: the amplitude is exact, the frequency to a change of sign.
+// A stretch of whole periods: the amplitude is exact, the frequency but for the straight lines
+// between samples.
 TEST(VibrationMeter, MeasuresASineOnAMeanValue) {
   const double rate = 4000.0;
   VibrationMeter meter(rate, 0.25);
@@ -78,7 +79,32 @@ TEST(VibrationMeter, MeasuresASineOnAMeanValue) {
   EXPECT_EQ(meter.level().amplitude_um, 0.0);
   meter.add(std::span(samples).last(1));
   EXPECT_NEAR(meter.level().amplitude_um, 12.5, 1e-9);
-  EXPECT_NEAR(meter.level().frequency_hz, 88.0, 2.0);
+  EXPECT_NEAR(meter.level().frequency_hz, 88.0, 0.01);
+}
+
+// Over the range of self-oscillations of machine tools, at any phase.
+TEST(VibrationMeter, MeasuresAnyFrequencyFrom20To400Hz) {
+  const double rate = 4000.0;
+  double amplitude_error = 0.0;
+  double frequency_error = 0.0;
+  for (double frequency = 20.0; frequency <= 400.0; frequency *= 1.07) {
+    for (double phase = 0.0; phase < 6.0; phase += 0.7) {
+      VibrationMeter meter(rate, 0.25);
+      std::vector<double> samples;
+      for (int k = 0; k < 1000; ++k) {
+        samples.push_back(9.0 * std::sin(2.0 * std::numbers::pi * frequency * k / rate + phase) -
+                          3.0);
+      }
+      meter.add(samples);
+      amplitude_error = std::max(amplitude_error, std::abs(meter.level().amplitude_um / 9.0 - 1.0));
+      frequency_error =
+          std::max(frequency_error, std::abs(meter.level().frequency_hz / frequency - 1.0));
+    }
+  }
+  RecordProperty("amplitude_error_percent", std::to_string(100.0 * amplitude_error));
+  RecordProperty("frequency_error_percent", std::to_string(100.0 * frequency_error));
+  EXPECT_LE(amplitude_error, 0.05);
+  EXPECT_LE(frequency_error, 0.02);
 }
 
 }  // namespace

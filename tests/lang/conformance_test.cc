@@ -115,6 +115,23 @@ class Describer {
     if (!control.feed_stop_enabled) text += " no feed stop";
     return text;
   }
+  std::string operator()(const ForceControl& force) const {
+    static const char* const names[] = {"off", "force", "oscillate", "vibration on",
+                                        "vibration off"};
+    std::string text = std::string("adaptive ") + names[static_cast<int>(force.kind)];
+    const auto add = [&](const char* name, double value) {
+      if (value != 0.0) text += std::string(" ") + name + number_text(value);
+    };
+    add("P_z=", force.force_n);
+    add("S_min=", force.feed_min);
+    add("S_max=", force.feed_max);
+    if (force.per_revolution) text += " per revolution";
+    add("P_osc=", force.oscillation_n);
+    add("f=", force.oscillation_hz);
+    add("level=", force.level_um);
+    add("m_d=", force.reduced_mass_kg);
+    return text;
+  }
   std::string operator()(const SplineMove& spline) const {
     std::string text = "spline " + std::to_string(spline.degree);
     text += axes_text(spline.base.end, spline.base.words);
@@ -318,6 +335,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
     }
     if (kind == "lathe") {
       channel.kind = ChannelKind::lathe;
+      channel.has_force_control = true;
       channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}, {"C", true, 0.0, -1}};
     }
     if (kind == "spindle axis") channel.axes.back().spindle = 1;

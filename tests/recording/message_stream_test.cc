@@ -169,7 +169,8 @@ TEST(Encode, TellsTheCuttingProcess) {
                     .feed_mm_per_min = 120.0,
                     .feed_mm_per_rev = 0.2,
                     .spindle_rev_per_min = -600.0,
-                    .cutting_speed_m_per_min = 94.2};
+                    .cutting_speed_m_per_min = 94.2,
+                    .force = {}};
   const process_status_t message = to_process_status(output, {.utime = 1000, .cycle = 1, .seq = 0});
   EXPECT_EQ(message.channel, output.id);
   EXPECT_EQ(message.law, 3);

@@ -5,131 +5,15 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <random>
 
-#include "runtime/assembly.h"
 #include "runtime/simulation.h"
-#include "tests/config/temporary_files.h"
+#include "tests/runtime/drive_bench.h"
 
 namespace stanok::runtime {
 namespace {
 
-using channels::OperatorAction;
-
 constexpr double mm = 1e-3;  // the drives count in thousandths
-
-// Five axes with incremental encoders; all the same but for their switches.
-struct AxisPlace {
-  double home_from = 0.0;
-  double home_to = 0.0;
-  double velocity = 20.0;
-  double start = 0.0;
-  int order = 1;
-};
-
-std::string machine_text(const std::vector<AxisPlace>& axes) {
-  constexpr const char* names[] = {"X", "Y", "Z", "U", "V"};
-  std::string text = "[machine]\nname = \"m\"\n";
-  std::string list;
-  for (std::size_t k = 0; k < axes.size(); ++k) {
-    const AxisPlace& axis = axes[k];
-    const auto number = [](double value) { return std::to_string(value); };
-    text +=
-        std::string("[[axis]]\nname = \"") + names[k] +
-        "\"\nkind = \"linear\"\nmin = -100\nmax = 100\nvelocity_max = 200\n"
-        "acceleration_max = 1000\njerk_max = 20000\nstart = " +
-        number(axis.start) + "\n[axis.homing]\norder = " + std::to_string(axis.order) +
-        "\nvelocity = " + number(axis.velocity) +
-        "\nposition = " + number(axis.velocity > 0.0 ? axis.home_from : axis.home_to) +
-        "\n[axis.plant]\nencoder = \"incremental\"\nhome_switch_from = " + number(axis.home_from) +
-        "\nhome_switch_to = " + number(axis.home_to) +
-        "\nlimit_switch_negative = -105\nlimit_switch_positive = 105\n";
-    list += std::string(list.empty() ? "" : ", ") + "\"" + names[k] + "\"";
-  }
-  return text + "[[channel]]\nid = 1\nname = \"c\"\naxes = [" + list +
-         "]\n[drives]\nbus = \"modbus-tcp\"\n";
-}
-
-class HomingBench {
- public:
-  explicit HomingBench(const std::vector<AxisPlace>& axes)
-      : HomingBench([&](const std::filesystem::path& folder) {
-          std::ofstream(folder / "m.toml") << machine_text(axes);
-          return config::read_machine_file(folder / "m.toml");
-        }) {}
-  // `read` gets a folder to write into.
-  explicit HomingBench(const std::function<config::MachineFile(const std::filesystem::path&)>& read)
-      : assembly_({.file = read(files_.folder()),
-                   .drives = DriveChoice::simulated,
-                   .program_roots = {files_.folder()},
-                   .machine = {},
-                   .output_capacity = 0}) {
-    files_.write("part.nc", "G1 X1 F6000\nM30\n");
-    ask(OperatorAction::machine_on);
-    run(1.0);
-  }
-
-  std::uint64_t ask(OperatorAction action, const std::string& text = "", double value = 0.0,
-                    double value_2 = 0.0) {
-    channels::OperatorEvent event;
-    event.id = ++last_id_;
-    event.action = action;
-    event.channel = action == OperatorAction::machine_on ? 0 : 1;
-    event.text = FixedText<256>(text);
-    event.value = value;
-    event.value_2 = value_2;
-    events_.push_back(event);
-    return event.id;
-  }
-
-  // Until the reply to `id`; its code, or "ok".
-  std::string reply_to(std::uint64_t id, double within_s = 120.0) {
-    for (int k = 0; k < static_cast<int>(within_s * 1000.0); ++k) {
-      cycle();
-      channels::OperatorReply reply;
-      while (assembly_.machine().replies().pop(reply)) {
-        if (reply.id != id) continue;
-        last_text_ = std::string(reply.text.view());
-        return reply.ok ? "ok" : std::string(reply.code.view());
-      }
-    }
-    return "no reply";
-  }
-
-  void run(double seconds) {
-    for (int k = 0; k < static_cast<int>(seconds * 1000.0); ++k) cycle();
-  }
-
-  const channels::ChannelOutput& cycle() {
-    for (int k = 0; k < output_count(); ++k) {
-      while (assembly_.machine().prepare(k) == channels::Progress::worked) {
-      }
-    }
-    output_ = &assembly_.cycle(events_).channels[0];
-    events_.clear();
-    return *output_;
-  }
-
-  [[nodiscard]] int output_count() {
-    return static_cast<int>(assembly_.file().machine.channels.size());
-  }
-  [[nodiscard]] const channels::ChannelOutput& output() const { return *output_; }
-  [[nodiscard]] const std::string& text() const { return last_text_; }
-  [[nodiscard]] bool is_homed(std::size_t k) const { return output_->feedback[k].referenced; }
-  // Of the plant, whatever the encoder counts.
-  [[nodiscard]] double set_point(std::size_t k) const { return output_->axes[k].position; }
-
- private:
-  config::TemporaryFiles files_;
-  Assembly assembly_;
-  std::vector<channels::OperatorEvent> events_;
-  std::uint64_t last_id_ = 0;
-  const channels::ChannelOutput* output_ = nullptr;
-  std::string last_text_;
-};
 
 // Five axes, switches and starting places at random, some of them in the same order: afterwards
 // every axis knows its place, to what it goes in a poll at the slow velocity.
@@ -146,7 +30,7 @@ TEST(Homing, FiveAxesInAnyOrderOfTheirSwitches) {
       axis.start = -99.0 + 198.0 * part(random);
       axis.order = 1 + static_cast<int>(3.0 * part(random));
     }
-    HomingBench bench(axes);
+    DriveBench bench(axes);
     for (std::size_t k = 0; k < 5; ++k) EXPECT_FALSE(bench.is_homed(k));
     EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::program_run, "part.nc")), "E5208");
     ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok") << bench.text();
@@ -168,7 +52,7 @@ TEST(Homing, FiveAxesInAnyOrderOfTheirSwitches) {
 
 // In scheme 1 of this machine B and C are parked at 0, braked and without power.
 TEST(Homing, ParkedAxesAreReleasedForItAndParkedAgain) {
-  HomingBench bench([](const std::filesystem::path&) {
+  DriveBench bench([](const std::filesystem::path&) {
     return config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
                                      "machines" / "e7106mf4.toml");
   });
@@ -187,7 +71,7 @@ TEST(Homing, ParkedAxesAreReleasedForItAndParkedAgain) {
 }
 
 TEST(Homing, OneAxisByName) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}, {.home_from = 50.0, .home_to = 60.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0}, {.home_from = 50.0, .home_to = 60.0}});
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home, "Y")), "ok");
   EXPECT_FALSE(bench.is_homed(0));
   EXPECT_TRUE(bench.is_homed(1));
@@ -233,14 +117,14 @@ TEST(Homing, ASpindleThatBecomesAnAxisTurnsToItsIndexPulse) {
 }
 
 TEST(Homing, SaysWhatItDidNotFindAndLeavesTheAxisWithoutReference) {
-  HomingBench bench({{.home_from = 150.0, .home_to = 160.0}});  // behind both limit switches
+  DriveBench bench({{.home_from = 150.0, .home_to = 160.0}});  // behind both limit switches
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "A2001");
   EXPECT_EQ(bench.text(), "axis X: no reference switch between the limit switches");
   EXPECT_FALSE(bench.is_homed(0));
 }
 
 TEST(Homing, AResetStopsIt) {
-  HomingBench bench({{.home_from = 80.0, .home_to = 95.0, .start = -90.0}});
+  DriveBench bench({{.home_from = 80.0, .home_to = 95.0, .start = -90.0}});
   const auto id = bench.ask(OperatorAction::home);
   bench.run(1.0);
   EXPECT_GT(bench.output().axes[0].velocity, 1.0);
@@ -254,7 +138,7 @@ TEST(Homing, AResetStopsIt) {
 // A lease of 200 ms: without renewal the axis is at rest soon after, and went no further than the
 // speed and the brake take it: 20 mm/s for 0.2 s, and D = v T / 2 = 0.63 mm.
 TEST(Jogging, EndsWhenItIsNotRenewed) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   const double from = bench.set_point(0);
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 20.0)), "ok");
   bench.run(0.5);
@@ -264,7 +148,7 @@ TEST(Jogging, EndsWhenItIsNotRenewed) {
 }
 
 TEST(Jogging, GoesOnWhileItIsRenewed) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   const double from = bench.set_point(0);
   for (int k = 0; k < 20; ++k) {
     bench.ask(OperatorAction::jog, "X", -10.0);
@@ -276,7 +160,7 @@ TEST(Jogging, GoesOnWhileItIsRenewed) {
 }
 
 TEST(Jogging, TheOtherDirectionStopsItAtOnce) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   bench.ask(OperatorAction::jog, "X", 20.0);
   bench.run(0.15);
   const double at = bench.set_point(0);
@@ -290,7 +174,7 @@ TEST(Jogging, TheOtherDirectionStopsItAtOnce) {
 // Without a reference a jog may run onto the limit switch: everything stops with an alarm, and the
 // way back is free when the alarm has been reset.
 TEST(Jogging, LimitSwitchStopsItAndTheWayBackIsFree) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0, .start = 95.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0, .start = 95.0}});
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 20.0, 30.0)), "ok");
   bench.run(2.0);
   EXPECT_EQ(bench.output().state, channels::ChannelState::alarm);
@@ -306,7 +190,7 @@ TEST(Jogging, LimitSwitchStopsItAndTheWayBackIsFree) {
 }
 
 TEST(Jogging, KeepsTheTravelOfAnAxisWithReference) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok");
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 50.0, 200.0)), "E6053");
   for (int k = 0; k < 30; ++k) {
@@ -318,7 +202,7 @@ TEST(Jogging, KeepsTheTravelOfAnAxisWithReference) {
 }
 
 TEST(Jogging, IsRefusedWhereItMakesNoSense) {
-  HomingBench bench({{.home_from = 50.0, .home_to = 60.0}});
+  DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 0.0)), "E6054");
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "Q", 1.0)), "E6052");
   bench.ask(OperatorAction::home);

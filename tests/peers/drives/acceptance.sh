@@ -85,38 +85,62 @@ until_true 5 grep -q '^line' "$folder/rtu.txt" || fail "stanok-drives does not s
 "$python" "$here/client.py" rtu "$folder/other" || fail "pymodbus over RTU"
 
 # stanokd with real drives, which are a pymodbus server with the maps of the document.
-"$python" "$here/machine.py" "$source/docs/drives.md" "$folder" >/dev/null
-"$python" "$here/server.py" "$folder/port" >"$folder/server.txt" 2>&1 &
-started+=($!)
-until_true 10 test -s "$folder/port" || fail "no pymodbus server: $(cat "$folder/server.txt")"
-sed -i "s/^port = .*/port = $(cat "$folder/port")/" "$folder/machine.toml"
-"$stanok" machine check "$folder/machine.toml" >/dev/null || fail "the machine of the document is refused"
-printf 'M3 S1500\nG1 X10 Y-0 F1200\nM64 P0\nG4 P0.5\nM65 P0\nM5\nM30\n' >"$folder/part.nc"
-"$stanokd" --machine "$folder/machine.toml" --drives real --lcm off --state "$folder/state" \
-  --socket "$folder/op.sock" --program-root "$folder" 2>"$folder/stanokd.txt" &
-started+=($!)
-
 operate() { "$stanok" --socket "$folder/op.sock" "$@"; }
 
 all_in_contact() { operate drive status --json | "$python" -c 'import json, sys
 axes = json.load(sys.stdin)["axes"]
 sys.exit(0 if len(axes) == 3 and all(axis["in_contact"] for axis in axes) else 1)'; }
 
-until_true 10 all_in_contact || fail "no contact with all drives: $(operate drive status)"
-operate machine on >/dev/null || fail "machine on"
-until_true 5 operate program run part.nc || fail "the program does not start: $(operate program run part.nc 2>&1)"
 ended() { operate program history --json | grep -q '"ended":true'; }
-until_true 20 ended || fail "the program does not end"
-operate program history --json | grep -q '"ok":true' || fail "the program fails: $(operate alarm history)"
-operate drive status
-operate drive status --json | "$python" -c 'import json, sys
+
+# run_on_peer NAME [DEVICE]: a program on the machine in $folder/machine.toml, whose drives are the server.
+run_on_peer() {
+  local seen="$folder/$1.txt" daemon
+  until_true 10 test -s "$folder/ready" || fail "no pymodbus server: $(cat "$seen")"
+  "$stanok" machine check "$folder/machine.toml" >/dev/null || fail "the machine of the document is refused"
+  printf 'M3 S1500\nG1 X10 Y-0 F1200\nM64 P0\nG4 P0.5\nM65 P0\nM5\nM30\n' >"$folder/part.nc"
+  "$stanokd" --machine "$folder/machine.toml" --drives real --lcm off --state "$folder/state" \
+    --socket "$folder/op.sock" --program-root "$folder" 2>"$folder/stanokd.txt" &
+  daemon=$!
+  started+=("$daemon")
+  until_true 10 all_in_contact || fail "no contact with all drives: $(operate drive status)"
+  operate machine on >/dev/null || fail "machine on"
+  until_true 5 operate program run part.nc ||
+    fail "the program does not start: $(operate program run part.nc 2>&1; operate drive status)"
+  until_true 20 ended || fail "the program does not end"
+  operate program history --json | grep -q '"ok":true' || fail "the program fails: $(operate alarm history)"
+  operate drive status
+  operate drive status --json | "$python" -c 'import json, sys
 status = json.load(sys.stdin)
 axes = {axis["axis"]: axis for axis in status["axes"]}
 assert abs(axes["X"]["position"] - 10.0) < 1e-3, axes["X"]
 assert status["errors"]["mangled"] == 0 and status["errors"]["implausible"] == 0, status["errors"]
 print("round trip in us:", status["round_trip_us"], "exchanges:", status["exchanges"])'
-until_true 5 grep -q 'spindle stopped' "$folder/server.txt" || fail "the spindle was not stopped: $(cat "$folder/server.txt")"
-for word in 'spindle runs at 50.00 Hz' 'coil 0 on' 'coil 0 off'; do
-  grep -q "$word" "$folder/server.txt" || fail "the server did not see '$word': $(cat "$folder/server.txt")"
-done
-echo "stanokd: drives a pymodbus server with the maps of docs/drives.md"
+  until_true 5 grep -q 'spindle stopped' "$seen" || fail "the spindle was not stopped: $(cat "$seen")"
+  for word in 'spindle runs at 50.00 Hz' 'coil 0 on' 'coil 0 off'; do
+    grep -q "$word" "$seen" || fail "the server did not see '$word': $(cat "$seen")"
+  done
+  kill -TERM "$daemon"
+  wait "$daemon" || fail "the daemon ended with an error: $(cat "$folder/stanokd.txt")"
+}
+
+"$python" "$here/machine.py" "$source/docs/drives.md" "$folder" >/dev/null
+"$python" "$here/server.py" "$folder/ready" >"$folder/tcp_peer.txt" 2>&1 &
+started+=($!)
+until_true 10 test -s "$folder/ready" || fail "no pymodbus server: $(cat "$folder/tcp_peer.txt")"
+sed -i "s/^port = .*/port = $(cat "$folder/ready")/" "$folder/machine.toml"
+run_on_peer tcp_peer
+echo "stanokd: drives a pymodbus server with the maps of docs/drives.md over TCP"
+
+"$python" "$here/cable.py" "$folder/daemon_end" "$folder/peer_end" &
+started+=($!)
+until_true 5 test -e "$folder/peer_end" || fail "no pseudo terminals"
+rm "$folder/ready"
+"$python" "$here/server.py" "$folder/ready" "$folder/peer_end" >"$folder/rtu_peer.txt" 2>&1 &
+started+=($!)
+# A serial line in Python takes its time: longer waits than over TCP.
+sed -i -e '/^port = /d' -e "s|^host = .*|device = \"$folder/daemon_end\"|" -e 's/^bus = .*/bus = "modbus-rtu"/' \
+  -e 's/^poll_ms = .*/poll_ms = 50/' -e 's/^timeout_ms = .*/timeout_ms = 900/' \
+  -e 's/^watchdog_ms = .*/watchdog_ms = 2000/' "$folder/machine.toml"
+run_on_peer rtu_peer
+echo "stanokd: the same over RTU"

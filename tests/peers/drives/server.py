@@ -5,14 +5,17 @@ The drives follow at once: what is written comes back as actual values. The serv
 states of CiA 402, the stepper (2) and the inverter (11) their own words. Says on standard output
 what happens to the spindle and the coil.
 
-usage: server.py PORT_FILE      the port is written there when the server listens
+usage: server.py READY_FILE [DEVICE]
+Modbus TCP: the port is written into READY_FILE when the server listens; with DEVICE Modbus RTU on
+that serial line, and READY_FILE gets its name.
 """
 
 import asyncio
 import sys
 
 from pymodbus.datastore import ModbusServerContext, ModbusSlaveContext, ModbusSparseDataBlock
-from pymodbus.server.async_io import ModbusTcpServer
+from pymodbus.framer.rtu_framer import ModbusRtuFramer
+from pymodbus.server.async_io import ModbusSerialServer, ModbusTcpServer
 
 SERVO, STEPPER, INVERTER, MODULE = 1, 2, 11, 20
 
@@ -103,14 +106,31 @@ def context():
     )
 
 
-async def main():
+def tell(ready):
+    with open(sys.argv[1], "w", encoding="utf-8") as file:
+        file.write(ready)
+
+
+async def serve_line(device):
+    server = ModbusSerialServer(context(), framer=ModbusRtuFramer, port=device, baudrate=115200)
+    await server.start()
+    tell(device)
+    await server.serve_forever()
+
+
+async def serve_network():
     server = ModbusTcpServer(context(), address=("127.0.0.1", 0))
     serving = asyncio.ensure_future(server.serve_forever())
     await server.serving
-    port = server.server.sockets[0].getsockname()[1]
-    with open(sys.argv[1], "w", encoding="utf-8") as file:
-        file.write(str(port))
+    tell(str(server.server.sockets[0].getsockname()[1]))
     await serving
+
+
+async def main():
+    if len(sys.argv) > 2:
+        await serve_line(sys.argv[2])
+    else:
+        await serve_network()
 
 
 if __name__ == "__main__":

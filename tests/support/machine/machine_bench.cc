@@ -209,7 +209,11 @@ const channels::CycleOutput& MachineBench::cycle() {
       while (machine_->prepare(k) == channels::Progress::worked) worked = true;
     }
   }
-  machine_->cycle({.events = events_, .feedback = feedback_, .sensors = sensors_}, output_);
+  machine_->cycle({.events = events_,
+                   .feedback = feedback_,
+                   .signals = inputs_ ? &*inputs_ : nullptr,
+                   .sensors = sensors_},
+                  output_);
   events_.clear();
   channels::OperatorReply reply;
   while (machine_->replies().pop(reply)) replies_.push_back(reply);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ class MachineBench {
   // What the sensors of the spindles tell from here on; empty: there are none.
   void sensors(std::vector<channels::SpindleSensors> sensors) { sensors_ = std::move(sensors); }
 
+  // What the inputs of programs are from here on.
+  void inputs(const channels::Signals& inputs) { inputs_ = inputs; }
+
   // One cycle, all preparations blocked before; returns its output.
   const channels::CycleOutput& cycle();
   // Until nothing happens any more without an operator; fails the test after `cycles_max`. `watch`
@@ -87,6 +91,7 @@ class MachineBench {
   std::vector<std::string> event_codes_;
   std::vector<channels::AxisFeedback> feedback_;
   std::vector<channels::SpindleSensors> sensors_;
+  std::optional<channels::Signals> inputs_;
   std::uint64_t next_id_ = 1;
 };
 

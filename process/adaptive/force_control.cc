@@ -1,0 +1,268 @@
+#include "process/adaptive/force_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/adaptive/clock_block.h"
+
+namespace stanok::process {
+namespace {
+
+using motion::ForceEvent;
+using motion::ForceOrder;
+using motion::ForceState;
+
+// The smallest feed where neither program nor machine file gives one, part of the programmed one.
+constexpr double feed_min_part = 0.05;
+
+// The path goes at the feed asked for when it is this close to it.
+constexpr double follows_within = 0.05;
+
+}  // namespace
+
+ForceControl::ForceControl(const ForceControlConfig& config)
+    : config_(config), compensator_(config), regulator_(config), law_(config), watch_(config) {
+  amplifier_.set_level(config.vibration_level_um);
+}
+
+bool ForceControl::order(const ForceOrder& order) RT_SAFE {
+  switch (order.kind) {
+    case ForceOrder::Kind::off:
+      switch_off();
+      return true;
+    case ForceOrder::Kind::force:
+      order_force(order);
+      return law_.mean_n() > 0.0;
+    case ForceOrder::Kind::oscillate:
+      if (!is_on() || order.oscillation_n >= law_.mean_n()) return false;
+      law_.set_programmed({.force_n = order.oscillation_n, .frequency_hz = order.oscillation_hz});
+      return true;
+    case ForceOrder::Kind::vibration_on:
+      return order_vibration(order);
+    case ForceOrder::Kind::vibration_off:
+      law_.set_automatic(0.0, 0.0);
+      return true;
+    case ForceOrder::Kind::adjust:
+      adjust(order);
+      return true;
+  }
+  return false;
+}
+
+// The force ordered last is kept for an operator who switches on again.
+void ForceControl::switch_off() RT_SAFE {
+  status_ = {};
+  regulator_.reset();
+  watch_.reset();
+  const double force_n = law_.mean_n();
+  law_ = SetPointLaw(config_);
+  law_.set_mean(force_n);
+  amplifier_.set_level(config_.vibration_level_um);
+  feed_asked_ = 0.0;
+  vibration_is_lost_ = false;
+  overload_is_told_ = false;
+}
+
+void ForceControl::order_force(const ForceOrder& order) RT_SAFE {
+  if (order.force_n > 0.0) set_force(order.force_n);
+  if (law_.mean_n() <= 0.0) return;
+  clamps_ = {.feed_min = order.feed_min,
+             .feed_max = order.feed_max,
+             .per_revolution = order.per_revolution};
+  if (!order.per_revolution) {
+    clamps_.feed_min /= s_per_min;
+    clamps_.feed_max /= s_per_min;
+  }
+  watch_.reset();
+  vibration_is_lost_ = false;
+  overload_is_told_ = false;
+  status_.state = ForceState::idle_power;
+}
+
+// Another force while it is on: the feed ahead goes as h ~ P^(1/y).
+void ForceControl::set_force(double force_n) RT_SAFE {
+  const double before = law_.mean_n();
+  law_.set_mean(force_n);
+  if (is_on() && before > 0.0)
+    regulator_.scale(std::pow(force_n / before, 1.0 / config_.feed_exponent));
+}
+
+// What an operator sets holds from now on, beyond the program.
+void ForceControl::adjust(const ForceOrder& order) RT_SAFE {
+  if (order.force_n > 0.0) set_force(order.force_n);
+  if (order.level_um > 0.0) {
+    config_.vibration_level_um = order.level_um;
+    amplifier_.set_level(order.level_um);
+  }
+  if (order.reduced_mass_kg > 0.0) config_.reduced_mass_kg = order.reduced_mass_kg;
+  if (order.oscillation_hz > 0.0) config_.oscillation_hz = order.oscillation_hz;
+  const bool forms = order.reduced_mass_kg > 0.0 || order.oscillation_hz > 0.0;
+  if (forms && law_.can_form()) law_.set_automatic(config_.reduced_mass_kg, config_.oscillation_hz);
+}
+
+bool ForceControl::order_vibration(const ForceOrder& order) RT_SAFE {
+  const auto given = [](double ordered, double otherwise)
+                         RT_SAFE { return ordered > 0.0 ? ordered : otherwise; };
+  amplifier_.set_level(given(order.level_um, config_.vibration_level_um));
+  law_.set_automatic(given(order.reduced_mass_kg, config_.reduced_mass_kg),
+                     given(order.oscillation_hz, config_.oscillation_hz));
+  return is_on() && amplifier_.level_um() > 0.0 && law_.can_form();
+}
+
+bool ForceControl::is_ready() const RT_SAFE {
+  return status_.state != ForceState::idle_power;
+}
+
+void ForceControl::note(ForceEvent event) RT_SAFE {
+  if (event_ == ForceEvent::none) event_ = event;
+}
+
+motion::FeedDemand ForceControl::advance(const motion::CutState& cut) RT_SAFE {
+  event_ = ForceEvent::none;
+  count_radius(cut);
+  compensator_.advance(cut);
+  computing_ = {.omega = angular_speed(cut.rev_per_min),
+                .radius_mm = radius_.radius_mm(),
+                .efficiency = config_.efficiency};
+  status_.captures = compensator_.captures();
+  status_.radius_mm = radius_.radius_mm();
+  status_.power_w = cut.power_w;
+  status_.power_idle_w = compensator_.power_w(cut.rev_per_min);
+  status_.level_um = amplifier_.level_um();
+  status_.reduced_mass_kg = law_.mass_kg();
+  if (!is_on()) return {};
+  resolve_clamps(cut);
+  watch_sensors(cut);
+  return control(cut);
+}
+
+// Blocks 10 and 11: a new frame moves the counter while the key holds the slide.
+void ForceControl::count_radius(const motion::CutState& cut) RT_SAFE {
+  const RadiusCounter::Slide slide{.position_mm = cut.transverse_mm,
+                                   .code = cut.transverse_code,
+                                   .discrete_mm = cut.discrete_mm};
+  key_.block(cut.frame_is_new);
+  radius_.count(key_.pass(slide.code - transverse_code_));
+  if (cut.frame_is_new) radius_.preset(cut.radius_mm, slide);
+  transverse_code_ = slide.code;
+}
+
+// Those of the program, else of the machine file, else by the programmed feed.
+void ForceControl::resolve_clamps(const motion::CutState& cut) RT_SAFE {
+  const double unit = clamps_.per_revolution ? cut.rev_per_min / s_per_min : 1.0;
+  double feed_max = unit * clamps_.feed_max;
+  if (feed_max <= 0.0) feed_max = config_.feed_max;
+  if (feed_max <= 0.0) feed_max = cut.feed_programmed;
+  double feed_min = unit * clamps_.feed_min;
+  if (feed_min <= 0.0) feed_min = config_.feed_min;
+  if (feed_min <= 0.0) feed_min = feed_min_part * cut.feed_programmed;
+  if (feed_max <= 0.0 || feed_min <= 0.0) return;  // in rapid: those of the feed before
+  status_.feed_max_per_s = feed_max;
+  status_.feed_min_per_s = std::min(feed_min, feed_max);
+}
+
+void ForceControl::watch_sensors(const motion::CutState& cut) RT_SAFE {
+  const bool lost_vibration = law_.mass_kg() > 0.0 && !std::isfinite(cut.vibration_um);
+  if (lost_vibration && !vibration_is_lost_) note(ForceEvent::vibration_lost);
+  vibration_is_lost_ = lost_vibration;
+  if (status_.state == ForceState::fault) return;
+  const double turns_per_s = cut.rev_per_min / s_per_min;
+  const PowerTrust trust =
+      watch_.look({.cycle_s = cut.cycle_s,
+                   .power_w = cut.power_w,
+                   .feed_per_rev = turns_per_s > 0.0 ? cut.path_speed / turns_per_s : 0.0,
+                   .revolution_s = turns_per_s > 0.0 ? 1.0 / turns_per_s : 0.0,
+                   .cuts = cuts_});
+  if (trust == PowerTrust::good) return;
+  status_.state = ForceState::fault;
+  const bool is_slow = config_.on_sensor_fault == SensorFault::feed_min;
+  if (trust == PowerTrust::lost) {
+    note(is_slow ? ForceEvent::sensor_lost_slow : ForceEvent::sensor_lost);
+  } else {
+    note(is_slow ? ForceEvent::sensor_stuck_slow : ForceEvent::sensor_stuck);
+  }
+}
+
+motion::FeedDemand ForceControl::demand(double feed_per_s) RT_SAFE {
+  feed_asked_ = feed_per_s;
+  status_.feed_per_s = feed_per_s;
+  if (feed_per_s <= 0.0) return {};
+  return {.feed_per_s = feed_per_s, .feed_max_per_s = status_.feed_max_per_s};
+}
+
+motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
+  if (status_.state == ForceState::fault) return demand(status_.feed_min_per_s);
+  if (!compensator_.is_known() || (!compensator_.is_captured() && cut.path_speed == 0.0)) {
+    // A spindle that stands has no idle power to wait for.
+    status_.state = cut.rev_per_min > 0.0 ? ForceState::idle_power : ForceState::holding;
+    cuts_ = false;
+    return demand(0.0);
+  }
+  const double turns_per_s = cut.rev_per_min / s_per_min;
+  cuts_ = is_cutting(cut);
+  status_.state = cuts_ ? ForceState::regulating : ForceState::holding;
+  const ForceSetPoint set_point = form_set_point(cut);
+  if (turns_per_s > 0.0 && cut.is_controllable) regulate(cut, set_point);
+  // Blocks 22 and 23.
+  const double part =
+      clock_part(computing_, computing_.power_w(set_point.emphasised_n), set_point.mean_n);
+  const double clock = std::clamp(part * regulator_.feed_per_rev() * turns_per_s,
+                                  status_.feed_min_per_s, status_.feed_max_per_s);
+  constexpr double code_of_program = 0.0;
+  return demand(regulator_.has_feed() ? rapid_key(cut.is_rapid, code_of_program, clock)
+                                      : code_of_program);
+}
+
+// At working feed, with power enough to be in the workpiece.
+bool ForceControl::is_cutting(const motion::CutState& cut) RT_SAFE {
+  const double wanted_w = computing_.power_w(law_.mean_n());
+  const double cutting_w = deviation_w(cut.power_w, status_.power_idle_w, 0.0);
+  const bool cuts = cut.is_controllable && cut.path_speed > 0.0 && cut.rev_per_min > 0.0 &&
+                    wanted_w > config_.power_min_w && cutting_w > config_.air_part * wanted_w;
+  status_.force_n = cuts ? computing_.force_n(cutting_w) : 0.0;
+  return cuts;
+}
+
+// Blocks 16 to 21.
+ForceSetPoint ForceControl::form_set_point(const motion::CutState& cut) RT_SAFE {
+  const Vibration vibration =
+      amplifier_.pass({.amplitude_um = cut.vibration_um, .frequency_hz = cut.vibration_hz},
+                      config_.vibration_release);
+  const ForceSetPoint set_point =
+      law_.advance({.cycle_s = cut.cycle_s,
+                    .revolution_s = cut.rev_per_min > 0.0 ? s_per_min / cut.rev_per_min : 0.0,
+                    .vibration = vibration,
+                    .cuts = cuts_});
+  note(law_.event());
+  status_.force_set_n = set_point.mean_n;
+  status_.force_now_n = set_point.now_n;
+  status_.vibration_um = vibration.amplitude_um;
+  status_.vibration_hz = vibration.frequency_hz;
+  status_.oscillation_n = law_.oscillation().force_n;
+  status_.oscillation_hz = law_.oscillation().frequency_hz;
+  return set_point;
+}
+
+// Blocks 13 and 14.
+void ForceControl::regulate(const motion::CutState& cut, const ForceSetPoint& set_point) RT_SAFE {
+  const double turns_per_s = cut.rev_per_min / s_per_min;
+  if (!regulator_.has_feed()) regulator_.begin_with(cut.feed_programmed / turns_per_s);
+  const double wanted_w = computing_.power_w(set_point.sensed_n);
+  const double mean_w = computing_.power_w(set_point.mean_n);
+  const double deviation = deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
+  const double expected = cut.feed_override * feed_asked_;
+  const bool follows = !cut.has_law && cut.feed_override >= 1.0 &&
+                       std::abs(cut.path_speed - expected) <= follows_within * expected;
+  regulator_.advance({.cycle_s = cut.cycle_s,
+                      .revolution_s = 1.0 / turns_per_s,
+                      .deviation = mean_w > 0.0 ? deviation / mean_w : 0.0,
+                      .cuts = cuts_,
+                      .follows = follows,
+                      .may_rise = !watch_.is_suspicious(),
+                      .feed_min = status_.feed_min_per_s / turns_per_s,
+                      .feed_max = status_.feed_max_per_s / turns_per_s});
+  if (regulator_.is_at_minimum() && !overload_is_told_) note(ForceEvent::overload_at_feed_min);
+  overload_is_told_ = regulator_.is_at_minimum();
+}
+
+}  // namespace stanok::process

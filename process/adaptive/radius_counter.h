@@ -1,0 +1,55 @@
+// RadiusCounter and OverhangKey, blocks 10 and 11: the radius at which the tool cuts, counted in
+// discretes of the transverse axis.
+//
+// The counter is preset where the axes stand in a frame that is new: at the reference point, behind
+// work offsets and tools. Between, it follows the pulses of the transverse axis and nothing else.
+// An overhang command sends the difference of the overhangs to the counter while the key keeps it
+// from the drive: the counter moves, the slide stands. Real-time.
+#pragma once
+
+#include <cstdint>
+
+#include "base/numeric.h"
+#include "base/rt_safe.h"
+
+namespace stanok::process {
+
+// Block 11: lets pulses through to the transverse drive, but for those of an overhang command.
+class OverhangKey {
+ public:
+  void block(bool blocks) RT_SAFE { blocks_ = blocks; }
+  [[nodiscard]] std::int64_t pass(std::int64_t pulses) const RT_SAFE {
+    return blocks_ ? 0 : pulses;
+  }
+
+ private:
+  bool blocks_ = false;
+};
+
+// Block 10.
+class RadiusCounter {
+ public:
+  struct Slide {
+    double position_mm = 0.0;
+    std::int64_t code = 0;  // position in discretes
+    double discrete_mm = 0.001;
+  };
+  // The tool stands at this radius while the slide stands there: what lies between them is rounded
+  // once, so that the counter stays within a discrete of the radius.
+  void preset(double radius_mm, const Slide& slide) RT_SAFE {
+    discrete_mm_ = slide.discrete_mm;
+    code_ = slide.code + nearest_integer((radius_mm - slide.position_mm) / slide.discrete_mm);
+  }
+  void count(std::int64_t pulses) RT_SAFE { code_ += pulses; }
+
+  [[nodiscard]] std::int64_t code() const RT_SAFE { return code_; }  // K_R
+  [[nodiscard]] double radius_mm() const RT_SAFE {
+    return discrete_mm_ * static_cast<double>(code_ < 0 ? -code_ : code_);
+  }
+
+ private:
+  std::int64_t code_ = 0;
+  double discrete_mm_ = 0.001;
+};
+
+}  // namespace stanok::process

@@ -1,0 +1,78 @@
+// SetPointLaw, block 21: the set-point of the cutting force over time.
+//
+// Constant; with an oscillation that the program orders; or with one that is formed from the
+// vibration as soon as that has settled above its level. A formed oscillation stays as it is until
+// the cut ends: it quenches what it was formed from. For the feed ahead (blocks 12 and 22) the
+// oscillation is emphasised by what chip thickness, force exponent and feed drives take away from
+// it. Real-time.
+#pragma once
+
+#include "base/rt_safe.h"
+#include "motion/feed_modifier.h"
+#include "process/adaptive/force_control_config.h"
+#include "process/adaptive/vibration_amplifier.h"
+
+namespace stanok::process {
+
+struct Oscillation {
+  double force_n = 0.0;  // amplitude; 0: none
+  double frequency_hz = 0.0;
+};
+
+struct ForceSetPoint {
+  double mean_n = 0.0;
+  double now_n = 0.0;         // what the force shall be
+  double sensed_n = 0.0;      // the same, as late as chip and power sensor show it
+  double emphasised_n = 0.0;  // what the feed ahead is formed from
+};
+
+class SetPointLaw {
+ public:
+  explicit SetPointLaw(const ForceControlConfig& config) : config_(config) { set_mean(0.0); }
+
+  void set_mean(double force_n) RT_SAFE { mean_n_ = force_n; }
+  [[nodiscard]] double mean_n() const RT_SAFE { return mean_n_; }
+  void set_programmed(const Oscillation& oscillation) RT_SAFE;
+  // Automatic oscillation of this frequency, for this reduced mass; 0: none is formed.
+  void set_automatic(double mass_kg, double frequency_hz) RT_SAFE;
+  [[nodiscard]] bool can_form() const RT_SAFE { return mass_kg_ > 0.0 && automatic_hz_ > 0.0; }
+  [[nodiscard]] double mass_kg() const RT_SAFE { return mass_kg_; }
+
+  struct Inputs {
+    double cycle_s = 0.001;
+    double revolution_s = 0.1;
+    Vibration vibration{};
+    bool cuts = false;
+  };
+  [[nodiscard]] ForceSetPoint advance(const Inputs& inputs) RT_SAFE;
+
+  // As it is formed now.
+  [[nodiscard]] const Oscillation& oscillation() const RT_SAFE { return formed_; }
+  // What the latest cycle had to change of what was asked for.
+  [[nodiscard]] motion::ForceEvent event() const RT_SAFE { return event_; }
+
+ private:
+  [[nodiscard]] double sensed_swing(double revolution_s) const RT_SAFE;
+  void watch(const Inputs& inputs) RT_SAFE;
+  void form(const Oscillation& wanted, double revolution_s) RT_SAFE;
+
+  ForceControlConfig config_;
+  double mean_n_ = 0.0;
+  Oscillation programmed_;
+  double mass_kg_ = 0.0;
+  double automatic_hz_ = 0.0;
+
+  Vibration settling_;      // amplitude about which the vibration is watched
+  double settled_s_ = 0.0;  // that it stays there
+  bool has_automatic_ = false;
+  Oscillation automatic_;
+
+  Oscillation formed_;
+  double emphasis_ = 1.0;
+  double phase_ = 0.0;  // rad
+  bool was_shifted_ = false;
+  bool was_limited_ = false;
+  motion::ForceEvent event_ = motion::ForceEvent::none;
+};
+
+}  // namespace stanok::process

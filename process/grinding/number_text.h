@@ -1,0 +1,18 @@
+// Numbers as a person writes them: fixed point, in the C locale, whatever the locale is.
+#pragma once
+
+#include <string>
+
+namespace stanok::process {
+
+// The shortest text without an exponent that reads back to the same bits: "25000000", "0.56".
+[[nodiscard]] std::string number_text(double value);
+
+// With at least `decimals` digits behind the point, more where the value has them: "30.0",
+// "0.0125".
+[[nodiscard]] std::string number_text(double value, int decimals);
+
+// Exactly `decimals` digits behind the point.
+[[nodiscard]] std::string rounded_text(double value, int decimals);
+
+}  // namespace stanok::process

@@ -1,0 +1,119 @@
+#include "process/grinding/verification.h"
+
+#include <array>
+#include <cmath>
+
+#include "process/grinding/number_text.h"
+#include "process/grinding/stability.h"
+
+namespace stanok::process {
+namespace {
+
+constexpr std::array stiffness_factors{0.5, 1.5};
+// Rounding of feeds and time steps; not a crossing of the boundary.
+constexpr double ratio_noise = 1e-3;
+
+void raise(Peak& peak, double ratio, const PlungeSample& sample) {
+  if (ratio > peak.ratio) peak = {ratio, sample.time_s, sample.x_mm};
+}
+
+void find_peaks(const GrindingProcess& process, Verification& verification) {
+  const Boundary boundary(process);
+  for (const PlungeSample& sample : verification.run.samples) {
+    const double Q = sample.removal_mm2_per_rad;
+    const double H = sample.allowance_mm;
+    raise(verification.boundary, Q / boundary.at(H), sample);
+    raise(verification.burn, Q / boundary.burn_line(H), sample);
+    if (sample.time_s <= plunge_in_s(process)) continue;
+    raise(verification.boundary_settled, Q / boundary.at(H), sample);
+    raise(verification.deflection, Q / boundary.removal_max(), sample);
+  }
+}
+
+std::string place_text(const Peak& peak) {
+  return "at X " + rounded_text(peak.x_mm, 4) + " mm, " + rounded_text(peak.time_s, 2) + " s";
+}
+
+std::string times_text(double ratio) {
+  return rounded_text(ratio, 3) + " times";
+}
+
+void judge_burn(const Peak& burn, const VerificationLimits& limits, Findings& findings) {
+  if (burn.ratio > 1.0 + limits.burn_margin) {
+    findings.push_back({"E9103", "the part burns: removal " + times_text(burn.ratio) +
+                                     " the burn line " + place_text(burn)});
+  } else if (burn.ratio > 1.0 + ratio_noise) {
+    findings.push_back({"W911", "the removal comes to " + times_text(burn.ratio) +
+                                    " the burn line " + place_text(burn) + ", within the margin"});
+  }
+}
+
+void judge_deflection(const Verification& verification, const VerificationLimits& limits,
+                      Findings& findings) {
+  const Peak& settled = verification.deflection;
+  const Peak& all = verification.boundary;
+  if (settled.ratio > 1.0 + limits.burn_margin) {
+    findings.push_back({"E9104", "the system is bent too far: removal " +
+                                     times_text(settled.ratio) + " Q_max " + place_text(settled)});
+  }
+  if (all.ratio > 1.0 + ratio_noise && all.ratio > verification.boundary_settled.ratio) {
+    findings.push_back({"W910", "while plunging in the removal rises to " + times_text(all.ratio) +
+                                    " the boundary " + place_text(all)});
+  }
+}
+
+void judge_end(const Verification& verification, const VerificationLimits& limits,
+               Findings& findings) {
+  const PlungeRun& run = verification.run;
+  if (run.residual_mm <= limits.residual_max_mm) return;
+  findings.push_back(
+      {"E9106", "the size is not reached: " + rounded_text(run.residual_mm * 1000.0, 2) +
+                    " um are left at the end, after " + rounded_text(run.time_s, 2) + " s"});
+}
+
+void judge_stability(const GrindingProcess& process, const PlungeRun& run, Findings& findings) {
+  const double margin = stability_margin(process);
+  if (margin >= 1.0 || run.contact_losses == 0) return;
+  findings.push_back({"E9105", "the cut chatters: the wheel leaves the part " +
+                                   std::to_string(run.contact_losses) +
+                                   " times; the system has only " + rounded_text(margin, 3) +
+                                   " of the stiffness and damping that hold the thinnest layer"});
+}
+
+SizeError size_error(const GrindingProcess& process, const InfeedLaw& law,
+                     const PlungeOptions& simulation, double factor, double residual_mm) {
+  GrindingProcess other = process;
+  other.stiffness_n_per_m *= factor;
+  PlungeOptions gauged = simulation;
+  gauged.at_end = InfeedWay::AtEnd::goes_on;
+  return {factor, simulate_plunge(other, law, simulation).residual_mm - residual_mm,
+          simulate_plunge(other, law, gauged).size_reached_s};
+}
+
+}  // namespace
+
+Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
+                          const PlungeOptions& simulation, const VerificationLimits& limits) {
+  PlungeOptions options = simulation;
+  options.at_end = InfeedWay::AtEnd::stands;
+  Verification verification;
+  if (const double time_s = law_time_s(law); time_s > options.time_max_s) {
+    verification.findings.push_back({"E9106", "the table takes " + rounded_text(time_s, 1) +
+                                                  " s; that is more than " +
+                                                  number_text(options.time_max_s) + " s"});
+    return verification;
+  }
+  verification.run = simulate_plunge(process, law, options);
+  find_peaks(process, verification);
+  judge_stability(process, verification.run, verification.findings);
+  judge_burn(verification.burn, limits, verification.findings);
+  judge_deflection(verification, limits, verification.findings);
+  judge_end(verification, limits, verification.findings);
+  for (const double factor : stiffness_factors) {
+    verification.size_errors.push_back(
+        size_error(process, law, options, factor, verification.run.residual_mm));
+  }
+  return verification;
+}
+
+}  // namespace stanok::process

@@ -1,0 +1,3 @@
+#adaptive (force, 1200)
+M30
+; expect error 1:1 E6060

@@ -1,0 +1,33 @@
+#include "recording/log_play.h"
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace stanok::recording {
+
+Expected<PlayResult, LogError> play(const std::filesystem::path& file, double speed,
+                                    MessageSink& sink, const std::function<bool()>& interrupted) {
+  auto reader = LogReader::open(file);
+  if (!reader) return Unexpected<LogError>(reader.error());
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  PlayResult result;
+  std::int64_t first_utime = 0;
+  while (const auto event = reader->next()) {
+    if (interrupted()) break;
+    if (result.messages == 0) first_utime = event->utime;
+    result.recorded_s = static_cast<double>(event->utime - first_utime) * 1e-6;
+    if (speed > 0.0) {
+      std::this_thread::sleep_until(start +
+                                    std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(result.recorded_s / speed)));
+    }
+    sink.send(std::string(event->channel), event->utime, event->bytes);
+    ++result.messages;
+  }
+  result.damage = reader->damage();
+  return result;
+}
+
+}  // namespace stanok::recording

@@ -1,0 +1,151 @@
+#include "runtime/recorded_run.h"
+
+#include <algorithm>
+#include <stanok_messages/program_chunk_t.hpp>
+#include <stdexcept>
+
+#include "config/tables_file.h"
+#include "recording/channel_names.h"
+#include "recording/decode.h"
+
+namespace stanok::runtime {
+namespace {
+
+using recording::decode;
+using recording::name_of;
+using recording::text_of;
+using recording::Topic;
+
+// Texts that come in pieces.
+class Texts {
+ public:
+  struct Whole {
+    recording::TextKind kind;
+    std::string name;
+    std::uint64_t hash;
+    std::string text;
+  };
+
+  void add(const program_chunk_t& chunk) {
+    const std::string name(text_of(chunk.name));
+    std::string& text = parts_[name];
+    if (chunk.offset == 0) text.clear();
+    if (static_cast<std::int64_t>(text.size()) != chunk.offset) return;  // a piece is missing
+    const auto length =
+        std::clamp<std::size_t>(static_cast<std::size_t>(chunk.length), 0, sizeof chunk.text);
+    text.append(reinterpret_cast<const char*>(chunk.text), length);
+    if (static_cast<std::int64_t>(text.size()) < chunk.size) return;
+    const auto hash = static_cast<std::uint64_t>(chunk.hash);
+    if (recording::text_hash(text) != hash) return;
+    whole_.push_back({static_cast<recording::TextKind>(chunk.kind), name, hash, std::move(text)});
+    parts_.erase(name);
+  }
+  [[nodiscard]] std::vector<Whole>& whole() { return whole_; }
+
+ private:
+  std::map<std::string, std::string> parts_;
+  std::vector<Whole> whole_;
+};
+
+template <class Record>
+void sort_by_cycle(std::vector<Record>& records) {
+  std::ranges::stable_sort(records, {}, &Record::cycle);
+}
+
+void take(const recording::LogEvent& event, Texts& texts, RecordedRun& run) {
+  const std::string_view topic = recording::topic_of(event.channel);
+  if (topic == name_of(Topic::input)) {
+    if (const auto message = decode<input_t>(event.bytes))
+      run.inputs.push_back(recording::from_input(*message));
+  } else if (topic == name_of(Topic::arrival)) {
+    if (const auto message = decode<arrival_t>(event.bytes))
+      run.arrivals.push_back({message->cycle, message->channel, recording::from_arrival(*message)});
+  } else if (topic == name_of(Topic::feedback)) {
+    if (const auto message = decode<feedback_t>(event.bytes)) {
+      run.feedback.push_back(
+          {message->cycle, message->channel, message->axis, recording::from_feedback(*message)});
+    }
+  } else if (topic == name_of(Topic::program)) {
+    if (const auto message = decode<program_chunk_t>(event.bytes)) texts.add(*message);
+  } else if (topic == name_of(Topic::program_read)) {
+    if (const auto message = decode<program_read_t>(event.bytes)) run.files.add(*message);
+  }
+}
+
+void take_texts(Texts& texts, RecordedRun& run) {
+  std::vector<config::SourceFile> sources;
+  std::string tables;
+  bool has_setup = false;
+  for (Texts::Whole& whole : texts.whole()) {
+    switch (whole.kind) {
+      case recording::TextKind::program:
+        run.files.add_text(whole.hash, std::move(whole.text));
+        break;
+      case recording::TextKind::tables:
+        tables = std::move(whole.text);
+        break;
+      case recording::TextKind::machine_file:
+      case recording::TextKind::scheme:
+        sources.push_back({whole.name, std::move(whole.text)});
+        break;
+      case recording::TextKind::initial_state:
+        run.setup = setup_of(whole.text);
+        has_setup = true;
+        break;
+    }
+  }
+  if (sources.empty() || !has_setup) {
+    throw std::runtime_error(
+        "the log does not begin with the machine and the setup of its run; it is a later part of a "
+        "recording, or of another version");
+  }
+  run.machine = config::read_machine_sources(std::move(sources));
+  std::vector<std::string> axes;
+  for (const channels::AxisConfig& axis : run.machine.machine.axes) axes.push_back(axis.name);
+  run.machine.machine.tables = config::read_tables_text(tables, "tables at start", axes);
+}
+
+}  // namespace
+
+void RecordedFiles::add(const program_read_t& read) {
+  answers_[{std::string(text_of(read.name)), std::string(text_of(read.from))}].push_back(
+      {read.found != 0, static_cast<std::uint64_t>(read.hash), std::string(text_of(read.path))});
+}
+
+Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> RecordedFiles::read(
+    std::string_view name, std::string_view from) const {
+  const auto answers = answers_.find({std::string(name), std::string(from)});
+  const bool is_known = answers != answers_.end() && !answers->second.empty();
+  const Answer answer = is_known ? answers->second.front() : Answer{};
+  if (is_known) answers->second.pop_front();
+  const auto text = texts_.find(answer.hash);
+  if (!answer.found || text == texts_.end()) {
+    Diagnostic fault;
+    fault.code = "E7001";
+    fault.message = "file not found: " + std::string(name);
+    return Unexpected<Diagnostic>(std::move(fault));
+  }
+  auto source = std::make_shared<lang::SourceText>();
+  source->name = std::string(name);
+  source->path = answer.path;
+  source->text = text->second;
+  return std::shared_ptr<const lang::SourceText>(std::move(source));
+}
+
+std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log) {
+  auto contents = recording::read_contents(log);
+  if (!contents) throw std::runtime_error(contents.error().text);
+  auto reader = recording::LogReader::open(log);
+  if (!reader) throw std::runtime_error(reader.error().text);
+  auto run = std::make_unique<RecordedRun>();
+  run->contents = std::move(*contents);
+  Texts texts;
+  while (const auto event = reader->next()) take(*event, texts, *run);
+  take_texts(texts, *run);
+  sort_by_cycle(run->inputs);
+  sort_by_cycle(run->feedback);
+  sort_by_cycle(run->arrivals);
+  return run;
+}
+
+}  // namespace stanok::runtime

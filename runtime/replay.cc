@@ -1,0 +1,341 @@
+#include "runtime/replay.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <stdexcept>
+
+#include "channels/machine.h"
+#include "channels/operator_action.h"
+#include "recording/channel_names.h"
+#include "recording/decode.h"
+#include "runtime/force_controls.h"
+#include "runtime/recorded_run.h"
+
+namespace stanok::runtime {
+namespace {
+
+constexpr std::int64_t progress_interval = 1000;  // cycles
+
+// Doubles in the order of their bits, so that neighbours differ by one.
+std::uint64_t units_between(double one, double other) {
+  const auto place = [](double value) {
+    const auto bits = std::bit_cast<std::int64_t>(value);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  };
+  const std::int64_t a = place(one);
+  const std::int64_t b = place(other);
+  return a > b ? static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)
+               : static_cast<std::uint64_t>(b) - static_cast<std::uint64_t>(a);
+}
+
+bool same_bits(double one, double other) {
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+}
+
+// Compares one set-point, field by field.
+class Comparison {
+ public:
+  Comparison(const setpoint_t& recorded, const setpoint_t& repeated,
+             std::vector<recording::AxisDescription> axes)
+      : recorded_(recorded), repeated_(repeated), axes_(std::move(axes)) {}
+
+  [[nodiscard]] std::optional<SetpointDifference> first() {
+    axes("position", recorded_.position, repeated_.position);
+    axes("velocity", recorded_.velocity, repeated_.velocity);
+    axes("acceleration", recorded_.acceleration, repeated_.acceleration);
+    axes("jerk", recorded_.jerk, repeated_.jerk);
+    axes("programmed position", recorded_.tip_position, repeated_.tip_position);
+    axes("programmed velocity", recorded_.tip_velocity, repeated_.tip_velocity);
+    codes("position code", recorded_.position_code, repeated_.position_code);
+    codes("velocity code", recorded_.velocity_code, repeated_.velocity_code);
+    real("path speed", recorded_.path_speed, repeated_.path_speed);
+    real("feed", recorded_.feed_commanded, repeated_.feed_commanded);
+    real("feed override", recorded_.feed_override, repeated_.feed_override);
+    whole("state", recorded_.state, repeated_.state);
+    whole("flags", recorded_.flags, repeated_.flags);
+    whole("run", recorded_.run, repeated_.run);
+    whole("line", recorded_.line, repeated_.line);
+    whole("block", recorded_.block, repeated_.block);
+    whole("scheme", recorded_.scheme, repeated_.scheme);
+    whole("drives on", recorded_.drives_enabled, repeated_.drives_enabled);
+    whole("brakes", recorded_.brakes_closed, repeated_.brakes_closed);
+    return difference_;
+  }
+
+ private:
+  void real(const std::string& field, double recorded, double repeated) {
+    if (difference_ || same_bits(recorded, repeated)) return;
+    note(field, recorded, repeated);
+    difference_->units_in_last_place = units_between(recorded, repeated);
+  }
+  void whole(const std::string& field, std::int64_t recorded, std::int64_t repeated) {
+    if (difference_ || recorded == repeated) return;
+    note(field, static_cast<double>(recorded), static_cast<double>(repeated));
+  }
+  template <class Values>
+  void axes(const std::string& field, const Values& recorded, const Values& repeated) {
+    for (std::size_t k = 0; k < axes_.size(); ++k)
+      real(field + " of " + axes_[k].name, recorded[k], repeated[k]);
+  }
+  template <class Values>
+  void codes(const std::string& field, const Values& recorded, const Values& repeated) {
+    for (std::size_t k = 0; k < axes_.size(); ++k)
+      whole(field + " of " + axes_[k].name, recorded[k], repeated[k]);
+  }
+  void note(const std::string& field, double recorded, double repeated) {
+    difference_ = SetpointDifference{recorded_.cycle, recorded_.channel, field, recorded, repeated};
+  }
+
+  const setpoint_t& recorded_;
+  const setpoint_t& repeated_;
+  std::vector<recording::AxisDescription> axes_;
+  std::optional<SetpointDifference> difference_;
+};
+
+// The machine of the log, given the inputs of each cycle.
+class Repetition {
+ public:
+  explicit Repetition(RecordedRun& run)
+      : run_(run),
+        config_(run.machine.machine),
+        force_controls_(run.machine),
+        machine_(config_, run.files, force_controls_.given_to(run.setup.options)),
+        feedback_(config_.axes.size()),
+        sensors_(config_.spindles.size()),
+        arrivals_(config_.channels.size()) {
+    for (const auto& [channel, scheme] : run.setup.schemes)
+      static_cast<void>(machine_.select_scheme_at_start(channel, scheme));
+  }
+
+  // The next cycle. What it needs of the program has been prepared: at least as far ahead as in the
+  // recorded run.
+  const channels::CycleOutput& cycle() {
+    prepare();
+    const std::int64_t cycle = output_.cycle + 1;
+    events_.clear();
+    for (; next_input_ < run_.inputs.size() && run_.inputs[next_input_].cycle <= cycle;
+         ++next_input_) {
+      take(run_.inputs[next_input_]);
+    }
+    for (; next_feedback_ < run_.feedback.size() && run_.feedback[next_feedback_].cycle <= cycle;
+         ++next_feedback_) {
+      take(run_.feedback[next_feedback_]);
+    }
+    for (; next_arrival_ < run_.arrivals.size() && run_.arrivals[next_arrival_].cycle <= cycle;
+         ++next_arrival_) {
+      const RecordedRun::Arrival& arrival = run_.arrivals[next_arrival_];
+      if (const int index = index_of(arrival.channel); index >= 0)
+        arrivals_[static_cast<std::size_t>(index)] = arrival.value;
+    }
+    channels::CycleInputs inputs{.events = events_, .feedback = {}, .sensors = sensors_};
+    if (!run_.feedback.empty()) inputs.feedback = feedback_;
+    inputs.signals = &signals_;
+    inputs.arrivals = arrivals_;
+    machine_.cycle(inputs, output_);
+    forget_news();
+    return output_;
+  }
+
+ private:
+  void prepare() {
+    bool worked = true;
+    while (worked) {
+      worked = false;
+      for (int k = 0; k < static_cast<int>(config_.channels.size()); ++k) {
+        while (machine_.prepare(k) == channels::Progress::worked) worked = true;
+      }
+    }
+  }
+
+  [[nodiscard]] int index_of(int channel) const {
+    for (std::size_t k = 0; k < config_.channels.size(); ++k) {
+      if (config_.channels[k].id == channel) return static_cast<int>(k);
+    }
+    return -1;
+  }
+
+  void take(const channels::InputRecord& input) {
+    using channels::InputKind;
+    using channels::Signals;
+    if (!is_known(input)) {
+      throw std::runtime_error("the log has an input in cycle " + std::to_string(input.cycle) +
+                               " that its machine does not have");
+    }
+    if (input.kind == InputKind::operator_event) {
+      channels::OperatorEvent event;
+      event.id = ++last_id_;
+      event.action = static_cast<channels::OperatorAction>(input.method);
+      event.channel = input.channel;
+      event.number = input.number;
+      event.value = input.value;
+      event.value_2 = input.value_2;
+      event.text = input.text;
+      events_.push_back(event);
+    } else if (input.kind == InputKind::sensor && input.method < Signals::digital_count) {
+      signals_.set(input.method, input.value != 0.0);
+    } else if (input.kind == InputKind::sensor) {
+      signals_.analog.at(static_cast<std::size_t>(input.method - Signals::digital_count)) =
+          input.value;
+    } else if (input.kind == InputKind::spindle_sensor) {
+      channels::SpindleSensors& sensors = sensors_.at(static_cast<std::size_t>(input.method));
+      (input.number == 0   ? sensors.power_w
+       : input.number == 1 ? sensors.vibration_um
+                           : sensors.vibration_hz) = input.value;
+    }
+  }
+
+  // Logs may come from anywhere.
+  [[nodiscard]] bool is_known(const channels::InputRecord& input) const {
+    using channels::InputKind;
+    using channels::Signals;
+    switch (input.kind) {
+      case InputKind::operator_event:
+        return input.method >= 0 && input.method <= std::numeric_limits<std::uint8_t>::max() &&
+               !name_of(static_cast<channels::OperatorAction>(input.method)).empty();
+      case InputKind::sensor:
+        return input.method >= 0 && input.method < Signals::digital_count + Signals::analog_count;
+      case InputKind::spindle_sensor:
+        return input.method >= 0 && input.method < static_cast<int>(sensors_.size()) &&
+               input.number >= 0 && input.number <= 2;
+      default:
+        return true;
+    }
+  }
+
+  void take(const RecordedRun::Feedback& feedback) {
+    const int index = index_of(feedback.channel);
+    if (index < 0) return;
+    const std::vector<int>& axes = config_.channels[static_cast<std::size_t>(index)].axes;
+    if (feedback.axis < 0 || feedback.axis >= static_cast<int>(axes.size())) {
+      throw std::runtime_error("the log has feedback of an axis that its machine does not have");
+    }
+    const int axis = axes[static_cast<std::size_t>(feedback.axis)];
+    feedback_[static_cast<std::size_t>(axis)] = feedback.value;
+  }
+
+  void forget_news() {
+    channels::Event event;
+    while (machine_.events().pop(event)) {
+    }
+    channels::InputRecord input;
+    while (machine_.input_records().pop(input)) {
+    }
+    channels::OperatorReply reply;
+    while (machine_.replies().pop(reply)) {
+    }
+  }
+
+  RecordedRun& run_;
+  const channels::MachineConfig& config_;
+  ForceControls force_controls_;
+  channels::Machine machine_;
+  std::vector<channels::OperatorEvent> events_;
+  std::vector<channels::AxisFeedback> feedback_;
+  std::vector<channels::SpindleSensors> sensors_;
+  std::vector<channels::Arrivals> arrivals_;
+  channels::Signals signals_;
+  channels::CycleOutput output_;
+  std::uint64_t last_id_ = 0;
+  std::size_t next_input_ = 0;
+  std::size_t next_feedback_ = 0;
+  std::size_t next_arrival_ = 0;
+};
+
+const channels::ChannelOutput* channel_of(const channels::CycleOutput& output, int id) {
+  for (int k = 0; k < output.channel_count; ++k) {
+    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+    if (channel.id == id) return &channel;
+  }
+  return nullptr;
+}
+
+void remark_on(const RecordedRun& run, ReplayResult& result) {
+  const auto& description = run.contents.description;
+  if (description && !description->build.starts_with(this_build())) {
+    result.remarks.push_back("recorded by another build (" + description->build +
+                             "): equal bits are promised for equal builds only");
+  }
+  if (description && description->libm != recording::this_libm())
+    result.remarks.push_back("recorded with another C library: " + description->libm);
+  for (const recording::Damage& damage : run.contents.damage) {
+    result.is_complete = false;
+    result.remarks.push_back(std::string(damage.kind == recording::DamageKind::cut
+                                             ? "the log is cut at byte "
+                                             : "the log is damaged at byte ") +
+                             std::to_string(damage.offset));
+  }
+}
+
+// The set-points of the log, one by one, each against that of its cycle.
+class Verification {
+ public:
+  Verification(RecordedRun& run, const std::function<void(double)>& progress)
+      : run_(run), progress_(progress), repetition_(run) {}
+
+  void verify(const std::filesystem::path& log, ReplayResult& result) {
+    auto reader = recording::LogReader::open(log);
+    if (!reader) throw std::runtime_error(reader.error().text);
+    while (const auto event = reader->next()) {
+      if (recording::topic_of(event->channel) != recording::name_of(recording::Topic::setpoint))
+        continue;
+      const auto recorded = recording::decode<setpoint_t>(event->bytes);
+      if (!recorded) continue;
+      if (recorded->cycle > cycle_ + 1) {
+        result.is_complete = false;
+        result.remarks.push_back("set-points are missing from cycle " + std::to_string(cycle_ + 1) +
+                                 " on; nothing behind them can be verified");
+        return;
+      }
+      if (recorded->cycle > cycle_) advance(result, reader->bytes_read());
+      compare(*recorded, result);
+      if (result.difference) return;
+    }
+  }
+
+ private:
+  void advance(ReplayResult& result, std::int64_t bytes) {
+    output_ = &repetition_.cycle();
+    cycle_ = output_->cycle;
+    ++result.cycles;
+    if (progress_ && cycle_ % progress_interval == 0) {
+      progress_(static_cast<double>(bytes) /
+                static_cast<double>(std::max<std::int64_t>(1, run_.contents.bytes)));
+    }
+  }
+
+  void compare(const setpoint_t& recorded, ReplayResult& result) const {
+    const channels::ChannelOutput* channel = channel_of(*output_, recorded.channel);
+    if (channel == nullptr)
+      throw std::runtime_error(
+          "the log has set-points of a channel that its "
+          "machine does not have");
+    const setpoint_t repeated = recording::to_setpoint(
+        *channel, {.utime = recorded.utime, .cycle = recorded.cycle, .seq = recorded.seq});
+    result.difference =
+        Comparison(recorded, repeated,
+                   recording::axes_of(run_.contents, recorded.channel,
+                                      std::clamp(recorded.axis_count, 0,
+                                                 static_cast<std::int32_t>(motion::axes_max))))
+            .first();
+    ++result.setpoints;
+  }
+
+  RecordedRun& run_;
+  const std::function<void(double)>& progress_;
+  Repetition repetition_;
+  const channels::CycleOutput* output_ = nullptr;
+  std::int64_t cycle_ = 0;
+};
+
+}  // namespace
+
+ReplayResult replay(const std::filesystem::path& log, const std::function<void(double)>& progress) {
+  const auto run = read_run(log);
+  ReplayResult result;
+  remark_on(*run, result);
+  Verification(*run, progress).verify(log, result);
+  return result;
+}
+
+}  // namespace stanok::runtime

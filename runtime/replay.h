@@ -1,0 +1,42 @@
+// Replay: a recorded run once more, from its inputs, on the virtual clock; every set-point is
+// compared with the recorded one, bit for bit (docs/replay.md).
+//
+// The log brings its own machine file, programs, setup and all inputs with their cycles; nothing is
+// read from disk but the log.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stanok::runtime {
+
+// The first set-point that came out otherwise.
+struct SetpointDifference {
+  std::int64_t cycle = 0;
+  int channel = 0;
+  std::string field;  // "position of X"
+  double recorded = 0.0;
+  double repeated = 0.0;
+  std::uint64_t units_in_last_place = 0;  // between both; 0 for what is no double
+};
+
+struct ReplayResult {
+  std::int64_t cycles = 0;     // repeated
+  std::int64_t setpoints = 0;  // compared
+  std::optional<SetpointDifference> difference;
+  std::vector<std::string> remarks;  // another build, damage, where the log ends
+  bool is_complete = true;           // the log has neither damage nor a gap
+
+  [[nodiscard]] bool is_same() const { return !difference && is_complete; }
+};
+
+// `progress` is told the part done, 0 to 1, now and then. Throws std::runtime_error when the log
+// cannot be read or is not a whole one: what is missing in it is said.
+[[nodiscard]] ReplayResult replay(const std::filesystem::path& log,
+                                  const std::function<void(double)>& progress);
+
+}  // namespace stanok::runtime

@@ -1,0 +1,31 @@
+// RunSetup: what a run depends on before its first cycle, to a log and back.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "channels/machine.h"
+#include "config/machine_file.h"
+#include "recording/message_stream.h"
+
+namespace stanok::runtime {
+
+struct RunSetup {
+  channels::MachineOptions options{};
+  std::vector<std::pair<int, int>>
+      schemes{};  // channel, scheme at start; the others by machine file
+};
+
+// One line for each key. Reading throws std::runtime_error for what is none.
+[[nodiscard]] std::string text_of(const RunSetup& setup);
+[[nodiscard]] RunSetup setup_of(const std::string& text);
+
+// Sends the setup and the files of the machine, named from the folder of the machine file.
+void record_setup(const RunSetup& setup, const config::MachineFile& file,
+                  recording::MessageStream& stream);
+
+// Compiler and its version: bit identity is promised for equal builds.
+[[nodiscard]] std::string this_build();
+
+}  // namespace stanok::runtime

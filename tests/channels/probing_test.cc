@@ -1,0 +1,164 @@
+// Probing moves, G38.2 to G38.5, on running programs: a surface at a known place of the machine.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::MachineBench;
+
+constexpr int probe = 7;
+constexpr double cycle_s = 0.001;
+
+MachineConfig machine() {
+  MachineConfig config = testing::two_channel_machine();
+  config.channels[0].probe_input = probe;
+  return config;
+}
+
+// The probe touches at and below a height of the machine.
+class Touching {
+ public:
+  explicit Touching(MachineBench& bench, double surface) : bench_(bench), surface_(surface) {}
+
+  void operator()(const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    Signals inputs;
+    inputs.set(probe, channel.axes[2].position <= surface_);
+    bench_.inputs(inputs);
+    lowest_ = std::min(lowest_, channel.axes[2].position);
+    const double step = std::abs(channel.axes[2].acceleration);
+    acceleration_ = std::max(acceleration_, step);
+  }
+
+  [[nodiscard]] double lowest() const { return lowest_; }
+  [[nodiscard]] double acceleration() const { return acceleration_; }
+
+ private:
+  MachineBench& bench_;
+  double surface_;
+  double lowest_ = 1e9;
+  double acceleration_ = 0.0;
+};
+
+// The moves behind the probing one go to places made of what it found: they are what is measured.
+TEST(Probing, FindsTheSurfaceInTheFrameOfTheProgramAndGoesOnFromWhereItStopped) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(trial);
+    const double surface = -5.0 - 30.0 * part(random);
+    const double feed = 60.0 + 2000.0 * part(random);  // mm/min
+    MachineBench bench(machine());
+    bench.program("p.nc", "G52 Z3\nG0 Z0\nG38.2 Z-50 F" + std::to_string(feed) +
+                              "\n"
+                              "G0 X=$probe[Z] Z=$probe[Z]+10\nG91 G1 Y2 F600\nM30\n");
+    bench.run(1, "p.nc");
+    Touching watch(bench, surface);
+    bench.run_to_end(std::ref(watch));
+    ASSERT_THAT(bench.alarm_codes(), IsEmpty());
+    const double way_of_a_cycle = feed / 60.0 * cycle_s;
+    const auto& axes = bench.channel(1).axes;
+    EXPECT_LE(axes[0].position, surface - 3.0 + 1e-9);
+    EXPECT_GE(axes[0].position, surface - 3.0 - way_of_a_cycle - 1e-9);
+    EXPECT_NEAR(axes[2].position, axes[0].position + 10.0 + 3.0, 1e-9);
+    EXPECT_NEAR(axes[1].position, 2.0, 1e-9);
+    // Down by the way to rest from the feed: v/2 times the time of a ramp with limited jerk.
+    const double v = feed / 60.0;
+    const double t = v > 2500.0 * 2500.0 / 50000.0 ? v / 2500.0 + 2500.0 / 50000.0
+                                                   : 2.0 * std::sqrt(v / 50000.0);
+    EXPECT_GE(watch.lowest(), surface - 0.5 * v * t - 3.0 * way_of_a_cycle);
+    EXPECT_LE(watch.acceleration(), 2500.0 * (1.0 + 1e-6));
+  }
+}
+
+struct Case {
+  const char* name;
+  const char* program;
+  double surface;
+  std::vector<std::string> alarms;
+  double end_X;  // 1: the program came to its end; 2: it saw that the probe was found
+};
+
+class ProbingCases : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ProbingCases, EndAsTheCodesSay) {
+  const Case& one = GetParam();
+  MachineBench bench(machine());
+  bench.program("p.nc", one.program);
+  bench.run(1, "p.nc");
+  Touching watch(bench, one.surface);
+  bench.run_to_end(std::ref(watch));
+  EXPECT_EQ(bench.alarm_codes(), one.alarms);
+  EXPECT_NEAR(bench.channel(1).axes[0].position, one.end_X, 1e-9);
+}
+
+#define STANOK_SEEN "\nG0 X1\nif ($probe_ok) { G0 X2 }\nM30\n"
+
+INSTANTIATE_TEST_SUITE_P(
+    Codes, ProbingCases,
+    ::testing::Values(
+        Case{"missed_with_alarm", "G38.2 Z-10 F600" STANOK_SEEN, -20.0, {"E4320"}, 0.0},
+        Case{"missed_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -20.0, {}, 1.0},
+        Case{"found_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -5.0, {}, 2.0},
+        Case{"touches_before", "G1 Z-6 F600\nG38.2 Z-10" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
+        Case{"touches_before_without_alarm", "G1 Z-6 F600\nG38.3 Z-10" STANOK_SEEN, -5.0, {}, 1.0},
+        Case{"leaves", "G1 Z-6 F600\nG38.4 Z10" STANOK_SEEN, -5.0, {}, 2.0},
+        Case{"never_leaves", "G1 Z-6 F600\nG38.4 Z-5.5" STANOK_SEEN, -5.0, {"E4320"}, 0.0},
+        Case{"is_free_before", "G38.4 Z10 F600" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
+        Case{"is_free_before_without_alarm", "G38.5 Z10 F600" STANOK_SEEN, -5.0, {}, 1.0}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+// Without motion: the axes stand where they were, and the program counts from there.
+TEST(Probing, WithoutAWayToGoTheProgramGoesOnFromWhereTheAxesStand) {
+  MachineBench bench(machine());
+  bench.program("p.nc", "G1 Z-6 F600\nG38.3 Z-10\nG91 G1 Z1\nM30\n");
+  bench.run(1, "p.nc");
+  Touching watch(bench, -5.0);
+  bench.run_to_end(std::ref(watch));
+  EXPECT_NEAR(bench.channel(1).axes[2].position, -5.0, 1e-9);
+  EXPECT_GE(watch.lowest(), -6.0 - 1e-9);
+}
+
+TEST(Probing, NeedsAProbe) {
+  MachineBench bench;
+  bench.program("p.nc", "G38.2 Z-10 F600\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4323"));
+}
+
+// A hold and a resume on the way, and a reset: the probe is looked at all the same, or forgotten.
+TEST(Probing, SurvivesHoldAndReset) {
+  MachineBench bench(machine());
+  bench.program("p.nc", "G38.2 Z-30 F1200\nG0 X=$probe[Z]\nM30\n");
+  bench.run(1, "p.nc");
+  Touching watch(bench, -12.0);
+  for (int k = 0; k < 300; ++k) watch(bench.cycle());
+  bench.ask(OperatorAction::program_hold, 1);
+  for (int k = 0; k < 200; ++k) watch(bench.cycle());
+  bench.ask(OperatorAction::program_resume, 1);
+  bench.run_to_end(std::ref(watch));
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_NEAR(bench.channel(1).axes[0].position, -12.0, 20.0 * cycle_s);
+
+  bench.program("free.nc", "G0 Z0\nG38.2 Z-30 F1200\nM30\n");
+  bench.run(1, "free.nc");
+  for (int k = 0; k < 400; ++k) watch(bench.cycle());
+  bench.ask(OperatorAction::program_reset, 1);
+  bench.run_to_end(std::ref(watch));
+  bench.program("line.nc", "G0 Z0\nG1 Z-20 F3000\nM30\n");
+  bench.run(1, "line.nc");
+  bench.run_to_end(std::ref(watch));
+  EXPECT_NEAR(bench.channel(1).axes[2].position, -20.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace stanok::channels

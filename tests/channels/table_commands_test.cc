@@ -1,0 +1,79 @@
+// Tools and work offsets changed by an operator: between programs, in range, and what exists.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using testing::MachineBench;
+
+class TableCommands : public ::testing::Test {
+ protected:
+  std::string set_tool(int number, const char* key, double value, double edge = 0.0) {
+    OperatorEvent event;
+    event.action = OperatorAction::tool_set;
+    event.number = number;
+    event.text = FixedText<256>(key);
+    event.value = value;
+    event.value_2 = edge;
+    return asked(event);
+  }
+  std::string set_offset(const char* place, double value) {
+    OperatorEvent event;
+    event.action = OperatorAction::offset_set;
+    event.text = FixedText<256>(place);
+    event.value = value;
+    return asked(event);
+  }
+  std::string asked(const OperatorEvent& event) {
+    bench.ask(event);
+    bench.cycle();
+    const OperatorReply& reply = bench.replies().back();
+    return reply.ok ? "ok" : std::string(reply.code.view());
+  }
+  [[nodiscard]] double offset(const std::string& name, const std::string& axis) {
+    return bench.machine().tables().offsets[name][axis];
+  }
+
+  MachineBench bench;
+};
+
+TEST_F(TableCommands, ChangeWhatTheNextProgramUses) {
+  EXPECT_EQ(set_offset("G54 X", 12.5), "ok");
+  EXPECT_EQ(set_offset("G54.1 P7 Y", -3.0), "ok");
+  EXPECT_EQ(offset("G54", "X"), 12.5);
+  EXPECT_EQ(offset("G54.1 P7", "Y"), -3.0);
+  EXPECT_EQ(set_tool(4, "length", 77.0), "ok");
+  bench.program("p.nc", "G54 G0 X0 Y0\nT4 M6 G43 H4\nG0 Z0\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.alarm_codes(), std::vector<std::string>{});
+  EXPECT_NEAR(bench.channel(1).axes[0].position, 12.5, 1e-9);
+  EXPECT_NEAR(bench.channel(1).axes[2].position, 77.0, 1e-9);
+}
+
+TEST_F(TableCommands, AreRefusedWhereThereIsNoSuchEntryOrValue) {
+  EXPECT_EQ(set_offset("G54 Q", 1.0), "E5021");
+  EXPECT_EQ(set_offset("G60 X", 1.0), "E5021");
+  EXPECT_EQ(set_offset("G54.1 P0 X", 1.0), "E5021");
+  EXPECT_EQ(set_offset("G54.1 P301 X", 1.0), "E5021");
+  EXPECT_EQ(set_offset("G54", 1.0), "E5021");
+  EXPECT_EQ(set_tool(4, "colour", 1.0), "E5021");
+  EXPECT_EQ(set_tool(4000, "length", 1.0), "E5021");
+  EXPECT_EQ(set_tool(4, "radius", -1.0), "E5020");
+  EXPECT_EQ(set_tool(4, "length", 1.0, 5.0), "E5021");
+}
+
+// The preparation may have read them long ago.
+TEST_F(TableCommands, AreRefusedWhileAProgramRuns) {
+  bench.program("p.nc", "G1 X100 F600\nM30\n");
+  bench.run(1, "p.nc");
+  for (int n = 0; n < 200; ++n) bench.cycle();
+  EXPECT_EQ(set_offset("G54 X", 1.0), "E6003");
+  EXPECT_EQ(set_tool(4, "length", 1.0), "E6003");
+}
+
+}  // namespace
+}  // namespace stanok::channels

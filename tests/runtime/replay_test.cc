@@ -1,0 +1,275 @@
+// Recorded runs are repeated from their logs, bit for bit, whatever the timing of the preparations
+// was and whatever an operator did; a log that was tampered with or cut is found out.
+#include "runtime/replay.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+#include "recording/channel_names.h"
+#include "recording/decode.h"
+#include "recording/encode.h"
+#include "recording/log_reader.h"
+#include "runtime/assembly.h"
+#include "runtime/log_observer.h"
+#include "tests/config/temporary_files.h"
+
+namespace stanok::runtime {
+namespace {
+
+using channels::OperatorAction;
+using ::testing::HasSubstr;
+
+const std::filesystem::path source_tree = STANOK_SOURCE_DIR;
+
+// A run whose preparations come only as far as chance lets them, as threads do.
+class RecordedByChance {
+ public:
+  RecordedByChance(const std::string& machine, DriveChoice drives, std::uint64_t seed)
+      : random_(seed),
+        assembly_({.file = config::read_machine_file(source_tree / "config" / "machines" / machine),
+                   .drives = drives,
+                   .program_roots = {files_.folder(), source_tree / "programs" / "examples"},
+                   .machine = setup_.options,
+                   .output_capacity = 0}),
+        log_(assembly_.file(), setup_, path().string(), "test") {}
+
+  void program(const std::string& name, const std::string& text) { files_.write(name, text); }
+
+  void ask(OperatorAction action, int channel, const std::string& text = "", double value = 0.0,
+           double value_2 = 0.0) {
+    channels::OperatorEvent event;
+    event.id = ++last_id_;
+    event.action = action;
+    event.channel = channel;
+    event.text = FixedText<256>(text);
+    event.value = value;
+    event.value_2 = value_2;
+    events_.push_back(event);
+  }
+
+  void run(int cycles) {
+    const int channels = static_cast<int>(assembly_.file().machine.channels.size());
+    for (int n = 0; n < cycles; ++n) {
+      for (int k = 0; k < channels; ++k) {
+        for (int steps = chance(4); steps > 0; --steps)
+          static_cast<void>(assembly_.machine().prepare(k));
+      }
+      const channels::CycleOutput& output = assembly_.cycle(events_);
+      events_.clear();
+      for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
+      channels::InputRecord input;
+      while (assembly_.machine().input_records().pop(input)) log_.observe(input);
+      log_.observe(output);
+      channels::Event event;
+      while (assembly_.machine().events().pop(event)) log_.observe(event);
+      channels::OperatorReply reply;
+      while (assembly_.machine().replies().pop(reply)) {
+      }
+      moved_ = moved_ || output.channels[0].path_speed > 1.0;
+    }
+  }
+
+  [[nodiscard]] int chance(int count) {
+    return static_cast<int>(random_() % static_cast<std::uint64_t>(count));
+  }
+  [[nodiscard]] bool moved() const { return moved_; }
+  [[nodiscard]] std::filesystem::path path() const { return files_.folder() / "run.lcm"; }
+  void close() { EXPECT_EQ(log_.close(), ""); }
+
+ private:
+  std::mt19937_64 random_;
+  config::TemporaryFiles files_;
+  RunSetup setup_{.options = {.on_at_start = true}};
+  Assembly assembly_;
+  LogObserver log_;
+  std::vector<channels::OperatorEvent> events_;
+  std::uint64_t last_id_ = 0;
+  bool moved_ = false;
+};
+
+// A copy of a log in which every message of one type went through `change`.
+template <class Message, class Change>
+std::filesystem::path changed(const std::filesystem::path& log, recording::Topic topic,
+                              const Change& change) {
+  const std::filesystem::path copy = log.string() + ".copy";
+  auto reader = recording::LogReader::open(log);
+  auto writer = recording::LogWriter::open(copy);
+  while (const auto event = reader->next()) {
+    std::vector<std::uint8_t> bytes(event->bytes.begin(), event->bytes.end());
+    if (recording::topic_of(event->channel) == recording::name_of(topic)) {
+      Message message = *recording::decode<Message>(event->bytes);
+      change(message);
+      message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    }
+    (*writer)->send(std::string(event->channel), event->utime, bytes);
+  }
+  EXPECT_TRUE((*writer)->flush());
+  return copy;
+}
+
+constexpr const char* contour =
+    "#1=0\nG64 P0.05\nM3 S1000\nwhile (#1 < 60) {\n"
+    "G1 X[40*cos[#1*12]] Y[40*sin[#1*12]] F6000\n#1=[#1+1]\n}\nM5\nG0 X0 Y0\nM30\n";
+
+// Operators at random, over drives at random.
+class ReplayOfAnything : public ::testing::TestWithParam<int> {};
+
+TEST_P(ReplayOfAnything, IsTheSameBitForBit) {
+  const auto seed = static_cast<std::uint64_t>(GetParam());
+  RecordedByChance run("mill3.toml", seed % 2 == 0 ? DriveChoice::simulated : DriveChoice::ideal,
+                       seed);
+  run.program("contour.nc", contour);
+  run.run(200);
+  for (int n = 0; n < 40; ++n) {
+    switch (run.chance(9)) {
+      case 0:
+      case 1:
+      case 2:
+        run.ask(OperatorAction::program_run, 1, "contour.nc");
+        break;
+      case 3:
+        run.ask(OperatorAction::program_hold, 1);
+        break;
+      case 4:
+        run.ask(OperatorAction::program_resume, 1);
+        break;
+      case 5:
+        run.ask(OperatorAction::override_feed, 1, "", 0.2 + 0.01 * run.chance(130));
+        break;
+      case 6:
+        run.ask(OperatorAction::program_reset, 1);
+        break;
+      case 7:
+        run.ask(OperatorAction::mdi, 1, "G0 X" + std::to_string(run.chance(50)));
+        break;
+      default:
+        run.ask(OperatorAction::jog, 1, "Z", 20.0, run.chance(2) == 0 ? 3.0 : -3.0);
+    }
+    run.run(50 + run.chance(500));
+  }
+  run.close();
+  EXPECT_TRUE(run.moved());
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_GT(result.setpoints, 2000);
+  if (result.difference) {
+    ADD_FAILURE() << "cycle " << result.difference->cycle << " " << result.difference->field << " "
+                  << result.difference->recorded << " " << result.difference->repeated;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfAnything, ::testing::Range(0, 12));
+
+// Kinematics that change, a master that starts a worker, marks.
+TEST(Replay, OfTwoChannelsAndChangingKinematicsIsTheSame) {
+  RecordedByChance run("e7106mf4.toml", DriveChoice::ideal, 7);
+  run.program("flat.nc", "G0 X10 Y10 Z20\nG1 X20 F2000\nG0 X0 Y0\nM30\n");
+  run.program("turned.nc", "G0 X10 B10 C30\nG1 X20 B20 C60 F2000\nG0 X0 B0 C0\nM30\n");
+  run.program("master.nc",
+              "#kinematics (1, 1)\nchannel_run (1, \"flat.nc\");\nchannel_wait (1);\n"
+              "#kinematics (2, 1)\nchannel_run (1, \"turned.nc\");\nchannel_wait (1);\n"
+              "#kinematics (1, 1)\nM30\n");
+  run.ask(OperatorAction::program_run, 2, "master.nc");
+  run.run(15000);
+  run.close();
+  EXPECT_TRUE(run.moved());
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_EQ(result.cycles, 15000);
+}
+
+// Force control over a simulated cut, with an operator: the repetition has the sensors, not the
+// cut.
+TEST(Replay, OfForceControlIsTheSameFromItsSensors) {
+  for (const DriveChoice drives : {DriveChoice::ideal, DriveChoice::simulated}) {
+    RecordedByChance run("lathe.toml", drives, 11);
+    run.run(300);
+    run.ask(OperatorAction::program_run, 1, "adaptive_steps.nc");
+    run.run(12000);
+    run.ask(OperatorAction::override_feed, 1, "", 0.8);
+    run.run(1500);
+    run.ask(OperatorAction::override_feed, 1, "", 1.0);
+    run.ask(OperatorAction::program_hold, 1);
+    run.run(500);
+    run.ask(OperatorAction::program_resume, 1);
+    run.run(6000);
+    run.close();
+    EXPECT_TRUE(run.moved());
+    const ReplayResult result = replay(run.path(), {});
+    EXPECT_TRUE(result.is_same());
+    EXPECT_EQ(result.cycles, 20300);
+  }
+}
+
+// A log with one bit of one set-point changed: its cycle, channel and axis are named.
+TEST(Replay, FindsOneChangedBit) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 3);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(2000);
+  run.close();
+  constexpr std::int64_t changed_cycle = 1234;
+  const auto copy =
+      changed<setpoint_t>(run.path(), recording::Topic::setpoint, [](setpoint_t& one) {
+        if (one.cycle == changed_cycle) one.position[1] = std::nextafter(one.position[1], 1e9);
+      });
+  EXPECT_TRUE(replay(run.path(), {}).is_same());
+  const ReplayResult result = replay(copy, {});
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->cycle, changed_cycle);
+  EXPECT_EQ(result.difference->channel, 1);
+  EXPECT_EQ(result.difference->field, "position of Y");
+  EXPECT_EQ(result.difference->units_in_last_place, 1U);
+}
+
+// Up to the cut everything is verified; the log as a whole is not.
+TEST(Replay, OfALogThatWasCutGoesToTheCut) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 4);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(1500);
+  run.close();
+  std::filesystem::resize_file(run.path(), std::filesystem::file_size(run.path()) / 2 + 11);
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_FALSE(result.is_complete);
+  EXPECT_GT(result.setpoints, 500);
+  EXPECT_LT(result.setpoints, 1500);
+  ASSERT_FALSE(result.remarks.empty());
+  EXPECT_THAT(result.remarks.back(), HasSubstr("cut"));
+}
+
+// Inputs that no machine of this description can have had: told, and nothing worse.
+TEST(Replay, OfALogWithForeignInputsIsRefused) {
+  RecordedByChance run("mill3.toml", DriveChoice::simulated, 6);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(500);
+  run.close();
+  for (const int method : {-1, 200, 256, 1 << 30}) {
+    const auto copy = changed<input_t>(run.path(), recording::Topic::input,
+                                       [&](input_t& input) { input.method = method; });
+    EXPECT_THROW(static_cast<void>(replay(copy, {})), std::runtime_error) << method;
+  }
+  for (const int axis : {-1, 8, 1 << 30}) {
+    const auto copy = changed<feedback_t>(run.path(), recording::Topic::feedback,
+                                          [&](feedback_t& feedback) { feedback.axis = axis; });
+    EXPECT_THROW(static_cast<void>(replay(copy, {})), std::runtime_error) << axis;
+  }
+  const auto copy = changed<setpoint_t>(run.path(), recording::Topic::setpoint,
+                                        [](setpoint_t& one) { one.axis_count = 1 << 30; });
+  static_cast<void>(replay(copy, {}));
+}
+
+TEST(Replay, OfWhatIsNoRunIsRefused) {
+  const config::TemporaryFiles files;
+  const auto path = files.write("empty.lcm", "");
+  EXPECT_THROW(static_cast<void>(replay(path, {})), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(replay(files.folder() / "none.lcm", {})), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace stanok::runtime
