@@ -174,13 +174,14 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
 
 void Channel::hold(HoldCause cause) RT_SAFE {
   manual_.stop();
-  if (!running_) return;
+  if (!running_ || resetting_) return;
   hold_cause_ = cause;
   control_.hold = true;
   state_ = ChannelState::held;
 }
 
 void Channel::resume() RT_SAFE {
+  hold_wanted_ = false;
   if (state_ != ChannelState::held) return;
   // Other holds are in the middle of a step.
   if (hold_cause_ == HoldCause::single_block || hold_cause_ == HoldCause::program_stop)
@@ -244,6 +245,16 @@ const FileName& Channel::file_name(const motion::BlockTag& tag) const RT_SAFE {
 
 bool Channel::ended_well(std::uint32_t run) const RT_SAFE {
   return run == run_ ? run_ok_ : run + 1 == run_ && run_before_ok_;
+}
+
+Situation Channel::situation() const RT_SAFE {
+  if (resetting_) return Situation::ending;
+  if (state_ == ChannelState::alarm) return powered_ ? Situation::alarm : Situation::fault;
+  if (running_) return state_ == ChannelState::held ? Situation::held : Situation::running;
+  if (!powered_) return Situation::off;
+  if (is_switching()) return Situation::switching;
+  if (manual_.is_active()) return Situation::by_hand;
+  return has_program_ ? Situation::ready : Situation::idle;
 }
 
 bool Channel::is_quiet() const RT_SAFE {

@@ -12,6 +12,7 @@
 
 #include "channels/channel_figures.h"
 #include "channels/channel_link.h"
+#include "channels/command_rules.h"
 #include "channels/machine.h"
 #include "channels/output.h"
 #include "channels/spindle.h"
@@ -53,13 +54,17 @@ class Channel {
   void begin_load(const ShortText& text, Job job) RT_SAFE;
   void begin_run(Job job) RT_SAFE;  // of what was loaded last as such a job
   void hold(HoldCause cause) RT_SAFE;
-  // Feed hold of an operator: waits where the program does not let it act (M53).
+  // Feed hold of an operator: waits where the program does not let it act (M53). What moves outside
+  // of programs is over with it.
   void hold_by_operator() RT_SAFE;
   void resume() RT_SAFE;
   // Reaction to a fault: stops along the path, forgets the run, drives off; the alarm stays until
   // reset.
   void fault(std::string_view code, std::string_view text) RT_SAFE;
-  void begin_reset() RT_SAFE;  // stops along the path, then forgets the run
+  // The same by an operator, drives off; told also when a fault is being reacted to.
+  void stop_in_emergency() RT_SAFE;
+  void begin_reset() RT_SAFE;  // stops along the path, then forgets the run and its alarms
+  void begin_stop() RT_SAFE;   // the same; alarms stay
   void begin_switch(int scheme) RT_SAFE;
   void power_off_at_rest() RT_SAFE { power_off_wanted_ = true; }
   void answer(const ChannelAnswer& answer) RT_SAFE;
@@ -81,6 +86,9 @@ class Channel {
   void set_single_block(bool on) RT_SAFE;
 
   // Claims.
+  [[nodiscard]] Situation situation() const RT_SAFE;
+  // Counts what ends all that was asked for before: stops, resets, faults.
+  [[nodiscard]] std::uint32_t generation() const RT_SAFE { return generation_; }
   [[nodiscard]] int id() const RT_SAFE { return figures_.id; }
   [[nodiscard]] ChannelState state() const RT_SAFE { return state_; }
   [[nodiscard]] bool has_program() const RT_SAFE { return has_program_; }
@@ -213,7 +221,9 @@ class Channel {
   void begin_brakes(const Item& item) RT_SAFE;
   [[nodiscard]] int disobedient_axis() const RT_SAFE;
   void fail_switch(int axis) RT_SAFE;
+  void end_switch() RT_SAFE;
   void end_run(bool ok, std::uint64_t blocks) RT_SAFE;
+  void end_effects() RT_SAFE;
   void close_run(bool ok, std::uint64_t blocks) RT_SAFE;
   void set_axes(lang::AxisSet axes, bool free) RT_SAFE;
   void move() RT_SAFE;
@@ -324,6 +334,7 @@ class Channel {
   bool reset_sent_ = false;
   bool power_off_wanted_ = false;
   bool alarm_stays_ = false;  // after the reset under way
+  std::uint32_t generation_ = 0;
   bool drives_answer_ = true;
   bool drives_ready_ = true;
   std::array<bool, motion::axes_max> drive_was_ready_{};  // since it was commanded on

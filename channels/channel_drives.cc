@@ -47,6 +47,14 @@ void Channel::fault(std::string_view code, std::string_view text) RT_SAFE {
   power_off_wanted_ = true;
 }
 
+void Channel::stop_in_emergency() RT_SAFE {
+  constexpr std::string_view text = "emergency stop by an operator";
+  if (!alarm_stays_) return fault("A1001", text);
+  ++generation_;
+  record_alarm("A1001", text, path_.tag);
+  power_off_wanted_ = true;
+}
+
 void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
   drives_are_ideal_ = feedback.empty();
   if (drives_are_ideal_) return;

@@ -59,12 +59,17 @@ RunRecord Channel::run_record() const RT_SAFE {
 
 void Channel::end_run(bool ok, std::uint64_t blocks) RT_SAFE {
   if (!running_) return;
+  end_effects();
+  close_run(ok, blocks);
+}
+
+// What programs and lines brought about is over with a program, and with a reset.
+void Channel::end_effects() RT_SAFE {
   take_overrides({});
   interrupt_feed({});
   static_cast<void>(order_force(motion::ForceOrder{}));
   for (Spindle& spindle : spindles_) spindle.stop();
   open_position_loops();
-  close_run(ok, blocks);
 }
 
 // The end of a line leaves spindles and overrides as they are.
@@ -84,6 +89,7 @@ void Channel::close_run(bool ok, std::uint64_t blocks) RT_SAFE {
 }
 
 void Channel::begin_reset() RT_SAFE {
+  ++generation_;
   alarm_stays_ = false;
   manual_.stop();
   if (resetting_) return;
@@ -91,6 +97,12 @@ void Channel::begin_reset() RT_SAFE {
   reset_sent_ = false;
   control_.hold = true;
   control_.leaves_thread = true;
+}
+
+void Channel::begin_stop() RT_SAFE {
+  const bool alarm_stood = alarm_stays_ || state_ == ChannelState::alarm;
+  begin_reset();
+  alarm_stays_ = alarm_stood;
 }
 
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
@@ -110,14 +122,14 @@ void Channel::continue_reset() RT_SAFE {
     if (item.kind != ItemKind::reset_done) continue;
     forget_arrivals();
     probe_ = {};
-    end_run(false, blocks_);
-    open_position_loops();
+    end_effects();
+    if (running_) close_run(false, blocks_);
     resetting_ = false;
     was_reset_ = true;
     control_.hold = false;
     control_.leaves_thread = false;
     load_ = load_ == Outcome::pending ? Outcome::failed : load_;
-    switch_ = switch_ == Outcome::pending ? Outcome::failed : switch_;
+    if (is_switching()) end_switch();
     state_ = has_program_ ? ChannelState::ready : ChannelState::idle;
     if (alarm_stays_) state_ = ChannelState::alarm;
     alarm_stays_ = false;

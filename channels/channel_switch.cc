@@ -59,4 +59,13 @@ void Channel::fail_switch(int axis) RT_SAFE {
   running_ ? fail_run("E5205", text.view(), path_.tag) : begin_reset();
 }
 
+// By a stop in its middle.
+void Channel::end_switch() RT_SAFE {
+  set_axes(switched_axes_, false);
+  switch_ = Outcome::failed;
+  switch_fault_ = FixedText<8>("E6072");
+  text_ = ShortText(
+      "the change of kinematics was stopped; the scheme is as before, its axes are braked");
+}
+
 }  // namespace stanok::channels

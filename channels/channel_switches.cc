@@ -22,6 +22,10 @@ void Channel::set_spindle_override(double factor) RT_SAFE {
 }
 
 void Channel::hold_by_operator() RT_SAFE {
+  if (!running_ && !resetting_) {
+    ++generation_;
+    if (is_switching()) return begin_stop();
+  }
   hold_wanted_ = running_ && !overrides_.feed_stop_enabled;
   if (!hold_wanted_) hold(HoldCause::operator_hold);
 }

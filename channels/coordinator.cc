@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "channels/operator_action.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -20,8 +22,6 @@ lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
       return lang::RequestKind::channel_reset;
   }
 }
-
-constexpr double interruption_mm_min = 0.001;  // L_B
 
 bool is_table_request(lang::RequestKind kind) RT_SAFE {
   using lang::RequestKind;
@@ -94,13 +94,20 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   if (channel == nullptr && event.channel != 0) {
     return reply(event.id, refusal("E6001", "no such channel"));
   }
+  if (const auto refused = refusal_by_rule(event.action, channel)) return reply(event.id, *refused);
   if (const auto verdict = apply_at_once(event, channel)) return reply(event.id, *verdict);
   if (channel == nullptr) return reply(event.id, refusal("E6001", "a channel must be named"));
+  const bool stops = is_stop(event.action);
+  if (stops) begin_stop(event.action, *channel);
   const auto slot = std::find_if(errands_.begin() + channels_max, errands_.end(),
                                  [](const Errand& errand) RT_SAFE { return !errand.active; });
-  if (slot == errands_.end()) return reply(event.id, refusal("E6002", "too many commands at once"));
+  if (slot == errands_.end()) {
+    // A stop that has begun needs no room; only the answer does not wait for rest.
+    return reply(event.id, stops ? success() : refusal("E6002", "too many commands at once"));
+  }
   *slot = {};
   slot->active = true;
+  slot->order = ++errands_taken_;
   slot->reply_id = event.id;
   slot->kind = errand_of(event.action);
   slot->homes = event.action == OperatorAction::home;
@@ -108,6 +115,33 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->target = index;
   slot->number = event.number;
   slot->text = event.text;
+  slot->generation = channel->generation();
+  slot->stage = stops ? 1 : 0;
+}
+
+// What the table of command_rules.h says of a channel, or of all of them.
+std::optional<Coordinator::Verdict> Coordinator::refusal_by_rule(OperatorAction action,
+                                                                 const Channel* named) const
+    RT_SAFE {
+  const bool asks_all = concerns_all_channels(action);
+  std::string_view code;
+  FixedText<64> who;
+  int count = 0;
+  for (int k = 0; k < channel_count_; ++k) {
+    if (&channel(k) != named && (named != nullptr || !asks_all)) continue;
+    const std::string_view found = refusal_code(action, channel(k).situation());
+    if (found.empty() || (count > 0 && found != code)) continue;
+    code = found;
+    who.append(count++ > 0 ? ", " : "").append(channel(k).id());
+  }
+  if (count == 0) return std::nullopt;
+  Verdict verdict = refusal(code, count > 1 ? "channels " : "channel ");
+  verdict.text.append(who.view()).append(claim_of_refusal(code));
+  return verdict;
+}
+
+void Coordinator::begin_stop(OperatorAction action, Channel& channel) RT_SAFE {
+  action == OperatorAction::program_reset ? channel.begin_reset() : channel.begin_stop();
 }
 
 // Commands that take effect in this cycle, whatever the state. Nothing: the event is an errand.
@@ -125,11 +159,11 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return switch_on(channel);
     case OperatorAction::machine_off:
       return each([](Channel& c) RT_SAFE {
-        c.begin_reset();
+        c.begin_stop();
         c.power_off_at_rest();
       });
     case OperatorAction::machine_estop:
-      return each([](Channel& c) RT_SAFE { c.fault("A1001", "emergency stop by an operator"); });
+      return each([](Channel& c) RT_SAFE { c.stop_in_emergency(); });
     case OperatorAction::program_hold:
       return each([](Channel& c) RT_SAFE { c.hold_by_operator(); });
     case OperatorAction::program_resume:
@@ -168,96 +202,25 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
   }
 }
 
-Coordinator::Verdict Coordinator::switch_on(Channel* channel) RT_SAFE {
-  FixedText<64> waiting;
-  int alarms = 0;
+Coordinator::Verdict Coordinator::switch_on(const Channel* named) RT_SAFE {
   for (int k = 0; k < channel_count_; ++k) {
-    const Channel& candidate = *channels_[static_cast<std::size_t>(k)];
-    if (channel != nullptr && channel != &candidate) continue;
-    if (!candidate.drives_answer()) return refusal("A3001", "a drive does not answer");
-    if (candidate.state() == ChannelState::alarm) {
-      ++alarms;
-      waiting.append(alarms > 1 ? ", " : "").append(candidate.id());
-    }
-  }
-  if (alarms > 0) {
-    Verdict verdict = refusal("E6004", alarms > 1 ? "channels " : "channel ");
-    verdict.text.append(waiting.view()).append(" must be reset first: ");
-    verdict.text.append(alarms > 1 ? "they have alarms" : "it has an alarm");
-    return verdict;
+    if (named != nullptr && named != &channel(k)) continue;
+    if (!channel(k).drives_answer()) return refusal("A3001", "a drive does not answer");
   }
   for (int k = 0; k < channel_count_; ++k) {
-    Channel& candidate = *channels_[static_cast<std::size_t>(k)];
-    if (channel == nullptr || channel == &candidate) candidate.power(true);
+    Channel& candidate = channel(k);
+    if (named != nullptr && named != &candidate) continue;
+    // What is under way has given drives and brakes their state.
+    if (!candidate.is_powered() || candidate.is_quiet()) candidate.power(true);
   }
   return success();
-}
-
-// For the program at hand, or the next one: an operator interrupts what he sees.
-Coordinator::Verdict Coordinator::interrupt_feed(const OperatorEvent& event, Channel* channel)
-    RT_SAFE {
-  if (channel == nullptr) return refusal("E6001", "a channel must be named");
-  if (channel->axis_count() == 0) return refusal("E6029", "the channel has no axes");
-  if (!(event.value >= 0.0) || (event.value > 0.0 && !(event.value_2 >= interruption_mm_min)))
-    return refusal("E6029",
-                   "an interruption of the feed needs L_A > 0 and L_B of 0.001 mm or more");
-  channel->interrupt_feed({.stand_mm = event.value, .cut_mm = event.value_2});
-  return success();
-}
-
-Coordinator::Verdict Coordinator::switch_automatic_feed(const OperatorEvent& event,
-                                                        Channel* channel) RT_SAFE {
-  if (channel == nullptr) return refusal("E6001", "a channel must be named");
-  const auto law =
-      event.text.view() == "linear" ? motion::LawKind::linear : motion::LawKind::modulated;
-  if (channel->switch_automatic_feed(law, event.number != 0)) return success();
-  return refusal("E6030", "the machine file gives the channel no such automatic feed law");
-}
-
-Coordinator::Verdict Coordinator::control_force(const OperatorEvent& event, Channel* channel)
-    RT_SAFE {
-  if (channel == nullptr) return refusal("E6001", "a channel must be named");
-  if (!channel->has_force_control())
-    return refusal("E6060", "the machine file gives the channel no force control");
-  const std::string_view quantity = event.text.view();
-  const bool is_force = quantity.empty() || quantity == "force";
-  motion::ForceOrder order;
-  switch (static_cast<ForceAction>(event.number)) {
-    case ForceAction::off:
-      break;
-    case ForceAction::on:
-      if (!is_force) return refusal("E6061", "force control is switched on with a force");
-      order.kind = motion::ForceOrder::Kind::force;
-      order.force_n = event.value;
-      break;
-    case ForceAction::set:
-      if (quantity.empty() || !(event.value > 0.0))
-        return refusal("E6061", "a quantity is set to a value above 0");
-      order.kind = motion::ForceOrder::Kind::adjust;
-      if (is_force) order.force_n = event.value;
-      if (quantity == "level") order.level_um = event.value;
-      if (quantity == "mass") order.reduced_mass_kg = event.value;
-      if (quantity == "frequency") order.oscillation_hz = event.value;
-      break;
-  }
-  if (channel->order_force(order)) return success();
-  return refusal("E6062", "no force was ordered yet: process adaptive on force N");
-}
-
-void Coordinator::set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE {
-  if (event.action == OperatorAction::override_feed)
-    channel.set_feed_override(std::clamp(event.value, 0.0, 2.0));
-  if (event.action == OperatorAction::override_rapid)
-    channel.set_rapid_override(std::clamp(event.value, 0.0, 1.0));
-  if (event.action == OperatorAction::override_spindle)
-    channel.set_spindle_override(std::clamp(event.value, 0.5, 1.5));
 }
 
 void Coordinator::step() RT_SAFE {
   adopt_requests();
   work_marks();
   for (Errand& errand : errands_) {
-    if (!errand.active || is_asker_held(errand)) continue;
+    if (!errand.active || is_asker_held(errand) || !is_its_turn(errand)) continue;
     const Verdict verdict = step(errand);
     ++errand.cycles;
     if (verdict.done) conclude(errand, verdict);
@@ -277,6 +240,7 @@ void Coordinator::adopt_requests() RT_SAFE {
     if (errand.active) continue;
     errand = {};
     errand.active = true;
+    errand.order = ++errands_taken_;
     errand.asker = k;
     errand.kind = item->request.kind;
     errand.request = item->request;
@@ -285,8 +249,38 @@ void Coordinator::adopt_requests() RT_SAFE {
     errand.seconds = item->request.seconds;
     errand.tag = item->tag;
     errand.text = item->text;
-    static_cast<void>(channel_with_id(item->request.channel, errand.target));
+    const Channel* target = channel_with_id(item->request.channel, errand.target);
+    if (target != nullptr) errand.generation = target->generation();
   }
+}
+
+// What begins something on another channel, or for an operator.
+bool Coordinator::begins_something(const Errand& errand) RT_SAFE {
+  using lang::RequestKind;
+  if (errand.target < 0 || errand.asker == errand.target) return false;
+  return errand.homes || errand.kind == RequestKind::kinematics ||
+         errand.kind == RequestKind::channel_load || errand.kind == RequestKind::channel_start ||
+         errand.kind == RequestKind::channel_run;
+}
+
+// One after the other: a program that is being loaded is not replaced before it has started.
+bool Coordinator::is_its_turn(const Errand& errand) const RT_SAFE {
+  return !begins_something(errand) ||
+         std::none_of(errands_.begin(), errands_.end(), [&](const Errand& other) RT_SAFE {
+           return other.active && other.target == errand.target && other.order < errand.order &&
+                  begins_something(other) && !is_asker_held(other);
+         });
+}
+
+// Why what was asked for may not begin now: what the channel does, or a stop since it was asked.
+std::optional<Coordinator::Verdict> Coordinator::obstacle(const Errand& errand,
+                                                          OperatorAction action,
+                                                          const Channel& target) RT_SAFE {
+  if (errand.asker == errand.target) return std::nullopt;
+  const std::string_view code = refusal_code(action, target.situation());
+  if (!code.empty()) return refusal(code, target, claim_of_refusal(code));
+  if (errand.generation == target.generation()) return std::nullopt;
+  return refusal("E6072", target, " was stopped before it began");
 }
 
 // Stop of a channel holds its wait.

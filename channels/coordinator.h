@@ -13,6 +13,7 @@
 
 #include "channels/axis_ownership.h"
 #include "channels/channel.h"
+#include "channels/command_rules.h"
 #include "channels/live_tables.h"
 #include "channels/operator_event.h"
 #include "channels/rendezvous.h"
@@ -53,7 +54,9 @@ class Coordinator {
 
   struct Errand {
     bool active = false;
-    int asker = operator_asker;  // index of the channel that asks
+    std::uint64_t order = 0;       // in which errands came
+    std::uint32_t generation = 0;  // of the target, when it was asked
+    int asker = operator_asker;    // index of the channel that asks
     std::uint64_t reply_id = 0;
     Job job = Job::program;
     lang::RequestKind kind = lang::RequestKind::sync;
@@ -88,6 +91,13 @@ class Coordinator {
       RT_SAFE;
   [[nodiscard]] static bool is_busy(const Channel& channel) RT_SAFE;
 
+  [[nodiscard]] std::optional<Verdict> refusal_by_rule(OperatorAction action,
+                                                       const Channel* named) const RT_SAFE;
+  static void begin_stop(OperatorAction action, Channel& channel) RT_SAFE;
+  [[nodiscard]] static bool begins_something(const Errand& errand) RT_SAFE;
+  [[nodiscard]] bool is_its_turn(const Errand& errand) const RT_SAFE;
+  [[nodiscard]] static std::optional<Verdict> obstacle(const Errand& errand, OperatorAction action,
+                                                       const Channel& target) RT_SAFE;
   void adopt_requests() RT_SAFE;
   void conclude(Errand& errand, const Verdict& verdict) RT_SAFE;
   void follow_owners() RT_SAFE;
@@ -100,7 +110,6 @@ class Coordinator {
   // Axes moved by hand (coordinator_manual.cc)
   [[nodiscard]] Verdict jog(const OperatorEvent& event, Channel* channel) RT_SAFE;
   [[nodiscard]] Verdict step_home(Errand& errand, Channel& target) RT_SAFE;
-  [[nodiscard]] static std::optional<Verdict> fault_before_homing(const Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_restart(Channel& asker) RT_SAFE;
   [[nodiscard]] Verdict step_kinematics(Errand& errand, Channel& target) RT_SAFE;
   [[nodiscard]] Verdict step_spindle_to_axis(Errand& errand, Channel& asker) RT_SAFE;
@@ -138,11 +147,11 @@ class Coordinator {
   [[nodiscard]] Channel* channel_with_id(int id, int& index) const RT_SAFE;
   [[nodiscard]] std::optional<Verdict> apply_at_once(const OperatorEvent& event, Channel* channel)
       RT_SAFE;
-  [[nodiscard]] Verdict switch_on(Channel* channel) RT_SAFE;
+  [[nodiscard]] Verdict switch_on(const Channel* named) RT_SAFE;
   // Tables (coordinator_tables.cc)
-  [[nodiscard]] std::optional<Verdict> refusal_while_running() const RT_SAFE;
   [[nodiscard]] Verdict set_tool(const OperatorEvent& event) RT_SAFE;
   [[nodiscard]] Verdict set_offset(const OperatorEvent& event) RT_SAFE;
+  // The cutting process (coordinator_process.cc)
   Verdict interrupt_feed(const OperatorEvent& event, Channel* channel) RT_SAFE;
   Verdict switch_automatic_feed(const OperatorEvent& event, Channel* channel) RT_SAFE;
   Verdict control_force(const OperatorEvent& event, Channel* channel) RT_SAFE;
@@ -161,6 +170,7 @@ class Coordinator {
   std::array<int, channels_max>
       owner_{};  // who started the run of a channel; operator_asker: an operator
   std::array<std::uint32_t, channels_max> owner_run_{};  // in which run of the owner
+  std::uint64_t errands_taken_ = 0;
   Rendezvous rendezvous_;
   ChannelSet released_ = 0;  // stood at a soft mark that is met now, and have not yet left it
 };

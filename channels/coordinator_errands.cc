@@ -13,33 +13,26 @@ constexpr double spindle_stands_within_s = 120.0;
 
 Coordinator::Verdict Coordinator::step_load(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
-    if (is_busy(target) || target.is_resetting())
-      return refusal("E6003", target, " is running or held");
-    if (target.state() == ChannelState::alarm)
-      return refusal("E6004", target, " has an alarm; reset it first");
+    if (const auto refused = obstacle(errand, OperatorAction::program_load, target))
+      return *refused;
     target.begin_load(errand.text, errand.job);
     errand.stage = 1;
     return pending();
   }
   if (target.load_outcome() == Outcome::pending) return pending();
-  if (target.load_outcome() == Outcome::failed) return refusal("", target.last_text().view());
-  return success();
+  if (target.load_outcome() == Outcome::succeeded) return success();
+  if (const auto refused = obstacle(errand, OperatorAction::program_load, target)) return *refused;
+  return refusal("", target.last_text().view());
 }
 
 Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT_SAFE {
+  const bool is_run = errand.kind == lang::RequestKind::channel_run;
+  const auto action = is_run ? OperatorAction::program_run : OperatorAction::program_start;
+  if (const auto refused = obstacle(errand, action, target)) return *refused;
   if (target.state() == ChannelState::held) {
     target.resume();
     return success();
   }
-  if (target.state() == ChannelState::running)
-    return refusal("E6003", target, " is already running");
-  if (target.state() == ChannelState::alarm)
-    return refusal("E6004", target, " has an alarm; reset it first");
-  if (errand.job == Job::program && !target.has_program())
-    return refusal("E6005", target, " has no program loaded");
-  if (!target.is_powered()) return refusal("E6006", "the machine is off");
-  if (target.manual_motion().is_active())
-    return refusal("E6056", target, ": axes are being moved by hand");
   if (target.axis_on_limit_switch() >= 0)
     return refusal("E6057", target, ": an axis stands on a limit switch; jog it back");
   if (const auto homeless = unreferenced(target, target.axes_of_scheme())) return *homeless;
@@ -61,6 +54,10 @@ Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT
 
 Coordinator::Verdict Coordinator::step_run(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage < 2) {
+    if (errand.stage == 0) {
+      if (const auto refused = obstacle(errand, OperatorAction::program_run, target))
+        return *refused;
+    }
     const Verdict loaded = step_load(errand, target);
     if (!loaded.done || !loaded.ok) return loaded;
     errand.stage = 2;
@@ -124,10 +121,8 @@ Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& targe
     const bool own = errand.asker == errand.target;
     if (!target.has_scheme(errand.number))
       return refusal("E5201", "the channel has no such kinematic scheme");
-    if (!own && is_busy(target))
-      return refusal("E5202", "the channel whose kinematics shall change is running or held");
-    if (target.state() == ChannelState::alarm)
-      return refusal("E6004", target, " has an alarm; reset it first");
+    if (const auto refused = obstacle(errand, OperatorAction::kinematics_select, target))
+      return *refused;
     if (!target.is_powered()) return refusal("E6006", "the machine is off");
     if (!own && !target.is_quiet()) return pending();
     const lang::AxisSet axes = target.axes_of_scheme(errand.number);

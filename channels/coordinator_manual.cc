@@ -7,7 +7,6 @@ namespace stanok::channels {
 namespace {
 
 std::string_view jog_refusal(std::string_view code) RT_SAFE {
-  if (code == "E6003") return "the channel is running, held or in reset";
   if (code == "E6006") return "the machine or the drive of the axis is off";
   if (code == "E6008") return "the drive of the axis does not hold it";
   if (code == "E6056") return "axes of the channel are being moved by hand";
@@ -30,22 +29,11 @@ Coordinator::Verdict Coordinator::jog(const OperatorEvent& event, Channel* chann
   return code.empty() ? success() : refusal(code, jog_refusal(code));
 }
 
-std::optional<Coordinator::Verdict> Coordinator::fault_before_homing(const Channel& target)
-    RT_SAFE {
-  if (is_busy(target)) return refusal("E6003", target, " is running or held");
-  if (target.state() == ChannelState::alarm)
-    return refusal("E6004", target, " has an alarm; reset it first");
-  if (!target.is_powered()) return refusal("E6006", "the machine is off");
-  if (target.manual_motion().is_active())
-    return refusal("E6056", "axes of the channel are being moved by hand");
-  return std::nullopt;
-}
-
 // Axes that the scheme parks are released for the search and come back to where they are parked.
 Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_SAFE {
   constexpr double drives_ready_within_s = 3.0;
   if (errand.stage == 0) {
-    if (const auto fault = fault_before_homing(target)) return *fault;
+    if (const auto refused = obstacle(errand, OperatorAction::home, target)) return *refused;
     lang::AxisSet axes = target.axes_to_home();
     if (!errand.text.view().empty()) {
       const int axis = target.axis_named(errand.text.view());
@@ -65,7 +53,8 @@ Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_
   }
   if (target.manual_motion().is_active() || target.is_resetting()) return pending();
   const bool found = target.manual_motion().homing() == ManualMotion::Outcome::succeeded;
-  if (errand.stage == 1 && found) {
+  const bool is_overtaken = errand.generation != target.generation();
+  if (errand.stage == 1 && found && !is_overtaken) {
     target.return_to_parking();
     errand.stage = 2;
     return pending();

@@ -3,16 +3,8 @@
 
 namespace stanok::channels {
 
-std::optional<Coordinator::Verdict> Coordinator::refusal_while_running() const RT_SAFE {
-  for (int k = 0; k < channel_count_; ++k) {
-    if (channel(k).is_running()) return refusal("E6003", channel(k), " runs a program");
-  }
-  return std::nullopt;
-}
-
 // number = tool, value_2 = edge (0: 1), text = the name of the value.
 Coordinator::Verdict Coordinator::set_tool(const OperatorEvent& event) RT_SAFE {
-  if (const auto refused = refusal_while_running()) return *refused;
   const int edge = event.value_2 < 1.0 ? 1 : static_cast<int>(event.value_2);
   const int value = tool_value_named(event.text.view());
   if (value == 0 || !stores_.tables->tool_value(event.number, edge, value))
@@ -24,12 +16,11 @@ Coordinator::Verdict Coordinator::set_tool(const OperatorEvent& event) RT_SAFE {
 
 // text = work offset and axis of the machine, "G54.1 P2 X"; R is the rotation.
 Coordinator::Verdict Coordinator::set_offset(const OperatorEvent& event) RT_SAFE {
-  if (const auto refused = refusal_while_running()) return *refused;
   const std::string_view text = event.text.view();
   const std::size_t blank = text.rfind(' ');
   if (blank == std::string_view::npos) return refusal("E5021", "an axis is missing");
-  const int number = work_offset_number(text.substr(0, blank));
-  const int axis = stores_.tables->column(text.substr(blank + 1));
+  const int number = work_offset_number({text.data(), blank});
+  const int axis = stores_.tables->column({text.data() + blank + 1, text.size() - blank - 1});
   if (number == 0 || axis < 0) return refusal("E5021", "there is no such work offset or axis");
   if (!stores_.tables->set_offset(number, axis, event.value, Writer::person))
     return refusal("E5020", "the offset could not be written");

@@ -51,7 +51,7 @@ std::optional<OperatorAction> operator_action(std::string_view name) {
   return row == names.end() ? std::nullopt : std::optional(row->first);
 }
 
-bool is_stop(OperatorAction action) {
+bool is_stop(OperatorAction action) RT_SAFE {
   switch (action) {
     case OperatorAction::machine_off:
     case OperatorAction::machine_estop:

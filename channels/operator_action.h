@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/rt_safe.h"
 #include "channels/operator_event.h"
 
 namespace stanok::channels {
@@ -16,6 +17,6 @@ namespace stanok::channels {
 
 // Whether the action only ever brings motion to rest; such requests are never turned away for want
 // of room.
-[[nodiscard]] bool is_stop(OperatorAction action);
+[[nodiscard]] bool is_stop(OperatorAction action) RT_SAFE;
 
 }  // namespace stanok::channels
