@@ -1,0 +1,132 @@
+// DaemonBench: the daemon's parts around a real machine with simulated drives, on a virtual clock
+// and without sockets: everything but threads, so that a run repeats to the bit.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+
+#include <deque>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "daemon/assembled_machine.h"
+#include "daemon/dispatch.h"
+#include "tests/daemon/temporary_directory.h"
+
+namespace stanok::daemon {
+
+// The five-axis mill of the project: channel 1 works, channel 2 is the master.
+inline const config::MachineFile& mill_of_the_bench() {
+  static const config::MachineFile file =
+      config::read_machine_file(STANOK_SOURCE_DIR "/config/machines/e7106mf4.toml");
+  return file;
+}
+
+class DaemonBench {
+ public:
+  // One request: its answer comes now or later.
+  using Slot = std::shared_ptr<std::optional<Outcome>>;
+
+  DaemonBench()
+      : assembly_({.file = mill_of_the_bench(),
+                   .drives = runtime::DriveChoice::simulated,
+                   .program_roots = {here_.path()},
+                   .machine = {}}),
+        recorder_(assembly_.file(), "test", {}),
+        machine_(assembly_, recorder_, here_.path()),
+        dispatch_(machine_, {"test", here_.path(), here_.path() / "socket"},
+                  [this] { shutdown_asked_ = true; }) {
+    spdlog::set_level(spdlog::level::err);  // thousands of commands are no news
+    cycles(cycles_until_drives_answer);
+  }
+
+  void program(const std::string& name, const std::string& text) {
+    std::ofstream(here_.path() / name) << text;
+  }
+
+  // Sessions count from 0 and are there when they are first asked for.
+  Slot ask(int session, const std::string& method,
+           nlohmann::json parameters = nlohmann::json::object()) {
+    const auto slot = std::make_shared<std::optional<Outcome>>();
+    protocol::Request request;
+    request.id = 1;
+    request.method = method;
+    request.parameters = std::move(parameters);
+    SessionState& asker = sessions_[session];
+    asker.id = session;
+    asker.role = protocol::Role::integrator;
+    dispatch_.handle(asker, request, [slot, method](const Outcome& outcome) {
+      EXPECT_FALSE(slot->has_value()) << method << " was answered twice";
+      *slot = outcome;
+    });
+    return slot;
+  }
+  // The answer, if it comes within so many cycles.
+  std::optional<Outcome> answer(const std::string& method,
+                                nlohmann::json parameters = nlohmann::json::object(),
+                                int cycles_max = 120'000) {
+    const Slot slot = ask(0, method, std::move(parameters));
+    for (int n = 0; n < cycles_max && !slot->has_value(); ++n) cycle();
+    return *slot;
+  }
+  // Must be accepted.
+  void demand(const std::string& method, nlohmann::json parameters = nlohmann::json::object()) {
+    const auto outcome = answer(method, std::move(parameters));
+    ASSERT_TRUE(outcome.has_value()) << method << " was not answered";
+    ASSERT_TRUE(outcome->has_value())
+        << method << ": " << outcome->error().code << " " << outcome->error().message;
+  }
+
+  const channels::CycleOutput& cycle() {
+    bool worked = true;
+    while (worked) {
+      worked = false;
+      for (std::size_t k = 0; k < assembly_.file().machine.channels.size(); ++k) {
+        worked = assembly_.machine().prepare(static_cast<int>(k)) == channels::Progress::worked ||
+                 worked;
+      }
+    }
+    machine_.cycle();
+    channels::Machine& machine = assembly_.machine();
+    drain({assembly_.outputs(), machine.events(), machine.input_records(), machine.replies()},
+          {&machine_, &replies_});
+    newest_ = machine_.newest_output();
+    dispatch_.tick(SteadyTime{} + std::chrono::milliseconds(newest_.cycle));
+    return newest_;
+  }
+  void cycles(int count) {
+    for (int n = 0; n < count; ++n) cycle();
+  }
+
+  [[nodiscard]] const channels::CycleOutput& output() const { return newest_; }
+  [[nodiscard]] const channels::ChannelOutput& channel(int id) const {
+    return newest_.channels[static_cast<std::size_t>(id - 1)];
+  }
+  [[nodiscard]] bool is_idle() { return assembly_.machine().is_idle(); }
+  [[nodiscard]] bool shutdown_asked() const { return shutdown_asked_; }
+
+ private:
+  static constexpr int cycles_until_drives_answer = 50;
+
+  struct Replies final : CycleListener {
+    explicit Replies(Dispatch& told) : dispatch(told) {}
+    void on_reply(const channels::OperatorReply& reply) override { dispatch.on_reply(reply); }
+    Dispatch& dispatch;
+  };
+
+  TemporaryDirectory here_;
+  runtime::Assembly assembly_;
+  Recorder recorder_;
+  AssembledMachine machine_;
+  bool shutdown_asked_ = false;
+  Dispatch dispatch_;
+  Replies replies_{dispatch_};
+  std::map<int, SessionState> sessions_;
+  channels::CycleOutput newest_;
+};
+
+}  // namespace stanok::daemon

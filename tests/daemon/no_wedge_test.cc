@@ -1,0 +1,92 @@
+// No sequence of commands wedges the daemon: 10,000 random ones of three clients, interleaved, and
+// it still answers, every request has had one answer, and two resets bring it back to work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "channels/command_rules.h"
+#include "tests/daemon/daemon_bench.h"
+#include "tests/daemon/random_commands.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+
+constexpr int commands = 10'000;
+constexpr int clients = 3;
+
+// Set-points are numbers, and within a run no axis goes faster than it may: a step of a cycle is at
+// most velocity_max times the cycle.
+class SetPointWatch {
+ public:
+  void look(const channels::CycleOutput& output) {
+    const auto& machine = mill_of_the_bench().machine;
+    const channels::ChannelOutput& work = output.channels[0];
+    for (std::size_t k = 0; k < machine.channels[0].axes.size(); ++k) {
+      const double position = work.axes[k].position;
+      ASSERT_TRUE(std::isfinite(position) && std::isfinite(work.axes[k].velocity));
+      const auto& limits =
+          machine.axes[static_cast<std::size_t>(machine.channels[0].axes[k])].limits;
+      const double most = limits.velocity_max * machine.cycle_us * 1e-6 * (1.0 + 1e-9) + 1e-9;
+      if (ran_ && work.running && work.drives[k].enabled) {
+        ASSERT_LE(std::abs(position - before_[k]), most)
+            << "axis " << k << " in cycle " << output.cycle;
+      }
+      before_[k] = position;
+    }
+    ran_ = work.running;
+  }
+
+ private:
+  std::array<double, motion::axes_max> before_{};
+  bool ran_ = false;
+};
+
+class NoWedge : public testing::TestWithParam<int> {};
+
+TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
+  RandomCommands random(static_cast<std::uint64_t>(GetParam()));
+  DaemonBench bench;
+  SetPointWatch watch;
+  for (const auto& [name, text] : programs_of_random_commands()) bench.program(name, text);
+  bench.demand("machine.on");
+  std::deque<std::pair<RandomCommand, DaemonBench::Slot>> unanswered;
+  for (int n = 0; n < commands && !testing::Test::HasFatalFailure(); ++n) {
+    RandomCommand command = random.next();
+    const auto slot = bench.ask(n % clients, command.method, command.parameters);
+    if (!slot->has_value()) unanswered.emplace_back(std::move(command), slot);
+    // Mostly at once, now and then long enough for something to happen.
+    const int chance = random.pick(0, 39);
+    const int cycles = chance == 0 ? random.pick(0, 400) : random.pick(0, chance < 10 ? 40 : 2);
+    for (int k = 0; k < cycles; ++k) watch.look(bench.cycle());
+    while (!unanswered.empty() && unanswered.front().second->has_value()) unanswered.pop_front();
+  }
+  ASSERT_TRUE(bench.answer("system.info", {}, 0)->has_value());
+
+  // Back to idle, and to work.
+  bench.demand("program.reset", {{"channel", 2}});
+  bench.demand("program.reset", {{"channel", 1}});
+  for (int n = 0; n < 5000 && !bench.is_idle(); ++n) bench.cycle();
+  EXPECT_TRUE(bench.is_idle());
+  for (const auto& [command, slot] : unanswered)
+    EXPECT_TRUE(slot->has_value())
+        << "never answered: " << command.method << " " << command.parameters.dump();
+  for (const char* drive : {"X", "Y", "Z", "B", "C"})
+    bench.demand("drive.reset", {{"drive", drive}});
+  bench.cycles(300);
+  bench.demand("machine.on");
+  for (const int level : {1, 2, 3, 4, 5, 6, 7, 8, 9})
+    bench.demand("program.unskip", {{"level", level}});
+  bench.demand("program.step", {{"on", 0}});
+  bench.demand("override.feed", {{"percent", 100}});
+  bench.demand("override.rapid", {{"percent", 100}});
+  bench.program("last.nc", "G90 G53 G0 Z100\nM30\n");
+  bench.demand("kinematics.select", {{"scheme", 1}});
+  bench.demand("program.run", {{"program", "last.nc"}, {"wait", "done"}});
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, NoWedge, testing::Range(1, 6));
+
+}  // namespace
+}  // namespace stanok::daemon
