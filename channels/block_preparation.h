@@ -58,6 +58,8 @@ class BlockPreparation {
   [[nodiscard]] motion::Point programmed(const motion::Point& point_W) const {
     return face_.to_program(point_W);
   }
+  // The axes of the machine at the end of the path.
+  [[nodiscard]] motion::Point axes_M() const;
   // The programmed point in B: what the interpreter keeps as its position.
   [[nodiscard]] motion::Point position_B() const;
 
@@ -89,7 +91,6 @@ class BlockPreparation {
   [[nodiscard]] bool set_transformation(const lang::TransformationChange& change);
   [[nodiscard]] bool take_programmed(const kinematics::Transform& next);
   void stand_at(const motion::Point& axes_M);
-  [[nodiscard]] motion::Point axes_M() const;
   [[nodiscard]] std::optional<Diagnostic> refuse_pole(const motion::PathBlock& block) const;
   [[nodiscard]] motion::Point end_of(const lang::Move& move) const;
   [[nodiscard]] std::array<int, 2> plane_axes(lang::Plane plane) const;

@@ -52,6 +52,8 @@ class Channel {
   // Effects, asked for by the coordinator. Each is legal in every state or says so.
   void power(bool on) RT_SAFE;  // off: axes braked and drives off at standstill
   void begin_load(const ShortText& text, Job job) RT_SAFE;
+  // Where the loaded program begins when it is started the next time.
+  void begin_search(const ShortText& target, bool calculates, double pass) RT_SAFE;
   void begin_run(Job job) RT_SAFE;  // of what was loaded last as such a job
   void hold(HoldCause cause) RT_SAFE;
   // Feed hold of an operator: waits where the program does not let it act (M53). What moves outside
@@ -222,6 +224,7 @@ class Channel {
   [[nodiscard]] int disobedient_axis() const RT_SAFE;
   void fail_switch(int axis) RT_SAFE;
   void end_switch() RT_SAFE;
+  [[nodiscard]] Notice notice_of_start(NoticeKind kind) const RT_SAFE;
   void end_run(bool ok, std::uint64_t blocks) RT_SAFE;
   void end_effects() RT_SAFE;
   void close_run(bool ok, std::uint64_t blocks) RT_SAFE;

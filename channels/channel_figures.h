@@ -22,7 +22,7 @@ static_assert(spindles_max == motion::coupled_spindles_max);
 inline constexpr std::size_t automatic_feeds_max = 2;  // laws that the cycle forms of a channel
 
 // What is loaded and run: a program, or one line of an operator (MDI).
-enum class Job : std::uint8_t { program, line };
+enum class Job : std::uint8_t { program, line, search };
 
 // How a run of the channel, a load, a switch came out; the coordinator reads and acts.
 enum class Outcome : std::uint8_t { pending, succeeded, failed };

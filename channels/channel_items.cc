@@ -164,7 +164,7 @@ void Channel::execute(const Item& item) RT_SAFE {
 void Channel::take_load(const Item& item) RT_SAFE {
   load_ = item.flag ? Outcome::succeeded : Outcome::failed;
   text_ = item.text;
-  if (!item.flag || loading_ == Job::line) return;
+  if (!item.flag || loading_ != Job::program) return;
   has_program_ = true;
   if (state_ == ChannelState::idle) state_ = ChannelState::ready;
 }

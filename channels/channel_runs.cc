@@ -12,6 +12,26 @@ void Channel::begin_load(const ShortText& text, Job job) RT_SAFE {
   static_cast<void>(link_.notices.push(notice));
 }
 
+void Channel::begin_search(const ShortText& target, bool calculates, double pass) RT_SAFE {
+  load_ = Outcome::pending;
+  loading_ = Job::search;
+  Notice notice = notice_of_start(NoticeKind::search);
+  notice.text = ReasonText(target.view());
+  notice.ok = calculates;
+  notice.value = pass;
+  static_cast<void>(link_.notices.push(notice));
+}
+
+Notice Channel::notice_of_start(NoticeKind kind) const RT_SAFE {
+  Notice notice;
+  notice.kind = kind;
+  notice.run = run_;
+  notice.number = scheme_;
+  notice.block_skip = block_skip_;
+  notice.axes_M = axes_M();
+  return notice;
+}
+
 void Channel::begin_run(Job job) RT_SAFE {
   ++run_;
   run_before_ok_ = run_ok_;
@@ -30,13 +50,8 @@ void Channel::begin_run(Job job) RT_SAFE {
   path_mm_ = 0.0;
   lookahead_max_ = 0;
   blocks_ = 0;
-  Notice notice;
-  notice.kind = job == Job::line ? NoticeKind::start_line : NoticeKind::start;
-  notice.run = run_;
-  notice.number = scheme_;
-  notice.block_skip = block_skip_;
-  notice.axes_M = axes_M();
-  static_cast<void>(link_.notices.push(notice));
+  const NoticeKind kind = job == Job::line ? NoticeKind::start_line : NoticeKind::start;
+  static_cast<void>(link_.notices.push(notice_of_start(kind)));
   static_cast<void>(books_.reports->run_records().push(run_record()));
 }
 

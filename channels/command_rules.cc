@@ -22,6 +22,7 @@ constexpr Rule always{};
 // The columns: off, idle, ready | by hand, switching | running, held | alarm, fault | ending.
 constexpr Rule power_on{yes, yes, yes, yes, yes, yes, yes, alarm, alarm, stops};
 constexpr Rule load{yes, yes, yes, yes, yes, runs, runs, alarm, alarm, stops};
+constexpr Rule search{yes, no_program, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
 constexpr Rule run{off, yes, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
 constexpr Rule start{off, no_program, yes, by_hand, switches, runs, yes, alarm, alarm, stops};
 constexpr Rule resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran,
@@ -37,6 +38,8 @@ const Rule& rule_of(OperatorAction action) RT_SAFE {
       return power_on;
     case OperatorAction::program_load:
       return load;
+    case OperatorAction::program_search:
+      return search;
     case OperatorAction::program_run:
     case OperatorAction::mdi:
     case OperatorAction::home:

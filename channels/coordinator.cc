@@ -10,6 +10,7 @@ namespace {
 lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
   switch (action) {
     case OperatorAction::program_load:
+    case OperatorAction::program_search:
       return lang::RequestKind::channel_load;
     case OperatorAction::program_run:
     case OperatorAction::mdi:
@@ -21,6 +22,11 @@ lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
     default:
       return lang::RequestKind::channel_reset;
   }
+}
+
+Job job_of(OperatorAction action) RT_SAFE {
+  if (action == OperatorAction::mdi) return Job::line;
+  return action == OperatorAction::program_search ? Job::search : Job::program;
 }
 
 bool is_table_request(lang::RequestKind kind) RT_SAFE {
@@ -111,9 +117,10 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->reply_id = event.id;
   slot->kind = errand_of(event.action);
   slot->homes = event.action == OperatorAction::home;
-  slot->job = event.action == OperatorAction::mdi ? Job::line : Job::program;
+  slot->job = job_of(event.action);
   slot->target = index;
   slot->number = event.number;
+  slot->value = event.value;
   slot->text = event.text;
   slot->generation = channel->generation();
   slot->stage = stops ? 1 : 0;

@@ -62,6 +62,7 @@ class Coordinator {
     lang::RequestKind kind = lang::RequestKind::sync;
     int target = -1;  // index of the channel concerned
     int number = 0;
+    double value = 0.0;
     ChannelSet members = 0;  // mark_wait
     RequestData request;     // of a program
     double seconds = -1.0;

@@ -13,9 +13,16 @@ constexpr double spindle_stands_within_s = 120.0;
 
 Coordinator::Verdict Coordinator::step_load(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
-    if (const auto refused = obstacle(errand, OperatorAction::program_load, target))
-      return *refused;
-    target.begin_load(errand.text, errand.job);
+    const bool searches = errand.job == Job::search;
+    const auto action = searches ? OperatorAction::program_search : OperatorAction::program_load;
+    if (const auto refused = obstacle(errand, action, target)) return *refused;
+    if (searches) {
+      if (!target.has_program()) return refusal("E6005", target, ": no program is loaded");
+      if (!target.is_quiet()) return pending();
+      target.begin_search(errand.text, errand.number == 0, errand.value);
+    } else {
+      target.begin_load(errand.text, errand.job);
+    }
     errand.stage = 1;
     return pending();
   }

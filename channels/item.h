@@ -21,7 +21,8 @@ using ReasonText = FixedText<1024>;  // of an answer: lines after the first are 
 using FileName = FixedText<96>;
 
 enum class ItemKind : std::uint8_t {
-  load_done,         // a program or line was compiled: flag = success, text = name or reason
+  load_done,         // a program or line was compiled, a block found: flag = success, text = name
+                     // or reason
   run_end,           // the program came to its end: number = blocks executed
   line_end,          // a line of an operator came to its end: number = blocks executed
   run_failed,        // the program failed: code, text
@@ -90,7 +91,10 @@ struct Item {
 enum class NoticeKind : std::uint8_t {
   load,           // compile program `text`
   load_line,      // compile `text`, a line of an operator
-  start,          // begin a run of the loaded program: run, axes_M
+  search,         // find the block `text` of the loaded program, met for the `value`-th time, ok =
+                  // with calculation; as a start would: axes_M, number, block_skip
+  start,          // begin a run of the loaded program, where it was searched for: run, axes_M,
+                  // number = scheme
   start_line,     // the same of the line that was compiled last
   answer,         // to the request at hand
   reset,          // forget run and path, then send reset_done

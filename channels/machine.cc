@@ -282,6 +282,10 @@ std::vector<RunReport> Machine::runs() const {
 std::vector<AlarmReport> Machine::alarms() const {
   return parts_->reports.alarms();
 }
+std::optional<SearchReport> Machine::search(int channel) const {
+  return parts_->reports.search(channel);
+}
+
 std::vector<AlarmReport> Machine::load_diagnostics() const {
   return parts_->reports.load_diagnostics();
 }

@@ -17,6 +17,7 @@
 #include "channels/machine_config.h"
 #include "channels/operator_event.h"
 #include "channels/output.h"
+#include "channels/program_search.h"
 #include "lang/environment.h"
 
 namespace stanok::channels {
@@ -104,6 +105,8 @@ class Machine {
   [[nodiscard]] std::vector<AlarmReport> alarms() const;
   // Errors and warnings of all loads so far.
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics() const;
+  // Where the next run of the channel with this id begins; nothing: at the first block.
+  [[nodiscard]] std::optional<SearchReport> search(int channel) const;
   [[nodiscard]] TablesConfig tables() const;
 
  private:

@@ -35,6 +35,7 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::tool_set, "tool_set"},
     {OperatorAction::offset_set, "offset_set"},
     {OperatorAction::process_adaptive, "process_adaptive"},
+    {OperatorAction::program_search, "program_search"},
 });
 
 }  // namespace

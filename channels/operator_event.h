@@ -40,6 +40,8 @@ enum class OperatorAction : std::uint8_t {
   offset_set,         // text = work offset and axis of the machine, "G54 X"; value
   process_adaptive,   // number = ForceAction, text = quantity ("" or "force", "level", "mass",
                       // "frequency"), value
+  program_search,     // where the loaded program begins when it is started: text = target of
+                      // lang::search_target, number = 1 without calculation, value = pass
 };
 
 // What an operator does with the force control of a channel.

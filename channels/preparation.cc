@@ -10,8 +10,6 @@
 namespace stanok::channels {
 namespace {
 
-constexpr int commands_per_step = 64;
-
 std::string first_error(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics) {
     if (d.severity != Severity::error) continue;
@@ -45,6 +43,7 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
       shared_(shared),
       link_(link),
       reports_(reports),
+      live_(tables),
       motion_(motion_config(machine, channel)),
       description_(channel_description(machine, channel)),
       tables_(tables, machine, channel),
@@ -74,6 +73,8 @@ void Preparation::obey(const Notice& notice) {
       return load(std::string(notice.text.view()));
     case NoticeKind::load_line:
       return load_line(std::string(notice.text.view()));
+    case NoticeKind::search:
+      return search(notice);
     case NoticeKind::start:
     case NoticeKind::start_line:
       return start(notice);
@@ -97,6 +98,8 @@ void Preparation::load(const std::string& name) {
   if (compiled) {
     program_ = *compiled;
     program_name_ = name;
+    search_.reset();
+    reports_.tell_search(config_.id, std::nullopt);
   }
   finish_load(name, compiled, std::move(diagnostics));
 }
@@ -147,13 +150,17 @@ void Preparation::start(const Notice& notice) {
   interpreter_.set_block_skip(notice.block_skip);
   if (is_line) {
     interpreter_.start_line(running_, blocks_.position_B());
-  } else {
-    blocks_.forget_laws();
-    interpreter_.start(running_, blocks_.position_B());
   }
   scheme_switched_ = false;
   axes_change_ = false;
   task_ = Task::running;
+  if (is_line) return;
+  blocks_.forget_laws();
+  if (search_) {
+    static_cast<void>(enter_program(ProgramSearch::Stage::run));
+  } else {
+    interpreter_.start(running_, blocks_.position_B());
+  }
 }
 
 // Before anything of the run can bear a tag.
@@ -192,6 +199,8 @@ void Preparation::take_answer(const Notice& notice) {
 
 void Preparation::reset() {
   task_ = Task::idle;
+  search_.reset();
+  reports_.tell_search(config_.id, std::nullopt);
   interpreter_.reset();
   blocks_.reset_process();
   look_ahead_.clear();
@@ -207,6 +216,7 @@ void Preparation::reset() {
 }
 
 void Preparation::interpret() {
+  if (search_ && search_->stage != ProgramSearch::Stage::found) return search_on();
   for (int n = 0; n < commands_per_step && task_ == Task::running && pending_items_.empty(); ++n) {
     switch (interpreter_.next(command_)) {
       case lang::Step::command:

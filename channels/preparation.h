@@ -13,6 +13,7 @@
 #include "channels/channel_link.h"
 #include "channels/live_tables.h"
 #include "channels/machine.h"
+#include "channels/program_search.h"
 #include "channels/report_book.h"
 #include "channels/shared_variables.h"
 #include "channels/thread_preparation.h"
@@ -38,6 +39,7 @@ class Preparation {
   [[nodiscard]] Progress step();
 
  private:
+  static constexpr int commands_per_step = 64;
   enum class Task { idle, running, waiting_answer };
   using LoadResult = Expected<std::shared_ptr<const lang::Program>, Diagnostics>;
 
@@ -52,6 +54,20 @@ class Preparation {
   void take_answer(const Notice& notice);
   void reset();
   void switch_scheme(const Notice& notice);
+
+  // Block search (preparation_search.cc).
+  void search(const Notice& notice);
+  [[nodiscard]] bool enter_program(ProgramSearch::Stage stage);
+  void search_on();
+  void end_search(const Diagnostic& fault);
+  void arrive();
+  [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
+  [[nodiscard]] std::optional<Diagnostic> pass_move(const lang::Command& command);
+  [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Command& command,
+                                                       const lang::Request& request);
+  [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
+  [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
+  void approach(const motion::Point& target);
 
   // Program.
   void interpret();
@@ -88,6 +104,7 @@ class Preparation {
   SharedVariables& shared_;
   ChannelLink& link_;
   ReportBook& reports_;
+  const LiveTables& live_;
   motion::MotionConfig motion_;
   lang::ChannelDescription description_;
   ChannelTables tables_;
@@ -103,6 +120,7 @@ class Preparation {
   std::string program_name_;
   std::shared_ptr<const lang::Program> line_;     // of an operator, compiled
   std::shared_ptr<const lang::Program> running_;  // one of both
+  std::optional<ProgramSearch> search_;           // where the loaded program shall begin
   const kinematics::Scheme* scheme_ = nullptr;
   std::uint32_t run_ = 0;
   std::uint64_t blocks_executed_ = 0;

@@ -37,6 +37,18 @@ void ReportBook::add_diagnostics(int channel, const Diagnostics& diagnostics) {
     load_diagnostics_.push_back({channel, 0, diagnostic});
 }
 
+void ReportBook::tell_search(int channel, const std::optional<SearchReport>& report) {
+  const std::lock_guard lock(mutex_);
+  searches_.erase(channel);
+  if (report) searches_.emplace(channel, *report);
+}
+
+std::optional<SearchReport> ReportBook::search(int channel) {
+  const std::lock_guard lock(mutex_);
+  const auto found = searches_.find(channel);
+  return found == searches_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<RunReport> ReportBook::runs() {
   const std::lock_guard lock(mutex_);
   drain_runs();

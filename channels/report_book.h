@@ -7,6 +7,7 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "base/ring.h"
@@ -48,6 +49,8 @@ class ReportBook {
   void name_run(int channel, std::uint32_t run, const std::string& program);
   void explain(int channel, std::uint32_t run, const Diagnostic& diagnostic);
   void add_diagnostics(int channel, const Diagnostics& diagnostics);
+  // Where the next run begins; nothing: at the first block.
+  void tell_search(int channel, const std::optional<SearchReport>& report);
 
   // Cycle side.
   [[nodiscard]] Ring<RunRecord>& run_records() RT_SAFE { return run_records_; }
@@ -56,6 +59,7 @@ class ReportBook {
   [[nodiscard]] std::vector<RunReport> runs();
   [[nodiscard]] std::vector<AlarmReport> alarms();
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics();
+  [[nodiscard]] std::optional<SearchReport> search(int channel);
 
  private:
   using RunKey = std::pair<int, std::uint32_t>;
@@ -71,6 +75,7 @@ class ReportBook {
   std::map<RunKey, RunReport> runs_;
   std::vector<AlarmReport> alarms_;
   std::vector<AlarmReport> load_diagnostics_;
+  std::map<int, SearchReport> searches_;  // by channel
 };
 
 }  // namespace stanok::channels

@@ -57,6 +57,14 @@ SwitchPlan plan_switch(const ChannelConfig& channel, const kinematics::Scheme& n
   return plan;
 }
 
+motion::Point axes_behind_switch(const kinematics::Scheme& next, motion::Point axes_M) {
+  for (const auto& parking : next.config().parking)
+    axes_M[static_cast<std::size_t>(parking.axis)] = parking.position;
+  for (const auto& [axis, position] : next.config().retract)
+    axes_M[static_cast<std::size_t>(axis)] = position;
+  return axes_M;
+}
+
 const kinematics::Transform& machine_axes_transform() {
   static const kinematics::Transform identity{};
   return identity;

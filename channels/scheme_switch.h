@@ -32,6 +32,10 @@ using SwitchPlan = std::vector<SwitchStep>;
 [[nodiscard]] SwitchPlan plan_switch(const ChannelConfig& channel, const kinematics::Scheme& next,
                                      const motion::Point& axes_M, lang::AxisSet enabled);
 
+// Where the axes that stood at `axes_M` stand behind the plan.
+[[nodiscard]] motion::Point axes_behind_switch(const kinematics::Scheme& next,
+                                               motion::Point axes_M);
+
 // The transform of retract and parking moves: the path is in machine axes.
 [[nodiscard]] const kinematics::Transform& machine_axes_transform();
 

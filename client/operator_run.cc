@@ -33,7 +33,7 @@ bool is_watching(const OperatorCall& call) {
 OperatorClient::Deadline deadline_of(const OperatorCall& call) {
   const bool is_long = waits_for_the_end(call) || is_watching(call) ||
                        call.method->name == "program.load" || call.method->name == "program.run" ||
-                       call.method->name == "home";
+                       call.method->name == "program.search" || call.method->name == "home";
   const double seconds = call.timeout_s > 0.0 ? call.timeout_s : (is_long ? 0.0 : usual_timeout_s);
   if (seconds <= 0.0) return std::nullopt;
   return OperatorClient::Clock::now() + std::chrono::duration_cast<OperatorClient::Clock::duration>(

@@ -44,6 +44,9 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] std::vector<channels::AlarmReport> alarms() override {
     return assembly_.machine().alarms();
   }
+  [[nodiscard]] std::optional<channels::SearchReport> search(int channel) override {
+    return assembly_.machine().search(channel);
+  }
   [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
     return assembly_.machine().load_diagnostics();
   }

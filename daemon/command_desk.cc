@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "daemon/search_report.h"
+
 namespace stanok::daemon {
 namespace {
 
@@ -12,8 +14,13 @@ using protocol::FailureKind;
 
 constexpr auto standing_cycle_max = std::chrono::seconds(2);
 
-bool reads_programs(OperatorAction action) {
+bool loads_program(OperatorAction action) {
   return action == OperatorAction::program_load || action == OperatorAction::program_run;
+}
+
+// Its refusal is told with a place.
+bool reads_program(OperatorAction action) {
+  return loads_program(action) || action == OperatorAction::program_search;
 }
 
 Failure failure_of(FailureKind kind, const char* code, std::string text, int channel) {
@@ -33,7 +40,7 @@ Failure failure_of_load(const std::vector<channels::AlarmReport>& errors, int ch
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
   event.id = ++last_id_;
   Pending pending{event, wait, std::move(answer), 0};
-  if (reads_programs(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
+  if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(
         failure_of(FailureKind::refused, "E9007", "too many requests at once", event.channel)));
@@ -50,12 +57,15 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
   if (pending.wait == WaitFor::end_of_run) {
     return await_run(pending.event.channel, std::move(pending.answer));
   }
-  pending.answer(json{{"accepted", true}});
+  const auto search = pending.event.action == OperatorAction::program_search
+                          ? machine_.search(pending.event.channel)
+                          : std::nullopt;
+  pending.answer(search ? search_json(*search) : json{{"accepted", true}});
 }
 
 Failure CommandDesk::refusal(const Pending& pending, const channels::OperatorReply& reply) const {
   const int channel = pending.event.channel;
-  if (reads_programs(pending.event.action) && reply.code.empty()) {
+  if (reads_program(pending.event.action) && reply.code.empty()) {
     std::vector<channels::AlarmReport> errors;
     const auto diagnostics = machine_.load_diagnostics();
     for (std::size_t k = pending.diagnostics_before; k < diagnostics.size(); ++k) {
@@ -74,7 +84,7 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
   for (const auto& channel : machine_.file().machine.channels) {
     if (event.channel != 0 && event.channel != channel.id) continue;
     ChannelNotes& notes = notes_[channel.id];
-    if (reads_programs(event.action)) notes.program = event.text.view();
+    if (loads_program(event.action)) notes.program = event.text.view();
     if (event.action == OperatorAction::override_rapid)
       notes.rapid_override_percent = event.value * 100.0;
     if (event.action == OperatorAction::override_spindle) {

@@ -48,6 +48,8 @@ class RunningMachine {
   [[nodiscard]] virtual std::vector<channels::AlarmReport> alarms() = 0;
   [[nodiscard]] virtual std::vector<channels::AlarmReport> load_diagnostics() = 0;
   [[nodiscard]] virtual channels::TablesConfig tables() = 0;
+  // Where the next run of a channel begins; nothing: at the first block.
+  [[nodiscard]] virtual std::optional<channels::SearchReport> search(int channel) = 0;
 
   [[nodiscard]] virtual LoopFigures loop_figures() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;

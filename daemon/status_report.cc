@@ -92,6 +92,11 @@ const channels::ChannelConfig& config_of(const channels::MachineConfig& machine,
                        [&](const auto& config) { return config.id == channel; });
 }
 
+// Where the next run begins, when that is not the first block.
+json begins_at(const std::optional<channels::SearchReport>& search) {
+  return search ? json(search->file + ":" + std::to_string(search->line)) : json(nullptr);
+}
+
 json words_of(const channels::ChannelConfig& config) {
   return config.words;
 }
@@ -252,6 +257,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
            {{"feed", output.feed_override * 100.0},
             {"rapid", notes.rapid_override_percent},
             {"spindle", notes.spindle_override_percent}}},
+          {"begins_at", begins_at(machine_.search(config.id))},
           {"remaining_s", nullptr}};
 }
 

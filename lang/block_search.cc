@@ -1,6 +1,7 @@
 #include "lang/block_search.h"
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "base/overloaded.h"
@@ -99,7 +100,36 @@ const char* omission_of(RequestKind kind) {
   }
 }
 
+constexpr int longest_number = 9;  // digits
+
+std::optional<int> whole_number(std::string_view digits) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool is_number = error == std::errc() && end == digits.data() + digits.size();
+  if (!is_number || number < 0 || digits.size() > longest_number) return std::nullopt;
+  return number;
+}
+
 }  // namespace
+
+std::optional<SearchTarget> search_target(std::string_view text) {
+  SearchTarget target;
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string_view::npos) {
+    target.file = text.substr(0, colon);
+    text.remove_prefix(colon + 1);
+    if (target.file.empty()) return std::nullopt;
+  }
+  const bool is_block = text.starts_with('N') || text.starts_with('n');
+  const auto number = whole_number(is_block ? text.substr(1) : text);
+  if (!number || (!is_block && *number == 0)) return std::nullopt;
+  if (is_block) {
+    target.block_number = number;
+  } else {
+    target.line = static_cast<std::uint32_t>(*number);
+  }
+  return target;
+}
 
 Expected<StopPlace, Diagnostic> find_place(const Program& program, const SearchTarget& target) {
   const auto file = file_called(program, target.file);
@@ -151,13 +181,10 @@ void SearchCollector::take(const Command& command) {
   }
   const auto omitted = [&](const char* what) { omit(what, command.origin); };
   std::visit(Overloaded{
-                 [&](const SpindleCommand& spindle) {
-                   if (spindle.action == SpindleAction::set_speed) {
-                     state_.speeds[spindle.spindle] = spindle.speed_rev_per_min;
-                   } else {
-                     state_.spindles[spindle.spindle] = spindle;
-                   }
-                 },
+                 [&](const SpindleCommand& spindle) { take(spindle); },
+                 [&](const CuttingSpeedMode& mode) { state_.cutting_speeds[mode.spindle] = mode; },
+                 [&](const OverrideControl& control) { state_.overrides = control; },
+                 [&](const ForceControl& order) { take(order); },
                  [&](const CoolantCommand& coolant) { state_.coolant = coolant; },
                  [&](const FeedLawChange& change) {
                    if (!change.of_next_block) state_.feed_law = change.law;
@@ -176,12 +203,46 @@ void SearchCollector::take(const Command& command) {
                  [&](const ProgramStop&) { omitted("program stops"); },
                  [&](const SynchronousMove&) { omitted("threads"); },
                  [&](const ProbeMove&) { omitted("probing moves"); },
-                 [&](const Request& request) {
-                   if (const char* const what = omission_of(request.kind)) omitted(what);
-                 },
+                 [&](const Request& request) { take(request, command.origin); },
                  [](const auto&) {},
              },
              command.payload);
+}
+
+void SearchCollector::take(const SpindleCommand& command) {
+  if (command.action == SpindleAction::set_speed) {
+    state_.speeds[command.spindle] = command.speed_rev_per_min;
+  } else {
+    state_.spindles[command.spindle] = command;
+  }
+}
+
+void SearchCollector::take(const ForceControl& order) {
+  if (order.kind == ForceControl::Kind::off) return state_.force_orders.clear();
+  std::erase_if(state_.force_orders, [&](const auto& old) { return old.kind == order.kind; });
+  state_.force_orders.push_back(order);
+}
+
+void SearchCollector::take(const Request& request, const Origin& origin) {
+  if (const char* const what = omission_of(request.kind)) omit(what, origin);
+  if (request.kind == RequestKind::spindle_to_axis) state_.spindles_as_axes.insert(request.number);
+  if (request.kind == RequestKind::axis_to_spindle) state_.spindles_as_axes.erase(request.number);
+}
+
+Diagnostic answer_is_unknown(const Program& program, const Origin& origin) {
+  Diagnostic unknown;
+  unknown.code = "E6041";
+  unknown.message = "the search ends here: what the machine will answer is not known";
+  put_at_block(program, origin, unknown);
+  return unknown;
+}
+
+Diagnostic ended_before(const Program& program, const StopPlace& place) {
+  Diagnostic end;
+  end.code = "E6041";
+  end.message = "the program ends before line " + std::to_string(place.line) + " is reached";
+  end.place.file = std::string(file_name(program, place.file));
+  return end;
 }
 
 }  // namespace stanok::lang

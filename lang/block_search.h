@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -37,6 +39,10 @@ struct StopPlace {
   int passes = 1;
 };
 
+// A target in an operator's words: "120", "N40", and in another file "sub.nc:120", "sub.nc:N40".
+// Nothing: it is none.
+[[nodiscard]] std::optional<SearchTarget> search_target(std::string_view text);
+
 // Where the target stands; a line without code means the next one with code. The error is E6040.
 [[nodiscard]] Expected<StopPlace, Diagnostic> find_place(const Program& program,
                                                          const SearchTarget& target);
@@ -49,8 +55,12 @@ struct SearchState {
   FrameChange frame;
   std::map<int, SpindleCommand> spindles;  // the last command of each
   std::map<int, double> speeds;            // rev/min
+  std::map<int, CuttingSpeedMode> cutting_speeds;
+  std::set<int> spindles_as_axes;  // M902 without M903
   CoolantCommand coolant;
-  FeedLaw feed_law;  // modal
+  OverrideControl overrides;
+  std::vector<ForceControl> force_orders;  // in force, one of a kind
+  FeedLaw feed_law;                        // modal
   int tool_prepared = 0;
   int tool = 0;
   bool tool_changed = false;
@@ -74,9 +84,17 @@ class SearchCollector {
   [[nodiscard]] const SearchState& state() const { return state_; }
 
  private:
+  void take(const SpindleCommand& command);
+  void take(const ForceControl& order);
+  void take(const Request& request, const Origin& origin);
   void omit(const std::string& what, const Origin& origin);
 
   SearchState state_;
 };
+
+// Why a search ended before its target (E6041): at a request whose answer only the machine knows;
+// because the program was over.
+[[nodiscard]] Diagnostic answer_is_unknown(const Program& program, const Origin& origin);
+[[nodiscard]] Diagnostic ended_before(const Program& program, const StopPlace& place);
 
 }  // namespace stanok::lang

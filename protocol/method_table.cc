@@ -242,6 +242,25 @@ constexpr Parameter offset_axis{.name = "axis",
                                 .maximum = 16,
                                 .help = "axis of the machine; R: rotation"};
 
+constexpr Parameter search_target =
+    required_text("target", "line, 120, or block number, N40; of another file: sub.nc:120");
+constexpr Parameter search_pass{.name = "pass",
+                                .type = ParameterType::integer,
+                                .carries = Carries::value,
+                                .minimum = 1,
+                                .maximum = 1e6,
+                                .help = "in a loop, the how-manieth time; default 1"};
+constexpr auto calculations = std::to_array<std::string_view>({"with", "without"});
+constexpr Parameter search_calculation{
+    .name = "calculation",
+    .type = ParameterType::choice,
+    .carries = Carries::number,
+    .choices = calculations,
+    .help =
+        "with (default): in the state that the blocks before leave behind; without: in the "
+        "default state"};
+
+constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
 constexpr std::array of_tool{tool_number, tool_edge};
 constexpr std::array of_tool_value{tool_number, tool_value, table_value, tool_edge};
 constexpr std::array of_offset_value{offset_name, offset_axis, table_value};
@@ -319,7 +338,9 @@ constexpr auto table = std::to_array<Method>({
     {"program.list", observer, "program files beneath the program root"},
     {"program.history", observer, "program runs since the daemon started, with blocks and times",
      of_channel},
-    later("program.search", machine_operator, "find a block and collect its modal state"),
+    {"program.search", machine_operator,
+     "where the loaded program begins when it is started; tells what lies before that block",
+     of_search, "program_search"},
 
     {"override.feed", machine_operator, "feed override of a channel", of_feed, "override_feed"},
     {"override.rapid", machine_operator, "rapid override of a channel", of_rapid, "override_rapid"},

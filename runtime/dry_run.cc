@@ -158,13 +158,8 @@ std::optional<Diagnostic> DryRun::search(const lang::StopPlace& place,
         return std::nullopt;
       case lang::Step::failed:
         return interpreter_.error();
-      case lang::Step::ended: {
-        Diagnostic end;
-        end.code = "E6041";
-        end.message = "the program ends before line " + std::to_string(place.line) + " is reached";
-        end.place.file = std::string(lang::file_name(*program_, place.file));
-        return end;
-      }
+      case lang::Step::ended:
+        return lang::ended_before(*program_, place);
     }
   }
   return faults.front();
@@ -177,13 +172,7 @@ std::optional<Diagnostic> DryRun::pass_request(const lang::Request& request,
                                                const lang::SearchCollector& collector) {
   auto answer = is_table_request(request.kind) ? std::optional(answer_of(request))
                                                : collector.answer(request);
-  if (!answer) {
-    Diagnostic unknown;
-    unknown.code = "E6041";
-    unknown.message = "the search ends here: what the machine will answer is not known";
-    lang::put_at_block(*program_, command.origin, unknown);
-    return unknown;
-  }
+  if (!answer) return lang::answer_is_unknown(*program_, command.origin);
   const bool own = request.kind == lang::RequestKind::kinematics && request.channel == channel_.id;
   if (own) switch_scheme(request.number);
   answer->position_B = blocks_.position_B();
@@ -405,16 +394,8 @@ lang::Answer DryRun::answer_of(const lang::Request& request) {
 void DryRun::switch_scheme(int id) {
   const auto found = schemes_.find(id);
   if (found == schemes_.end()) return;
-  motion::Point axes_M{};
-  kinematics::inverse(blocks_.transform(), blocks_.position_W(), axes_M);
   scheme_ = found->second.get();
-  for (const auto& parking : scheme_->config().parking) {
-    axes_M[static_cast<std::size_t>(parking.axis)] = parking.position;
-  }
-  for (const auto& [axis, position] : scheme_->config().retract) {
-    axes_M[static_cast<std::size_t>(axis)] = position;
-  }
-  blocks_.change_scheme(scheme_, axes_M);
+  blocks_.change_scheme(scheme_, channels::axes_behind_switch(*scheme_, blocks_.axes_M()));
   tables_.set_scheme_zero(scheme_->config().zero);
   builder_.restart(blocks_.position_W(), blocks_.geometry());
 }

@@ -76,6 +76,9 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] channels::CycleOutput newest_output() override { return copy(output); }
   [[nodiscard]] std::vector<channels::RunReport> runs() override { return copy(run_reports); }
   [[nodiscard]] std::vector<channels::AlarmReport> alarms() override { return copy(alarm_reports); }
+  [[nodiscard]] std::optional<channels::SearchReport> search(int) override {
+    return copy(searched);
+  }
   [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
     return copy(diagnostics);
   }
@@ -108,6 +111,7 @@ class FakeMachine final : public RunningMachine {
   channels::CycleOutput output;
   std::vector<channels::RunReport> run_reports;
   std::vector<channels::AlarmReport> alarm_reports;
+  std::optional<channels::SearchReport> searched;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
 

@@ -1,0 +1,58 @@
+// ProgramSearch: where the next run of a channel's program begins, and what lies before that place.
+//
+// Asked for by an operator, it is carried out twice: at once, to tell what it comes to, and again
+// when the program is started, from where the axes stand then. Between both the operator may do
+// what he likes. (docs/operator.md, "Beginning in the middle")
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lang/block_search.h"
+#include "motion/path.h"
+
+namespace stanok::kinematics {
+class Scheme;
+}
+
+namespace stanok::channels {
+
+struct ProgramSearch {
+  enum class Stage : std::uint8_t {
+    look,   // under way, for the operator
+    found,  // waits for the start of the program
+    run,    // under way, at the beginning of a run
+  };
+
+  lang::StopPlace place;
+  bool calculates = true;  // else the run begins with the default modal state
+  Stage stage = Stage::look;
+  lang::SearchCollector collector;
+  motion::Point axes_M{};                      // where the axes stand
+  const kinematics::Scheme* scheme = nullptr;  // at the place reached so far
+};
+
+// What a search came to, for people. Positions in the order of the words, workpiece system.
+struct SearchReport {
+  std::string file;
+  std::uint32_t line = 0;
+  std::vector<std::string> words;
+  std::vector<double> position;   // programmed at the target; empty: not calculated
+  std::vector<double> stands_at;  // the axes now, in the same system
+  lang::SearchState state;
+};
+
+// Commands that bring the machine, apart from its axes, into the state of a search, in their order.
+[[nodiscard]] std::vector<lang::Payload> commands_to_restore(const lang::SearchState& state);
+
+// Bit k: coordinate k differs.
+[[nodiscard]] lang::AxisSet axes_apart(const motion::Point& a, const motion::Point& b);
+
+// The ends of the moves from `start` to `end`: away from the workpiece first, towards it last.
+// Along `infeed`, an axis whose positive direction leads away from the workpiece; -1: one move.
+// Points where nothing moves are left out.
+[[nodiscard]] std::vector<motion::Point> approach_points(const motion::Point& start,
+                                                         const motion::Point& end, int infeed);
+
+}  // namespace stanok::channels

@@ -1,0 +1,327 @@
+// Block search on the machine: a program that begins at a block stands as if it had come there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "channels/machine.h"
+#include "lang/block_search.h"
+#include "tests/support/machine/machine_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::MachineBench;
+using ::testing::Pointwise;
+using ::testing::StartsWith;
+
+constexpr double place_tolerance = 1e-9;
+
+class ProgramSearchTest : public ::testing::Test {
+ protected:
+  void load(const std::string& text) {
+    bench.program("p.nc", text);
+    bench.ask(OperatorAction::program_load, 1, "p.nc");
+    bench.run_to_end();
+  }
+  // Empty: found; else what the operator reads.
+  std::string search(const std::string& target, double pass = 1.0, bool calculates = true) {
+    const std::size_t before = bench.replies().size();
+    bench.ask(OperatorAction::program_search, 1, target, pass, calculates ? 0 : 1);
+    bench.run_to_end();
+    EXPECT_EQ(bench.replies().size(), before + 1);
+    const OperatorReply& reply = bench.replies().back();
+    return reply.ok ? "" : std::string(reply.code.view()) + std::string(reply.text.view());
+  }
+  void start(const std::function<void(const CycleOutput&)>& watch = {}) {
+    bench.ask(OperatorAction::program_start, 1);
+    bench.run_to_end(watch);
+  }
+  std::vector<double> stands() {
+    const auto& axes = bench.channel(1).axes;
+    return {axes[0].position, axes[1].position, axes[2].position};
+  }
+
+  MachineBench bench;
+};
+
+constexpr const char* pocket =
+    "G21 G90 G54\n"    // 1
+    "T1 M6\n"          // 2
+    "S1000 M3\n"       // 3
+    "M8\n"             // 4
+    "G0 X10 Y10 Z5\n"  // 5
+    "G1 Z-1 F600\n"    // 6
+    "N70 X50\n"        // 7
+    "N80 Y40\n"        // 8
+    "G0 Z20\n"         // 9
+    "M30\n";           // 10
+
+TEST_F(ProgramSearchTest, TellsWhatLiesBeforeTheBlock) {
+  load(pocket);
+  ASSERT_EQ(search("N80"), "");
+  const auto report = bench.machine().search(1);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->file, "p.nc");
+  EXPECT_EQ(report->line, 8u);
+  EXPECT_THAT(report->position,
+              Pointwise(DoubleNear(place_tolerance), {50.0, 10.0, -1.0, 0.0, 0.0}));
+  EXPECT_THAT(report->stands_at, Pointwise(DoubleNear(place_tolerance), {0.0, 0.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(report->state.tool, 1);
+  EXPECT_EQ(report->state.speeds.at(0), 1000.0);
+  EXPECT_EQ(report->state.spindles.at(0).action, lang::SpindleAction::clockwise);
+  EXPECT_TRUE(report->state.coolant.flood);
+  EXPECT_THAT(stands(), Pointwise(DoubleNear(0.0), {0.0, 0.0, 0.0})) << "nothing has moved";
+}
+
+TEST_F(ProgramSearchTest, TheSpindleTurnsBeforeTheAxesApproachAndTheToolGoesDownLast) {
+  load(pocket);
+  ASSERT_EQ(search("8"), "");
+  bool spindle_turned_first = true;
+  double deepest_elsewhere = 0.0;  // Z while X and Y are not there yet
+  double largest_y_above = 0.0;    // Y while the tool is not down yet
+  start([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    const double x = channel.axes[0].position;
+    const double y = channel.axes[1].position;
+    const double z = channel.axes[2].position;
+    if (channel.process.spindle_rev_per_min == 0.0 && x > 0.0 && channel.tag.line == 8)
+      spindle_turned_first = false;
+    const bool is_there = std::abs(x - 50.0) < place_tolerance && y > 10.0 - place_tolerance;
+    if (!is_there) deepest_elsewhere = std::min(deepest_elsewhere, z);
+    if (channel.tag.line == 8 && z > -1.0 + place_tolerance)
+      largest_y_above = std::max(largest_y_above, y);
+  });
+  EXPECT_TRUE(spindle_turned_first);
+  EXPECT_EQ(deepest_elsewhere, 0.0);
+  EXPECT_NEAR(largest_y_above, 10.0, place_tolerance);
+  EXPECT_THAT(stands(), Pointwise(DoubleNear(place_tolerance), {50.0, 40.0, 20.0}));
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_FALSE(bench.machine().search(1)) << "the next start begins at the first block";
+}
+
+TEST_F(ProgramSearchTest, TheApproachLiftsTheToolFirst) {
+  load(pocket);
+  bench.ask(OperatorAction::mdi, 1, "G0 X80 Y80 Z-30");
+  bench.run_to_end();
+  ASSERT_EQ(search("8"), "");
+  double lowest_on_the_way = 0.0;
+  start([&](const CycleOutput& output) {
+    const auto& axes = output.channels[0].axes;
+    if (axes[0].position < 80.0 - place_tolerance)
+      lowest_on_the_way = std::min(lowest_on_the_way, axes[2].position);
+  });
+  EXPECT_NEAR(lowest_on_the_way, -1.0, place_tolerance);
+  EXPECT_THAT(stands(), Pointwise(DoubleNear(place_tolerance), {50.0, 40.0, 20.0}));
+}
+
+// Between search and start the operator jogs, enters lines, measures.
+TEST_F(ProgramSearchTest, HoldsAfterLinesOfTheOperator) {
+  load(pocket);
+  ASSERT_EQ(search("8"), "");
+  bench.ask(OperatorAction::mdi, 1, "G0 X-20 Z30");
+  bench.run_to_end();
+  double least_y = 100.0;
+  start([&](const CycleOutput& output) {
+    if (output.channels[0].tag.line >= 8)
+      least_y = std::min(least_y, output.channels[0].axes[1].position);
+  });
+  EXPECT_THAT(stands(), Pointwise(DoubleNear(place_tolerance), {50.0, 40.0, 20.0}));
+}
+
+TEST_F(ProgramSearchTest, ResetAndLoadForgetIt) {
+  load(pocket);
+  ASSERT_EQ(search("8"), "");
+  bench.ask(OperatorAction::program_reset, 1);
+  bench.run_to_end();
+  EXPECT_FALSE(bench.machine().search(1));
+  ASSERT_EQ(search("8"), "");
+  load(pocket);
+  EXPECT_FALSE(bench.machine().search(1));
+  bool has_begun_at_first = false;
+  start([&](const CycleOutput& output) {
+    has_begun_at_first = has_begun_at_first || output.channels[0].tag.line == 5;
+  });
+  EXPECT_TRUE(has_begun_at_first);
+}
+
+TEST_F(ProgramSearchTest, FindsThePassOfALoop) {
+  load(
+      "num turn = 0;\n"
+      "while (turn < 5) {\n"
+      "  turn += 1;\n"
+      "  G1 X=turn F6000\n"
+      "  Y=turn\n"
+      "}\n"
+      "M30\n");
+  ASSERT_EQ(search("5", 4.0), "");
+  EXPECT_THAT(bench.machine().search(1)->position,
+              Pointwise(DoubleNear(place_tolerance), {4.0, 3.0, 0.0, 0.0, 0.0}));
+  start();
+  EXPECT_THAT(stands(), Pointwise(DoubleNear(place_tolerance), {5.0, 5.0, 0.0}));
+}
+
+TEST_F(ProgramSearchTest, WithoutCalculationTheDefaultStateHolds) {
+  load("G91\nG0 X10\nG0 X10\nM30\n");
+  ASSERT_EQ(search("3", 1.0, false), "");
+  bench.ask(OperatorAction::mdi, 1, "G0 X3");
+  bench.run_to_end();
+  start();
+  EXPECT_NEAR(stands()[0], 10.0, place_tolerance) << "G90: the default state";
+}
+
+TEST_F(ProgramSearchTest, FramesAndToolLengthsAreThoseOfTheBlock) {
+  load("G0 X1\nG52 X100\nG43.1 Z7\nG0 X1 Y1\nG68 X0 Y0 R90\nG1 X5 Y0 F6000\nX6\nM30\n");
+  ASSERT_EQ(search("7"), "");
+  start();
+  const std::vector<double> searched = stands();
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_THAT(searched, Pointwise(DoubleNear(place_tolerance), stands()));
+}
+
+TEST_F(ProgramSearchTest, AMarkAndAChannelFunctionAreNotExecuted) {
+  load("mark_wait (3, 1, 2);\nchannel_run (2, \"none.nc\");\nG0 X5\nX6\nM30\n");
+  ASSERT_EQ(search("4"), "");
+  const auto report = bench.machine().search(1);
+  std::map<std::string, int> counts;
+  for (const auto& omission : report->state.omissions) counts[omission.what] = omission.count;
+  EXPECT_EQ(counts["channel functions"], 1);
+  start();
+  EXPECT_NEAR(stands()[0], 6.0, place_tolerance);
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+}
+
+struct Refusal {
+  const char* name;
+  const char* program;
+  const char* target;
+  const char* code;
+  const char* word;
+};
+
+class ProgramSearchRefusal : public ProgramSearchTest,
+                             public ::testing::WithParamInterface<Refusal> {};
+
+TEST_P(ProgramSearchRefusal, IsToldAndLeavesTheMachineAsItWas) {
+  const Refusal& refusal = GetParam();
+  load(refusal.program);
+  const std::string told = search(refusal.target);
+  EXPECT_THAT(told, StartsWith(refusal.code));
+  EXPECT_THAT(told, HasSubstr(refusal.word));
+  EXPECT_EQ(bench.channel(1).state, ChannelState::ready);
+  EXPECT_FALSE(bench.machine().search(1));
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Searches, ProgramSearchRefusal,
+    ::testing::Values(
+        Refusal{"NoTarget", "G0 X1\nM30\n", "first", "E6040", "first"},
+        Refusal{"NoSuchBlock", "G0 X1\nM30\n", "N9", "E6040", "N9"},
+        Refusal{"TwiceTheBlock", "N1 G0 X1\nN1 X2\nM30\n", "N1", "E6040", "more than once"},
+        Refusal{"BehindTheEnd", "G0 X1\nM30\n", "40", "E6040", "40"},
+        Refusal{"NeverReached", "G0 X1\nif (1 > 2) {\n  X2\n}\nM30\n", "3", "E6041", "line 3"},
+        Refusal{"AnInput", "G0 X0\nif ($in[1]) {\n  G0 X1\n}\nG0 X2\nM30\n", "5", "E6041",
+                "p.nc:2"},
+        Refusal{"OtherKinematics", "#kinematics (2, 1)\nG0 X1\nX2\nM30\n", "3", "E6043",
+                "scheme 2"},
+        Refusal{"NoSuchFile", "G0 X1\nM30\n", "sub.nc:3", "E6040", "sub.nc"}),
+    [](const auto& refusal) { return refusal.param.name; });
+
+TEST_F(ProgramSearchTest, NeedsALoadedProgramAndAChannelAtRest) {
+  EXPECT_THAT(search("1"), StartsWith("E6005"));
+  load("G1 X100 F600\nM30\n");
+  bench.ask(OperatorAction::program_start, 1);
+  for (int n = 0; n < 50; ++n) bench.cycle();
+  EXPECT_THAT(search("2"), StartsWith("E6003"));
+}
+
+// Random programs of lines, arcs, shifts and spindle commands: from any line on they go where the
+// whole program goes.
+class RandomProgram {
+ public:
+  explicit RandomProgram(unsigned seed) : random_(seed) {
+    line("G21 G90 G17");
+    for (int n = 0; n < 25; ++n) add();
+    line("M30");
+  }
+  [[nodiscard]] std::string text() const { return text_.str(); }
+  [[nodiscard]] int lines() const { return lines_; }
+
+ private:
+  double coordinate() { return std::uniform_int_distribution(-400, 400)(random_) * 0.1; }
+  void line(const std::string& words) {
+    text_ << words << '\n';
+    ++lines_;
+  }
+  void add() {
+    std::ostringstream words;
+    switch (std::uniform_int_distribution(0, 7)(random_)) {
+      case 0:
+        words << "G0 X" << coordinate() << " Z" << coordinate();
+        break;
+      case 1:
+        words << "G52 X" << coordinate() << " Y" << coordinate();
+        break;
+      case 2:
+        words << "S" << std::uniform_int_distribution(100, 2000)(random_) << " M3";
+        break;
+      case 3:
+        words << "G43.1 Z" << coordinate();
+        break;
+      case 4:
+        words << "G91 G1 X1.5 Y-0.5 F3000";
+        break;
+      case 5:
+        words << "G2 I2 J0 F2000";
+        break;
+      default:
+        words << "G90 G1 X" << coordinate() << " Y" << coordinate() << " F4000";
+    }
+    line(words.str());
+  }
+
+  std::mt19937 random_;
+  std::ostringstream text_;
+  int lines_ = 0;
+};
+
+TEST(ProgramSearchProperties, FromAnyLineTheProgramGoesWhereItWouldGo) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const RandomProgram program(seed);
+    // The last place at each line.
+    const auto trace = [&](int from) {
+      MachineBench bench;
+      bench.program("p.nc", program.text());
+      bench.ask(OperatorAction::program_load, 1, "p.nc");
+      if (from > 1) bench.ask(OperatorAction::program_search, 1, std::to_string(from));
+      bench.run_to_end();
+      bench.ask(OperatorAction::program_start, 1);
+      std::map<std::uint32_t, std::vector<double>> places;
+      bench.run_to_end([&](const CycleOutput& output) {
+        const ChannelOutput& channel = output.channels[0];
+        places[channel.tag.line] = {channel.axes[0].position, channel.axes[1].position,
+                                    channel.axes[2].position, channel.process.spindle_rev_per_min};
+      });
+      EXPECT_THAT(bench.alarm_codes(), IsEmpty()) << program.text() << from;
+      return places;
+    };
+    const auto whole = trace(1);
+    std::mt19937 random(seed);
+    const int from = std::uniform_int_distribution(2, program.lines() - 1)(random);
+    const auto searched = trace(from);
+    ASSERT_FALSE(searched.empty());
+    EXPECT_THAT(searched.rbegin()->second, Pointwise(DoubleNear(1e-6), whole.rbegin()->second))
+        << "seed " << seed << " from line " << from << '\n'
+        << program.text();
+  }
+}
+
+}  // namespace
+}  // namespace stanok::channels
