@@ -136,6 +136,7 @@ Diagnostics Preparation::declare_shared(const lang::Program& program) {
 
 void Preparation::start(const Notice& notice) {
   run_ = notice.run;
+  entry_.clear();
   blocks_executed_ = 0;
   feed_is_warned_of_ = false;
   scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
@@ -199,6 +200,7 @@ void Preparation::take_answer(const Notice& notice) {
 
 void Preparation::reset() {
   task_ = Task::idle;
+  entry_.clear();
   search_.reset();
   reports_.tell_search(config_.id, std::nullopt);
   interpreter_.reset();
@@ -218,7 +220,7 @@ void Preparation::reset() {
 void Preparation::interpret() {
   if (search_ && search_->stage != ProgramSearch::Stage::found) return search_on();
   for (int n = 0; n < commands_per_step && task_ == Task::running && pending_items_.empty(); ++n) {
-    switch (interpreter_.next(command_)) {
+    switch (next_command()) {
       case lang::Step::command:
         blocks_executed_ = std::max(blocks_executed_, command_.block);
         take(command_);

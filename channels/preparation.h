@@ -68,6 +68,7 @@ class Preparation {
   [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
   [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
   void approach(const motion::Point& target);
+  [[nodiscard]] lang::Step next_command();
 
   // Program.
   void interpret();
@@ -120,6 +121,7 @@ class Preparation {
   std::string program_name_;
   std::shared_ptr<const lang::Program> line_;     // of an operator, compiled
   std::shared_ptr<const lang::Program> running_;  // one of both
+  std::deque<lang::Command> entry_;               // of a run that begins in the middle
   std::optional<ProgramSearch> search_;           // where the loaded program shall begin
   const kinematics::Scheme* scheme_ = nullptr;
   std::uint32_t run_ = 0;

@@ -230,22 +230,30 @@ void Preparation::approach(const motion::Point& target) {
   search_.reset();
   reports_.tell_search(config_.id, std::nullopt);
   push_transform();
-  for (const lang::Payload& payload : commands_to_restore(state)) {
-    command.payload = payload;
-    take(command);
+  for (lang::Payload& payload : commands_to_restore(state)) {
+    command.payload = std::move(payload);
+    entry_.push_back(command);
   }
-  const motion::Point start = blocks_.position_W();
+  motion::Point before = blocks_.position_W();
   for (const motion::Point& point :
-       approach_points(start, target, infeed_axis(blocks_.geometry()))) {
+       approach_points(before, target, infeed_axis(blocks_.geometry()))) {
     lang::Move move;
     move.stop_at_end = true;
-    move.words = axes_apart(blocks_.position_W(), point);
+    move.words = axes_apart(before, point);
     const motion::Point end = blocks_.programmed(point);
     std::copy(end.begin(), end.end(), move.end.begin());
     command.payload = move;
-    if (task_ == Task::running) take(command);
+    entry_.push_back(command);
+    before = point;
   }
-  end_chain();
+}
+
+// The next command of the run: of its entry in the middle first, then of the interpreter.
+lang::Step Preparation::next_command() {
+  if (entry_.empty()) return interpreter_.next(command_);
+  command_ = std::move(entry_.front());
+  entry_.pop_front();
+  return lang::Step::command;
 }
 
 }  // namespace stanok::channels

@@ -84,19 +84,21 @@ TEST_F(ProgramSearchTest, TheSpindleTurnsBeforeTheAxesApproachAndTheToolGoesDown
   ASSERT_EQ(search("8"), "");
   bool spindle_turned_first = true;
   double deepest_elsewhere = 0.0;  // Z while X and Y are not there yet
-  double largest_y_above = 0.0;    // Y while the tool is not down yet
+  double largest_y_above = 0.0;    // Y while the tool has not been down yet
+  bool has_been_down = false;
   start([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     const double x = channel.axes[0].position;
     const double y = channel.axes[1].position;
     const double z = channel.axes[2].position;
-    if (channel.process.spindle_rev_per_min == 0.0 && x > 0.0 && channel.tag.line == 8)
-      spindle_turned_first = false;
     const bool is_there = std::abs(x - 50.0) < place_tolerance && y > 10.0 - place_tolerance;
     if (!is_there) deepest_elsewhere = std::min(deepest_elsewhere, z);
-    if (channel.tag.line == 8 && z > -1.0 + place_tolerance)
-      largest_y_above = std::max(largest_y_above, y);
+    has_been_down |= z < -1.0 + place_tolerance;
+    if (has_been_down) return;
+    spindle_turned_first &= x == 0.0 || channel.process.spindle_rev_per_min > 0.0;
+    largest_y_above = std::max(largest_y_above, y);
   });
+  EXPECT_TRUE(has_been_down);
   EXPECT_TRUE(spindle_turned_first);
   EXPECT_EQ(deepest_elsewhere, 0.0);
   EXPECT_NEAR(largest_y_above, 10.0, place_tolerance);
