@@ -1,11 +1,13 @@
 // No sequence of commands wedges the daemon: 10,000 random ones of three clients, interleaved, and
-// it still answers, every request has had one answer, and two resets bring it back to work.
+// it still answers, every request has had one answer, and two resets bring it back to work. Once on
+// a virtual clock, where a seed repeats to the bit, and once with all threads and real sockets, for
+// ThreadSanitizer too.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "channels/command_rules.h"
 #include "tests/daemon/daemon_bench.h"
+#include "tests/daemon/live_daemon.h"
 #include "tests/daemon/random_commands.h"
 
 namespace stanok::daemon {
@@ -90,6 +92,58 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, NoWedge, testing::Range(1, 6));
+
+// Sends without waiting for answers, but for no more than a few dozen at a time; takes all of them.
+void send_commands(const std::filesystem::path& socket, std::uint64_t seed, int count) {
+  constexpr int on_their_way = 32;
+  RandomCommands random(seed);
+  RawClient client(socket);
+  int unanswered = 0;
+  const auto take_answer = [&] {
+    const json message = client.receive();
+    ASSERT_FALSE(message.is_discarded()) << "client " << seed << " gets no answer any more";
+    ASSERT_NE(message.value("method", ""), "dropped") << message.dump();
+    if (message.contains("id")) --unanswered;
+  };
+  for (int n = 0; n < count && !testing::Test::HasFatalFailure(); ++n) {
+    RandomCommand command = random.next();
+    command.parameters.erase("wait");  // an endless program would be waited for endlessly
+    client.request(n, command.method, command.parameters);
+    for (++unanswered; unanswered > on_their_way && !testing::Test::HasFatalFailure();)
+      take_answer();
+  }
+  while (unanswered > 0 && !testing::Test::HasFatalFailure()) take_answer();
+}
+
+TEST(NoWedgeLive, TenThousandCommandsOfThreeClientsOverTheSocket) {
+  LiveDaemon daemon;
+  for (const auto& [name, text] : programs_of_random_commands()) daemon.program(name, text);
+  std::vector<std::thread> threads;
+  for (std::uint64_t seed = 1; seed <= clients; ++seed) {
+    threads.emplace_back(
+        [&, seed] { send_commands(daemon.socket(), seed, (commands + clients - 1) / clients); });
+  }
+  for (std::thread& thread : threads) thread.join();
+
+  RawClient client(daemon.socket());
+  client.request(1, "system.info");
+  EXPECT_EQ(client.receive("id", 1)["result"]["machine"], "live");
+  int id = 1;
+  const auto demand = [&](const std::string& method, const json& parameters) {
+    client.request(++id, method, parameters);
+    const json answer = client.receive("id", id);
+    EXPECT_TRUE(answer.contains("result")) << method << ": " << answer.dump();
+  };
+  demand("program.reset", {{"channel", 2}});
+  demand("program.reset", {{"channel", 1}});
+  demand("machine.on", json::object());
+  demand("program.step", {{"on", 0}});
+  demand("override.feed", {{"percent", 100}});
+  demand("override.rapid", {{"percent", 100}});
+  daemon.program("last.nc", "G90 G54 G0 X1\nM30\n");
+  demand("program.run", {{"program", "last.nc"}, {"wait", "done"}});
+  EXPECT_EQ(daemon.end(), 0);
+}
 
 }  // namespace
 }  // namespace stanok::daemon
