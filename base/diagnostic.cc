@@ -31,12 +31,34 @@ std::string padding(const std::string& source_line, int column) {
   return text;
 }
 
+// What is shown of a line: all of it, or of a very long one the part around the column.
+struct Excerpt {
+  std::string text;
+  int column = 1;  // in the text
+};
+
+Excerpt excerpt_of(const std::string& line, int column) {
+  constexpr std::size_t shown_whole = 300;
+  constexpr std::size_t shown_before = 80;
+  constexpr std::size_t shown = 160;
+  if (line.size() <= shown_whole) return {line, column};
+  const auto place = std::min(static_cast<std::size_t>(std::max(column - 1, 0)), line.size());
+  const std::size_t begin = place - std::min(place, shown_before);
+  const std::string before = begin > 0 ? "..." : "";
+  const std::string behind = begin + shown < line.size() ? "..." : "";
+  return {before + line.substr(begin, shown) + behind,
+          static_cast<int>(before.size() + place - begin) + 1};
+}
+
 void append_picture(std::string& text, const Diagnostic& d) {
+  const Excerpt line = excerpt_of(d.source_line, d.place.column);
   const std::string number = std::to_string(d.place.line);
   const std::string gutter(number.size(), ' ');
-  const int width = d.place.end_line == d.place.line ? d.place.end_column - d.place.column : 1;
-  text += gutter + " |\n" + number + " | " + d.source_line + "\n" + gutter + " | ";
-  text += padding(d.source_line, d.place.column);
+  int width = d.place.end_line == d.place.line ? d.place.end_column - d.place.column : 1;
+  if (line.text.size() != d.source_line.size())
+    width = std::min(width, static_cast<int>(line.text.size()) - line.column + 1);
+  text += gutter + " |\n" + number + " | " + line.text + "\n" + gutter + " | ";
+  text += padding(line.text, line.column);
   text += std::string(static_cast<std::size_t>(std::max(width, 1)), '^') + " " + d.label + "\n";
   text += gutter + " |\n";
 }

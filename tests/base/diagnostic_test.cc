@@ -37,6 +37,22 @@ TEST(Diagnostic, MarksOneCharacterWhenTheSpanGoesOverSeveralLines) {
   EXPECT_NE(to_text(diagnostic).find("|    ^ unknown code"), std::string::npos);
 }
 
+// A very long line does not flood the terminal: what is shown is what is around the word.
+TEST(Diagnostic, ShowsThePartOfAVeryLongLineWhereTheWordStands) {
+  Diagnostic diagnostic = unknown_code();
+  const std::string spaces(50'000, ' ');
+  diagnostic.source_line = spaces + "G199" + spaces;
+  diagnostic.place = {"part.nc", 12, 50'001, 12, 50'005};
+  const std::string blanks(80, ' ');
+  EXPECT_NE(to_text(diagnostic)
+                .find("12 | ..." + blanks + "G199" + std::string(76, ' ') + "...\n   |    " +
+                      blanks + "^^^^ unknown code\n"),
+            std::string::npos);
+  diagnostic.source_line = std::string(100'000, 'G');
+  diagnostic.place = {"part.nc", 12, 1, 12, 100'001};
+  EXPECT_LT(to_text(diagnostic).size(), 600U);
+}
+
 TEST(Diagnostic, NotesHelpAndCallStackFollowThePicture) {
   Diagnostic diagnostic = unknown_code();
   diagnostic.source_line.clear();

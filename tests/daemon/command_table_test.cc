@@ -19,7 +19,7 @@ using channels::Situation;
 using nlohmann::json;
 
 // Long enough to be at its feed, 100 mm/s, whenever a test looks.
-constexpr const char* long_program = "G90 G54\nG1 X400 F6000\nX-400\nX400\nM30\n";
+constexpr const char* long_program = "G90 G54\nG1 X700 F6000\nX0\nX700\nM30\n";
 
 // Channel 1 in a situation; nothing else of the machine moves.
 class Scene {

@@ -82,8 +82,10 @@ class DaemonBench {
   }
 
   const channels::CycleOutput& cycle() {
+    // Bounded: a program may be an endless loop without a block.
+    constexpr int steps_max = 20;
     bool worked = true;
-    while (worked) {
+    for (int step = 0; worked && step < steps_max; ++step) {
       worked = false;
       for (std::size_t k = 0; k < assembly_.file().machine.channels.size(); ++k) {
         worked = assembly_.machine().prepare(static_cast<int>(k)) == channels::Progress::worked ||
@@ -106,6 +108,7 @@ class DaemonBench {
   [[nodiscard]] const channels::ChannelOutput& channel(int id) const {
     return newest_.channels[static_cast<std::size_t>(id - 1)];
   }
+  [[nodiscard]] const std::filesystem::path& folder() const { return here_.path(); }
   [[nodiscard]] bool is_idle() { return assembly_.machine().is_idle(); }
   [[nodiscard]] bool shutdown_asked() const { return shutdown_asked_; }
 

@@ -112,7 +112,7 @@ class RandomCommands {
                                                    "#kinematics (1)",
                                                    "X1 )(",
                                                    "num aa = 1;",
-                                                   "while (1) {}",
+                                                   "while (true) {}",
                                                    "terminate (1, \"\");",
                                                    "G91 G0 X900",
                                                    "channel_reset (2);"};
@@ -137,7 +137,7 @@ inline std::vector<std::pair<std::string, std::string>> programs_of_random_comma
            "G90 G54 S1000 M3\nG0 X20 Y10\nG1 X60 F6000\nG2 X80 Y30 R20\nG1 Y-20\nM5\nG0 X0 Y0\n"
            "M30\n"},
           {"stops.nc", "G90\nG1 X5 F3000\nM0\nX10\nM1\nX0\nM30\n"},
-          {"endless.nc", "G90 F12000\nwhile (1) {\nG1 X100\nG1 X-100\n}\nM30\n"},
+          {"endless.nc", "G90 F12000\nwhile (true) {\nG1 X100\nG1 X-100\n}\nM30\n"},
           {"fails.nc", "G90\nG1 X30 F6000\nterminate (1234, \"as it shall\");\nM30\n"},
           {"broken.nc", "G90\nG1 X(\nM30\n"}};
 }
