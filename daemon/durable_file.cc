@@ -82,9 +82,14 @@ struct Copy {
 
 Copy read_copy(const fs::path& file, const DurableKind& kind) {
   Copy copy;
+  errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  copy.exists = stream.is_open();
-  if (!copy.exists) return copy;
+  if (!stream.is_open()) {
+    copy.exists = errno != ENOENT;
+    copy.fault = "cannot be opened: " + reason(errno);
+    return copy;
+  }
+  copy.exists = true;
   std::string heading;
   std::getline(stream, heading);
   copy.text.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
