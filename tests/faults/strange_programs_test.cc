@@ -42,6 +42,10 @@ struct Strange {
   const char* program = "part.nc";  // as it is asked for
 };
 
+void PrintTo(const Strange& strange, std::ostream* stream) {
+  *stream << strange.name;
+}
+
 // The text is made when the test runs: some of them are long.
 Strange text(const char* name, const char* code, std::string (*bytes)()) {
   return {name, code,
