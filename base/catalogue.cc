@@ -225,7 +225,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "start again with the corrected machine file"},
     {"E8001", "calls nested too deep", end, "check the recursion; 64 calls are the limit",
      "correct the program and start it again"},
-    {"E8002", "a program that needs too much memory", end, "check recursion and arrays",
+    {"E8002", "a program that needs too much memory", end, "check its length, recursion and arrays",
      "correct the program and start it again"},
     {"E8003", "a program with too many files", end, "256 files are the limit",
      "correct the program and load it again"},

@@ -1,5 +1,6 @@
 #include "lang/interpreter.h"
 
+#include <new>
 #include <utility>
 
 #include "lang/kept_files.h"
@@ -16,18 +17,40 @@ struct Interpreter::State {
   ProgramRun run;
 };
 
+namespace {
+
+using Compiled = Expected<std::shared_ptr<const Program>, Diagnostics>;
+
+// A program for which the memory does not suffice is refused: the channels that run go on.
+template <class Compile>
+Compiled within_memory(std::string_view name, Compile compile) {
+  try {
+    return compile();
+  } catch (const std::bad_alloc&) {
+    Diagnostic fault;
+    fault.code = "E8002";
+    fault.message = "there is not enough memory to load the program";
+    fault.place.file = name;
+    return Unexpected<Diagnostics>({std::move(fault)});
+  }
+}
+
+}  // namespace
+
 Expected<std::shared_ptr<const Program>, Diagnostics> compile(std::string_view name,
                                                               const Files& files,
                                                               const ChannelDescription* channel,
                                                               Diagnostics& warnings) {
-  return Loader(files, channel, warnings).load(name);
+  return within_memory(name, [&] { return Loader(files, channel, warnings).load(name); });
 }
 
 Expected<std::shared_ptr<const Program>, Diagnostics> compile_line(
     std::string_view line, const Program* loaded, const Files& files,
     const ChannelDescription* channel, Diagnostics& warnings) {
-  const KeptFiles kept(loaded, files);
-  return Loader(kept, channel, warnings).load_line(line, loaded);
+  return within_memory({}, [&] {
+    const KeptFiles kept(loaded, files);
+    return Loader(kept, channel, warnings).load_line(line, loaded);
+  });
 }
 
 std::string_view file_name(const Program& program, std::uint16_t file) {

@@ -20,7 +20,7 @@ class Program;  // a compiled program with all it includes; immutable, shared
 
 // Compiles `name` for a channel: all errors of the text and its includes (up to 100 a file), or the
 // program. Warnings are appended to `warnings`. `channel` may be nullptr: channel-dependent checks
-// are left out then.
+// are left out then. Memory that does not suffice is an error of the program (E8002).
 [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> compile(
     std::string_view name, const Files& files, const ChannelDescription* channel,
     Diagnostics& warnings);

@@ -1,5 +1,6 @@
 // The limits of the language, each at the limit and one beyond it.
 #include <array>
+#include <new>
 
 #include "lang/value.h"
 #include "tests/lang/program_support.h"
@@ -213,6 +214,26 @@ TEST_F(Loop, WithoutABlockCanBeStopped) {
 TEST_F(ProgramTest, SaysAtMostAHundredErrorsOfAFile) {
   EXPECT_EQ(load_errors(repeated("G777\n", 100) + "M30\n").size(), 100u);
   EXPECT_EQ(load_errors(repeated("G777\n", 101) + "M30\n").size(), 100u);
+}
+
+// Files of a machine that has no memory left.
+class NoMemory : public Files {
+ public:
+  [[nodiscard]] Expected<std::shared_ptr<const SourceText>, Diagnostic> read(
+      std::string_view, std::string_view) const override {
+    throw std::bad_alloc();
+  }
+};
+
+TEST_F(Memory, ThatDoesNotSufficeIsAnErrorOfTheProgram) {
+  const auto program = compile("part.nc", NoMemory(), nullptr, warnings);
+  ASSERT_FALSE(program);
+  ASSERT_EQ(program.error().size(), 1U);
+  EXPECT_EQ(program.error()[0].code, "E8002");
+  EXPECT_EQ(program.error()[0].place.file, "part.nc");
+  const auto line = compile_line("#include \"other.nc\"", nullptr, NoMemory(), nullptr, warnings);
+  ASSERT_FALSE(line);
+  EXPECT_EQ(line.error()[0].code, "E8002");
 }
 
 }  // namespace
