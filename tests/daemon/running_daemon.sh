@@ -22,11 +22,12 @@ fail() {
   exit 1
 }
 
-# start_daemon [ARGUMENT...]: returns when it answers; its drives are $drive_choice, else embedded.
+# start_daemon [ARGUMENT...]: returns when it answers; its drives are $drive_choice, else embedded, its
+# LCM URL $lcm, else none.
 # shellcheck disable=SC2120
 start_daemon() {
-  "$stanokd" --machine "$machine_file" --drives "${drive_choice:-embedded}" --lcm off --state "$folder/state" \
-    --socket "$folder/op.sock" --program-root "$folder" "$@" 2>>"$folder/stanokd.err" &
+  "$stanokd" --machine "$machine_file" --drives "${drive_choice:-embedded}" --lcm "${lcm:-off}" \
+    --state "$folder/state" --socket "$folder/op.sock" --program-root "$folder" "$@" 2>>"$folder/stanokd.err" &
   daemon=$!
   local k
   for ((k = 0; k < 600; ++k)); do
