@@ -60,7 +60,9 @@ int work_offset_number(std::string_view name) RT_SAFE {
   const auto found = std::find(plain.begin(), plain.end(), name);
   if (found != plain.end()) return static_cast<int>(found - plain.begin()) + 1;
   constexpr std::string_view extended = "G54.1 P";
-  if (!name.starts_with(extended)) return 0;
+  // starts_with is substr inside, which may throw.
+  if (name.size() < extended.size() || !std::equal(extended.begin(), extended.end(), name.begin()))
+    return 0;
   int page = 0;
   name.remove_prefix(extended.size());
   if (name.empty() || name.size() > 3) return 0;
