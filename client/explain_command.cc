@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/catalogue.h"
-#include "client/completion.h"
 
 namespace stanok::client {
 namespace {
@@ -82,13 +81,6 @@ void add_explain_command(CLI::App& app, int& exit_code) {
   command->add_option("CODE", options->code, "code of the catalogue, as E7001")->required();
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &exit_code] { exit_code = explain(*options); });
-}
-
-void add_completion_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("completion", "completion script for a shell");
-  const auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
-  command->callback([shell, &app] { std::fputs(bash_completion(app).c_str(), stdout); });
 }
 
 }  // namespace stanok::client

@@ -1,5 +1,4 @@
-// `stanok explain CODE`: what a code of the catalogue means and what to do. `stanok completion
-// SHELL`: a completion script.
+// `stanok explain CODE`: what a code of the catalogue means and what to do.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +7,6 @@
 namespace stanok::client {
 
 void add_explain_command(CLI::App& app, int& exit_code);
-void add_completion_command(CLI::App& app);
 
 // The text of a code; "" when the catalogue has no such code. Lower case is understood.
 [[nodiscard]] std::string explanation(std::string code);

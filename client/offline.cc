@@ -5,6 +5,7 @@
 #include "client/grind_command.h"
 #include "client/interpret_command.h"
 #include "client/log_command.h"
+#include "client/self_commands.h"
 #include "client/simulate_command.h"
 
 namespace stanok::client {
@@ -18,6 +19,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_grind_commands(app, exit_code);
   add_explain_command(app, exit_code);
   add_completion_command(app);
+  add_manual_command(app);
 }
 
 }  // namespace stanok::client

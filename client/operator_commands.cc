@@ -52,6 +52,22 @@ std::string help_text(const Parameter& parameter) {
   return text;
 }
 
+// What the help shows for a value.
+const char* type_text(ParameterType type) {
+  switch (type) {
+    case ParameterType::integer:
+      return "N";
+    case ParameterType::number:
+      return "NUMBER";
+    case ParameterType::choice:
+    case ParameterType::text_list:
+      return "WORD";
+    case ParameterType::text:
+      break;
+  }
+  return "TEXT";
+}
+
 json number(const Parameter& parameter, const std::string& text) {
   double value = 0.0;
   const char* last = text.data() + text.size();
@@ -107,7 +123,8 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
   const bool is_positional = parameter.spelling == protocol::Spelling::positional;
   const std::string name = is_positional ? upper(parameter.name) : option_name(parameter);
   auto* option =
-      command.add_option(name, given.values[std::string(parameter.name)], help_text(parameter));
+      command.add_option(name, given.values[std::string(parameter.name)], help_text(parameter))
+          ->type_name(type_text(parameter.type));
   if (parameter.type != ParameterType::text_list) option->expected(1)->allow_extra_args(false);
   if (parameter.presence == protocol::Presence::required) option->required();
 }
@@ -122,9 +139,10 @@ void add_method(CLI::App& app, const Method& method,
   const auto given = std::make_shared<GivenOptions>();
   for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
   command->add_flag("--json", given->json, "print JSON");
-  command->add_option("--socket", given->socket, "socket of the daemon");
+  command->add_option("--socket", given->socket, "socket of the daemon")->type_name("PATH");
   command->add_option("--timeout", given->timeout_s, "give up after this time [s]")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("SECONDS");
   if (method.availability == protocol::Availability::later) command->allow_extras();
   command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });
 }

@@ -24,7 +24,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string(stanok::protocol::version));
   app.require_subcommand(1);
   std::string socket;
-  app.add_option("--socket", socket, "socket of the daemon");
+  app.add_option("--socket", socket, "socket of the daemon")->type_name("PATH");
   int exit_code = 0;
   stanok::client::add_operator_commands(app, [&](stanok::client::OperatorCall call) {
     if (call.socket.empty()) call.socket = socket;

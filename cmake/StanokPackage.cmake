@@ -23,6 +23,17 @@ install(CODE "
   execute_process(COMMAND $<TARGET_FILE:stanok> completion bash OUTPUT_FILE \"\${folder}/stanok\"
                   COMMAND_ERROR_IS_FATAL ANY)")
 
+# So do its manual pages; those of the other two are written by hand, tests/manual_test.sh compares their options.
+install(CODE "
+  set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+  execute_process(COMMAND $<TARGET_FILE:stanok> manual \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)")
+set(manual_pages ${CMAKE_BINARY_DIR}/man)
+foreach(page stanokd.8 stanok-drives.1)
+  configure_file(${CMAKE_SOURCE_DIR}/packaging/man/${page}.in ${manual_pages}/${page} @ONLY)
+endforeach()
+install(FILES ${manual_pages}/stanokd.8 DESTINATION ${CMAKE_INSTALL_MANDIR}/man8)
+install(FILES ${manual_pages}/stanok-drives.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

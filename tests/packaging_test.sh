@@ -23,7 +23,8 @@ dpkg-deb --field "$package" Depends | grep -q libmodbus || fail "the package doe
 dpkg-deb --extract "$package" "$folder/unpacked"
 usr=$folder/unpacked/usr
 for file in bin/stanok bin/stanokd bin/stanok-drives lib/systemd/system/stanokd@.service lib/sysusers.d/stanok.conf \
-  share/bash-completion/completions/stanok share/doc/stanok/install.md share/doc/stanok/copyright; do
+  share/bash-completion/completions/stanok share/man/man1/stanok.1 share/man/man1/stanok-program.1 \
+  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/doc/stanok/install.md share/doc/stanok/copyright; do
   [[ -s $usr/$file ]] || fail "the package lacks usr/$file"
 done
 [[ $(stat -c %a "$usr/bin/stanokd") == 755 ]] || fail "stanokd cannot be executed by everyone"
@@ -32,7 +33,31 @@ done
 "$usr/bin/stanok" simulate "$usr/share/stanok/examples/helix.nc" \
   --machine "$usr/share/stanok/machines/mill3.toml" >/dev/null || fail "simulate"
 "$usr/bin/stanokd" --machine "$usr/share/stanok/machines/mill3.toml" --check-config >/dev/null || fail "stanokd"
-bash -n "$usr/share/bash-completion/completions/stanok" || fail "the completion is no bash"
+
+# completions WORD...: what bash offers behind the words, the last one being typed.
+completions() {
+  (
+    # shellcheck source=/dev/null
+    source "$usr/share/bash-completion/completions/stanok"
+    COMP_WORDS=("$@")
+    COMP_CWORD=$(($# - 1))
+    _stanok
+    echo "${COMPREPLY[*]}"
+  )
+}
+expect_completions() {
+  local wanted=$1 found
+  shift
+  found=$(completions "$@")
+  [[ $found == "$wanted" ]] || fail "completion of '$*': $found, not $wanted"
+}
+expect_completions 'program process' stanok pro
+expect_completions 'run resume reset' stanok program r
+expect_completions '--wait' stanok program run part.nc --w
+expect_completions 'verify' stanok log ver
+man_pages=$(find "$usr/share/man" -name 'stanok*' | wc -l)
+((man_pages > 20)) || fail "only $man_pages manual pages"
+grep -q "stanok $("$usr/bin/stanok" --version)" "$usr/share/man/man8/stanokd.8" || fail "stanokd(8) is of another version"
 
 if command -v systemd-analyze >/dev/null; then
   unit=$folder/stanokd@.service

@@ -1,0 +1,26 @@
+#include "client/self_commands.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "client/completion.h"
+#include "client/manual_pages.h"
+
+namespace stanok::client {
+
+void add_completion_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("completion", "completion script for a shell");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
+  command->callback([shell, &app] { std::fputs(bash_completion(app).c_str(), stdout); });
+}
+
+void add_manual_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("manual", "write the manual pages of stanok");
+  const auto folder = std::make_shared<std::string>();
+  command->add_option("FOLDER", *folder, "where NAME.1 of every page is written")->required();
+  command->callback([folder, &app] { write_manual_pages(app, *folder); });
+}
+
+}  // namespace stanok::client
