@@ -17,8 +17,11 @@ const char* word_for(Severity severity) {
   return "";
 }
 
+// Column 0: the line as a whole.
 std::string place_text(const Place& place) {
-  return place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+  std::string text = place.file + ":" + std::to_string(place.line);
+  if (place.column > 0) text += ":" + std::to_string(place.column);
+  return text;
 }
 
 // Tabs are kept in the padding so that the caret stands under its word whatever the tab width.

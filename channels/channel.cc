@@ -134,8 +134,10 @@ void Channel::show(const Remark& remark, std::int64_t cycle) RT_SAFE {
   if (const auto* spoken = std::get_if<SpokenText>(&remark.news))
     return emit(cycle, spoken->code.view(), spoken->text.view(), remark.tag);
   ++workpiece_.announcements;
-  if (const auto* shape = std::get_if<lang::WorkpieceAnnouncement>(&remark.news)) {
-    workpiece_.shape = *shape;
+  if (const auto* blank = std::get_if<BlankNews>(&remark.news)) {
+    ++workpiece_.shapes;
+    workpiece_.shape = blank->shape;
+    workpiece_.frame = blank->frame;
     workpiece_.has_shape = true;
   } else if (const auto* position = std::get_if<lang::WorkpiecePosition>(&remark.news)) {
     workpiece_.position = *position;
@@ -159,6 +161,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.feed_override = control_.feed_override;
   output.process = process();
   output.workpiece = workpiece_;
+  output.tool = tool_;
   output.point_W = path_.point;
   output.axes = setpoints_;
   output.drives = drives_;

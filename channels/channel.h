@@ -308,6 +308,7 @@ class Channel {
   motion::InterpolatorOutput path_;
   kinematics::Transform transform_;
   Workpiece workpiece_;
+  ToolAtWork tool_;
   std::array<DriveCommand, motion::axes_max> drives_{};
   std::array<AxisSetpoint, motion::axes_max> setpoints_{};
   std::array<Spindle, spindles_max> spindles_{};

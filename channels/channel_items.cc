@@ -121,8 +121,10 @@ void Channel::execute(const Item& item) RT_SAFE {
       return command_spindles(item.spindle);
     case ItemKind::cutting_speed:
       return command_cutting_speed(item.cutting);
-    case ItemKind::coolant:
     case ItemKind::tool_change:
+      tool_ = {static_cast<std::int32_t>(item.number), static_cast<std::int32_t>(item.value)};
+      return;
+    case ItemKind::coolant:
       return;
     case ItemKind::override_control:
       return take_overrides(item.overrides);

@@ -32,7 +32,7 @@ enum class ItemKind : std::uint8_t {
   spindle,           // spindle command
   cutting_speed,     // G96, G97
   coolant,           // mist, flood
-  tool_change,       // number = tool
+  tool_change,       // number = tool, value = its edge
   override_control,  // M48 to M53
   force_control,     // #adaptive: force
   output,            // M64, M65, M68: number, value, flag = analog
@@ -142,11 +142,17 @@ struct SpokenText {
   ShortText text;
 };
 
+// A blank, and where the program has its zero: the frame W -> B where the blank is announced.
+struct BlankNews {
+  lang::WorkpieceAnnouncement shape;
+  kinematics::Frame frame;
+};
+
 // Told to the outside where the block behind `tag` begins (or a later one); it never stops the
 // path.
 struct Remark {
   motion::BlockTag tag;
-  std::variant<SpokenText, lang::WorkpieceAnnouncement, lang::WorkpiecePosition> news;
+  std::variant<SpokenText, BlankNews, lang::WorkpiecePosition> news;
 };
 
 static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Notice>);

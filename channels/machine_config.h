@@ -101,6 +101,7 @@ struct ToolEdge {
   double flute_length = 0.0, shank_diameter = 0.0, holder_diameter = 0.0, holder_length = 0.0;
   int orientation = 0;
   double angle_front = 0.0, angle_back = 0.0;  // deg
+  double point_angle = 0.0, taper_angle = 0.0;
 };
 
 struct TablesConfig {

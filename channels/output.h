@@ -119,10 +119,20 @@ struct SpindleSensors {
 // effect on motion.
 struct Workpiece {
   std::uint32_t announcements = 0;  // of either kind so far
+  std::uint32_t shapes = 0;         // #workpiece alone
   bool has_shape = false;
   bool has_position = false;
   lang::WorkpieceAnnouncement shape;
+  kinematics::Frame frame;  // W in B where the shape was announced
   lang::WorkpiecePosition position;
+};
+
+// The tool in the spindle or at the working place of the turret; number 0: none.
+struct ToolAtWork {
+  std::int32_t number = 0;
+  std::int32_t edge = 1;
+
+  friend bool operator==(const ToolAtWork&, const ToolAtWork&) = default;
 };
 
 // What a spindle of the channel is asked for in this cycle: its ramps are made.
@@ -186,6 +196,7 @@ struct ChannelOutput {
   double feed_override = 1.0;
   ProcessOutput process;
   Workpiece workpiece;
+  ToolAtWork tool;
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
   std::array<AxisSetpoint, motion::axes_max> axes{};
   std::array<DriveCommand, motion::axes_max> drives{};

@@ -33,6 +33,7 @@ void Preparation::take(const lang::Command& command) {
                  [&](const lang::ToolChange& change) {
                    Item next = item(ItemKind::tool_change);
                    next.number = change.tool;
+                   next.value = change.edge;
                    push(next);
                  },
                  [&](const lang::ToolLength&) { take_state(command); },
@@ -93,7 +94,8 @@ void Preparation::take(const lang::Command& command) {
                  },
                  [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
                  [&](const lang::WorkpieceAnnouncement& shape) {
-                   pending_remarks_.push_back({tag_of(command), shape});
+                   pending_remarks_.push_back(
+                       {tag_of(command), BlankNews{shape, blocks_.transform().frame}});
                  },
                  [&](const lang::WorkpiecePosition& position) {
                    pending_remarks_.push_back({tag_of(command), position});

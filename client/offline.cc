@@ -7,6 +7,7 @@
 #include "client/log_command.h"
 #include "client/self_commands.h"
 #include "client/simulate_command.h"
+#include "client/workpiece_follow_command.h"
 
 namespace stanok::client {
 
@@ -16,6 +17,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_interpret_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_log_commands(app, exit_code);
+  add_workpiece_follow_command(app, exit_code);
   add_grind_commands(app, exit_code);
   add_explain_command(app, exit_code);
   add_completion_command(app);

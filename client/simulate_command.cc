@@ -12,6 +12,7 @@
 #include "client/job_options.h"
 #include "client/operator_events_file.h"
 #include "client/sensor_file.h"
+#include "client/workpiece_observer.h"
 #include "config/machine_file.h"
 #include "protocol/version.h"
 #include "runtime/log_observer.h"
@@ -39,6 +40,7 @@ struct SimulateOptions {
   std::string log;
   std::string events;
   std::string sensors;
+  WorkpieceOptions workpiece;
   double until_s = -1.0;
   bool drives = false;
 };
@@ -219,9 +221,13 @@ int run(const SimulateOptions& given) {
     log = observer.get();
     owned.push_back(std::move(observer));
   }
+  std::unique_ptr<WorkpieceObserver> workpieces;
+  if (given.workpiece.files.is_wanted())
+    workpieces = std::make_unique<WorkpieceObserver>(options.file.machine, given.workpiece);
   std::vector<runtime::CycleObserver*> observers;
   observers.reserve(owned.size());
   for (const auto& observer : owned) observers.push_back(observer.get());
+  if (workpieces != nullptr) observers.push_back(workpieces.get());
 
   std::signal(SIGINT, on_interrupt);
   const auto result = runtime::simulate(options, observers, [] { return interrupted != 0; });
@@ -239,13 +245,17 @@ int run(const SimulateOptions& given) {
   }
   for (const std::string& refused : result.refused_events)
     std::fprintf(stderr, "warning: an event of the operator was refused: %s\n", refused.c_str());
+  const bool has_workpieces = workpieces == nullptr || workpieces->finish(result.runs);
   if (given.job.json) {
-    std::printf("%s\n", result_json(result, options.file.machine).dump().c_str());
+    nlohmann::ordered_json json = result_json(result, options.file.machine);
+    if (workpieces != nullptr) json["workpieces"] = workpieces->json();
+    std::printf("%s\n", json.dump().c_str());
   } else {
     print_summary(result);
+    if (workpieces != nullptr) workpieces->print_summary();
   }
   const int code = outcome(result);
-  return code == 0 && !log_error.empty() ? exit_failed : code;
+  return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;
 }
 
 }  // namespace
@@ -265,6 +275,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("--events", options->events, "operator events, one JSON object a line");
   command->add_option("--sensors", options->sensors,
                       "CSV of sensor values over machine time: t,power_w,vibration_um");
+  add_workpiece_options(*command, options->workpiece);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

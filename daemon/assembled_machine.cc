@@ -2,7 +2,7 @@
 
 namespace stanok::daemon {
 
-AssembledMachine::AssembledMachine(runtime::Assembly& assembly, const Recorder& recorder,
+AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
                                    std::filesystem::path program_root)
     : assembly_(assembly),
       inputs_(assembly.machine().input_records()),

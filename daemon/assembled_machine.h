@@ -19,7 +19,7 @@ namespace stanok::daemon {
 class AssembledMachine final : public RunningMachine, public CyclicWork, public CycleListener {
  public:
   // All outlive the machine.
-  AssembledMachine(runtime::Assembly& assembly, const Recorder& recorder,
+  AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
                    std::filesystem::path program_root);
 
   // To be told before the server starts.
@@ -63,11 +63,12 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
     return assembly_.inject_fault(drive, fault);
   }
   [[nodiscard]] RecordingStatus recording_status() override { return recorder_.status(); }
+  void allow_workpieces(bool allowed) override { recorder_.allow_workpieces(allowed); }
 
  private:
   runtime::Assembly& assembly_;
   Ring<channels::InputRecord>& inputs_;
-  const Recorder& recorder_;
+  Recorder& recorder_;
   std::filesystem::path program_root_;
   EventQueue events_;
   std::int64_t cycles_ = 0;

@@ -79,6 +79,7 @@ const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
        [](Dispatch& d, const json& p) { return d.report_.alarm_history(p.value("channel", 0)); }},
       {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
       {"offset.list", [](Dispatch& d, const json&) { return offset_list(d.machine_); }},
+      {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
       {"system.info", [](Dispatch& d, const json&) { return d.system_info(); }},
       {"rpc.discover",
@@ -107,6 +108,12 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
     const Outcome outcome = command_drive(*method, *parameters);
     log_command(session, request, outcome);
     return answer(outcome);
+  }
+  if (method->name == "workpiece.allow") {
+    const bool allowed = parameters->value("on", 1) != 0;
+    machine_.allow_workpieces(allowed);
+    log_command(session, request, json());
+    return answer(json{{"allowed", allowed}});
   }
   if (method->name == "system.shutdown") {
     log_command(session, request, json());

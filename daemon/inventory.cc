@@ -35,7 +35,9 @@ json to_json(const channels::ToolEdge& tool) {
           {"holder_length", tool.holder_length},
           {"orientation", tool.orientation},
           {"angle_front", tool.angle_front},
-          {"angle_back", tool.angle_back}};
+          {"angle_back", tool.angle_back},
+          {"point_angle", tool.point_angle},
+          {"taper_angle", tool.taper_angle}};
 }
 
 }  // namespace
@@ -55,6 +57,31 @@ std::optional<json> tool_edge(RunningMachine& machine, int number, int edge) {
 
 json offset_list(RunningMachine& machine) {
   return {{"offsets", machine.tables().offsets}};
+}
+
+json workpiece_status(RunningMachine& machine) {
+  const channels::CycleOutput output = machine.newest_output();
+  json workpieces = json::array();
+  for (int k = 0; k < output.channel_count; ++k) {
+    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+    const channels::Workpiece& workpiece = channel.workpiece;
+    if (workpiece.announcements == 0) continue;
+    json row{{"channel", channel.id}, {"tool", channel.tool.number}};
+    if (workpiece.has_shape) {
+      row["shape"] = workpiece.shape.type == 0 ? "box" : "cylinder";
+      row["machining"] = workpiece.shape.machining_type == 0 ? "milling" : "turning";
+      row["size"] = workpiece.shape.size_mm;
+      row["zero"] = workpiece.shape.zero_mm;
+      row["resolution"] = workpiece.shape.screen_resolution_mm;
+    }
+    if (workpiece.has_position) {
+      row["position"] = workpiece.position.position_mm;
+      row["angles"] = workpiece.position.angles_deg;
+    }
+    workpieces.push_back(std::move(row));
+  }
+  return {{"allowed", machine.recording_status().workpieces_allowed},
+          {"workpieces", std::move(workpieces)}};
 }
 
 json log_status(RunningMachine& machine) {

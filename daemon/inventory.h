@@ -15,6 +15,8 @@ namespace stanok::daemon {
 [[nodiscard]] std::optional<nlohmann::json> tool_edge(RunningMachine& machine, int number,
                                                       int edge);
 [[nodiscard]] nlohmann::json offset_list(RunningMachine& machine);
+// What programs announced with #workpiece and #workpiece_pos, by channel.
+[[nodiscard]] nlohmann::json workpiece_status(RunningMachine& machine);
 [[nodiscard]] nlohmann::json log_status(RunningMachine& machine);
 
 // Regular files beneath the root, by name; links are not followed, hidden files and folders left

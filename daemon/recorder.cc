@@ -60,6 +60,7 @@ Recorder::~Recorder() {
 
 void Recorder::on_output(const channels::CycleOutput& output) {
   cycle_ = output.cycle;
+  stream_->allow_workpieces(workpieces_allowed_);
   stream_->cycle(output);
   if (output.cycle % refresh_period_ != 0) return;
   if (log_) static_cast<void>(log_->flush());
@@ -88,7 +89,9 @@ void Recorder::refresh_status() {
 
 RecordingStatus Recorder::status() const {
   const std::lock_guard lock(mutex_);
-  return status_;
+  RecordingStatus status = status_;
+  status.workpieces_allowed = workpieces_allowed_;
+  return status;
 }
 
 std::filesystem::path log_file_name(const std::filesystem::path& directory,

@@ -4,6 +4,7 @@
 // anything: both are told once and shown in the status.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -39,6 +40,8 @@ class Recorder final : public CycleListener {
 
   // Any thread.
   [[nodiscard]] RecordingStatus status() const;
+  // From the next output on. Any thread.
+  void allow_workpieces(bool allowed) { workpieces_allowed_ = allowed; }
 
  private:
   void refresh_status();
@@ -50,6 +53,7 @@ class Recorder final : public CycleListener {
   std::int64_t cycle_ = 0;       // of the latest output
   std::int64_t refresh_period_;  // cycles
   bool has_told_error_ = false;
+  std::atomic<bool> workpieces_allowed_{false};
   mutable std::mutex mutex_;
   RecordingStatus status_;
 };

@@ -27,6 +27,7 @@ struct RecordingStatus {
   std::int64_t log_bytes = 0;
   std::int64_t log_events = 0;
   std::string log_error;  // why logging stopped; empty: it did not
+  bool workpieces_allowed = false;
 };
 
 class RunningMachine {
@@ -62,6 +63,8 @@ class RunningMachine {
   // Makes an embedded drive fail, or work again. False: no such drive.
   [[nodiscard]] virtual bool inject_fault(const std::string& drive, plant::FaultKind fault) = 0;
   [[nodiscard]] virtual RecordingStatus recording_status() = 0;
+  // Announcements of workpieces are recorded and published only while they are allowed.
+  virtual void allow_workpieces(bool allowed) = 0;
 };
 
 }  // namespace stanok::daemon

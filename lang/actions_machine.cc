@@ -1,4 +1,5 @@
 // Actions of feed, speed, tool, coolant, dwell and program end.
+#include <algorithm>
 #include <cmath>
 
 #include "lang/actions.h"
@@ -24,6 +25,13 @@ ToolWord tool_of_word(const ActiveBlock& block, int number) {
 bool changes_at_tool_word(const ActiveBlock& block) {
   const bool lathe = block.channel.kind == ChannelKind::lathe;
   return block.channel.tool_word_changes_tool.value_or(lathe);
+}
+
+void put_into_spindle(ActiveBlock& block, const ToolWord& tool) {
+  set_overhang(block, {});
+  block.modal.tool_active = tool.tool;
+  block.modal.tool_edge = tool.edge;
+  block.queue.emit(ToolChange{.tool = tool.tool, .edge = std::max(tool.edge, 1)});
 }
 
 }  // namespace
@@ -63,8 +71,7 @@ void take_tool(ActiveBlock& block, CodeNumber) {
   block.modal.tool_prepared = word.tool;
   block.queue.emit(ToolPrepare{word.tool});
   if (!changes_at_tool_word(block)) return;
-  change_tool(block, 60);
-  block.modal.tool_edge = word.edge;
+  put_into_spindle(block, word);
   use_tool_offset(block, word.tool, word.edge);
 }
 
@@ -74,10 +81,7 @@ void change_tool(ActiveBlock& block, CodeNumber) {
         .help.push_back("name the tool first, e.g. `T1 M6`");
     return;
   }
-  set_overhang(block, {});
-  block.modal.tool_active = block.modal.tool_prepared;
-  block.modal.tool_edge = 1;
-  block.queue.emit(ToolChange{block.modal.tool_active});
+  put_into_spindle(block, {block.modal.tool_prepared, 1});
 }
 
 // M61: the tool in the spindle is called Q; nothing moves.

@@ -192,6 +192,7 @@ struct ToolPrepare {
 struct ToolChange {
   int tool = 0;
   bool by_number_only = false;  // M61: nothing moves
+  int edge = 1;
 };
 
 enum class LengthMode : std::uint8_t { off, length, tip };  // G49, G43/G43.1/G43.2, G43.4

@@ -141,6 +141,14 @@ constexpr Parameter automatic_law{
     .choices = automatic_laws,
     .help = "modulated: acts on the vibration; linear: on the power of the spindle"};
 
+constexpr Parameter allowance{.name = "on",
+                              .type = ParameterType::integer,
+                              .spelling = Spelling::positional,
+                              .minimum = 0,
+                              .maximum = 1,
+                              .help = "1 allow, the default; 0 no more"};
+constexpr std::array of_allowance{allowance};
+
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
 // Their places are channels::ForceAction.
 constexpr auto force_actions = std::to_array<std::string_view>({"off", "on", "set"});
@@ -394,8 +402,11 @@ constexpr auto table = std::to_array<Method>({
     {"process.adaptive", machine_operator,
      "adaptive control of the cutting force: on, off, or change one of its values",
      of_force_control, "process_adaptive"},
-    later("workpiece.status", observer, "virtual workpiece"),
-    later("workpiece.allow", machine_operator, "allow a collision area"),
+    {"workpiece.status", observer,
+     "whether announcements of workpieces are published, and the latest of every channel"},
+    {"workpiece.allow", machine_operator,
+     "publish what programs announce with #workpiece, for viewers that follow the cut",
+     of_allowance},
 
     {"log.status", observer, "recorder and LCM publisher: file, bytes, what was lost"},
     later("log.start", machine_operator, "start a new log file"),

@@ -29,9 +29,10 @@ enum class Topic {
   program,
   program_read,
   workpiece,
+  tool,
   log_meta
 };
-inline constexpr std::size_t topic_count = 13;
+inline constexpr std::size_t topic_count = 14;
 
 class ChannelNames {
  public:

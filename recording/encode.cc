@@ -182,6 +182,15 @@ force_status_t to_force_status(const channels::ChannelOutput& output, const Stam
   return message;
 }
 
+tool_t to_tool(const channels::ChannelOutput& output, const Stamp& stamp) {
+  auto message = zeroed<tool_t>();
+  put_stamp(stamp, message);
+  message.channel = output.id;
+  message.number = output.tool.number;
+  message.edge = output.tool.edge;
+  return message;
+}
+
 workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp) {
   const channels::Workpiece& workpiece = output.workpiece;
   auto message = zeroed<workpiece_t>();
@@ -196,6 +205,13 @@ workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& sta
   std::ranges::copy(workpiece.shape.zero_mm, message.zero);
   std::ranges::copy(workpiece.position.position_mm, message.position);
   std::ranges::copy(workpiece.position.angles_deg, message.angles);
+  message.announcements = static_cast<std::int32_t>(workpiece.announcements);
+  message.shapes = static_cast<std::int32_t>(workpiece.shapes);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = workpiece.frame.geometry[k];
+    if (axis >= 0) message.offset[k] = workpiece.frame.offset[static_cast<std::size_t>(axis)];
+    std::ranges::copy(workpiece.frame.rotation.rows()[k], message.rotation + 3 * k);
+  }
   return message;
 }
 

@@ -11,6 +11,7 @@
 #include <stanok_messages/input_t.hpp>
 #include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
+#include <stanok_messages/tool_t.hpp>
 #include <stanok_messages/workpiece_t.hpp>
 #include <string_view>
 
@@ -35,6 +36,7 @@ struct Stamp {
                                                  const Stamp& stamp);
 [[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,
                                              const Stamp& stamp);
+[[nodiscard]] tool_t to_tool(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] event_t to_event(const channels::Event& event, const Stamp& stamp);
 [[nodiscard]] input_t to_input(const channels::InputRecord& record, const Stamp& stamp);

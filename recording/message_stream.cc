@@ -73,6 +73,7 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
     drives_when_due(output.cycle, channel);
     process_when_due(output.cycle, channel);
     force_when_due(output.cycle, channel);
+    tool_when_due(output.cycle, channel);
     workpiece_when_due(output.cycle, channel);
   }
 }
@@ -168,7 +169,21 @@ void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelO
   shown.has_feedback = true;
 }
 
+void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (output.axis_count == 0) return;
+  ShownTool& shown = tools_[static_cast<std::size_t>(output.id)];
+  if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + meta_period_) return;
+  shown = {output.tool, cycle};
+  send(to_tool(output, next_stamp(cycle, output.id, Topic::tool)), output.id, Topic::tool);
+}
+
+void MessageStream::allow_workpieces(bool allowed) {
+  if (allowed && !workpieces_allowed_) workpieces_ = {};
+  workpieces_allowed_ = allowed;
+}
+
 void MessageStream::workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (!workpieces_allowed_) return;
   ShownWorkpiece& shown = workpieces_[static_cast<std::size_t>(output.id)];
   const std::uint32_t announcements = output.workpiece.announcements;
   if (announcements == 0) return;

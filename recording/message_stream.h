@@ -1,10 +1,10 @@
 // The stream of messages of one machine: what is sent when, numbered and stamped, to all sinks.
 //
 // LOG_META comes first and every 60 s of machine time; SETPOINT every cycle for every channel with
-// axes; STATE of every channel 20 times a second; WORKPIECE when a program announces one and every
-// 60 s from then on; events, inputs and texts as they come. Time
-// stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread (publisher or
-// `simulate`), never for the real-time cycle.
+// axes; STATE of every channel 20 times a second; WORKPIECE when a program announces one, TOOL when
+// another one is put to work, both every 60 s from then on; events, inputs and texts as they come.
+// Time stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread
+// (publisher or `simulate`), never for the real-time cycle.
 #pragma once
 
 #include <array>
@@ -48,6 +48,9 @@ class MessageStream {
   // The text itself is sent when it is new.
   void program_read(const ProgramRead& read, std::int64_t cycle);
 
+  // Whether announcements of workpieces are sent; what was announced comes as soon as they are.
+  void allow_workpieces(bool allowed);
+
   // Shown in the STATE messages of the channel from now on.
   void set_program(int channel, std::string_view name);
 
@@ -61,6 +64,7 @@ class MessageStream {
   void process_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output);
   void force_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
   void send(const Message& message, int channel, Topic topic);
@@ -76,6 +80,12 @@ class MessageStream {
     std::int64_t cycle = 0;  // of the latest message
   };
   std::array<ShownWorkpiece, channels::channels_max + 1> workpieces_{};
+  struct ShownTool {
+    channels::ToolAtWork tool;
+    std::int64_t cycle = -1;  // of the latest message; -1: none yet
+  };
+  std::array<ShownTool, channels::channels_max + 1> tools_{};
+  bool workpieces_allowed_ = true;
   struct ShownInputs {
     channels::Arrivals arrivals;
     bool has_feedback = false;

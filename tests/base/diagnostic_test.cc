@@ -78,6 +78,17 @@ TEST(Diagnostic, WithoutALineOnlyTheFileIsNamed) {
   EXPECT_EQ(to_text(diagnostic), "error[E7001]: file not found\n");
 }
 
+TEST(Diagnostic, WithoutAColumnTheLineIsNamed) {
+  Diagnostic diagnostic;
+  diagnostic.code = "W921";
+  diagnostic.severity = Severity::warning;
+  diagnostic.message = "rapid traverse through material";
+  diagnostic.place.file = "part.nc";
+  diagnostic.place.line = 12;
+  EXPECT_EQ(to_text(diagnostic),
+            "warning[W921]: rapid traverse through material\n  --> part.nc:12\n");
+}
+
 TEST(Diagnostic, OnlyErrorsMakeAListFail) {
   Diagnostic warning;
   warning.severity = Severity::warning;

@@ -46,6 +46,7 @@ constexpr Example examples[] = {
     {"helix", "stress8", ""},           {"thread", "lathe", ""},
     {"chip_breaking", "lathe", ""},     {"slender_shaft", "lathe", ""},
     {"plunge_grinding", "grinder", ""}, {"adaptive_steps", "lathe", ""},
+    {"workpiece", "e7106mf4", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),

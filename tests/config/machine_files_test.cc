@@ -86,14 +86,18 @@ TEST(MachineFiles, E7106mf4RotaryAxisCIsUnlimitedAndBIsNot) {
   EXPECT_EQ(config.axes[0].rapid_max, 400.0);
 }
 
-TEST(MachineFiles, E7106mf4HasAFlatAndABallMillInItsTables) {
+// The finishing programs call ball mills as tools 1 and 2 (programs/generators).
+TEST(MachineFiles, E7106mf4HasTheToolsOfItsPrograms) {
   const MachineFile file = machine("e7106mf4");
-  ASSERT_EQ(file.machine.tables.tools.size(), 2U);
-  EXPECT_EQ(file.machine.tables.tools[0].kind, "flat");
-  EXPECT_EQ(file.machine.tables.tools[0].length, 80.0);
-  EXPECT_EQ(file.machine.tables.tools[0].radius, 3.0);
-  EXPECT_EQ(file.machine.tables.tools[1].kind, "ball");
-  EXPECT_EQ(file.machine.tables.tools[1].length, 75.0);
+  const auto& tools = file.machine.tables.tools;
+  ASSERT_EQ(tools.size(), 4U);
+  for (const auto& tool : tools) EXPECT_EQ(tool.radius, 3.0);
+  EXPECT_EQ(tools[0].kind, "ball");
+  EXPECT_EQ(tools[0].length, 80.0);
+  EXPECT_EQ(tools[1].kind, "ball");
+  EXPECT_EQ(tools[1].length, 75.0);
+  EXPECT_EQ(tools[2].kind, "flat");
+  EXPECT_EQ(tools[3].kind, "ball");
   EXPECT_EQ(file.machine.tables.offsets.at("G54").at("X"), 0.0);
 }
 

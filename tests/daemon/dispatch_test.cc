@@ -331,6 +331,23 @@ TEST_F(DispatchTest, ShowsOneToolAndSaysWhichThereIsNot) {
   EXPECT_EQ(failure("tool.get", {{"number", 32000}, {"edge", 2}}).code, "E5021");
 }
 
+TEST_F(DispatchTest, AllowsWorkpiecesAndShowsThem) {
+  EXPECT_EQ(result("workpiece.status"), json({{"allowed", false}, {"workpieces", json::array()}}));
+  EXPECT_EQ(result("workpiece.allow"), json({{"allowed", true}}));
+  machine.change([](FakeMachine& changed) {
+    channels::Workpiece& workpiece = changed.output.channels[0].workpiece;
+    workpiece.announcements = 1;
+    workpiece.has_shape = true;
+    workpiece.shape.size_mm = {80.0, 60.0, 20.0};
+  });
+  const json status = result("workpiece.status");
+  EXPECT_TRUE(status["allowed"]);
+  ASSERT_EQ(status["workpieces"].size(), 1U);
+  EXPECT_EQ(status["workpieces"][0]["shape"], "box");
+  EXPECT_EQ(status["workpieces"][0]["size"], json({80.0, 60.0, 20.0}));
+  EXPECT_EQ(result("workpiece.allow", {{"on", 0}}), json({{"allowed", false}}));
+}
+
 TEST_F(DispatchTest, ResetsDrivesByName) {
   EXPECT_EQ(result("drive.reset", {{"drive", "X"}}), json({{"accepted", true}}));
   EXPECT_EQ(machine.resets, std::vector<std::string>{"X"});

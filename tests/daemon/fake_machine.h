@@ -101,10 +101,16 @@ class FakeMachine final : public RunningMachine {
     faults.emplace_back(drive, fault);
     return drive != "Q";
   }
-  [[nodiscard]] RecordingStatus recording_status() override { return {}; }
+  [[nodiscard]] RecordingStatus recording_status() override {
+    RecordingStatus status;
+    status.workpieces_allowed = workpieces_allowed;
+    return status;
+  }
+  void allow_workpieces(bool allowed) override { workpieces_allowed = allowed; }
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
+  bool workpieces_allowed = false;
   std::string choice = "embedded";
   std::vector<std::string> resets;
   std::vector<std::pair<std::string, plant::FaultKind>> faults;

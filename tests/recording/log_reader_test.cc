@@ -14,8 +14,8 @@ namespace stanok::recording {
 namespace {
 
 constexpr int cycles = 200;
-// LOG_META, a set-point every cycle, the state and the process every 50 ms.
-constexpr std::int64_t events = 1 + cycles + 2 * (cycles / 50);
+// LOG_META, the tool, a set-point every cycle, the state and the process every 50 ms.
+constexpr std::int64_t events = 2 + cycles + 2 * (cycles / 50);
 
 class LogReading : public testing::Test {
  protected:

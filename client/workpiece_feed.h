@@ -1,0 +1,58 @@
+// What the virtual workpiece is fed with: the machine file and the cycles of a run, live or
+// recorded, in the words of simulation/.
+#pragma once
+
+#include <stanok_messages/setpoint_t.hpp>
+#include <stanok_messages/workpiece_t.hpp>
+
+#include "channels/output.h"
+#include "config/machine_file.h"
+#include "simulation/workpiece_follower.h"
+
+namespace stanok::client {
+
+[[nodiscard]] simulation::ChannelGeometry geometry_of(const channels::MachineConfig& machine,
+                                                      const channels::ChannelConfig& channel);
+[[nodiscard]] simulation::ToolRecords tools_of(const channels::TablesConfig& tables);
+
+// Where a channel stands in one cycle.
+[[nodiscard]] simulation::Sample sample_of(const channels::ChannelOutput& output, double time_s);
+[[nodiscard]] simulation::Sample sample_of(const setpoint_t& setpoint, double time_s,
+                                           const channels::ToolAtWork& tool,
+                                           double spindle_rev_per_min);
+
+// What programs have announced so far.
+struct WorkpieceNews {
+  std::uint32_t announcements = 0;  // of either kind
+  std::uint32_t shapes = 0;
+  simulation::Announcement blank;
+  simulation::Placement placement;
+};
+[[nodiscard]] WorkpieceNews news_of(const channels::Workpiece& workpiece);
+[[nodiscard]] WorkpieceNews news_of(const workpiece_t& message);
+
+// One channel, followed from sample to sample.
+class ChannelFeed {
+ public:
+  ChannelFeed(const channels::MachineConfig& machine, const channels::ChannelConfig& channel,
+              std::uint64_t memory_max, simulation::WorkpieceFollower::Complaint complain);
+
+  // `announcements` so far: whether there is news since the last.
+  [[nodiscard]] bool has_heard(std::uint32_t announcements) const {
+    return announcements == announcements_;
+  }
+  // Before the sample in which they came; a blank comes before its place.
+  void hear(const WorkpieceNews& news, const simulation::Sample& now);
+  void follow(const simulation::Sample& sample) { follower_.follow(sample); }
+
+  [[nodiscard]] int channel() const { return channel_; }
+  [[nodiscard]] simulation::WorkpieceFollower& follower() { return follower_; }
+
+ private:
+  int channel_;
+  simulation::WorkpieceFollower follower_;
+  std::uint32_t announcements_ = 0;
+  std::uint32_t shapes_ = 0;
+};
+
+}  // namespace stanok::client

@@ -1,0 +1,116 @@
+#include "simulation/machine_geometry.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace stanok::simulation {
+namespace {
+
+using kinematics::PointMode;
+using kinematics::Scheme;
+
+kinematics::ToolVector tool_vector(const Vector& v) {
+  return {{v.x(), v.y(), v.z()}};
+}
+
+Vector linear_of(const Scheme& scheme, const Axes& axes) {
+  Vector point = Vector::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const int axis = scheme.config().linear[static_cast<std::size_t>(k)];
+    if (axis >= 0) point[k] = axes[static_cast<std::size_t>(axis)];
+  }
+  return point;
+}
+
+void set_linear(const Scheme& scheme, const Vector& point, Axes& axes) {
+  for (int k = 0; k < 3; ++k) {
+    const int axis = scheme.config().linear[static_cast<std::size_t>(k)];
+    if (axis >= 0) axes[static_cast<std::size_t>(axis)] = point[k];
+  }
+}
+
+// Rotary axes of the head, by index in the channel.
+std::vector<std::size_t> heads_of(const Scheme& scheme) {
+  const kinematics::SchemeConfig& config = scheme.config();
+  std::vector<std::size_t> heads;
+  const auto add = [&](int axis) {
+    if (axis >= 0) heads.push_back(static_cast<std::size_t>(axis));
+  };
+  if (config.type == "head_table") add(config.head_axis);
+  if (config.type == "head_head") {
+    add(config.outer_axis);
+    add(config.inner_axis);
+  }
+  return heads;
+}
+
+Vector tip_in_base(const Scheme& scheme, const Axes& axes_M, const Vector& nose_to_tip) {
+  Axes point_B{};
+  scheme.forward(PointMode::tip, tool_vector(nose_to_tip), axes_M, point_B);
+  return linear_of(scheme, point_B);
+}
+
+// With the heads upright and no tool, X, Y and Z read this where the tip is.
+Vector upright_point(const Scheme& scheme, const Axes& axes_M, const Vector& nose_to_tip) {
+  Axes point_B{};
+  scheme.forward(PointMode::tip, tool_vector(nose_to_tip), axes_M, point_B);
+  for (const std::size_t head : heads_of(scheme)) point_B[head] = 0.0;
+  Axes upright_M{};
+  scheme.inverse(PointMode::tip, {}, point_B, upright_M);
+  return linear_of(scheme, upright_M);
+}
+
+Vector base_of_upright(const Scheme& scheme, const Axes& axes_M, const Vector& point) {
+  Axes upright_M = axes_M;
+  for (const std::size_t head : heads_of(scheme)) upright_M[head] = scheme.config().zero[head];
+  set_linear(scheme, point, upright_M);
+  return tip_in_base(scheme, upright_M, Vector::Zero());
+}
+
+}  // namespace
+
+Vector ToolMount::axis() const {
+  int longest = 2;
+  for (int k = 0; k < 2; ++k) {
+    if (std::abs(nose_to_tip[k]) > std::abs(nose_to_tip[longest])) longest = k;
+  }
+  const double sign = nose_to_tip[longest] > 0.0 ? -1.0 : 1.0;
+  return sign * Vector::Unit(longest);
+}
+
+ToolPlace MachineGeometry::place_in(int home, int active, const Axes& axes_M,
+                                    const ToolMount& mount) const {
+  const auto point = [&](const Vector& nose_to_point) {
+    if (home == active) return tip_in_base(scheme(home), axes_M, nose_to_point);
+    return base_of_upright(scheme(home), axes_M,
+                           upright_point(scheme(active), axes_M, nose_to_point));
+  };
+  ToolPlace place;
+  place.tip = point(mount.nose_to_tip);
+  place.axis = (point(mount.nose_to_tip + mount.axis()) - place.tip).normalized();
+  return place;
+}
+
+// A positive angle turns the tool round the workpiece, counter-clockwise against Z (polar_face.h).
+ToolPlace MachineGeometry::turned_with_workpiece(int home, const Axes& axes_M,
+                                                 const ToolPlace& place_B) const {
+  if (geometry_.turning_axis < 0) return place_B;
+  const auto axis = static_cast<std::size_t>(geometry_.turning_axis);
+  const double angle = (axes_M[axis] - scheme(home).config().zero[axis]) * std::numbers::pi / 180.0;
+  const Eigen::AngleAxisd turn(angle, Vector::UnitZ());
+  return {turn * place_B.tip, turn * place_B.axis};
+}
+
+Pose MachineGeometry::machine_in(int home, const Axes& axes_M) const {
+  const Vector origin = base_of_upright(scheme(home), axes_M, Vector::Zero());
+  Pose pose = Pose::Identity();
+  for (int k = 0; k < 3; ++k) {
+    const Vector along = base_of_upright(scheme(home), axes_M, Vector::Unit(k)) - origin;
+    pose.linear().col(k) =
+        along.norm() > 0.0 ? Vector(along.normalized()) : Vector(Vector::Unit(k));
+  }
+  pose.translation() = origin;
+  return pose;
+}
+
+}  // namespace stanok::simulation

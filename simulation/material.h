@@ -1,0 +1,63 @@
+// The material that is left of a blank, as three families of rays along X, Y and Z (tri-dexel).
+//
+// Each family holds the whole part; together they see every face from a direction that is not flat
+// on it. Frame K and units: blank.h.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "simulation/blank.h"
+#include "simulation/ray_family.h"
+
+namespace stanok::simulation {
+
+// A box along the axes of K.
+struct Bounds {
+  Vector low = Vector::Zero();
+  Vector high = Vector::Zero();
+
+  [[nodiscard]] bool meets(const Bounds& other) const {
+    return (low.array() < other.high.array()).all() && (high.array() > other.low.array()).all();
+  }
+};
+
+// Rays of one family that run through a box: indices [from, to) along the two other axes.
+struct RayWindow {
+  int first_from = 0;
+  int first_to = 0;
+  int second_from = 0;
+  int second_to = 0;
+};
+
+class Material {
+ public:
+  Material(const Blank& blank, const Grid& grid);
+
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  [[nodiscard]] RayFamily& family(int axis) { return families_[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] const RayFamily& family(int axis) const {
+    return families_[static_cast<std::size_t>(axis)];
+  }
+  // Of a ray along `axis` with these indices along the axes behind it, in cyclic order.
+  [[nodiscard]] std::size_t ray(int axis, int first, int second) const {
+    const int across = grid_.count[static_cast<std::size_t>((axis + 1) % 3)];
+    return static_cast<std::size_t>(second) * static_cast<std::size_t>(across) +
+           static_cast<std::size_t>(first);
+  }
+  [[nodiscard]] RayWindow window(int axis, const Bounds& bounds) const;
+  [[nodiscard]] Bounds bounds() const;
+
+  // What one mm on a ray of the family stands for, mm².
+  [[nodiscard]] double section(int axis) const {
+    return grid_.cell[(axis + 1) % 3] * grid_.cell[(axis + 2) % 3];
+  }
+  // By the mean of the three families, mm³.
+  [[nodiscard]] double volume() const;
+
+ private:
+  Grid grid_;
+  std::array<RayFamily, 3> families_;
+};
+
+}  // namespace stanok::simulation

@@ -1,0 +1,118 @@
+#include "simulation/milling_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::simulation {
+namespace {
+
+constexpr int steps_max = 1'000'000;
+
+// Calls visit(ray, from, to) for every ray with material that the body covers a stretch of.
+template <class Visitor>
+void visit_covered(const Material& material, const Body& body, const ToolPlace& place, int axis,
+                   const Bounds& bounds, Visitor&& visit) {
+  const Grid& grid = material.grid();
+  const RayFamily& family = material.family(axis);
+  const RayWindow window = material.window(axis, bounds);
+  const int first_axis = (axis + 1) % 3;
+  const int second_axis = (axis + 2) % 3;
+  const auto low = static_cast<float>(bounds.low[axis]);
+  const auto high = static_cast<float>(bounds.high[axis]);
+  const BodySection section(body, place, axis);
+  for (int second = window.second_from; second < window.second_to; ++second) {
+    const double v = grid.middle(second_axis, second);
+    double u_from = 0.0;
+    double u_to = 0.0;
+    if (!section.row(v, u_from, u_to)) continue;
+    const int first_from = std::max(window.first_from, grid.first_behind(first_axis, u_from));
+    const int first_to = std::min(window.first_to, grid.first_behind(first_axis, u_to));
+    for (int first = first_from; first < first_to; ++first) {
+      const std::size_t ray = material.ray(axis, first, second);
+      if (!family.may_meet(ray, low, high)) continue;
+      double from = 0.0;
+      double to = 0.0;
+      if (section.meet(grid.middle(first_axis, first), v, from, to)) visit(ray, from, to);
+    }
+  }
+}
+
+double parts_of_way(double way, double step) {
+  return step > 0.0 ? way / step : 0.0;
+}
+
+}  // namespace
+
+double remove(Material& material, const Body& body, const ToolPlace& place) {
+  const Bounds bounds = bounds_of(body, place);
+  if (!bounds.meets(material.bounds())) return 0.0;
+  double volume = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double length = 0.0;
+    RayFamily& family = material.family(axis);
+    visit_covered(
+        material, body, place, axis, bounds,
+        [&](std::size_t ray, double from, double to) { length += family.subtract(ray, from, to); });
+    volume += length * material.section(axis);
+  }
+  return volume / 3.0;
+}
+
+double covered(const Material& material, const Body& body, const ToolPlace& place) {
+  if (body.pieces.empty()) return 0.0;
+  const Bounds bounds = bounds_of(body, place);
+  if (!bounds.meets(material.bounds())) return 0.0;
+  double volume = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double length = 0.0;
+    const RayFamily& family = material.family(axis);
+    visit_covered(
+        material, body, place, axis, bounds,
+        [&](std::size_t ray, double from, double to) { length += family.overlap(ray, from, to); });
+    volume += length * material.section(axis);
+  }
+  return volume / 3.0;
+}
+
+int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace& to,
+                  double tolerance) {
+  if (tool.bodies.empty()) return 1;
+  const Vector axis = (from.axis + to.axis).normalized();
+  const double turn = (to.axis - from.axis).norm();
+  double parts = 1.0;
+  for (const double height : {0.0, tool.bodies.front().top()}) {
+    const Vector way = to.at(height) - from.at(height);
+    const double along = std::abs(way.dot(axis));
+    const double across = std::sqrt(std::max(0.0, way.squaredNorm() - along * along));
+    parts = std::max(parts, parts_of_way(across, std::sqrt(8.0 * tool.radius * tolerance)));
+    if (height > 0.0) continue;  // the edge is at the tip
+    const double lift = along + tool.radius * turn;
+    const double length = std::hypot(lift, across);
+    if (length <= 0.0) continue;
+    double edge_parts = lift * across / length / tolerance;
+    if (tool.edge_radius > 0.0) {
+      edge_parts =
+          std::min(edge_parts, parts_of_way(length, std::sqrt(8.0 * tool.edge_radius * tolerance)));
+    }
+    parts = std::max(parts, edge_parts);
+  }
+  return static_cast<int>(std::ceil(std::min(parts, static_cast<double>(steps_max))));
+}
+
+ToolPlace place_between(const ToolPlace& from, const ToolPlace& to, double part) {
+  return {from.tip + part * (to.tip - from.tip),
+          (from.axis + part * (to.axis - from.axis)).normalized()};
+}
+
+bool may_touch(const Material& material, const Body& body, const ToolPlace& from,
+               const ToolPlace& to) {
+  Bounds bounds = bounds_of(body, from);
+  const Bounds there = bounds_of(body, to);
+  // The axis turns on a chord of the circle: its ends stay within their distance.
+  const Vector margin = Vector::Constant((to.axis - from.axis).squaredNorm() * body.top());
+  bounds.low = bounds.low.cwiseMin(there.low) - margin;
+  bounds.high = bounds.high.cwiseMax(there.high) + margin;
+  return bounds.meets(material.bounds());
+}
+
+}  // namespace stanok::simulation

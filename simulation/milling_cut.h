@@ -1,0 +1,27 @@
+// A rotating tool on its way through the material: positions so close that what they leave between
+// them is below a tolerance.
+#pragma once
+
+#include "simulation/tool_solid.h"
+
+namespace stanok::simulation {
+
+// Takes away what the body covers; mm³, by the mean of the three families.
+double remove(Material& material, const Body& body, const ToolPlace& place);
+
+// What the body covers; mm³.
+[[nodiscard]] double covered(const Material& material, const Body& body, const ToolPlace& place);
+
+// Into how many equal steps the way from one place to the other falls. Between two positions a
+// flank of radius R leaves cusps of d²/8R, a sharp edge that moves both along and across the tool's
+// axis steps of d sin θ cos θ.
+[[nodiscard]] int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace& to,
+                                double tolerance);
+
+[[nodiscard]] ToolPlace place_between(const ToolPlace& from, const ToolPlace& to, double part);
+
+// Whether the body may touch the material anywhere between the two places.
+[[nodiscard]] bool may_touch(const Material& material, const Body& body, const ToolPlace& from,
+                             const ToolPlace& to);
+
+}  // namespace stanok::simulation

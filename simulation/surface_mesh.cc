@@ -1,0 +1,159 @@
+// Points of the grid are the middles of its cells and one layer more all round, which is outside.
+#include "simulation/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/cube_cases.h"
+
+namespace stanok::simulation {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffU;
+// Points keep off the corners of a cube, so that no triangle shrinks to nothing.
+constexpr double part_min = 0.01;
+
+// The points of the surface on the edges of two layers of the grid: along X and Y in the layer, and
+// along Z to the next one.
+struct Layer {
+  std::vector<std::uint8_t> inside;
+  std::array<std::vector<std::uint32_t>, 3> points;
+};
+
+class Builder {
+ public:
+  explicit Builder(const Material& material)
+      : material_(material),
+        grid_(material.grid()),
+        columns_(grid_.count[0] + 2),
+        rows_(grid_.count[1] + 2) {}
+
+  Mesh build() {
+    Layer below = layer(-1);
+    for (int k = -1; k < grid_.count[2]; ++k) {
+      Layer above = layer(k + 1);
+      connect(k, below, above);
+      polygonise(below, above);
+      below = std::move(above);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(i + 1);
+  }
+
+  [[nodiscard]] bool is_inside(int i, int j, int k) const {
+    if (i < 0 || j < 0 || k < 0 || i >= grid_.count[0] || j >= grid_.count[1] ||
+        k >= grid_.count[2])
+      return false;
+    return material_.family(2).contains(material_.ray(2, i, j), grid_.middle(2, k));
+  }
+
+  Layer layer(int k) {
+    Layer layer;
+    const auto size = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    layer.inside.assign(size, 0);
+    for (auto& points : layer.points) points.assign(size, none);
+    for (int j = 0; j < grid_.count[1]; ++j) {
+      for (int i = 0; i < grid_.count[0]; ++i) layer.inside[at(i, j)] = is_inside(i, j, k) ? 1 : 0;
+    }
+    for (int j = -1; j <= grid_.count[1]; ++j) {
+      for (int i = -1; i <= grid_.count[0]; ++i) {
+        if (i < grid_.count[0] && layer.inside[at(i, j)] != layer.inside[at(i + 1, j)])
+          layer.points[0][at(i, j)] = crossing(0, {i, j, k}, layer.inside[at(i, j)] != 0);
+        if (j < grid_.count[1] && layer.inside[at(i, j)] != layer.inside[at(i, j + 1)])
+          layer.points[1][at(i, j)] = crossing(1, {i, j, k}, layer.inside[at(i, j)] != 0);
+      }
+    }
+    return layer;
+  }
+
+  // Points on the edges along Z between both layers; they belong to the lower one.
+  void connect(int k, Layer& below, const Layer& above) {
+    for (int j = 0; j < grid_.count[1]; ++j) {
+      for (int i = 0; i < grid_.count[0]; ++i) {
+        if (below.inside[at(i, j)] != above.inside[at(i, j)])
+          below.points[2][at(i, j)] = crossing(2, {i, j, k}, below.inside[at(i, j)] != 0);
+      }
+    }
+  }
+
+  // Between the grid point `node` and the next one along `axis`; `leaves`: the first is inside.
+  std::uint32_t crossing(int axis, const std::array<int, 3>& node, bool leaves) {
+    const auto index = [&](int k) { return node[static_cast<std::size_t>(k % 3)]; };
+    const double low = grid_.middle(axis, index(axis));
+    double part = 0.5;
+    const std::size_t ray = material_.ray(axis, index(axis + 1), index(axis + 2));
+    material_.family(axis).visit(ray, [&](const Interval& piece) {
+      const double end = leaves ? piece.to : piece.from;
+      const double along = (end - low) / grid_.cell[axis];
+      if (along >= 0.0 && along <= 1.0) part = std::clamp(along, part_min, 1.0 - part_min);
+    });
+    Vector point;
+    for (int k = 0; k < 3; ++k) point[k] = grid_.middle(k, node[static_cast<std::size_t>(k)]);
+    point[axis] += part * grid_.cell[axis];
+    mesh_.points.push_back(point.cast<float>());
+    return static_cast<std::uint32_t>(mesh_.points.size() - 1);
+  }
+
+  void polygonise(const Layer& below, const Layer& above) {
+    for (int j = -1; j < grid_.count[1]; ++j) {
+      for (int i = -1; i < grid_.count[0]; ++i) {
+        unsigned inside = 0;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+          const Layer& layer = (corner & 4U) != 0 ? above : below;
+          const int di = (corner & 1U) != 0 ? 1 : 0;
+          const int dj = (corner & 2U) != 0 ? 1 : 0;
+          inside |= static_cast<unsigned>(layer.inside[at(i + di, j + dj)]) << corner;
+        }
+        if (inside == 0 || inside == 255) continue;
+        for (const EdgeTriangle& triangle : cube_triangles(inside)) {
+          mesh_.triangles.push_back({point_on(triangle[0], i, j, below, above),
+                                     point_on(triangle[1], i, j, below, above),
+                                     point_on(triangle[2], i, j, below, above)});
+        }
+      }
+    }
+  }
+
+  // Edge numbers: cube_cases.h.
+  [[nodiscard]] std::uint32_t point_on(unsigned edge, int i, int j, const Layer& below,
+                                       const Layer& above) const {
+    const int first = static_cast<int>(edge & 1U);
+    const int second = static_cast<int>(edge >> 1U & 1U);
+    switch (edge / 4) {
+      case 0:
+        return (second != 0 ? above : below).points[0][at(i, j + first)];
+      case 1:
+        return (first != 0 ? above : below).points[1][at(i + second, j)];
+      default:
+        return below.points[2][at(i + first, j + second)];
+    }
+  }
+
+  const Material& material_;
+  const Grid& grid_;
+  int columns_;
+  int rows_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+// By the divergence theorem: a sixth of the sum of a · (b x c).
+double Mesh::volume() const {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : triangles) {
+    sum += points[a].cast<double>().dot(points[b].cast<double>().cross(points[c].cast<double>()));
+  }
+  return sum / 6.0;
+}
+
+Mesh surface_of(const Material& material) {
+  return Builder(material).build();
+}
+
+}  // namespace stanok::simulation

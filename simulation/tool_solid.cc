@@ -1,0 +1,281 @@
+// Symbols as in the header: a height over the tip, ρ distance from the axis of the tool.
+#include "simulation/tool_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stanok::simulation {
+namespace {
+
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
+constexpr double point_angle_default = 118.0;  // deg, of twist drills for steel (DIN 1414, type N)
+constexpr double parallel = 1e-9;
+constexpr double infinite = 1e30;
+constexpr double flute_default = 8.0;  // radii, where the table gives no length at all
+
+ProfilePiece cylinder(double from, double to, double radius) {
+  return {from, to, radius * radius, 0.0, 0.0};
+}
+
+ProfilePiece cone(double from, double to, double radius_from, double radius_to) {
+  const double slope = (radius_to - radius_from) / (to - from);
+  const double apex = radius_from - slope * from;  // radius at the height of the tip
+  return {from, to, apex * apex, 2.0 * apex * slope, slope * slope};
+}
+
+ProfilePiece sphere(double from, double to, double centre, double radius) {
+  return {from, to, radius * radius - centre * centre, 2.0 * centre, -1.0};
+}
+
+// A part of a torus as cones between its points: from the face at `inner` on, over `angle_to`.
+void add_rounding(std::vector<ProfilePiece>& pieces, double bottom, double inner, double radius,
+                  double angle_to, double deviation) {
+  const double chord = 2.0 * std::acos(std::max(0.5, 1.0 - deviation / radius));
+  const int count = std::max(2, static_cast<int>(std::ceil(angle_to / chord)));
+  const auto height = [&](int i) {
+    return bottom + radius * (1.0 - std::cos(angle_to * i / count));
+  };
+  const auto out = [&](int i) { return inner + radius * std::sin(angle_to * i / count); };
+  for (int i = 0; i < count; ++i)
+    pieces.push_back(cone(height(i), height(i + 1), out(i), out(i + 1)));
+}
+
+// What there is of the tool above its cutting part.
+struct Heights {
+  double flute = 0.0;
+  double shank = 0.0;
+  double holder = 0.0;
+};
+
+Heights heights_of(const ToolShape& tool) {
+  Heights heights;
+  const bool has_holder = tool.holder_diameter > 0.0 && tool.holder_length > 0.0;
+  double overhang = tool.overhang;
+  if (overhang <= 0.0) overhang = tool.length - (has_holder ? tool.holder_length : 0.0);
+  heights.flute = tool.flute_length;
+  if (heights.flute <= 0.0) heights.flute = overhang > 0.0 ? overhang : flute_default * tool.radius;
+  heights.shank = std::max(overhang, heights.flute);
+  heights.holder = heights.shank + (has_holder ? tool.holder_length : 0.0);
+  return heights;
+}
+
+std::vector<ProfilePiece> taper(const ToolShape& tool, double top, double deviation) {
+  std::vector<ProfilePiece> pieces;
+  const double angle = tool.taper_angle * rad_per_deg;
+  const double corner = std::min(tool.corner_radius, tool.radius);
+  double bottom = 0.0;
+  double radius = tool.radius;
+  if (corner > 0.0) {
+    const double turn = std::numbers::pi / 2.0 - angle;
+    add_rounding(pieces, 0.0, tool.radius - corner, corner, turn, deviation);
+    bottom = pieces.back().to;
+    radius = tool.radius - corner + corner * std::sin(turn);
+  }
+  if (top > bottom)
+    pieces.push_back(cone(bottom, top, radius, radius + (top - bottom) * std::tan(angle)));
+  return pieces;
+}
+
+std::vector<ProfilePiece> cutting_profile(const ToolShape& tool, double top, double deviation) {
+  std::vector<ProfilePiece> pieces;
+  const double r = tool.radius;
+  double bottom = 0.0;
+  const bool is_ball = tool.kind == ToolKind::ball ||
+                       (tool.kind == ToolKind::bull && tool.corner_radius >= tool.radius);
+  if (is_ball) {
+    bottom = std::min(r, top);
+    pieces.push_back(sphere(0.0, bottom, r, r));
+  } else if (tool.kind == ToolKind::bull && tool.corner_radius > 0.0) {
+    add_rounding(pieces, 0.0, r - tool.corner_radius, tool.corner_radius, std::numbers::pi / 2.0,
+                 deviation);
+    bottom = tool.corner_radius;
+  } else if (tool.kind == ToolKind::drill) {
+    const double point = tool.point_angle > 0.0 ? tool.point_angle : point_angle_default;
+    bottom = r / std::tan(point / 2.0 * rad_per_deg);
+    if (bottom > 0.0) pieces.push_back(cone(0.0, bottom, 0.0, r));
+  } else if (tool.kind == ToolKind::taper) {
+    return taper(tool, top, deviation);
+  }
+  if (top > bottom) pieces.push_back(cylinder(bottom, top, r));
+  return pieces;
+}
+
+double radius_max(const ProfilePiece& piece) {
+  if (piece.c2 < 0.0) return std::sqrt(piece.c0 + piece.c1 * piece.c1 / 4.0);
+  return std::max(piece.radius_at(piece.from), piece.radius_at(piece.to));
+}
+
+// A ball stays a ball about the same centre.
+ProfilePiece shrunk_sphere(const ProfilePiece& piece, double bottom, double by) {
+  const double centre = piece.c1 / 2.0;
+  return sphere(bottom, piece.to, centre, std::sqrt(piece.c0 + centre * centre) - by);
+}
+
+// Set back by `by`: thinner all over, and shorter at both ends.
+std::vector<ProfilePiece> shrunk_profile(const std::vector<ProfilePiece>& pieces, double by) {
+  const double bottom = pieces.front().from + by;
+  const double top = pieces.back().to - by;
+  std::vector<ProfilePiece> shrunk;
+  for (const ProfilePiece& piece : pieces) {
+    const double from = std::max(piece.from, bottom);
+    const double to = std::min(piece.to, top);
+    const double radius_from = piece.radius_at(from - by) - by;
+    const double radius_to = piece.radius_at(to - by) - by;
+    if (to - from <= parallel) continue;
+    if (piece.c2 < 0.0 && radius_max(piece) > by) {
+      shrunk.push_back(shrunk_sphere(piece, from, by));
+    } else if (radius_to > 0.0) {
+      shrunk.push_back(cone(from, to, std::max(0.0, radius_from), radius_to));
+    }
+  }
+  return shrunk;
+}
+
+void add_body(ToolSolid& solid, Part part, std::vector<ProfilePiece> pieces, double shrunk) {
+  if (shrunk > 0.0 && !pieces.empty()) pieces = shrunk_profile(pieces, shrunk);
+  solid.bodies.push_back({part, std::move(pieces)});
+}
+
+// Leaves of [low, high] what has A x² + 2 B x + C <= 0; false when that is nothing. Inside of both
+// nappes of a cone (A < 0) the heights have left one of them.
+bool narrow(double A, double inverse_A, double B, double C, double& low, double& high) {
+  if (inverse_A == 0.0) {
+    if (std::abs(B) < parallel) return C <= 0.0;
+    const double root = -C / (2.0 * B);
+    if (B > 0.0) {
+      high = std::min(high, root);
+    } else {
+      low = std::max(low, root);
+    }
+    return low < high;
+  }
+  const double discriminant = B * B - A * C;
+  if (discriminant <= 0.0) return A < 0.0 && low < high;
+  const double root = std::sqrt(discriminant);
+  const double one = (-B - root) * inverse_A;
+  const double other = (-B + root) * inverse_A;
+  if (A > 0.0) {
+    low = std::max(low, one);
+    high = std::min(high, other);
+  } else if (low < other) {
+    high = std::min(high, other);
+  } else {
+    low = std::max(low, one);
+  }
+  return low < high;
+}
+
+}  // namespace
+
+double ProfilePiece::radius_at(double height) const {
+  const double a = std::clamp(height, from, to);
+  return std::sqrt(std::max(0.0, c0 + a * (c1 + a * c2)));
+}
+
+ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk) {
+  const Heights heights = heights_of(tool);
+  ToolSolid solid;
+  std::vector<ProfilePiece> cutting = cutting_profile(tool, heights.flute, deviation);
+  for (const ProfilePiece& piece : cutting)
+    solid.radius = std::max({solid.radius, piece.radius_at(piece.from), piece.radius_at(piece.to)});
+  if (tool.kind == ToolKind::ball) solid.edge_radius = tool.radius;
+  if (tool.kind == ToolKind::bull) solid.edge_radius = std::min(tool.corner_radius, tool.radius);
+  add_body(solid, Part::cutting, std::move(cutting), shrunk);
+  const double shank = tool.shank_diameter > 0.0 ? tool.shank_diameter / 2.0 : solid.radius;
+  if (heights.shank > heights.flute)
+    add_body(solid, Part::shank, {cylinder(heights.flute, heights.shank, shank)}, shrunk);
+  if (heights.holder > heights.shank) {
+    add_body(solid, Part::holder,
+             {cylinder(heights.shank, heights.holder, tool.holder_diameter / 2.0)}, shrunk);
+  }
+  return solid;
+}
+
+Bounds bounds_of(const Body& body, const ToolPlace& place) {
+  Bounds bounds{Vector::Constant(1e300), Vector::Constant(-1e300)};
+  const Vector across = (Vector::Ones() - place.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+  for (const ProfilePiece& piece : body.pieces) {
+    const double radius = radius_max(piece);
+    for (const double height : {piece.from, piece.to}) {
+      const Vector centre = place.at(height);
+      bounds.low = bounds.low.cwiseMin(centre - radius * across);
+      bounds.high = bounds.high.cwiseMax(centre + radius * across);
+    }
+  }
+  return bounds;
+}
+
+BodySection::BodySection(const Body& body, const ToolPlace& place, int axis)
+    : bottom_(body.bottom()), top_(body.top()) {
+  for (int k = 0; k < 3; ++k) {
+    tip_[k] = place.tip[(axis + k) % 3];
+    axis_[k] = place.axis[(axis + k) % 3];
+  }
+  const double slope = axis_.x();
+  if (std::abs(slope) > parallel) inverse_slope_ = 1.0 / slope;
+  cuts_.reserve(body.pieces.size());
+  for (const ProfilePiece& piece : body.pieces) {
+    const double k = 1.0 + piece.c2;
+    const double A = 1.0 - k * slope * slope;
+    cuts_.push_back({piece, k, A, std::abs(A) > parallel ? 1.0 / A : 0.0});
+    radius_ = std::max(radius_, radius_max(piece));
+  }
+}
+
+// The shadow of the body along the line lies in that of its axis, thickened by the radius.
+bool BodySection::row(double second, double& first_from, double& first_to) const {
+  double from = bottom_;
+  double to = top_;
+  double half = radius_;
+  if (std::abs(axis_.z()) > parallel) {
+    const double one = (second - tip_.z() - radius_) / axis_.z();
+    const double other = (second - tip_.z() + radius_) / axis_.z();
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+    if (from > to) return false;
+  } else {
+    const double beside = second - tip_.z();
+    half = std::sqrt(std::max(0.0, radius_ * radius_ - beside * beside));
+  }
+  const double at_from = tip_.y() + from * axis_.y();
+  const double at_to = tip_.y() + to * axis_.y();
+  first_from = std::min(at_from, at_to) - half;
+  first_to = std::max(at_from, at_to) + half;
+  return true;
+}
+
+// On the line p(x) = (x, first, second): a = a0 + x a1 with x counted from the tip, and
+// ρ² - c0 - c1 a - c2 a² = A x² + 2 B x + C.
+bool BodySection::meet(double first, double second, double& from, double& to) const {
+  const double y = first - tip_.y();
+  const double z = second - tip_.z();
+  const double a1 = axis_.x();
+  const double a0 = y * axis_.y() + z * axis_.z();
+  const double p0 = y * y + z * z;
+  bool met = false;
+  for (const Cut& cut : cuts_) {
+    const ProfilePiece& piece = cut.piece;
+    double low = -infinite;
+    double high = infinite;
+    if (inverse_slope_ != 0.0) {
+      low = (piece.from - a0) * inverse_slope_;
+      high = (piece.to - a0) * inverse_slope_;
+      if (low > high) std::swap(low, high);
+    } else if (a0 < piece.from || a0 > piece.to) {
+      continue;
+    }
+    const double B = -cut.k * a0 * a1 - piece.c1 * a1 / 2.0;
+    const double C = p0 - cut.k * a0 * a0 - piece.c1 * a0 - piece.c0;
+    if (!narrow(cut.A, cut.inverse_A, B, C, low, high)) continue;
+    from = met ? std::min(from, low) : low;
+    to = met ? std::max(to, high) : high;
+    met = true;
+  }
+  if (!met) return false;
+  from += tip_.x();
+  to += tip_.x();
+  return true;
+}
+
+}  // namespace stanok::simulation

@@ -1,0 +1,77 @@
+// The virtual workpiece: a blank, what tools have left of it, and the report of the cut.
+//
+// Tools come as places in the frame K of the blank, milling tools with their axis, inserts in the
+// plane through the axis of the spindle. The part that a rapid, a shank or a holder meets is taken
+// away as well, so that it is reported once. Not for the real-time cycle.
+#pragma once
+
+#include "simulation/cutting_report.h"
+#include "simulation/milling_cut.h"
+#include "simulation/turning_cut.h"
+
+namespace stanok::simulation {
+
+// A block that a motion belongs to, and its part of it.
+struct Share {
+  Origin origin;
+  double part = 1.0;
+};
+
+// How a motion is made, and where it comes from.
+struct Circumstances {
+  std::vector<Share> shares;  // in their order; findings count for the last one
+  int tool = 0;
+  bool rapid = false;
+  bool spindle_turns = true;
+  double time_s = 0.0;  // at its begin
+};
+
+// A rotating tool, and the same set back a little: material that only this one's skin touches is
+// what the steps of an earlier cut have left, no collision.
+struct MillingTool {
+  ToolSolid solid;
+  ToolSolid core;
+};
+
+struct TurningTool {
+  Polygon insert;
+  Polygon core;
+};
+
+// Deviations are parts of the resolution: of steps and roundings, and of the core of a tool.
+inline constexpr double sweep_deviation = 0.1;
+inline constexpr double core_depth = 0.3;
+
+class Workpiece {
+ public:
+  Workpiece(const Blank& blank, const Grid& grid);
+
+  [[nodiscard]] MillingTool milling_tool(const ToolShape& shape) const;
+  // `mirrored`: Z of K points against the Z in which the shape is described.
+  [[nodiscard]] TurningTool turning_tool(const ToolShape& shape, bool mirrored) const;
+
+  void mill(const MillingTool& tool, const ToolPlace& from, const ToolPlace& to,
+            const Circumstances& circumstances);
+  // z along K, x the distance from the axis.
+  void turn(const TurningTool& tool, const SpindleAxis& axis, PlanePoint from, PlanePoint to,
+            const Circumstances& circumstances);
+  void add_time(const Origin& origin, double seconds) { report_.add_time(origin, seconds); }
+
+  [[nodiscard]] const Blank& blank() const { return blank_; }
+  [[nodiscard]] const Material& material() const { return material_; }
+  [[nodiscard]] const CuttingReport& report() const { return report_; }
+  // How far what is swept may be from what the tool swept, mm.
+  [[nodiscard]] double deviation() const { return sweep_deviation * blank_.resolution; }
+
+ private:
+  void mill_at(const MillingTool& tool, const ToolPlace& place, const Circumstances& circumstances);
+  void count(double removed_mm3, const Circumstances& circumstances);
+  void find(FindingKind kind, double volume, const Vector& place_K,
+            const Circumstances& circumstances);
+
+  Blank blank_;
+  Material material_;
+  CuttingReport report_;
+};
+
+}  // namespace stanok::simulation

@@ -1,0 +1,194 @@
+// The virtual workpiece of whole simulated runs: findings with their lines, zeros and switches that
+// are followed, announcements that cannot be.
+#include "client/workpiece_observer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "client/workpiece_stream.h"
+#include "recording/log_reader.h"
+#include "runtime/log_observer.h"
+#include "runtime/recorded_run.h"
+
+namespace stanok::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const std::filesystem::path machines =
+    std::filesystem::path(STANOK_SOURCE_DIR) / "config" / "machines";
+
+// Programs that are run on a machine of the project.
+class WorkpieceRun : public ::testing::Test {
+ protected:
+  WorkpieceRun() {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("stanok_workpiece_" + std::to_string(getpid()) + "_" +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+    log_ = folder_ / "run.lcm";
+  }
+  ~WorkpieceRun() override { std::filesystem::remove_all(folder_); }
+
+  // The JSON of its workpieces.
+  nlohmann::ordered_json run(const std::string& machine, const std::string& program,
+                             int scheme = 0) {
+    std::ofstream(folder_ / "part.nc") << program;
+    runtime::SimulationOptions options;
+    options.file = config::read_machine_file(machines / machine);
+    options.program_roots = {folder_};
+    options.programs = {{1, "part.nc"}};
+    if (scheme != 0) options.schemes = {{1, scheme}};
+    WorkpieceOptions wanted;
+    wanted.files.report = folder_ / "report.json";
+    WorkpieceObserver observer(options.file.machine, wanted);
+    runtime::LogObserver log(options.file, runtime::setup_of(options), log_, "test");
+    const auto result = runtime::simulate(options, {&observer, &log}, [] { return false; });
+    EXPECT_EQ(log.close(), "");
+    for (const auto& alarm : result.alarms)
+      ADD_FAILURE() << alarm.diagnostic.place.line << ": " << alarm.diagnostic.message;
+    finished_ = observer.finish(result.runs);
+    return observer.json();
+  }
+
+  std::filesystem::path folder_;
+  std::filesystem::path log_;
+  bool finished_ = false;
+};
+
+// Lines with a mark in front are in the program with errors only.
+std::string program_with(bool errors) {
+  const std::string marked = R"(G21 G90 G17 G40 G49 G80 G54
+#workpiece (0, 0.25, 0, 80, 60, 20, 40, 30, 20)
+T4 M6
+S9000 M3
+G0 X-20 Y-10
+G43 H4 Z50
+G0 Z2
+!G0 Z-1
+!G0 Z2
+G1 Z-2 F300
+G1 X20 F1200
+!G0 Y0
+!G0 Y-10
+G1 X10
+G0 Z50
+G0 X-55 Y-20
+G0 Z-14
+G1 X-41 F1000
+!G1 Z-18
+!G1 Y0
+!G1 Z-14
+G1 Y20
+G0 X-55
+!G0 X-64 Z-33
+!G1 X-55 F1000
+G0 Z50
+!M5
+G0 X0 Y20
+G1 Z-1 F300
+G0 Z50
+M30
+)";
+  std::string program;
+  std::istringstream lines(marked);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_error = line.front() == '!';
+    if (is_error && !errors) {
+      program += "\n";  // lines keep their numbers
+      continue;
+    }
+    program += (is_error ? line.substr(1) : line) + "\n";
+  }
+  return program;
+}
+
+std::vector<std::pair<std::string, int>> findings_of(const nlohmann::ordered_json& workpiece) {
+  std::vector<std::pair<std::string, int>> findings;
+  for (const auto& finding : workpiece["findings"])
+    findings.emplace_back(finding["code"], finding["line"]);
+  return findings;
+}
+
+TEST_F(WorkpieceRun, FindsTheFivePlantedErrors) {
+  const auto workpieces = run("e7106mf4.toml", program_with(true));
+  EXPECT_TRUE(finished_);
+  ASSERT_EQ(workpieces.size(), 1U);
+  EXPECT_THAT(findings_of(workpieces[0]),
+              ElementsAre(std::pair("W921", 8), std::pair("W921", 12), std::pair("W922", 20),
+                          std::pair("W923", 25), std::pair("W924", 29)));
+  for (const auto& finding : workpieces[0]["findings"]) EXPECT_EQ(finding["file"], "part.nc");
+}
+
+TEST_F(WorkpieceRun, FindsNothingWithoutThem) {
+  const auto workpieces = run("e7106mf4.toml", program_with(false));
+  ASSERT_EQ(workpieces.size(), 1U);
+  EXPECT_THAT(findings_of(workpieces[0]), IsEmpty());
+  EXPECT_GT(workpieces[0]["removed_mm3"], 500.0);
+}
+
+// The log knows machine, tools, programs and blank by itself.
+TEST_F(WorkpieceRun, IsTheSameOutOfItsLog) {
+  const auto live = run("e7106mf4.toml", program_with(true));
+  const auto recorded = runtime::read_run(log_);
+  WorkpieceStream stream(recorded->machine.machine, simulation::memory_default);
+  auto reader = recording::LogReader::open(log_);
+  ASSERT_TRUE(reader);
+  while (const auto event = reader->next()) stream.take(event->channel, event->bytes);
+  const auto workpieces = stream.workpieces();
+  ASSERT_EQ(workpieces.size(), 1U);
+  EXPECT_EQ(workpieces[0].title, "part.nc");
+  const auto json = to_json(*workpieces[0].workpiece, stream.names());
+  EXPECT_DOUBLE_EQ(json["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
+  EXPECT_EQ(json["findings"], live[0]["findings"]);
+}
+
+TEST_F(WorkpieceRun, SaysWhenThereIsNone) {
+  EXPECT_TRUE(run("e7106mf4.toml", "G21 G90\nG0 X1\nM30\n").empty());
+  EXPECT_FALSE(finished_);
+}
+
+TEST_F(WorkpieceRun, RefusesAResolutionThatIsTooFine) {
+  EXPECT_TRUE(
+      run("e7106mf4.toml", "G21 G90\n#workpiece (0, 0.001, 0, 80, 60, 20, 0, 0, 0)\nG0 X1\nM30\n")
+          .empty());
+  EXPECT_FALSE(finished_);
+}
+
+// A groove of 6 x 2 over the whole width, once as seen from G54 and once from G55, which lies 10 mm
+// further: the blank stays where it was announced.
+TEST_F(WorkpieceRun, FollowsChangesOfTheZero) {
+  const auto workpieces = run("e7106mf4.toml", R"(G21 G90 G17 G40 G49 G80
+G10 L2 P1 X0 Y0 Z0
+G10 L2 P2 X10 Y0 Z0
+G54
+#workpiece (0, 0.25, 0, 80, 60, 20, 40, 30, 20)
+T3 M6
+S9000 M3
+G0 X-20 Y-40
+G43 H3 Z50
+G0 Z-2
+G1 Y40 F1200
+G0 Z50
+G55
+G0 X-30 Y-40
+G0 Z-2
+G1 Y40
+G0 Z50
+G0 X-20 Y-40
+G0 Z-2
+G1 Y40
+G0 Z50
+M30
+)");
+  ASSERT_EQ(workpieces.size(), 1U);
+  EXPECT_NEAR(workpieces[0]["removed_mm3"], 2 * 60.0 * 6.0 * 2.0, 10.0);
+  EXPECT_THAT(findings_of(workpieces[0]), IsEmpty());
+}
+
+}  // namespace
+}  // namespace stanok::client
