@@ -54,6 +54,7 @@ std::optional<LogEvent> LogReader::next() {
 
 bool LogReader::available(std::size_t count) {
   while (window_.size() - at_ < count) {
+    if (is_at_end_) return false;
     if (at_ >= read_bytes) {
       window_.erase(window_.begin(), window_.begin() + position());
       window_offset_ += position();
@@ -63,7 +64,7 @@ bool LogReader::available(std::size_t count) {
     window_.resize(size + read_bytes);
     const std::size_t read = std::fread(window_.data() + size, 1, read_bytes, file_.get());
     window_.resize(size + read);
-    if (read == 0) return false;
+    is_at_end_ = read < read_bytes;
   }
   return true;
 }

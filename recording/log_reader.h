@@ -76,6 +76,7 @@ class LogReader {
   std::vector<std::uint8_t> window_;  // a part of the file
   std::int64_t window_offset_ = 0;    // of its first byte in the file
   std::size_t at_ = 0;                // in the window: next byte that is not used up
+  bool is_at_end_ = false;            // nothing is left to be read into the window
   std::vector<Damage> damage_;
 };
 

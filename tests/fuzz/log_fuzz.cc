@@ -82,10 +82,12 @@ void read(const Bytes& bytes) {
   static_cast<void>(recording::axes_of(*contents, 1, 8));
 }
 
-// Pairs of a place and what is written there.
+// Two bytes say how many are cut off; then triples of a place and what is changed there.
 Bytes damaged(const std::uint8_t* bytes, std::size_t size) {
   Bytes log = sound_log();
-  for (std::size_t k = 0; k + 2 < size; k += 3) {
+  if (size < 2) return log;
+  log.resize(log.size() - (std::size_t{bytes[0]} << 8 | bytes[1]) % log.size());
+  for (std::size_t k = 2; k + 2 < size; k += 3) {
     const std::size_t place = (std::size_t{bytes[k]} << 8 | bytes[k + 1]) % log.size();
     log[place] ^= bytes[k + 2];
   }
