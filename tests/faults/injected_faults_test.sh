@@ -18,6 +18,8 @@ strace -qq -o /dev/null -e inject=fsync:error=EIO true 2>/dev/null || {
 source "$(dirname "${BASH_SOURCE[0]}")/../daemon/running_daemon.sh"
 
 tables=$folder/state/tables.toml
+# The search for leaks at the end of a sanitized daemon does not work in a process that is traced.
+export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0
 
 # A tracer that is killed leaves what it traced running.
 stop_traced() {
