@@ -41,6 +41,10 @@ constexpr std::string_view introduction =
     "Operates a machine that stanokd(8) runs, and does everything that needs no machine: finds the "
     "errors of programs, runs them on a virtual clock, reads logs, designs grinding cycles.\n";
 
+char upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
 // A command of the command line with all its words: "stanok program run".
 struct Command {
   std::string path;
@@ -143,11 +147,21 @@ std::string synopsis(const Command& command, std::span<const CLI::Option* const>
   return line + "\n";
 }
 
+// "Load a program and start it." of "load a program and start it".
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text[0] = upper(text[0]);
+  return roff::escaped(text) + (text.ends_with('.') ? "\n" : ".\n");
+}
+
+// What stands before the first colon or semicolon.
+std::string short_form(const std::string& text) {
+  return text.substr(0, text.find_first_of(":;"));
+}
+
 std::string heading(const std::string& name, const std::string& one_line) {
   std::string title = name;
-  std::transform(title.begin(), title.end(), title.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
+  std::transform(title.begin(), title.end(), title.begin(), upper);
   return ".TH " + title + " 1 \"\" \"stanok " + std::string(protocol::version) + "\" \"stanok\"\n" +
          roff::section("NAME") + roff::escaped(name) + " \\- " + roff::escaped(one_line) +
          "\n.nh\n.ad l\n";  // commands are not hyphenated
@@ -170,7 +184,7 @@ std::string see_also(const std::vector<std::string>& pages) {
 std::string text_of_one(const Command& command) {
   const std::string options = options_but(*command.app, {});
   return roff::section("SYNOPSIS") + synopsis(command, {}) + roff::section("DESCRIPTION") +
-         roff::escaped(command.app->get_description()) + "\n" +
+         sentence(command.app->get_description()) +
          (options.empty() ? "" : roff::section("OPTIONS") + options);
 }
 
@@ -182,8 +196,7 @@ std::string text_of_several(std::span<const Command> commands) {
   std::string list;
   for (const Command& command : commands) {
     lines += (lines.empty() ? "" : ".PP\n") + synopsis(command, of_all);
-    list += ".SS " + roff::escaped(command.path) + "\n" +
-            roff::escaped(command.app->get_description()) + "\n" +
+    list += ".SS " + roff::escaped(command.path) + "\n" + sentence(command.app->get_description()) +
             options_but(*command.app, shared);
   }
   std::string text = roff::section("SYNOPSIS") + lines + roff::section("COMMANDS") + list;
@@ -196,10 +209,11 @@ ManualPage page_of(const CLI::App& subcommand) {
   const std::string name = "stanok-" + subcommand.get_name();
   std::vector<Command> commands;
   append_commands(commands, subcommand, "stanok " + subcommand.get_name());
-  return {name,
-          heading(name, subcommand.get_description()) +
-              (commands.size() == 1 ? text_of_one(commands.front()) : text_of_several(commands)) +
-              see_also({"stanok(1)", "stanokd(8)"})};
+  const std::string& help = subcommand.get_description();
+  const std::string text = commands.size() == 1
+                               ? heading(name, short_form(help)) + text_of_one(commands.front())
+                               : heading(name, help) + text_of_several(commands);
+  return {name, text + see_also({"stanok(1)", "stanokd(8)"})};
 }
 
 std::string main_page(const CLI::App& app) {
