@@ -66,6 +66,19 @@ switch_on() {
   fail "stanok machine on: $(cat "$folder/stanok.err")"
 }
 
+# run_through PROGRAM: to its end. Drives that were starved in the run (see switch_on) fault (A3...), and an
+# operator begins again.
+run_through() {
+  local k
+  for ((k = 0; k < 10; ++k)); do
+    output=$("${operate[@]}" program run "$1" --wait 2>"$folder/stanok.err") && return
+    grep -q A3 "$folder/stanok.err" || break
+    "${operate[@]}" program reset >/dev/null || break
+    switch_on
+  done
+  fail "stanok program run $1: $(cat "$folder/stanok.err")"
+}
+
 # wait_for TEXT: until `channel status --json` contains the text.
 wait_for() {
   local k

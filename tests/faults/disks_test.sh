@@ -60,7 +60,7 @@ grep -q SETPOINT "$folder/info" || fail "nothing is read from the cut log: $(cat
 head -c 1m /dev/zero >"$folder/state/filler" 2>/dev/null || true
 expect_exit 0 offset set G54 X 12.5
 await_line 'tables cannot be kept.*No space left'
-expect_exit 0 program run short.nc --wait
+run_through short.nc
 rm "$folder/state/filler"
 await_line 'tables are kept again'
 grep -q 'X = 12.5' "$folder/state/tables.toml" || fail "the offset was not kept"
@@ -84,7 +84,7 @@ mount --bind "$folder/programs" "$folder/programs"
 mount -o remount,ro,bind "$folder/programs"
 start_daemon
 switch_on
-expect_exit 0 program run fixed.nc --wait
+run_through fixed.nc
 expect_exit 0 system shutdown
 expect_end 0
 echo "disks: passed"

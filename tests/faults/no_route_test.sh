@@ -45,7 +45,7 @@ await_more() {
 ip link set lo up multicast on || skip "the loopback of the namespace cannot be set up"
 start_daemon
 switch_on
-expect_exit 0 program run short.nc --wait
+run_through short.nc
 [[ $(grep -c 'cannot be opened; nothing is published' "$folder/stanokd.err") == 1 ]] ||
   fail "the missing route is not told, or more than once"
 expect_exit 0 log status --json
@@ -68,7 +68,7 @@ expect_exit 0 program stop
 expect_exit 0 program reset
 ip route add 224.0.0.0/4 dev lo
 sent=$(count sent)
-expect_exit 0 program run short.nc --wait
+run_through short.nc
 await_more sent "$sent"
 expect_exit 0 system shutdown
 expect_end 0
