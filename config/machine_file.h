@@ -21,6 +21,7 @@ namespace stanok::config {
 struct RecorderConfig {
   std::filesystem::path directory;  // empty: below the state directory
   int size_mb = 1024;               // of one log file before the next begins
+  double flight_s = 60.0;           // kept in memory for the case of a fault; 0: nothing
 };
 
 // [process]: force control of the channels that have it.

@@ -18,6 +18,7 @@ struct LcmFile {
 struct RecorderFile {
   std::string directory;
   int size_mb = RecorderConfig{}.size_mb;
+  double flight_s = RecorderConfig{}.flight_s;
 };
 
 const Keys<BusFile>& bus_keys() {
@@ -53,6 +54,10 @@ const Keys<RecorderFile>& recorder_keys() {
        "below the state directory"},
       {"size_mb", at<&RecorderFile::size_mb>, optional, "MB",
        "size of one log file before the next begins", from(1, 1e6)},
+      {"flight_s", at<&RecorderFile::flight_s>, optional, "s",
+       "how much is kept in memory and written to a file when a fault stops the machine; 0: "
+       "nothing",
+       from(0, 600)},
   };
   return keys;
 }
@@ -125,7 +130,7 @@ std::string read_lcm_url(const toml::table& table, const Scope& scope) {
 RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
   RecorderFile file;
   read_table(table, recorder_keys(), file, scope);
-  return {.directory = file.directory, .size_mb = file.size_mb};
+  return {.directory = file.directory, .size_mb = file.size_mb, .flight_s = file.flight_s};
 }
 
 std::vector<KeyRow> drives_key_rows() {

@@ -64,6 +64,13 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   }
   [[nodiscard]] RecordingStatus recording_status() override { return recorder_.status(); }
   void allow_workpieces(bool allowed) override { recorder_.allow_workpieces(allowed); }
+  [[nodiscard]] std::optional<Expected<std::filesystem::path, recording::LogError>> start_log()
+      override {
+    return recorder_.start_log();
+  }
+  [[nodiscard]] std::optional<std::filesystem::path> stop_log() override {
+    return recorder_.stop_log();
+  }
 
  private:
   runtime::Assembly& assembly_;

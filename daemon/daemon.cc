@@ -39,12 +39,13 @@ std::string build_description() {
 #endif
 }
 
-RecorderOptions recorder_options(const DaemonOptions& options, const config::MachineFile& file) {
+RecorderOptions recorder_options(const DaemonOptions& options, const config::MachineFile& file,
+                                 const fs::path& state) {
   RecorderOptions chosen;
   if (options.lcm != "off") chosen.lcm_url = options.lcm.empty() ? file.lcm_url : options.lcm;
-  if (!options.log_directory.empty()) {
-    chosen.log_file = log_file_name(options.log_directory, file.machine.name);
-  }
+  chosen.logs_from_start = !options.log_directory.empty();
+  chosen.log_directory = file.recorder.directory.empty() ? state / "log" : file.recorder.directory;
+  if (chosen.logs_from_start) chosen.log_directory = options.log_directory;
   return chosen;
 }
 
@@ -116,7 +117,7 @@ int run_daemon(const DaemonOptions& options) {
   std::optional<FifoForNewThreads> fifo(drive_bus_priority);  // the server of embedded drives
   runtime::Assembly assembly(assembly_options(options, file, program_root));
   fifo.reset();
-  Recorder recorder(file, build_description(), recorder_options(options, file));
+  Recorder recorder(file, build_description(), recorder_options(options, file, state.path()));
   AssembledMachine machine(assembly, recorder, program_root);
   MonotonicClock clock;
   RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);

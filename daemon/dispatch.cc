@@ -104,6 +104,11 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
     return answer(query->second(*this, *parameters));
   }
   if (method->name == "tool.get") return answer(tool_get(*parameters));
+  if (protocol::noun(*method) == "log") {
+    const Outcome outcome = method->name == "log.start" ? start_log() : stop_log();
+    log_command(session, request, outcome);
+    return answer(outcome);
+  }
   if (protocol::noun(*method) == "drive") {
     const Outcome outcome = command_drive(*method, *parameters);
     log_command(session, request, outcome);
@@ -121,6 +126,21 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
     return on_shutdown_();
   }
   answer(change_session(session, *method, *parameters));
+}
+
+Outcome Dispatch::start_log() const {
+  const auto started = machine_.start_log();
+  if (!started)
+    return fail(FailureKind::refused, "E9011",
+                "a log is being written: " + machine_.recording_status().log_file);
+  if (!*started) return fail(FailureKind::refused, "E9013", started->error().text);
+  return json{{"path", (*started)->string()}};
+}
+
+Outcome Dispatch::stop_log() const {
+  const auto stopped = machine_.stop_log();
+  if (!stopped) return fail(FailureKind::refused, "E9012", "no log is being written");
+  return json{{"path", stopped->string()}};
 }
 
 Outcome Dispatch::tool_get(const json& parameters) const {

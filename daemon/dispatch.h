@@ -58,6 +58,8 @@ class Dispatch {
       const SessionState& session, const protocol::Method* method,
       const protocol::Request& request) const;
   void command(const protocol::Method& method, const nlohmann::json& parameters, Answer answer);
+  [[nodiscard]] Outcome start_log() const;
+  [[nodiscard]] Outcome stop_log() const;
   [[nodiscard]] Outcome tool_get(const nlohmann::json& parameters) const;
   [[nodiscard]] Outcome command_drive(const protocol::Method& method,
                                       const nlohmann::json& parameters);

@@ -99,6 +99,7 @@ json log_status(RunningMachine& machine) {
             {"bytes", status.log_bytes},
             {"events", status.log_events},
             {"error", text(status.log_error)}}},
+          {"flight", text(status.flight_file)},
           {"outputs_lost", machine.outputs_lost()}};
 }
 

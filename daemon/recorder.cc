@@ -7,34 +7,58 @@
 #include <chrono>
 #include <ctime>
 #include <stdexcept>
+#include <vector>
 
+#include "base/catalogue.h"
 #include "protocol/version.h"
 #include "runtime/run_setup.h"
 
 namespace stanok::daemon {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::int64_t refresh_period_us = 200'000;
 constexpr std::int64_t bytes_per_mb = 1'000'000;
+constexpr std::int64_t us_per_s = 1'000'000;
+constexpr std::int64_t flight_after_us = 2'000'000;  // what a fault leads to belongs to it
+constexpr std::size_t flights_max = 10;              // files; older ones are removed
 
 std::int64_t wall_clock_us() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-std::unique_ptr<recording::LogWriter> open_log(const std::filesystem::path& file, int size_mb) {
-  std::filesystem::create_directories(file.parent_path());
-  auto log = recording::LogWriter::open(file, size_mb * bytes_per_mb);
-  if (!log) throw std::runtime_error(log.error().text);
-  return std::move(*log);
+std::string flight_name(const std::string& machine) {
+  return machine + "-flight";
+}
+
+// Names of one kind sort by time.
+void keep_newest(const fs::path& directory, const std::string& name) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    if (entry.path().filename().string().starts_with(name + "-")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  for (std::size_t k = 0; k + flights_max < files.size(); ++k) fs::remove(files[k], error);
+}
+
+bool stops_the_machine(const channels::Event& event) {
+  const CatalogueRow* row = find_in_catalogue(event.code.view());
+  return row != nullptr && row->reaction >= Reaction::feed_hold;
 }
 
 }  // namespace
 
 Recorder::Recorder(const config::MachineFile& file, const std::string& build,
                    const RecorderOptions& options)
-    : refresh_period_(std::max<std::int64_t>(1, refresh_period_us / file.machine.cycle_us)) {
-  std::vector<recording::MessageSink*> sinks;
+    : directory_(options.log_directory),
+      machine_(file.machine.name),
+      size_max_bytes_(file.recorder.size_mb * bytes_per_mb),
+      cycle_us_(file.machine.cycle_us),
+      refresh_period_(std::max<std::int64_t>(1, refresh_period_us / file.machine.cycle_us)) {
+  std::vector<recording::MessageSink*> sinks{&log_};
   if (options.lcm_url) {
     publisher_ = std::make_unique<recording::Publisher>(*options.lcm_url);
     if (!publisher_->good()) {
@@ -42,29 +66,102 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
     }
     sinks.push_back(publisher_.get());
   }
-  if (options.log_file) {
-    log_ = open_log(*options.log_file, file.recorder.size_mb);
-    log_file_ = options.log_file->string();
-    sinks.push_back(log_.get());
+  if (file.recorder.flight_s > 0.0) {
+    flight_ = std::make_unique<recording::FlightRecorder>(
+        static_cast<std::int64_t>(file.recorder.flight_s * us_per_s));
+    sinks.push_back(flight_.get());
   }
   auto description = recording::describe(file.machine, std::string(protocol::version), build);
   description.utime_start = wall_clock_us();
+  if (options.logs_from_start) {
+    status_.log_file = log_file_name(directory_, machine_);
+    auto log = open_log(status_.log_file);
+    if (!log) throw std::runtime_error(log.error().text);
+    log_.turn_to(std::move(*log), description.utime_start);
+  }
   stream_ = std::make_unique<recording::MessageStream>(std::move(description), std::move(sinks));
   runtime::record_setup({}, file, *stream_);
   refresh_status();
 }
 
 Recorder::~Recorder() {
-  if (log_) static_cast<void>(log_->flush());
+  if (flight_due_cycle_ > 0) write_flight();
+}
+
+std::int64_t Recorder::utime() const {
+  return stream_->description().utime_start + cycle_ * cycle_us_;
+}
+
+Expected<std::unique_ptr<recording::LogWriter>, recording::LogError> Recorder::open_log(
+    const fs::path& file) const {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error)
+    return Unexpected<recording::LogError>(
+        recording::log_error("cannot create " + file.parent_path().string(), error.value()));
+  return recording::LogWriter::open(file, size_max_bytes_);
 }
 
 void Recorder::on_output(const channels::CycleOutput& output) {
   cycle_ = output.cycle;
   stream_->allow_workpieces(workpieces_allowed_);
+  if (log_turns_.load(std::memory_order_acquire)) turn_log();
   stream_->cycle(output);
+  if (flight_due_cycle_ > 0 && cycle_ >= flight_due_cycle_) write_flight();
   if (output.cycle % refresh_period_ != 0) return;
-  if (log_) static_cast<void>(log_->flush());
+  if (auto* log = log_.writer()) static_cast<void>(log->flush());
   refresh_status();
+}
+
+void Recorder::on_event(const channels::Event& event) {
+  stream_->event(event);
+  if (flight_ && flight_due_cycle_ == 0 && stops_the_machine(event))
+    flight_due_cycle_ = event.cycle + flight_after_us / cycle_us_;
+}
+
+void Recorder::write_flight() {
+  flight_due_cycle_ = 0;
+  const fs::path file = log_file_name(directory_, flight_name(machine_));
+  std::error_code error;
+  fs::create_directories(directory_, error);
+  const auto written = flight_->write(file);
+  if (!written) return spdlog::error("the flight recorder: {}", written.error().text);
+  keep_newest(directory_, flight_name(machine_));
+  spdlog::warn("a fault has stopped the machine: its last seconds are in {}", file.string());
+  const std::lock_guard lock(mutex_);
+  status_.flight_file = file;
+}
+
+std::optional<Expected<fs::path, recording::LogError>> Recorder::start_log() {
+  const std::lock_guard lock(mutex_);
+  if (!status_.log_file.empty() || log_turns_) return std::nullopt;
+  const fs::path file = log_file_name(directory_, machine_);
+  auto log = open_log(file);
+  if (!log) return Unexpected<recording::LogError>(log.error());
+  next_log_ = std::move(*log);
+  status_.log_file = file;
+  status_.log_error.clear();
+  log_turns_.store(true, std::memory_order_release);
+  return file;
+}
+
+std::optional<fs::path> Recorder::stop_log() {
+  const std::lock_guard lock(mutex_);
+  if (status_.log_file.empty()) return std::nullopt;
+  const fs::path file = status_.log_file;
+  next_log_.reset();
+  status_.log_file.clear();
+  status_.log_bytes = 0;
+  status_.log_events = 0;
+  log_turns_.store(true, std::memory_order_release);
+  return file;
+}
+
+void Recorder::turn_log() {
+  const std::lock_guard lock(mutex_);
+  log_turns_ = false;
+  log_.turn_to(std::move(next_log_), utime());
+  has_told_error_ = false;
 }
 
 void Recorder::refresh_status() {
@@ -76,9 +173,8 @@ void Recorder::refresh_status() {
     status_.lcm_sent = lcm.sent;
     status_.lcm_lost = lcm.lost;
   }
-  if (!log_) return;
-  const recording::LogStatus& log = log_->status();
-  status_.log_file = log_file_;
+  if (log_.writer() == nullptr || log_turns_) return;
+  const recording::LogStatus& log = log_.writer()->status();
   status_.log_bytes = log.bytes;
   status_.log_events = log.events;
   if (!log.error || has_told_error_) return;
@@ -94,14 +190,18 @@ RecordingStatus Recorder::status() const {
   return status;
 }
 
-std::filesystem::path log_file_name(const std::filesystem::path& directory,
-                                    const std::string& machine) {
+fs::path log_file_name(const fs::path& directory, const std::string& name) {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::tm utc{};
   gmtime_r(&now, &utc);
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &utc);
-  return directory / (machine + "-" + text.data() + ".lcm");
+  const std::string stem = name + "-" + text.data();
+  fs::path file = directory / (stem + ".lcm");
+  std::error_code error;
+  for (int n = 2; fs::exists(file, error); ++n)
+    file = directory / (stem + "-" + std::to_string(n) + ".lcm");
+  return file;
 }
 
 }  // namespace stanok::daemon

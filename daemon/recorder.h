@@ -1,4 +1,5 @@
-// Recorder: the daemon's records on the LCM bus and, when wanted, in a log file.
+// Recorder: the daemon's records on the LCM bus, in a log file when wanted, and of the last seconds
+// in memory, which become a file when a fault stops the machine.
 //
 // A listener of the publisher thread. Neither a bus that cannot be opened nor a full disk stops
 // anything: both are told once and shown in the status.
@@ -9,19 +10,23 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
+#include "base/expected.h"
 #include "config/machine_file.h"
 #include "daemon/publisher_thread.h"
 #include "daemon/running_machine.h"
-#include "recording/log_writer.h"
+#include "recording/flight_recorder.h"
+#include "recording/log_switch.h"
 #include "recording/message_stream.h"
 #include "recording/publisher.h"
 
 namespace stanok::daemon {
 
 struct RecorderOptions {
-  std::optional<std::string> lcm_url;             // nothing: no LCM
-  std::optional<std::filesystem::path> log_file;  // nothing: no log
+  std::optional<std::string> lcm_url;   // nothing: no LCM
+  std::filesystem::path log_directory;  // of logs and of what the flight recorder writes
+  bool logs_from_start = false;
 };
 
 class Recorder final : public CycleListener {
@@ -35,31 +40,48 @@ class Recorder final : public CycleListener {
   void on_program_read(const recording::ProgramRead& read) override {
     stream_->program_read(read, cycle_);
   }
-  void on_event(const channels::Event& event) override { stream_->event(event); }
+  void on_event(const channels::Event& event) override;
   void on_input(const channels::InputRecord& input) override { stream_->input(input); }
 
+  // Any thread. A new log file, which the next cycle begins; nothing: one is being written.
+  [[nodiscard]] std::optional<Expected<std::filesystem::path, recording::LogError>> start_log();
+  // Any thread. The log that ends; nothing: there is none.
+  [[nodiscard]] std::optional<std::filesystem::path> stop_log();
   // Any thread.
   [[nodiscard]] RecordingStatus status() const;
   // From the next output on. Any thread.
   void allow_workpieces(bool allowed) { workpieces_allowed_ = allowed; }
 
  private:
+  [[nodiscard]] Expected<std::unique_ptr<recording::LogWriter>, recording::LogError> open_log(
+      const std::filesystem::path& file) const;
+  void turn_log();
+  void write_flight();
   void refresh_status();
+  [[nodiscard]] std::int64_t utime() const;
 
+  std::filesystem::path directory_;
+  std::string machine_;
+  std::int64_t size_max_bytes_;
+  std::int64_t cycle_us_;
   std::unique_ptr<recording::Publisher> publisher_;
-  std::unique_ptr<recording::LogWriter> log_;
-  std::string log_file_;
+  recording::LogSwitch log_;
+  std::unique_ptr<recording::FlightRecorder> flight_;
   std::unique_ptr<recording::MessageStream> stream_;
-  std::int64_t cycle_ = 0;       // of the latest output
-  std::int64_t refresh_period_;  // cycles
+  std::int64_t cycle_ = 0;             // of the latest output
+  std::int64_t refresh_period_;        // cycles
+  std::int64_t flight_due_cycle_ = 0;  // 0: nothing has happened
   bool has_told_error_ = false;
   std::atomic<bool> workpieces_allowed_{false};
+
+  std::atomic<bool> log_turns_{false};  // to next_log_
   mutable std::mutex mutex_;
+  std::unique_ptr<recording::LogWriter> next_log_;
   RecordingStatus status_;
 };
 
-// DIR/NAME-YYYYMMDD-HHMMSS.lcm in UTC.
+// DIR/NAME-YYYYMMDD-HHMMSS.lcm in UTC; of one that exists the next free one with -2, -3, ...
 [[nodiscard]] std::filesystem::path log_file_name(const std::filesystem::path& directory,
-                                                  const std::string& machine);
+                                                  const std::string& name);
 
 }  // namespace stanok::daemon

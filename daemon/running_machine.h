@@ -5,15 +5,18 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/expected.h"
 #include "channels/machine.h"
 #include "config/machine_file.h"
 #include "daemon/real_time_loop.h"
 #include "daemon/real_time_rights.h"
 #include "drives/bus.h"
 #include "plant/fault.h"
+#include "recording/log_writer.h"
 
 namespace stanok::daemon {
 
@@ -28,6 +31,7 @@ struct RecordingStatus {
   std::int64_t log_events = 0;
   std::string log_error;  // why logging stopped; empty: it did not
   bool workpieces_allowed = false;
+  std::string flight_file;  // what the flight recorder wrote last; empty: nothing
 };
 
 class RunningMachine {
@@ -65,6 +69,11 @@ class RunningMachine {
   [[nodiscard]] virtual RecordingStatus recording_status() = 0;
   // Announcements of workpieces are recorded and published only while they are allowed.
   virtual void allow_workpieces(bool allowed) = 0;
+  // The new log file, or why it cannot be made; nothing: one is being written.
+  [[nodiscard]] virtual std::optional<Expected<std::filesystem::path, recording::LogError>>
+  start_log() = 0;
+  // The log file that ends; nothing: there is none.
+  [[nodiscard]] virtual std::optional<std::filesystem::path> stop_log() = 0;
 };
 
 }  // namespace stanok::daemon

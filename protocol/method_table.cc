@@ -409,8 +409,8 @@ constexpr auto table = std::to_array<Method>({
      of_allowance},
 
     {"log.status", observer, "recorder and LCM publisher: file, bytes, what was lost"},
-    later("log.start", machine_operator, "start a new log file"),
-    later("log.stop", machine_operator, "end the log file"),
+    {"log.start", machine_operator, "begin a new log file"},
+    {"log.stop", machine_operator, "end the log file"},
 
     {"subscribe", observer, "a snapshot, then what changes, as notifications", of_subscription},
     {"session.role", observer, "give up rights of this connection", of_role},

@@ -7,8 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "recording/channel_names.h"
-
 namespace stanok::recording {
 namespace {
 
@@ -53,13 +51,24 @@ LogWriter::~LogWriter() {
 void LogWriter::send(const std::string& channel, std::int64_t utime,
                      std::span<const std::uint8_t> bytes) {
   if (status_.error) return;
-  if (topic_of(channel) == name_of(Topic::log_meta)) {
-    meta_channel_ = channel;
-    meta_.assign(bytes.begin(), bytes.end());
-  }
+  prologue_.take(channel, bytes);
   write(channel, utime, bytes);
   if (status_.error || size_max_bytes_ == 0 || piece_bytes_ < size_max_bytes_) return;
-  if (end_piece() && begin_piece() && !meta_.empty()) write(meta_channel_, utime, meta_);
+  begin_next_piece(utime);
+}
+
+void LogWriter::begin_next_piece(std::int64_t utime) {
+  struct Here final : MessageSink {
+    explicit Here(LogWriter& used) : writer(used) {}
+    void send(const std::string& channel, std::int64_t at,
+              std::span<const std::uint8_t> bytes) override {
+      if (!writer.status_.error) writer.write(channel, at, bytes);
+    }
+    LogWriter& writer;
+  } here(*this);
+  if (!end_piece() || !begin_piece()) return;
+  prologue_.send_to(here, utime);
+  piece_bytes_ = 0;
 }
 
 bool LogWriter::flush() {

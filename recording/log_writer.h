@@ -2,7 +2,7 @@
 //
 // The event's time is the message's utime. Writes go through one large buffer; when the file cannot
 // be written any more (disk full), the writer stops, keeps the reason in its status and ignores the
-// rest: motion goes on. A new piece begins with the last LOG_META, so that it stands alone.
+// rest: motion goes on. A new piece begins with the prologue, so that it stands alone.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@
 
 #include "base/expected.h"
 #include "recording/message_sink.h"
+#include "recording/prologue.h"
 
 namespace stanok::recording {
 
@@ -36,7 +37,8 @@ struct LogStatus {
 class LogWriter : public MessageSink {
  public:
   // Pieces are FILE, then FILE with .2, .3, ... before its extension, each of `size_max_bytes` at
-  // most plus one message; 0: one piece without bound. An existing file is replaced.
+  // most plus its prologue and one message; 0: one piece without bound. An existing file is
+  // replaced.
   [[nodiscard]] static Expected<std::unique_ptr<LogWriter>, LogError> open(
       const std::filesystem::path& file, std::int64_t size_max_bytes = 0);
   ~LogWriter() override;
@@ -55,15 +57,15 @@ class LogWriter : public MessageSink {
   LogWriter(std::filesystem::path file, std::int64_t size_max_bytes);
   bool begin_piece();
   bool end_piece();
+  void begin_next_piece(std::int64_t utime);
   void write(const std::string& channel, std::int64_t utime, std::span<const std::uint8_t> bytes);
   void fail(const char* what);
 
   std::filesystem::path file_;
   std::int64_t size_max_bytes_;
   std::unique_ptr<Piece> piece_;
-  std::int64_t piece_bytes_ = 0;
-  std::string meta_channel_;
-  std::vector<std::uint8_t> meta_;  // the last LOG_META
+  std::int64_t piece_bytes_ = 0;  // behind its prologue
+  Prologue prologue_;
   LogStatus status_;
 };
 

@@ -17,6 +17,8 @@ using recording::text_of;
 using recording::Topic;
 
 // Texts that come in pieces.
+constexpr std::int64_t first_cycle_of_a_machine = 1;
+
 class Texts {
  public:
   struct Whole {
@@ -65,6 +67,8 @@ void take(const recording::LogEvent& event, Texts& texts, RecordedRun& run) {
       run.feedback.push_back(
           {message->cycle, message->channel, message->axis, recording::from_feedback(*message)});
     }
+  } else if (topic == name_of(Topic::setpoint) && !run.first_cycle) {
+    if (const auto message = decode<setpoint_t>(event.bytes)) run.first_cycle = message->cycle;
   } else if (topic == name_of(Topic::program)) {
     if (const auto message = decode<program_chunk_t>(event.bytes)) texts.add(*message);
   } else if (topic == name_of(Topic::program_read)) {
@@ -142,6 +146,11 @@ std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log) {
   Texts texts;
   while (const auto event = reader->next()) take(*event, texts, *run);
   take_texts(texts, *run);
+  if (run->first_cycle.value_or(0) > first_cycle_of_a_machine) {
+    throw std::runtime_error("the log begins at cycle " + std::to_string(*run->first_cycle) +
+                             " of its machine; only a recording from the first cycle on can be "
+                             "repeated, this one can be shown, plotted and exported");
+  }
   sort_by_cycle(run->inputs);
   sort_by_cycle(run->feedback);
   sort_by_cycle(run->arrivals);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,7 @@ struct RecordedRun {
   std::vector<channels::InputRecord> inputs;  // ascending cycles, like the others
   std::vector<Feedback> feedback;
   std::vector<Arrival> arrivals;
+  std::optional<std::int64_t> first_cycle;  // with a set-point
 };
 
 // Throws std::runtime_error when the log cannot be read, or lacks what a run begins with.

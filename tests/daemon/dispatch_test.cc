@@ -325,6 +325,13 @@ TEST_F(DispatchTest, ShowsTheCuttingProcess) {
   EXPECT_TRUE(result("process.status")["law"].is_null());
 }
 
+TEST_F(DispatchTest, BeginsAndEndsLogs) {
+  EXPECT_EQ(failure("log.stop").code, "E9012");
+  EXPECT_EQ(result("log.start")["path"], "mill.lcm");
+  EXPECT_EQ(failure("log.start").code, "E9011");
+  EXPECT_EQ(result("log.stop")["path"], "mill.lcm");
+}
+
 TEST_F(DispatchTest, ShowsOneToolAndSaysWhichThereIsNot) {
   EXPECT_EQ(result("tool.get", {{"number", 32000}})["length"], 77.5);
   EXPECT_EQ(failure("tool.get", {{"number", 5}}).code, "E5021");

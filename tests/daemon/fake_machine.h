@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <utility>
 
 #include "daemon/running_machine.h"
 
@@ -107,6 +108,16 @@ class FakeMachine final : public RunningMachine {
     return status;
   }
   void allow_workpieces(bool allowed) override { workpieces_allowed = allowed; }
+  [[nodiscard]] std::optional<Expected<std::filesystem::path, recording::LogError>> start_log()
+      override {
+    if (log_file) return std::nullopt;
+    log_file = "mill.lcm";
+    return *log_file;
+  }
+  [[nodiscard]] std::optional<std::filesystem::path> stop_log() override {
+    return std::exchange(log_file, std::nullopt);
+  }
+  [[nodiscard]] RecordingStatus recording_status() override { return {}; }
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
@@ -118,6 +129,7 @@ class FakeMachine final : public RunningMachine {
   std::vector<channels::RunReport> run_reports;
   std::vector<channels::AlarmReport> alarm_reports;
   std::optional<channels::SearchReport> searched;
+  std::optional<std::filesystem::path> log_file;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
 

@@ -58,6 +58,30 @@ TEST(LogPieces, StandAloneAndLoseNothing) {
   EXPECT_EQ(messages, cycles);
 }
 
+// Programs and tables are in every piece, whenever they were sent.
+TEST(LogPieces, BeginWithTheTexts) {
+  const auto file = test_file("lcm");
+  {
+    auto writer = LogWriter::open(file, 20'000);
+    ASSERT_TRUE(writer);
+    MessageStream stream(small_machine(), {writer->get()});
+    for (int cycle = 0; cycle < 300; ++cycle) {
+      stream.cycle(output_of(cycle));
+      if (cycle == 60) stream.text({.cycle = 60, .name = "part.nc", .text = "G0 X1\nM30\n"});
+    }
+    ASSERT_GT((*writer)->status().pieces, 3);
+  }
+  for (int piece = 3; piece <= 4; ++piece) {
+    auto reader = LogReader::open(piece_name(file, piece));
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(topic_of(reader->next()->channel), name_of(Topic::log_meta));
+    const auto chunk = decode<program_chunk_t>(reader->next()->bytes);
+    ASSERT_TRUE(chunk);
+    EXPECT_EQ(text_of(chunk->name), "part.nc");
+    EXPECT_EQ(topic_of(reader->next()->channel), name_of(Topic::setpoint));
+  }
+}
+
 TEST(LogPieces, AreOneWithoutABound) {
   const auto file = test_file("lcm");
   record(file, 2000);

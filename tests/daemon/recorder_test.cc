@@ -1,0 +1,102 @@
+// The daemon's recorder: logs on demand, and the file that a fault leaves behind.
+#include "daemon/recorder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "recording/log_contents.h"
+#include "tests/daemon/fake_machine.h"
+#include "tests/daemon/temporary_directory.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecorderTest : public ::testing::Test {
+ protected:
+  void run(int cycles) {
+    for (int n = 0; n < cycles; ++n) {
+      output.cycle = ++cycle;
+      recorder.on_output(output);
+    }
+  }
+  void raise(const char* code) {
+    channels::Event event;
+    event.cycle = cycle;
+    event.code = FixedText<8>(code);
+    recorder.on_event(event);
+  }
+  std::vector<fs::path> files(const std::string& word) {
+    std::vector<fs::path> found;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder.path() / "log", none)) {
+      if (entry.path().filename().string().find(word) != std::string::npos)
+        found.push_back(entry.path());
+    }
+    return found;
+  }
+
+  TemporaryDirectory folder;
+  config::MachineFile file = two_channel_machine();
+  Recorder recorder{file, "a compiler", {.lcm_url = {}, .log_directory = folder.path() / "log"}};
+  channels::CycleOutput output = FakeMachine().newest_output();
+  std::int64_t cycle = 0;
+};
+
+TEST_F(RecorderTest, BeginsAndEndsALogOnDemand) {
+  run(10);
+  EXPECT_FALSE(recorder.stop_log()) << "there is none";
+  const auto started = recorder.start_log();
+  ASSERT_TRUE(started && *started);
+  EXPECT_EQ(recorder.status().log_file, (*started)->string());
+  EXPECT_FALSE(recorder.start_log()) << "there is one";
+  run(500);
+  EXPECT_EQ(recorder.stop_log(), **started);
+  run(500);
+  const auto contents = recording::read_contents(**started);
+  ASSERT_TRUE(contents);
+  EXPECT_TRUE(contents->is_sound());
+  EXPECT_EQ(contents->channels.at("STANOK_FAKE_CH1_SETPOINT").messages, 500);
+  EXPECT_EQ(recorder.status().log_file, "");
+}
+
+TEST_F(RecorderTest, SaysWhyALogCannotBeBegun) {
+  std::ofstream(folder.path() / "log") << "a file where the folder should be";
+  const auto started = recorder.start_log();
+  ASSERT_TRUE(started);
+  ASSERT_FALSE(*started);
+  EXPECT_THAT(started->error().text, ::testing::HasSubstr("log"));
+}
+
+TEST_F(RecorderTest, WritesWhatLedToAFaultAndWhatFollowed) {
+  run(1000);
+  raise("W604");
+  run(3000);
+  EXPECT_THAT(files("flight"), ::testing::IsEmpty()) << "a warning";
+  raise("A1001");
+  run(1990);
+  EXPECT_THAT(files("flight"), ::testing::IsEmpty()) << "what follows belongs to it";
+  run(20);
+  const auto written = files("flight");
+  ASSERT_EQ(written.size(), 1u);
+  EXPECT_EQ(recorder.status().flight_file, written.front().string());
+  const auto contents = recording::read_contents(written.front());
+  ASSERT_TRUE(contents);
+  EXPECT_TRUE(contents->is_sound());
+  EXPECT_EQ(contents->channels.at("STANOK_FAKE_CH1_SETPOINT").cycle_last, 6000);
+}
+
+TEST_F(RecorderTest, KeepsTheNewestTenFlights) {
+  for (int fault = 0; fault < 13; ++fault) {
+    raise("A1001");
+    run(2100);
+  }
+  EXPECT_EQ(files("flight").size(), 10u);
+}
+
+}  // namespace
+}  // namespace stanok::daemon

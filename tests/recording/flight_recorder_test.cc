@@ -1,0 +1,73 @@
+// The last seconds in memory, and the log that is begun late.
+#include "recording/flight_recorder.h"
+
+#include <gtest/gtest.h>
+
+#include "recording/decode.h"
+#include "recording/log_contents.h"
+#include "recording/log_switch.h"
+#include "tests/recording/recorded_log.h"
+
+namespace stanok::recording {
+namespace {
+
+constexpr const char* setpoints = "STANOK_MILL_CH1_SETPOINT";
+
+TEST(FlightRecorder, KeepsItsSpanAndAtMostASecondMore) {
+  FlightRecorder flight(5'000'000);
+  MessageStream stream(small_machine(), {&flight});
+  for (int cycle = 0; cycle < 12'345; ++cycle) stream.cycle(output_of(cycle));
+  const auto file = test_file("lcm");
+  const auto written = flight.write(file);
+  ASSERT_TRUE(written);
+  const auto contents = read_contents(file);
+  ASSERT_TRUE(contents);
+  EXPECT_TRUE(contents->is_sound());
+  ASSERT_TRUE(contents->description);
+  EXPECT_EQ(contents->description->machine, "mill");
+  const auto& kept = contents->channels.at(setpoints);
+  EXPECT_EQ(kept.missing, 0);
+  EXPECT_GE(kept.messages, 5000);
+  EXPECT_LE(kept.messages, 6000);
+  EXPECT_EQ(kept.cycle_last, 12'344);
+}
+
+TEST(FlightRecorder, NeedsNoMoreMemoryLater) {
+  FlightRecorder flight(2'000'000);
+  MessageStream stream(small_machine(), {&flight});
+  for (int cycle = 0; cycle < 4000; ++cycle) stream.cycle(output_of(cycle));
+  const std::size_t early = flight.bytes();
+  for (int cycle = 4000; cycle < 60'000; ++cycle) stream.cycle(output_of(cycle));
+  EXPECT_LT(flight.bytes(), 2 * early);
+}
+
+TEST(FlightRecorder, SaysWhyItsFileCannotBeMade) {
+  const FlightRecorder flight(1'000'000);
+  const auto written = flight.write("/nowhere/flight.lcm");
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().text.find("/nowhere/flight.lcm"), std::string::npos);
+}
+
+// Begun in the middle, ended before the end: whole between, and readable alone.
+TEST(LogSwitch, BeginsAndEndsALogWhileTheStreamGoesOn) {
+  const auto file = test_file("lcm");
+  LogSwitch log;
+  MessageStream stream(small_machine(), {&log});
+  stream.text({.cycle = 0, .name = "part.nc", .text = "M30\n"});
+  for (int cycle = 0; cycle < 900; ++cycle) {
+    if (cycle == 300) log.turn_to(std::move(*LogWriter::open(file)), 300'000);
+    if (cycle == 700) log.turn_to(nullptr, 700'000);
+    stream.cycle(output_of(cycle));
+  }
+  const auto contents = read_contents(file);
+  ASSERT_TRUE(contents);
+  EXPECT_TRUE(contents->is_sound());
+  EXPECT_TRUE(contents->description);
+  EXPECT_EQ(contents->channels.at(setpoints).messages, 400);
+  EXPECT_EQ(contents->channels.at(setpoints).missing, 0);
+  EXPECT_EQ(contents->channels.at(setpoints).cycle_last, 699);
+  EXPECT_EQ(contents->channels.count("STANOK_MILL_PROGRAM"), 1u);
+}
+
+}  // namespace
+}  // namespace stanok::recording
