@@ -3,11 +3,13 @@
 namespace stanok::daemon {
 
 AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
-                                   std::filesystem::path program_root)
+                                   std::filesystem::path program_root,
+                                   std::vector<std::filesystem::path> program_roots)
     : assembly_(assembly),
       inputs_(assembly.machine().input_records()),
       recorder_(recorder),
-      program_root_(std::move(program_root)) {}
+      program_root_(std::move(program_root)),
+      foresight_(assembly.file(), std::move(program_roots)) {}
 
 void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
   const std::lock_guard lock(mutex_);

@@ -20,7 +20,8 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
  public:
   // All outlive the machine.
   AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
-                   std::filesystem::path program_root);
+                   std::filesystem::path program_root,
+                   std::vector<std::filesystem::path> program_roots);
 
   // To be told before the server starts.
   void set_loop(RealTimeLoop& loop) { loop_ = &loop; }
@@ -51,6 +52,15 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
     return assembly_.machine().load_diagnostics();
   }
   [[nodiscard]] channels::TablesConfig tables() override { return assembly_.machine().tables(); }
+  void foresee(int channel, const std::string& program) override {
+    foresight_.look_at(channel, program, newest_output(), tables());
+  }
+  void foreseen_begins(int channel, RunsOfChannels before) override {
+    foresight_.begins(channel, std::move(before));
+  }
+  [[nodiscard]] Outlook outlook(int channel) override {
+    return foresight_.outlook(channel, newest_output());
+  }
   [[nodiscard]] LoopFigures loop_figures() override;
   [[nodiscard]] RealTimeRights real_time_rights() override;
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
@@ -83,6 +93,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   std::mutex mutex_;
   channels::CycleOutput newest_;
   RealTimeRights rights_;
+  Foresight foresight_;
 };
 
 }  // namespace stanok::daemon

@@ -18,6 +18,10 @@ bool loads_program(OperatorAction action) {
   return action == OperatorAction::program_load || action == OperatorAction::program_run;
 }
 
+bool begins_program(OperatorAction action) {
+  return action == OperatorAction::program_run || action == OperatorAction::program_start;
+}
+
 // Its refusal is told with a place.
 bool reads_program(OperatorAction action) {
   return loads_program(action) || action == OperatorAction::program_search;
@@ -39,7 +43,7 @@ Failure failure_of_load(const std::vector<channels::AlarmReport>& errors, int ch
 
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
   event.id = ++last_id_;
-  Pending pending{event, wait, std::move(answer), 0};
+  Pending pending{event, wait, std::move(answer), 0, runs_of(machine_.newest_output())};
   if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(
@@ -54,6 +58,10 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
   Pending& pending = node.mapped();
   if (!reply.ok) return pending.answer(Unexpected<Failure>(refusal(pending, reply)));
   note_acceptance(pending.event);
+  if (loads_program(pending.event.action))
+    machine_.foresee(pending.event.channel, std::string(pending.event.text.view()));
+  if (begins_program(pending.event.action))
+    machine_.foreseen_begins(pending.event.channel, std::move(pending.runs_before));
   if (pending.wait == WaitFor::end_of_run) {
     return await_run(pending.event.channel, std::move(pending.answer));
   }

@@ -46,6 +46,7 @@ class CommandDesk {
     WaitFor wait = WaitFor::accepted;
     Answer answer;
     std::size_t diagnostics_before = 0;  // of loads, when the command was given
+    RunsOfChannels runs_before{};        // likewise
   };
   struct AwaitedRun {
     int channel = 0;

@@ -115,10 +115,11 @@ int run_daemon(const DaemonOptions& options) {
                                                 : options.socket);
 
   std::optional<FifoForNewThreads> fifo(drive_bus_priority);  // the server of embedded drives
-  runtime::Assembly assembly(assembly_options(options, file, program_root));
+  const runtime::AssemblyOptions assembled = assembly_options(options, file, program_root);
+  runtime::Assembly assembly(assembled);
   fifo.reset();
   Recorder recorder(file, build_description(), recorder_options(options, file, state.path()));
-  AssembledMachine machine(assembly, recorder, program_root);
+  AssembledMachine machine(assembly, recorder, program_root, assembled.program_roots);
   MonotonicClock clock;
   RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);
   machine.set_loop(loop);

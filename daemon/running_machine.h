@@ -12,6 +12,7 @@
 #include "base/expected.h"
 #include "channels/machine.h"
 #include "config/machine_file.h"
+#include "daemon/foresight.h"
 #include "daemon/real_time_loop.h"
 #include "daemon/real_time_rights.h"
 #include "drives/bus.h"
@@ -55,6 +56,12 @@ class RunningMachine {
   [[nodiscard]] virtual channels::TablesConfig tables() = 0;
   // Where the next run of a channel begins; nothing: at the first block.
   [[nodiscard]] virtual std::optional<channels::SearchReport> search(int channel) = 0;
+
+  // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs
+  // that were there when it was asked for; what is to be expected of a channel.
+  virtual void foresee(int channel, const std::string& program) = 0;
+  virtual void foreseen_begins(int channel, RunsOfChannels before) = 0;
+  [[nodiscard]] virtual Outlook outlook(int channel) = 0;
 
   [[nodiscard]] virtual LoopFigures loop_figures() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;

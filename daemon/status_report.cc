@@ -74,6 +74,10 @@ json number_or_null(int number) {
   return number == 0 ? json(nullptr) : json(number);
 }
 
+json number_or_null(const std::optional<double>& number) {
+  return number ? json(*number) : json(nullptr);
+}
+
 json alarm_json(const channels::AlarmReport& alarm) {
   const CatalogueRow* row = find_in_catalogue(alarm.diagnostic.code);
   return {{"channel", alarm.channel},
@@ -232,6 +236,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
   json position = json::object();
   for (std::size_t k = 0; k < config.words.size(); ++k)
     position[config.words[k]] = output.point_W[k].value;
+  const Outlook outlook = machine_.outlook(config.id);
   json alarm = nullptr;
   if (output.state == ChannelState::alarm) {
     const auto last = std::find_if(alarms.rbegin(), alarms.rend(),
@@ -258,7 +263,9 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
             {"rapid", notes.rapid_override_percent},
             {"spindle", notes.spindle_override_percent}}},
           {"begins_at", begins_at(machine_.search(config.id))},
-          {"remaining_s", nullptr}};
+          {"predicted_s", number_or_null(outlook.predicted_s)},
+          {"remaining_s", number_or_null(outlook.remaining_s)},
+          {"foreseen", outlook.foreseen ? alarm_json(*outlook.foreseen) : json(nullptr)}};
 }
 
 json StatusReport::kinematics_list(int channel) const {

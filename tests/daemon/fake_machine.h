@@ -117,6 +117,9 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] std::optional<std::filesystem::path> stop_log() override {
     return std::exchange(log_file, std::nullopt);
   }
+  void foresee(int, const std::string& program) override { looked_at.push_back(program); }
+  void foreseen_begins(int, RunsOfChannels) override {}
+  [[nodiscard]] Outlook outlook(int) override { return expected; }
   [[nodiscard]] RecordingStatus recording_status() override { return {}; }
 
   // Changed by tests, from another thread only within `change`.
@@ -130,6 +133,8 @@ class FakeMachine final : public RunningMachine {
   std::vector<channels::AlarmReport> alarm_reports;
   std::optional<channels::SearchReport> searched;
   std::optional<std::filesystem::path> log_file;
+  std::vector<std::string> looked_at;  // programs
+  Outlook expected;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
 

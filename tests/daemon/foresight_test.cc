@@ -1,0 +1,112 @@
+// What is known of a program before it runs.
+#include "daemon/foresight.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "tests/daemon/temporary_directory.h"
+
+namespace stanok::daemon {
+namespace {
+
+TEST(Timeline, KnowsWhenABlockBegins) {
+  Timeline timeline;
+  timeline.add(1, 1, 0.0);
+  timeline.add(1, 1, 0.9);
+  timeline.add(1, 2, 1.0);
+  timeline.add(1, 5, 3.0);
+  timeline.add(2, 1, 4.0);
+  timeline.add(2, 1, 6.0);
+  EXPECT_EQ(timeline.at(1, 1), 0.0);
+  EXPECT_EQ(timeline.at(1, 2), 1.0);
+  EXPECT_EQ(timeline.at(1, 4), 1.0) << "of the block before it";
+  EXPECT_EQ(timeline.at(1, 9), 3.0);
+  EXPECT_EQ(timeline.at(2, 1), 4.0);
+  EXPECT_EQ(timeline.at(3, 1), std::nullopt);
+  EXPECT_EQ(timeline.end_of(1), 3.0);
+  EXPECT_EQ(timeline.end_of(2), 6.0);
+}
+
+// A million blocks in a bounded memory, to a thousandth of the whole.
+TEST(Timeline, StaysSmallAndTrue) {
+  Timeline timeline;
+  for (int block = 1; block <= 1'000'000; ++block)
+    timeline.add(1, static_cast<std::uint64_t>(block), 0.01 * block);
+  for (const int block : {1000, 250'000, 999'000})
+    EXPECT_NEAR(*timeline.at(1, static_cast<std::uint64_t>(block)), 0.01 * block, 10.0);
+}
+
+class ForesightTest : public ::testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder.path() / name) << text;
+  }
+  Outlook wait_for_prediction(int channel = 1) {
+    for (int n = 0; n < 3000; ++n) {
+      const Outlook outlook = foresight.outlook(channel, now);
+      if (outlook.predicted_s) return outlook;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ADD_FAILURE() << "nothing is foreseen";
+    return {};
+  }
+  channels::ChannelOutput& output(int index) { return now.channels[static_cast<std::size_t>(index)]; }
+
+  TemporaryDirectory folder;
+  config::MachineFile file =
+      config::read_machine_file(STANOK_SOURCE_DIR "/config/machines/mill3.toml");
+  Foresight foresight{file, {folder.path()}};
+  channels::CycleOutput now = [this] {
+    channels::CycleOutput output;
+    output.channel_count = static_cast<int>(file.machine.channels.size());
+    for (std::size_t k = 0; k < file.machine.channels.size(); ++k) {
+      output.channels[k].id = file.machine.channels[k].id;
+      output.channels[k].scheme = file.machine.channels[k].scheme;
+    }
+    return output;
+  }();
+};
+
+TEST_F(ForesightTest, PredictsTheTimeOfAProgramAndWhatIsLeftOfIt) {
+  write("a.nc", "G4 P1\nG4 P2\nG4 P3\nM30\n");
+  foresight.look_at(1, "a.nc", now, file.machine.tables);
+  EXPECT_NEAR(*wait_for_prediction().predicted_s, 6.0, 0.1);
+  EXPECT_FALSE(foresight.outlook(1, now).remaining_s) << "it does not run yet";
+  foresight.begins(1, {{1, 7}});
+  output(0).running = true;
+  output(0).run = 8;
+  for (const auto& [block, left] : std::map<std::uint64_t, double>{{1, 6.0}, {2, 5.0}, {3, 3.0}}) {
+    output(0).tag.block = block;
+    EXPECT_NEAR(foresight.outlook(1, now).remaining_s.value_or(-1.0), left, 0.1) << block;
+  }
+}
+
+TEST_F(ForesightTest, TellsTheAlarmThatAProgramWouldRaise) {
+  write("far.nc", "G0 X1\nG0 X100000\nM30\n");
+  foresight.look_at(1, "far.nc", now, file.machine.tables);
+  const auto foreseen = wait_for_prediction().foreseen;
+  ASSERT_TRUE(foreseen);
+  EXPECT_EQ(foreseen->diagnostic.code, "E5101");
+  EXPECT_EQ(foreseen->diagnostic.place.line, 2);
+}
+
+TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {
+  write("a.nc", "G4 P50\nM30\n");
+  write("b.nc", "G4 P2\nM30\n");
+  foresight.look_at(1, "a.nc", now, file.machine.tables);
+  foresight.look_at(1, "b.nc", now, file.machine.tables);
+  EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
+}
+
+TEST_F(ForesightTest, EndsAtOnceInTheMiddleOfASimulation) {
+  write("endless.nc", "while (1 > 0) {\n  G4 P0.001\n}\nM30\n");
+  foresight.look_at(1, "endless.nc", now, file.machine.tables);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+}  // namespace
+}  // namespace stanok::daemon
