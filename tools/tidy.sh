@@ -8,6 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 readonly database=build/clang
 [[ -f "$database/compile_commands.json" ]] || cmake --preset clang >/dev/null
+cmake --build build/clang --target stanok_lcm_types >/dev/null  # headers that are generated
 
 if (($#)); then
   files=("$@")
