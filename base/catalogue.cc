@@ -341,6 +341,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
 });
 
 constexpr auto rows = [] {
+  // The reaction has an initialiser in the row.
+  // NOLINTNEXTLINE(bugprone-invalid-enum-default-initialization)
   std::array<CatalogueRow, alarm_rows.size() + language_rows.size() + further_rows.size()> all{};
   auto end_of_rows = std::ranges::copy(alarm_rows, all.begin()).out;
   end_of_rows = std::ranges::copy(language_rows, end_of_rows).out;

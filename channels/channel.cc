@@ -155,7 +155,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.waiting = (activity_ != Activity::none && activity_ != Activity::frame) || at_soft_mark_;
   output.hold_cause = state_ == ChannelState::held ? hold_cause_ : HoldCause::none;
   output.scheme = scheme_;
-  output.tag = running_ ? path_.tag : motion::BlockTag{};
+  output.tag = running_ ? tag_at_hand() : motion::BlockTag{};
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
   output.feed_override = control_.feed_override;

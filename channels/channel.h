@@ -286,6 +286,10 @@ class Channel {
   void wait(Activity activity, double seconds) RT_SAFE;
   void emit(std::int64_t cycle, std::string_view code, std::string_view text,
             const motion::BlockTag& tag) RT_SAFE;
+  // Of the block that is executed, on the path or, as a dwell or a stop, beside it.
+  [[nodiscard]] const motion::BlockTag& tag_at_hand() const RT_SAFE {
+    return activity_ == Activity::none || item_.tag.run != run_ ? path_.tag : item_.tag;
+  }
   [[nodiscard]] const kinematics::Scheme* find_scheme(int scheme) const RT_SAFE;
   [[nodiscard]] motion::Point axes_M() const RT_SAFE;
   void stand_in_frame() RT_SAFE;

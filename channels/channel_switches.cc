@@ -37,7 +37,7 @@ void Channel::set_block_skip(int level, bool on) RT_SAFE {
 
 void Channel::set_single_block(bool on) RT_SAFE {
   if (on) {
-    stepper_.switch_on(activity_ == Activity::none ? path_.tag : item_.tag);
+    stepper_.switch_on(tag_at_hand());
   } else {
     stepper_.switch_off();
   }

@@ -19,8 +19,12 @@ Coordinator::Verdict Coordinator::set_offset(const OperatorEvent& event) RT_SAFE
   const std::string_view text = event.text.view();
   const std::size_t blank = text.rfind(' ');
   if (blank == std::string_view::npos) return refusal("E5021", "an axis is missing");
-  const int number = work_offset_number({text.data(), blank});
-  const int axis = stores_.tables->column({text.data() + blank + 1, text.size() - blank - 1});
+  std::string_view offset = text;
+  offset.remove_suffix(text.size() - blank);
+  std::string_view axis_name = text;
+  axis_name.remove_prefix(blank + 1);
+  const int number = work_offset_number(offset);
+  const int axis = stores_.tables->column(axis_name);
   if (number == 0 || axis < 0) return refusal("E5021", "there is no such work offset or axis");
   if (!stores_.tables->set_offset(number, axis, event.value, Writer::person))
     return refusal("E5020", "the offset could not be written");

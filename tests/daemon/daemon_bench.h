@@ -37,7 +37,7 @@ class DaemonBench {
                    .program_roots = {here_.path()},
                    .machine = {}}),
         recorder_(assembly_.file(), "test", {}),
-        machine_(assembly_, recorder_, here_.path()),
+        machine_(assembly_, recorder_, here_.path(), {here_.path()}),
         dispatch_(machine_, {"test", here_.path(), here_.path() / "socket"},
                   [this] { shutdown_asked_ = true; }) {
     spdlog::set_level(spdlog::level::err);  // thousands of commands are no news

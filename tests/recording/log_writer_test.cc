@@ -61,17 +61,19 @@ TEST(LogPieces, StandAloneAndLoseNothing) {
 // Programs and tables are in every piece, whenever they were sent.
 TEST(LogPieces, BeginWithTheTexts) {
   const auto file = test_file("lcm");
+  int pieces = 0;
   {
     auto writer = LogWriter::open(file, 20'000);
     ASSERT_TRUE(writer);
     MessageStream stream(small_machine(), {writer->get()});
     for (int cycle = 0; cycle < 300; ++cycle) {
       stream.cycle(output_of(cycle));
-      if (cycle == 60) stream.text({.cycle = 60, .name = "part.nc", .text = "G0 X1\nM30\n"});
+      if (cycle == 5) stream.text({.cycle = 5, .name = "part.nc", .text = "G0 X1\nM30\n"});
     }
-    ASSERT_GT((*writer)->status().pieces, 3);
+    pieces = (*writer)->status().pieces;
+    ASSERT_GT(pieces, 3);
   }
-  for (int piece = 3; piece <= 4; ++piece) {
+  for (int piece = 2; piece <= pieces; ++piece) {
     auto reader = LogReader::open(piece_name(file, piece));
     ASSERT_TRUE(reader);
     EXPECT_EQ(topic_of(reader->next()->channel), name_of(Topic::log_meta));
