@@ -70,9 +70,13 @@ expect_exit 0 program run short.nc --wait
 expect_exit 0 system shutdown
 expect_end 0
 [[ ! -e $folder/op.sock ]] || fail "the socket is still there"
-[[ -s $(ls "$folder"/log/*.lcm) ]] || fail "no log was written"
+shopt -s extglob
+log=$(ls "$folder"/log/!(*flight*).lcm) flight=$(ls "$folder"/log/*flight*.lcm)
+[[ -s $log ]] || fail "no log was written"
+[[ -s $flight ]] || fail "the emergency stop left no record of its last seconds"
+"$2" log info "$flight" >/dev/null || fail "the flight record cannot be read"
 # What happened in real time, with all that was commanded, comes out the same from the log.
-"$2" log verify "$folder"/log/*.lcm >"$folder/verified" || fail "the log cannot be verified: $(cat "$folder/verified")"
+"$2" log verify "$log" >"$folder/verified" || fail "the log cannot be verified: $(cat "$folder/verified")"
 grep -q 'are the same, bit for bit' "$folder/verified" || fail "log verify says: $(cat "$folder/verified")"
 expect_exit 3 machine status # nobody is there any more
 echo "end to end: passed"
