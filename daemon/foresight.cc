@@ -78,7 +78,8 @@ void Timeline::thin_out() {
 
 std::optional<double> Timeline::at(std::uint32_t run, std::uint64_t block) const {
   if (!ends_.contains(run)) return std::nullopt;
-  const auto is_before = [](const Entry& entry, const std::pair<std::uint32_t, std::uint64_t>& key) {
+  const auto is_before = [](const Entry& entry,
+                            const std::pair<std::uint32_t, std::uint64_t>& key) {
     return std::pair(entry.run, entry.block) <= key;
   };
   const auto behind =
@@ -102,8 +103,8 @@ Foresight::~Foresight() {
   thread_.join();
 }
 
-void Foresight::look_at(int channel, const std::string& program,
-                        const channels::CycleOutput& now, channels::TablesConfig tables) {
+void Foresight::look_at(int channel, const std::string& program, const channels::CycleOutput& now,
+                        channels::TablesConfig tables) {
   Order order{channel, program, {}, {}, std::move(tables)};
   for (const channels::AxisConfig& axis : file_.machine.axes) order.axes.push_back(axis.start);
   for (const channels::ChannelConfig& config : file_.machine.channels) {
@@ -163,8 +164,8 @@ std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
   const auto give_up_at = std::chrono::steady_clock::now() + wall_max;
   bool is_given_up = false;
   const auto interrupted = [&] {
-    is_given_up = stop.stop_requested() || is_outdated_ ||
-                  std::chrono::steady_clock::now() > give_up_at;
+    is_given_up =
+        stop.stop_requested() || is_outdated_ || std::chrono::steady_clock::now() > give_up_at;
     return is_given_up;
   };
   try {

@@ -51,8 +51,8 @@ class Timeline {
 };
 
 struct Outlook {
-  std::optional<double> predicted_s;            // of the program that was loaded
-  std::optional<double> remaining_s;            // of the run at hand
+  std::optional<double> predicted_s;              // of the program that was loaded
+  std::optional<double> remaining_s;              // of the run at hand
   std::optional<channels::AlarmReport> foreseen;  // the first alarm that it would raise
 };
 

@@ -70,8 +70,8 @@ expect_exit 0 program run short.nc --wait
 expect_exit 0 system shutdown
 expect_end 0
 [[ ! -e $folder/op.sock ]] || fail "the socket is still there"
-shopt -s extglob
-log=$(ls "$folder"/log/!(*flight*).lcm) flight=$(ls "$folder"/log/*flight*.lcm)
+log=$(find "$folder/log" -name '*.lcm' ! -name '*-flight-*')
+flight=$(find "$folder/log" -name '*-flight-*.lcm')
 [[ -s $log ]] || fail "no log was written"
 [[ -s $flight ]] || fail "the emergency stop left no record of its last seconds"
 "$2" log info "$flight" >/dev/null || fail "the flight record cannot be read"

@@ -54,7 +54,9 @@ class ForesightTest : public ::testing::Test {
     ADD_FAILURE() << "nothing is foreseen";
     return {};
   }
-  channels::ChannelOutput& output(int index) { return now.channels[static_cast<std::size_t>(index)]; }
+  channels::ChannelOutput& output(int index) {
+    return now.channels[static_cast<std::size_t>(index)];
+  }
 
   TemporaryDirectory folder;
   config::MachineFile file =
