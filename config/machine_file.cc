@@ -121,10 +121,7 @@ class MachineReader {
                       "' does not exist; its path is relative to the machine file");
       return;
     }
-    std::vector<std::string> axis_names;
-    axis_names.reserve(file_.machine.axes.size());
-    for (const auto& axis : file_.machine.axes) axis_names.push_back(axis.name);
-    file_.machine.tables = read_tables(tables, axis_names, faults_);
+    file_.machine.tables = read_tables(tables, names_of_axes(file_.machine), faults_);
   }
 
   void read_drives(const std::vector<AxisSection>& axes) {

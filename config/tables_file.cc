@@ -164,6 +164,13 @@ bool is_work_offset(std::string_view name) {
   return std::ranges::find(plain, name) != plain.end();
 }
 
+std::vector<std::string> names_of_axes(const channels::MachineConfig& machine) {
+  std::vector<std::string> names;
+  names.reserve(machine.axes.size());
+  for (const channels::AxisConfig& axis : machine.axes) names.push_back(axis.name);
+  return names;
+}
+
 TablesConfig read_tables(const std::filesystem::path& file,
                          const std::vector<std::string>& axis_names, FaultList& faults) {
   TablesConfig tables;

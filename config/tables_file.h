@@ -10,6 +10,9 @@
 
 namespace stanok::config {
 
+// Of all axes of a machine, in their order.
+[[nodiscard]] std::vector<std::string> names_of_axes(const channels::MachineConfig& machine);
+
 // Offsets are given for the machine's axes `axis_names`. Faults go to the scope's list.
 [[nodiscard]] channels::TablesConfig read_tables(const std::filesystem::path& file,
                                                  const std::vector<std::string>& axis_names,

@@ -25,13 +25,11 @@ void load_tables(const std::filesystem::path& state, channels::MachineConfig& ma
   if (!kept) throw StateDirectoryError(kept.error());
   if (!*kept) return;
   if (!(*kept)->warning.empty()) spdlog::warn("{}", (*kept)->warning);
-  std::vector<std::string> axes;
-  for (const channels::AxisConfig& axis : machine.axes) axes.push_back(axis.name);
-  machine.tables = config::read_tables_text((*kept)->text, file, axes);
+  machine.tables = config::read_tables_text((*kept)->text, file, config::names_of_axes(machine));
 }
 
-TableKeeper::TableKeeper(std::filesystem::path state, Snapshot snapshot)
-    : file_(std::move(state) / file_name),
+TableKeeper::TableKeeper(const std::filesystem::path& state, Snapshot snapshot)
+    : file_(state / file_name),
       snapshot_(std::move(snapshot)),
       saved_(config::to_toml(snapshot_())) {
   thread_ = std::jthread([this](const std::stop_token& stop) {

@@ -22,7 +22,7 @@ class TableKeeper {
   using Snapshot = std::function<channels::TablesConfig()>;
 
   // `snapshot` may be called from another thread while this lives.
-  TableKeeper(std::filesystem::path state, Snapshot snapshot);
+  TableKeeper(const std::filesystem::path& state, Snapshot snapshot);
   // Writes a last time.
   ~TableKeeper();
   TableKeeper(const TableKeeper&) = delete;

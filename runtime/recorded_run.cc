@@ -104,9 +104,9 @@ void take_texts(Texts& texts, RecordedRun& run) {
         "recording, or of another version");
   }
   run.machine = config::read_machine_sources(std::move(sources));
-  std::vector<std::string> axes;
-  for (const channels::AxisConfig& axis : run.machine.machine.axes) axes.push_back(axis.name);
-  run.machine.machine.tables = config::read_tables_text(tables, "tables at start", axes);
+  channels::MachineConfig& machine = run.machine.machine;
+  machine.tables =
+      config::read_tables_text(tables, "tables at start", config::names_of_axes(machine));
 }
 
 }  // namespace

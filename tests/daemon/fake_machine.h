@@ -120,7 +120,6 @@ class FakeMachine final : public RunningMachine {
   void foresee(int, const std::string& program) override { looked_at.push_back(program); }
   void foreseen_begins(int, RunsOfChannels) override {}
   [[nodiscard]] Outlook outlook(int) override { return expected; }
-  [[nodiscard]] RecordingStatus recording_status() override { return {}; }
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
