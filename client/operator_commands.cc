@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iostream>
 #include <map>
 #include <memory>
+#include <sstream>
+#include <system_error>
 
 #include "client/noun_command.h"
 #include "protocol/json_rpc.h"
@@ -53,8 +58,9 @@ std::string help_text(const Parameter& parameter) {
 }
 
 // What the help shows for a value.
-const char* type_text(ParameterType type) {
-  switch (type) {
+const char* type_text(const Parameter& parameter) {
+  if (parameter.spelling == protocol::Spelling::file) return "FILE";
+  switch (parameter.type) {
     case ParameterType::integer:
       return "N";
     case ParameterType::number:
@@ -77,6 +83,24 @@ json number(const Parameter& parameter, const std::string& text) {
   }
   const bool is_whole = std::abs(value) <= whole_number_max && value == std::floor(value);
   return is_whole ? json(static_cast<std::int64_t>(value)) : json(value);
+}
+
+// A file as text. "-": the standard input.
+std::string text_of_file(const Parameter& parameter, const std::string& file) {
+  std::ostringstream text;
+  if (file == "-") {
+    text << std::cin.rdbuf();
+  } else {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || !(text << stream.rdbuf())) {
+      throw CLI::ValidationError(upper(parameter.name),
+                                 "'" + file + "' cannot be read" +
+                                     (errno == 0 ? std::string(", or is empty")
+                                                 : ": " + std::generic_category().message(errno)));
+    }
+  }
+  return text.str();
 }
 
 json value_of(const Parameter& parameter, const std::vector<std::string>& words) {
@@ -106,7 +130,12 @@ OperatorCall call_of(const Method& method, const GivenOptions& given) {
   for (const Parameter& parameter : method.parameters) {
     const auto words = given.values.find(std::string(parameter.name));
     if (words == given.values.end() || words->second.empty()) continue;
-    call.parameters[words->first] = value_of(parameter, words->second);
+    if (parameter.spelling == protocol::Spelling::file) {
+      call.parameters[words->first] = text_of_file(parameter, words->second.front());
+      call.parameters.emplace("file", words->second.front());
+    } else {
+      call.parameters[words->first] = value_of(parameter, words->second);
+    }
   }
   if (given.wait) call.parameters["wait"] = "done";
   if (const auto checked = protocol::checked_parameters(method, call.parameters); !checked) {
@@ -120,11 +149,11 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
     command.add_flag("--wait", given.wait, "wait until the work is done");
     return;
   }
-  const bool is_positional = parameter.spelling == protocol::Spelling::positional;
-  const std::string name = is_positional ? upper(parameter.name) : option_name(parameter);
+  const bool is_option = parameter.spelling == protocol::Spelling::option;
+  const std::string name = is_option ? option_name(parameter) : upper(parameter.name);
   auto* option =
       command.add_option(name, given.values[std::string(parameter.name)], help_text(parameter))
-          ->type_name(type_text(parameter.type));
+          ->type_name(type_text(parameter));
   if (parameter.type != ParameterType::text_list) option->expected(1)->allow_extra_args(false);
   if (parameter.presence == protocol::Presence::required) option->required();
 }
@@ -143,7 +172,6 @@ void add_method(CLI::App& app, const Method& method,
   command->add_option("--timeout", given->timeout_s, "give up after this time [s]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("SECONDS");
-  if (method.availability == protocol::Availability::later) command->allow_extras();
   command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });
 }
 

@@ -82,6 +82,11 @@ int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Dead
   return exit_code(protocol::FailureKind::timed_out);
 }
 
+// A channel that was taken is held as long as this command lasts.
+bool holds_channel(const OperatorCall& call) {
+  return call.method->name == "channel.control" && call.parameters.value("on", 1.0) != 0.0;
+}
+
 bool is_leased(const OperatorCall& call) {
   return call.method->name == "jog" && call.parameters.value("increment", 0.0) == 0.0;
 }
@@ -124,6 +129,10 @@ int run_operator_call(const OperatorCall& call) {
     return exit_code(result.error().kind);
   }
   show_result(call, *result);
+  if (holds_channel(call)) {
+    std::fflush(stdout);
+    client.listen(call.timeout_s > 0.0 ? deadline : std::nullopt);
+  }
   return 0;
 }
 

@@ -129,6 +129,7 @@ std::string cell_text(const json& value) {
 
 std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {
   if (result == json{{"accepted", true}}) return "";
+  if (method == "tool.save") return result.value("tables", "");
   const auto& views = list_views();
   const auto view = std::find_if(views.begin(), views.end(),
                                  [&](const ListView& v) { return v.method == method; });

@@ -65,13 +65,22 @@ const Keys<ToolEdge>& tool_keys() {
   return keys;
 }
 
-std::vector<ToolEdge> read_tools(Subtables tools, FaultList& faults) {
+// What the row leaves out is as in `base`, else zero.
+ToolEdge edge_to_begin_with(const toml::table& row, const TablesConfig& base) {
+  const int number = row["number"].value_or(0);
+  const int edge = row["edge"].value_or(1);
+  const auto found = std::ranges::find_if(
+      base.tools, [&](const ToolEdge& tool) { return tool.number == number && tool.edge == edge; });
+  return found == base.tools.end() ? ToolEdge{} : *found;
+}
+
+std::vector<ToolEdge> read_tools(Subtables tools, const TablesConfig& base, FaultList& faults) {
   std::vector<ToolEdge> edges;
   if (tools == nullptr) return edges;
   for (const toml::node& node : *tools) {
     const toml::table& table = *node.as_table();
     const Scope scope{faults, "tool " + std::to_string(table["number"].value_or(0))};
-    ToolEdge edge;
+    ToolEdge edge = edge_to_begin_with(table, base);
     read_table(table, tool_keys(), edge, scope);
     const bool is_known = std::ranges::any_of(edges, [&](const ToolEdge& other) {
       return other.number == edge.number && other.edge == edge.edge;
@@ -172,13 +181,14 @@ std::vector<std::string> names_of_axes(const channels::MachineConfig& machine) {
 }
 
 TablesConfig read_tables(const std::filesystem::path& file,
-                         const std::vector<std::string>& axis_names, FaultList& faults) {
+                         const std::vector<std::string>& axis_names, FaultList& faults,
+                         const TablesConfig& base) {
   TablesConfig tables;
   const auto root = parse_file(file, faults);
   if (!root) return tables;
   TablesFile sections;
   read_table(*root, tables_keys(), sections, Scope{faults, "tables"});
-  tables.tools = read_tools(sections.tools, faults);
+  tables.tools = read_tools(sections.tools, base, faults);
   read_offsets(sections.offsets, axis_names, tables, faults);
   return tables;
 }
@@ -192,9 +202,10 @@ TablesConfig read_tables_file(const std::filesystem::path& file,
 }
 
 TablesConfig read_tables_text(const std::string& text, const std::filesystem::path& file,
-                              const std::vector<std::string>& axis_names) {
+                              const std::vector<std::string>& axis_names,
+                              const TablesConfig& base) {
   FaultList faults({{file, text}});
-  TablesConfig tables = read_tables(file, axis_names, faults);
+  TablesConfig tables = read_tables(file, axis_names, faults, base);
   faults.throw_if_any();
   return tables;
 }

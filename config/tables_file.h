@@ -13,10 +13,12 @@ namespace stanok::config {
 // Of all axes of a machine, in their order.
 [[nodiscard]] std::vector<std::string> names_of_axes(const channels::MachineConfig& machine);
 
-// Offsets are given for the machine's axes `axis_names`. Faults go to the scope's list.
+// Offsets are given for the machine's axes `axis_names`. What a row of a tool leaves out is as in
+// `base`. Faults go to the scope's list.
 [[nodiscard]] channels::TablesConfig read_tables(const std::filesystem::path& file,
                                                  const std::vector<std::string>& axis_names,
-                                                 FaultList& faults);
+                                                 FaultList& faults,
+                                                 const channels::TablesConfig& base = {});
 
 // The same on its own, for tables an operator loads. Throws ConfigError.
 [[nodiscard]] channels::TablesConfig read_tables_file(const std::filesystem::path& file,
@@ -25,7 +27,8 @@ namespace stanok::config {
 // The same from a text of that file. Throws ConfigError.
 [[nodiscard]] channels::TablesConfig read_tables_text(const std::string& text,
                                                       const std::filesystem::path& file,
-                                                      const std::vector<std::string>& axis_names);
+                                                      const std::vector<std::string>& axis_names,
+                                                      const channels::TablesConfig& base = {});
 
 // The tables as a text that reads back the same, to the bit.
 [[nodiscard]] std::string to_toml(const channels::TablesConfig& tables);

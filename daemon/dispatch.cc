@@ -8,6 +8,7 @@
 #include "channels/operator_action.h"
 #include "daemon/drive_report.h"
 #include "daemon/inventory.h"
+#include "daemon/table_loading.h"
 #include "protocol/discovery.h"
 #include "protocol/machine_request.h"
 #include "protocol/version.h"
@@ -78,6 +79,7 @@ const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
       {"alarm.history",
        [](Dispatch& d, const json& p) { return d.report_.alarm_history(p.value("channel", 0)); }},
       {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
+      {"tool.save", [](Dispatch& d, const json&) { return tables_text(d.machine_); }},
       {"offset.list", [](Dispatch& d, const json&) { return offset_list(d.machine_); }},
       {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
@@ -94,7 +96,7 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   if (!parameters) return answer(Unexpected<Failure>(parameters.error()));
   if (!method->action.empty()) {
     // Sessions may go before the answer comes; the log entry must not need them.
-    return command(*method, *parameters,
+    return command(session, *method, *parameters,
                    [who = session, request, answer = std::move(answer)](const Outcome& outcome) {
                      log_command(who, request, outcome);
                      answer(outcome);
@@ -104,6 +106,8 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
     return answer(query->second(*this, *parameters));
   }
   if (method->name == "tool.get") return answer(tool_get(*parameters));
+  if (method->name == "tool.load") return load_tables(session, *parameters, std::move(answer));
+  if (method->name == "channel.control") return answer(control_channel(session, *parameters));
   if (protocol::noun(*method) == "log") {
     const Outcome outcome = method->name == "log.start" ? start_log() : stop_log();
     log_command(session, request, outcome);
@@ -128,6 +132,26 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   answer(change_session(session, *method, *parameters));
 }
 
+void Dispatch::forget(int session) {
+  control_.forget(session);
+  note_control();
+}
+
+void Dispatch::note_control() {
+  for (const auto& channel : machine_.file().machine.channels)
+    notes_[channel.id].controlled_by = control_.holder(channel.id);
+}
+
+Outcome Dispatch::control_channel(const SessionState& session, const json& parameters) {
+  const int channel = channel_or_first(parameters);
+  const bool takes = parameters.value("on", 1) != 0;
+  const auto obstacle = takes ? control_.take(channel, session) : std::nullopt;
+  if (!takes) control_.give_back(channel, session.id);
+  note_control();
+  if (obstacle) return Unexpected<Failure>(*obstacle);
+  return json{{"channel", channel}, {"controlled_by", control_.holder(channel)}};
+}
+
 Outcome Dispatch::start_log() const {
   const auto started = machine_.start_log();
   if (!started)
@@ -141,6 +165,21 @@ Outcome Dispatch::stop_log() const {
   const auto stopped = machine_.stop_log();
   if (!stopped) return fail(FailureKind::refused, "E9012", "no log is being written");
   return json{{"path", stopped->string()}};
+}
+
+void Dispatch::load_tables(const SessionState& session, const json& parameters, Answer answer) {
+  const auto name = parameters.value("file", std::string("tables"));
+  auto commands = commands_to_load(machine_, parameters["tables"].get<std::string>(), name);
+  const auto log_and_answer = [who = session, name,
+                               answer = std::move(answer)](const Outcome& outcome) {
+    protocol::Request request;
+    request.method = "tool.load";
+    request.parameters = {{"file", name}};
+    log_command(who, request, outcome);
+    answer(outcome);
+  };
+  if (!commands) return log_and_answer(Unexpected<Failure>(commands.error()));
+  submit_one_by_one(desk_, std::move(*commands), log_and_answer);
 }
 
 Outcome Dispatch::tool_get(const json& parameters) const {
@@ -165,10 +204,6 @@ Expected<json, Failure> Dispatch::admitted(const SessionState& session, const Me
                     std::string(protocol::role_name(method->role)) + "; this session is " +
                     std::string(protocol::role_name(session.role)));
   }
-  if (method->availability == protocol::Availability::later) {
-    return fail(FailureKind::not_supported, "E9005",
-                request.method + " is not supported in this release");
-  }
   auto parameters = protocol::checked_parameters(*method, request.parameters);
   if (!parameters) return parameters;
   const int channel = parameters->value("channel", 0);
@@ -179,7 +214,8 @@ Expected<json, Failure> Dispatch::admitted(const SessionState& session, const Me
   return parameters;
 }
 
-void Dispatch::command(const Method& method, const json& parameters, Answer answer) {
+void Dispatch::command(const SessionState& session, const Method& method, const json& parameters,
+                       Answer answer) {
   const protocol::MachineRequest request = protocol::machine_request(method, parameters);
   const auto action = channels::operator_action(request.action);
   if (!action) {
@@ -188,6 +224,8 @@ void Dispatch::command(const Method& method, const json& parameters, Answer answ
   channels::OperatorEvent event;
   event.action = *action;
   event.channel = concerns_machine(method) ? 0 : channel_or_first(parameters);
+  if (const auto obstacle = control_.obstacle(*action, event.channel, session.id))
+    return answer(Unexpected<Failure>(*obstacle));
   event.number = request.number;
   event.value = request.value;
   event.value_2 = request.value_2;

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "daemon/channel_control.h"
 #include "daemon/command_desk.h"
 #include "daemon/status_report.h"
 #include "daemon/subscription.h"
@@ -43,6 +44,8 @@ class Dispatch {
   void on_reply(const channels::OperatorReply& reply) { desk_.on_reply(reply); }
   void tick(SteadyTime now) { desk_.tick(now); }
   void set_clients(std::size_t clients) { clients_ = clients; }
+  // The session has ended.
+  void forget(int session);
 
   // Parameters of the server's first message.
   [[nodiscard]] nlohmann::json hello(const SessionState& session) const;
@@ -57,9 +60,14 @@ class Dispatch {
   [[nodiscard]] Expected<nlohmann::json, protocol::Failure> admitted(
       const SessionState& session, const protocol::Method* method,
       const protocol::Request& request) const;
-  void command(const protocol::Method& method, const nlohmann::json& parameters, Answer answer);
+  void command(const SessionState& session, const protocol::Method& method,
+               const nlohmann::json& parameters, Answer answer);
+  void note_control();
+  [[nodiscard]] Outcome control_channel(const SessionState& session,
+                                        const nlohmann::json& parameters);
   [[nodiscard]] Outcome start_log() const;
   [[nodiscard]] Outcome stop_log() const;
+  void load_tables(const SessionState& session, const nlohmann::json& parameters, Answer answer);
   [[nodiscard]] Outcome tool_get(const nlohmann::json& parameters) const;
   [[nodiscard]] Outcome command_drive(const protocol::Method& method,
                                       const nlohmann::json& parameters);
@@ -73,6 +81,7 @@ class Dispatch {
   DaemonDescription description_;
   std::function<void()> on_shutdown_;
   NotesOfChannels notes_;
+  ChannelControl control_;
   CommandDesk desk_;
   StatusReport report_;
   std::size_t clients_ = 0;

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <vector>
 
+#include "config/tables_file.h"
+
 namespace stanok::daemon {
 namespace {
 
@@ -16,7 +18,9 @@ bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
 }
 
-json to_json(const channels::ToolEdge& tool) {
+}  // namespace
+
+json tool_json(const channels::ToolEdge& tool) {
   return {{"number", tool.number},
           {"edge", tool.edge},
           {"name", tool.name},
@@ -40,19 +44,21 @@ json to_json(const channels::ToolEdge& tool) {
           {"taper_angle", tool.taper_angle}};
 }
 
-}  // namespace
-
 json tool_list(RunningMachine& machine) {
   json tools = json::array();
-  for (const channels::ToolEdge& tool : machine.tables().tools) tools.push_back(to_json(tool));
+  for (const channels::ToolEdge& tool : machine.tables().tools) tools.push_back(tool_json(tool));
   return {{"tools", std::move(tools)}};
 }
 
 std::optional<json> tool_edge(RunningMachine& machine, int number, int edge) {
   for (const channels::ToolEdge& tool : machine.tables().tools) {
-    if (tool.number == number && tool.edge == edge) return to_json(tool);
+    if (tool.number == number && tool.edge == edge) return tool_json(tool);
   }
   return std::nullopt;
+}
+
+json tables_text(RunningMachine& machine) {
+  return {{"tables", config::to_toml(machine.tables())}};
 }
 
 json offset_list(RunningMachine& machine) {

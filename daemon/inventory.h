@@ -10,10 +10,14 @@
 
 namespace stanok::daemon {
 
+// One edge, by the keys of the tables file.
+[[nodiscard]] nlohmann::json tool_json(const channels::ToolEdge& tool);
 [[nodiscard]] nlohmann::json tool_list(RunningMachine& machine);
 // Nothing: there is no such edge.
 [[nodiscard]] std::optional<nlohmann::json> tool_edge(RunningMachine& machine, int number,
                                                       int edge);
+// All tools and work offsets as a text that tool.load and the machine file take.
+[[nodiscard]] nlohmann::json tables_text(RunningMachine& machine);
 [[nodiscard]] nlohmann::json offset_list(RunningMachine& machine);
 // What programs announced with #workpiece and #workpiece_pos, by channel.
 [[nodiscard]] nlohmann::json workpiece_status(RunningMachine& machine);

@@ -129,6 +129,7 @@ bool OperatorServer::Parts::make_room() {
 
 void OperatorServer::Parts::forget(int id) {
   sessions.erase(id);
+  dispatch.forget(id);
   dispatch.set_clients(clients());
 }
 

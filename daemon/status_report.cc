@@ -248,6 +248,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"state", channel_state_word(output.state)},
           {"program_status", program_status_word(output)},
           {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
+          {"controlled_by", text_or_null(notes.controlled_by)},
           {"alarm", std::move(alarm)},
           {"program", text_or_null(program_of(output, runs, notes.program))},
           {"run", output.run},

@@ -52,8 +52,7 @@ json method_json(const Method& method) {
           {"summary", method.help},
           {"params", std::move(parameters)},
           {"result", {{"name", "result"}, {"schema", json::object()}}},
-          {"x-role", role_name(method.role)},
-          {"x-supported", method.availability == Availability::now}};
+          {"x-role", role_name(method.role)}};
 }
 
 std::string range_text(const Parameter& parameter) {
@@ -107,17 +106,11 @@ json discovery_document(std::string_view version) {
 
 std::string methods_markdown() {
   std::string text = "| method | role | what it does | parameters |\n|---|---|---|---|\n";
-  std::string missing;
   for (const Method& method : methods()) {
-    if (method.availability == Availability::later) {
-      missing += (missing.empty() ? "`" : ", `") + std::string(method.name) + "`";
-      continue;
-    }
     text += "| `" + std::string(method.name) + "` | " + std::string(role_name(method.role)) +
             " | " + std::string(method.help) + " | " + parameters_text(method) + " |\n";
   }
-  return text + "\nNamed, but answered with \"not supported in this release\" (E9005): " + missing +
-         ".\n";
+  return text;
 }
 
 }  // namespace stanok::protocol

@@ -29,7 +29,6 @@ constexpr auto kinds = std::to_array<KindRow>({
     {FailureKind::timed_out, -32003, 4},
     {FailureKind::program_error, -32004, 6},
     {FailureKind::machine_fault, -32005, 7},
-    {FailureKind::not_supported, -32006, 1},
 });
 
 const KindRow& row_of(FailureKind kind) {

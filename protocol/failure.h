@@ -24,7 +24,6 @@ enum class FailureKind : std::uint8_t {
   timed_out,           // -32003
   program_error,       // -32004 codes E and U
   machine_fault,       // -32005 codes A
-  not_supported,       // -32006 in this release
 };
 
 struct Failure {

@@ -148,6 +148,13 @@ constexpr Parameter allowance{.name = "on",
                               .maximum = 1,
                               .help = "1 allow, the default; 0 no more"};
 constexpr std::array of_allowance{allowance};
+constexpr Parameter control{.name = "on",
+                            .type = ParameterType::integer,
+                            .spelling = Spelling::positional,
+                            .minimum = 0,
+                            .maximum = 1,
+                            .help = "1 take it, the default; 0 give it back"};
+constexpr std::array of_control{control, channel};
 
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
 // Their places are channels::ForceAction.
@@ -268,6 +275,20 @@ constexpr Parameter search_calculation{
         "with (default): in the state that the blocks before leave behind; without: in the "
         "default state"};
 
+constexpr double table_bytes_max = 1e6;
+constexpr Parameter tables_text{.name = "tables",
+                                .type = ParameterType::text,
+                                .presence = Presence::required,
+                                .spelling = Spelling::file,
+                                .minimum = 1,
+                                .maximum = table_bytes_max,
+                                .help = "tools and work offsets, as in a tables file"};
+constexpr Parameter tables_name{.name = "file",
+                                .type = ParameterType::text,
+                                .minimum = 1,
+                                .maximum = 4096,
+                                .help = "name of the text in messages; default: that of the file"};
+constexpr std::array of_tables{tables_text, tables_name};
 constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
 constexpr std::array of_tool{tool_number, tool_edge};
 constexpr std::array of_tool_value{tool_number, tool_value, table_value, tool_edge};
@@ -296,10 +317,6 @@ constexpr auto observer = Role::observer;
 constexpr auto machine_operator = Role::machine_operator;
 constexpr auto integrator = Role::integrator;
 
-constexpr Method later(std::string_view name, Role needed, std::string_view help) {
-  return {.name = name, .role = needed, .help = help, .availability = Availability::later};
-}
-
 constexpr auto table = std::to_array<Method>({
     {"machine.on",
      machine_operator,
@@ -321,6 +338,9 @@ constexpr auto table = std::to_array<Method>({
     {"channel.list", observer, "channels with kind, axes, scheme and state"},
     {"channel.status", observer, "state, program, block, position, feed and overrides of a channel",
      of_channel},
+    {"channel.control", machine_operator,
+     "have a channel to oneself until the connection ends; stops are never refused to others",
+     of_control},
     {"channel.watch", observer, "status of a channel as it changes", of_watch},
 
     {"program.load", machine_operator, "compile a program; errors come with file, line and column",
@@ -376,8 +396,9 @@ constexpr auto table = std::to_array<Method>({
     {"tool.get", observer, "one edge of a tool", of_tool},
     {"tool.set", machine_operator, "change a value of a tool; not while a program runs",
      of_tool_value, "tool_set"},
-    later("tool.load", integrator, "read a tool table"),
-    later("tool.save", integrator, "write the tool table"),
+    {"tool.load", machine_operator,
+     "set the tools and work offsets that a text names; not while a program runs", of_tables},
+    {"tool.save", observer, "tools and work offsets as a text that tool load takes"},
 
     {"offset.list", observer, "work offsets"},
     {"offset.set", machine_operator, "change a work offset; not while a program runs",

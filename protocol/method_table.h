@@ -19,7 +19,8 @@ enum class Role : std::uint8_t { observer, machine_operator, integrator };
 enum class ParameterType : std::uint8_t { integer, number, text, choice, text_list };
 enum class Presence : std::uint8_t { optional, required };
 // Where the parameter stands on the command line of `stanok`.
-enum class Spelling : std::uint8_t { option, positional };
+// A file is named there, "-" is the standard input, and its text is the parameter's value.
+enum class Spelling : std::uint8_t { option, positional, file };
 // Which field of a MachineRequest the parameter fills (protocol/machine_request.h).
 // A choice that carries a number is its place among the choices, from 0.
 enum class Carries : std::uint8_t {
@@ -47,8 +48,6 @@ struct Parameter {
   std::string_view help{};
 };
 
-enum class Availability : std::uint8_t { now, later };
-
 struct Method {
   std::string_view name;
   Role role = Role::observer;
@@ -57,7 +56,6 @@ struct Method {
   // Name of the channels::OperatorAction that the method hands to the real-time cycle; empty: the
   // daemon answers itself.
   std::string_view action{};
-  Availability availability = Availability::now;
 };
 
 // In the order of the documentation; methods of a noun stand together.

@@ -61,7 +61,8 @@ std::optional<std::string> text_fault(const Parameter& parameter, const json& va
   if (length < parameter.minimum) return "must not be empty";
   if (length > parameter.maximum)
     return "must not be longer than " + number_text(parameter.maximum) + " bytes";
-  if (has_control_character(text)) return "must not contain control characters";
+  const bool has_lines = parameter.spelling == Spelling::file;
+  if (!has_lines && has_control_character(text)) return "must not contain control characters";
   return std::nullopt;
 }
 

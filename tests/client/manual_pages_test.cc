@@ -44,7 +44,7 @@ TEST_F(ManualPages, DescribeEveryMethodAndItsParameters) {
     for (const protocol::Parameter& parameter : method.parameters) {
       std::string name(parameter.name);
       std::replace(name.begin(), name.end(), '_', '-');
-      if (parameter.spelling == protocol::Spelling::positional) {
+      if (parameter.spelling != protocol::Spelling::option) {
         std::transform(name.begin(), name.end(), name.begin(), ::toupper);
         EXPECT_NE(text.find(".TP\n" + roff::italic(name)), std::string::npos) << path << name;
       } else {

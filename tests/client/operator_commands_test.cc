@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <optional>
 
 #include "client/noun_command.h"
@@ -33,6 +34,7 @@ std::string words_of(const Method& method) {
 }
 
 std::string argument_for(const protocol::Parameter& parameter) {
+  if (parameter.spelling == protocol::Spelling::file) return STANOK_SOURCE_DIR "/README.md";
   switch (parameter.type) {
     case protocol::ParameterType::integer:
     case protocol::ParameterType::number:
@@ -125,6 +127,17 @@ TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
         "drive fault X off Y"}) {
     EXPECT_FALSE(call_for(line)) << line;
   }
+}
+
+TEST(CommandLine, SendsTheTextOfAFileAndItsName) {
+  const std::string file = testing::TempDir() + "tables.toml";
+  std::ofstream(file) << "[offset.G54]\nX = 1\n";
+  const auto call = call_for("tool load " + file);
+  ASSERT_TRUE(call);
+  EXPECT_EQ(call->parameters, json({{"tables", "[offset.G54]\nX = 1\n"}, {"file", file}}));
+  EXPECT_EQ(call_for("tool load " + file + " --file mine")->parameters["file"], "mine");
+  EXPECT_FALSE(call_for("tool load " + testing::TempDir() + "missing.toml"));
+  EXPECT_FALSE(call_for("tool load " + testing::TempDir())) << "a folder";
 }
 
 TEST(NounCommand, IsSharedByOperatorAndOffLineCommands) {

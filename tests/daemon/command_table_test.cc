@@ -121,7 +121,7 @@ class CommandTable : public testing::TestWithParam<Situation> {};
 TEST_P(CommandTable, IsWhatADaemonAnswers) {
   constexpr int answered_within = 40;  // cycles; what begins something answers later
   for (const protocol::Method& method : protocol::methods()) {
-    if (method.action.empty() || method.availability == protocol::Availability::later) continue;
+    if (method.action.empty()) continue;
     SCOPED_TRACE(method.name);
     const auto action = channels::operator_action(method.action);
     ASSERT_TRUE(action.has_value());
@@ -145,7 +145,6 @@ TEST_P(CommandTable, WhatOnlyLooksIsAnsweredAlways) {
   Scene scene(GetParam());
   for (const protocol::Method& method : protocol::methods()) {
     if (!method.action.empty() || method.role != protocol::Role::observer) continue;
-    if (method.availability == protocol::Availability::later) continue;
     json parameters = json::object();
     if (method.name == "tool.get") parameters["number"] = 1;
     if (method.name == "subscribe") parameters["topics"] = {"channels"};

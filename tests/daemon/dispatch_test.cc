@@ -57,6 +57,33 @@ class DispatchTest : public testing::Test {
   Dispatch dispatch{machine, {"test", "/state", "/socket"}, [this] { shutdown_asked = true; }};
 };
 
+// Of two sessions one has channel 1; only stops of the other one pass.
+TEST_F(DispatchTest, GivesAChannelToOneSession) {
+  session.id = 3;
+  session.peer = "uid 1000, pid 77";
+  EXPECT_EQ(result("channel.control")["controlled_by"], "session 3 (uid 1000, pid 77)");
+  EXPECT_EQ(result("channel.status")["controlled_by"], "session 3 (uid 1000, pid 77)");
+  session.id = 4;
+  for (const auto& [method, parameters] :
+       std::map<std::string, json>{{"program.run", {{"program", "a.nc"}}},
+                                   {"jog", {{"axis", "X"}, {"velocity", 1.0}}},
+                                   {"override.feed", {{"percent", 50}}}})
+    EXPECT_EQ(failure(method, parameters).code, "E6080") << method;
+  EXPECT_EQ(failure("channel.control").code, "E6080");
+  EXPECT_EQ(machine.submitted().size(), 0u);
+  for (const char* method : {"program.hold", "program.stop", "program.reset", "machine.estop"})
+    static_cast<void>(ask(method));
+  EXPECT_EQ(machine.submitted().size(), 4u) << "stops are for everybody";
+  static_cast<void>(ask("override.feed", {{"percent", 50}, {"channel", 2}}));
+  EXPECT_EQ(machine.submitted().size(), 5u) << "another channel";
+  static_cast<void>(result("channel.control", {{"on", 0}}));
+  EXPECT_EQ(failure("override.feed", {{"percent", 50}}).code, "E6080") << "it is not its own";
+  dispatch.forget(3);
+  EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
+  static_cast<void>(ask("override.feed", {{"percent", 50}}));
+  EXPECT_EQ(machine.submitted().size(), 6u);
+}
+
 TEST_F(DispatchTest, ObeysTheRoleOfEveryMethod) {
   for (const protocol::Method& method : protocol::methods()) {
     for (const Role role : {Role::observer, Role::machine_operator, Role::integrator}) {
@@ -74,7 +101,9 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
     json parameters = json::object();
     for (const auto& parameter : method.parameters) {
       if (parameter.presence == protocol::Presence::optional) continue;
-      if (parameter.type == protocol::ParameterType::text) {
+      if (parameter.spelling == protocol::Spelling::file) {
+        parameters[std::string(parameter.name)] = "[offset.G54]\n";
+      } else if (parameter.type == protocol::ParameterType::text) {
         parameters[std::string(parameter.name)] = "a.nc";
       } else if (parameter.type == protocol::ParameterType::choice) {
         parameters[std::string(parameter.name)] = parameter.choices.front();
@@ -87,11 +116,7 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
     session.role = Role::integrator;
     const std::size_t before = machine.submitted().size();
     const auto slot = ask(std::string(method.name), parameters);
-    if (method.availability == protocol::Availability::later) {
-      ASSERT_TRUE(slot->has_value()) << method.name;
-      EXPECT_EQ(slot->value().error().kind, FailureKind::not_supported) << method.name;
-      EXPECT_EQ(slot->value().error().code, "E9005");
-    } else if (method.action.empty()) {
+    if (method.action.empty()) {
       ASSERT_TRUE(slot->has_value()) << method.name;
       EXPECT_TRUE(slot->value().has_value())
           << method.name << ": " << slot->value().error().message;

@@ -31,7 +31,7 @@ class LiveDaemon {
       options.drives = runtime::DriveChoice::ideal;
       exit_code_ = run_daemon(options);
     });
-    while (!std::filesystem::exists(socket())) std::this_thread::yield();
+    while (!RawClient::is_answered(socket())) std::this_thread::yield();
   }
   ~LiveDaemon() { end(); }
   LiveDaemon(const LiveDaemon&) = delete;

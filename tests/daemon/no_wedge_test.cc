@@ -40,6 +40,10 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   }
   ASSERT_TRUE(bench.answer("system.info", {}, 0)->has_value());
 
+  for (int client = 0; client < clients; ++client) {
+    for (const int channel : {1, 2})
+      bench.ask(client, "channel.control", {{"on", 0}, {"channel", channel}});
+  }
   // Back to idle, and to work.
   bench.demand("program.reset", {{"channel", 2}});
   bench.demand("program.reset", {{"channel", 1}});
@@ -112,7 +116,7 @@ TEST(NoWedgeLive, TenThousandCommandsOfThreeClientsOverTheSocket) {
   demand("program.step", {{"on", 0}});
   demand("override.feed", {{"percent", 100}});
   demand("override.rapid", {{"percent", 100}});
-  daemon.program("last.nc", "G90 G54 G0 X1\nM30\n");
+  daemon.program("last.nc", "G90 G53 G0 X1\nM30\n");
   demand("program.run", {{"program", "last.nc"}, {"wait", "done"}});
   EXPECT_EQ(daemon.end(), 0);
 }

@@ -18,17 +18,17 @@ namespace stanok::daemon {
 
 class RawClient {
  public:
-  explicit RawClient(const std::filesystem::path& socket) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    socket.string().copy(address.sun_path, sizeof address.sun_path - 1);
-    descriptor_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "socket");
-    EXPECT_EQ(::connect(descriptor_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  explicit RawClient(const std::filesystem::path& socket) : RawClient() {
+    EXPECT_TRUE(connect(socket));
   }
   ~RawClient() { ::close(descriptor_); }
   RawClient(const RawClient&) = delete;
   RawClient& operator=(const RawClient&) = delete;
+
+  // A socket is there a moment before anybody listens to it.
+  static bool is_answered(const std::filesystem::path& socket) {
+    return RawClient().connect(socket);
+  }
 
   // False when the other side has closed or takes no more.
   bool send(std::string_view bytes) {
@@ -70,6 +70,16 @@ class RawClient {
   }
 
  private:
+  RawClient() : descriptor_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "socket");
+  }
+  bool connect(const std::filesystem::path& socket) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    socket.string().copy(address.sun_path, sizeof address.sun_path - 1);
+    return ::connect(descriptor_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+  }
+
   int descriptor_ = -1;
   std::string buffer_;
 };

@@ -142,7 +142,6 @@ TEST(Failures, OfStrangersAreReadWithoutTrust) {
 // The exit codes of docs/operating.md, in words there.
 TEST(Failures, HaveTheExitCodesOfTheManual) {
   EXPECT_EQ(exit_code(FailureKind::refused), 1);
-  EXPECT_EQ(exit_code(FailureKind::not_supported), 1);
   EXPECT_EQ(exit_code(FailureKind::invalid_parameters), 2);
   EXPECT_EQ(exit_code(FailureKind::timed_out), 4);
   EXPECT_EQ(exit_code(FailureKind::not_permitted), 5);
