@@ -10,7 +10,9 @@
 namespace stanok::runtime {
 namespace {
 
-constexpr std::int64_t interruption_interval = 1024;  // cycles between two looks at `interrupted`
+// Between two looks at `interrupted`.
+constexpr std::int64_t interruption_interval = 1024;  // cycles
+constexpr int interruption_steps = 1024;              // of a preparation
 
 constexpr std::uint64_t first_event_id = 1'000'000;  // ids below are those of programs
 
@@ -53,7 +55,7 @@ class Simulation {
     start_programs();
     const auto cycles_until = std::llround(options_.until_s / result_.cycle_s);
     while (result_.refusals.empty()) {
-      prepare_all();
+      if (!prepare_all(interrupted)) break;
       if (events_.empty() && next_event_ == options_.events.size() && machine_.waits_for_operator())
         break;
       result_.until_reached = options_.until_s >= 0.0 && output_->cycle >= cycles_until;
@@ -78,14 +80,19 @@ class Simulation {
     }
   }
 
-  void prepare_all() {
+  // False: interrupted, as a program that loops without moving must be.
+  bool prepare_all(const std::function<bool()>& interrupted) {
     bool worked = true;
-    while (worked) {
+    for (int steps = 1; worked;) {
       worked = false;
       for (int k = 0; k < static_cast<int>(options_.file.machine.channels.size()); ++k) {
-        while (machine_.prepare(k) == channels::Progress::worked) worked = true;
+        while (machine_.prepare(k) == channels::Progress::worked) {
+          worked = true;
+          if (steps++ % interruption_steps == 0 && interrupted()) return false;
+        }
       }
     }
+    return true;
   }
 
   void cycle() {

@@ -104,6 +104,16 @@ TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {
   EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
 }
 
+// Neither moves nor ends: the simulation never comes to a cycle.
+TEST_F(ForesightTest, EndsInAnEndlessLoopWithoutMotion) {
+  write("endless.nc", "while (1 > 0) {\n}\nM30\n");
+  foresight.look_at(1, "endless.nc", now, file.machine.tables);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  write("b.nc", "G4 P2\nM30\n");
+  foresight.look_at(1, "b.nc", now, file.machine.tables);
+  EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
+}
+
 TEST_F(ForesightTest, EndsAtOnceInTheMiddleOfASimulation) {
   write("endless.nc", "while (1 > 0) {\n  G4 P0.001\n}\nM30\n");
   foresight.look_at(1, "endless.nc", now, file.machine.tables);
