@@ -158,6 +158,14 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
   if (parameter.presence == protocol::Presence::required) option->required();
 }
 
+void add_common_options(CLI::App& command, GivenOptions& given) {
+  command.add_flag("--json", given.json, "print JSON");
+  command.add_option("--socket", given.socket, "socket of the daemon")->type_name("PATH");
+  command.add_option("--timeout", given.timeout_s, "give up after this time [s]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("SECONDS");
+}
+
 void add_method(CLI::App& app, const Method& method,
                 const std::function<void(const OperatorCall&)>& on_call) {
   const std::string verb(protocol::verb(method));
@@ -167,18 +175,30 @@ void add_method(CLI::App& app, const Method& method,
   CLI::App* command = parent.add_subcommand(verb.empty() ? noun : verb, std::string(method.help));
   const auto given = std::make_shared<GivenOptions>();
   for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
-  command->add_flag("--json", given->json, "print JSON");
-  command->add_option("--socket", given->socket, "socket of the daemon")->type_name("PATH");
-  command->add_option("--timeout", given->timeout_s, "give up after this time [s]")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("SECONDS");
+  add_common_options(*command, *given);
   command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });
+}
+
+// All channels and what happens, drawn in place: a subscription in another form.
+void add_watch(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
+  CLI::App* command =
+      app.add_subcommand("watch", "all channels as they change: state, block, position, alarms");
+  const auto given = std::make_shared<GivenOptions>();
+  add_common_options(*command, *given);
+  command->callback([given, on_call] {
+    const Method& method = *protocol::find_method("subscribe");
+    given->values["topics"] = {"channels", "events"};
+    OperatorCall call = call_of(method, *given);
+    call.is_overview = true;
+    on_call(call);
+  });
 }
 
 }  // namespace
 
 void add_operator_commands(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
   for (const Method& method : protocol::methods()) add_method(app, method, on_call);
+  add_watch(app, on_call);
 }
 
 }  // namespace stanok::client

@@ -22,6 +22,7 @@ struct OperatorCall {
   std::string socket;      // empty: chosen by choose_socket
   double timeout_s = 0.0;  // 0: the usual time of the method
   OutputForm form = OutputForm::people;
+  bool is_overview = false;  // `stanok watch`: the channels on a few lines
 };
 
 // `on_call` is called while the command line is parsed, with checked parameters. A value that does

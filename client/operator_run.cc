@@ -68,7 +68,7 @@ void show_result(const OperatorCall& call, const json& result) {
 }
 
 int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Deadline deadline) {
-  WatchView view(call.form, Terminal(STDOUT_FILENO));
+  WatchView view(call.form, Terminal(STDOUT_FILENO), call.is_overview);
   client.on_notification([&](const std::string& method, const json& parameters) {
     std::fputs(view.shown(method, parameters).c_str(), stdout);
     std::fflush(stdout);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "client/overview_text.h"
 #include "client/result_text.h"
 #include "client/run_progress.h"
 
@@ -40,17 +41,24 @@ std::string WatchView::status_text() {
     }
     return text;
   }
-  for (const auto& [topic, members] : state_.items()) {
-    if (topic != "channels") text += result_text(topic, members, terminal_) + "\n";
-  }
-  for (const json& channel : state_.value("channels", json::object())) {
-    text += result_text("channel.status", channel, terminal_) + "\n";
-  }
+  text = drawn();
   // ECMA-48: CPL moves up to the first line drawn before, ED erases from there.
   const std::string back =
       lines_drawn_ == 0 ? "" : "\033[" + std::to_string(lines_drawn_) + "F\033[J";
   lines_drawn_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   return back + text;
+}
+
+std::string WatchView::drawn() const {
+  const json channels = state_.value("channels", json::object());
+  if (is_overview_) return overview_text(channels, terminal_);
+  std::string text;
+  for (const auto& [topic, members] : state_.items()) {
+    if (topic != "channels") text += result_text(topic, members, terminal_) + "\n";
+  }
+  for (const json& channel : channels)
+    text += result_text("channel.status", channel, terminal_) + "\n";
+  return text;
 }
 
 }  // namespace stanok::client

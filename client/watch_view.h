@@ -1,4 +1,4 @@
-// WatchView: what `channel watch` and `subscribe` show of the notifications.
+// WatchView: what `watch`, `channel watch` and `subscribe` show of the notifications.
 //
 // On a terminal the status is drawn in place; into a pipe goes one line per change, with --json one
 // notification per line as it came.
@@ -14,15 +14,19 @@ namespace stanok::client {
 
 class WatchView {
  public:
-  WatchView(OutputForm form, const Terminal& terminal) : form_(form), terminal_(terminal) {}
+  // An overview has one row per channel; else all that is known is shown.
+  WatchView(OutputForm form, const Terminal& terminal, bool is_overview = false)
+      : form_(form), is_overview_(is_overview), terminal_(terminal) {}
 
   // The text to print for one notification; "" when it changes nothing that is shown.
   [[nodiscard]] std::string shown(const std::string& method, const nlohmann::json& parameters);
 
  private:
   [[nodiscard]] std::string status_text();
+  [[nodiscard]] std::string drawn() const;
 
   OutputForm form_;
+  bool is_overview_;
   Terminal terminal_;
   nlohmann::json state_ = nlohmann::json::object();
   std::size_t lines_drawn_ = 0;

@@ -140,6 +140,14 @@ TEST(CommandLine, SendsTheTextOfAFileAndItsName) {
   EXPECT_FALSE(call_for("tool load " + testing::TempDir())) << "a folder";
 }
 
+TEST(CommandLine, WatchSubscribesToAllChannels) {
+  const auto call = call_for("watch --timeout 2");
+  ASSERT_TRUE(call);
+  EXPECT_EQ(call->method->name, "subscribe");
+  EXPECT_EQ(call->parameters, json::parse(R"({"topics":["channels","events"]})"));
+  EXPECT_TRUE(call->is_overview);
+}
+
 TEST(NounCommand, IsSharedByOperatorAndOffLineCommands) {
   CLI::App app;
   add_operator_commands(app, [](const OperatorCall&) {});

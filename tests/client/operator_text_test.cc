@@ -71,6 +71,35 @@ TEST(WatchView, DrawsInPlaceOnATerminal) {
   EXPECT_TRUE(view.shown("status", status).starts_with("\033[2F\033[J")) << "two lines up";
 }
 
+TEST(WatchView, ShowsAllChannelsInAnOverview) {
+  WatchView view(OutputForm::people, Terminal(true, false), true);
+  const json work = {{"id", 1},
+                     {"name", "work"},
+                     {"state", "Active"},
+                     {"line", 12},
+                     {"program", "a.nc"},
+                     {"program_status", "Running"},
+                     {"speed_mm_s", 25.0},
+                     {"override", {{"feed", 80.0}}},
+                     {"remaining_s", 249.4},
+                     {"position", {{"X", 1.5}, {"Y", -2.0}}},
+                     {"alarm", nullptr}};
+  const json master = {
+      {"id", 2},
+      {"name", "master"},
+      {"state", "Interrupted"},
+      {"program", nullptr},
+      {"program_status", "Canceled"},
+      {"remaining_s", 3849.0},
+      {"alarm", {{"code", "E5101"}, {"text", "X is too far"}, {"file", "b.nc"}, {"line", 7}}}};
+  EXPECT_EQ(
+      view.shown("status", {{"state", {{"channels", {{"1", work}, {"2", master}}}}}}),
+      "channel  name    state        status    program  mm/s  feed %  left     position\n"
+      "      1  work    Active       Running   a.nc:12    25      80  4:09     X 1.5000  Y -2\n"
+      "      2  master  Interrupted  Canceled  -        -     -       1:04:09  -\n"
+      "channel 2  b.nc:7: E5101 X is too far\n");
+}
+
 TEST(WatchView, PassesNotificationsOnAsJson) {
   WatchView view(OutputForm::json, pipe_end);
   const json line = json::parse(view.shown("event", {{"seq", 4}}));

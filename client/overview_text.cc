@@ -1,0 +1,80 @@
+#include "client/overview_text.h"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "client/result_text.h"
+#include "client/text_table.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+json member(const json& object, const char* name) {
+  return object.value(name, json());
+}
+
+// "1:04:09", "4:09".
+std::string duration_text(const json& seconds) {
+  if (!seconds.is_number()) return "-";
+  constexpr int minute = 60;
+  const auto s = static_cast<long>(seconds.get<double>() + 0.5);
+  const long hours = s / (minute * minute);
+  std::array<char, 32> text{};
+  if (hours > 0) {
+    std::snprintf(text.data(), text.size(), "%ld:%02ld:%02ld", hours, s / minute % minute,
+                  s % minute);
+  } else {
+    std::snprintf(text.data(), text.size(), "%ld:%02ld", s / minute, s % minute);
+  }
+  return text.data();
+}
+
+std::string program_text(const json& channel) {
+  const json program = member(channel, "program");
+  if (program.is_null()) return "-";
+  const json line = member(channel, "line");
+  return cell_text(program) + (line.is_number() && line != 0 ? ":" + cell_text(line) : "");
+}
+
+std::vector<std::string> row_of(const json& channel) {
+  const json override_percent = channel.value("override", json::object());
+  return {cell_text(member(channel, "id")),
+          cell_text(member(channel, "name")),
+          cell_text(member(channel, "state")),
+          cell_text(member(channel, "program_status")),
+          program_text(channel),
+          cell_text(member(channel, "speed_mm_s")),
+          cell_text(member(override_percent, "feed")),
+          duration_text(member(channel, "remaining_s")),
+          cell_text(member(channel, "position"))};
+}
+
+std::string alarm_line(const json& channel, const Terminal& terminal) {
+  const json alarm = member(channel, "alarm");
+  if (!alarm.is_object()) return "";
+  const json file = member(alarm, "file");
+  const std::string place =
+      file.is_null() ? "" : cell_text(file) + ":" + cell_text(member(alarm, "line")) + ": ";
+  return "channel " + cell_text(member(channel, "id")) + "  " + place +
+         terminal.coloured(cell_text(member(alarm, "code")), Colour::red) + " " +
+         cell_text(member(alarm, "text")) + "\n";
+}
+
+}  // namespace
+
+std::string overview_text(const json& channels, const Terminal& terminal) {
+  TextTable table(
+      {"channel", "name", "state", "status", "program", "mm/s", "feed %", "left", "position"});
+  std::string alarms;
+  for (const json& channel : channels) {
+    table.add_row(row_of(channel));
+    alarms += alarm_line(channel, terminal);
+  }
+  return table.text(terminal) + alarms;
+}
+
+}  // namespace stanok::client
