@@ -37,6 +37,7 @@ struct RunReport {
   int channel = 0;
   std::uint32_t run = 0;
   std::string program;
+  std::vector<std::string> files;  // 0 the program itself, then what it includes and calls
   bool ok = false;
   bool ended = false;
   std::uint64_t blocks = 0;

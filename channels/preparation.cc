@@ -147,7 +147,7 @@ void Preparation::start(const Notice& notice) {
   const bool is_line = notice.kind == NoticeKind::start_line;
   running_ = is_line ? line_ : program_;
   name_files();
-  reports_.name_run(config_.id, run_, is_line ? "MDI" : program_name_);
+  reports_.name_run(config_.id, run_, is_line ? "MDI" : program_name_, lang::file_names(*running_));
   interpreter_.set_block_skip(notice.block_skip);
   if (is_line) {
     interpreter_.start_line(running_, blocks_.position_B());

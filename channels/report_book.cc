@@ -19,11 +19,15 @@ void set_text(Diagnostic& diagnostic, std::string_view text) {
 
 ReportBook::ReportBook() : run_records_(256), alarm_records_(256) {}
 
-void ReportBook::name_run(int channel, std::uint32_t run, const std::string& program) {
+void ReportBook::name_run(int channel, std::uint32_t run, const std::string& program,
+                          std::vector<std::string> files) {
   const std::lock_guard lock(mutex_);
-  programs_[{channel, run}] = program;
-  const auto known = runs_.find({channel, run});
-  if (known != runs_.end()) known->second.program = program;
+  const RunKey key{channel, run};
+  names_[key] = {program, std::move(files)};
+  const auto known = runs_.find(key);
+  if (known == runs_.end()) return;
+  known->second.program = names_[key].program;
+  known->second.files = names_[key].files;
 }
 
 void ReportBook::explain(int channel, std::uint32_t run, const Diagnostic& diagnostic) {
@@ -77,7 +81,8 @@ void ReportBook::drain_runs() {
     RunReport& report = runs_[key];
     report.channel = record.channel;
     report.run = record.run;
-    report.program = programs_[key];
+    report.program = names_[key].program;
+    report.files = names_[key].files;
     report.ok = record.ok;
     report.ended = record.ended;
     report.blocks = record.blocks;
@@ -106,7 +111,7 @@ void ReportBook::drain_alarms() {
       set_text(report.diagnostic, record.text.view());
       report.diagnostic.place.file = std::string(record.file.view());
       if (record.file.empty())
-        report.diagnostic.place.file = programs_[{record.channel, record.tag.run}];
+        report.diagnostic.place.file = names_[{record.channel, record.tag.run}].program;
       report.diagnostic.place.line = static_cast<int>(record.tag.line);
     }
     alarms_.push_back(std::move(report));

@@ -46,7 +46,9 @@ class ReportBook {
   ReportBook();
 
   // Preparation side.
-  void name_run(int channel, std::uint32_t run, const std::string& program);
+  // `files`: by the index in the tags of its blocks.
+  void name_run(int channel, std::uint32_t run, const std::string& program,
+                std::vector<std::string> files);
   void explain(int channel, std::uint32_t run, const Diagnostic& diagnostic);
   void add_diagnostics(int channel, const Diagnostics& diagnostics);
   // Where the next run begins; nothing: at the first block.
@@ -69,7 +71,11 @@ class ReportBook {
   std::mutex mutex_;
   Ring<RunRecord> run_records_;
   Ring<AlarmRecord> alarm_records_;
-  std::map<RunKey, std::string> programs_;
+  struct RunNames {
+    std::string program;
+    std::vector<std::string> files;
+  };
+  std::map<RunKey, RunNames> names_;
   std::map<RunKey, Diagnostic> explanations_;
   std::vector<RunKey> order_;
   std::map<RunKey, RunReport> runs_;

@@ -44,9 +44,14 @@ int turning_axis(const channels::MachineConfig& machine, const channels::Channel
   return -1;
 }
 
+simulation::BlankKind kind_of(int type) {
+  if (type == 0) return simulation::BlankKind::box;
+  return type == 1 ? simulation::BlankKind::cylinder : simulation::BlankKind::unknown;
+}
+
 simulation::Blank blank_of(int type, const double* size, const double* zero, double resolution) {
   simulation::Blank blank;
-  blank.kind = type == 0 ? simulation::BlankKind::box : simulation::BlankKind::cylinder;
+  blank.kind = kind_of(type);
   blank.size = Vector::Map(size);
   blank.zero = Vector::Map(zero);
   blank.resolution = resolution;

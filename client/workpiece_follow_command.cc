@@ -111,7 +111,7 @@ int follow_log(const FollowOptions& options) {
   const auto run = runtime::read_run(options.source);
   auto reader = recording::LogReader::open(options.source);
   if (!reader) throw std::runtime_error(reader.error().text);
-  WorkpieceStream stream(run->machine.machine, options.memory_mib << 20U);
+  WorkpieceStream stream(run->machine.machine, options.memory_mib << 20U, &run->files);
   Album album(options);
   while (const auto event = reader->next()) {
     stream.take(event->channel, event->bytes);

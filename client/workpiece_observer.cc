@@ -5,13 +5,11 @@
 namespace stanok::client {
 namespace {
 
-// Main programs by their runs; what lies in a file that they include or call is named after them.
 FileNames names_of(const std::vector<channels::RunReport>& runs) {
   return [runs](const simulation::Origin& origin) {
     for (const channels::RunReport& run : runs) {
       if (run.channel != origin.channel || run.run != origin.run) continue;
-      if (origin.file == 0) return run.program;
-      return run.program + " (file " + std::to_string(origin.file) + " of it)";
+      return origin.file < run.files.size() ? run.files[origin.file] : run.program;
     }
     return std::string();
   };
@@ -61,11 +59,7 @@ bool WorkpieceObserver::finish(const std::vector<channels::RunReport>& runs) {
   for (const auto& feed : feeds_) {
     feed->follower().flush();
     for (const auto& workpiece : feed->follower().workpieces()) {
-      const auto& blocks = workpiece->report().blocks();
-      const std::string program = blocks.empty() ? std::string() : names_(blocks.front().origin);
-      workpieces_.push_back({workpiece.get(), program.empty()
-                                                  ? "channel " + std::to_string(feed->channel())
-                                                  : program});
+      workpieces_.push_back({workpiece.get(), title_of(*workpiece, names_, feed->channel())});
     }
   }
   if (workpieces_.empty() && !refused_)

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "client/diagnostic_output.h"
+#include "simulation/loose_pieces.h"
 #include "simulation/part_picture.h"
 #include "simulation/stl_file.h"
 
@@ -73,7 +74,8 @@ std::vector<simulation::Vector> marks_of(const Workpiece& workpiece) {
   return marks;
 }
 
-simulation::PictureLabels labels_of(const NamedWorkpiece& named) {
+simulation::PictureLabels labels_of(const NamedWorkpiece& named,
+                                    const simulation::LoosePieces& loose) {
   const Workpiece& workpiece = *named.workpiece;
   simulation::PictureLabels labels;
   labels.title = named.title;
@@ -82,6 +84,12 @@ simulation::PictureLabels labels_of(const NamedWorkpiece& named) {
                   workpiece.report().findings().size()),
       fmt::format("removed {:.1f} cm³ of {:.1f} cm³", workpiece.report().removed_mm3() / 1000.0,
                   volume_of(workpiece.blank()) / 1000.0)};
+  if (loose.count > 0) {
+    labels.facts.push_back(
+        fmt::format("{} cut loose and not shown: {:.1f} cm³",
+                    loose.count == 1 ? "a piece is" : fmt::format("{} pieces are", loose.count),
+                    loose.volume_mm3 / 1000.0));
+  }
   labels.marks = marks_of(workpiece);
   return labels;
 }
@@ -113,6 +121,17 @@ std::string numbered(const std::string& file, std::size_t number) {
          (path.stem().string() + "." + std::to_string(number) + path.extension().string());
 }
 
+std::string title_of(const Workpiece& workpiece, const FileNames& name_of, int channel) {
+  const std::vector<BlockRemoval> blocks = workpiece.report().blocks();
+  std::string title;
+  if (!blocks.empty()) {
+    simulation::Origin main = blocks.front().origin;
+    main.file = 0;
+    title = name_of(main);
+  }
+  return title.empty() ? "channel " + std::to_string(channel) : title;
+}
+
 nlohmann::ordered_json to_json(const Workpiece& workpiece, const FileNames& name_of) {
   const std::vector<BlockRemoval> blocks = workpiece.report().blocks();
   nlohmann::ordered_json json = {{"blank", array_of(workpiece.blank().size)},
@@ -139,12 +158,13 @@ std::vector<std::string> write_files(const std::vector<NamedWorkpiece>& workpiec
     if (!files.report.empty())
       note(write_report(workpiece, name_of, numbered(files.report, i + 1)));
     if (files.stl.empty() && files.picture.empty()) continue;
-    const simulation::Mesh mesh = surface_of(workpiece.material());
+    simulation::Mesh mesh = surface_of(workpiece.material());
+    const simulation::LoosePieces loose = take_off_loose_pieces(mesh);
     if (!files.stl.empty())
       note(write_stl(mesh, numbered(files.stl, i + 1), "stanok " + workpieces[i].title));
     if (!files.picture.empty()) {
-      note(draw_part(mesh, workpiece.blank(), workpiece.material().grid(), labels_of(workpieces[i]),
-                     numbered(files.picture, i + 1)));
+      note(draw_part(mesh, workpiece.blank(), workpiece.material().grid(),
+                     labels_of(workpieces[i], loose), numbered(files.picture, i + 1)));
     }
   }
   return failures;

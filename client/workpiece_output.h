@@ -38,6 +38,9 @@ using FileNames = std::function<std::string(const simulation::Origin&)>;
 // The first name, or the one with the number of the piece, from 1.
 [[nodiscard]] std::string numbered(const std::string& file, std::size_t number);
 
+// The main program that cuts it, or "channel 1".
+[[nodiscard]] std::string title_of(const simulation::Workpiece& workpiece, const FileNames& name_of,
+                                   int channel);
 [[nodiscard]] nlohmann::ordered_json to_json(const simulation::Workpiece& workpiece,
                                              const FileNames& name_of);
 

@@ -6,6 +6,7 @@
 #include <stanok_messages/tool_t.hpp>
 #include <stanok_messages/workpiece_t.hpp>
 
+#include "lang/interpreter.h"
 #include "recording/channel_names.h"
 #include "recording/decode.h"
 #include "recording/encode.h"
@@ -23,8 +24,9 @@ std::string prefix_of(const std::string& machine) {
 
 }  // namespace
 
-WorkpieceStream::WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max)
-    : prefix_(prefix_of(machine.name)), cycle_s_(machine.cycle_us * 1e-6) {
+WorkpieceStream::WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max,
+                                 const lang::Files* texts)
+    : texts_(texts), prefix_(prefix_of(machine.name)), cycle_s_(machine.cycle_us * 1e-6) {
   for (const channels::ChannelConfig& channel : machine.channels) {
     channels_[channel.id].feed = std::make_unique<ChannelFeed>(
         machine, channel, memory_max,
@@ -60,7 +62,7 @@ void WorkpieceStream::take(std::string_view channel_name, std::span<const std::u
   } else if (on(Topic::program_read)) {
     const auto message = recording::decode<program_read_t>(bytes);
     if (message && message->found != 0 && message->from[0] == 0)
-      program_ = std::filesystem::path(recording::text_of(message->name)).filename().string();
+      program_ = recording::text_of(message->name);
   }
 }
 
@@ -70,10 +72,21 @@ void WorkpieceStream::follow(const setpoint_t& setpoint) {
   time_s_ = static_cast<double>(setpoint.cycle) * cycle_s_;
   const simulation::Sample sample =
       sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
-  channel->programs.try_emplace(sample.origin.run, program_);
+  if (!channel->files.contains(sample.origin.run))
+    channel->files[sample.origin.run] = files_of_program();
   if (!channel->feed->has_heard(channel->news.announcements))
     channel->feed->hear(channel->news, sample);
   channel->feed->follow(sample);
+}
+
+// The program itself comes first.
+std::vector<std::string> WorkpieceStream::files_of_program() const {
+  if (texts_ != nullptr && !program_.empty()) {
+    Diagnostics warnings;
+    const auto program = lang::compile(program_, *texts_, nullptr, warnings);
+    if (program) return lang::file_names(**program);
+  }
+  return {std::filesystem::path(program_).filename().string()};
 }
 
 std::vector<NamedWorkpiece> WorkpieceStream::workpieces() {
@@ -82,25 +95,23 @@ std::vector<NamedWorkpiece> WorkpieceStream::workpieces() {
   for (auto& [id, channel] : channels_) {
     channel.feed->follower().flush();
     for (const auto& workpiece : channel.feed->follower().workpieces()) {
-      const auto blocks = workpiece->report().blocks();
-      const std::string program = blocks.empty() ? "" : name_of(blocks.front().origin);
-      named.push_back(
-          {workpiece.get(), program.empty() ? "channel " + std::to_string(id) : program});
+      named.push_back({workpiece.get(), title_of(*workpiece, name_of, id)});
     }
   }
   return named;
 }
 
 FileNames WorkpieceStream::names() const {
-  std::map<std::pair<int, std::uint32_t>, std::string> programs;
+  std::map<std::pair<int, std::uint32_t>, std::vector<std::string>> files;
   for (const auto& [id, channel] : channels_) {
-    for (const auto& [run, program] : channel.programs) programs[{id, run}] = program;
+    for (const auto& [run, names] : channel.files) files[{id, run}] = names;
   }
-  return [programs = std::move(programs)](const simulation::Origin& origin) {
-    const auto found = programs.find({origin.channel, origin.run});
-    if (found == programs.end() || found->second.empty()) return std::string();
-    if (origin.file == 0) return found->second;
-    return found->second + " (file " + std::to_string(origin.file) + " of it)";
+  return [files = std::move(files)](const simulation::Origin& origin) {
+    const auto found = files.find({origin.channel, origin.run});
+    if (found == files.end()) return std::string();
+    const std::vector<std::string>& names = found->second;
+    if (origin.file < names.size()) return names[origin.file];
+    return names.front() + " (file " + std::to_string(origin.file) + " of it)";
   };
 }
 

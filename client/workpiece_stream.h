@@ -14,13 +14,16 @@
 
 #include "client/workpiece_feed.h"
 #include "client/workpiece_output.h"
+#include "lang/environment.h"
 
 namespace stanok::client {
 
 class WorkpieceStream {
  public:
-  // `machine` outlives it.
-  WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max);
+  // `machine` and `texts` outlive it. `texts`: of the programs, for the names of files that they
+  // include and call; nullptr: not to be had.
+  WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max,
+                  const lang::Files* texts = nullptr);
 
   // A message on the LCM channel of that name.
   void take(std::string_view channel_name, std::span<const std::uint8_t> bytes);
@@ -37,12 +40,14 @@ class WorkpieceStream {
     WorkpieceNews news;
     channels::ToolAtWork tool;
     double spindle_rev_per_min = 0.0;
-    std::map<std::uint32_t, std::string> programs;  // by run
+    std::map<std::uint32_t, std::vector<std::string>> files;  // of the programs, by run
   };
 
   [[nodiscard]] Followed* followed(int channel);
   void follow(const setpoint_t& setpoint);
+  [[nodiscard]] std::vector<std::string> files_of_program() const;
 
+  const lang::Files* texts_;
   std::string prefix_;  // of the names of the machine's channels
   double cycle_s_;
   double time_s_ = 0.0;

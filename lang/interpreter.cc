@@ -58,6 +58,13 @@ std::string_view file_name(const Program& program, std::uint16_t file) {
                                      : std::string_view();
 }
 
+std::vector<std::string> file_names(const Program& program) {
+  std::vector<std::string> names;
+  names.reserve(program.files.size());
+  for (const auto& file : program.files) names.emplace_back(file->source.name());
+  return names;
+}
+
 void put_at_block(const Program& program, const Origin& origin, Diagnostic& diagnostic) {
   const Source& source = program.files[origin.file]->source;
   const Span words = source.words_of_line(origin.line);

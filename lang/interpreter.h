@@ -6,7 +6,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
@@ -33,6 +35,7 @@ class Program;  // a compiled program with all it includes; immutable, shared
 
 // File names of the job, by Origin::file.
 [[nodiscard]] std::string_view file_name(const Program& program, std::uint16_t file);
+[[nodiscard]] std::vector<std::string> file_names(const Program& program);
 
 // Puts a diagnostic that came up when a block was executed to its place: file, line, the columns of
 // its words, source line.

@@ -20,6 +20,7 @@ Vector extent(const Blank& blank) {
 }
 
 bool is_solid(const Blank& blank) {
+  if (blank.kind == BlankKind::unknown) return false;
   if (!blank.size.allFinite() || !blank.zero.allFinite()) return false;
   if (blank.kind == BlankKind::box) return blank.size.minCoeff() > 0.0;
   return blank.size.x() > 0.0 && blank.size.z() > 0.0 && blank.size.y() >= 0.0 &&

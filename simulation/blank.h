@@ -17,7 +17,7 @@ namespace stanok::simulation {
 using Vector = Eigen::Vector3d;
 using Pose = Eigen::Isometry3d;
 
-enum class BlankKind : std::uint8_t { box, cylinder };
+enum class BlankKind : std::uint8_t { box, cylinder, unknown };
 
 struct Blank {
   BlankKind kind = BlankKind::box;

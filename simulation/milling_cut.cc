@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stanok::simulation {
 namespace {
@@ -35,6 +36,23 @@ void visit_covered(const Material& material, const Body& body, const ToolPlace& 
       if (section.meet(grid.middle(first_axis, first), v, from, to)) visit(ray, from, to);
     }
   }
+}
+
+// The longest step across the axis behind which a piece leaves no more than `tolerance` over what
+// it sweeps. Between two circles of radius w that are d apart, w - √(w² - d²/4) stays, of which a
+// flank that leans by λ has the part cos λ across it; where d is wider than the circles, d/2 stays.
+double step_across(const ProfilePiece& piece, double tolerance) {
+  if (piece.c2 < 0.0) return std::sqrt(8.0 * piece.sphere_radius() * tolerance);
+  const double radius = std::min(piece.radius_at(piece.from), piece.radius_at(piece.to));
+  const double gap = tolerance * std::sqrt(1.0 + piece.c2);  // c2 of a cone: tan² λ
+  return gap >= radius ? 2.0 * gap : 2.0 * std::sqrt(gap * (2.0 * radius - gap));
+}
+
+double step_across(const Body& body, double tolerance) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const ProfilePiece& piece : body.pieces)
+    step = std::min(step, step_across(piece, tolerance));
+  return step;
 }
 
 double parts_of_way(double way, double step) {
@@ -79,12 +97,13 @@ int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace&
   if (tool.bodies.empty()) return 1;
   const Vector axis = (from.axis + to.axis).normalized();
   const double turn = (to.axis - from.axis).norm();
+  const double longest_step = step_across(tool.bodies.front(), tolerance);
   double parts = 1.0;
   for (const double height : {0.0, tool.bodies.front().top()}) {
     const Vector way = to.at(height) - from.at(height);
     const double along = std::abs(way.dot(axis));
     const double across = std::sqrt(std::max(0.0, way.squaredNorm() - along * along));
-    parts = std::max(parts, parts_of_way(across, std::sqrt(8.0 * tool.radius * tolerance)));
+    parts = std::max(parts, parts_of_way(across, longest_step));
     if (height > 0.0) continue;  // the edge is at the tip
     const double lift = along + tool.radius * turn;
     const double length = std::hypot(lift, across);

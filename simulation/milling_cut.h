@@ -13,8 +13,8 @@ double remove(Material& material, const Body& body, const ToolPlace& place);
 [[nodiscard]] double covered(const Material& material, const Body& body, const ToolPlace& place);
 
 // Into how many equal steps the way from one place to the other falls. Between two positions a
-// flank of radius R leaves cusps of d²/8R, a sharp edge that moves both along and across the tool's
-// axis steps of d sin θ cos θ.
+// flank leaves cusps, the higher the thinner the tool is there; a sharp edge that moves both along
+// and across the tool's axis leaves steps of d sin θ cos θ.
 [[nodiscard]] int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace& to,
                                 double tolerance);
 

@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint32_t none = 0xffffffffU;
 // Points keep off the corners of a cube, so that no triangle shrinks to nothing.
 constexpr double part_min = 0.01;
+// A crossing so far beside its edge is on it but for the steps of the cut; parts of a cell.
+constexpr double beside_max = 0.25;
 
 // The points of the surface on the edges of two layers of the grid: along X and Y in the layer, and
 // along Z to the next one.
@@ -86,11 +88,15 @@ class Builder {
     const auto index = [&](int k) { return node[static_cast<std::size_t>(k % 3)]; };
     const double low = grid_.middle(axis, index(axis));
     double part = 0.5;
+    double beside_min = beside_max;
     const std::size_t ray = material_.ray(axis, index(axis + 1), index(axis + 2));
     material_.family(axis).visit(ray, [&](const Interval& piece) {
       const double end = leaves ? piece.to : piece.from;
       const double along = (end - low) / grid_.cell[axis];
-      if (along >= 0.0 && along <= 1.0) part = std::clamp(along, part_min, 1.0 - part_min);
+      const double beside = std::max(-along, along - 1.0);
+      if (beside > beside_min) return;
+      beside_min = beside;
+      part = std::clamp(along, part_min, 1.0 - part_min);
     });
     Vector point;
     for (int k = 0; k < 3; ++k) point[k] = grid_.middle(k, node[static_cast<std::size_t>(k)]);
@@ -143,13 +149,16 @@ class Builder {
 
 }  // namespace
 
-// By the divergence theorem: a sixth of the sum of a · (b x c).
+// By the divergence theorem.
 double Mesh::volume() const {
   double sum = 0.0;
-  for (const auto& [a, b, c] : triangles) {
-    sum += points[a].cast<double>().dot(points[b].cast<double>().cross(points[c].cast<double>()));
-  }
-  return sum / 6.0;
+  for (const Triangle& triangle : triangles) sum += volume_under(triangle);
+  return sum;
+}
+
+double Mesh::volume_under(const Triangle& triangle) const {
+  const auto corner = [&](std::size_t k) { return points[triangle[k]].cast<double>().eval(); };
+  return corner(0).dot(corner(1).cross(corner(2))) / 6.0;
 }
 
 Mesh surface_of(const Material& material) {

@@ -17,10 +17,13 @@ namespace stanok::simulation {
 
 struct Mesh {
   using Point = Eigen::Vector3f;
-  std::vector<Point> points;                            // in K, mm
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from outside
+  std::vector<Point> points;  // in K, mm
+  using Triangle = std::array<std::uint32_t, 3>;
+  std::vector<Triangle> triangles;  // counter-clockwise from outside
 
   [[nodiscard]] double volume() const;  // mm³
+  // Of the pyramid over the triangle with its top in the origin; below 0 when seen from inside.
+  [[nodiscard]] double volume_under(const Triangle& triangle) const;
 };
 
 [[nodiscard]] Mesh surface_of(const Material& material);

@@ -102,7 +102,7 @@ std::vector<ProfilePiece> cutting_profile(const ToolShape& tool, double top, dou
 }
 
 double radius_max(const ProfilePiece& piece) {
-  if (piece.c2 < 0.0) return std::sqrt(piece.c0 + piece.c1 * piece.c1 / 4.0);
+  if (piece.c2 < 0.0) return piece.sphere_radius();
   return std::max(piece.radius_at(piece.from), piece.radius_at(piece.to));
 }
 
@@ -171,6 +171,10 @@ bool narrow(double A, double inverse_A, double B, double C, double& low, double&
 double ProfilePiece::radius_at(double height) const {
   const double a = std::clamp(height, from, to);
   return std::sqrt(std::max(0.0, c0 + a * (c1 + a * c2)));
+}
+
+double ProfilePiece::sphere_radius() const {
+  return std::sqrt(c0 + c1 * c1 / 4.0);
 }
 
 ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk) {

@@ -24,6 +24,7 @@ struct ProfilePiece {
   double c2 = 0.0;
 
   [[nodiscard]] double radius_at(double height) const;
+  [[nodiscard]] double sphere_radius() const;  // c2 = -1
 };
 
 // Convex: a line meets it in one interval. Without pieces where nothing is left of it (shrunk).

@@ -25,8 +25,8 @@ Workpiece::Workpiece(const Blank& blank, const Grid& grid)
     : blank_(blank), material_(blank, grid), report_(grid.cell.prod()) {}
 
 MillingTool Workpiece::milling_tool(const ToolShape& shape) const {
-  return {solid_of(shape, deviation()),
-          solid_of(shape, deviation(), core_depth * blank_.resolution)};
+  const double rounding = rounding_deviation * blank_.resolution;
+  return {solid_of(shape, rounding), solid_of(shape, rounding, core_depth * blank_.resolution)};
 }
 
 TurningTool Workpiece::turning_tool(const ToolShape& shape, bool mirrored) const {

@@ -38,8 +38,9 @@ struct TurningTool {
   Polygon core;
 };
 
-// Deviations are parts of the resolution: of steps and roundings, and of the core of a tool.
+// Deviations are parts of the resolution: of steps, of rounded corners, and of the core of a tool.
 inline constexpr double sweep_deviation = 0.1;
+inline constexpr double rounding_deviation = 0.02;
 inline constexpr double core_depth = 0.3;
 
 class Workpiece {

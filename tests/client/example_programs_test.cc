@@ -1,6 +1,7 @@
 // The example programs of the project run to their end on the machines they are written for.
 //
-// Not here: master.nc, which needs the generated full-size programs (./start runs it).
+// Not here, since they need generated programs: master.nc (./start runs it), master_on_blanks.nc
+// with car_body.nc and blade.nc (tests/peers/workpiece.sh).
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -46,7 +47,7 @@ constexpr Example examples[] = {
     {"helix", "stress8", ""},           {"thread", "lathe", ""},
     {"chip_breaking", "lathe", ""},     {"slender_shaft", "lathe", ""},
     {"plunge_grinding", "grinder", ""}, {"adaptive_steps", "lathe", ""},
-    {"workpiece", "e7106mf4", ""},
+    {"workpiece", "e7106mf4", ""},      {"turned_part", "lathe", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),

@@ -55,6 +55,18 @@ class WorkpieceRun : public ::testing::Test {
     return observer.json();
   }
 
+  // The JSON of the one workpiece in the log.
+  [[nodiscard]] nlohmann::ordered_json out_of_log() const {
+    const auto recorded = runtime::read_run(log_);
+    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, &recorded->files);
+    auto reader = recording::LogReader::open(log_);
+    while (const auto event = reader->next()) stream.take(event->channel, event->bytes);
+    const auto workpieces = stream.workpieces();
+    EXPECT_EQ(workpieces.size(), 1U);
+    EXPECT_EQ(workpieces.at(0).title, "part.nc");
+    return to_json(*workpieces.at(0).workpiece, stream.names());
+  }
+
   std::filesystem::path folder_;
   std::filesystem::path log_;
   bool finished_ = false;
@@ -134,17 +146,29 @@ TEST_F(WorkpieceRun, FindsNothingWithoutThem) {
 // The log knows machine, tools, programs and blank by itself.
 TEST_F(WorkpieceRun, IsTheSameOutOfItsLog) {
   const auto live = run("e7106mf4.toml", program_with(true));
-  const auto recorded = runtime::read_run(log_);
-  WorkpieceStream stream(recorded->machine.machine, simulation::memory_default);
-  auto reader = recording::LogReader::open(log_);
-  ASSERT_TRUE(reader);
-  while (const auto event = reader->next()) stream.take(event->channel, event->bytes);
-  const auto workpieces = stream.workpieces();
-  ASSERT_EQ(workpieces.size(), 1U);
-  EXPECT_EQ(workpieces[0].title, "part.nc");
-  const auto json = to_json(*workpieces[0].workpiece, stream.names());
+  const auto json = out_of_log();
   EXPECT_DOUBLE_EQ(json["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
   EXPECT_EQ(json["findings"], live[0]["findings"]);
+}
+
+// The file of a finding is the one that the block stands in, in a run and out of its log.
+TEST_F(WorkpieceRun, NamesTheCalledFile) {
+  std::ofstream(folder_ / "called.nc") << "%\nG0 Z-1\nG0 X20\nG0 Z50\nM99\n%\n";
+  const auto live = run("e7106mf4.toml", R"(#include "called.nc"
+G21 G90 G17 G40 G49 G80 G54
+#workpiece (0, 0.5, 0, 80, 60, 20, 40, 30, 20)
+T3 M6
+S9000 M3
+G0 X-60 Y0
+G43 H3 Z50
+call ("called.nc");
+M30
+)");
+  ASSERT_EQ(live.size(), 1U);
+  EXPECT_EQ(live[0]["program"], "part.nc");
+  EXPECT_THAT(findings_of(live[0]), ElementsAre(std::pair("W921", 3)));
+  EXPECT_EQ(live[0]["findings"][0]["file"], "called.nc");
+  EXPECT_EQ(out_of_log()["findings"], live[0]["findings"]);
 }
 
 TEST_F(WorkpieceRun, SaysWhenThereIsNone) {
@@ -187,6 +211,36 @@ M30
 )");
   ASSERT_EQ(workpieces.size(), 1U);
   EXPECT_NEAR(workpieces[0]["removed_mm3"], 2 * 60.0 * 6.0 * 2.0, 10.0);
+  EXPECT_THAT(findings_of(workpieces[0]), IsEmpty());
+}
+
+// A groove of 6 x 2 along X in the vise; then the part goes to the table as it is, its zero on the
+// axis of the table (Z -150: the nose hangs 200 under the pivot, the table lies at -350), and gets
+// one along Y while the table stands turned.
+TEST_F(WorkpieceRun, FollowsThePartFromTheViseToTheTable) {
+  const auto workpieces = run("e7106mf4.toml", R"(G21 G90 G17 G40 G49 G80 G54
+#workpiece (0, 0.25, 0, 80, 60, 20, 40, 30, 20)
+T3 M6
+S9000 M3
+G0 X-50 Y0
+G43 H3 Z50
+G0 Z-2
+G1 X50 F1200
+G0 Z50
+G49
+#kinematics (2, 1)
+#workpiece_pos (0, 0, -150, 0, 0, 0)
+G0 B0 C30
+G0 G43.4 H3 X0 Y-50 Z50
+G0 Z-2
+G1 Y50 F1200
+G0 Z50
+G49
+M30
+)",
+                              1);
+  ASSERT_EQ(workpieces.size(), 1U);
+  EXPECT_NEAR(workpieces[0]["removed_mm3"], 80.0 * 12.0 + 60.0 * 12.0 - 36.0 * 2.0, 20.0);
   EXPECT_THAT(findings_of(workpieces[0]), IsEmpty());
 }
 

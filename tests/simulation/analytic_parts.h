@@ -150,6 +150,78 @@ inline AnalyticPart groove() {
   return part;
 }
 
+// 30 long along X, with a mill that stands upright; q is the distance from the way of its axis. The
+// cross-section without the ends, and the two half tools at the ends as one.
+struct StraightGroove {
+  double area_mm2 = 0.0;
+  double ends_mm3 = 0.0;
+  std::vector<std::function<double(double q, double above_floor)>> faces;
+};
+
+inline AnalyticPart groove_of(std::string name, const ToolShape& tool, double depth,
+                              const StraightGroove& shape) {
+  AnalyticPart part{std::move(name), box(50.3, 20.2, 10.4), {}, 0.0, {}};
+  const Vector from(10.1, 10.15, 10.4 - depth);
+  const Vector to = from + Vector(30.0, 0.0, 0.0);
+  part.cut = [=](Workpiece& workpiece) {
+    mill_along(workpiece, tool, Vector::UnitZ(), {from + Vector(0.0, 0.0, 10.0), from, to});
+  };
+  part.removed_mm3 = 30.0 * shape.area_mm2 + shape.ends_mm3;
+  for (const auto& face : shape.faces) {
+    part.faces.emplace_back([=](const Vector& p) {
+      const double x = std::clamp(p.x(), from.x(), to.x());
+      return face(std::hypot(p.x() - x, p.y() - from.y()), p.z() - from.z());
+    });
+  }
+  return part;
+}
+
+// 3 deep, with a mill of 8 whose corners are rounded by 1.5.
+inline AnalyticPart bull_nose_groove() {
+  const double r = 4.0;
+  const double c = 1.5;
+  const double depth = 3.0;
+  ToolShape tool = rotating(ToolKind::bull, r);
+  tool.corner_radius = c;
+  StraightGroove shape;
+  shape.area_mm2 = 2.0 * ((r - c) * depth + pi * c * c / 4.0 + c * (depth - c));
+  const double flat = r - c;
+  shape.ends_mm3 = pi * (flat * flat * c + flat * pi * c * c / 2.0 + 2.0 * c * c * c / 3.0) +
+                   pi * r * r * (depth - c);
+  shape.faces = {[](double, double a) { return a; }, [=](double q, double) { return q - r; },
+                 [=](double q, double a) { return std::hypot(q - flat, a - c) - c; }};
+  return groove_of("bull-nose groove", tool, depth, shape);
+}
+
+// 4 deep, with an engraver of 2 at its tip and flanks of 15 deg.
+inline AnalyticPart tapered_groove() {
+  const double r = 1.0;
+  const double depth = 4.0;
+  const double lean = 15.0 * pi / 180.0;
+  const double slope = std::tan(lean);
+  ToolShape tool = rotating(ToolKind::taper, r);
+  tool.taper_angle = 15.0;
+  StraightGroove shape;
+  shape.area_mm2 = 2.0 * (r * depth + depth * depth * slope / 2.0);
+  const double top = r + depth * slope;
+  shape.ends_mm3 = pi / (3.0 * slope) * (top * top * top - r * r * r);
+  shape.faces = {[](double, double a) { return a; },
+                 [=](double q, double a) { return (q - r - a * slope) * std::cos(lean); }};
+  return groove_of("tapered groove", tool, depth, shape);
+}
+
+// 2 deep, with a countersink of 90 deg that is led along.
+inline AnalyticPart vee_groove() {
+  const double depth = 2.0;
+  ToolShape tool = rotating(ToolKind::drill, 4.0);
+  tool.point_angle = 90.0;
+  StraightGroove shape;
+  shape.area_mm2 = depth * depth;
+  shape.ends_mm3 = pi * depth * depth * depth / 3.0;
+  shape.faces = {[](double q, double a) { return (q - a) / std::numbers::sqrt2; }};
+  return groove_of("vee groove", tool, depth, shape);
+}
+
 // 118 deg, diameter 8, 12 deep to the shoulder of the point.
 inline AnalyticPart hole() {
   AnalyticPart part{"drilled hole", box(25.3, 25.1, 20.2), {}, 0.0, {}};
@@ -199,6 +271,38 @@ inline AnalyticPart stepped_shaft() {
   return part;
 }
 
+// A tube of 40 by 16: bored to 24 over the first 20 mm, with the nose of 0.8 in the corner.
+inline AnalyticPart bored_tube() {
+  AnalyticPart part{"bored tube", bar(40.0, 16.0, 40.3), {}, 0.0, {}};
+  const double shoulder = 20.3;
+  const double nose = 0.8;
+  ToolShape bar_tool = right_hand_insert(nose);
+  bar_tool.orientation = 3;     // cuts towards -Z and outwards
+  bar_tool.flute_length = 6.0;  // does not reach the other side of the bore
+  part.cut = [=](Workpiece& workpiece) {
+    std::vector<PlanePoint> tips;
+    for (const double x : {10.0, 12.0}) {
+      tips.push_back({42.0, x});
+      tips.push_back({shoulder, x});
+      tips.push_back({shoulder, 6.0});
+      tips.push_back({42.0, 6.0});
+    }
+    turn_along(workpiece, bar_tool, tips);
+  };
+  // Pappus, as for the shaft; the corner lies within the radius of 12.
+  const double square = nose * nose * (12.0 - nose / 2.0);
+  const double quarter = pi / 4.0 * nose * nose * (12.0 - nose + 4.0 * nose / (3.0 * pi));
+  part.removed_mm3 =
+      pi * (12.0 * 12.0 - 8.0 * 8.0) * (40.3 - shoulder) - 2.0 * pi * (square - quarter);
+  part.faces = {
+      [](const Vector& p) { return std::hypot(p.x(), p.y()) - 12.0; },
+      [=](const Vector& p) { return p.z() - shoulder; },
+      [=](const Vector& p) {
+        return std::hypot(p.z() - shoulder - nose, std::hypot(p.x(), p.y()) - 12.0 + nose) - nose;
+      }};
+  return part;
+}
+
 // From radius 8 at the face to 20, 24 mm behind it.
 inline AnalyticPart turned_cone() {
   AnalyticPart part{"turned cone", bar(40.0, 0.0, 50.2), {}, 0.0, {}};
@@ -244,7 +348,9 @@ inline AnalyticPart leaning_plane() {
 }
 
 inline std::vector<AnalyticPart> analytic_parts() {
-  return {pocket(), boss(), groove(), hole(), stepped_shaft(), turned_cone(), leaning_plane()};
+  return {pocket(),         boss(),        groove(),       bull_nose_groove(),
+          tapered_groove(), vee_groove(),  hole(),         stepped_shaft(),
+          bored_tube(),     turned_cone(), leaning_plane()};
 }
 
 }  // namespace stanok::simulation::testing

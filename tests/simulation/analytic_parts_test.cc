@@ -33,7 +33,7 @@ Measured measure(const AnalyticPart& part, double resolution) {
   Measured measured;
   for (int i = 0; i < grids; ++i) {
     Blank blank = part.blank;
-    blank.resolution = resolution * (1.0 + 0.01 * (i - grids / 2));
+    blank.resolution = resolution * (1.0 + 0.02 * (i - grids / 2));
     Workpiece workpiece(blank, *grid_of(blank));
     const double surface_before = volume_of_surface(workpiece);
     const double rays_before = workpiece.material().volume();
@@ -54,7 +54,7 @@ Measured measure(const AnalyticPart& part, double resolution) {
 
 // What the steps of the cut may leave on the coarsest of the grids.
 double deviation_max(double resolution) {
-  return sweep_deviation * 1.05 * resolution + rounding_mm;
+  return (sweep_deviation + rounding_deviation) * 1.08 * resolution + rounding_mm;
 }
 
 class AnalyticPartTest : public ::testing::TestWithParam<int> {

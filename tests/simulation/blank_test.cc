@@ -42,6 +42,7 @@ TEST(Blank, RefusesWhatIsNone) {
   for (const Blank& none :
        {blank(BlankKind::box, {0.0, 1.0, 1.0}, 0.5), blank(BlankKind::box, {1.0, -1.0, 1.0}, 0.5),
         blank(BlankKind::box, {1.0, nan, 1.0}, 0.5),
+        blank(BlankKind::unknown, {1.0, 1.0, 1.0}, 0.5),
         blank(BlankKind::cylinder, {10.0, 10.0, 5.0}, 0.5),
         blank(BlankKind::cylinder, {10.0, -1.0, 5.0}, 0.5),
         blank(BlankKind::box, {1.0, 1.0, 1.0}, 0.0), blank(BlankKind::box, {1.0, 1.0, 1.0}, -0.1),

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "simulation/cube_cases.h"
+#include "simulation/loose_pieces.h"
 #include "tests/simulation/analytic_parts.h"
 
 namespace stanok::simulation {
@@ -49,6 +50,26 @@ TEST(SurfaceMesh, IsClosedForRandomCuts) {
     const double volume = workpiece.material().volume();
     EXPECT_NEAR(mesh.volume(), volume, 0.15 * volume + 5.0) << seed;
   }
+}
+
+// A cut through the block leaves 6 of its 20 mm on one side, and a flat plate is cut off above.
+TEST(SurfaceMesh, LosesThePiecesThatAreCutLoose) {
+  Blank blank = testing::box(20.0, 10.0, 10.0);
+  blank.resolution = 0.25;
+  Workpiece workpiece(blank, *grid_of(blank));
+  testing::mill_along(workpiece, testing::rotating(ToolKind::flat, 1.0), Vector::UnitZ(),
+                      {{7.0, -5.0, -1.0}, {7.0, 15.0, -1.0}});
+  testing::mill_along(workpiece, testing::rotating(ToolKind::flat, 1.0), Vector::UnitX(),
+                      {{7.5, -5.0, 8.0}, {7.5, 15.0, 8.0}});
+  Mesh mesh = surface_of(workpiece.material());
+  const double whole = mesh.volume();
+  const LoosePieces loose = take_off_loose_pieces(mesh);
+  EXPECT_EQ(loose.count, 2U);
+  EXPECT_NEAR(loose.volume_mm3, 6.0 * 100.0 + 12.0 * 10.0 * 1.0, 15.0);
+  EXPECT_NEAR(mesh.volume(), whole - loose.volume_mm3, 1e-3);
+  EXPECT_NEAR(mesh.volume(), 12.0 * 10.0 * 7.0, 15.0);
+  EXPECT_EQ(open_edges(mesh), 0);
+  EXPECT_EQ(take_off_loose_pieces(mesh).count, 0U);
 }
 
 TEST(SurfaceMesh, HasTheVolumeOfTheBlankOutwards) {

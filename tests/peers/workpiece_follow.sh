@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# `stanok workpiece follow` beside a running daemon, in a network namespace with a loopback only.
+#
+# Before they are allowed, announcements stay with the daemon. Then a program runs with a follower on
+# the bus, and the log that the daemon has written is followed afterwards. Both must cut what
+# `simulate` cuts: the log exactly but for rounding, the bus nearly so, since UDP may lose.
+# Exit code 77 (skipped) where namespaces are not to be had.
+#
+# usage: workpiece_follow.sh STANOKD STANOK MACHINE_FILE
+set -euo pipefail
+
+skip() {
+  echo "skipped: $1"
+  exit 77
+}
+
+if [[ ${STANOK_IN_NAMESPACE:-no} == no ]]; then
+  for tool in unshare ip python3; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed"
+  done
+  enter=(unshare --net)
+  "${enter[@]}" true 2>/dev/null || enter=(unshare --map-root-user --net)
+  "${enter[@]}" true 2>/dev/null || skip "unshare is refused: no network namespace"
+  STANOK_IN_NAMESPACE=yes exec "${enter[@]}" "$0" "$@"
+fi
+
+readonly stanokd=$1 stanok=$2 machine_file=$3
+readonly url='udpm://239.255.76.67:7667?ttl=0'
+folder=$(mktemp -d)
+readonly folder
+started=()
+
+end_all() {
+  for pid in "${started[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
+  rm -rf "$folder"
+}
+trap end_all EXIT
+
+fail() {
+  printf 'FAILED: %s\n' "$1" >&2
+  cat "$folder"/*.err >&2
+  exit 1
+}
+
+operate() {
+  "$stanok" --socket "$folder/op.sock" "$@" || fail "stanok $*"
+}
+
+expect() {  # TEXT in the output of a command
+  local wanted=$1
+  shift
+  operate "$@" --json | grep -q "$wanted" || fail "stanok $* does not say $wanted"
+}
+
+ip link set lo up multicast on || skip "the loopback of the namespace cannot be set up"
+ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
+
+# A groove of 6 x 2 round a square, and a rapid through the corner of the block.
+cat >"$folder/part.nc" <<'PROGRAM'
+G21 G90 G17 G40 G49 G80 G54
+#workpiece (0, 0.5, 0, 40, 40, 10, 20, 20, 10)
+T3 M6
+S9000 M3
+G0 X-10 Y-10
+G43 H3 Z5
+G1 Z-2 F1500
+X10
+Y10
+X-10
+Y-10
+G0 Z5
+G0 X-30 Y-18
+G0 Z-1
+G0 X-15
+G0 Z100
+M30
+PROGRAM
+
+"$stanok" simulate "$folder/part.nc" --machine "$machine_file" --workpiece-report \
+  "$folder/simulated.json" >/dev/null 2>"$folder/simulate.err" || fail "simulate"
+
+"$stanokd" --machine "$machine_file" --drives embedded --lcm "$url" --state "$folder/state" \
+  --socket "$folder/op.sock" --program-root "$folder" --log "$folder/log" 2>"$folder/stanokd.err" &
+daemon=$!
+started+=("$daemon")
+for ((k = 0; k < 600; ++k)); do
+  [[ -S $folder/op.sock ]] && break
+  kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
+  sleep 0.05
+done
+
+expect '"allowed":false' workpiece status
+expect '"allowed":true' workpiece allow
+"$stanok" workpiece follow "$url" --machine "$machine_file" --out "$folder/bus" --every 2 \
+  >"$folder/follow.out" 2>"$folder/follow.err" &
+follower=$!
+started+=("$follower")
+sleep 1 # until it listens
+operate machine on
+operate program run part.nc --channel 1 --wait --json
+expect '"shape":"box"' workpiece status
+sleep 0.5
+kill -INT "$follower"
+wait "$follower" || fail "the follower ended with $?"
+operate system shutdown
+wait "$daemon" || fail "the daemon ended with $?"
+
+"$stanok" workpiece follow "$folder"/log/*.lcm --out "$folder/log_parts" >/dev/null \
+  2>"$folder/follow_log.err" || fail "the log cannot be followed"
+
+python3 - "$folder" <<'PYTHON' || fail "the parts differ"
+import glob, json, sys
+folder = sys.argv[1]
+wanted = json.load(open(folder + "/simulated.json"))
+places = lambda part: [(f["code"], f["file"], f["line"]) for f in part["findings"]]
+assert places(wanted) == [("W921", "part.nc", 15)], places(wanted)
+for name, share in ("log_parts", 1e-3), ("bus", 2e-2):
+    part = json.load(open(f"{folder}/{name}/part.json"))
+    print(f"{name}: {part['removed_mm3']:.2f} mm3, simulated {wanted['removed_mm3']:.2f} mm3")
+    assert abs(part["removed_mm3"] / wanted["removed_mm3"] - 1.0) < share
+    assert places(part) == places(wanted), places(part)
+    for file in "part.png", "part.stl":
+        assert len(open(f"{folder}/{name}/{file}", "rb").read()) > 10000, file
+assert glob.glob(folder + "/bus/part-*.png"), "no pictures at intervals"
+PYTHON
