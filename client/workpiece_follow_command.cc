@@ -66,7 +66,7 @@ class Album {
     const auto workpieces = stream.workpieces();
     if (workpieces.empty()) return;
     for (const std::string& failure : write_files(workpieces, files, stream.names())) {
-      std::fprintf(stderr, "error: %s\n", failure.c_str());
+      complain(0, "E9204", failure);
       has_failed_ = true;
     }
     if (!files.picture.empty()) {

@@ -1,7 +1,5 @@
 #include "client/workpiece_observer.h"
 
-#include <cstdio>
-
 namespace stanok::client {
 namespace {
 
@@ -65,7 +63,7 @@ bool WorkpieceObserver::finish(const std::vector<channels::RunReport>& runs) {
   if (workpieces_.empty() && !refused_)
     complain(0, "E9201", "no program has announced a workpiece with #workpiece");
   const std::vector<std::string> failures = write_files(workpieces_, files_, names_);
-  for (const std::string& failure : failures) std::fprintf(stderr, "error: %s\n", failure.c_str());
+  for (const std::string& failure : failures) complain(0, "E9204", failure);
   return !workpieces_.empty() && !refused_ && failures.empty();
 }
 

@@ -151,7 +151,7 @@ std::vector<std::string> write_files(const std::vector<NamedWorkpiece>& workpiec
                                      const WorkpieceFiles& files, const FileNames& name_of) {
   std::vector<std::string> failures;
   const auto note = [&](const std::string& failure) {
-    if (!failure.empty()) failures.push_back("E9204 " + failure);
+    if (!failure.empty()) failures.push_back(failure);
   };
   for (std::size_t i = 0; i < workpieces.size(); ++i) {
     const Workpiece& workpiece = *workpieces[i].workpiece;

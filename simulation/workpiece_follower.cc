@@ -35,18 +35,19 @@ WorkpieceFollower::WorkpieceFollower(ChannelGeometry geometry, ToolRecords tools
       memory_max_(memory_max),
       complain_(std::move(complain)) {}
 
-void WorkpieceFollower::complain_once(const std::string& code, const std::string& text) {
-  const std::string complaint = code + text;
+void WorkpieceFollower::complain_once(const std::string& code, const std::string& subject,
+                                      std::uint32_t line) {
+  const std::string complaint = code + subject;
   if (std::ranges::find(complaints_, complaint) != complaints_.end()) return;
   complaints_.push_back(complaint);
-  complain_(code, text);
+  complain_(code, line == 0 ? subject : fmt::format("line {}: {}", line, subject));
 }
 
 void WorkpieceFollower::announce(const Announcement& announcement, const Sample& now) {
   flush();
   workpiece_ = nullptr;
   const auto grid = grid_of(announcement.blank, memory_max_);
-  if (!grid) return complain_once(grid.error().code, grid.error().text);
+  if (!grid) return complain_once(grid.error().code, grid.error().text, now.origin.line);
   workpieces_.push_back(std::make_unique<Workpiece>(announcement.blank, *grid));
   workpiece_ = workpieces_.back().get();
   home_ = now.scheme;
@@ -60,8 +61,7 @@ void WorkpieceFollower::announce(const Announcement& announcement, const Sample&
 void WorkpieceFollower::place(const Placement& placement, const Sample& now) {
   flush();
   if (workpiece_ == nullptr) {
-    return complain_once("W926",
-                         fmt::format("line {}: no blank is there to be moved", now.origin.line));
+    return complain_once("W926", "no blank is there to be moved", now.origin.line);
   }
   home_ = now.scheme;
   blank_in_base_ = machine_.machine_in(home_, now.axes_M) *
@@ -97,8 +97,8 @@ const WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sam
       record == nullptr ? "the tool table does not have it" : defect_of(record->shape);
   if (!defect.empty()) {
     if (sample.tool != 0 && !sample.rapid) {
-      complain_once("W925", fmt::format("line {}: tool {} is not seen: {}", sample.origin.line,
-                                        sample.tool, defect));
+      complain_once("W925", fmt::format("tool {} is not seen: {}", sample.tool, defect),
+                    sample.origin.line);
     }
     return nullptr;
   }

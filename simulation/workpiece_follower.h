@@ -92,7 +92,8 @@ class WorkpieceFollower {
   [[nodiscard]] bool lies_on_the_way(const ToolPlace& end) const;
   [[nodiscard]] std::vector<Share> shares() const;
   void cut(const Station& to);
-  void complain_once(const std::string& code, const std::string& text);
+  // Once of each subject, where it came up first; line 0: nowhere in a program.
+  void complain_once(const std::string& code, const std::string& subject, std::uint32_t line);
 
   MachineGeometry machine_;
   ToolRecords tools_;

@@ -205,7 +205,8 @@ TEST_F(Following, SaysWhatItCannotFollow) {
   EXPECT_THAT(complaints, ElementsAre("W926"));
   follower.announce(block(), at(0.0, 0.0, 200.0, 1));
   Sample sample = at(50.0, 60.0, 68.0, 8);
-  for (const int tool : {2, 3, 2}) {
+  for (const int tool : {2, 3, 2, 3}) {
+    ++sample.origin.line;
     sample.tool = tool;
     follower.follow(sample);
   }
