@@ -182,7 +182,8 @@ TEST_F(Following, MovesTheCutBlank) {
   EXPECT_NEAR(removed(), one_groove, 2.0);
   cut_groove(110.0, 66.0, 68.0);
   EXPECT_NEAR(removed(), 2.0 * one_groove, 10.0);
-  follower.place({{50.0 - 300.0, 60.0 - 40.0, 70.0 - 100.0}, {}}, at(0.0, 0.0, 200.0, 9));
+  follower.place({{50.0 - 300.0, 60.0 - 40.0, 70.0 - 100.0}, Vector::Zero()},
+                 at(0.0, 0.0, 200.0, 9));
   cut_groove(50.0, 66.0, 68.0);
   cut_groove(50.0, 54.0, 68.0);
   EXPECT_NEAR(removed(), 2.0 * one_groove, 12.0);
