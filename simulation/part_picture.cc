@@ -171,8 +171,10 @@ std::string draw_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
   const auto views = cameras();
   const double scale = scale_for(views, size);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const double x = border + static_cast<double>(i % 2) * (view_width + border);
-    const double y = head_height + static_cast<double>(i / 2) * (view_height + border);
+    const std::size_t column = i % 2;
+    const std::size_t row = i / 2;
+    const double x = border + static_cast<double>(column) * (view_width + border);
+    const double y = head_height + static_cast<double>(row) * (view_height + border);
     draw_ground(cairo, x, y);
     Image image = render(surface, views[i], centre, scale, view_width, view_height);
     paint(cairo, image, x, y);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
 namespace stanok::simulation {
 namespace {
@@ -50,14 +51,17 @@ bool write_all(std::FILE* file, const Mesh& mesh, std::string_view title) {
   return true;
 }
 
+std::string system_error_of(const std::filesystem::path& path) {
+  return path.string() + ": " + std::generic_category().message(errno);
+}
+
 }  // namespace
 
 std::string write_stl(const Mesh& mesh, const std::filesystem::path& path, std::string_view title) {
   File file(std::fopen(path.c_str(), "wb"), &std::fclose);
-  if (file == nullptr) return path.string() + ": " + std::strerror(errno);
+  if (file == nullptr) return system_error_of(path);
   const bool is_written = write_all(file.get(), mesh, title);
-  if (std::fclose(file.release()) != 0 || !is_written)
-    return path.string() + ": " + std::strerror(errno);
+  if (std::fclose(file.release()) != 0 || !is_written) return system_error_of(path);
   return "";
 }
 
