@@ -1,6 +1,7 @@
 #include "client/overview_text.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -20,8 +21,8 @@ json member(const json& object, const char* name) {
 // "1:04:09", "4:09".
 std::string duration_text(const json& seconds) {
   if (!seconds.is_number()) return "-";
-  constexpr int minute = 60;
-  const auto s = static_cast<long>(seconds.get<double>() + 0.5);
+  constexpr long minute = 60;
+  const long s = std::lround(seconds.get<double>());
   const long hours = s / (minute * minute);
   std::array<char, 32> text{};
   if (hours > 0) {

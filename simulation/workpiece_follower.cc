@@ -95,7 +95,7 @@ const WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sam
   const ToolRecord* record = record_of(sample);
   const std::string defect =
       record == nullptr ? "the tool table does not have it" : defect_of(record->shape);
-  if (!defect.empty()) {
+  if (record == nullptr || !defect.empty()) {
     if (sample.tool != 0 && !sample.rapid) {
       complain_once("W925", fmt::format("tool {} is not seen: {}", sample.tool, defect),
                     sample.origin.line);
