@@ -135,7 +135,7 @@ void Recorder::write_flight() {
 std::optional<Expected<fs::path, recording::LogError>> Recorder::start_log() {
   const std::lock_guard lock(mutex_);
   if (!status_.log_file.empty() || log_turns_) return std::nullopt;
-  const fs::path file = log_file_name(directory_, machine_);
+  fs::path file = log_file_name(directory_, machine_);
   auto log = open_log(file);
   if (!log) return Unexpected<recording::LogError>(log.error());
   next_log_ = std::move(*log);
@@ -148,7 +148,7 @@ std::optional<Expected<fs::path, recording::LogError>> Recorder::start_log() {
 std::optional<fs::path> Recorder::stop_log() {
   const std::lock_guard lock(mutex_);
   if (status_.log_file.empty()) return std::nullopt;
-  const fs::path file = status_.log_file;
+  fs::path file = status_.log_file;
   next_log_.reset();
   status_.log_file.clear();
   status_.log_bytes = 0;

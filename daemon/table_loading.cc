@@ -128,7 +128,9 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
   for (const auto& [offset, values] : wanted.offsets) {
     for (const auto& [axis, value] : values) {
       if (value == offset_now(now, offset, axis)) continue;
-      commands.push_back(command(OperatorAction::offset_set, offset + " " + axis, value));
+      std::string place = offset;
+      place.append(" ").append(axis);
+      commands.push_back(command(OperatorAction::offset_set, place, value));
     }
   }
   return commands;
