@@ -160,6 +160,7 @@ std::optional<fs::path> Recorder::stop_log() {
 void Recorder::turn_log() {
   const std::lock_guard lock(mutex_);
   log_turns_ = false;
+  tell_error_of_log();
   log_.turn_to(std::move(next_log_), utime());
   has_told_error_ = false;
 }
@@ -177,8 +178,13 @@ void Recorder::refresh_status() {
   const recording::LogStatus& log = log_.writer()->status();
   status_.log_bytes = log.bytes;
   status_.log_events = log.events;
-  if (!log.error || has_told_error_) return;
-  status_.log_error = log.error->text;
+  tell_error_of_log();
+}
+
+// Once for each log; also of what was still on its way to the disk when the log was ended.
+void Recorder::tell_error_of_log() {
+  if (log_.writer() == nullptr || log_.writer()->flush() || has_told_error_) return;
+  status_.log_error = log_.writer()->status().error->text;
   has_told_error_ = true;
   spdlog::error("logging has stopped: {}", status_.log_error);
 }

@@ -58,6 +58,7 @@ class Recorder final : public CycleListener {
   void turn_log();
   void write_flight();
   void refresh_status();
+  void tell_error_of_log();
   [[nodiscard]] std::int64_t utime() const;
 
   std::filesystem::path directory_;

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -62,6 +64,23 @@ TEST_F(RecorderTest, BeginsAndEndsALogOnDemand) {
   EXPECT_TRUE(contents->is_sound());
   EXPECT_EQ(contents->channels.at("STANOK_FAKE_CH1_SETPOINT").messages, 500);
   EXPECT_EQ(recorder.status().log_file, "");
+}
+
+// What is still in the buffer does not fit on the disk any more when the log is ended.
+TEST_F(RecorderTest, SaysThatTheEndOfALogIsLost) {
+  const auto started = recorder.start_log();
+  ASSERT_TRUE(started && *started);
+  run(100);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{.rlim_cur = 16, .rlim_max = before.rlim_max};
+  const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  ASSERT_TRUE(recorder.stop_log());
+  run(1);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, ignored);
+  EXPECT_THAT(recorder.status().log_error, ::testing::HasSubstr("File too large"));
 }
 
 TEST_F(RecorderTest, SaysWhyALogCannotBeBegun) {
