@@ -88,6 +88,7 @@ std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) 
       plant.power_idle_w = spindle.power_idle_w;
     }
     drives.push_back(spindle_drive(spindle.id, plant));
+    drives.back().watch.watchdog_s = watchdog_of(machine.bus);
     const auto on_bus =
         std::ranges::find(machine.bus.spindles, spindle.id, &drives::AxisDriveConfig::spindle);
     if (on_bus != machine.bus.spindles.end()) drives.back().registers = *on_bus;

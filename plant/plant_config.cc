@@ -1,7 +1,13 @@
 // Simulated drives made from what the machine says of its real ones.
 #include "plant/plant_config.h"
 
+#include <algorithm>
+
 namespace stanok::plant {
+
+double watchdog_of(const drives::BusConfig& bus) {
+  return std::max(WatchConfig{}.watchdog_s, 2e-3 * bus.timeout_ms);
+}
 
 std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
                                             std::span<const double> start) {
@@ -13,6 +19,7 @@ std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
     }
     drive.axis.velocity_max = 1.2 * registers.velocity_max;  // a drive has some reserve
     drive.watch.following_error_max = registers.following_error_max;
+    drive.watch.watchdog_s = watchdog_of(bus);
     drives.push_back(drive);
   }
   return drives;

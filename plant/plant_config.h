@@ -93,6 +93,11 @@ inline constexpr int spindle_unit_base = 200;
 // Unit id of the panel for fault injection, unless a drive has it.
 inline constexpr int fault_panel_unit = 247;
 
+// Seconds of silence after which a drive trips whose watchdog the machine file does not say: twice
+// the time-out of its bus, which must end first (docs/drives.md), and never less than half a
+// second.
+[[nodiscard]] double watchdog_of(const drives::BusConfig& bus);
+
 // Simulated drives of all axes of a bus, starting at `start` (empty: all at 0).
 [[nodiscard]] std::vector<SimulatedDriveConfig> drives_of(const drives::BusConfig& bus,
                                                           std::span<const double> start);

@@ -3,9 +3,12 @@
 #
 # usage of those tests: TEST STANOKD STANOK MACHINE_FILE
 # shellcheck shell=bash
-readonly stanokd=$1 machine_file=$3
+# shellcheck source=tests/support/patient_machine.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/patient_machine.sh"
+readonly stanokd=$1
 folder=$(mktemp -d)
 readonly folder
+machine_file=$(patient_machine "$3" "$folder")
 operate=("$2" --socket "$folder/op.sock")
 daemon=
 
@@ -16,9 +19,9 @@ stop_daemon() {
 trap stop_daemon EXIT
 
 fail() {
-  printf 'FAILED: %s\n' "$1" >&2
   "${operate[@]}" channel status --json >&2 || true
   cat "$folder/stanokd.err" >&2
+  printf 'FAILED: %s\n' "$1" >&2
   exit 1
 }
 

@@ -9,43 +9,10 @@
 # usage: lcm_in_namespace.sh STANOKD STANOK MACHINE_FILE [SECONDS]   (length of the program, default 4)
 set -euo pipefail
 
-skip() {
-  echo "skipped: $1"
-  exit 77
-}
-
-if [[ ${STANOK_IN_NAMESPACE:-no} == no ]]; then
-  for tool in unshare ip lcm-logger lcm-logplayer python3; do
-    command -v "$tool" >/dev/null || skip "$tool is not installed"
-  done
-  enter=(unshare --net)
-  "${enter[@]}" true 2>/dev/null || enter=(unshare --map-root-user --net)
-  "${enter[@]}" true 2>/dev/null || skip "unshare is refused: no network namespace"
-  STANOK_IN_NAMESPACE=yes exec "${enter[@]}" "$0" "$@"
-fi
-
-readonly stanokd=$1 stanok=$2 machine_file=$3 seconds=${4:-4}
-readonly url='udpm://239.255.76.67:7667?ttl=0'
-here=$(dirname "${BASH_SOURCE[0]}")
-folder=$(mktemp -d)
-readonly here folder
-started=()
-
-end_all() {
-  for pid in "${started[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
-  rm -rf "$folder"
-}
-trap end_all EXIT
-
-fail() {
-  printf 'FAILED: %s\n' "$1" >&2
-  cat "$folder"/*.err >&2
-  exit 1
-}
-
-operate() {
-  "$stanok" --socket "$folder/op.sock" "$@" || fail "stanok $*"
-}
+readonly needed_tools=(lcm-logger lcm-logplayer python3)
+# shellcheck source=tests/peers/in_namespace.sh
+source "$(dirname "${BASH_SOURCE[0]}")/in_namespace.sh"
+readonly seconds=${4:-4}
 
 summary() {
   python3 "$here/log_summary.py" "$@" || fail "$1 cannot be read"
@@ -55,9 +22,6 @@ summary() {
 count() {
   summary "$@" | awk '$1 == "sum" { print $3 }'
 }
-
-ip link set lo up multicast on || skip "the loopback of the namespace cannot be set up"
-ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
 
 # A line of 0.8 s and half a circle of 1.26 s, there and back.
 {
@@ -69,15 +33,7 @@ ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
 lcm-logger --quiet --lcm-url="$url" "$folder/peer.lcm" 2>"$folder/logger.err" &
 logger=$!
 started+=("$logger")
-"$stanokd" --machine "$machine_file" --drives embedded --lcm "$url" --state "$folder/state" \
-  --socket "$folder/op.sock" --program-root "$folder" --log "$folder/log" 2>"$folder/stanokd.err" &
-daemon=$!
-started+=("$daemon")
-for ((k = 0; k < 600; ++k)); do
-  [[ -S $folder/op.sock ]] && break
-  kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
-  sleep 0.05
-done
+start_daemon
 
 operate machine on
 operate program run part.nc --wait --json

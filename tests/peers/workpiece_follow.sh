@@ -9,51 +9,15 @@
 # usage: workpiece_follow.sh STANOKD STANOK MACHINE_FILE
 set -euo pipefail
 
-skip() {
-  echo "skipped: $1"
-  exit 77
-}
-
-if [[ ${STANOK_IN_NAMESPACE:-no} == no ]]; then
-  for tool in unshare ip python3; do
-    command -v "$tool" >/dev/null || skip "$tool is not installed"
-  done
-  enter=(unshare --net)
-  "${enter[@]}" true 2>/dev/null || enter=(unshare --map-root-user --net)
-  "${enter[@]}" true 2>/dev/null || skip "unshare is refused: no network namespace"
-  STANOK_IN_NAMESPACE=yes exec "${enter[@]}" "$0" "$@"
-fi
-
-readonly stanokd=$1 stanok=$2 machine_file=$3
-readonly url='udpm://239.255.76.67:7667?ttl=0'
-folder=$(mktemp -d)
-readonly folder
-started=()
-
-end_all() {
-  for pid in "${started[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
-  rm -rf "$folder"
-}
-trap end_all EXIT
-
-fail() {
-  printf 'FAILED: %s\n' "$1" >&2
-  cat "$folder"/*.err >&2
-  exit 1
-}
-
-operate() {
-  "$stanok" --socket "$folder/op.sock" "$@" || fail "stanok $*"
-}
+readonly needed_tools=(python3)
+# shellcheck source=tests/peers/in_namespace.sh
+source "$(dirname "${BASH_SOURCE[0]}")/in_namespace.sh"
 
 expect() {  # TEXT in the output of a command
   local wanted=$1
   shift
   operate "$@" --json | grep -q "$wanted" || fail "stanok $* does not say $wanted"
 }
-
-ip link set lo up multicast on || skip "the loopback of the namespace cannot be set up"
-ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
 
 # A groove of 6 x 2 round a square, and a rapid through the corner of the block.
 cat >"$folder/part.nc" <<'PROGRAM'
@@ -79,15 +43,7 @@ PROGRAM
 "$stanok" simulate "$folder/part.nc" --machine "$machine_file" --workpiece-report \
   "$folder/simulated.json" >/dev/null 2>"$folder/simulate.err" || fail "simulate"
 
-"$stanokd" --machine "$machine_file" --drives embedded --lcm "$url" --state "$folder/state" \
-  --socket "$folder/op.sock" --program-root "$folder" --log "$folder/log" 2>"$folder/stanokd.err" &
-daemon=$!
-started+=("$daemon")
-for ((k = 0; k < 600; ++k)); do
-  [[ -S $folder/op.sock ]] && break
-  kill -0 "$daemon" 2>/dev/null || fail "the daemon did not start"
-  sleep 0.05
-done
+start_daemon
 
 expect '"allowed":false' workpiece status
 expect '"allowed":true' workpiece allow

@@ -97,6 +97,18 @@ TEST_F(SimulatedDriveTest, WatchdogTripsWhenNothingIsWritten) {
   EXPECT_EQ(drive.status().fault_code, 0x8130);
 }
 
+TEST_F(SimulatedDriveTest, WatchdogIsLongerThanALongTimeoutOfTheBus) {
+  drives::BusConfig bus;
+  bus.timeout_ms = 3000;
+  bus.axes = {config().registers};
+  drive = SimulatedDrive(drives_of(bus, {}).front());
+  switch_on();
+  advance(5.9);
+  EXPECT_EQ(drive.state(), DriveState::operation_enabled);
+  advance(0.2);
+  EXPECT_EQ(drive.state(), DriveState::fault);
+}
+
 TEST_F(SimulatedDriveTest, ALastingFollowingErrorTrips) {
   SimulatedDriveConfig slow = config();
   slow.axis.velocity_max = 1.0;
