@@ -260,9 +260,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "see the text; check directory, rights and space", "give the command again"},
     {"E9014", "tables that cannot be read", Reaction::warning,
      "mend the named place; tool save shows what such a text looks like", "give the command again"},
-    {"E9015", "a property of a tool that is fixed while the daemon runs", Reaction::warning,
-     "lengths, radii, wear, overhang, orientation and angles can be loaded; for name and shape end "
-     "the daemon and change the tables file of the machine",
+    {"E9015", "a value that cannot be loaded while the daemon runs", Reaction::warning,
+     "lengths, radii, wear, overhang, orientation and angles can be loaded; name and shape of a "
+     "tool "
+     "stand in the tables file of the machine, reference points are stored by programs (G28.1)",
      "give the command again"},
     {"E9101", "a control file of a grinding cycle that cannot be read", Reaction::warning,
      "see the text for the place and what is expected there; docs/grinding.md has the form",

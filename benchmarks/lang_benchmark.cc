@@ -33,6 +33,8 @@ class EmptyTables : public Tables {
   [[nodiscard]] std::optional<AxisValues> work_offset(int) const override { return AxisValues{}; }
   [[nodiscard]] std::optional<Tool> tool(int) const override { return Tool{}; }
   [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
+  [[nodiscard]] AxisValues reference_point(int) const override { return {}; }
+  void store_reference_point(int, const AxisValues&) override {}
 };
 
 ChannelDescription five_axes() {
@@ -65,7 +67,7 @@ std::string plain_text(bool rotary, bool motion_code) {
 
 void run(benchmark::State& state, const std::string& text) {
   const OneFile files(text);
-  const EmptyTables tables;
+  EmptyTables tables;
   const ChannelDescription channel = five_axes();
   Diagnostics warnings;
   const auto program = compile("program.nc", files, &channel, warnings);

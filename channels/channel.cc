@@ -74,6 +74,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   stop_at_step();
   work_riders();
   show_remarks(cycle);
+  name_program();
   if (power_off_wanted_ && !resetting_ && is_standing()) {
     power(false);
     power_off_wanted_ = false;
@@ -156,6 +157,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.hold_cause = state_ == ChannelState::held ? hold_cause_ : HoldCause::none;
   output.scheme = scheme_;
   output.tag = running_ ? tag_at_hand() : motion::BlockTag{};
+  output.program = program_;
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
   output.feed_override = control_.feed_override;
@@ -239,6 +241,14 @@ void Channel::fail_run(std::string_view code, std::string_view text, const motio
   raise_alarm(code, text, tag);
   begin_reset();
   alarm_stays_ = true;
+}
+
+void Channel::name_program() RT_SAFE {
+  if (!program_.view().empty() || !running_) return;
+  motion::BlockTag tag = tag_at_hand();
+  if (tag.line == 0) return;
+  tag.file = 0;
+  program_ = file_name(tag);
 }
 
 const FileName& Channel::file_name(const motion::BlockTag& tag) const RT_SAFE {

@@ -278,6 +278,7 @@ class Channel {
   void forget_riders() RT_SAFE;
   [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
+  void name_program() RT_SAFE;
   void show(const Remark& remark, std::int64_t cycle) RT_SAFE;
   void continue_reset() RT_SAFE;
   void forget_arrivals() RT_SAFE;
@@ -365,6 +366,7 @@ class Channel {
   lang::AxisSet switched_axes_ = 0;  // that the switch at hand braked or released so far
   int scheme_ = 0;
   std::uint32_t run_ = 0;
+  FileName program_;  // of the run, once one of its blocks is at hand
   std::int64_t cycle_ = 0;
   std::int64_t start_cycle_ = 0;
   std::int64_t end_cycle_ = 0;

@@ -34,6 +34,7 @@ Notice Channel::notice_of_start(NoticeKind kind) const RT_SAFE {
 
 void Channel::begin_run(Job job) RT_SAFE {
   ++run_;
+  program_ = {};
   run_before_ok_ = run_ok_;
   running_ = true;
   run_ok_ = false;

@@ -54,6 +54,10 @@ std::string work_offset_name(int number) {
   return "G54.1 P" + std::to_string(number - 9);
 }
 
+std::string reference_point_name(int which) {
+  return which == 1 ? "G28" : "G30 P" + std::to_string(which);
+}
+
 int work_offset_number(std::string_view name) RT_SAFE {
   constexpr std::array<std::string_view, 9> plain{"G54", "G55",   "G56",   "G57",  "G58",
                                                   "G59", "G59.1", "G59.2", "G59.3"};
@@ -85,6 +89,10 @@ LiveTables::LiveTables(const MachineConfig& machine)
     : write_protected_(machine.tables_write_protected) {
   for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
   columns_.emplace_back("R");
+  for (const ChannelConfig& channel : machine.channels) channels_.push_back(channel.id);
+  reference_points_ = std::make_unique<std::atomic<double>[]>(
+      channels_.size() * lang::reference_point_count * columns_.size());
+  for (const int channel : channels_) read_reference_points(channel, machine.tables);
   offsets_ = std::make_unique<std::atomic<double>[]>(work_offsets_max * columns_.size());
   for (int number = 1; number <= work_offsets_max; ++number) {
     const auto row = machine.tables.offsets.find(work_offset_name(number));
@@ -109,6 +117,34 @@ LiveTables::LiveTables(const MachineConfig& machine)
     const auto values = values_of(made.fixed);
     for (std::size_t k = 0; k < values.size(); ++k) made.values[k] = values[k];
   }
+}
+
+void LiveTables::read_reference_points(int channel, const TablesConfig& tables) {
+  const auto points = tables.reference_points.find(channel);
+  if (points == tables.reference_points.end()) return;
+  for (int which = 1; which <= lang::reference_point_count; ++which) {
+    const auto row = points->second.find(reference_point_name(which));
+    if (row == points->second.end()) continue;
+    for (const auto& [axis, value] : row->second)
+      store_reference_point(channel, which, axis, value);
+  }
+}
+
+std::atomic<double>& LiveTables::reference_cell(int channel, int which,
+                                                std::string_view axis) const {
+  const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
+  const std::size_t row = static_cast<std::size_t>(place) * lang::reference_point_count +
+                          static_cast<std::size_t>(which - 1);
+  return reference_points_[row * columns_.size() + static_cast<std::size_t>(column(axis))];
+}
+
+double LiveTables::reference_point(int channel, int which, std::string_view axis) const {
+  return reference_cell(channel, which, axis);
+}
+
+void LiveTables::store_reference_point(int channel, int which, std::string_view axis,
+                                       double value) {
+  reference_cell(channel, which, axis) = value;
 }
 
 std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
@@ -189,7 +225,18 @@ TablesConfig LiveTables::snapshot() const {
       if (value != 0.0) tables.offsets[work_offset_name(number)][columns_[axis]] = value;
     }
   }
+  for (const int channel : channels_) add_reference_points(channel, tables);
   return tables;
+}
+
+void LiveTables::add_reference_points(int channel, TablesConfig& tables) const {
+  for (int which = 1; which <= lang::reference_point_count; ++which) {
+    for (std::size_t axis = 0; axis + 1 < columns_.size(); ++axis) {
+      const double value = reference_point(channel, which, columns_[axis]);
+      if (value == 0.0) continue;
+      tables.reference_points[channel][reference_point_name(which)][columns_[axis]] = value;
+    }
+  }
 }
 
 std::optional<double> execute_table_request(LiveTables& tables, const RequestData& request,
@@ -212,9 +259,9 @@ std::optional<double> execute_table_request(LiveTables& tables, const RequestDat
                  : tables.tool_value(request.number, request.index, request.channel);
 }
 
-ChannelTables::ChannelTables(const LiveTables& live, const MachineConfig& machine,
+ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
                              const ChannelConfig& channel)
-    : live_(live) {
+    : live_(live), channel_(channel.id) {
   for (const int axis : channel.axes)
     axis_names_.push_back(machine.axes[static_cast<std::size_t>(axis)].name);
 }
@@ -232,6 +279,18 @@ std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {
 // Beside the axes of its row, under the word of G10 L2.
 double ChannelTables::work_offset_rotation(int number) const {
   return live_.offset(number, "R").value_or(0.0);
+}
+
+lang::AxisValues ChannelTables::reference_point(int which) const {
+  lang::AxisValues point{};
+  for (std::size_t k = 0; k < axis_names_.size(); ++k)
+    point[k] = live_.reference_point(channel_, which, axis_names_[k]);
+  return point;
+}
+
+void ChannelTables::store_reference_point(int which, const lang::AxisValues& point_M) {
+  for (std::size_t k = 0; k < axis_names_.size(); ++k)
+    live_.store_reference_point(channel_, which, axis_names_[k], point_M[k]);
 }
 
 std::optional<lang::Tool> ChannelTables::tool(int number) const {

@@ -1,9 +1,10 @@
-// The live tables of the machine: tools and work offsets, read by all preparations, written by
-// programs and operators.
+// The live tables of the machine: tools, work offsets and reference points, read by all
+// preparations, written by programs and operators.
 //
 // Which entries exist is fixed when the machine starts; each value is read and written atomically,
-// by programs in the cycle. Names: "G54".."G59", "G59.1".."G59.3", "G54.1 P1".. for the work
-// offsets; absent rows are zero. Any thread.
+// by programs in the cycle, reference points by the preparation of their channel alone. Names:
+// "G54".."G59", "G59.1".."G59.3", "G54.1 P1".. for the work offsets; absent rows are zero. Any
+// thread.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 #include "base/rt_safe.h"
 #include "channels/item.h"
 #include "channels/machine_config.h"
+#include "kinematics/scheme.h"
 #include "lang/environment.h"
 
 namespace stanok::channels {
@@ -40,6 +42,8 @@ enum class ToolValue : std::uint8_t {
 inline constexpr int tool_values = 10;
 // "length", "wear_radius"...; 0: there is no such value.
 [[nodiscard]] int tool_value_named(std::string_view name) RT_SAFE;
+// "G28" for 1, "G30 P2" to "G30 P4".
+[[nodiscard]] std::string reference_point_name(int which);
 // The number of work_offset_name; 0: there is no such offset.
 [[nodiscard]] int work_offset_number(std::string_view name) RT_SAFE;
 
@@ -54,6 +58,11 @@ class LiveTables {
   [[nodiscard]] std::optional<double> offset(int number, const std::string& axis) const;
   [[nodiscard]] std::optional<ToolEdge> tool(int number, int edge) const;
   [[nodiscard]] TablesConfig snapshot() const;
+
+  // A coordinate in M of reference point `which` from 1. The machine has the channel (its id) and
+  // the axis.
+  [[nodiscard]] double reference_point(int channel, int which, std::string_view axis) const;
+  void store_reference_point(int channel, int which, std::string_view axis, double value);
 
   // The cycle: single values. `axis` counts among all axes of the machine, or is
   // lang::rotation_of_offset (deg). Nothing, or false, when
@@ -80,9 +89,16 @@ class LiveTables {
     return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
   }
 
+  void read_reference_points(int channel, const TablesConfig& tables);
+  void add_reference_points(int channel, TablesConfig& tables) const;
+  [[nodiscard]] std::atomic<double>& reference_cell(int channel, int which,
+                                                    std::string_view axis) const;
+
   std::vector<std::string> columns_;  // of the offsets: the axes, and R, the rotation
+  std::vector<int> channels_;         // ids
   bool write_protected_ = false;
   std::unique_ptr<std::atomic<double>[]> offsets_;
+  std::unique_ptr<std::atomic<double>[]> reference_points_;
   std::unique_ptr<ToolRow[]> tools_;  // ascending by number and edge
   std::size_t tool_count_ = 0;
 };
@@ -96,20 +112,30 @@ class LiveTables {
 // The tables as the interpreter of one channel sees them.
 class ChannelTables final : public lang::Tables {
  public:
-  ChannelTables(const LiveTables& live, const MachineConfig& machine, const ChannelConfig& channel);
+  ChannelTables(LiveTables& live, const MachineConfig& machine, const ChannelConfig& channel);
 
   [[nodiscard]] std::optional<lang::AxisValues> work_offset(int number) const override;
   [[nodiscard]] double work_offset_rotation(int number) const override;
   [[nodiscard]] std::optional<lang::Tool> tool(int number) const override;
   [[nodiscard]] std::optional<lang::Tool> tool_edge(int number, int edge) const override;
   [[nodiscard]] lang::AxisValues scheme_zero() const override { return scheme_zero_; }
+  [[nodiscard]] lang::AxisValues reference_point(int which) const override;
+  void store_reference_point(int which, const lang::AxisValues& point_M) override;
 
-  void set_scheme_zero(const lang::AxisValues& zero) { scheme_zero_ = zero; }
+  [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
+
+  // The scheme that is active from now on.
+  void set_scheme(const kinematics::Scheme& scheme) {
+    scheme_zero_ = scheme.config().zero;
+    axes_of_scheme_ = static_cast<lang::AxisSet>(scheme.participants());
+  }
 
  private:
-  const LiveTables& live_;
+  LiveTables& live_;
+  int channel_;
   std::vector<std::string> axis_names_;
   lang::AxisValues scheme_zero_{};
+  lang::AxisSet axes_of_scheme_ = 0;
 };
 
 }  // namespace stanok::channels

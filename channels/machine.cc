@@ -75,8 +75,7 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
 // One channel whole: both sides and the rings between them.
 struct Seat {
   Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
-       const lang::Files& files, const LiveTables& tables, SharedVariables& shared,
-       CycleBooks books)
+       const lang::Files& files, LiveTables& tables, SharedVariables& shared, CycleBooks books)
       : schemes(make_schemes(config)),
         preparation(machine, config, schemes, files, tables, shared, link, *books.reports),
         channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,

@@ -104,9 +104,13 @@ struct ToolEdge {
   double point_angle = 0.0, taper_angle = 0.0;
 };
 
+using AxisRow = std::map<std::string, double>;  // axis name -> mm or deg
+
 struct TablesConfig {
-  std::vector<ToolEdge> tools;  // absent rows 1..99: length 0, radius 0
-  std::map<std::string, std::map<std::string, double>> offsets;  // "G54" -> axis name -> mm or deg
+  std::vector<ToolEdge> tools;             // absent rows 1..99: length 0, radius 0
+  std::map<std::string, AxisRow> offsets;  // "G54" -> axes
+  // channel id -> "G28", "G30 P2" to "G30 P4" -> axes, in M; absent values are zero
+  std::map<int, std::map<std::string, AxisRow>> reference_points;
 };
 
 struct MachineConfig {

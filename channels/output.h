@@ -191,6 +191,7 @@ struct ChannelOutput {
   HoldCause hold_cause = HoldCause::none;
   std::int32_t scheme = 0;
   motion::BlockTag tag;         // of the block at hand; line 0: no program runs
+  FixedText<96> program;        // of the run, from its first block at hand on, also when it is over
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
   double feed_override = 1.0;

@@ -34,9 +34,8 @@ SchemeSet make_schemes(const ChannelConfig& channel) {
 }
 
 Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& channel,
-                         const SchemeSet& schemes, const lang::Files& files,
-                         const LiveTables& tables, SharedVariables& shared, ChannelLink& link,
-                         ReportBook& reports)
+                         const SchemeSet& schemes, const lang::Files& files, LiveTables& tables,
+                         SharedVariables& shared, ChannelLink& link, ReportBook& reports)
     : config_(channel),
       schemes_(schemes),
       files_(files),
@@ -141,7 +140,7 @@ void Preparation::start(const Notice& notice) {
   feed_is_warned_of_ = false;
   scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
   blocks_.restart(scheme_, notice.axes_M);
-  if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
+  if (scheme_ != nullptr) tables_.set_scheme(*scheme_);
   chain_open_ = false;
   push_transform();
   const bool is_line = notice.kind == NoticeKind::start_line;
@@ -181,7 +180,7 @@ void Preparation::take_answer(const Notice& notice) {
   answer.text += notice.text.view();
   if (scheme_switched_ || axes_change_) {
     blocks_.change_scheme(scheme_, notice.axes_M);
-    if (scheme_switched_) tables_.set_scheme_zero(scheme_->config().zero);
+    if (scheme_switched_) tables_.set_scheme(*scheme_);
     push_transform();
     scheme_switched_ = false;
     axes_change_ = false;

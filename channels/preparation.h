@@ -33,7 +33,7 @@ using SchemeSet = std::map<int, std::unique_ptr<const kinematics::Scheme>>;
 class Preparation {
  public:
   Preparation(const MachineConfig& machine, const ChannelConfig& channel, const SchemeSet& schemes,
-              const lang::Files& files, const LiveTables& tables, SharedVariables& shared,
+              const lang::Files& files, LiveTables& tables, SharedVariables& shared,
               ChannelLink& link, ReportBook& reports);
 
   [[nodiscard]] Progress step();

@@ -40,7 +40,7 @@ void Preparation::search(const Notice& notice) {
   scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
   blocks_.restart(scheme_, notice.axes_M);
   blocks_.forget_laws();
-  if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
+  if (scheme_ != nullptr) tables_.set_scheme(*scheme_);
   interpreter_.set_block_skip(notice.block_skip);
   task_ = Task::running;
   if (enter_program(ProgramSearch::Stage::look) && !search_->calculates) arrive();
@@ -197,7 +197,7 @@ std::optional<Diagnostic> Preparation::pass_request(const lang::Command& command
   if (own && schemes_.contains(request.number)) {
     search_->scheme = schemes_.at(request.number).get();
     blocks_.change_scheme(search_->scheme, axes_behind_switch(*search_->scheme, blocks_.axes_M()));
-    tables_.set_scheme_zero(search_->scheme->config().zero);
+    tables_.set_scheme(*search_->scheme);
   }
   answer->position_B = blocks_.position_B();
   answer->position_valid = true;

@@ -1,8 +1,11 @@
-// Keys and checks of the tables file: [[tool]] and [offset.G54].
+// Keys and checks of the tables file: [[tool]], [offset.G54] and [reference_point.1.G28].
 #include "config/tables_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
+
+#include "channels/output.h"
 
 namespace stanok::config {
 namespace {
@@ -16,12 +19,14 @@ constexpr std::string_view rotation_key = "R";
 struct TablesFile {
   Subtables tools = nullptr;
   Subtable offsets = nullptr;
+  Subtable reference_points = nullptr;
 };
 
 const Keys<TablesFile>& tables_keys() {
   static const Keys<TablesFile> keys = {
       {"tool", at<&TablesFile::tools>, optional, "", "one edge of a tool"},
       {"offset", at<&TablesFile::offsets>, optional, "", "work offsets"},
+      {"reference_point", at<&TablesFile::reference_points>, optional, "", "points of G28 and G30"},
   };
   return keys;
 }
@@ -135,6 +140,69 @@ void read_offsets(Subtable offsets, const std::vector<std::string>& axis_names,
   }
 }
 
+// 0: it is none.
+int number_of_channel(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && end == text.data() + text.size();
+  return is_whole && number >= 1 && number <= channels::channels_max ? number : 0;
+}
+
+void read_reference_point(const std::string& name, const toml::table& table,
+                          const std::vector<std::string>& axis_names, channels::AxisRow& row,
+                          const Scope& scope) {
+  const std::vector<std::string_view> known(axis_names.begin(), axis_names.end());
+  refuse_unknown_keys(table, known, scope);
+  for (const auto& [axis, node] : table) {
+    if (std::ranges::find(known, axis.str()) == known.end()) continue;
+    detail::read_value(node, {.name = axis.str(), .unit = "mm, deg", .meaning = name}, scope,
+                       row[std::string(axis.str())]);
+  }
+}
+
+void read_points_of_channel(int channel, const toml::table& points,
+                            const std::vector<std::string>& axis_names, TablesConfig& tables,
+                            FaultList& faults) {
+  for (const auto& [key, node] : points) {
+    const std::string name(key.str());
+    const Scope scope{faults, "reference point " + name};
+    if (!is_reference_point(name)) {
+      scope.fault(key.source(),
+                  "no such reference point; use G28, \"G30 P2\", \"G30 P3\" or "
+                  "\"G30 P4\"");
+    } else if (!node.is_table()) {
+      scope.fault(node.source(), "not a table; write the axes under [reference_point." +
+                                     std::to_string(channel) + ".\"" + name + "\"]");
+    } else {
+      read_reference_point(name, *node.as_table(), axis_names,
+                           tables.reference_points[channel][name], scope);
+    }
+  }
+}
+
+void read_reference_points(Subtable channels, const std::vector<std::string>& axis_names,
+                           TablesConfig& tables, FaultList& faults) {
+  if (channels == nullptr) return;
+  for (const auto& [key, node] : *channels) {
+    const Scope scope{faults, "reference_point " + std::string(key.str())};
+    const int channel = number_of_channel(key.str());
+    if (channel == 0) {
+      scope.fault(key.source(), "no number of a channel; write [reference_point.1.G28]");
+    } else if (!node.is_table()) {
+      scope.fault(node.source(), "not a table; write [reference_point." + std::string(key.str()) +
+                                     ".G28] and its axes");
+    } else {
+      read_points_of_channel(channel, *node.as_table(), axis_names, tables, faults);
+    }
+  }
+}
+
+toml::table to_table(const channels::AxisRow& row) {
+  toml::table table;
+  for (const auto& [axis, value] : row) table.insert(axis, value);
+  return table;
+}
+
 toml::table to_table(const ToolEdge& tool) {
   return toml::table{{"number", tool.number},
                      {"edge", tool.edge},
@@ -173,6 +241,10 @@ bool is_work_offset(std::string_view name) {
   return std::ranges::find(plain, name) != plain.end();
 }
 
+bool is_reference_point(std::string_view name) {
+  return name == "G28" || name == "G30 P2" || name == "G30 P3" || name == "G30 P4";
+}
+
 std::vector<std::string> names_of_axes(const channels::MachineConfig& machine) {
   std::vector<std::string> names;
   names.reserve(machine.axes.size());
@@ -190,6 +262,7 @@ TablesConfig read_tables(const std::filesystem::path& file,
   read_table(*root, tables_keys(), sections, Scope{faults, "tables"});
   tables.tools = read_tools(sections.tools, base, faults);
   read_offsets(sections.offsets, axis_names, tables, faults);
+  read_reference_points(sections.reference_points, axis_names, tables, faults);
   return tables;
 }
 
@@ -214,13 +287,18 @@ std::string to_toml(const TablesConfig& tables) {
   toml::array tools;
   for (const ToolEdge& tool : tables.tools) tools.push_back(to_table(tool));
   toml::table offsets;
-  for (const auto& [name, values] : tables.offsets) {
-    toml::table row;
-    for (const auto& [axis, value] : values) row.insert(axis, value);
-    offsets.insert(name, std::move(row));
+  for (const auto& [name, values] : tables.offsets) offsets.insert(name, to_table(values));
+  toml::table reference_points;
+  for (const auto& [channel, points] : tables.reference_points) {
+    toml::table of_channel;
+    for (const auto& [name, values] : points) of_channel.insert(name, to_table(values));
+    reference_points.insert(std::to_string(channel), std::move(of_channel));
   }
   std::ostringstream text;
-  text << toml::table{{"tool", std::move(tools)}, {"offset", std::move(offsets)}} << "\n";
+  text << toml::table{{"tool", std::move(tools)},
+                      {"offset", std::move(offsets)},
+                      {"reference_point", std::move(reference_points)}}
+       << "\n";
   return text.str();
 }
 

@@ -1,4 +1,5 @@
-// Tool table and work offsets: the tables a machine starts with when it has no saved ones.
+// Tool table, work offsets and reference points: the tables a machine starts with when it has no
+// saved ones.
 #pragma once
 
 #include <filesystem>
@@ -35,6 +36,9 @@ namespace stanok::config {
 
 // "G54" ... "G59", "G59.1" ... "G59.3", "G54.1 P1" ....
 [[nodiscard]] bool is_work_offset(std::string_view name);
+
+// "G28", "G30 P2" to "G30 P4".
+[[nodiscard]] bool is_reference_point(std::string_view name);
 
 // Rows of the documentation.
 [[nodiscard]] std::vector<KeyRow> tool_key_rows();

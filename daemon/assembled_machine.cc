@@ -1,6 +1,26 @@
 #include "daemon/assembled_machine.h"
 
 namespace stanok::daemon {
+namespace {
+
+// What is known of a machine of which no cycle has been: its axes are where they stood last, and no
+// drive has answered.
+channels::CycleOutput before_the_first_cycle(const channels::MachineConfig& machine) {
+  channels::CycleOutput output;
+  for (const channels::ChannelConfig& config : machine.channels) {
+    const auto index = static_cast<std::size_t>(output.channel_count++);
+    channels::ChannelOutput& channel = output.channels.at(index);
+    channel.id = config.id;
+    channel.axis_count = static_cast<std::int32_t>(config.axes.size());
+    channel.scheme = config.scheme;
+    channel.has_feedback = true;
+    for (std::size_t k = 0; k < config.axes.size(); ++k)
+      channel.axes[k].position = machine.axes[static_cast<std::size_t>(config.axes[k])].start;
+  }
+  return output;
+}
+
+}  // namespace
 
 AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
                                    std::filesystem::path program_root,
@@ -9,6 +29,7 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
       inputs_(assembly.machine().input_records()),
       recorder_(recorder),
       program_root_(std::move(program_root)),
+      newest_(before_the_first_cycle(assembly.file().machine)),
       foresight_(assembly.file(), std::move(program_roots)) {}
 
 void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {

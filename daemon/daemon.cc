@@ -7,10 +7,10 @@
 #include <thread>
 
 #include "daemon/assembled_machine.h"
+#include "daemon/kept_state.h"
 #include "daemon/operator_server.h"
 #include "daemon/preparation_threads.h"
 #include "daemon/state_directory.h"
-#include "daemon/table_keeper.h"
 #include "protocol/socket_location.h"
 #include "protocol/version.h"
 #include "runtime/standard_cycles.h"
@@ -110,7 +110,7 @@ int run_daemon(const DaemonOptions& options) {
   const StateDirectory state(options.state_directory.empty()
                                  ? protocol::default_state_directory(name)
                                  : options.state_directory);
-  load_tables(state.path(), file.machine);
+  load_state(state.path(), file.machine);
   ListeningSocket socket(options.socket.empty() ? protocol::default_socket(name, state.path())
                                                 : options.socket);
 
@@ -131,7 +131,7 @@ int run_daemon(const DaemonOptions& options) {
     has_failed = true;
     server.end();
   };
-  const TableKeeper tables(state.path(), [&] { return assembly.machine().tables(); });
+  const KeptState kept(state.path(), machine);
   const RunningDrives drives(assembly);
   const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server}, fail);
   const PreparationThreads preparation(

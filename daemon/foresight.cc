@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include "daemon/axis_positions.h"
 #include "runtime/simulation.h"
 
 namespace stanok::daemon {
@@ -105,14 +106,11 @@ Foresight::~Foresight() {
 
 void Foresight::look_at(int channel, const std::string& program, const channels::CycleOutput& now,
                         channels::TablesConfig tables) {
-  Order order{channel, program, {}, {}, std::move(tables)};
-  for (const channels::AxisConfig& axis : file_.machine.axes) order.axes.push_back(axis.start);
+  Order order{channel, program, positions_of_axes(file_.machine, now), {}, std::move(tables)};
   for (const channels::ChannelConfig& config : file_.machine.channels) {
     const channels::ChannelOutput* output = output_with_id(now, config.id);
     if (output == nullptr) continue;
     if (output->scheme != 0) order.schemes.emplace_back(config.id, output->scheme);
-    for (std::size_t k = 0; k < config.axes.size(); ++k)
-      order.axes[static_cast<std::size_t>(config.axes[k])] = output->axes[k].position;
   }
   const std::lock_guard lock(mutex_);
   foreseen_.erase(channel);

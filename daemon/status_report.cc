@@ -112,12 +112,19 @@ json axis_names(const channels::MachineConfig& machine, const channels::ChannelC
   return names;
 }
 
+// Whether a drive in contact says that the position belongs to the machine.
+bool is_verified(const ChannelOutput& output, std::size_t axis) {
+  const channels::AxisFeedback& feedback = output.feedback[axis];
+  return !output.has_feedback || (feedback.valid && feedback.referenced);
+}
+
 json axes_json(const channels::MachineConfig& machine, const channels::ChannelConfig& config,
                const ChannelOutput& output) {
   json axes = json::object();
   for (std::size_t k = 0; k < config.axes.size(); ++k) {
     const std::string& name = machine.axes[static_cast<std::size_t>(config.axes[k])].name;
     axes[name] = {{"position", output.axes[k].position},
+                  {"verified", is_verified(output, k)},
                   {"enabled", output.drives[k].enabled},
                   {"brake", output.drives[k].brake_closed}};
   }

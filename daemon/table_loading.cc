@@ -75,11 +75,36 @@ Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wa
   return commands;
 }
 
-double offset_now(const TablesConfig& tables, const std::string& name, const std::string& axis) {
-  const auto row = tables.offsets.find(name);
-  if (row == tables.offsets.end()) return 0.0;
+// What is not named is zero.
+double value_in(const std::map<std::string, channels::AxisRow>& rows, const std::string& name,
+                const std::string& axis) {
+  const auto row = rows.find(name);
+  if (row == rows.end()) return 0.0;
   const auto value = row->second.find(axis);
   return value == row->second.end() ? 0.0 : value->second;
+}
+
+// Programs store them (G28.1); a text that has others cannot be loaded.
+std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
+                                                 const TablesConfig& now) {
+  for (const auto& [channel, points] : wanted.reference_points) {
+    const auto of_channel = now.reference_points.find(channel);
+    for (const auto& [name, row] : points) {
+      for (const auto& [axis, value] : row) {
+        const bool has_any = of_channel != now.reference_points.end();
+        const double before = has_any ? value_in(of_channel->second, name, axis) : 0.0;
+        if (value == before) continue;
+        return Failure{FailureKind::refused,
+                       "E9015",
+                       "reference point " + name + " of channel " + std::to_string(channel) + ": " +
+                           axis + " is " + json(before).dump() + " here and " + json(value).dump() +
+                           " in the text",
+                       0,
+                       {}};
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 // What is left of a loading, shared by the answers of its commands.
@@ -119,6 +144,8 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
   } catch (const config::ConfigError& error) {
     return Unexpected<Failure>(failure_of(error));
   }
+  if (auto refusal = change_of_reference_point(wanted, now))
+    return Unexpected<Failure>(std::move(*refusal));
   std::vector<OperatorEvent> commands;
   for (const ToolEdge& tool : wanted.tools) {
     const auto changes = changes_of_tool(tool, now);
@@ -127,7 +154,7 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
   }
   for (const auto& [offset, values] : wanted.offsets) {
     for (const auto& [axis, value] : values) {
-      if (value == offset_now(now, offset, axis)) continue;
+      if (value == value_in(now.offsets, offset, axis)) continue;
       std::string place = offset;
       place.append(" ").append(axis);
       commands.push_back(command(OperatorAction::offset_set, place, value));

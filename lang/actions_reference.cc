@@ -2,7 +2,8 @@
 // stand.
 //
 // The way leads at rapid over the intermediate point that the axis words give, then to the
-// reference point in M, with the named axes only; without axis words all axes go there directly.
+// reference point in M, with the named axes only; without axis words all axes that take part in the
+// scheme go there directly.
 #include "lang/actions.h"
 
 namespace stanok::lang {
@@ -15,8 +16,9 @@ std::optional<int> point_number(ActiveBlock& block, CodeNumber code) {
   return block.integer('P', 2, reference_point_count);
 }
 
-AxisSet all_axes(const ChannelDescription& channel) {
-  return static_cast<AxisSet>((1U << channel.axes.size()) - 1U);
+AxisSet all_axes(const ActiveBlock& block) {
+  const unsigned of_channel = (1U << block.channel.axes.size()) - 1U;
+  return static_cast<AxisSet>(of_channel & block.tables.axes_of_scheme());
 }
 
 void go(ActiveBlock& block, Move& move) {
@@ -51,8 +53,8 @@ void go_to_reference_point(ActiveBlock& block, CodeNumber code) {
     go(block, over);
   }
   Move move;
-  move.words = block.programmed != 0 ? block.programmed : all_axes(block.channel);
-  move.end = block.points.reference.point(*which, block.tables);
+  move.words = block.programmed != 0 ? block.programmed : all_axes(block);
+  move.end = block.tables.reference_point(*which);
   move.machine_coordinates = true;
   move.stop_at_end = block.stop_at_end;
   go(block, move);
@@ -61,7 +63,7 @@ void go_to_reference_point(ActiveBlock& block, CodeNumber code) {
 void store_reference_point(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(block, code, {Exclusion::tip_control, Exclusion::transformation})) return;
   const auto which = point_number(block, code);
-  if (which) block.points.reference.store(*which, machine_position(block));
+  if (which) block.tables.store_reference_point(*which, machine_position(block));
 }
 
 }  // namespace stanok::lang

@@ -82,7 +82,7 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
   std::vector<PlaneMove> moves;
   for (const Contour::Block& one : contour.blocks) {
     const BlockSurroundings around{modal, block.channel_words, block.channel, block.tables,
-                                   queue, block.points,        block.states,  nullptr};
+                                   queue, block.probe,         block.states,  nullptr};
     queue.set_origin(one.origin, 0);
     ActiveBlock inner(one.words, around, one.origin.line);
     execute_block(inner);

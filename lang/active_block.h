@@ -12,8 +12,8 @@
 #include "lang/channel_words.h"
 #include "lang/command_queue.h"
 #include "lang/environment.h"
-#include "lang/machine_points.h"
 #include "lang/modal_state.h"
+#include "lang/probe_result.h"
 #include "lang/state_stack.h"
 
 namespace stanok::lang {
@@ -71,9 +71,9 @@ struct BlockSurroundings {
   ModalState& modal;
   const ChannelWords& channel_words;
   const ChannelDescription& channel;
-  const Tables& tables;
+  Tables& tables;
   CommandQueue& queue;
-  MachinePoints& points;
+  ProbeResult& probe;
   StateStack& states;
   ContourSource* contours = nullptr;
 };

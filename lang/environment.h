@@ -78,6 +78,8 @@ struct Tool {
   double overhang_mm = 0.0;  // along the radial axis
 };
 
+inline constexpr int reference_point_count = 4;  // 1: G28, 2 to 4: G30 P
+
 // The tables of the machine as the program sees them at this moment.
 class Tables {
  public:
@@ -94,9 +96,12 @@ class Tables {
   }
   // Position of the scheme's base B in M, per axis of the channel (G53 without tip transformation).
   [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
-  // Reference point 1 (G28) to 4 (G30 P4) in M, per axis of the channel, as the machine file has
-  // it.
-  [[nodiscard]] virtual AxisValues reference_point(int) const { return {}; }
+  // Axes of the channel that take part in its active scheme.
+  [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
+  // Reference point 1 (G28) to reference_point_count (G30 P4) in M, per axis of the channel.
+  [[nodiscard]] virtual AxisValues reference_point(int which) const = 0;
+  // Of G28.1 and its like; survives power-off.
+  virtual void store_reference_point(int which, const AxisValues& point_M) = 0;
 };
 
 // A program text as read once for a load; later changes on disk have no effect on a run.

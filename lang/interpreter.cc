@@ -10,7 +10,7 @@
 namespace stanok::lang {
 
 struct Interpreter::State {
-  State(const ChannelDescription& of_channel, const Tables& tables)
+  State(const ChannelDescription& of_channel, Tables& tables)
       : channel(of_channel), run(channel, tables) {}
 
   ChannelDescription channel;
@@ -87,7 +87,7 @@ std::size_t line_count(const Program& program) {
   return program.files[0]->source.line_count();
 }
 
-Interpreter::Interpreter(const ChannelDescription& channel, const Tables& tables, const Files&)
+Interpreter::Interpreter(const ChannelDescription& channel, Tables& tables, const Files&)
     : state_(std::make_unique<State>(channel, tables)) {}
 
 Interpreter::~Interpreter() = default;

@@ -80,7 +80,7 @@ enum class Step {
 
 class Interpreter {
  public:
-  Interpreter(const ChannelDescription& channel, const Tables& tables, const Files& files);
+  Interpreter(const ChannelDescription& channel, Tables& tables, const Files& files);
   ~Interpreter();
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;

@@ -30,7 +30,7 @@ double coordinate(int axis, const AxisValues& point, const BlockSurroundings& ar
 }  // namespace
 
 std::optional<double> point_parameter(int number, const BlockSurroundings& around) {
-  const ProbeResult& probe = around.points.probe;
+  const ProbeResult& probe = around.probe;
   if (number == probe_found) return probe.found ? 1.0 : 0.0;
   if (is_in_block(number, probe_first)) {
     return coordinate(axis_at(number, probe_first, around), probe.position, around);
@@ -38,8 +38,7 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
   for (int which = 1; which <= reference_point_count; ++which) {
     const int first = reference_first[static_cast<std::size_t>(which - 1)];
     if (!is_in_block(number, first)) continue;
-    return coordinate(axis_at(number, first, around),
-                      around.points.reference.point(which, around.tables), around);
+    return coordinate(axis_at(number, first, around), around.tables.reference_point(which), around);
   }
   return std::nullopt;
 }
@@ -50,10 +49,10 @@ bool set_point_parameter(int number, double value, const BlockSurroundings& arou
     if (!is_in_block(number, first)) continue;
     const int axis = axis_at(number, first, around);
     if (axis < 0) return true;
-    AxisValues point = around.points.reference.point(which, around.tables);
+    AxisValues point = around.tables.reference_point(which);
     const auto index = static_cast<std::size_t>(axis);
     point[index] = from_programmed(around, index, value);
-    around.points.reference.store(which, point);
+    around.tables.store_reference_point(which, point);
     return true;
   }
   return false;

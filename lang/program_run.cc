@@ -250,10 +250,10 @@ void ProgramRun::answer(const Answer& answer) {
 
 // Where the probe changed, in programmed coordinates of now.
 void ProgramRun::take_probe_answer(const Answer& answer, bool alarm_when_missed) {
-  points_.probe.found = answer.ok;
-  points_.probe.position = modal_.frame().work_from_base(answer.probe_B);
+  probe_.found = answer.ok;
+  probe_.position = modal_.frame().work_from_base(answer.probe_B);
   for (std::size_t i = 0; i < channel_.axes.size(); ++i) {
-    double& coordinate = points_.probe.position[i];
+    double& coordinate = probe_.position[i];
     coordinate = modal_.map.to_program(i, answer.ok ? coordinate : modal_.position_W[i]);
   }
   if (!answer.ok && alarm_when_missed) fail("E4320", "the probe did not change", "nothing found");

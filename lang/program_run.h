@@ -35,7 +35,7 @@ inline constexpr std::size_t local_parameter_count = 30;
 
 class ProgramRun : private ContourSource, private Parameters {
  public:
-  ProgramRun(const ChannelDescription& channel, const Tables& tables);
+  ProgramRun(const ChannelDescription& channel, Tables& tables);
 
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
   void start_line(std::shared_ptr<const Program> program, const AxisValues& position_B);
@@ -272,7 +272,7 @@ class ProgramRun : private ContourSource, private Parameters {
   std::optional<int> pop_integer(std::string_view what);
 
   const ChannelDescription& channel_;
-  const Tables& tables_;
+  Tables& tables_;
   ChannelWords channel_words_;
 
   std::shared_ptr<const Program> program_;
@@ -284,7 +284,7 @@ class ProgramRun : private ContourSource, private Parameters {
   ModalState modal_;
   CommandQueue queue_;
   CompensationStage compensation_;
-  MachinePoints points_;
+  ProbeResult probe_;
   StateStack states_;
   BlockSurroundings around_;
   BlockWords words_;  // of the block at hand

@@ -11,12 +11,12 @@ constexpr std::size_t r_parameter_count = 1000;
 
 }  // namespace
 
-ProgramRun::ProgramRun(const ChannelDescription& channel, const Tables& tables)
+ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
     : channel_(channel),
       tables_(tables),
       channel_words_(channel),
       compensation_(channel_words_),
-      around_{modal_, channel_words_, channel_, tables_, queue_, points_, states_, this},
+      around_{modal_, channel_words_, channel_, tables_, queue_, probe_, states_, this},
       r_parameters_(r_parameter_count, 0.0) {}
 
 void ProgramRun::reset(std::shared_ptr<const Program> program) {

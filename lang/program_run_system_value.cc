@@ -16,10 +16,10 @@ void ProgramRun::push_system_value(const Instruction& instruction) {
   if (name == "channel") value = channel_.id;
   if (name == "line") value = span().line;
   if (name == "prog_pos") value = programmed_position(around_, static_cast<std::size_t>(index));
-  if (name == "probe_ok") value = points_.probe.found ? 1.0 : 0.0;
+  if (name == "probe_ok") value = probe_.found ? 1.0 : 0.0;
   if (name == "probe") {
     const auto axis = static_cast<std::size_t>(index);
-    value = as_programmed(around_, axis, points_.probe.position[axis]);
+    value = as_programmed(around_, axis, probe_.position[axis]);
   }
   if (name == "feed") value = modal_.feed_programmed;
   if (name == "tool") value = modal_.tool_active;

@@ -108,8 +108,7 @@ setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp
   return message;
 }
 
-channel_state_t to_state(const channels::ChannelOutput& output, std::string_view program,
-                         const Stamp& stamp) {
+channel_state_t to_state(const channels::ChannelOutput& output, const Stamp& stamp) {
   auto message = zeroed<channel_state_t>();
   put_stamp(stamp, message);
   put_status(output, message);
@@ -117,7 +116,7 @@ channel_state_t to_state(const channels::ChannelOutput& output, std::string_view
     message.tip_position[k] = output.point_W[k].value;
     message.position[k] = output.axes[k].position;
   }
-  put_text(program, message.program);
+  put_text(output.program.view(), message.program);
   return message;
 }
 

@@ -28,8 +28,7 @@ struct Stamp {
 };
 
 [[nodiscard]] setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp);
-[[nodiscard]] channel_state_t to_state(const channels::ChannelOutput& output,
-                                       std::string_view program, const Stamp& stamp);
+[[nodiscard]] channel_state_t to_state(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] force_status_t to_force_status(const channels::ChannelOutput& output,
                                              const Stamp& stamp);
 [[nodiscard]] process_status_t to_process_status(const channels::ChannelOutput& output,

@@ -113,11 +113,6 @@ void MessageStream::program_read(const ProgramRead& read, std::int64_t cycle) {
   text({.cycle = cycle, .name = read.path, .text = read.text});
 }
 
-void MessageStream::set_program(int channel, std::string_view name) {
-  STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
-  programs_[static_cast<std::size_t>(channel)] = name;
-}
-
 void MessageStream::send_meta_when_due(std::int64_t cycle) {
   if (cycle < next_meta_cycle_) return;
   next_meta_cycle_ = cycle + meta_period_;
@@ -145,9 +140,7 @@ void MessageStream::force_when_due(std::int64_t cycle, const channels::ChannelOu
 
 void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (cycle % state_period_ != 0) return;
-  const std::string& program = programs_[static_cast<std::size_t>(output.id)];
-  send(to_state(output, program, next_stamp(cycle, output.id, Topic::state)), output.id,
-       Topic::state);
+  send(to_state(output, next_stamp(cycle, output.id, Topic::state)), output.id, Topic::state);
 }
 
 void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output) {

@@ -51,9 +51,6 @@ class MessageStream {
   // Whether announcements of workpieces are sent; what was announced comes as soon as they are.
   void allow_workpieces(bool allowed);
 
-  // Shown in the STATE messages of the channel from now on.
-  void set_program(int channel, std::string_view name);
-
   [[nodiscard]] const LogDescription& description() const { return description_; }
 
  private:
@@ -74,7 +71,6 @@ class MessageStream {
   std::vector<MessageSink*> sinks_;
   std::vector<std::uint8_t> buffer_;
   std::array<std::array<std::int64_t, topic_count>, channels::channels_max + 1> next_seq_{};
-  std::array<std::string, channels::channels_max + 1> programs_;
   struct ShownWorkpiece {
     std::uint32_t announcements = 0;
     std::int64_t cycle = 0;  // of the latest message

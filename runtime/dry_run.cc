@@ -63,7 +63,7 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
                                 std::to_string(id));
   }
   blocks_.restart(scheme_, start_of(machine, channel_));
-  if (scheme_ != nullptr) tables_.set_scheme_zero(scheme_->config().zero);
+  if (scheme_ != nullptr) tables_.set_scheme(*scheme_);
   builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
@@ -396,7 +396,7 @@ void DryRun::switch_scheme(int id) {
   if (found == schemes_.end()) return;
   scheme_ = found->second.get();
   blocks_.change_scheme(scheme_, channels::axes_behind_switch(*scheme_, blocks_.axes_M()));
-  tables_.set_scheme_zero(scheme_->config().zero);
+  tables_.set_scheme(*scheme_);
   builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 

@@ -1,5 +1,8 @@
 #include "runtime/run_setup.h"
 
+#include <iomanip>
+#include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,27 +17,32 @@ std::string text_of(const RunSetup& setup) {
        << "outputs_to_inputs " << setup.options.outputs_to_inputs << "\n";
   for (const auto& [channel, scheme] : setup.schemes)
     text << "scheme " << channel << " " << scheme << "\n";
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (const auto& [axis, position] : setup.starts)
+    text << "start " << axis << " " << position << "\n";
   return text.str();
 }
 
 RunSetup setup_of(const std::string& text) {
   RunSetup setup;
+  const std::map<std::string, bool*> switches{
+      {"on_at_start", &setup.options.on_at_start},
+      {"stops_go_on", &setup.options.stops_go_on},
+      {"outputs_to_inputs", &setup.options.outputs_to_inputs}};
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string key;
-    int value = 0;
-    words >> key >> value;
-    if (key == "on_at_start") {
-      setup.options.on_at_start = value != 0;
-    } else if (key == "stops_go_on") {
-      setup.options.stops_go_on = value != 0;
-    } else if (key == "outputs_to_inputs") {
-      setup.options.outputs_to_inputs = value != 0;
+    words >> key;
+    if (const auto found = switches.find(key); found != switches.end()) {
+      words >> *found->second;
     } else if (key == "scheme") {
-      int scheme = 0;
-      words >> scheme;
-      setup.schemes.emplace_back(value, scheme);
+      auto& [channel, scheme] = setup.schemes.emplace_back();
+      words >> channel >> scheme;
+    } else if (key == "start") {
+      std::string axis;
+      words >> axis;
+      words >> setup.starts[axis];
     } else {
       throw std::runtime_error("the setup of the run has an unknown key: " + key);
     }
@@ -56,7 +64,9 @@ void record_setup(const RunSetup& setup, const config::MachineFile& file,
   }
   const std::string tables = config::to_toml(file.machine.tables);
   stream.text({.kind = TextKind::tables, .name = "tables at start", .text = tables});
-  const std::string text = text_of(setup);
+  RunSetup whole = setup;
+  for (const channels::AxisConfig& axis : file.machine.axes) whole.starts[axis.name] = axis.start;
+  const std::string text = text_of(whole);
   stream.text({.kind = TextKind::initial_state, .name = "run", .text = text});
 }
 

@@ -14,14 +14,16 @@ namespace stanok::runtime {
 struct RunSetup {
   channels::MachineOptions options{};
   std::vector<std::pair<int, int>>
-      schemes{};  // channel, scheme at start; the others by machine file
+      schemes{};               // channel, scheme at start; the others by machine file
+  channels::AxisRow starts{};  // where axes stand at first; the others by machine file
 };
 
 // One line for each key. Reading throws std::runtime_error for what is none.
 [[nodiscard]] std::string text_of(const RunSetup& setup);
 [[nodiscard]] RunSetup setup_of(const std::string& text);
 
-// Sends the setup and the files of the machine, named from the folder of the machine file.
+// Sends the setup, with the starts of `file.machine`, and the files of the machine, named from the
+// folder of the machine file.
 void record_setup(const RunSetup& setup, const config::MachineFile& file,
                   recording::MessageStream& stream);
 

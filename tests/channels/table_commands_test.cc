@@ -66,6 +66,28 @@ TEST_F(TableCommands, AreRefusedWhereThereIsNoSuchEntryOrValue) {
   EXPECT_EQ(set_tool(4, "length", 1.0, 5.0), "E5021");
 }
 
+TEST_F(TableCommands, ReferencePointsStandInTheTablesOfTheirChannel) {
+  bench.program("p.nc", "G53 G0 X12.5\nG28.1\n#5182=-4.25\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  const TablesConfig tables = bench.machine().tables();
+  ASSERT_EQ(tables.reference_points.size(), 1U);
+  EXPECT_EQ(tables.reference_points.at(1).at("G28").at("X"), 12.5);
+  EXPECT_EQ(tables.reference_points.at(1).at("G30 P2").at("Y"), -4.25);
+}
+
+TEST_F(TableCommands, ReferencePointsOfTheTablesAreGoneTo) {
+  channels::MachineConfig config = testing::two_channel_machine();
+  config.tables.reference_points[1]["G30 P3"] = {{"X", 31.5}, {"Z", 5.0}};
+  MachineBench started(config);
+  started.program("p.nc", "G30 P3\nM30\n");
+  started.run(1, "p.nc");
+  started.run_to_end();
+  EXPECT_EQ(started.alarm_codes(), std::vector<std::string>{});
+  EXPECT_NEAR(started.channel(1).axes[0].position, 31.5, 1e-9);
+  EXPECT_NEAR(started.channel(1).axes[2].position, 5.0, 1e-9);
+}
+
 // The preparation may have read them long ago.
 TEST_F(TableCommands, AreRefusedWhileAProgramRuns) {
   bench.program("p.nc", "G1 X100 F600\nM30\n");

@@ -365,6 +365,29 @@ TEST(MachineFile, ChannelWithoutSchemesGetsACartesianOneOfAllItsAxes) {
   EXPECT_EQ(file.lcm_url, "udpm://239.255.76.67:7667?ttl=0");
 }
 
+TEST(TablesFile, ReferencePointsComeBackToTheBit) {
+  channels::TablesConfig tables;
+  tables.reference_points[2]["G28"] = {{"X2", 0.1 + 0.2}, {"C2", -45.0}};
+  tables.reference_points[2]["G30 P4"] = {{"X2", 1e-300}};
+  const auto back = read_tables_text(to_toml(tables), "tables.toml", {"X2", "C2"});
+  EXPECT_EQ(back.reference_points, tables.reference_points);
+}
+
+TEST(TablesFile, WrongReferencePointsAreFaultsWithAPlace) {
+  try {
+    static_cast<void>(
+        read_tables_text("[reference_point.1.G27]\nX = 1\n[reference_point.0.G28]\n"
+                         "[reference_point.1.G28]\nQ = 1\nX = \"far\"\n",
+                         "t.toml", {"X"}));
+    FAIL() << "taken";
+  } catch (const ConfigError& error) {
+    std::vector<std::uint32_t> lines;
+    for (const ConfigFault& fault : error.faults())
+      lines.push_back(static_cast<std::uint32_t>(fault.line));
+    EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 3, 5, 6}));
+  }
+}
+
 TEST(TablesFile, NamesOfWorkOffsets) {
   for (const char* name : {"G54", "G59", "G59.1", "G59.3", "G54.1 P1", "G54.1 P300"}) {
     EXPECT_TRUE(is_work_offset(name)) << name;

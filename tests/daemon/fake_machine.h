@@ -45,6 +45,9 @@ class FakeMachine final : public RunningMachine {
   std::function<void(const channels::OperatorEvent&)> on_submit;
 
   FakeMachine() {
+    tables_now.tools.resize(1);
+    tables_now.tools[0].number = 32000;
+    tables_now.tools[0].length = 77.5;
     output.cycle = 1;
     output.channel_count = 2;
     output.channels[0].id = 1;
@@ -84,10 +87,8 @@ class FakeMachine final : public RunningMachine {
     return copy(diagnostics);
   }
   [[nodiscard]] channels::TablesConfig tables() override {
-    channels::ToolEdge tool;
-    tool.number = 32000;
-    tool.length = 77.5;
-    return {.tools = {tool}, .offsets = {}};
+    const std::lock_guard lock(mutex_);
+    return tables_now;
   }
   [[nodiscard]] LoopFigures loop_figures() override { return {}; }
   [[nodiscard]] RealTimeRights real_time_rights() override { return {}; }
@@ -128,6 +129,7 @@ class FakeMachine final : public RunningMachine {
   std::vector<std::string> resets;
   std::vector<std::pair<std::string, plant::FaultKind>> faults;
   channels::CycleOutput output;
+  channels::TablesConfig tables_now;
   std::vector<channels::RunReport> run_reports;
   std::vector<channels::AlarmReport> alarm_reports;
   std::optional<channels::SearchReport> searched;

@@ -11,6 +11,7 @@ set -- "$1" "$2" "$machine"
 # shellcheck source=tests/daemon/running_daemon.sh disable=SC2119
 source "$(dirname "${BASH_SOURCE[0]}")/running_daemon.sh"
 readonly drive_choice=real
+machine_file=$machine # written below
 drives=
 end_all() {
   if [[ -n $drives ]]; then kill -KILL "$drives" 2>/dev/null || true; fi

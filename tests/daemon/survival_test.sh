@@ -6,6 +6,7 @@
 set -euo pipefail
 # shellcheck source=tests/daemon/running_daemon.sh disable=SC2119
 source "$(dirname "${BASH_SOURCE[0]}")/running_daemon.sh"
+machine_file=$3 # its drives must notice half a second
 
 printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F6000\nM30\n' >"$folder/move.nc" # 2 s
 printf 'G21 G90 G17 G54\nG0 X0 Y0\nG1 X200 F60\nM30\n' >"$folder/long.nc"   # 200 s
@@ -27,6 +28,27 @@ start_daemon
 expect_exit 0 channel status --json
 expect_output '"state":"Reset"' "after a daemon that was killed"
 expect_exit 1 program run move.nc # nothing moves until an operator says so
+
+# Where the axes stood is there again: at rest, after a run that moved them.
+switch_on
+expect_exit 0 program run move.nc --wait
+printf 'G28.1\nM30\n' >"$folder/store.nc"
+expect_exit 0 program run store.nc --wait
+expect_exit 0 channel status --json
+[[ $output =~ '"axes":{'([^=]*)'"begins_at"' ]] || fail "no axes in: $output"
+position_of() { grep -o "\"$1\":{[^}]*\"position\":[-0-9.e]*" <<<"$output" | grep -o '[-0-9.e]*$'; }
+stood=$(position_of X)
+for ((k = 0; k < 100; ++k)); do
+  grep -qs "X = $stood" "$folder/state/positions.toml" && grep -qs G28 "$folder/state/tables.toml" && break
+  sleep 0.05
+done
+kill -KILL "$daemon"
+expect_end 137
+start_daemon
+expect_exit 0 channel status --json
+[[ $(position_of X) == "$stood" ]] || fail "X stands at $(position_of X), it stood at $stood"
+expect_exit 0 tool save
+expect_output '[reference_point.1.G28]' "a reference point that was stored"
 
 # The job lives in the daemon: clients that give up, are interrupted or are killed change nothing.
 begin_long_program

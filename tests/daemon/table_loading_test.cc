@@ -44,6 +44,13 @@ TEST_F(TableLoading, ChangesWhatTheTextNames) {
   EXPECT_EQ(offsets["G54.1 P2"]["Z"], 4.0);
 }
 
+TEST_F(TableLoading, RefusesAnotherReferencePoint) {
+  bench.demand("tool.set", {{"number", 7}, {"key", "radius"}, {"value", 3.0}});
+  EXPECT_EQ(load("[reference_point.1.G28]\nX = 0\n"), "") << "it is so already";
+  EXPECT_EQ(load("[[tool]]\nnumber = 7\nlength = 9\n[reference_point.1.G28]\nX = 3\n"), "E9015");
+  EXPECT_EQ(value_of(7, "length"), 0.0) << "nothing of it is loaded";
+}
+
 // Random values through a saved text and back.
 TEST_F(TableLoading, OfASavedTextBringsEveryBitBack) {
   std::mt19937_64 random(7);

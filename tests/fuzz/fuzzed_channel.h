@@ -44,6 +44,15 @@ class SomeTables final : public Tables {
     return tool;
   }
   [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
+  [[nodiscard]] AxisValues reference_point(int which) const override {
+    return reference_.at(static_cast<std::size_t>(which - 1));
+  }
+  void store_reference_point(int which, const AxisValues& point_M) override {
+    reference_.at(static_cast<std::size_t>(which - 1)) = point_M;
+  }
+
+ private:
+  std::array<AxisValues, reference_point_count> reference_{};
 };
 
 inline ChannelDescription mill() {

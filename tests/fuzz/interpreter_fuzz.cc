@@ -35,7 +35,7 @@ void run(const ChannelDescription& channel, const Files& files) {
   Diagnostics warnings;
   const auto program = compile("fuzz.nc", files, &channel, warnings);
   if (!program) return;
-  const fuzz::SomeTables tables;
+  fuzz::SomeTables tables;
   Interpreter interpreter(channel, tables, files);
   interpreter.start(*program, {});
   Command command;

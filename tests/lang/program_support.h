@@ -57,6 +57,9 @@ class MemoryTables : public Tables {
     const auto found = reference.find(which);
     return found == reference.end() ? AxisValues{} : found->second;
   }
+  void store_reference_point(int which, const AxisValues& point_M) override {
+    reference[which] = point_M;
+  }
 };
 
 inline ChannelDescription mill_xyzbc() {

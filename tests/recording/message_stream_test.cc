@@ -45,6 +45,13 @@ TEST(Encode, GivesASetpointBackToTheBit) {
   EXPECT_TRUE(back.drives[0].brake_closed);
 }
 
+TEST(Encode, NamesTheProgramInTheStateOfItsChannel) {
+  channels::ChannelOutput output = output_of(7).channels[0];
+  EXPECT_STREQ(reinterpret_cast<const char*>(to_state(output, {}).program), "");
+  output.program = FixedText<96>("part.nc");
+  EXPECT_STREQ(reinterpret_cast<const char*>(to_state(output, {}).program), "part.nc");
+}
+
 TEST(Decode, RefusesBytesThatAreNotExactlyOneMessage) {
   const setpoint_t message = to_setpoint(output_of(0).channels[0], {});
   const auto size = static_cast<std::size_t>(message.getEncodedSize());

@@ -24,12 +24,23 @@ using ::testing::HasSubstr;
 
 const std::filesystem::path source_tree = STANOK_SOURCE_DIR;
 
+config::MachineFile started_at(const channels::AxisRow& starts, config::MachineFile file) {
+  for (channels::AxisConfig& axis : file.machine.axes) {
+    const auto start = starts.find(axis.name);
+    if (start != starts.end()) axis.start = start->second;
+  }
+  return file;
+}
+
 // A run whose preparations come only as far as chance lets them, as threads do.
 class RecordedByChance {
  public:
-  RecordedByChance(const std::string& machine, DriveChoice drives, std::uint64_t seed)
+  // `starts`: where axes stand at first that do not stand as in the machine file.
+  RecordedByChance(const std::string& machine, DriveChoice drives, std::uint64_t seed,
+                   const channels::AxisRow& starts = {})
       : random_(seed),
-        assembly_({.file = config::read_machine_file(source_tree / "config" / "machines" / machine),
+        assembly_({.file = started_at(starts, config::read_machine_file(source_tree / "config" /
+                                                                        "machines" / machine)),
                    .drives = drives,
                    .program_roots = {files_.folder(), source_tree / "programs" / "examples"},
                    .machine = setup_.options,
@@ -162,6 +173,19 @@ TEST_P(ReplayOfAnything, IsTheSameBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfAnything, ::testing::Range(0, 12));
+
+// As after a daemon that ended elsewhere.
+TEST(Replay, OfARunThatBeganWhereTheAxesStoodLast) {
+  for (const DriveChoice drives : {DriveChoice::ideal, DriveChoice::simulated}) {
+    RecordedByChance run("mill3.toml", drives, 5, {{"X", 31.0 / 3.0}, {"Z", -0.1}});
+    run.program("line.nc", "G91\nG1 X3 Y1 F3000\nM30\n");
+    run.ask(OperatorAction::program_run, 1, "line.nc");
+    run.run(3000);
+    run.close();
+    EXPECT_TRUE(run.moved());
+    EXPECT_TRUE(replay(run.path(), {}).is_same());
+  }
+}
 
 // Kinematics that change, a master that starts a worker, marks.
 TEST(Replay, OfTwoChannelsAndChangingKinematicsIsTheSame) {
