@@ -146,7 +146,8 @@ def main():
                     time.sleep(0.05)
                 time.sleep(0.5)
                 operator = Operator(path)
-                operator.ask("machine.on", wait="done")
+                operator.ask("machine.on")
+                time.sleep(1.0)
                 operator.ask("program.run", program="part.nc", channel=1)
                 if crowded:
                     crowd = Crowd(path)
