@@ -30,7 +30,8 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
       recorder_(recorder),
       program_root_(std::move(program_root)),
       newest_(before_the_first_cycle(assembly.file().machine)),
-      foresight_(assembly.file(), std::move(program_roots)) {}
+      foresight_(assembly.file(), std::move(program_roots),
+                 [this](recording::PathPreview path) { recorder_.show_path(std::move(path)); }) {}
 
 void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
   const std::lock_guard lock(mutex_);

@@ -35,6 +35,34 @@ class TimelineWriter final : public runtime::CycleObserver {
   double cycle_s_;
 };
 
+class PreviewGathering final : public runtime::CycleObserver {
+ public:
+  explicit PreviewGathering(const channels::MachineConfig& machine) {
+    for (const channels::ChannelConfig& channel : machine.channels) {
+      if (!channel.axes.empty())
+        writers_.emplace(channel.id, recording::PreviewWriter(channel.words));
+    }
+  }
+
+  void observe(const channels::CycleOutput& output) override {
+    for (int k = 0; k < output.channel_count; ++k) {
+      const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+      const auto writer = writers_.find(channel.id);
+      if (writer != writers_.end()) writer->second.add(channel);
+    }
+  }
+
+  void hand_to(const Foresight::PathTaker& take_path, const std::string& program) const {
+    for (const auto& [channel, writer] : writers_) {
+      auto points = writer.points();
+      if (!points.empty()) take_path({channel, program, std::move(points)});
+    }
+  }
+
+ private:
+  std::map<int, recording::PreviewWriter> writers_;
+};
+
 // Never in the way of anything else.
 void become_idle_class() {
   const sched_param none{};
@@ -94,9 +122,10 @@ std::optional<double> Timeline::end_of(std::uint32_t run) const {
 }
 
 Foresight::Foresight(const config::MachineFile& file,
-                     std::vector<std::filesystem::path> program_roots)
+                     std::vector<std::filesystem::path> program_roots, PathTaker take_path)
     : file_(file),
       program_roots_(std::move(program_roots)),
+      take_path_(std::move(take_path)),
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 Foresight::~Foresight() {
@@ -159,6 +188,7 @@ std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
   options.schemes = order.schemes;
   options.until_s = machine_time_max_s;
   TimelineWriter writer(seen.timelines, file_.machine.cycle_us * 1e-6);
+  PreviewGathering previews(file_.machine);
   const auto give_up_at = std::chrono::steady_clock::now() + wall_max;
   bool is_given_up = false;
   const auto interrupted = [&] {
@@ -167,7 +197,7 @@ std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
     return is_given_up;
   };
   try {
-    const auto result = runtime::simulate(options, {&writer}, interrupted);
+    const auto result = runtime::simulate(options, {&writer, &previews}, interrupted);
     if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
     seen.total_s = result.machine_time_s;
     if (!result.alarms.empty()) seen.alarm = result.alarms.front();
@@ -175,6 +205,7 @@ std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
     spdlog::warn("{} cannot be simulated beforehand: {}", order.program, error.what());
     return std::nullopt;
   }
+  previews.hand_to(take_path_, order.program);
   seen.is_known = true;
   return seen;
 }

@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -20,6 +21,7 @@
 
 #include "channels/machine.h"
 #include "config/machine_file.h"
+#include "recording/path_preview.h"
 
 namespace stanok::daemon {
 
@@ -60,8 +62,12 @@ class Foresight {
  public:
   static constexpr std::chrono::seconds wall_max{120};
 
+  // Takes the path of a channel that the program of a simulation moved; called from another thread.
+  using PathTaker = std::function<void(recording::PathPreview)>;
+
   // `file` outlives it.
-  Foresight(const config::MachineFile& file, std::vector<std::filesystem::path> program_roots);
+  Foresight(const config::MachineFile& file, std::vector<std::filesystem::path> program_roots,
+            PathTaker take_path);
   ~Foresight();
   Foresight(const Foresight&) = delete;
   Foresight& operator=(const Foresight&) = delete;
@@ -97,6 +103,7 @@ class Foresight {
 
   const config::MachineFile& file_;
   std::vector<std::filesystem::path> program_roots_;
+  PathTaker take_path_;
   mutable std::mutex mutex_;
   std::condition_variable_any wakes_;
   std::map<int, Order> orders_;       // by channel

@@ -106,11 +106,25 @@ void Recorder::on_output(const channels::CycleOutput& output) {
   cycle_ = output.cycle;
   stream_->allow_workpieces(workpieces_allowed_);
   if (log_turns_.load(std::memory_order_acquire)) turn_log();
+  if (has_new_paths_.load(std::memory_order_acquire)) take_new_paths();
   stream_->cycle(output);
   if (flight_due_cycle_ > 0 && cycle_ >= flight_due_cycle_) write_flight();
   if (output.cycle % refresh_period_ != 0) return;
   if (auto* log = log_.writer()) static_cast<void>(log->flush());
   refresh_status();
+}
+
+void Recorder::show_path(recording::PathPreview path) {
+  const std::lock_guard lock(mutex_);
+  new_paths_.push_back(std::move(path));
+  has_new_paths_.store(true, std::memory_order_release);
+}
+
+void Recorder::take_new_paths() {
+  const std::lock_guard lock(mutex_);
+  for (recording::PathPreview& path : new_paths_) stream_->path(std::move(path));
+  new_paths_.clear();
+  has_new_paths_ = false;
 }
 
 void Recorder::on_event(const channels::Event& event) {

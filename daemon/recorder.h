@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/expected.h"
 #include "config/machine_file.h"
@@ -49,6 +50,8 @@ class Recorder final : public CycleListener {
   [[nodiscard]] std::optional<std::filesystem::path> stop_log();
   // Any thread.
   [[nodiscard]] RecordingStatus status() const;
+  // Any thread. Sent from the next output on.
+  void show_path(recording::PathPreview path);
   // From the next output on. Any thread.
   void allow_workpieces(bool allowed) { workpieces_allowed_ = allowed; }
 
@@ -56,6 +59,7 @@ class Recorder final : public CycleListener {
   [[nodiscard]] Expected<std::unique_ptr<recording::LogWriter>, recording::LogError> open_log(
       const std::filesystem::path& file) const;
   void turn_log();
+  void take_new_paths();
   void write_flight();
   void refresh_status();
   void tell_error_of_log();
@@ -76,8 +80,10 @@ class Recorder final : public CycleListener {
   std::atomic<bool> workpieces_allowed_{false};
 
   std::atomic<bool> log_turns_{false};  // to next_log_
+  std::atomic<bool> has_new_paths_{false};
   mutable std::mutex mutex_;
   std::unique_ptr<recording::LogWriter> next_log_;
+  std::vector<recording::PathPreview> new_paths_;
   RecordingStatus status_;
 };
 

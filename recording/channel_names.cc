@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::string_view prefix = "STANOK_";
 constexpr std::array<std::string_view, topic_count> topics{
-    "SETPOINT", "STATE",    "DRIVE",   "PROCESS",      "FORCE",     "EVENT", "INPUT",
-    "ARRIVAL",  "FEEDBACK", "PROGRAM", "PROGRAM_READ", "WORKPIECE", "TOOL",  "LOG_META"};
+    "SETPOINT", "STATE",   "DRIVE",        "PROCESS",   "FORCE", "EVENT", "INPUT",   "ARRIVAL",
+    "FEEDBACK", "PROGRAM", "PROGRAM_READ", "WORKPIECE", "TOOL",  "PATH",  "LOG_META"};
 // "_CH16_" and the longest topic of a channel.
 constexpr std::size_t longest_suffix = 6 + 12;
 

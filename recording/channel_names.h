@@ -30,9 +30,10 @@ enum class Topic {
   program_read,
   workpiece,
   tool,
+  path,
   log_meta
 };
-inline constexpr std::size_t topic_count = 14;
+inline constexpr std::size_t topic_count = 15;
 
 class ChannelNames {
  public:

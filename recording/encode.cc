@@ -190,6 +190,24 @@ tool_t to_tool(const channels::ChannelOutput& output, const Stamp& stamp) {
   return message;
 }
 
+path_t to_path(const PathPreview& preview, int number, std::size_t first, const Stamp& stamp) {
+  auto message = zeroed<path_t>();
+  put_stamp(stamp, message);
+  message.channel = preview.channel;
+  message.preview = number;
+  message.total = static_cast<std::int32_t>(preview.points.size());
+  message.first = static_cast<std::int32_t>(first);
+  const std::size_t count = std::min(std::size(message.joint), preview.points.size() - first);
+  message.count = static_cast<std::int32_t>(count);
+  put_text(preview.program, message.program);
+  for (std::size_t k = 0; k < count; ++k) {
+    const PreviewPoint& one = preview.points[first + k];
+    std::ranges::copy(one.point, message.point[k]);
+    message.joint[k] = static_cast<std::int8_t>((one.begins ? 1U : 0U) | (one.rapid ? 2U : 0U));
+  }
+  return message;
+}
+
 workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp) {
   const channels::Workpiece& workpiece = output.workpiece;
   auto message = zeroed<workpiece_t>();

@@ -9,6 +9,7 @@
 #include <stanok_messages/event_t.hpp>
 #include <stanok_messages/force_status_t.hpp>
 #include <stanok_messages/input_t.hpp>
+#include <stanok_messages/path_t.hpp>
 #include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
 #include <stanok_messages/tool_t.hpp>
@@ -17,6 +18,7 @@
 
 #include "channels/machine.h"
 #include "channels/output.h"
+#include "recording/path_preview.h"
 
 namespace stanok::recording {
 
@@ -36,6 +38,9 @@ struct Stamp {
 [[nodiscard]] drive_status_t to_drive_status(const channels::ChannelOutput& output,
                                              const Stamp& stamp);
 [[nodiscard]] tool_t to_tool(const channels::ChannelOutput& output, const Stamp& stamp);
+// The points from `first` on, as many as a message holds.
+[[nodiscard]] path_t to_path(const PathPreview& preview, int number, std::size_t first,
+                             const Stamp& stamp);
 [[nodiscard]] workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] event_t to_event(const channels::Event& event, const Stamp& stamp);
 [[nodiscard]] input_t to_input(const channels::InputRecord& record, const Stamp& stamp);

@@ -39,14 +39,21 @@ MessageType type_of(Topic topic) {
 }
 
 const MessageType* type_on(std::string_view channel_name) {
-  static const std::array types{
-      type_of<setpoint_t>(Topic::setpoint),   type_of<channel_state_t>(Topic::state),
-      type_of<drive_status_t>(Topic::drive),  type_of<process_status_t>(Topic::process),
-      type_of<force_status_t>(Topic::force),  type_of<event_t>(Topic::event),
-      type_of<input_t>(Topic::input),         type_of<program_chunk_t>(Topic::program),
-      type_of<workpiece_t>(Topic::workpiece), type_of<tool_t>(Topic::tool),
-      type_of<arrival_t>(Topic::arrival),     type_of<feedback_t>(Topic::feedback),
-      type_of<log_meta_t>(Topic::log_meta),   type_of<program_read_t>(Topic::program_read)};
+  static const std::array types{type_of<setpoint_t>(Topic::setpoint),
+                                type_of<channel_state_t>(Topic::state),
+                                type_of<drive_status_t>(Topic::drive),
+                                type_of<process_status_t>(Topic::process),
+                                type_of<force_status_t>(Topic::force),
+                                type_of<event_t>(Topic::event),
+                                type_of<input_t>(Topic::input),
+                                type_of<program_chunk_t>(Topic::program),
+                                type_of<workpiece_t>(Topic::workpiece),
+                                type_of<tool_t>(Topic::tool),
+                                type_of<arrival_t>(Topic::arrival),
+                                type_of<feedback_t>(Topic::feedback),
+                                type_of<log_meta_t>(Topic::log_meta),
+                                type_of<program_read_t>(Topic::program_read),
+                                type_of<path_t>(Topic::path)};
   const auto type = std::find_if(types.begin(), types.end(), [&](const MessageType& t) {
     return topic_of(channel_name) == name_of(t.topic);
   });

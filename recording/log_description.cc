@@ -93,6 +93,7 @@ log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp) {
   add_type<program_read_t>(meta);
   add_type<workpiece_t>(meta);
   add_type<tool_t>(meta);
+  add_type<path_t>(meta);
   add_type<log_meta_t>(meta);
   const std::size_t count = std::min(description.channels.size(), channels_in_meta);
   meta.channel_count = static_cast<std::int32_t>(count);

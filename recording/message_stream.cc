@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t meta_period_us = 60'000'000;
 constexpr std::int64_t state_period_us = 50'000;
+constexpr std::int64_t path_period_us = 10'000;
 
 std::int64_t cycles_in(std::int64_t period_us, int cycle_us) {
   return std::max<std::int64_t>(1, period_us / cycle_us);
@@ -43,6 +44,7 @@ MessageStream::MessageStream(LogDescription description, std::vector<MessageSink
       buffer_(static_cast<std::size_t>(log_meta_t{}.getEncodedSize())),
       meta_period_(cycles_in(meta_period_us, description_.cycle_us)),
       state_period_(cycles_in(state_period_us, description_.cycle_us)),
+      path_period_(cycles_in(path_period_us, description_.cycle_us)),
       next_meta_cycle_(std::numeric_limits<std::int64_t>::min()) {}
 
 template <class Message>
@@ -75,6 +77,7 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
     force_when_due(output.cycle, channel);
     tool_when_due(output.cycle, channel);
     workpiece_when_due(output.cycle, channel);
+    path_when_due(output.cycle, channel.id);
   }
 }
 
@@ -168,6 +171,25 @@ void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOut
   if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + meta_period_) return;
   shown = {output.tool, cycle};
   send(to_tool(output, next_stamp(cycle, output.id, Topic::tool)), output.id, Topic::tool);
+}
+
+void MessageStream::path(PathPreview preview) {
+  STANOK_ASSERT(preview.channel >= 0 && preview.channel <= channels::channels_max);
+  ShownPath& shown = paths_[static_cast<std::size_t>(preview.channel)];
+  shown = {std::move(preview), shown.number + 1, 0, 0};
+}
+
+// In parts, so that a viewer on the bus can follow.
+void MessageStream::path_when_due(std::int64_t cycle, int channel) {
+  ShownPath& shown = paths_[static_cast<std::size_t>(channel)];
+  if (shown.preview.points.empty() || cycle < shown.next_cycle) return;
+  const path_t message =
+      to_path(shown.preview, shown.number, shown.next, next_stamp(cycle, channel, Topic::path));
+  send(message, channel, Topic::path);
+  shown.next += static_cast<std::size_t>(message.count);
+  const bool is_whole = shown.next == shown.preview.points.size();
+  if (is_whole) shown.next = 0;
+  shown.next_cycle = cycle + (is_whole ? meta_period_ : path_period_);
 }
 
 void MessageStream::allow_workpieces(bool allowed) {

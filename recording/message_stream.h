@@ -2,9 +2,9 @@
 //
 // LOG_META comes first and every 60 s of machine time; SETPOINT every cycle for every channel with
 // axes; STATE of every channel 20 times a second; WORKPIECE when a program announces one, TOOL when
-// another one is put to work, both every 60 s from then on; events, inputs and texts as they come.
-// Time stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread
-// (publisher or `simulate`), never for the real-time cycle.
+// another one is put to work, PATH when a preview is given, all every 60 s from then on; events,
+// inputs and texts as they come. Time stamps are cycle x cycle time, so that equal runs give equal
+// bytes. For one thread (publisher or `simulate`), never for the real-time cycle.
 #pragma once
 
 #include <array>
@@ -20,6 +20,7 @@
 #include "recording/encode_inputs.h"
 #include "recording/log_description.h"
 #include "recording/message_sink.h"
+#include "recording/path_preview.h"
 
 namespace stanok::recording {
 
@@ -48,6 +49,9 @@ class MessageStream {
   // The text itself is sent when it is new.
   void program_read(const ProgramRead& read, std::int64_t cycle);
 
+  // Sent in parts from now on, then every 60 s, until there is another one of its channel.
+  void path(PathPreview preview);
+
   // Whether announcements of workpieces are sent; what was announced comes as soon as they are.
   void allow_workpieces(bool allowed);
 
@@ -62,6 +66,7 @@ class MessageStream {
   void inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output);
   void force_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void path_when_due(std::int64_t cycle, int channel);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
   void send(const Message& message, int channel, Topic topic);
@@ -82,6 +87,13 @@ class MessageStream {
   };
   std::array<ShownTool, channels::channels_max + 1> tools_{};
   bool workpieces_allowed_ = true;
+  struct ShownPath {
+    PathPreview preview;
+    int number = 0;
+    std::size_t next = 0;         // point; the first of the next message
+    std::int64_t next_cycle = 0;  // when that is due
+  };
+  std::array<ShownPath, channels::channels_max + 1> paths_{};
   struct ShownInputs {
     channels::Arrivals arrivals;
     bool has_feedback = false;
@@ -91,6 +103,7 @@ class MessageStream {
   std::set<std::uint64_t> sent_texts_;  // hashes
   std::int64_t meta_period_;            // cycles
   std::int64_t state_period_;           // cycles
+  std::int64_t path_period_;            // cycles between two parts of a preview
   std::int64_t next_meta_cycle_;
 };
 

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <fstream>
+#include <mutex>
 #include <thread>
 
 #include "tests/daemon/temporary_directory.h"
@@ -61,7 +63,12 @@ class ForesightTest : public ::testing::Test {
   TemporaryDirectory folder;
   config::MachineFile file =
       config::read_machine_file(STANOK_SOURCE_DIR "/config/machines/mill3.toml");
-  Foresight foresight{file, {folder.path()}};
+  std::mutex mutex;
+  std::vector<recording::PathPreview> paths;
+  Foresight foresight{file, {folder.path()}, [this](recording::PathPreview path) {
+                        const std::lock_guard lock(mutex);
+                        paths.push_back(std::move(path));
+                      }};
   channels::CycleOutput now = [this] {
     channels::CycleOutput output;
     output.channel_count = static_cast<int>(file.machine.channels.size());
@@ -94,6 +101,26 @@ TEST_F(ForesightTest, TellsTheAlarmThatAProgramWouldRaise) {
   ASSERT_TRUE(foreseen);
   EXPECT_EQ(foreseen->diagnostic.code, "E5101");
   EXPECT_EQ(foreseen->diagnostic.place.line, 2);
+}
+
+TEST_F(ForesightTest, HandsOnThePathOfTheTip) {
+  write("round.nc", "G21 G90 G17 G54\nG0 X20 Y0 Z5\nG1 Z0 F1000\nG2 I-20\nM30\n");
+  foresight.look_at(1, "round.nc", now, file.machine.tables);
+  static_cast<void>(wait_for_prediction());
+  const std::lock_guard lock(mutex);
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_EQ(paths[0].channel, 1);
+  EXPECT_EQ(paths[0].program, "round.nc");
+  double greatest_y = 0.0;
+  double smallest_x = 0.0;
+  for (const recording::PreviewPoint& one : paths[0].points) {
+    if (one.rapid) continue;
+    EXPECT_NEAR(std::hypot(one.point[0], one.point[1]), 20.0, 1e-6);
+    greatest_y = std::max(greatest_y, one.point[1]);
+    smallest_x = std::min(smallest_x, one.point[0]);
+  }
+  EXPECT_NEAR(greatest_y, 20.0, 1e-2);
+  EXPECT_NEAR(smallest_x, -20.0, 1e-2);
 }
 
 TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {

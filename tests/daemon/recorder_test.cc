@@ -49,6 +49,21 @@ class RecorderTest : public ::testing::Test {
   std::int64_t cycle = 0;
 };
 
+TEST_F(RecorderTest, SendsThePathThatAProgramWillTake) {
+  ASSERT_TRUE(recorder.start_log());
+  run(10);
+  recorder.show_path({1, "part.nc", {{{1.0, 2.0, 3.0}, true, false}}});
+  run(10);
+  const auto log = recorder.stop_log();
+  ASSERT_TRUE(log);
+  run(10);
+  const auto contents = recording::read_contents(*log);
+  ASSERT_TRUE(contents);
+  const bool has_path = std::ranges::any_of(
+      contents->channels, [](const auto& channel) { return channel.first.ends_with("CH1_PATH"); });
+  EXPECT_TRUE(has_path);
+}
+
 TEST_F(RecorderTest, BeginsAndEndsALogOnDemand) {
   run(10);
   EXPECT_FALSE(recorder.stop_log()) << "there is none";

@@ -12,6 +12,7 @@
 #include "stanok_messages/force_status_t.hpp"
 #include "stanok_messages/input_t.hpp"
 #include "stanok_messages/log_meta_t.hpp"
+#include "stanok_messages/path_t.hpp"
 #include "stanok_messages/process_status_t.hpp"
 #include "stanok_messages/program_chunk_t.hpp"
 #include "stanok_messages/program_read_t.hpp"
@@ -62,6 +63,7 @@ const Bytes& sound_log() {
     append_event<program_chunk_t>(made, "PROGRAM");
     append_event<program_read_t>(made, "PROGRAM_READ");
     append_event<workpiece_t>(made, "WORKPIECE");
+    append_event<path_t>(made, "PATH");
     return made;
   }();
   return log;
