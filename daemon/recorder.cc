@@ -71,7 +71,7 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
         static_cast<std::int64_t>(file.recorder.flight_s * us_per_s));
     sinks.push_back(flight_.get());
   }
-  auto description = recording::describe(file.machine, std::string(protocol::version), build);
+  auto description = runtime::description_of(file, std::string(protocol::version), build);
   description.utime_start = wall_clock_us();
   if (options.logs_from_start) {
     status_.log_file = log_file_name(directory_, machine_);

@@ -10,7 +10,7 @@ LogObserver::LogObserver(const config::MachineFile& file, const RunSetup& setup,
   if (!writer) throw std::runtime_error(writer.error().text);
   writer_ = std::move(*writer);
   stream_ = std::make_unique<recording::MessageStream>(
-      recording::describe(file.machine, std::move(version), this_build()),
+      description_of(file, std::move(version), this_build()),
       std::vector<recording::MessageSink*>{writer_.get()});
   record_setup(setup, file, *stream_);
 }

@@ -51,6 +51,14 @@ RunSetup setup_of(const std::string& text) {
   return setup;
 }
 
+recording::LogDescription description_of(const config::MachineFile& file, std::string version,
+                                         std::string build) {
+  auto description = recording::describe(file.machine, std::move(version), std::move(build));
+  if (!file.sources.empty())
+    description.config_hash = recording::text_hash(file.sources.front().text);
+  return description;
+}
+
 void record_setup(const RunSetup& setup, const config::MachineFile& file,
                   recording::MessageStream& stream) {
   using recording::TextKind;

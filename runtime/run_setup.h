@@ -22,6 +22,10 @@ struct RunSetup {
 [[nodiscard]] std::string text_of(const RunSetup& setup);
 [[nodiscard]] RunSetup setup_of(const std::string& text);
 
+// What a log of the machine says of itself first.
+[[nodiscard]] recording::LogDescription description_of(const config::MachineFile& file,
+                                                       std::string version, std::string build);
+
 // Sends the setup, with the starts of `file.machine`, and the files of the machine, named from the
 // folder of the machine file.
 void record_setup(const RunSetup& setup, const config::MachineFile& file,

@@ -1,4 +1,5 @@
-// docs/messages.md lists every field of every message as messages/*.lcm defines it. To write it anew:
+// docs/messages.md lists every field of every message as messages/*.lcm defines it. To write it
+// anew:
 //   STANOK_WRITE_DOCS=1 build/dev/tests/recording_tests --gtest_filter='MessagesDocument.*'
 #include <gtest/gtest.h>
 

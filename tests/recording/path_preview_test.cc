@@ -71,9 +71,7 @@ TEST(PathPreview, IsBoundedHoweverLongTheProgram) {
 
 class PathOnTheBus : public ::testing::Test {
  protected:
-  PathOnTheBus() {
-    publisher.bus()->subscribeFunction("STANOK_MILL_CH1_PATH", &keep, &messages);
-  }
+  PathOnTheBus() { publisher.bus()->subscribeFunction("STANOK_MILL_CH1_PATH", &keep, &messages); }
   static void keep(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
                    const path_t* message, std::vector<path_t>* messages) {
     messages->push_back(*message);
@@ -85,7 +83,8 @@ class PathOnTheBus : public ::testing::Test {
   }
   static PathPreview line(int count) {
     PathPreview preview{1, "part.nc", {}};
-    for (int k = 0; k < count; ++k) preview.points.push_back({{1.0 * k, 0.0, 0.0}, k == 0, k > 100});
+    for (int k = 0; k < count; ++k)
+      preview.points.push_back({{1.0 * k, 0.0, 0.0}, k == 0, k > 100});
     return preview;
   }
 

@@ -11,6 +11,7 @@
 #include "recording/channel_names.h"
 #include "recording/decode.h"
 #include "recording/encode.h"
+#include "recording/log_contents.h"
 #include "recording/log_reader.h"
 #include "runtime/assembly.h"
 #include "runtime/log_observer.h"
@@ -173,6 +174,19 @@ TEST_P(ReplayOfAnything, IsTheSameBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfAnything, ::testing::Range(0, 12));
+
+TEST(Replay, ALogSaysWhichMachineFileItIsOf) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 1);
+  run.run(10);
+  run.close();
+  std::ifstream file(source_tree / "config" / "machines" / "mill3.toml", std::ios::binary);
+  std::uint64_t fnv1a = 14695981039346656037U;
+  for (char byte = 0; file.get(byte);)
+    fnv1a = (fnv1a ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+  const auto contents = recording::read_contents(run.path());
+  ASSERT_TRUE(contents && contents->description);
+  EXPECT_EQ(contents->description->config_hash, fnv1a);
+}
 
 // As after a daemon that ended elsewhere.
 TEST(Replay, OfARunThatBeganWhereTheAxesStoodLast) {
