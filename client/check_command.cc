@@ -186,7 +186,9 @@ void add_machine_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command = noun_command(app, "machine", "the machine as a whole")
                           .add_subcommand("check", "find errors of a machine file");
-  command->add_option("MACHINE", options->path, "machine file (TOML)")->required();
+  command->add_option("MACHINE", options->path, "machine file (TOML)")
+      ->type_name("FILE")
+      ->required();
   command->add_flag("--json", options->json, "print JSON");
   command->callback(
       [options, &exit_code] { exit_code = check_machine(options->path, options->json); });
@@ -196,6 +198,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "find errors of programs without running them");
   command->add_option("PROGRAM", options->programs, "part programs, or folders of them")
+      ->type_name("FILE")
       ->required();
   command->add_flag("--estimate", options->estimate,
                     "time and figures of each block under a feed law; with --json an object");

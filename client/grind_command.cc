@@ -205,12 +205,14 @@ void add_process_options(CLI::App& command, GrindOptions& options) {
 }
 
 void add_result_options(CLI::App& command, GrindOptions& options) {
-  command.add_option("--out", options.out, "control file to write");
+  command.add_option("--out", options.out, "control file to write")->type_name("FILE");
   command.add_option("--picture", options.picture, "picture of the cycle, .svg or .png")
+      ->type_name("FILE")
       ->check(picture_name_fault);
   command
       .add_option("--optimum-picture", options.optimum_picture,
                   "picture of the continuous law, .svg or .png")
+      ->type_name("FILE")
       ->check(picture_name_fault);
   command.add_flag("--json", options.json, "print JSON");
 }
@@ -220,8 +222,10 @@ void add_machine_options(CLI::App& command, GrindOptions& options) {
       .add_option("--gauge", options.gauge_margin_mm,
                   "the gauge ends the last feed, at most this far below the last X, mm")
       ->check(CLI::Range(0.001, 1.0));
-  command.add_option("--machine", options.machine.machine_file,
-                     "machine file: spindles of its grind channel");
+  command
+      .add_option("--machine", options.machine.machine_file,
+                  "machine file: spindles of its grind channel")
+      ->type_name("FILE");
   command.add_option("--channel", options.machine.channel, "channel of the machine")
       ->check(CLI::PositiveNumber);
   command
@@ -264,8 +268,9 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
   const auto [design, of_design] =
       add("design", "infeed cycle of a process: optimum, table, program", &run_design);
   design->add_option("PROCESS", of_design->input, "process file (.toml) or control file")
+      ->type_name("FILE")
       ->required();
-  design->add_option("--program", of_design->program, "part program to write");
+  design->add_option("--program", of_design->program, "part program to write")->type_name("FILE");
   add_process_options(*design, *of_design);
   add_staircase_options(*design, *of_design);
   add_iteration_options(*design, *of_design);
@@ -274,13 +279,19 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
 
   const auto [verify, of_verify] =
       add("verify", "simulate the cycle of a control file and judge it", &run_verify);
-  verify->add_option("CONTROL_FILE", of_verify->input, "control file")->required();
+  verify->add_option("CONTROL_FILE", of_verify->input, "control file")
+      ->type_name("FILE")
+      ->required();
   add_process_options(*verify, *of_verify);
   add_result_options(*verify, *of_verify);
 
   const auto [program, of_program] = add("program", "part program of a control file", &run_program);
-  program->add_option("CONTROL_FILE", of_program->input, "control file")->required();
-  program->add_option("-o,--out", of_program->program, "part program to write")->required();
+  program->add_option("CONTROL_FILE", of_program->input, "control file")
+      ->type_name("FILE")
+      ->required();
+  program->add_option("-o,--out", of_program->program, "part program to write")
+      ->type_name("FILE")
+      ->required();
   program
       ->add_option("--spark-out", of_program->spark_out_revolutions, "revolutions after the last X")
       ->check(CLI::Range(0.0, 1000.0));
@@ -288,9 +299,11 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
 
   const auto [study, of_study] =
       add("study", "designs over varied numbers of a process, as CSV", &run_study_command);
-  study->add_option("PROCESS", of_study->input, "process file (.toml) or control file")->required();
+  study->add_option("PROCESS", of_study->input, "process file (.toml) or control file")
+      ->type_name("FILE")
+      ->required();
   study->add_option("--vary", of_study->variations, "KEY=FROM:TO:COUNT, several times")->required();
-  study->add_option("--out", of_study->out, "CSV file; else stdout");
+  study->add_option("--out", of_study->out, "CSV file; else stdout")->type_name("FILE");
   add_process_options(*study, *of_study);
   add_staircase_options(*study, *of_study);
 }

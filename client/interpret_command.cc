@@ -97,7 +97,7 @@ void add_interpret_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<InterpretOptions>();
   CLI::App* command =
       app.add_subcommand("interpret", "print a program's records after block preparation");
-  command->add_option("PROGRAM", options->program, "part program")->required();
+  command->add_option("PROGRAM", options->program, "part program")->type_name("FILE")->required();
   add_job_options(*command, options->job);
   auto* const line =
       command->add_option("--from-line", options->from_line, "begin at this line (block search)");

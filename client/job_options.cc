@@ -21,10 +21,14 @@ int integer(const std::string& text, const std::string& option) {
 }  // namespace
 
 void add_job_options(CLI::App& command, JobOptions& options) {
-  command.add_option("--machine", options.machine_file, "machine file (TOML)")->required();
+  command.add_option("--machine", options.machine_file, "machine file (TOML)")
+      ->type_name("FILE")
+      ->required();
   command.add_option("--channel", options.channel, "channel of PROGRAM")->capture_default_str();
-  command.add_option("--scheme", options.schemes, "CH=ID: kinematic scheme active at the start");
-  command.add_option("--program-root", options.program_root, "folder where programs are searched");
+  command.add_option("--scheme", options.schemes, "CH=ID: kinematic scheme active at the start")
+      ->type_name("CH=ID");
+  command.add_option("--program-root", options.program_root, "folder where programs are searched")
+      ->type_name("FOLDER");
   command.add_flag("--json", options.json, "print JSON");
 }
 

@@ -171,7 +171,7 @@ void add_log_commands(CLI::App& app, int& exit_code) {
   const auto add = [&](const char* verb, const char* help, int (*job)(const LogOptions&)) {
     const auto options = std::make_shared<LogOptions>();
     CLI::App* command = noun.add_subcommand(verb, help);
-    command->add_option("FILE", options->file, "LCM log")->required();
+    command->add_option("FILE", options->file, "LCM log")->type_name("FILE")->required();
     command->callback([options, job, &exit_code] { exit_code = job(*options); });
     return std::pair(command, options);
   };
@@ -180,13 +180,17 @@ void add_log_commands(CLI::App& app, int& exit_code) {
   info->add_flag("--json", info_options->json, "print JSON");
 
   const auto [csv, csv_options] = add("export", "set-points of a log file as CSV", &export_csv);
-  csv->add_option("--csv", csv_options->out, "file to write; - is the standard output")->required();
+  csv->add_option("--csv", csv_options->out, "file to write; - is the standard output")
+      ->type_name("FILE")
+      ->required();
   csv->add_option("--channel", csv_options->channel, "channel of the machine")
       ->check(CLI::PositiveNumber);
 
   const auto [pictures, plot_options] =
       add("plot", "pictures of a log file: path, speed, axes (PNG and SVG, by gnuplot)", &plot);
-  pictures->add_option("--out", plot_options->out, "directory for the pictures")->required();
+  pictures->add_option("--out", plot_options->out, "directory for the pictures")
+      ->type_name("FOLDER")
+      ->required();
   pictures->add_option("--channel", plot_options->channel, "channel of the machine; else all")
       ->check(CLI::PositiveNumber);
 
@@ -200,7 +204,8 @@ void add_log_commands(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   bus->add_option("--lcm", play_options->lcm,
-                  "LCM URL; else LCM_DEFAULT_URL, else the local multicast group");
+                  "LCM URL; else LCM_DEFAULT_URL, else the local multicast group")
+      ->type_name("URL");
 }
 
 }  // namespace stanok::client

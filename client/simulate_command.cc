@@ -263,18 +263,24 @@ int run(const SimulateOptions& given) {
 void add_simulate_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "run programs on the virtual clock");
-  command->add_option("PROGRAM", options->program, "part program");
+  command->add_option("PROGRAM", options->program, "part program")->type_name("FILE");
   add_job_options(*command, options->job);
-  command->add_option("--run", options->runs, "CH=FILE: run FILE on channel CH; may be repeated");
-  command->add_option("--tip-trace", options->tip_traces,
-                      "CH=FILE.csv: programmed point per cycle");
-  command->add_option("--axis-trace", options->axis_traces, "CH=FILE.csv: machine axes per cycle");
-  command->add_option("--log", options->log, "LCM log of all set-points, states and inputs");
+  command->add_option("--run", options->runs, "CH=FILE: run FILE on channel CH; may be repeated")
+      ->type_name("CH=FILE");
+  command->add_option("--tip-trace", options->tip_traces, "CH=FILE.csv: programmed point per cycle")
+      ->type_name("CH=FILE");
+  command->add_option("--axis-trace", options->axis_traces, "CH=FILE.csv: machine axes per cycle")
+      ->type_name("CH=FILE");
+  command->add_option("--log", options->log, "LCM log of all set-points, states and inputs")
+      ->type_name("FILE");
   command->add_option("--until", options->until_s, "stop after this machine time, s");
   command->add_flag("--drives", options->drives, "run the simulated drives; else they are ideal");
-  command->add_option("--events", options->events, "operator events, one JSON object a line");
-  command->add_option("--sensors", options->sensors,
-                      "CSV of sensor values over machine time: t,power_w,vibration_um");
+  command->add_option("--events", options->events, "operator events, one JSON object a line")
+      ->type_name("FILE");
+  command
+      ->add_option("--sensors", options->sensors,
+                   "CSV of sensor values over machine time: t,power_w,vibration_um")
+      ->type_name("FILE");
   add_workpiece_options(*command, options->workpiece);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

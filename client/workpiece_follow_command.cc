@@ -161,12 +161,17 @@ void add_workpiece_follow_command(CLI::App& app, int& exit_code) {
   CLI::App& noun = noun_command(app, "workpiece", "virtual workpiece");
   CLI::App* command = noun.add_subcommand(
       "follow", "cut along with a machine: pictures as it goes, STL at the end");
-  command->add_option("SOURCE", options->source, "log file, or URL of the LCM bus")->required();
-  command->add_option("--machine", options->machine_file,
-                      "machine file; needed for the bus, a log has its own");
+  command->add_option("SOURCE", options->source, "log file, or URL of the LCM bus")
+      ->type_name("FILE|URL")
+      ->required();
+  command
+      ->add_option("--machine", options->machine_file,
+                   "machine file; needed for the bus, a log has its own")
+      ->type_name("FILE");
   command
       ->add_option("--out", options->folder,
                    "folder for part-0001.png ..., part.png, part.stl, part.json")
+      ->type_name("FOLDER")
       ->capture_default_str();
   command->add_option("--every", options->every_s, "machine time between pictures, s")
       ->capture_default_str()

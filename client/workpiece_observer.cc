@@ -16,11 +16,16 @@ FileNames names_of(const std::vector<channels::RunReport>& runs) {
 }  // namespace
 
 void add_workpiece_options(CLI::App& command, WorkpieceOptions& options) {
-  command.add_option("--workpiece-out", options.files.stl,
-                     "STL of what is left of the blank of #workpiece");
-  command.add_option("--picture", options.files.picture, "PNG of it, seen from four sides");
-  command.add_option("--workpiece-report", options.files.report,
-                     "JSON: findings, and volume and removal rate of every block");
+  command
+      .add_option("--workpiece-out", options.files.stl,
+                  "STL of what is left of the blank of #workpiece")
+      ->type_name("FILE");
+  command.add_option("--picture", options.files.picture, "PNG of it, seen from four sides")
+      ->type_name("FILE");
+  command
+      .add_option("--workpiece-report", options.files.report,
+                  "JSON: findings, and volume and removal rate of every block")
+      ->type_name("FILE");
   command.add_option("--workpiece-memory", options.memory_mib, "MiB that a workpiece may take")
       ->capture_default_str()
       ->check(CLI::Range(1, 1 << 20));

@@ -26,14 +26,19 @@ struct CommandLine {
 void add_options(CLI::App& app, CommandLine& given) {
   static const std::map<std::string, DriveChoice> choices = {{"real", DriveChoice::real},
                                                              {"embedded", DriveChoice::embedded}};
-  app.add_option("--machine", given.options.machine_file, "machine file (TOML)")->required();
-  app.add_option("--state", given.options.state_directory, "state directory");
-  app.add_option("--socket", given.options.socket, "socket for operators");
-  app.add_option("--lcm", given.options.lcm, "LCM URL, or off");
-  app.add_option("--program-root", given.options.program_root, "folder of the part programs");
+  app.add_option("--machine", given.options.machine_file, "machine file (TOML)")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--state", given.options.state_directory, "state directory")->type_name("FOLDER");
+  app.add_option("--socket", given.options.socket, "socket for operators")->type_name("PATH");
+  app.add_option("--lcm", given.options.lcm, "LCM URL, or off")->type_name("URL");
+  app.add_option("--program-root", given.options.program_root, "folder of the part programs")
+      ->type_name("FOLDER");
   app.add_option("--drives", given.options.drives, "real, or embedded: simulated ones inside")
-      ->transform(CLI::CheckedTransformer(choices));
-  app.add_option("--log", given.options.log_directory, "folder to write an LCM log into");
+      ->transform(CLI::CheckedTransformer(choices).description(""))
+      ->type_name("real|embedded");
+  app.add_option("--log", given.options.log_directory, "folder to write an LCM log into")
+      ->type_name("FOLDER");
   app.add_flag("--check-config", given.check_only, "read the machine file, say what is wrong, end");
 }
 

@@ -41,10 +41,12 @@ int run(int argc, char** argv) {
   WorkloadOptions options;
   std::vector<double> start;
   BlockRange range;
-  app.add_option("--out", folder, "folder for the files")->required();
+  app.add_option("--out", folder, "folder for the files")->type_name("FOLDER")->required();
   app.add_option("--scale", options.scale, "full: as in the experiment; small: under a minute")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Scale>{{"full", Scale::full}, {"small", Scale::small}}));
+                      std::map<std::string, Scale>{{"full", Scale::full}, {"small", Scale::small}})
+                      .description(""))
+      ->type_name("full|small");
   app.add_option("--feed-low", options.feed_low, "three-axis feed on steep parts, mm/min")
       ->check(CLI::PositiveNumber);
   app.add_option("--feed-high", options.feed_high, "three-axis feed on flat parts, mm/min")
