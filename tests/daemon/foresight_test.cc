@@ -115,7 +115,7 @@ TEST_F(ForesightTest, HandsOnThePathOfTheTip) {
   double smallest_x = 0.0;
   for (const recording::PreviewPoint& one : paths[0].points) {
     if (one.rapid) continue;
-    EXPECT_NEAR(std::hypot(one.point[0], one.point[1]), 20.0, 1e-6);
+    EXPECT_NEAR(std::hypot(one.point[0], one.point[1]), 20.0, 1e-5);
     greatest_y = std::max(greatest_y, one.point[1]);
     smallest_x = std::min(smallest_x, one.point[0]);
   }
