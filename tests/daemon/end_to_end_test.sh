@@ -43,7 +43,6 @@ wait_for '"line":3,'
 expect_exit 0 program hold
 wait_for '"program_status":"Interrupted"'
 wait_for '"speed_mm_s":0.0,'
-positions() { grep -o '"position":[^,}]*[^}]*' <<<"$output"; } # predictions may come meanwhile
 held=$(positions)
 sleep 0.2
 expect_exit 0 channel status --json

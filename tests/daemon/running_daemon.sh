@@ -93,6 +93,12 @@ wait_for() {
   fail "channel status never showed $1"
 }
 
+# positions: all that stand in $output, of a status of a channel. What else it says may change at rest, as
+# predictions do.
+positions() {
+  grep -o '"position":[^,}]*[^}]*' <<<"$output"
+}
+
 expect_output() {
   [[ $output == *"$1"* ]] || fail "$2: no $1 in: $output"
 }

@@ -65,12 +65,12 @@ expect_exit 0 program stop
 
 # A client that dies while it jogs.
 expect_exit 0 channel status --json
-before=${output#*\"position\"}
+before=$(positions)
 "${operate[@]}" jog X --velocity 5 >/dev/null 2>&1 &
 client=$!
 for ((k = 0; k < 200; ++k)); do
   expect_exit 0 channel status --json
-  [[ ${output#*\"position\"} != "$before" ]] && break
+  [[ $(positions) != "$before" ]] && break
   sleep 0.05
 done
 ((k < 200)) || fail "the jog does not move its axis"
@@ -78,10 +78,10 @@ kill -KILL "$client"
 wait "$client" 2>/dev/null || true
 sleep 0.5
 expect_exit 0 channel status --json
-position=$output
+position=$(positions)
 sleep 0.3
 expect_exit 0 channel status --json
-[[ ${position#*\"position\"} == "${output#*\"position\"}" ]] || fail "the axis still moves without its client"
+[[ $position == "$(positions)" ]] || fail "the axis still moves without its client"
 expect_exit 0 system shutdown
 expect_end 0
 unset LC_ALL LOCPATH TZ
