@@ -43,7 +43,7 @@ sed -i "s/^port = .*/port = $port/" "$machine"
 printf 'G21 G90 G17 G54\nG0 X-200 Y-100\nG0 X200 Y100\nG0 X-200 Y-100\nG0 X200 Y100\nM30\n' >"$folder/rapid.nc"
 
 # positions: those that the drives tell, in one line.
-positions() { "${operate[@]}" drive status --json | grep -o '"position":[-0-9.]*' | tr '\n' ' '; }
+drive_positions() { "${operate[@]}" drive status --json | grep -o '"position":[-0-9.]*' | tr '\n' ' '; }
 
 begin_rapid() {
   switch_on
@@ -54,9 +54,9 @@ begin_rapid() {
 expect_rest() {
   local before after k
   for ((k = 0; k < 100; ++k)); do
-    before=$(positions)
+    before=$(drive_positions)
     sleep 0.3
-    after=$(positions)
+    after=$(drive_positions)
     [[ -n $before && $before == "$after" ]] && return
   done
   fail "$1: the axes still move: $before then $after"
@@ -74,9 +74,9 @@ for ((k = 0; k < 100; ++k)); do
   sleep 0.05
 done
 expect_output '"state":"fault"' "drives whose daemon was killed"
-rest=$(positions)
+rest=$(drive_positions)
 sleep 1
-[[ $(positions) == "$rest" ]] || fail "an axis moves after the daemon was killed: $rest"
+[[ $(drive_positions) == "$rest" ]] || fail "an axis moves after the daemon was killed: $rest"
 expect_exit 1 program run rapid.nc # nothing moves until an operator says so
 
 expect_exit 0 program reset
