@@ -42,7 +42,7 @@ sed -i "s/^port = .*/port = $port/" "$machine"
 # 250 mm/s over 1.6 s each.
 printf 'G21 G90 G17 G54\nG0 X-200 Y-100\nG0 X200 Y100\nG0 X-200 Y-100\nG0 X200 Y100\nM30\n' >"$folder/rapid.nc"
 
-# positions: those that the drives tell, in one line.
+# drive_positions: those that the drives tell, in one line.
 drive_positions() { "${operate[@]}" drive status --json | grep -o '"position":[-0-9.]*' | tr '\n' ' '; }
 
 begin_rapid() {
