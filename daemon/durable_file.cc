@@ -155,8 +155,7 @@ Expected<std::optional<DurableText>, std::string> read_durably(const fs::path& f
   return Unexpected<std::string>((copy.exists ? file : previous_copy(file)).string() + " " +
                                  (copy.exists ? copy.fault : previous.fault) +
                                  ", and there is no good previous copy; restore it, or move it "
-                                 "away to begin with the tables of "
-                                 "the machine file");
+                                 "away to begin with what the machine file says");
 }
 
 }  // namespace stanok::daemon

@@ -52,9 +52,9 @@ class PreviewGathering final : public runtime::CycleObserver {
     }
   }
 
-  void hand_to(const Foresight::PathTaker& take_path, const std::string& program) const {
-    for (const auto& [channel, writer] : writers_) {
-      auto points = writer.points();
+  void hand_to(const Foresight::PathTaker& take_path, const std::string& program) {
+    for (auto& [channel, writer] : writers_) {
+      auto points = writer.take();
       if (!points.empty()) take_path({channel, program, std::move(points)});
     }
   }

@@ -119,8 +119,8 @@ TEST_F(ForesightTest, HandsOnThePathOfTheTip) {
     greatest_y = std::max(greatest_y, one.point[1]);
     smallest_x = std::min(smallest_x, one.point[0]);
   }
-  EXPECT_NEAR(greatest_y, 20.0, 1e-2);
-  EXPECT_NEAR(smallest_x, -20.0, 1e-2);
+  EXPECT_NEAR(greatest_y, 20.0, 0.02);
+  EXPECT_NEAR(smallest_x, -20.0, 0.02);
 }
 
 TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {

@@ -29,16 +29,41 @@ TEST(PathPreview, KnowsFeedFromRapidTraverseAndWhereNoLineLeads) {
   PreviewWriter writer(words);
   for (int k = 0; k <= 10; ++k) writer.add(at(k, 0.0, 50.0, 0.0));
   for (int k = 0; k <= 10; ++k) writer.add(at(10.0, k, 50.0, 20.0));
-  const auto points = writer.points();
-  ASSERT_GE(points.size(), 22U);
+  const auto points = writer.take();
+  std::vector<PlotPoint> feed;
+  std::vector<PlotPoint> rapid;
   int begins = 0;
   for (const PreviewPoint& one : points) {
+    (one.rapid ? rapid : feed).push_back(one.point);
     begins += one.begins ? 1 : 0;
-    EXPECT_EQ(one.point[2], 50.0);
-    EXPECT_EQ(one.rapid, one.point[1] == 0.0 && !(one.begins && one.point[0] == 10.0));
   }
   EXPECT_EQ(begins, 2) << "one line at feed, one in rapid traverse";
-  EXPECT_EQ(points.back().point, (PlotPoint{10.0, 0.0, 50.0}));
+  EXPECT_EQ(rapid, (std::vector<PlotPoint>{{0.0, 0.0, 50.0}, {10.0, 0.0, 50.0}}));
+  EXPECT_EQ(feed, (std::vector<PlotPoint>{{10.0, 0.0, 50.0}, {10.0, 10.0, 50.0}}));
+}
+
+TEST(PathPreview, StaysWithinAHundredthOfAMillimetre) {
+  PreviewWriter writer(words);
+  for (int k = 0; k <= 36'000; ++k) {
+    const double angle = k * 3.14159265358979 / 18'000.0;
+    writer.add(at(20.0 * std::cos(angle), 20.0 * std::sin(angle), 0.0, 20.0));
+  }
+  const auto points = writer.take();
+  EXPECT_LT(points.size(), 200U);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const double x = 0.5 * (points[k].point[0] + points[k - 1].point[0]);
+    const double y = 0.5 * (points[k].point[1] + points[k - 1].point[1]);
+    EXPECT_LE(20.0 - std::hypot(x, y), 0.01 + 1e-9);
+  }
+  EXPECT_EQ(points.back().point[0], 20.0);
+}
+
+TEST(PathPreview, KeepsAPathThatTurnsBack) {
+  PreviewWriter writer(words);
+  for (const double x : {0.0, 5.0, 10.0, 5.0, 0.0, -5.0}) writer.add(at(x, 0.0, 0.0, 20.0));
+  std::vector<double> xs;
+  for (const PreviewPoint& one : writer.take()) xs.push_back(one.point[0]);
+  EXPECT_EQ(xs, (std::vector<double>{0.0, 10.0, -5.0}));
 }
 
 TEST(PathPreview, LeavesALineOutBetweenRuns) {
@@ -50,7 +75,7 @@ TEST(PathPreview, LeavesALineOutBetweenRuns) {
       writer.add(output);
     }
   }
-  const auto points = writer.points();
+  const auto points = writer.take();
   for (std::size_t k = 1; k < points.size(); ++k) {
     if (!points[k].begins) {
       EXPECT_LE(points[k].point[0] - points[k - 1].point[0], 5.0);
@@ -62,7 +87,7 @@ TEST(PathPreview, IsBoundedHoweverLongTheProgram) {
   PreviewWriter writer(words);
   for (int k = 0; k < 300'000; ++k)
     writer.add(at(50.0 * std::cos(0.01 * k), 50.0 * std::sin(0.01 * k), 0.001 * k, 20.0));
-  const auto points = writer.points();
+  const auto points = writer.take();
   EXPECT_LE(points.size(), ThinnedPath::points_max);
   EXPECT_GT(points.size(), 1000U);
   for (const PreviewPoint& one : points)
