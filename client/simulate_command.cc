@@ -181,15 +181,7 @@ int outcome(const runtime::SimulationResult& result) {
   return code;
 }
 
-int run(const SimulateOptions& given) {
-  runtime::SimulationOptions options;
-  options.file = config::read_machine_file(given.job.machine_file);
-  options.schemes = scheme_choices(given.job);
-  options.until_s = given.until_s;
-  if (given.drives) options.drives = runtime::DriveChoice::simulated;
-  if (!given.events.empty()) options.events = read_operator_events(given.events);
-  if (!given.sensors.empty())
-    options.sensors = read_sensor_file(given.sensors, options.file.machine.spindles);
+void take_programs(const SimulateOptions& given, runtime::SimulationOptions& options) {
   std::vector<LocatedProgram> programs;
   const auto add_program = [&](int channel, const std::string& file) {
     programs.push_back(locate(file));
@@ -202,38 +194,58 @@ int run(const SimulateOptions& given) {
   }
   if (options.programs.empty()) throw CLI::RequiredError("PROGRAM or --run");
   options.program_roots = search_roots(programs, given.job);
+}
 
-  std::vector<std::unique_ptr<runtime::CycleObserver>> owned;
-  owned.push_back(std::make_unique<ProgressLine>(options.file.machine.cycle_us * 1e-6));
-  owned.push_back(std::make_unique<EventLines>());
-  for (const std::string& text : given.tip_traces) {
-    const auto [channel, file] = channel_assignment(text, "--tip-trace");
-    owned.push_back(std::make_unique<runtime::TipTrace>(options.file.machine, channel, file));
-  }
-  for (const std::string& text : given.axis_traces) {
-    const auto [channel, file] = channel_assignment(text, "--axis-trace");
-    owned.push_back(std::make_unique<runtime::AxisTrace>(options.file.machine, channel, file));
-  }
-  runtime::LogObserver* log = nullptr;
-  if (!given.log.empty()) {
-    auto observer = std::make_unique<runtime::LogObserver>(
-        options.file, runtime::setup_of(options), given.log, std::string(protocol::version));
-    log = observer.get();
-    owned.push_back(std::move(observer));
-  }
-  std::unique_ptr<WorkpieceObserver> workpieces;
-  if (given.workpiece.files.is_wanted())
-    workpieces = std::make_unique<WorkpieceObserver>(options.file.machine, given.workpiece);
-  std::vector<runtime::CycleObserver*> observers;
-  observers.reserve(owned.size());
-  for (const auto& observer : owned) observers.push_back(observer.get());
-  if (workpieces != nullptr) observers.push_back(workpieces.get());
+runtime::SimulationOptions simulation_options(const SimulateOptions& given) {
+  runtime::SimulationOptions options;
+  options.file = config::read_machine_file(given.job.machine_file);
+  options.schemes = scheme_choices(given.job);
+  options.until_s = given.until_s;
+  if (given.drives) options.drives = runtime::DriveChoice::simulated;
+  if (!given.events.empty()) options.events = read_operator_events(given.events);
+  if (!given.sensors.empty())
+    options.sensors = read_sensor_file(given.sensors, options.file.machine.spindles);
+  take_programs(given, options);
+  return options;
+}
 
-  std::signal(SIGINT, on_interrupt);
-  const auto result = runtime::simulate(options, observers, [] { return interrupted != 0; });
-  const std::string log_error = log == nullptr ? std::string() : log->close();
-  if (!log_error.empty()) std::fprintf(stderr, "error: %s\n", log_error.c_str());
-  owned.clear();
+// Who looks at the cycles of a run.
+struct Observers {
+  std::vector<std::unique_ptr<runtime::CycleObserver>> lines_and_traces;
+  std::unique_ptr<runtime::LogObserver> log;      // none: no log is written
+  std::unique_ptr<WorkpieceObserver> workpieces;  // none: nothing is asked of them
+
+  Observers(const SimulateOptions& given, const runtime::SimulationOptions& options) {
+    const channels::MachineConfig& machine = options.file.machine;
+    lines_and_traces.push_back(std::make_unique<ProgressLine>(machine.cycle_us * 1e-6));
+    lines_and_traces.push_back(std::make_unique<EventLines>());
+    for (const std::string& text : given.tip_traces) {
+      const auto [channel, file] = channel_assignment(text, "--tip-trace");
+      lines_and_traces.push_back(std::make_unique<runtime::TipTrace>(machine, channel, file));
+    }
+    for (const std::string& text : given.axis_traces) {
+      const auto [channel, file] = channel_assignment(text, "--axis-trace");
+      lines_and_traces.push_back(std::make_unique<runtime::AxisTrace>(machine, channel, file));
+    }
+    if (!given.log.empty()) {
+      log = std::make_unique<runtime::LogObserver>(options.file, runtime::setup_of(options),
+                                                   given.log, std::string(protocol::version));
+    }
+    if (given.workpiece.files.is_wanted())
+      workpieces = std::make_unique<WorkpieceObserver>(machine, given.workpiece);
+  }
+
+  [[nodiscard]] std::vector<runtime::CycleObserver*> all() const {
+    std::vector<runtime::CycleObserver*> observers;
+    observers.reserve(lines_and_traces.size() + 2);
+    for (const auto& observer : lines_and_traces) observers.push_back(observer.get());
+    if (log != nullptr) observers.push_back(log.get());
+    if (workpieces != nullptr) observers.push_back(workpieces.get());
+    return observers;
+  }
+};
+
+void tell_faults(const runtime::SimulationResult& result) {
   for (const auto& report : result.load_diagnostics) print(report.diagnostic);
   for (const auto& report : result.alarms) {
     if (result.load_diagnostics.empty() || report.diagnostic.place.line > 0)
@@ -245,15 +257,32 @@ int run(const SimulateOptions& given) {
   }
   for (const std::string& refused : result.refused_events)
     std::fprintf(stderr, "warning: an event of the operator was refused: %s\n", refused.c_str());
-  const bool has_workpieces = workpieces == nullptr || workpieces->finish(result.runs);
+}
+
+void print_result(const SimulateOptions& given, const channels::MachineConfig& machine,
+                  const runtime::SimulationResult& result, const WorkpieceObserver* workpieces) {
   if (given.job.json) {
-    nlohmann::ordered_json json = result_json(result, options.file.machine);
+    nlohmann::ordered_json json = result_json(result, machine);
     if (workpieces != nullptr) json["workpieces"] = workpieces->json();
     std::printf("%s\n", json.dump().c_str());
   } else {
     print_summary(result);
     if (workpieces != nullptr) workpieces->print_summary();
   }
+}
+
+int run(const SimulateOptions& given) {
+  const runtime::SimulationOptions options = simulation_options(given);
+  Observers observers(given, options);
+  std::signal(SIGINT, on_interrupt);
+  const auto result = runtime::simulate(options, observers.all(), [] { return interrupted != 0; });
+  const std::string log_error = observers.log == nullptr ? "" : observers.log->close();
+  if (!log_error.empty()) std::fprintf(stderr, "error: %s\n", log_error.c_str());
+  observers.lines_and_traces.clear();
+  tell_faults(result);
+  WorkpieceObserver* workpieces = observers.workpieces.get();
+  const bool has_workpieces = workpieces == nullptr || workpieces->finish(result.runs);
+  print_result(given, options.file.machine, result, workpieces);
   const int code = outcome(result);
   return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;
 }

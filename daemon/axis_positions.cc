@@ -7,6 +7,7 @@ namespace stanok::daemon {
 std::vector<double> positions_of_axes(const channels::MachineConfig& machine,
                                       const channels::CycleOutput& output) {
   std::vector<double> positions;
+  positions.reserve(machine.axes.size());
   for (const channels::AxisConfig& axis : machine.axes) positions.push_back(axis.start);
   std::vector<bool> is_known(positions.size(), false);
   const auto end = output.channels.begin() + output.channel_count;

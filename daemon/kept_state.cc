@@ -106,6 +106,7 @@ void load_state(const fs::path& directory, channels::MachineConfig& machine) {
 
 PositionSnapshot::PositionSnapshot(const channels::MachineConfig& machine) : machine_(machine) {
   std::vector<double> starts;
+  starts.reserve(machine.axes.size());
   for (const channels::AxisConfig& axis : machine.axes) starts.push_back(axis.start);
   kept_ = positions_text(machine, starts);
 }
