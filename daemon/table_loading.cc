@@ -94,13 +94,11 @@ std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
         const bool has_any = of_channel != now.reference_points.end();
         const double before = has_any ? value_in(of_channel->second, name, axis) : 0.0;
         if (value == before) continue;
-        return Failure{FailureKind::refused,
-                       "E9015",
-                       "reference point " + name + " of channel " + std::to_string(channel) + ": " +
-                           axis + " is " + json(before).dump() + " here and " + json(value).dump() +
-                           " in the text",
-                       0,
-                       {}};
+        std::string text = "reference point " + name;
+        text.append(" of channel ").append(std::to_string(channel)).append(": ").append(axis);
+        text.append(" is ").append(json(before).dump()).append(" here and ");
+        text.append(json(value).dump()).append(" in the text");
+        return Failure{FailureKind::refused, "E9015", std::move(text), 0, {}};
       }
     }
   }
