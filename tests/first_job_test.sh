@@ -4,6 +4,8 @@
 # usage: first_job_test.sh FOLDER_OF_PROGRAMS SOURCE_FOLDER
 set -euo pipefail
 readonly programs=$1 source=$2
+# shellcheck source=tests/support/patient_machine.sh
+source "$source/tests/support/patient_machine.sh"
 folder=$(mktemp -d)
 daemon_of() { cat "$folder/state/stanokd.lock" 2>/dev/null || true; }
 finish() {
@@ -19,8 +21,9 @@ trap finish EXIT
   # shellcheck disable=SC2016
   sed -n '/^```sh$/,/^```$/p' "$source/docs/first-job.md" | sed '/^```/d'
 } >"$folder/walk.sh"
-export PATH="$programs:$PATH" MACHINES="$source/config/machines"
-if ! (cd "$folder" && timeout 100 bash walk.sh >walk.log 2>&1); then
+for machine in "$source"/config/machines/*.toml; do patient_machine "$machine" "$folder" >/dev/null; done
+export PATH="$programs:$PATH" MACHINES="$folder/machine"
+if ! (cd "$folder" && timeout 280 bash walk.sh >walk.log 2>&1); then
   echo "FAILED: $(tail -n 30 "$folder/walk.log")" >&2
   exit 1
 fi
