@@ -48,7 +48,8 @@ const Keys<AxisFile>& axis_keys() {
       {"max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_max>, optional,
        "mm, deg", "upper end of travel", any, "unlimited"},
       {"start", at<&AxisFile::axis, &AxisConfig::start>, optional, "mm, deg",
-       "where the axis stands when a simulation begins"},
+       "where the axis stands when a simulation begins, and when a daemon starts for the first "
+       "time"},
       {"velocity_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::velocity_max>,
        required, "mm/s, deg/s", "highest velocity", positive},
       {"acceleration_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::acceleration_max>,

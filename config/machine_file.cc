@@ -122,6 +122,17 @@ class MachineReader {
       return;
     }
     file_.machine.tables = read_tables(tables, names_of_axes(file_.machine), faults_);
+    check_reference_points(tables);
+  }
+
+  void check_reference_points(const std::filesystem::path& tables) {
+    const auto& known = file_.machine.channels;
+    if (known.empty()) return;  // a fault that is told already
+    for (const auto& [id, points] : file_.machine.tables.reference_points) {
+      if (std::ranges::find(known, id, &channels::ChannelConfig::id) != known.end()) continue;
+      faults_.add(tables, "[reference_point." + std::to_string(id) +
+                              "]: the machine has no channel " + std::to_string(id));
+    }
   }
 
   void read_drives(const std::vector<AxisSection>& axes) {

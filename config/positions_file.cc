@@ -20,7 +20,10 @@ channels::AxisRow read_positions_text(const std::string& text, const std::filesy
   if (const auto root = parse_file(file, faults)) {
     const Scope scope{faults, "positions"};
     refuse_unknown_keys(*root, {"position"}, scope);
-    if (const toml::table* table = (*root)["position"].as_table()) {
+    const toml::table* table = (*root)["position"].as_table();
+    if (table == nullptr) {
+      scope.fault(root->source(), "there is no table [position]");
+    } else {
       for (const auto& [axis, node] : *table)
         detail::read_value(node, {.name = axis.str(), .unit = "mm, deg", .meaning = "position"},
                            scope, positions[std::string(axis.str())]);

@@ -402,6 +402,22 @@ std::string configuration_document() {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+TEST(TablesFile, ReferencePointsAreThoseOfChannelsOfTheMachine) {
+  TemporaryFiles files;
+  const auto machine = [&](const std::string& text) {
+    files.write("schemes/face.toml", "type = \"cartesian\"\naxes = [\"X\"]\n");
+    files.write("tables.toml", text);
+    return files.write("full.toml", full_file);
+  };
+  try {
+    static_cast<void>(read_machine_file(machine("[reference_point.15.G28]\nX2 = 1\n")));
+    FAIL() << "taken";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("the machine has no channel 15"), std::string::npos)
+        << error.what();
+  }
+}
+
 // docs/configuration.md holds the tables that the readers are made of, word for word.
 TEST(MachineFile, AutomaticFeedLawsOfAChannelHaveTheirFigures) {
   const TemporaryFiles files;
