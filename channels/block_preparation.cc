@@ -21,14 +21,10 @@ bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
          a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame == b.frame;
 }
 
-double at(const motion::Point& point, int axis) {
-  return point[static_cast<std::size_t>(axis)];
-}
-
 // Nearer to the centre of a face its rotary axis turns faster than it is worth.
 constexpr double pole_distance_min_mm = 0.02;
 
-std::string number_text(double value) {
+std::string four_decimals(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4f", value);
   return text.data();
@@ -60,7 +56,7 @@ double block_length(const motion::MotionConfig& motion, const motion::Point& sta
   double geometry = 0.0;
   double all = 0.0;
   for (int k = 0; k < motion.axis_count; ++k) {
-    const double way = at(block.end, k) - at(start, k);
+    const double way = motion::at(block.end, k) - motion::at(start, k);
     all += way * way;
     const bool in_plane =
         block.kind == motion::BlockKind::arc && (k == block.plane[0] || k == block.plane[1]);
@@ -68,8 +64,8 @@ double block_length(const motion::MotionConfig& motion, const motion::Point& sta
     for (const int axis : motion.geometry) geometry += axis == k ? way * way : 0.0;
   }
   if (block.kind == motion::BlockKind::arc) {
-    const double radius = std::hypot(at(start, block.plane[0]) - block.centre[0],
-                                     at(start, block.plane[1]) - block.centre[1]);
+    const double radius = std::hypot(motion::at(start, block.plane[0]) - block.centre[0],
+                                     motion::at(start, block.plane[1]) - block.centre[1]);
     return std::hypot(radius * block.sweep_rad, std::sqrt(geometry));
   }
   return geometry > 0.0 ? std::sqrt(geometry) : std::sqrt(all);
@@ -213,8 +209,8 @@ void BlockPreparation::shape_arc(const lang::Move& move, motion::PathBlock& bloc
   block.plane = plane_axes(move.plane);
   block.centre = move.centre;
   const auto direction = [&](const motion::Point& point) {
-    return std::atan2(at(point, block.plane[1]) - block.centre[1],
-                      at(point, block.plane[0]) - block.centre[0]);
+    return std::atan2(motion::at(point, block.plane[1]) - block.centre[1],
+                      motion::at(point, block.plane[0]) - block.centre[0]);
   };
   double sweep = direction(block.end) - direction(position_W_);
   if (move.counter_clockwise) {
@@ -261,20 +257,21 @@ double BlockPreparation::length_of(const motion::PathBlock& block) const {
 // In the diameters of a turned part around Z; without an X axis there are none.
 double BlockPreparation::diameter(const motion::Point& point_W) const {
   const int x = motion_.geometry[0];
-  return x < 0 ? 0.0 : 2.0 * std::abs(at(point_W, x));
+  return x < 0 ? 0.0 : 2.0 * std::abs(motion::at(point_W, x));
 }
 
 ProcessPreparation::Way BlockPreparation::way_of(const motion::PathBlock& block,
                                                  double length) const {
   const int x = motion_.geometry[0];
   const bool passes_centre =
-      x >= 0 && std::signbit(at(position_W_, x)) != std::signbit(at(block.end, x));
+      x >= 0 && std::signbit(motion::at(position_W_, x)) != std::signbit(motion::at(block.end, x));
   const double smaller = std::min(diameter(position_W_), diameter(block.end));
   const std::array<int, 3> geometry = face_.geometry();
-  const bool in_mm = block.kind != motion::BlockKind::line ||
-                     std::any_of(geometry.begin(), geometry.end(), [&](int axis) {
-                       return axis >= 0 && at(position_W_, axis) != at(block.end, axis);
-                     });
+  const bool in_mm =
+      block.kind != motion::BlockKind::line ||
+      std::any_of(geometry.begin(), geometry.end(), [&](int axis) {
+        return axis >= 0 && motion::at(position_W_, axis) != motion::at(block.end, axis);
+      });
   return {.length = length, .in_mm = in_mm, .diameter_min_mm = passes_centre ? 0.0 : smaller};
 }
 
@@ -285,7 +282,7 @@ std::optional<Diagnostic> BlockPreparation::refuse_pole(const motion::PathBlock&
   if (distance >= pole_distance_min_mm + block.tolerance_mm) return std::nullopt;
   Diagnostic d;
   d.code = "E5103";
-  d.message = "the path comes within " + number_text(distance) +
+  d.message = "the path comes within " + four_decimals(distance) +
               " mm of the centre of the face, where its rotary axis would have to jump";
   d.help = {"pass at least 0.02 mm and the path tolerance beside the centre, or leave G12.1"};
   return d;
@@ -328,7 +325,8 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
     const lang::SplineMove& spline, const motion::BlockTag& tag) {
   const motion::Point start = position_W_;
   const std::array<int, 2> plane = plane_axes(spline.base.plane);
-  motion::PlanarNurbs nurbs{spline.degree, {{at(start, plane[0]), at(start, plane[1])}}, {}};
+  motion::PlanarNurbs nurbs{
+      spline.degree, {{motion::at(start, plane[0]), motion::at(start, plane[1])}}, {}};
   nurbs.points.insert(nurbs.points.end(), spline.points.begin(), spline.points.end());
   nurbs.weights = spline.weights;
   const auto stretches = motion::stretches_of(nurbs, curve_deviation_mm);

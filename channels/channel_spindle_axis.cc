@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "channels/channel.h"
+#include "channels/spindle.h"
 
 namespace stanok::channels {
 namespace {
 
-constexpr double deg_per_s_of_rev_per_min = 6.0;
 constexpr double standstill_deg_per_s = 0.5;  // below, a drive that follows velocity 0 stands
 
 }  // namespace

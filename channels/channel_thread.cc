@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "channels/channel.h"
+#include "channels/spindle.h"
 
 namespace stanok::channels {
 namespace {
 
-constexpr double full_turn_deg = 360.0;
-constexpr double seconds_per_minute = 60.0;
 constexpr int counts_per_pulse = 4;  // both edges of both tracks
 
 // A position that a bus brings more seldom than once a cycle stays the same between. It counts as

@@ -1,5 +1,6 @@
 // Values that programs read and write in the cycle.
 #include "channels/coordinator.h"
+#include "channels/spindle.h"
 
 namespace stanok::channels {
 
@@ -45,7 +46,6 @@ std::optional<double> Coordinator::axis_value(std::string_view name, const Chann
 }
 
 Coordinator::Verdict Coordinator::step_value(const Errand& errand) RT_SAFE {
-  constexpr double seconds_per_minute = 60.0;
   constexpr double percent = 100.0;
   const Channel& asker = channel(errand.asker);
   const std::string_view name = errand.text.view();

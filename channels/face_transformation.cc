@@ -10,10 +10,6 @@
 namespace stanok::channels {
 namespace {
 
-double at(const motion::Point& point, int axis) {
-  return point[static_cast<std::size_t>(axis)];
-}
-
 double mm_per_deg(const lang::TransformationChange& change) {
   return change.radius_mm * std::numbers::pi / 180.0;
 }
@@ -93,7 +89,7 @@ void FaceTransformation::begin(const lang::TransformationChange& change,
   active_ = &active;
   motion::Point point_B{};
   active.forward(kinematics::PointMode::axes, {}, axes_M, point_B);
-  negative_side_ = at(point_B, motion_.geometry[0]) < 0.0;
+  negative_side_ = motion::at(point_B, motion_.geometry[0]) < 0.0;
 }
 
 void FaceTransformation::forget() {
@@ -139,7 +135,8 @@ double FaceTransformation::distance_to_pole(const motion::Point& start,
   const double offset =
       block.transform->frame.offset[static_cast<std::size_t>(motion_.geometry[0])];
   const auto place = [&](const motion::Point& point) {
-    return Place{at(point, motion_.geometry[0]) + offset, at(point, change_.rotary_axis)};
+    return Place{motion::at(point, motion_.geometry[0]) + offset,
+                 motion::at(point, change_.rotary_axis)};
   };
   const bool is_arc = block.kind == motion::BlockKind::arc &&
                       block.plane == std::array{motion_.geometry[0], change_.rotary_axis};

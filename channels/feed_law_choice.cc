@@ -27,7 +27,7 @@ Unexpected<Diagnostic> misfit(const std::string& message, const std::string& hel
   return Unexpected<Diagnostic>(std::move(d));
 }
 
-std::string number_text(double value) {
+std::string six_digits(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value);
   return text.data();
@@ -54,9 +54,9 @@ Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) 
   const double discretes =
       std::floor((place.block_mm / count + motion::same_way_mm) / place.discrete_mm);
   if (discretes < 1.0) {
-    return misfit(number_text(count) + " increments of `dS` do not fit into " +
-                      number_text(place.block_mm) + " mm in steps of " +
-                      number_text(place.discrete_mm) + " mm",
+    return misfit(six_digits(count) + " increments of `dS` do not fit into " +
+                      six_digits(place.block_mm) + " mm in steps of " +
+                      six_digits(place.discrete_mm) + " mm",
                   "take a larger `dS`");
   }
   const bool has_speed = wanted.speed != lang::FeedLaw::Speed::unchanged;

@@ -5,12 +5,7 @@
 #include <numbers>
 
 namespace stanok::channels {
-namespace {
-
-constexpr double full_turn_deg = 360.0;
-constexpr double deg_per_s_of_rev_per_min = 6.0;
-
-}  // namespace
+namespace {}  // namespace
 
 void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
   go_on();
@@ -61,7 +56,6 @@ double Spindle::target() const RT_SAFE {
 
 void Spindle::stop_within(double turns) RT_SAFE {
   // v^2 / 2a turns, v in rev/min, a in rev/min/s.
-  constexpr double seconds_per_minute = 60.0;
   acceleration_asked_ = turns > 0.0 ? 0.5 * speed_ * speed_ / (seconds_per_minute * turns) : 0.0;
   share_ = 0.0;
 }

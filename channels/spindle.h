@@ -8,6 +8,10 @@
 
 namespace stanok::channels {
 
+inline constexpr double full_turn_deg = 360.0;
+inline constexpr double deg_per_s_of_rev_per_min = 6.0;
+inline constexpr double seconds_per_minute = 60.0;
+
 class Spindle {
  public:
   Spindle() = default;

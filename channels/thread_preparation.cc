@@ -7,11 +7,10 @@
 #include <string>
 
 #include "channels/scheme_switch.h"
+#include "channels/spindle.h"
 
 namespace stanok::channels {
 namespace {
-
-constexpr double seconds_per_minute = 60.0;
 
 std::string short_number(double value) {
   std::array<char, 32> text{};

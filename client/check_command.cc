@@ -61,13 +61,6 @@ std::vector<Candidate> programs_below(const std::string& folder) {
   return found;
 }
 
-int scheme_of(const JobOptions& job) {
-  for (const auto& [channel, id] : scheme_choices(job)) {
-    if (channel == job.channel) return id;
-  }
-  return -1;
-}
-
 CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
                        const channels::MachineConfig& machine) {
   const auto begin = std::chrono::steady_clock::now();

@@ -8,11 +8,13 @@
 #include <stdexcept>
 
 #include "client/check_report.h"
+#include "client/exit_codes.h"
 #include "client/grind_input.h"
 #include "client/grind_picture.h"
 #include "client/grind_program.h"
 #include "client/grind_report.h"
 #include "client/grind_study.h"
+#include "client/progress_line.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/part_program.h"
 
@@ -24,9 +26,7 @@ using process::ControlFile;
 using process::CycleDesign;
 using process::DesignRequest;
 
-constexpr int exit_failed = 1;
 constexpr double verified_time_max_s = 3600.0;  // of a table that is verified
-constexpr const char* clear_line = "\r\033[K";  // ECMA-48 EL: erase to the end of the line
 
 void write_text(const std::string& path, const std::string& text) {
   std::ofstream stream(path, std::ios::binary);
@@ -34,20 +34,6 @@ void write_text(const std::string& path, const std::string& text) {
   stream.close();
   if (!stream) throw std::runtime_error("cannot write " + path + "; check folder and permissions");
 }
-
-// One line on a terminal, which goes away before anything else is printed.
-class ProgressLine {
- public:
-  void show(const std::string& text) const {
-    if (!terminal_.is_terminal()) return;
-    std::fprintf(stderr, "%s%s", clear_line, text.c_str());
-    std::fflush(stderr);
-  }
-  void clear() const { show(""); }
-
- private:
-  Terminal terminal_{STDERR_FILENO};
-};
 
 void show_iterations(DesignRequest& request, const ProgressLine& progress) {
   request.optimiser.on_iteration = [&progress](const process::Iteration& iteration) {

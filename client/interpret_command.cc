@@ -33,13 +33,6 @@ double processor_time_s() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-int scheme_of(const JobOptions& options) {
-  for (const auto& [channel, scheme] : scheme_choices(options)) {
-    if (channel == options.channel) return scheme;
-  }
-  return -1;
-}
-
 runtime::Beginning beginning_of(const InterpretOptions& options) {
   runtime::Beginning beginning;
   if (options.from_line > 0) {

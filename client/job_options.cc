@@ -49,6 +49,13 @@ std::vector<std::pair<int, int>> scheme_choices(const JobOptions& options) {
   return choices;
 }
 
+int scheme_of(const JobOptions& options) {
+  for (const auto& [channel, scheme] : scheme_choices(options)) {
+    if (channel == options.channel) return scheme;
+  }
+  return -1;
+}
+
 LocatedProgram locate(const std::string& program) {
   const fs::path path(program);
   const fs::path folder = path.parent_path();

@@ -23,6 +23,8 @@ void add_job_options(CLI::App& command, JobOptions& options);
 [[nodiscard]] std::pair<int, std::string> channel_assignment(const std::string& text,
                                                              const std::string& option);
 [[nodiscard]] std::vector<std::pair<int, int>> scheme_choices(const JobOptions& options);
+// The scheme chosen for the channel of the job; -1: the one of the machine file.
+[[nodiscard]] int scheme_of(const JobOptions& options);
 
 // A program named on the command line: its folder becomes the first search root, its name what is
 // left.

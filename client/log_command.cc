@@ -2,12 +2,13 @@
 
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "client/exit_codes.h"
+#include "client/interrupts.h"
 #include "client/log_text.h"
 #include "client/noun_command.h"
 #include "recording/log_contents.h"
@@ -19,9 +20,6 @@
 
 namespace stanok::client {
 namespace {
-
-constexpr int exit_failed = 1;
-constexpr int exit_interrupted = 130;
 
 struct LogOptions {
   std::string file;
@@ -105,7 +103,7 @@ int plot(const LogOptions& options) {
   return 0;
 }
 
-nlohmann::json to_json(const runtime::ReplayResult& result) {
+nlohmann::json replay_json(const runtime::ReplayResult& result) {
   nlohmann::json json{{"ok", result.is_same()},        {"cycles", result.cycles},
                       {"setpoints", result.setpoints}, {"complete", result.is_complete},
                       {"remarks", result.remarks},     {"difference", nullptr}};
@@ -127,7 +125,7 @@ int verify(const LogOptions& options) {
   for (const std::string& remark : result.remarks)
     std::fprintf(stderr, "warning: %s\n", remark.c_str());
   if (options.json) {
-    std::printf("%s\n", to_json(result).dump().c_str());
+    std::printf("%s\n", replay_json(result).dump().c_str());
   } else if (result.difference) {
     const runtime::SetpointDifference& first = *result.difference;
     std::printf(
@@ -141,18 +139,13 @@ int verify(const LogOptions& options) {
   return result.is_same() ? 0 : exit_failed;
 }
 
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int /*signal*/) {
-  interrupted = 1;
-}
-
 int play(const LogOptions& options) {
   recording::Publisher bus(options.lcm);
   if (!bus.good())
     throw std::runtime_error("LCM " + bus.status().url + " cannot be opened; see --lcm");
-  std::signal(SIGINT, on_interrupt);
+  catch_interrupts();
   const auto result = value_or_throw(
-      recording::play(options.file, options.speed, bus, [] { return interrupted != 0; }));
+      recording::play(options.file, options.speed, bus, [] { return is_interrupted(); }));
   std::fprintf(stderr, "%lld messages of %.3f s on %s\n", static_cast<long long>(result.messages),
                result.recorded_s, bus.status().url.c_str());
   for (const recording::Damage& damage : result.damage) {
@@ -160,7 +153,7 @@ int play(const LogOptions& options) {
                  damage.kind == recording::DamageKind::cut ? "the log is cut" : "damage",
                  static_cast<long long>(damage.offset), static_cast<long long>(damage.bytes));
   }
-  if (interrupted != 0) return exit_interrupted;
+  if (is_interrupted()) return exit_interrupted;
   return result.damage.empty() ? 0 : exit_failed;
 }
 

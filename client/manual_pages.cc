@@ -41,7 +41,7 @@ constexpr std::string_view introduction =
     "Operates a machine that stanokd(8) runs, and does everything that needs no machine: finds the "
     "errors of programs, runs them on a virtual clock, reads logs, designs grinding cycles.\n";
 
-char upper(char c) {
+char upper_case(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
@@ -150,7 +150,7 @@ std::string synopsis(const Command& command, std::span<const CLI::Option* const>
 // "Load a program and start it." of "load a program and start it".
 std::string sentence(std::string text) {
   if (text.empty()) return text;
-  text[0] = upper(text[0]);
+  text[0] = upper_case(text[0]);
   return roff::escaped(text) + (text.ends_with('.') ? "\n" : ".\n");
 }
 
@@ -161,7 +161,7 @@ std::string short_form(const std::string& text) {
 
 std::string heading(const std::string& name, const std::string& one_line) {
   std::string title = name;
-  std::transform(title.begin(), title.end(), title.begin(), upper);
+  std::transform(title.begin(), title.end(), title.begin(), upper_case);
   return ".TH " + title + " 1 \"\" \"stanok " + std::string(protocol::version) + "\" \"stanok\"\n" +
          roff::section("NAME") + roff::escaped(name) + " \\- " + roff::escaped(one_line) +
          "\n.nh\n.ad l\n";  // commands are not hyphenated

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <system_error>
 
+#include "base/system_error.h"
+#include "client/interrupts.h"
 #include "protocol/json_rpc.h"
 #include "protocol/socket_location.h"
 
@@ -26,16 +26,6 @@ using namespace std::chrono_literals;
 constexpr auto hello_timeout = 5s;
 // Answers may be longer than requests; what is longer than this is no answer of ours.
 constexpr std::size_t answer_bytes_max = 64U << 20;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void note_interrupt(int) {
-  interrupted = 1;
-}
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 sockaddr_un address_of(const std::filesystem::path& socket) {
   sockaddr_un address{};
@@ -52,11 +42,11 @@ sockaddr_un address_of(const std::filesystem::path& socket) {
 int connected_descriptor(const std::filesystem::path& socket) {
   const sockaddr_un address = address_of(socket);
   const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (descriptor < 0) throw ConnectionError(socket.string() + ": " + reason(errno));
+  if (descriptor < 0) throw ConnectionError(socket.string() + ": " + system_error_text(errno));
   if (::connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     const int error = errno;
     ::close(descriptor);
-    throw ConnectionError("no daemon at " + socket.string() + ": " + reason(error));
+    throw ConnectionError("no daemon at " + socket.string() + ": " + system_error_text(error));
   }
   return descriptor;
 }
@@ -71,12 +61,6 @@ int milliseconds_until(const OperatorClient::Deadline& deadline) {
 }
 
 }  // namespace
-
-void catch_interrupts() {
-  struct sigaction action{};
-  action.sa_handler = note_interrupt;  // without SA_RESTART: poll returns
-  sigaction(SIGINT, &action, nullptr);
-}
 
 OperatorClient::OperatorClient(const std::filesystem::path& socket)
     : descriptor_(connected_descriptor(socket)), frames_(answer_bytes_max) {
@@ -141,14 +125,16 @@ std::optional<json> OperatorClient::receive(Deadline deadline) {
       throw ConnectionError("the daemon sent something that is not JSON-RPC");
     }
     pollfd wanted{.fd = descriptor_, .events = POLLIN, .revents = 0};
-    const int ready = interrupted != 0 ? -1 : ::poll(&wanted, 1, milliseconds_until(deadline));
-    if (interrupted != 0) throw Interrupted();
+    const int ready = is_interrupted() ? -1 : ::poll(&wanted, 1, milliseconds_until(deadline));
+    if (is_interrupted()) throw Interrupted();
     if (ready == 0) return std::nullopt;
-    if (ready < 0 && errno != EINTR) throw ConnectionError("connection lost: " + reason(errno));
+    if (ready < 0 && errno != EINTR)
+      throw ConnectionError("connection lost: " + system_error_text(errno));
     if (ready < 0) continue;
     const ssize_t count = ::recv(descriptor_, bytes.data(), bytes.size(), 0);
     if (count == 0) throw ConnectionError("connection lost: the daemon has gone");
-    if (count < 0 && errno != EINTR) throw ConnectionError("connection lost: " + reason(errno));
+    if (count < 0 && errno != EINTR)
+      throw ConnectionError("connection lost: " + system_error_text(errno));
     if (count > 0) frames_.append({bytes.data(), static_cast<std::size_t>(count)});
   }
 }
@@ -157,7 +143,8 @@ void OperatorClient::send(const std::string& line) {
   std::string_view rest = line;
   while (!rest.empty()) {
     const ssize_t count = ::send(descriptor_, rest.data(), rest.size(), MSG_NOSIGNAL);
-    if (count < 0 && errno != EINTR) throw ConnectionError("connection lost: " + reason(errno));
+    if (count < 0 && errno != EINTR)
+      throw ConnectionError("connection lost: " + system_error_text(errno));
     if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
   }
 }

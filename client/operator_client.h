@@ -1,7 +1,7 @@
 // OperatorClient: a blocking connection to a running daemon over its unix socket.
 //
 // One thread. Notifications that arrive while an answer is awaited go to the listener, in their
-// order. Waiting ends early when the process was interrupted (SIGINT, after `catch_interrupts`).
+// order. Waiting ends early when the process was interrupted (client/interrupts.h).
 #pragma once
 
 #include <chrono>
@@ -29,9 +29,6 @@ class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
-
-// SIGINT ends waiting with Interrupted instead of ending the process.
-void catch_interrupts();
 
 class OperatorClient {
  public:

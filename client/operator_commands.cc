@@ -13,6 +13,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "base/system_error.h"
 #include "client/noun_command.h"
 #include "protocol/json_rpc.h"
 
@@ -94,10 +95,10 @@ std::string text_of_file(const Parameter& parameter, const std::string& file) {
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream || !(text << stream.rdbuf())) {
-      throw CLI::ValidationError(upper(parameter.name),
-                                 "'" + file + "' cannot be read" +
-                                     (errno == 0 ? std::string(", or is empty")
-                                                 : ": " + std::generic_category().message(errno)));
+      throw CLI::ValidationError(
+          upper(parameter.name),
+          "'" + file + "' cannot be read" +
+              (errno == 0 ? std::string(", or is empty") : ": " + system_error_text(errno)));
     }
   }
   return text.str();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/catalogue.h"
+#include "client/interrupts.h"
 #include "client/operator_client.h"
 #include "client/result_text.h"
 #include "client/run_progress.h"

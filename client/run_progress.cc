@@ -10,7 +10,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double shown_rate_hz = 5.0;
-constexpr const char* clear_line = "\r\033[K";  // ECMA-48 EL: erase to the end of the line
+constexpr const char* erase_line = "\r\033[K";  // ECMA-48 EL
 
 }  // namespace
 
@@ -35,13 +35,13 @@ void RunProgress::follow(OperatorClient& client) {
 }
 
 void RunProgress::show(const json& channel) {
-  std::fprintf(stderr, "%s%s", clear_line, progress_line(channel).c_str());
+  std::fprintf(stderr, "%s%s", erase_line, progress_line(channel).c_str());
   std::fflush(stderr);
   is_shown_ = true;
 }
 
 void RunProgress::clear() {
-  if (is_shown_) std::fputs(clear_line, stderr);
+  if (is_shown_) std::fputs(erase_line, stderr);
   is_shown_ = false;
 }
 

@@ -3,12 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "client/diagnostic_output.h"
+#include "client/exit_codes.h"
+#include "client/interrupts.h"
 #include "client/job_options.h"
 #include "client/operator_events_file.h"
 #include "client/sensor_file.h"
@@ -21,15 +22,6 @@
 
 namespace stanok::client {
 namespace {
-
-constexpr int exit_failed = 1;
-constexpr int exit_until_reached = 4;
-constexpr int exit_interrupted = 130;
-
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int /*signal*/) {
-  interrupted = 1;
-}
 
 struct SimulateOptions {
   JobOptions job;
@@ -46,10 +38,11 @@ struct SimulateOptions {
 };
 
 // Progress on a terminal: machine time against wall time, at most four times a second.
-class ProgressLine final : public runtime::CycleObserver {
+class SimulationProgress final : public runtime::CycleObserver {
  public:
-  explicit ProgressLine(double cycle_s) : cycle_s_(cycle_s), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~ProgressLine() override {
+  explicit SimulationProgress(double cycle_s)
+      : cycle_s_(cycle_s), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~SimulationProgress() override {
     if (printed_) std::fputs("\r\033[K", stderr);
   }
   void observe(const channels::CycleOutput& output) override {
@@ -172,7 +165,7 @@ class EventLines final : public runtime::CycleObserver {
 };
 
 int outcome(const runtime::SimulationResult& result) {
-  if (interrupted != 0) return exit_interrupted;
+  if (is_interrupted()) return exit_interrupted;
   if (result.until_reached) return exit_until_reached;
   int code = result.ok ? 0 : exit_failed;
   for (const auto* reports : {&result.load_diagnostics, &result.alarms}) {
@@ -217,7 +210,7 @@ struct Observers {
 
   Observers(const SimulateOptions& given, const runtime::SimulationOptions& options) {
     const channels::MachineConfig& machine = options.file.machine;
-    lines_and_traces.push_back(std::make_unique<ProgressLine>(machine.cycle_us * 1e-6));
+    lines_and_traces.push_back(std::make_unique<SimulationProgress>(machine.cycle_us * 1e-6));
     lines_and_traces.push_back(std::make_unique<EventLines>());
     for (const std::string& text : given.tip_traces) {
       const auto [channel, file] = channel_assignment(text, "--tip-trace");
@@ -274,8 +267,8 @@ void print_result(const SimulateOptions& given, const channels::MachineConfig& m
 int run(const SimulateOptions& given) {
   const runtime::SimulationOptions options = simulation_options(given);
   Observers observers(given, options);
-  std::signal(SIGINT, on_interrupt);
-  const auto result = runtime::simulate(options, observers.all(), [] { return interrupted != 0; });
+  catch_interrupts();
+  const auto result = runtime::simulate(options, observers.all(), [] { return is_interrupted(); });
   const std::string log_error = observers.log == nullptr ? "" : observers.log->close();
   if (!log_error.empty()) std::fprintf(stderr, "error: %s\n", log_error.c_str());
   observers.lines_and_traces.clear();

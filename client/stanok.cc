@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "client/exit_codes.h"
 #include "client/offline.h"
 #include "client/operator_client.h"
 #include "client/operator_commands.h"
@@ -13,11 +14,6 @@
 #include "protocol/version.h"
 
 namespace {
-
-constexpr int exit_failed = 1;
-constexpr int exit_usage = 2;
-constexpr int exit_no_connection = 3;
-constexpr int exit_interrupted = 130;
 
 int run(int argc, char** argv) {
   CLI::App app("stanok: operates a machine, checks and simulates programs");
@@ -34,7 +30,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
+    return app.exit(error) == 0 ? 0 : stanok::client::exit_usage;
   }
   return exit_code;
 }
@@ -50,10 +46,10 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const stanok::client::ConnectionError& error) {
-    return fail(error, exit_no_connection);
+    return fail(error, stanok::client::exit_no_connection);
   } catch (const stanok::client::Interrupted& error) {
-    return fail(error, exit_interrupted);
+    return fail(error, stanok::client::exit_interrupted);
   } catch (const std::exception& error) {
-    return fail(error, exit_failed);
+    return fail(error, stanok::client::exit_failed);
   }
 }

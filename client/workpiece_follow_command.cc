@@ -1,6 +1,5 @@
 #include "client/workpiece_follow_command.h"
 
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -8,6 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "client/exit_codes.h"
+#include "client/interrupts.h"
 #include "client/noun_command.h"
 #include "client/workpiece_stream.h"
 #include "config/machine_file.h"
@@ -17,14 +18,7 @@
 namespace stanok::client {
 namespace {
 
-constexpr int exit_failed = 1;
-constexpr int exit_interrupted = 130;
 constexpr int wait_ms = 100;
-
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int /*signal*/) {
-  interrupted = 1;
-}
 
 struct FollowOptions {
   std::string source;
@@ -82,7 +76,7 @@ class Album {
 };
 
 bool is_over(const FollowOptions& options, const WorkpieceStream& stream) {
-  return interrupted != 0 || (options.until_s >= 0.0 && stream.time_s() >= options.until_s);
+  return is_interrupted() || (options.until_s >= 0.0 && stream.time_s() >= options.until_s);
 }
 
 int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
@@ -92,7 +86,7 @@ int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
     complain(0, "E9201",
              "no workpiece was announced; on a machine, `stanok workpiece allow` lets the daemon "
              "tell of them");
-    return interrupted != 0 ? exit_interrupted : exit_failed;
+    return is_interrupted() ? exit_interrupted : exit_failed;
   }
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -148,8 +142,7 @@ int follow_bus(const FollowOptions& options) {
 }
 
 int follow(const FollowOptions& options) {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  catch_interrupts();
   const bool is_url = options.source.find("://") != std::string::npos;
   return is_url ? follow_bus(options) : follow_log(options);
 }

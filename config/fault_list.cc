@@ -6,8 +6,9 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 #include <tuple>
+
+#include "base/system_error.h"
 
 namespace stanok::config {
 void FaultList::add(const toml::source_region& place, std::string text) {
@@ -63,8 +64,7 @@ std::optional<std::string> read_text(const std::filesystem::path& file, FaultLis
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream.is_open() || stream.bad()) {
-    faults.add(file, "cannot read the file: " + std::generic_category().message(errno) +
-                         "; check the path");
+    faults.add(file, "cannot read the file: " + system_error_text(errno) + "; check the path");
     return std::nullopt;
   }
   faults.note_source({file, text});

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <system_error>
 
 #include "base/file_descriptor.h"
+#include "base/system_error.h"
 #include "recording/log_description.h"
 
 namespace stanok::daemon {
@@ -20,10 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr ::mode_t file_mode = 0640;
 constexpr std::string_view mark = "# stanok";
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 std::string checksum(std::string_view text) {
   char digits[17];
@@ -86,7 +82,7 @@ Copy read_copy(const fs::path& file, const DurableKind& kind) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open()) {
     copy.exists = errno != ENOENT;
-    copy.fault = "cannot be opened: " + reason(errno);
+    copy.fault = "cannot be opened: " + system_error_text(errno);
     return copy;
   }
   copy.exists = true;
@@ -126,13 +122,14 @@ std::optional<std::string> write_durably(const fs::path& file, const DurableKind
   const fs::path made = file.string() + ".new";
   if (const int error = write_new(made, with_heading(kind, text)); error != 0) {
     ::unlink(made.c_str());
-    return made.string() + ": " + reason(error);
+    return made.string() + ": " + system_error_text(error);
   }
   if (const int error = keep_previous(file); error != 0)
-    return previous_copy(file).string() + ": " + reason(error);
-  if (::rename(made.c_str(), file.c_str()) != 0) return file.string() + ": " + reason(errno);
+    return previous_copy(file).string() + ": " + system_error_text(error);
+  if (::rename(made.c_str(), file.c_str()) != 0)
+    return file.string() + ": " + system_error_text(errno);
   if (const int error = sync_folder(file.parent_path()); error != 0)
-    return file.parent_path().string() + ": " + reason(error);
+    return file.parent_path().string() + ": " + system_error_text(error);
   return std::nullopt;
 }
 

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/system_error.h"
+
 namespace stanok::daemon {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr ::mode_t not_for_others = 0117;  // sockets are born with 0777 less th
 constexpr int waiting_connections_max = 128;
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw SocketError(path.string() + ": " + std::generic_category().message(error));
+  throw SocketError(path.string() + ": " + system_error_text(error));
 }
 
 sockaddr_un address_of(const std::filesystem::path& path) {

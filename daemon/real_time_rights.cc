@@ -10,16 +10,13 @@
 
 #include <array>
 #include <cerrno>
-#include <system_error>
+
+#include "base/system_error.h"
 
 namespace stanok::daemon {
 namespace {
 
 constexpr std::size_t stack_bytes_touched = 256U << 10;
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 bool has_capability(unsigned capability) {
   __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
@@ -52,13 +49,13 @@ RealTimeRights take_real_time_rights(int priority) {
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   rights.has_fifo_scheduling = error == 0;
   if (error != 0) {
-    rights.notes.push_back("no FIFO scheduling (" + reason(error) +
+    rights.notes.push_back("no FIFO scheduling (" + system_error_text(error) +
                            "): grant CAP_SYS_NICE or LimitRTPRIO");
   }
   if (!may_lock_all_memory()) {
     rights.notes.emplace_back("memory is not locked: grant CAP_IPC_LOCK or LimitMEMLOCK=infinity");
   } else if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
-    rights.notes.push_back("memory is not locked (" + reason(errno) + ")");
+    rights.notes.push_back("memory is not locked (" + system_error_text(errno) + ")");
   } else {
     rights.has_locked_memory = true;
   }

@@ -9,14 +9,12 @@
 #include <string>
 #include <system_error>
 
+#include "base/system_error.h"
+
 namespace stanok::daemon {
 namespace {
 
 constexpr ::mode_t lock_mode = 0644;
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 std::string holder_of(int lock) {
   std::array<char, 32> text{};
@@ -35,7 +33,7 @@ StateDirectory::StateDirectory(std::filesystem::path path) : path_(std::move(pat
     throw StateDirectoryError("state directory " + path_.string() + ": " + error.message());
   const std::filesystem::path file = path_ / "stanokd.lock";
   lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, lock_mode);
-  if (lock_ < 0) throw StateDirectoryError(file.string() + ": " + reason(errno));
+  if (lock_ < 0) throw StateDirectoryError(file.string() + ": " + system_error_text(errno));
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     const std::string holder = holder_of(lock_);
     ::close(lock_);
@@ -49,7 +47,7 @@ StateDirectory::StateDirectory(std::filesystem::path path) : path_(std::move(pat
   if (!is_written) {
     const int write_error = errno;
     ::close(lock_);
-    throw StateDirectoryError(file.string() + ": " + reason(write_error));
+    throw StateDirectoryError(file.string() + ": " + system_error_text(write_error));
   }
 }
 

@@ -41,11 +41,7 @@ std::string in_mm(double value) {
   return text;
 }
 
-WordName arc_code(CodeNumber code) {
-  return {'G', code, {}};
-}
-
-std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
+std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
   static constexpr std::array<std::array<std::size_t, 2>, 3> coordinates{{{0, 1}, {2, 0}, {1, 2}}};
   const auto& [first, second] = coordinates[static_cast<std::size_t>(block.modal.plane())];
   const int face_axis = block.modal.face_axis();
@@ -58,7 +54,7 @@ std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
   const int first_axis = block.channel_words.geometry_axis(first);
   const int second_axis = block.channel_words.geometry_axis(second);
   if (first_axis < 0 || second_axis < 0) {
-    block.fail("E4036", arc_code(code), "the channel lacks an axis of the arc's plane", "")
+    block.fail("E4036", code_word(code), "the channel lacks an axis of the arc's plane", "")
         .notes.push_back(block.modal.origin_of(Group::plane));
     return std::nullopt;
   }
@@ -69,7 +65,7 @@ std::optional<ArcPlane> plane_of(ActiveBlock& block, CodeNumber code) {
   plane.second_gain = block.modal.map.gain(plane.second);
   if (std::abs(plane.first_gain) != std::abs(plane.second_gain)) {
     block
-        .fail("E4303", arc_code(code), "an arc while the axes of its plane are scaled differently",
+        .fail("E4303", code_word(code), "an arc while the axes of its plane are scaled differently",
               "it would become an ellipse")
         .notes.push_back(block.modal.origin_of(Group::scaling));
     return std::nullopt;
@@ -86,7 +82,7 @@ bool is_on_cylinder(const ActiveBlock& block) {
 std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
   const int along = block.channel_words.geometry_axis(2);
   if (along < 0) {
-    block.fail("E4036", arc_code(code), "the channel lacks Z, the axis of the cylinder", "")
+    block.fail("E4036", code_word(code), "the channel lacks Z, the axis of the cylinder", "")
         .notes.push_back(block.modal.origin_of(Group::transformation));
     return std::nullopt;
   }
@@ -97,7 +93,7 @@ std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
   plane.first_scale = block.modal.cylinder_radius_mm * std::numbers::pi / 180.0;
   if (std::abs(plane.second_gain) == 1.0) return plane;
   block
-      .fail("E4303", arc_code(code), "an arc on a cylinder while Z is scaled",
+      .fail("E4303", code_word(code), "an arc on a cylinder while Z is scaled",
             "it would become an ellipse")
       .notes.push_back(block.modal.origin_of(Group::scaling));
   return std::nullopt;
@@ -124,7 +120,7 @@ bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber co
   }
   if (has_centre || block.has('R')) return true;
   block
-      .fail("E4031", arc_code(code),
+      .fail("E4031", code_word(code),
             "`" + code_text('G', code) + "` needs " + plane.first_centre + ", " +
                 plane.second_centre + " or R",
             "arc in plane " + plane_name + " without centre or radius")
@@ -184,12 +180,12 @@ bool check_radii(ActiveBlock& block, const Point& p0, const Point& p1, const Poi
   const double r0 = std::hypot(p0[0] - c[0], p0[1] - c[1]);
   const double r1 = std::hypot(p1[0] - c[0], p1[1] - c[1]);
   if (r0 == 0.0) {
-    block.fail("E4033", arc_code(code), "the arc starts in its own centre", "radius 0");
+    block.fail("E4033", code_word(code), "the arc starts in its own centre", "radius 0");
     return false;
   }
   if (std::abs(r1 - r0) <= block.channel.arc_radius_tolerance_mm) return true;
   block
-      .fail("E4032", arc_code(code), "start and end of the arc have different radii",
+      .fail("E4032", code_word(code), "start and end of the arc have different radii",
             "radius " + in_mm(r0) + " mm at the start, " + in_mm(r1) + " mm at the end")
       .notes.push_back(block.modal.origin_of(Group::arc_distance));
   return false;
@@ -201,7 +197,7 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
   const bool has_arc_word = block.has('I') || block.has('J') || block.has('K') || block.has('R');
   if (block.programmed == 0 && !has_arc_word) return;
   const bool on_cylinder = is_on_cylinder(block);
-  const auto plane = on_cylinder ? surface_plane(block, code) : plane_of(block, code);
+  const auto plane = on_cylinder ? surface_plane(block, code) : arc_plane_of(block, code);
   if (!plane || !check_centre_words(block, *plane, code)) return;
 
   Move move;

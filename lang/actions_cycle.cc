@@ -17,10 +17,6 @@ namespace {
 // Moves that one block may make; all of them are held at once.
 constexpr double moves_max = 100000.0;
 
-WordName code_word(CodeNumber code) {
-  return {'G', code, {}};
-}
-
 bool is_cycle(CodeNumber code) {
   const Code* const row = find_code('G', code);
   return row != nullptr && (row->action == drill_hole || code == 760);

@@ -6,10 +6,6 @@
 namespace stanok::lang {
 namespace {
 
-bool is_programmed(const ActiveBlock& block, std::size_t axis) {
-  return (block.programmed & axis_bit(axis)) != 0;
-}
-
 // Index of the work offset that a code selects: 1 = G54 ... 9 = G59.3.
 int offset_number(CodeNumber code) {
   return code <= 590 ? (code - 540) / 10 + 1 : 6 + (code - 590);

@@ -57,7 +57,7 @@ bool names_its_axis(ActiveBlock& block) {
   return false;
 }
 
-bool excluded(ActiveBlock& block, CodeNumber code) {
+bool excludes_conversion(ActiveBlock& block, CodeNumber code) {
   return excluded_by_mode(block, code, {Exclusion::transformation}, 'M');
 }
 
@@ -120,7 +120,7 @@ bool refuse_spindle_that_is_axis(ActiveBlock& block, int spindle, const WordName
 
 void make_axis_of_spindle(ActiveBlock& block, CodeNumber code) {
   const auto named = spindle_in_block(block);
-  if (!named || !names_its_axis(block) || excluded(block, code)) return;
+  if (!named || !names_its_axis(block) || excludes_conversion(block, code)) return;
   const auto& known = block.channel.spindles;
   const int spindle = *named != 0 || known.empty() ? *named : known.front();
   const auto axis = axis_of(block, spindle);
@@ -145,7 +145,7 @@ void make_axis_of_spindle(ActiveBlock& block, CodeNumber code) {
 
 void make_spindle_of_axis(ActiveBlock& block, CodeNumber code) {
   const auto named = spindle_in_block(block);
-  if (!named || excluded(block, code)) return;
+  if (!named || excludes_conversion(block, code)) return;
   bool any = false;
   for (std::size_t axis = 0; axis < block.channel.axes.size(); ++axis) {
     const bool is_meant = *named == 0 || block.channel.axes[axis].spindle == *named;

@@ -17,17 +17,13 @@ struct CurvePlane {
   std::size_t second = 0;
 };
 
-WordName code_word(CodeNumber code) {
-  return {'G', code, {}};
-}
-
 BlockFault& fail_missing(ActiveBlock& block, CodeNumber code, const std::string& words) {
   return block.fail("E4007", code_word(code), "`" + code_text('G', code) + "` needs " + words,
                     "incomplete");
 }
 
 // What all curves ask for: G17, X and Y only, no radius compensation.
-std::optional<CurvePlane> plane_of(ActiveBlock& block, CodeNumber code) {
+std::optional<CurvePlane> curve_plane_of(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(block, code, {Exclusion::radius_compensation})) return std::nullopt;
   if (block.modal.plane() != Plane::xy) {
     block.fail("E4311", code_word(code), "splines lie in the plane XY", "needs G17")
@@ -78,7 +74,7 @@ void emit(ActiveBlock& block, SplineMove& spline) {
 }  // namespace
 
 void move_in_cubic(ActiveBlock& block, CodeNumber code) {
-  const auto plane = plane_of(block, code);
+  const auto plane = curve_plane_of(block, code);
   if (!plane) return;
   if (!block.has('P') || !block.has('Q')) {
     fail_missing(block, code, "P and Q, from its end to the second control point");
@@ -104,7 +100,7 @@ void move_in_cubic(ActiveBlock& block, CodeNumber code) {
 }
 
 void move_in_quadratic(ActiveBlock& block, CodeNumber code) {
-  const auto plane = plane_of(block, code);
+  const auto plane = curve_plane_of(block, code);
   if (!plane) return;
   const CurvePoint control = distance_of(block, *plane, 'I', 'J');
   if (control == CurvePoint{}) {
@@ -120,7 +116,7 @@ void move_in_quadratic(ActiveBlock& block, CodeNumber code) {
 
 // Without axis words: the weight of the first point, and the order.
 void collect_nurbs_point(ActiveBlock& block, CodeNumber code) {
-  const auto plane = plane_of(block, code);
+  const auto plane = curve_plane_of(block, code);
   if (!plane) return;
   ProgrammedCurve& curve = block.modal.curve;
   const double weight = block.has('P') ? block.value('P') : 1.0;
@@ -171,7 +167,7 @@ void end_nurbs(ActiveBlock& block, CodeNumber code) {
                "only " + std::to_string(curve.points.size()) + " with the start point");
     return;
   }
-  const auto plane = plane_of(block, code);
+  const auto plane = curve_plane_of(block, code);
   if (!plane) return;
   SplineMove spline = curve_to_words(block);
   spline.base.words = static_cast<AxisSet>(axis_bit(plane->first) | axis_bit(plane->second));

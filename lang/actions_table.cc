@@ -16,17 +16,13 @@ constexpr int fixture_offset = 9;  // G59.3, the system of L11
 
 const WordName g10{'G', 100, {}};
 
-struct ToolWord {
+struct ToolTableWord {
   char letter;
   std::string_view parameter;  // its name in the tool table
 };
-constexpr ToolWord tool_words[] = {
+constexpr ToolTableWord tool_words[] = {
     {'R', "radius"}, {'I', "angle_front"}, {'J', "angle_back"}, {'Q', "orientation"}};
 constexpr std::array<std::string_view, 3> length_parameters{"length_x", "length_y", "length"};
-
-bool is_programmed(const ActiveBlock& block, std::size_t axis) {
-  return (block.programmed & axis_bit(axis)) != 0;
-}
 
 void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value) {
   Request request;
@@ -128,7 +124,7 @@ bool check_lengths(ActiveBlock& block) {
 
 // R, I, J and Q, which mean the same in L1, L10 and L11.
 void write_tool_words(ActiveBlock& block, int tool) {
-  for (const ToolWord& word : tool_words) {
+  for (const ToolTableWord& word : tool_words) {
     if (!block.has(word.letter)) continue;
     double value = block.value(word.letter);
     if (word.letter == 'R') value = block.length('R');

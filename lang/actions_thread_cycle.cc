@@ -89,7 +89,7 @@ void cut_pass(CycleMoves& moves, const Thread& thread, TurningPoint start, doubl
   moves.rapid(start);
 }
 
-void cut(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
+void cut_passes(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
   if (block.failed()) return;
   const TurningPoint start = moves.position();
   const double length = std::abs(thread.peak_end.z - thread.peak_start.z);
@@ -126,7 +126,7 @@ void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.entry = (*ends & 1) != 0 ? taper : 0.0;
   thread.exit = (*ends & 2) != 0 ? taper : 0.0;
   add_passes(block, thread, block.length('J'), 1.0 / degression, 0.0, *spring);
-  cut(block, moves, thread);
+  cut_passes(block, moves, thread);
 }
 
 // First block of the other form: it stays valid for those that follow.
@@ -170,7 +170,7 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.depth = depth;
   const int finishing = (settings.last_cut > 0.0 ? 1 : 0) + settings.spring_passes;
   thread.passes.insert(thread.passes.end(), static_cast<std::size_t>(finishing), depth);
-  cut(block, moves, thread);
+  cut_passes(block, moves, thread);
 }
 
 }  // namespace

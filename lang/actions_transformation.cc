@@ -8,7 +8,7 @@
 namespace stanok::lang {
 namespace {
 
-bool excluded(ActiveBlock& block, CodeNumber code) {
+bool excludes_transformation(ActiveBlock& block, CodeNumber code) {
   return excluded_by_mode(block, code,
                           {Exclusion::radius_compensation, Exclusion::tip_control,
                            Exclusion::drilling_cycle, Exclusion::rotation});
@@ -40,12 +40,13 @@ std::optional<std::size_t> rotary_axis(ActiveBlock& block, CodeNumber code) {
 }  // namespace
 
 void cancel_transformation(ActiveBlock& block, CodeNumber code) {
-  if (block.modal.code(Group::transformation) == code || excluded(block, code)) return;
+  if (block.modal.code(Group::transformation) == code || excludes_transformation(block, code))
+    return;
   change(block, {});
 }
 
 void select_polar_face(ActiveBlock& block, CodeNumber code) {
-  if (excluded(block, code)) return;
+  if (excludes_transformation(block, code)) return;
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
   const auto axis = rotary_axis(block, code);
   if (!axis) return;
@@ -76,7 +77,7 @@ void select_cylinder(ActiveBlock& block, CodeNumber code) {
     block.kept_groups |= group_bit(Group::transformation);
     return;
   }
-  if (excluded(block, code)) return;
+  if (excludes_transformation(block, code)) return;
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
   change(block, {Transformation::cylinder, radius, static_cast<int>(*axis)});
 }

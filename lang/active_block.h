@@ -25,6 +25,11 @@ struct WordName {
   std::string name;  // named or indexed word
 };
 
+// The name of a G code as a word of the block; number in tenths.
+[[nodiscard]] inline WordName code_word(CodeNumber code) {
+  return {'G', code, {}};
+}
+
 // Why a block cannot be executed; its reader adds the place.
 struct BlockFault {
   std::string_view code;
@@ -127,5 +132,10 @@ struct ActiveBlock : BlockSurroundings {
   [[nodiscard]] std::optional<int> integer(char letter, int smallest, int largest);
   void set_modal(Group group, CodeNumber number) { modal.set(group, number, line); }
 };
+
+// The block has a word for this axis.
+[[nodiscard]] inline bool is_programmed(const ActiveBlock& block, std::size_t axis) {
+  return (block.programmed & axis_bit(axis)) != 0;
+}
 
 }  // namespace stanok::lang

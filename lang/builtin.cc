@@ -275,7 +275,7 @@ constexpr Builtin table(std::string_view name, Type result, std::string_view arg
   return row;
 }
 
-constexpr auto rows = std::to_array<Builtin>({
+constexpr auto builtin_rows = std::to_array<Builtin>({
     number("sin", "n", unary<sine_of_degrees>),
     number("cos", "n", unary<cosine_of_degrees>),
     number("tan", "n", unary<tangent>),
@@ -344,13 +344,13 @@ constexpr auto rows = std::to_array<Builtin>({
 }  // namespace
 
 const Builtin* find_builtin(std::string_view folded_name) {
-  const auto row = std::find_if(rows.begin(), rows.end(),
+  const auto row = std::find_if(builtin_rows.begin(), builtin_rows.end(),
                                 [&](const Builtin& one) { return one.name == folded_name; });
-  return row == rows.end() ? nullptr : &*row;
+  return row == builtin_rows.end() ? nullptr : &*row;
 }
 
 std::span<const Builtin> builtins() {
-  return rows;
+  return builtin_rows;
 }
 
 }  // namespace stanok::lang

@@ -38,7 +38,7 @@ constexpr Code with_groups(Code code, GroupSet groups) {
 }
 
 // Columns: number in tenths, modal group, order, axis words, other words, channels, action, title.
-constexpr auto rows = std::to_array<Code>({
+constexpr auto code_rows = std::to_array<Code>({
     g(0, motion, P::motion, axes, "", everywhere, move_straight, "rapid"),
     g(10, motion, P::motion, axes, "", everywhere, move_straight, "line at feed"),
     g(20, motion, P::motion, axes, "IJKRP", everywhere, move_in_arc, "arc clockwise"),
@@ -235,14 +235,14 @@ constexpr auto rows = std::to_array<Code>({
 // Row of each number below G100 and M100, found without a search.
 using Index = std::array<std::uint8_t, 1000>;
 constexpr std::uint8_t no_row = 255;
-static_assert(rows.size() < no_row);
+static_assert(code_rows.size() < no_row);
 
 constexpr Index index_of(char letter) {
   Index index{};
   for (std::uint8_t& row : index) row = no_row;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].letter == letter && rows[i].number < 1000) {
-      index[static_cast<std::size_t>(rows[i].number)] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = 0; i < code_rows.size(); ++i) {
+    if (code_rows[i].letter == letter && code_rows[i].number < 1000) {
+      index[static_cast<std::size_t>(code_rows[i].number)] = static_cast<std::uint8_t>(i);
     }
   }
   return index;
@@ -254,15 +254,15 @@ constexpr Index m_index = index_of('M');
 }  // namespace
 
 std::span<const Code> code_table() {
-  return rows;
+  return code_rows;
 }
 
 const Code* find_code(char letter, CodeNumber number) {
   if (number >= 0 && number < 1000) {
     const std::uint8_t row = (letter == 'G' ? g_index : m_index)[static_cast<std::size_t>(number)];
-    return row == no_row ? nullptr : &rows[row];
+    return row == no_row ? nullptr : &code_rows[row];
   }
-  for (const Code& code : rows) {
+  for (const Code& code : code_rows) {
     if (code.letter == letter && code.number == number) return &code;
   }
   return nullptr;

@@ -46,6 +46,11 @@ enum class Group : std::uint8_t {
   subprogram,
   none,
 };
+
+// The letter that the codes of a group begin with.
+[[nodiscard]] constexpr char letter_of(Group group) {
+  return group < Group::stop ? 'G' : 'M';
+}
 inline constexpr std::size_t group_count = static_cast<std::size_t>(Group::none);
 
 using GroupSet = std::uint32_t;

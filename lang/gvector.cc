@@ -92,10 +92,6 @@ StateParts part_of(Group group) {
   }
 }
 
-char letter_of(Group group) {
-  return group < Group::stop ? 'G' : 'M';
-}
-
 std::uint32_t check_sum(std::string_view text) {
   std::uint32_t sum = 0xFFFFFFFFU;
   for (const char c : text) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double peck_lift_mm = 0.254;
 
 // Shorter moves (mm) are rounding of sine and cosine.
-constexpr double same_point = 1e-9;
+constexpr double move_min_mm = 1e-9;
 
 SpindleAction reversed(SpindleAction turning) {
   return turning == SpindleAction::clockwise ? SpindleAction::counter_clockwise
@@ -100,7 +100,7 @@ void Hole::peck(CodeNumber code) {
   while (!block_.failed()) {
     depth -= cycle.peck;
     // A rest that rounding leaves is no peck.
-    if (depth < cycle.bottom + same_point) depth = cycle.bottom;
+    if (depth < cycle.bottom + move_min_mm) depth = cycle.bottom;
     feed(depth);
     if (depth <= cycle.bottom) return retract();
     if (code == 730) {
@@ -196,7 +196,7 @@ void Hole::shift(double first, double second) {
   move.path = block_.modal.path;
   for (std::size_t k = 0; k < 2; ++k) {
     const int axis = block_.channel_words.geometry_axis(plane[k]);
-    if (axis < 0 || std::abs(by[k]) < same_point) continue;
+    if (axis < 0 || std::abs(by[k]) < move_min_mm) continue;
     move.end[static_cast<std::size_t>(axis)] += by[k];
     move.words = static_cast<AxisSet>(move.words | axis_bit(static_cast<std::size_t>(axis)));
   }

@@ -6,7 +6,7 @@
 namespace stanok::lang {
 namespace {
 
-constexpr auto rows = std::to_array<LaterWord>({
+constexpr auto later_rows = std::to_array<LaterWord>({
     {"G2.4", "an arc over a point, clockwise", "use G2 with centre or radius"},
     {"G3.4", "an arc over a point, counter-clockwise", "use G3 with centre or radius"},
     {"G6.2", "a curve with knots", "use G5.2 and G5.3, a curve without"},
@@ -33,13 +33,13 @@ constexpr auto rows = std::to_array<LaterWord>({
 }  // namespace
 
 std::span<const LaterWord> later_words() {
-  return rows;
+  return later_rows;
 }
 
 const LaterWord* find_later_word(std::string_view word) {
-  const auto row = std::find_if(rows.begin(), rows.end(),
+  const auto row = std::find_if(later_rows.begin(), later_rows.end(),
                                 [word](const LaterWord& one) { return one.word == word; });
-  return row == rows.end() ? nullptr : &*row;
+  return row == later_rows.end() ? nullptr : &*row;
 }
 
 }  // namespace stanok::lang

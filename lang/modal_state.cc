@@ -10,10 +10,6 @@ namespace {
 // the rounding of sums of offsets.
 constexpr double position_noise = 1e-9;
 
-char letter_of(Group group) {
-  return group < Group::stop ? 'G' : 'M';
-}
-
 }  // namespace
 
 ModalState default_modal_state(ChannelKind kind) {

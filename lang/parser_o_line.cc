@@ -18,7 +18,7 @@ constexpr std::size_t program_digits_max = 8;
 constexpr auto closing_words =
     std::to_array<std::string_view>({"endsub", "elseif", "else", "endif", "endwhile", "endrepeat"});
 
-constexpr auto keywords = std::to_array<std::string_view>(
+constexpr auto o_keywords = std::to_array<std::string_view>(
     {"sub", "endsub", "call", "return", "if", "elseif", "else", "endif", "while", "endwhile", "do",
      "repeat", "endrepeat", "break", "continue"});
 
@@ -30,13 +30,6 @@ bool is_closing(std::string_view keyword) {
 std::string without_leading_zeros(const std::string& digits) {
   const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
   return digits.substr(first);
-}
-
-template <class Kind>
-Statement statement_of(Kind kind) {
-  Statement statement;
-  statement.kind = std::move(kind);
-  return statement;
 }
 
 }  // namespace
@@ -108,7 +101,7 @@ Parser::MaybeStatement Parser::parse_o_line() {
   Diagnostic& diagnostic =
       reporter_.error("E2001", line_span, "unknown keyword `" + open.keyword + "` on an O-line",
                       "not a keyword of O-lines");
-  const std::string_view nearest = nearest_name(keyword, {keywords.begin(), keywords.end()});
+  const std::string_view nearest = nearest_name(keyword, {o_keywords.begin(), o_keywords.end()});
   if (!nearest.empty()) diagnostic.help.push_back("did you mean `" + std::string(nearest) + "`?");
   return std::nullopt;
 }

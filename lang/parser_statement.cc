@@ -23,13 +23,6 @@ std::optional<Operation> combined_operation(const Token& token) {
   return std::nullopt;
 }
 
-template <class Kind>
-Statement statement_of(Kind kind) {
-  Statement statement;
-  statement.kind = std::move(kind);
-  return statement;
-}
-
 }  // namespace
 
 bool is_keyword(std::string_view folded_name) {

@@ -8,10 +8,8 @@
 namespace stanok::lang {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
-
 // Directions closer than this (rad) are the same: the arc is a full circle.
-constexpr double same_angle = 1e-12;
+constexpr double same_direction = 1e-12;
 
 // A cut may be negative by this much (mm or rad): rounding of an intersection.
 constexpr double cut_noise = 1e-9;
@@ -157,7 +155,7 @@ PlaneElement arc_element(PlanePoint start, PlanePoint end, PlanePoint centre,
   PlaneElement arc{start, end, true, centre, counter_clockwise, 0.0};
   double sweep = direction(end - centre) - direction(start - centre);
   if (!counter_clockwise) sweep = -sweep;
-  while (sweep <= same_angle) sweep += full_turn;
+  while (sweep <= same_direction) sweep += full_turn;
   arc.sweep = sweep + full_turn * (turns - 1);
   return arc;
 }

@@ -7,6 +7,7 @@
 // where the parallel becomes shorter.
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 namespace stanok::lang {
@@ -15,6 +16,13 @@ struct PlanePoint {
   double first = 0.0;
   double second = 0.0;
 };
+
+// Coordinates closer than this (mm) are the same: far below any resolution, far above rounding.
+inline constexpr double same_point = 1e-9;
+
+// Angles in rad.
+inline constexpr double full_turn = 2.0 * std::numbers::pi;
+inline constexpr double quarter_turn = std::numbers::pi / 2.0;
 
 [[nodiscard]] constexpr PlanePoint operator+(PlanePoint a, PlanePoint b) {
   return {a.first + b.first, a.second + b.second};

@@ -5,20 +5,18 @@
 namespace stanok::lang {
 namespace {
 
-constexpr std::string_view axis_letters = "XYZABCUVW";
-
 constexpr int probe_first = 5061;
 constexpr int probe_found = 5070;
 constexpr std::array<int, reference_point_count> reference_first{5161, 5181, 5191, 5201};
 
 bool is_in_block(int number, int first) {
-  return number >= first && number < first + static_cast<int>(axis_letters.size());
+  return number >= first && number < first + static_cast<int>(parameter_axes.size());
 }
 
 // The channel's axis at `number` in a block of one parameter per axis, or -1.
 int axis_at(int number, int first, const BlockSurroundings& around) {
   return around.channel_words.axis_called(
-      axis_letters.substr(static_cast<std::size_t>(number - first), 1));
+      parameter_axes.substr(static_cast<std::size_t>(number - first), 1));
 }
 
 double coordinate(int axis, const AxisValues& point, const BlockSurroundings& around) {

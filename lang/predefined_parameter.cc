@@ -8,9 +8,6 @@
 namespace stanok::lang {
 namespace {
 
-// The order of axes in blocks of numbered parameters.
-constexpr std::string_view axis_letters = "XYZABCUVW";
-
 // First numbers of the blocks, one parameter per axis.
 constexpr int axis_shift_first = 5211;   // G92
 constexpr int work_offset_first = 5221;  // G54; the next system 20 further on
@@ -79,7 +76,7 @@ double always(const ParameterView&) {
   return 1.0;
 }
 
-constexpr auto rows = std::to_array<PredefinedParameter>({
+constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_line", [](const ParameterView& view) { return static_cast<double>(view.line); }},
     {"_call_level", [](const ParameterView& view) { return static_cast<double>(view.call_level); }},
     {"_value", [](const ParameterView& view) { return view.value; }},
@@ -133,8 +130,8 @@ constexpr auto rows = std::to_array<PredefinedParameter>({
 // The letter of the axis whose value stands at `number` in a block of one parameter per axis.
 std::optional<char> letter_in_block(int number, int first) {
   const int index = number - first;
-  if (index < 0 || index >= static_cast<int>(axis_letters.size())) return std::nullopt;
-  return axis_letters[static_cast<std::size_t>(index)];
+  if (index < 0 || index >= static_cast<int>(parameter_axes.size())) return std::nullopt;
+  return parameter_axes[static_cast<std::size_t>(index)];
 }
 
 std::optional<double> work_offset_parameter(int number, const BlockSurroundings& around) {
@@ -182,14 +179,14 @@ double programmed_position(const BlockSurroundings& around, std::size_t axis) {
 }
 
 std::span<const PredefinedParameter> predefined_parameters() {
-  return rows;
+  return parameter_rows;
 }
 
 const PredefinedParameter* find_predefined_parameter(std::string_view folded_name) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const PredefinedParameter& one) {
-    return one.name == folded_name;
-  });
-  return row == rows.end() ? nullptr : &*row;
+  const auto row =
+      std::find_if(parameter_rows.begin(), parameter_rows.end(),
+                   [&](const PredefinedParameter& one) { return one.name == folded_name; });
+  return row == parameter_rows.end() ? nullptr : &*row;
 }
 
 std::optional<double> machine_parameter(int number, const ParameterView& view) {

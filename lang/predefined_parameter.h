@@ -14,6 +14,9 @@
 
 namespace stanok::lang {
 
+// The order of axes in blocks of numbered parameters.
+inline constexpr std::string_view parameter_axes = "XYZABCUVW";
+
 // What predefined parameters are read from.
 struct ParameterView {
   const BlockSurroundings& around;

@@ -8,10 +8,6 @@
 namespace stanok::lang {
 namespace {
 
-double truth(bool claim) {
-  return claim ? 1.0 : 0.0;
-}
-
 // The result of the frequent operations; false for the others and for results that are errors.
 bool quick_result(Operation operation, double left, double right, double& result) {
   switch (operation) {

@@ -11,14 +11,8 @@ namespace {
 // Commands without plane motion that may follow an element before the next one.
 constexpr std::size_t waiting_max = 100;
 
-// Coordinates closer than this (mm) are the same; an element shorter than this is none.
-constexpr double same_point = 1e-9;
-
 // Full turns of an arc are recognised within this (rad).
 constexpr double same_angle = 1e-9;
-
-constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double quarter_turn = std::numbers::pi / 2.0;
 
 CompensationFault fault_of(const Origin& origin, std::string_view code, std::string message,
                            std::string label) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -262,5 +263,13 @@ struct Statement {
                FaultyText>
       kind;
 };
+
+// A statement of this kind whose place is still to be filled in.
+template <class Kind>
+Statement statement_of(Kind kind) {
+  Statement statement;
+  statement.kind = std::move(kind);
+  return statement;
+}
 
 }  // namespace stanok::lang

@@ -9,11 +9,6 @@
 namespace stanok::lang {
 namespace {
 
-// Coordinates closer than this (mm) are the same.
-constexpr double same_point = 1e-9;
-
-constexpr double quarter_turn = std::numbers::pi / 2.0;
-
 // Where `piece` comes to the level `depth`, which lies between those of its ends.
 double along_at(const TurnedPiece& piece, double depth) {
   const double low = std::min(piece.start.along, piece.end.along);

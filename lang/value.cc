@@ -24,10 +24,6 @@ double positive_remainder(double left, double right) {
   return rest < 0.0 ? rest + std::abs(right) : rest;
 }
 
-double truth(bool claim) {
-  return claim ? 1.0 : 0.0;
-}
-
 double raw_result(Operation operation, double left, double right) {
   switch (operation) {
     case Operation::add:

@@ -45,8 +45,12 @@ struct Object {
 [[nodiscard]] inline Value value_of(double number) {
   return {number, nullptr};
 }
-[[nodiscard]] inline Value value_of(bool truth) {
-  return {truth ? 1.0 : 0.0, nullptr};
+// A claim as numbers have it.
+[[nodiscard]] constexpr double truth(bool claim) {
+  return claim ? 1.0 : 0.0;
+}
+[[nodiscard]] inline Value value_of(bool claim) {
+  return {truth(claim), nullptr};
 }
 [[nodiscard]] Value value_of(std::string text);
 [[nodiscard]] inline const std::string& text_of(const Value& value) {

@@ -17,19 +17,19 @@ constexpr double bow = (1.0 + 5.0 * blend_beta + 10.0 * blend_gamma) / 32.0;
 constexpr double sag = 1.0 / 64.0;
 
 // Part of the tolerance that blends use. The rest covers the chord between two setpoints, which
-// passes an inside corner a little farther off than the curve does, and the samples of
+// passes an inside corner a little farther off than the curve does, and the deviation_samples of
 // deviation_share.
-constexpr double tolerance_used = 0.97;
+constexpr double blend_tolerance_used = 0.97;
 
 constexpr double reach_min = 1e-5;       // mm: below, the stored points no longer resolve the curve
 constexpr double arc_angle_max = 0.5;    // rad of an arc that a blend may replace
 constexpr double curve_part_max = 0.25;  // of a programmed curve
-constexpr int samples = 16;
+constexpr int deviation_samples = 16;
 constexpr int foot_steps = 3;
 constexpr int fit_attempts = 16;
 
 Tolerance used_of(const Tolerance& tolerance) {
-  return {tolerance_used * tolerance.mm, tolerance_used * tolerance.deg};
+  return {blend_tolerance_used * tolerance.mm, blend_tolerance_used * tolerance.deg};
 }
 
 bool is_geometry_axis(const MotionConfig& config, std::size_t axis) {
@@ -169,8 +169,8 @@ double deviation_share(const Blend& blend, const Piece& incoming, const Piece& o
                        const Tolerance& tolerance, const MotionConfig& config) {
   const Piece curve = piece_of(blend.shape);
   double share = corner_share(curve, incoming.geometry.end, 0.5, tolerance, config);
-  for (int i = 1; i < samples; ++i) {
-    const double u = static_cast<double>(i) / samples;
+  for (int i = 1; i < deviation_samples; ++i) {
+    const double u = static_cast<double>(i) / deviation_samples;
     const Point point = position_at(curve, u);
     share = std::max(
         share, to_nearer_leg(incoming, outgoing, blend.reach, u, point, tolerance, config).share);

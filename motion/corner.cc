@@ -25,7 +25,7 @@ bool continues(double before, double after) {
 }
 
 // What a block allows on the way from or to the corner.
-struct Leg {
+struct CornerLeg {
   double way;  // half of the block
   double v;    // top speed, reached from rest within that half
   double a;
@@ -35,7 +35,7 @@ struct Leg {
 };
 
 // `jerk_part`: how much of the block's jerk is used.
-Leg leg_of(const Piece& block, double jerk_part, const MotionConfig& config) {
+CornerLeg leg_of(const Piece& block, double jerk_part, const MotionConfig& config) {
   const PieceLimits limits = piece_limits(piece_bounds(block, config), block.feed_per_s);
   const double j = jerk_part * limits.j;
   const double way = 0.5 * block.length;
@@ -44,13 +44,13 @@ Leg leg_of(const Piece& block, double jerk_part, const MotionConfig& config) {
 }
 
 // Time lost against passing at the leg's top speed by a jerk-limited ramp between it and `v`.
-double ramp_loss(const Leg& leg, double v) {
+double ramp_loss(const CornerLeg& leg, double v) {
   const double change = std::max(0.0, leg.v - v);
   return ramp_duration(leg.v - change, leg.v, leg.ramp()) * change / (2.0 * leg.v);
 }
 
 // Time from the middle of the leg to rest at its end, or from rest to there.
-double time_with_rest(const Leg& leg) {
+double time_with_rest(const CornerLeg& leg) {
   const double ramp = ramp_duration(0.0, leg.v, leg.ramp());
   return ramp + std::max(0.0, leg.way - 0.5 * leg.v * ramp) / leg.v;
 }
@@ -88,8 +88,8 @@ bool keeps_speed(const Piece& incoming, const Piece& blend, const Piece& outgoin
 bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
                     double stop_saves, const MotionConfig& config) {
   const double v = piece_limits(blend.bounds, blend.feed_per_s).v;
-  const Leg before = leg_of(incoming, 1.0, config);
-  const Leg after = leg_of(outgoing, 1.0, config);
+  const CornerLeg before = leg_of(incoming, 1.0, config);
+  const CornerLeg after = leg_of(outgoing, 1.0, config);
   const double top = std::min(before.v, after.v);
   const double by_blend =
       ramp_loss(before, v) + ramp_loss(after, v) + blend.length * (1.0 / v - 1.0 / top);
@@ -98,14 +98,14 @@ bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outg
 
 OverlapGain overlap_gain(const OverlapCorner& corner, const Piece& incoming, const Piece& outgoing,
                          const MotionConfig& config) {
-  const Leg before = leg_of(incoming, 1.0, config);
-  const Leg after = leg_of(outgoing, 1.0, config);
+  const CornerLeg before = leg_of(incoming, 1.0, config);
+  const CornerLeg after = leg_of(outgoing, 1.0, config);
   const OverlapRoom room{.incoming = incoming.length, .outgoing = outgoing.length};
   const double with_stop = time_with_rest(before) + time_with_rest(after);
   OverlapGain best;
   for (const double part : {1.0, jerk_part_allowed(corner, before.j, after.j, config)}) {
-    const Leg braking = leg_of(incoming, part, config);
-    const Leg starting = leg_of(outgoing, part, config);
+    const CornerLeg braking = leg_of(incoming, part, config);
+    const CornerLeg starting = leg_of(outgoing, part, config);
     const PhaseRun down = ramp_down(braking.v, 0.0, 0.0, braking.ramp());
     const PhaseRun up = ramp_up(0.0, 0.0, starting.v, starting.ramp());
     const double overlap =

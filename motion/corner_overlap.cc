@@ -11,11 +11,11 @@
 namespace stanok::motion {
 namespace {
 
-// Part of the tolerance that overlaps use; the rest is for rounding of every kind.
-constexpr double tolerance_used = 0.99;
+// Part of the tolerance that overlaps use; the rest is for sum_rounding of every kind.
+constexpr double overlap_tolerance_used = 0.99;
 
-// Sums of limits that hold exactly may exceed 1 by their rounding.
-constexpr double rounding = 1e-12;
+// Sums of limits that hold exactly may exceed 1 by their sum_rounding.
+constexpr double sum_rounding = 1e-12;
 
 // Machine axes per path length.
 Point machine_direction(const Piece& line) {
@@ -98,7 +98,7 @@ double peak(double v, double a, double j, double duration) {
 // Whether the sum of two motions along the legs, of constant jerk for `duration`, keeps the limits.
 bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const PathMotion& other,
                   double duration, const MotionConfig& config) {
-  constexpr double allowed = 1.0 + rounding;
+  constexpr double allowed = 1.0 + sum_rounding;
   if (peak(one.v + other.v, one.a + other.a, one.j + other.j, duration) >
       corner.speed_max * allowed) {
     return false;
@@ -162,7 +162,7 @@ std::optional<OverlapCorner> overlap_corner(const Piece& incoming, const Piece& 
                         outgoing.geometry.kind == PieceKind::line && is_affine(incoming);
   if (!straight || tolerance.mm <= 0.0 || tolerance.deg <= 0.0) return std::nullopt;
   return OverlapCorner{
-      .reach = tolerance_used * corner_reach(incoming, outgoing, tolerance, config),
+      .reach = overlap_tolerance_used * corner_reach(incoming, outgoing, tolerance, config),
       .speed_max = std::min(incoming.feed_per_s, outgoing.feed_per_s),
       .incoming = machine_direction(incoming),
       .outgoing = machine_direction(outgoing),

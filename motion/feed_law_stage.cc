@@ -9,8 +9,6 @@
 namespace stanok::motion {
 namespace {
 
-constexpr double s_per_min = 60.0;
-
 // Gives a piece the feed and the speed of a stretch.
 void apply(const FeedLaw& law, const LawStretch& stretch, std::uint64_t increments, Piece& piece) {
   PieceProcess& process = piece.process;

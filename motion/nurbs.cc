@@ -11,10 +11,10 @@ namespace stanok::motion {
 namespace {
 
 constexpr int halvings_max = 12;
-constexpr int samples = 8;
+constexpr int speed_samples = 8;
 // Speed by the parameter, as a share of the control polygon's length, below which a curve is taken
 // to stand still.
-constexpr double speed_min = 1e-6;
+constexpr double parameter_speed_min = 1e-6;
 
 using Homogeneous = std::array<double, 3>;  // w x, w y, w
 
@@ -136,8 +136,8 @@ class Stretcher {
 
  private:
   [[nodiscard]] bool deviates(const CurveStretch& made, double x0, double x1) const {
-    for (int k = 1; k < samples; ++k) {
-      const double u = static_cast<double>(k) / samples;
+    for (int k = 1; k < speed_samples; ++k) {
+      const double u = static_cast<double>(k) / speed_samples;
       const CurvePoint point = span_.at(x0 + (x1 - x0) * u);
       if (std::hypot(value_of(made.coefficients[0], u) - point.position[0],
                      value_of(made.coefficients[1], u) - point.position[1]) > deviation_)
@@ -169,7 +169,8 @@ std::vector<CurveStretch> stretches_of(const PlanarNurbs& curve, double deviatio
   }
   const auto degree = static_cast<std::size_t>(curve.degree);
   const std::size_t spans = control.size() - degree;
-  const double speed_least = speed_min * polygon_length(curve.points) / static_cast<double>(spans);
+  const double speed_least =
+      parameter_speed_min * polygon_length(curve.points) / static_cast<double>(spans);
   std::vector<CurveStretch> stretches;
   for (std::size_t s = 0; s < spans; ++s) {
     const Span span(bezier_of(control, degree, s));

@@ -7,7 +7,7 @@ namespace stanok::motion {
 namespace {
 
 // Speeds that differ by less count as equal.
-constexpr double speed_tolerance = 1e-9;
+constexpr double equal_speeds = 1e-9;
 
 constexpr double spindle_room = 1.05;
 
@@ -16,7 +16,7 @@ constexpr double spindle_room = 1.05;
 constexpr double stop_cycles = 3.0;
 
 bool is_faster(double v, double cap) RT_SAFE {
-  return v > cap * (1.0 + speed_tolerance);
+  return v > cap * (1.0 + equal_speeds);
 }
 
 double length_of(const PhaseRun& run, double s) RT_SAFE {
@@ -295,7 +295,7 @@ bool OverridePlanner::keeps(const PhaseRun& run, std::size_t first, std::size_t 
   if (run.size() == 0) return true;  // the speed at hand is held, which the caller knows to be kept
   const PathMotion peak = peak_of(run);
   for (std::size_t piece = first; piece <= last; ++piece) {
-    const double v_cap = cap(piece, caps) * (1.0 + speed_tolerance);
+    const double v_cap = cap(piece, caps) * (1.0 + equal_speeds);
     if (peak.v <= v_cap) continue;
     const double begin = std::max(sight_.start(piece), run[0].s);
     const double end = sight_.end(piece);

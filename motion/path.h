@@ -17,6 +17,11 @@ namespace stanok::motion {
 
 inline constexpr int axes_max = kinematics::axes_max;
 using Point = kinematics::AxisVector<double>;
+
+// The coordinate of an axis that is known to be there (not -1).
+[[nodiscard]] inline double at(const Point& point, int axis) {
+  return point[static_cast<std::size_t>(axis)];
+}
 using JetPoint = kinematics::AxisVector<kinematics::Jet>;
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();

@@ -21,7 +21,7 @@ namespace stanok::motion {
 namespace {
 
 // An axis that moves less stands; geometry axes that all move less do not make a way in mm.
-constexpr double standstill = 1e-12;
+constexpr double axis_standstill = 1e-12;
 constexpr double geometry_standstill = 1e-9;
 
 // "Exact" path: what a tolerance of 0 still permits, a millionth of a micrometre. It lets tangent
@@ -42,7 +42,7 @@ bool moves(const PathBlock& block, const Point& start, int axis_count) {
   if (block.kind == BlockKind::arc && block.sweep_rad != 0.0) return true;
   if (block.kind == BlockKind::curve) return true;
   for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
-    if (moves(block, start, k, standstill)) return true;
+    if (moves(block, start, k, axis_standstill)) return true;
   }
   return false;
 }

@@ -15,11 +15,11 @@ namespace {
 constexpr double length_min = 1e-4;            // mm of a block, and of its part before the spline
 constexpr double tolerance_min = 5e-4;         // mm: below, corners are left to blends
 constexpr double rate_step_max = 1000.0;       // tolerances of another axis per mm, at a corner
-constexpr double tolerance_used = 0.99;        // the rest is for rounding of every kind
+constexpr double run_tolerance_used = 0.99;    // the rest is for rounding of every kind
 constexpr double width_max = 2.0;              // mm between two knots
 constexpr std::size_t legs_per_span_max = 32;  // and so many blocks
 constexpr double width_min = 1e-5;             // mm
-constexpr double growth = 2.0;                 // of the distance from knot to knot
+constexpr double width_growth = 2.0;           // of the distance from knot to knot
 constexpr double ratio_max = 2.5;              // of neighbouring distances, once settled
 constexpr double snap = 0.3;  // part of the distance by which a knot goes to a corner
 constexpr std::size_t spans_behind_corner = 5;  // on a long block, before one long span
@@ -175,7 +175,7 @@ double SmoothRun::next_knot() const {
   if (last - leg.t_start >= settling && leg.t_end - settling > last + width_max)
     return leg.t_end - settling;
   const double before = last - spline_.knots[spline_.knots.size() - 2];
-  double step = before > 0.0 ? std::min(growth * before, width_max) : width_max;
+  double step = before > 0.0 ? std::min(width_growth * before, width_max) : width_max;
   if (index + legs_per_span_max < spline_.way.size())
     step = std::min(step, spline_.way.leg(index + legs_per_span_max).t_end - last);
   const double behind = last + (1.0 + snap) * step;
@@ -268,8 +268,8 @@ bool SmoothRun::fits(std::size_t span) const {
 // within that of their steps.
 bool SmoothRun::fits_leg(const Leg& leg, double a, double b,
                          const RunSpline::ControlPoints& points) const {
-  const Tolerance allowed{tolerance_used * (leg.tolerance.mm - chord_margin_.mm),
-                          tolerance_used * (leg.tolerance.deg - chord_margin_.deg)};
+  const Tolerance allowed{run_tolerance_used * (leg.tolerance.mm - chord_margin_.mm),
+                          run_tolerance_used * (leg.tolerance.deg - chord_margin_.deg)};
   const Point from = point_of(leg, a);
   const Point to = point_of(leg, b);
   for (std::size_t k = 0; k < points.size(); ++k) {

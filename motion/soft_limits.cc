@@ -9,8 +9,8 @@
 namespace stanok::motion {
 namespace {
 
-constexpr double rounding = 1e-9;  // mm or deg
-constexpr int search_steps = 60;   // golden section: the interval shrinks below 1e-12 of itself
+constexpr double position_rounding = 1e-9;  // mm or deg
+constexpr int search_steps = 60;  // golden section: the interval shrinks below 1e-12 of itself
 
 Point axes_at(const Piece& piece, double u) {
   JetPoint point_s;
@@ -52,7 +52,7 @@ class Watch {
   }
 
   const MotionConfig& config_;
-  double farthest_ = rounding;
+  double farthest_ = position_rounding;
   std::optional<Excess> excess_;
 };
 

@@ -29,8 +29,9 @@ constexpr double speed_share = 0.99;
 
 // A spindle that is farther from the speed it is commanded to has not come to it.
 constexpr double ripple_max = 0.3;
-constexpr double speed_min = 0.1;    // turns/s; slower ones do not turn
-constexpr double standstill = 0.05;  // turns/s, within what the observer sees of a spindle at rest
+constexpr double turning_speed_min = 0.1;  // turns/s; slower ones do not turn
+constexpr double spindle_standstill =
+    0.05;  // turns/s, within what the observer sees of a spindle at rest
 // A spindle is told to stop somewhat early, with less than it has: so it stops where it is told to,
 // though the speed of the moment is not quite known.
 constexpr double stop_reserve = 1.05;
@@ -125,7 +126,7 @@ void SynchronousRun::leave(const SpindleMotion& spindle) RT_SAFE {
 // Whether the run-in begins within this cycle: half its turns before the start angle comes.
 bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   const double speed = std::abs(spindle.speed);
-  if (speed < speed_min) return false;
+  if (speed < turning_speed_min) return false;
   if (std::abs(spindle.speed - spindle.speed_wanted) > ripple_max * speed) return false;
   if (speed > speed_share * coupling_.speed_max) {
     lose();
@@ -278,8 +279,8 @@ void SynchronousRun::stop_spindle(double turns) RT_SAFE {
 
 // Both, as far as the observer sees.
 bool SynchronousRun::stands_with(const SpindleMotion& spindle) const RT_SAFE {
-  return spindle.speed_wanted == 0.0 && std::abs(spindle.speed) < standstill &&
-         std::abs(motion_.v) < standstill;
+  return spindle.speed_wanted == 0.0 && std::abs(spindle.speed) < spindle_standstill &&
+         std::abs(motion_.v) < spindle_standstill;
 }
 
 void SynchronousRun::lose() RT_SAFE {

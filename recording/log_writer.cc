@@ -4,8 +4,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <system_error>
 #include <utility>
+
+#include "base/system_error.h"
 
 namespace stanok::recording {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::int64_t event_header_bytes = 28;  // sync word, number, time, two
 }  // namespace
 
 LogError log_error(const std::string& what, int error) {
-  return {error, what + ": " + std::generic_category().message(error)};
+  return {error, what + ": " + system_error_text(error)};
 }
 
 // One file, and the buffer that its stream writes through.

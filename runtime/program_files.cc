@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "base/file_descriptor.h"
+#include "base/system_error.h"
 
 namespace stanok::runtime {
 namespace {
@@ -74,7 +75,7 @@ Expected<std::string, Diagnostic> read_all(int file, std::string_view name) {
     const ssize_t count = ::read(file, text.data() + filled, text.size() - filled);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
-      const std::string reason = std::generic_category().message(errno);
+      const std::string reason = system_error_text(errno);
       return Unexpected<Diagnostic>(
           diagnostic("E7004", "cannot read " + std::string(name) + ": " + reason, ""));
     }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int corners = 8;
 constexpr int edges = 12;
-constexpr std::uint8_t none = 255;
+constexpr std::uint8_t no_edge = 255;
 
 unsigned bit(unsigned axis) {
   return 1U << (axis % 3);
@@ -48,22 +48,22 @@ void pair_on_face(const std::array<unsigned, 4>& walk, unsigned inside,
 
 std::vector<EdgeTriangle> triangles_of(unsigned inside) {
   std::array<std::uint8_t, edges> next{};
-  next.fill(none);
+  next.fill(no_edge);
   for (unsigned axis = 0; axis < 3; ++axis) {
     pair_on_face(face(axis, false), inside, next);
     pair_on_face(face(axis, true), inside, next);
   }
   std::vector<EdgeTriangle> triangles;
   for (std::uint8_t begin = 0; begin < edges; ++begin) {
-    if (next[begin] == none) continue;
+    if (next[begin] == no_edge) continue;
     std::uint8_t second = next[begin];
     std::uint8_t third = next[second];
-    next[begin] = next[second] = none;
+    next[begin] = next[second] = no_edge;
     while (third != begin) {
       triangles.push_back({begin, second, third});
       second = third;
       third = next[third];
-      next[second] = none;
+      next[second] = no_edge;
     }
   }
   return triangles;

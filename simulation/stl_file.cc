@@ -7,7 +7,8 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <system_error>
+
+#include "base/system_error.h"
 
 namespace stanok::simulation {
 namespace {
@@ -52,7 +53,7 @@ bool write_all(std::FILE* file, const Mesh& mesh, std::string_view title) {
 }
 
 std::string system_error_of(const std::filesystem::path& path) {
-  return path.string() + ": " + std::generic_category().message(errno);
+  return path.string() + ": " + system_error_text(errno);
 }
 
 }  // namespace

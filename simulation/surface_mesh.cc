@@ -9,7 +9,7 @@
 namespace stanok::simulation {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
+constexpr std::uint32_t no_point = 0xffffffffU;
 // Points keep off the corners of a cube, so that no triangle shrinks to nothing.
 constexpr double part_min = 0.01;
 // A crossing so far beside its edge is on it but for the steps of the cut; parts of a cell.
@@ -58,7 +58,7 @@ class Builder {
     Layer layer;
     const auto size = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     layer.inside.assign(size, 0);
-    for (auto& points : layer.points) points.assign(size, none);
+    for (auto& points : layer.points) points.assign(size, no_point);
     for (int j = 0; j < grid_.count[1]; ++j) {
       for (int i = 0; i < grid_.count[0]; ++i) layer.inside[at(i, j)] = is_inside(i, j, k) ? 1 : 0;
     }

@@ -13,6 +13,8 @@
 
 namespace stanok::motion {
 
+inline constexpr double s_per_min = 60.0;
+
 // Units of the values of a law.
 struct LawUnits {
   bool per_revolution = false;  // feeds in mm/rev, else mm/min

@@ -10,8 +10,6 @@
 namespace stanok::motion {
 namespace {
 
-constexpr double s_per_min = 60.0;
-
 // factor ln(upper / lower), in s from min; only where both are feeds.
 std::optional<double> logarithm(double factor, double upper, double lower) {
   if (upper <= 0.0 || lower <= 0.0) return std::nullopt;

@@ -13,7 +13,7 @@ using motion::ForceOrder;
 using motion::ForceState;
 
 // The smallest feed where neither program nor machine file gives one, part of the programmed one.
-constexpr double feed_min_part = 0.05;
+constexpr double feed_min_part_default = 0.05;
 
 // The path goes at the feed asked for when it is this close to it.
 constexpr double follows_within = 0.05;
@@ -155,7 +155,7 @@ void ForceControl::resolve_clamps(const motion::CutState& cut) RT_SAFE {
   if (feed_max <= 0.0) feed_max = cut.feed_programmed;
   double feed_min = unit * clamps_.feed_min;
   if (feed_min <= 0.0) feed_min = config_.feed_min;
-  if (feed_min <= 0.0) feed_min = feed_min_part * cut.feed_programmed;
+  if (feed_min <= 0.0) feed_min = feed_min_part_default * cut.feed_programmed;
   if (feed_max <= 0.0 || feed_min <= 0.0) return;  // in rapid: those of the feed before
   status_.feed_max_per_s = feed_max;
   status_.feed_min_per_s = std::min(feed_min, feed_max);
