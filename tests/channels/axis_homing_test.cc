@@ -7,10 +7,12 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/cycle.h"
+
 namespace stanok::channels {
 namespace {
 
-constexpr double cycle = 0.001;
+using testing::cycle_s;
 constexpr double poll = 0.010;
 constexpr double none = 1e9;
 
@@ -69,13 +71,13 @@ AxisHoming::Result run(Bench& bench, const HomingConfig& config, double start, A
   move.begin(0.0, 0.0, {.speed = 100.0, .ramp = ramp});
   homing.begin(config, ramp, search_length);
   for (int k = 0; k < 400'000; ++k) {
-    if (k % std::lround(poll / cycle) == 0) bench.exchange();
+    if (k % std::lround(poll / cycle_s) == 0) bench.exchange();
     const AxisHoming::Result result = homing.advance(bench.seen, move);
     if (result != AxisHoming::Result::running) {
       EXPECT_TRUE(move.is_at_rest());
       return result;
     }
-    move.advance(cycle);
+    move.advance(cycle_s);
     bench.take(bench.zero + move.position().value);
   }
   ADD_FAILURE() << "the search does not end";

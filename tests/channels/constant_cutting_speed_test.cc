@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cycle.h"
 #include "tests/support/machine/turning_bench.h"
 
 namespace stanok::channels {
@@ -65,7 +66,7 @@ TEST_P(Turning, HasItsSpeedItsTimeAndItsRevolutions) {
     const double n = std::abs(one.process.spindle_rev_per_min);
     const double due = speed_at(2.0 * std::abs(one.x));
     EXPECT_NEAR(n, due, 1e-9 * due) << "at " << one.way << " mm, diameter " << 2.0 * one.x;
-    revolutions += 0.5 * (n + n_before) / 60.0 * testing::turning_cycle_s;
+    revolutions += 0.5 * (n + n_before) / 60.0 * testing::cycle_s;
     n_before = n;
     if (one.is_last) break;
     EXPECT_NEAR(one.process.cutting_speed_m_per_min,
@@ -73,8 +74,8 @@ TEST_P(Turning, HasItsSpeedItsTimeAndItsRevolutions) {
     if (::testing::Test::HasFailure()) return;
   }
   // L / f revolutions, whatever the speed does; the cut ends within its last cycle.
-  const double cycle_turns = n_before / 60.0 * testing::turning_cycle_s;
-  const double late_turns = wanted.variation() / c.feed * testing::turning_cycle_s;
+  const double cycle_turns = n_before / 60.0 * testing::cycle_s;
+  const double late_turns = wanted.variation() / c.feed * testing::cycle_s;
   EXPECT_NEAR(revolutions, wanted.way() / c.feed, cycle_turns + late_turns + 1e-3);
 }
 

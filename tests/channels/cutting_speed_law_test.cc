@@ -17,6 +17,9 @@ using testing::CutCycle;
 using testing::CutTime;
 using testing::FeedOf;
 using testing::MachineBench;
+using testing::per_min;
+using testing::per_rev;
+using testing::word_unless_zero;
 
 constexpr double n_max = 3000.0;
 
@@ -33,16 +36,13 @@ struct CuttingSpeedLawCase {
   double n_min = 10.0;
 };
 
-std::string word(const char* name, double value) {
-  return value == 0.0 ? "" : " " + std::string(name) + "=" + std::to_string(value);
-}
-
 std::string program_of(const CuttingSpeedLawCase& c) {
   return "G0 X" + std::to_string(c.diameter) + " Z0\nG4 P0.01\nG97 S" +
          std::to_string(testing::speed_of_cut(c.v_first, c.diameter, c.n_min, n_max)) + " M3\n" +
-         (c.per_revolution ? "G95 " : "G94 ") + c.motion + word("v_n", c.v_first) +
-         word("v_k", c.v_last) + word("dv", c.v_step) + word("S_n", c.feed_first) +
-         word("S_k", c.feed_last) + word("dS", c.feed_step) + word("dl", c.dl) + "\nM5\nM30\n";
+         (c.per_revolution ? "G95 " : "G94 ") + c.motion + word_unless_zero("v_n", c.v_first) +
+         word_unless_zero("v_k", c.v_last) + word_unless_zero("dv", c.v_step) +
+         word_unless_zero("S_n", c.feed_first) + word_unless_zero("S_k", c.feed_last) +
+         word_unless_zero("dS", c.feed_step) + word_unless_zero("dl", c.dl) + "\nM5\nM30\n";
 }
 
 class CuttingSpeedLaw : public ::testing::TestWithParam<CuttingSpeedLawCase> {};
@@ -96,35 +96,35 @@ TEST_P(CuttingSpeedLaw, StepsCuttingSpeedAndFeedAtTheSamePlaces) {
   EXPECT_NEAR(cycles.back().process.spindle_rev_per_min, n_end, 1e-9 * n_end);
 }
 
-constexpr bool min = false;  // mm/min
-constexpr bool rev = true;   // mm/rev
 using Case = CuttingSpeedLawCase;
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, CuttingSpeedLaw,
     ::testing::Values(
         // Along a cylinder.
-        Case{"both_rise", "G1 Z-10", 10, 60, 60, min, 100, 0, 2, 90, 0, 2, 0.25},
-        Case{"speed_falls", "G1 Z-10", 10, 60, 60, min, 180, 0, -2.5, 120, 0, 1.5, 0.2},
-        Case{"feed_falls", "G1 Z-8", 8, 45, 45, min, 60, 0, 1, 200, 0, 2, -0.125},
-        Case{"fine_steps", "G1 Z-5", 5, 60, 60, min, 150, 0, 0.01, 150, 0, 0.1, 0.001},
-        Case{"ends", "G1 Z-9", 9, 60, 60, min, 90, 140, 0, 100, 160, 2, 0},
-        Case{"ends_cross", "G1 Z-7", 7, 80, 80, min, 220, 120, 0, 80, 130, 2, 0},
-        Case{"ends_before_the_block", "G1 Z-12", 12, 60, 60, min, 90, 120, 0, 90, 120, 1.5, 0.3},
-        Case{"block_ends_before", "G1 Z-4", 4, 60, 60, min, 100, 200, 0, 90, 150, 1, 0.2},
+        Case{"both_rise", "G1 Z-10", 10, 60, 60, per_min, 100, 0, 2, 90, 0, 2, 0.25},
+        Case{"speed_falls", "G1 Z-10", 10, 60, 60, per_min, 180, 0, -2.5, 120, 0, 1.5, 0.2},
+        Case{"feed_falls", "G1 Z-8", 8, 45, 45, per_min, 60, 0, 1, 200, 0, 2, -0.125},
+        Case{"fine_steps", "G1 Z-5", 5, 60, 60, per_min, 150, 0, 0.01, 150, 0, 0.1, 0.001},
+        Case{"ends", "G1 Z-9", 9, 60, 60, per_min, 90, 140, 0, 100, 160, 2, 0},
+        Case{"ends_cross", "G1 Z-7", 7, 80, 80, per_min, 220, 120, 0, 80, 130, 2, 0},
+        Case{"ends_before_the_block", "G1 Z-12", 12, 60, 60, per_min, 90, 120, 0, 90, 120, 1.5,
+             0.3},
+        Case{"block_ends_before", "G1 Z-4", 4, 60, 60, per_min, 100, 200, 0, 90, 150, 1, 0.2},
         // Over changing diameters.
-        Case{"facing", "G1 X20", 20, 60, 20, min, 80, 0, 1, 150, 0, 1, 0.5},
-        Case{"facing_outwards", "G1 X80", 25, 30, 80, min, 120, 0, -1, 150, 0, 2, -0.5},
-        Case{"facing_to_highest_speed", "G1 X4", 18, 40, 4, min, 100, 160, 0, 150, 210, 3, 0},
-        Case{"lowest_speed_outwards", "G1 X90", 30, 30, 90, min, 40, 20, 0, 180, 120, 2, 0, 150},
-        Case{"taper", "G1 X52 Z-3", 5, 60, 52, min, 150, 180, 0, 150, 75, 2.5, 0},
+        Case{"facing", "G1 X20", 20, 60, 20, per_min, 80, 0, 1, 150, 0, 1, 0.5},
+        Case{"facing_outwards", "G1 X80", 25, 30, 80, per_min, 120, 0, -1, 150, 0, 2, -0.5},
+        Case{"facing_to_highest_speed", "G1 X4", 18, 40, 4, per_min, 100, 160, 0, 150, 210, 3, 0},
+        Case{"lowest_speed_outwards", "G1 X90", 30, 30, 90, per_min, 40, 20, 0, 180, 120, 2, 0,
+             150},
+        Case{"taper", "G1 X52 Z-3", 5, 60, 52, per_min, 150, 180, 0, 150, 75, 2.5, 0},
         // Per revolution.
-        Case{"rev_cylinder", "G1 Z-6", 6, 60, 60, rev, 100, 0, 1, 0.1, 0, 0.002, 0.25},
-        Case{"rev_facing", "G1 X20", 20, 60, 20, rev, 80, 120, 0, 0.2, 0.12, 0.002, 0},
-        Case{"rev_facing_outwards", "G1 X80", 25, 30, 80, rev, 100, 80, 0, 0.1, 0.2, 0.005, 0},
-        Case{"rev_highest_speed", "G1 X6", 17, 40, 6, rev, 120, 0, 2, 0.08, 0, 0.002, 0.5},
-        Case{"rev_lowest_speed", "G1 X90", 30, 30, 90, rev, 40, 20, 0, 0.3, 0.4, 0.004, 0, 150},
-        Case{"rev_taper", "G1 X52 Z-3", 5, 60, 52, rev, 150, 0, -2, 0.06, 0, 0.004, 0.2}),
+        Case{"rev_cylinder", "G1 Z-6", 6, 60, 60, per_rev, 100, 0, 1, 0.1, 0, 0.002, 0.25},
+        Case{"rev_facing", "G1 X20", 20, 60, 20, per_rev, 80, 120, 0, 0.2, 0.12, 0.002, 0},
+        Case{"rev_facing_outwards", "G1 X80", 25, 30, 80, per_rev, 100, 80, 0, 0.1, 0.2, 0.005, 0},
+        Case{"rev_highest_speed", "G1 X6", 17, 40, 6, per_rev, 120, 0, 2, 0.08, 0, 0.002, 0.5},
+        Case{"rev_lowest_speed", "G1 X90", 30, 30, 90, per_rev, 40, 20, 0, 0.3, 0.4, 0.004, 0, 150},
+        Case{"rev_taper", "G1 X52 Z-3", 5, 60, 52, per_rev, 150, 0, -2, 0.06, 0, 0.004, 0.2}),
     [](const auto& with) { return std::string(with.param.name); });
 
 }  // namespace

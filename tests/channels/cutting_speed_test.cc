@@ -6,15 +6,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/cycle.h"
 #include "tests/support/machine/turning_bench.h"
 
 namespace stanok::channels {
 namespace {
 
+using testing::cycle_s;
 using ::testing::IsEmpty;
 using testing::MachineBench;
 
-constexpr double cycle_s = 0.001;
 constexpr std::size_t x_axis = 0;
 
 struct Turned {

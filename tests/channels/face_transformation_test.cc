@@ -13,11 +13,11 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::IsEmpty;
+using testing::lathe_C;
+using testing::lathe_X;
+using testing::lathe_Z;
 using testing::MachineBench;
 
-constexpr std::size_t X = 0;
-constexpr std::size_t Z = 1;
-constexpr std::size_t C = 2;
 constexpr double pi = std::numbers::pi;
 
 struct Vector {
@@ -27,14 +27,15 @@ struct Vector {
 
 // The tip over the workpiece from the machine axes alone: it turns by C against the tool on X.
 Vector on_face(const ChannelOutput& channel) {
-  const double angle = channel.axes[C].position * pi / 180.0;
-  return {channel.axes[X].position * std::cos(angle), channel.axes[X].position * std::sin(angle)};
+  const double angle = channel.axes[lathe_C].position * pi / 180.0;
+  return {channel.axes[lathe_X].position * std::cos(angle),
+          channel.axes[lathe_X].position * std::sin(angle)};
 }
 Vector velocity_on_face(const ChannelOutput& channel) {
-  const double angle = channel.axes[C].position * pi / 180.0;
-  const double turning = channel.axes[C].velocity * pi / 180.0;
-  const double r = channel.axes[X].position;
-  const double dr = channel.axes[X].velocity;
+  const double angle = channel.axes[lathe_C].position * pi / 180.0;
+  const double turning = channel.axes[lathe_C].velocity * pi / 180.0;
+  const double r = channel.axes[lathe_X].position;
+  const double dr = channel.axes[lathe_X].velocity;
   return {dr * std::cos(angle) - r * turning * std::sin(angle),
           dr * std::sin(angle) + r * turning * std::cos(angle)};
 }
@@ -53,7 +54,7 @@ class Face : public ::testing::Test {
     motion::Point before{};
     bench.run_to_end([&](const CycleOutput& output) {
       const ChannelOutput& channel = output.channels[0];
-      const bool is_axis = !channel.drives[C].follows_velocity;
+      const bool is_axis = !channel.drives[lathe_C].follows_velocity;
       if (is_axis && was_axis) judge(channel, before);
       if (is_axis) watch(channel);
       was_axis = is_axis;
@@ -62,7 +63,7 @@ class Face : public ::testing::Test {
   }
   static void judge(const ChannelOutput& channel, const motion::Point& before) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const bool rotary = k == C;
+      const bool rotary = k == lathe_C;
       EXPECT_LE(std::abs(channel.axes[k].velocity), (rotary ? 120.0 : 250.0) * (1 + 1e-9));
       EXPECT_LE(std::abs(channel.axes[k].acceleration), (rotary ? 1200.0 : 2500.0) * (1 + 1e-9));
       EXPECT_LE(std::abs(channel.axes[k].jerk), (rotary ? 24000.0 : 50000.0) * (1 + 1e-9));
@@ -104,7 +105,7 @@ TEST_F(Face, ACircleOfRadius20IsACircleAtTheFeed) {
 TEST_F(Face, RoundTheCentreCGoesOnTurning) {
   double last = 0.0;
   run("G94 G8 M902\nG0 X20 C0\nG12.1\nG1 F3000 X20 C0\nG3 I-20 J0 P3\nG13.1\nM0\nM30\n",
-      [&](const ChannelOutput& channel) { last = channel.axes[C].position; });
+      [&](const ChannelOutput& channel) { last = channel.axes[lathe_C].position; });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_NEAR(last, 3 * 360.0, 1e-9);
 }
@@ -140,7 +141,7 @@ TEST_F(Face, BeginsOnTheSideWhereTheToolStands) {
   run("G94 G8 M902\nG0 X-20 C0\nG12.1\nG1 F1000 X-20 C15\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
         end = on_face(channel);
-        x = channel.axes[X].position;
+        x = channel.axes[lathe_X].position;
       });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_LT(x, 0.0);
@@ -150,8 +151,8 @@ TEST_F(Face, BeginsOnTheSideWhereTheToolStands) {
 
 TEST(FaceAxis, MustTurnWithoutEnd) {
   MachineConfig machine = testing::turning_machine();
-  machine.axes[C].limits.position_min = -360.0;
-  machine.axes[C].limits.position_max = 360.0;
+  machine.axes[lathe_C].limits.position_min = -360.0;
+  machine.axes[lathe_C].limits.position_max = 360.0;
   MachineBench bench(machine);
   bench.program("p.nc", "M902\nG12.1\nM30\n");
   bench.run(1, "p.nc");
@@ -166,12 +167,13 @@ TEST_F(Face, TheSideOfACylinderIsAPlaneOfItsCircumference) {
   double last = 1.0;
   run("G94 G8 M902\nG0 X20 Z-15 C0\nG7.1 C20\nG1 F600 Z-15 C0\nG3 C0 J0 K5\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
-        last = channel.axes[C].position;
+        last = channel.axes[lathe_C].position;
         if (channel.tag.line != 5 || !channel.moving) return;
-        const double length = channel.axes[C].position * pi / 180.0 * 20.0;
-        off = std::max(off, std::abs(std::hypot(length, channel.axes[Z].position + 10.0) - 5.0));
-        const double around = channel.axes[C].velocity * pi / 180.0 * 20.0;
-        fastest = std::max(fastest, std::hypot(around, channel.axes[Z].velocity));
+        const double length = channel.axes[lathe_C].position * pi / 180.0 * 20.0;
+        off = std::max(off,
+                       std::abs(std::hypot(length, channel.axes[lathe_Z].position + 10.0) - 5.0));
+        const double around = channel.axes[lathe_C].velocity * pi / 180.0 * 20.0;
+        fastest = std::max(fastest, std::hypot(around, channel.axes[lathe_Z].velocity));
       });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_LT(off, 1e-9);
@@ -185,8 +187,8 @@ TEST_F(Face, AWorkOffsetOfCTurnsTheFace) {
   double x = 0.0;
   run("G94 G8 M902\nG10 L2 P1 C30\nG0 X20 C0\nG12.1\nG1 F1000 X20 C20\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
-        last = channel.axes[C].position;
-        x = channel.axes[X].position;
+        last = channel.axes[lathe_C].position;
+        x = channel.axes[lathe_X].position;
       });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_NEAR(last, 75.0, 1e-9);  // 30 + 45

@@ -6,15 +6,15 @@
 #include <functional>
 #include <limits>
 
+#include "tests/support/cycle.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {
 namespace {
 
+using testing::cycle_s;
 using ::testing::IsEmpty;
 using testing::MachineBench;
-
-constexpr double cycle_s = 0.001;
 
 OperatorEvent interruption(double la, double lb, int channel = 1) {
   OperatorEvent event;

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/cycle.h"
 #include "tests/support/machine/turning_bench.h"
 
 namespace stanok::channels {
 namespace {
 
+using testing::discrete_mm;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing::MachineBench;
-
-constexpr double discrete_mm = 0.001;
 
 struct Cut {
   double way = 0.0;  // along Z from where the cut began

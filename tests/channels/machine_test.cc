@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "tests/support/cycle.h"
 #include "tests/support/machine/machine_bench.h"
 #include "tests/support/no_allocation.h"
 
@@ -14,11 +15,10 @@ namespace stanok::channels {
 namespace {
 
 using ::testing::Contains;
+using testing::cycle_s;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing::MachineBench;
-
-constexpr double cycle_s = 0.001;
 
 // Fails when an axis steps further in a cycle than its velocity limit allows.
 class StepGuard {

@@ -5,17 +5,18 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/cycle.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {
 namespace {
 
+using testing::cycle_s;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing::MachineBench;
 
 constexpr int probe = 7;
-constexpr double cycle_s = 0.001;
 
 MachineConfig machine() {
   MachineConfig config = testing::two_channel_machine();

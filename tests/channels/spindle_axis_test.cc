@@ -13,9 +13,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::lathe_C;
 using testing::MachineBench;
-
-constexpr std::size_t C = 2;
 
 // Way of C from one cycle to the next, the short way round.
 double step_of_c(double before, double now) {
@@ -30,8 +29,8 @@ TEST(SpindleAxis, TurnsAsASpindleThenGoesWhereItIsProgrammed) {
   double fastest_axis = 0.0;
   double before = 0.0;
   bench.run_to_end([&](const CycleOutput& output) {
-    const AxisSetpoint& c = output.channels[0].axes[C];
-    const bool is_spindle = output.channels[0].drives[C].follows_velocity;
+    const AxisSetpoint& c = output.channels[0].axes[lathe_C];
+    const bool is_spindle = output.channels[0].drives[lathe_C].follows_velocity;
     double& fastest = is_spindle ? fastest_spindle : fastest_axis;
     fastest = std::max(fastest, std::abs(c.velocity));
     if (is_spindle) {
@@ -45,8 +44,8 @@ TEST(SpindleAxis, TurnsAsASpindleThenGoesWhereItIsProgrammed) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_EQ(fastest_spindle, 3600.0);     // 600 rev/min = 3600 deg/s
   EXPECT_NEAR(fastest_axis, 10.0, 1e-9);  // F600 deg/min
-  EXPECT_NEAR(step_of_c(bench.channel(1).axes[C].position, -45.0), 0.0, 1e-9);
-  EXPECT_TRUE(bench.channel(1).drives[C].follows_velocity);
+  EXPECT_NEAR(step_of_c(bench.channel(1).axes[lathe_C].position, -45.0), 0.0, 1e-9);
+  EXPECT_TRUE(bench.channel(1).drives[lathe_C].follows_velocity);
 }
 
 TEST(SpindleAxis, BeginsWhereTheSpindleCameToRest) {
@@ -59,9 +58,9 @@ TEST(SpindleAxis, BeginsWhereTheSpindleCameToRest) {
   double resting = -1.0;
   double end = 0.0;
   bench.run_to_end([&](const CycleOutput& output) {
-    const bool is_axis = !output.channels[0].drives[C].follows_velocity;
-    if (is_axis && resting < 0.0) resting = output.channels[0].axes[C].position;
-    if (is_axis) end = output.channels[0].axes[C].position;
+    const bool is_axis = !output.channels[0].drives[lathe_C].follows_velocity;
+    if (is_axis && resting < 0.0) resting = output.channels[0].axes[lathe_C].position;
+    if (is_axis) end = output.channels[0].axes[lathe_C].position;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_NEAR(end, resting + 10.0, 1e-9);
@@ -75,7 +74,7 @@ TEST(SpindleAxis, EndAndResetMakeItASpindleAgain) {
     for (int n = 0; n < 100; ++n) bench.cycle();
     bench.ask(OperatorAction::program_reset, 1);
     bench.run_to_end();
-    EXPECT_TRUE(bench.channel(1).drives[C].follows_velocity) << text;
+    EXPECT_TRUE(bench.channel(1).drives[lathe_C].follows_velocity) << text;
     bench.program("q.nc", "S100 M3\nM5\nM30\n");
     bench.run(1, "q.nc");
     bench.run_to_end();
@@ -92,7 +91,8 @@ TEST(SpindleAxis, ManyTimesInAProgramLosesNoAngle) {
   bench.run(1, "p.nc");
   double last = 1.0;
   bench.run_to_end([&](const CycleOutput& output) {
-    if (!output.channels[0].drives[C].follows_velocity) last = output.channels[0].axes[C].position;
+    if (!output.channels[0].drives[lathe_C].follows_velocity)
+      last = output.channels[0].axes[lathe_C].position;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_EQ(last, 0.0);
@@ -110,8 +110,8 @@ class SpindleAxisDrive : public ::testing::Test {
     bench.feedback(drives);
     bench.run(1, "p.nc");
     bench.run_to_end([&](const CycleOutput& output) {
-      if (!output.channels[0].drives[C].follows_velocity)
-        last = output.channels[0].axes[C].position;
+      if (!output.channels[0].drives[lathe_C].follows_velocity)
+        last = output.channels[0].axes[lathe_C].position;
     });
   }
   [[nodiscard]] std::string alarm() {
@@ -125,24 +125,24 @@ class SpindleAxisDrive : public ::testing::Test {
 };
 
 TEST_F(SpindleAxisDrive, TellsWhereTheAxisBegins) {
-  drives[C].position = 123.456;
+  drives[lathe_C].position = 123.456;
   run();
   EXPECT_EQ(alarm(), "");
   EXPECT_NEAR(last, 128.456, 1e-9);
 }
 
 TEST_F(SpindleAxisDrive, ThatGoesOnTurningIsRefusedAfterATime) {
-  drives[C].velocity = 30.0;
+  drives[lathe_C].velocity = 30.0;
   run();
   EXPECT_THAT(alarm(), HasSubstr("E5206"));
-  EXPECT_TRUE(bench.channel(1).drives[C].follows_velocity);
+  EXPECT_TRUE(bench.channel(1).drives[lathe_C].follows_velocity);
 }
 
 TEST_F(SpindleAxisDrive, WithoutReferenceIsRefused) {
-  drives[C].referenced = false;
+  drives[lathe_C].referenced = false;
   run();
   EXPECT_THAT(alarm(), HasSubstr("E5207"));
-  EXPECT_TRUE(bench.channel(1).drives[C].follows_velocity);
+  EXPECT_TRUE(bench.channel(1).drives[lathe_C].follows_velocity);
 }
 
 }  // namespace

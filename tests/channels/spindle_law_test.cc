@@ -16,6 +16,9 @@ using testing::CutTime;
 using ::testing::ElementsAre;
 using testing::FeedOf;
 using testing::MachineBench;
+using testing::per_min;
+using testing::per_rev;
+using testing::word_unless_zero;
 
 // A case states n_k and S_k, or dn, dS and dl; what is 0 stands not in the program.
 struct SpindleLawCase {
@@ -28,15 +31,12 @@ struct SpindleLawCase {
   double dl;                                // signed, as the program has it
 };
 
-std::string word(const char* name, double value) {
-  return value == 0.0 ? "" : " " + std::string(name) + "=" + std::to_string(value);
-}
-
 std::string program_of(const SpindleLawCase& c) {
   return "G0 X60 Z0\nG4 P0.01\nG97 S" + std::to_string(c.n_first) + " M3\n" +
-         (c.per_revolution ? "G95 " : "G94 ") + c.motion + word("n_n", c.n_first) +
-         word("n_k", c.n_last) + word("dn", c.n_step) + word("S_n", c.feed_first) +
-         word("S_k", c.feed_last) + word("dS", c.feed_step) + word("dl", c.dl) + "\nM5\nM30\n";
+         (c.per_revolution ? "G95 " : "G94 ") + c.motion + word_unless_zero("n_n", c.n_first) +
+         word_unless_zero("n_k", c.n_last) + word_unless_zero("dn", c.n_step) +
+         word_unless_zero("S_n", c.feed_first) + word_unless_zero("S_k", c.feed_last) +
+         word_unless_zero("dS", c.feed_step) + word_unless_zero("dl", c.dl) + "\nM5\nM30\n";
 }
 
 // What the law says: |dl| is a whole number of discretes first, its number of increments comes from
@@ -103,41 +103,40 @@ TEST_P(SpindleLaw, StepsSpeedAndFeedAtTheSamePlaces) {
   }
 }
 
-constexpr bool min = false;  // mm/min
-constexpr bool rev = true;   // mm/rev
-
 INSTANTIATE_TEST_SUITE_P(
     Cases, SpindleLaw,
     ::testing::Values(
         // By the increments.
-        SpindleLawCase{"both_rise", "G1 Z-10", 10.0, min, 600, 0, 4, 90, 0, 2, 0.25},
-        SpindleLawCase{"speed_falls", "G1 Z-10", 10.0, min, 900, 0, -5, 120, 0, 1.5, 0.2},
-        SpindleLawCase{"feed_falls", "G1 Z-8", 8.0, min, 400, 0, 12.5, 200, 0, 2, -0.125},
-        SpindleLawCase{"both_fall", "G1 Z-8", 8.0, min, 2500, 0, -20, 300, 0, 3, -0.1},
-        SpindleLawCase{"fine_steps", "G1 Z-5", 5.0, min, 1000, 0, 0.1, 150, 0, 0.1, 0.001},
-        SpindleLawCase{"no_step_fits", "G1 Z-2", 2.0, min, 700, 0, 50, 100, 0, 10, 3.0},
-        SpindleLawCase{"step_at_the_end", "G1 Z-4", 4.0, min, 700, 0, 50, 100, 0, 10, 2.0},
-        SpindleLawCase{"several_in_a_cycle", "G1 Z-6", 6.0, min, 500, 0, 1, 2400, 0, 0.1, 0.004},
+        SpindleLawCase{"both_rise", "G1 Z-10", 10.0, per_min, 600, 0, 4, 90, 0, 2, 0.25},
+        SpindleLawCase{"speed_falls", "G1 Z-10", 10.0, per_min, 900, 0, -5, 120, 0, 1.5, 0.2},
+        SpindleLawCase{"feed_falls", "G1 Z-8", 8.0, per_min, 400, 0, 12.5, 200, 0, 2, -0.125},
+        SpindleLawCase{"both_fall", "G1 Z-8", 8.0, per_min, 2500, 0, -20, 300, 0, 3, -0.1},
+        SpindleLawCase{"fine_steps", "G1 Z-5", 5.0, per_min, 1000, 0, 0.1, 150, 0, 0.1, 0.001},
+        SpindleLawCase{"no_step_fits", "G1 Z-2", 2.0, per_min, 700, 0, 50, 100, 0, 10, 3.0},
+        SpindleLawCase{"step_at_the_end", "G1 Z-4", 4.0, per_min, 700, 0, 50, 100, 0, 10, 2.0},
+        SpindleLawCase{"several_in_a_cycle", "G1 Z-6", 6.0, per_min, 500, 0, 1, 2400, 0, 0.1,
+                       0.004},
         // By the ends.
-        SpindleLawCase{"ends_rise", "G1 Z-10", 10.0, min, 600, 800, 0, 100, 180, 2, 0},
-        SpindleLawCase{"ends_cross", "G1 Z-10", 10.0, min, 1200, 450, 0, 100, 160, 1.5, 0},
-        SpindleLawCase{"ends_fall", "G1 Z-7", 7.0, min, 1500, 700, 0, 240, 120, 4, 0},
-        SpindleLawCase{"dl_is_rounded_down", "G1 Z-7", 7.0, min, 600, 660, 0, 100, 130, 1, 0},
-        SpindleLawCase{"ends_before_the_block", "G1 Z-12", 12.0, min, 600, 900, 0, 90, 120, 1.5,
+        SpindleLawCase{"ends_rise", "G1 Z-10", 10.0, per_min, 600, 800, 0, 100, 180, 2, 0},
+        SpindleLawCase{"ends_cross", "G1 Z-10", 10.0, per_min, 1200, 450, 0, 100, 160, 1.5, 0},
+        SpindleLawCase{"ends_fall", "G1 Z-7", 7.0, per_min, 1500, 700, 0, 240, 120, 4, 0},
+        SpindleLawCase{"dl_is_rounded_down", "G1 Z-7", 7.0, per_min, 600, 660, 0, 100, 130, 1, 0},
+        SpindleLawCase{"ends_before_the_block", "G1 Z-12", 12.0, per_min, 600, 900, 0, 90, 120, 1.5,
                        0.3},
-        SpindleLawCase{"block_ends_before", "G1 Z-4", 4.0, min, 600, 900, 0, 90, 150, 1, 0.2},
-        SpindleLawCase{"feed_stays", "G1 Z-9", 9.0, min, 500, 950, 0, 120, 120, 1, 0.45},
-        SpindleLawCase{"speed_stays", "G1 Z-6", 6.0, min, 800, 800, 0, 60, 90, 0.5, 0},
-        SpindleLawCase{"taper", "G1 X52 Z-3", 5.0, min, 640, 1280, 0, 150, 75, 2.5, 0},
-        SpindleLawCase{"facing", "G1 X20", 20.0, min, 500, 1500, 0, 180, 240, 3, 0},
-        SpindleLawCase{"arc", "G2 X80 Z-10 R10", 5.0 * 3.14159265358979323846, min, 700, 1000, 0,
-                       150, 210, 2, 0},
+        SpindleLawCase{"block_ends_before", "G1 Z-4", 4.0, per_min, 600, 900, 0, 90, 150, 1, 0.2},
+        SpindleLawCase{"feed_stays", "G1 Z-9", 9.0, per_min, 500, 950, 0, 120, 120, 1, 0.45},
+        SpindleLawCase{"speed_stays", "G1 Z-6", 6.0, per_min, 800, 800, 0, 60, 90, 0.5, 0},
+        SpindleLawCase{"taper", "G1 X52 Z-3", 5.0, per_min, 640, 1280, 0, 150, 75, 2.5, 0},
+        SpindleLawCase{"facing", "G1 X20", 20.0, per_min, 500, 1500, 0, 180, 240, 3, 0},
+        SpindleLawCase{"arc", "G2 X80 Z-10 R10", 5.0 * 3.14159265358979323846, per_min, 700, 1000,
+                       0, 150, 210, 2, 0},
         // Per revolution, with the speed of the same place.
-        SpindleLawCase{"rev_both_rise", "G1 Z-6", 6.0, rev, 600, 0, 10, 0.1, 0, 0.002, 0.25},
-        SpindleLawCase{"rev_cross", "G1 Z-6", 6.0, rev, 1200, 0, -16, 0.08, 0, 0.003, 0.2},
-        SpindleLawCase{"rev_ends", "G1 Z-9", 9.0, rev, 800, 1300, 0, 0.2, 0.1, 0.004, 0},
-        SpindleLawCase{"rev_feed_stays", "G1 Z-5", 5.0, rev, 400, 640, 0, 0.15, 0.15, 0.001, 0.2},
-        SpindleLawCase{"rev_taper", "G1 X52 Z-3", 5.0, rev, 900, 500, 0, 0.06, 0.16, 0.002, 0}),
+        SpindleLawCase{"rev_both_rise", "G1 Z-6", 6.0, per_rev, 600, 0, 10, 0.1, 0, 0.002, 0.25},
+        SpindleLawCase{"rev_cross", "G1 Z-6", 6.0, per_rev, 1200, 0, -16, 0.08, 0, 0.003, 0.2},
+        SpindleLawCase{"rev_ends", "G1 Z-9", 9.0, per_rev, 800, 1300, 0, 0.2, 0.1, 0.004, 0},
+        SpindleLawCase{"rev_feed_stays", "G1 Z-5", 5.0, per_rev, 400, 640, 0, 0.15, 0.15, 0.001,
+                       0.2},
+        SpindleLawCase{"rev_taper", "G1 X52 Z-3", 5.0, per_rev, 900, 500, 0, 0.06, 0.16, 0.002, 0}),
     [](const auto& with) { return std::string(with.param.name); });
 
 // The speed stays behind the law until another one is programmed.

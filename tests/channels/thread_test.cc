@@ -11,27 +11,27 @@
 #include <vector>
 
 #include "channels/machine.h"
+#include "tests/support/cycle.h"
 #include "tests/support/helix.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {
 namespace {
 
+using testing::cycle_s;
+using testing::discrete_mm;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using testing::lathe_C;
+using testing::lathe_X;
+using testing::lathe_Z;
 using testing::MachineBench;
-
-constexpr std::size_t X = 0;
-constexpr std::size_t Z = 1;
-constexpr std::size_t C = 2;
-constexpr double discrete = 0.001;  // mm
-constexpr double cycle_s = 0.001;
 
 // Distance along Z, in mm, from the helix that begins at z_start; `lead` has the sign of the way.
 double off_helix(const ChannelOutput& channel, double z_start, double lead, double start_deg) {
-  const double turns = (channel.axes[C].position - start_deg) / 360.0;
-  return testing::off_helix(turns, channel.axes[Z].position - z_start, lead);
+  const double turns = (channel.axes[lathe_C].position - start_deg) / 360.0;
+  return testing::off_helix(turns, channel.axes[lathe_Z].position - z_start, lead);
 }
 
 struct Watched {
@@ -43,13 +43,13 @@ struct Watched {
 
 // By the derivatives, and by the way from one set-point to the next.
 void watch_limits(const ChannelOutput& channel, Watched& watched) {
-  for (const std::size_t k : {X, Z}) {
+  for (const std::size_t k : {lathe_X, lathe_Z}) {
     if (!watched.before) break;
     const double way = channel.axes[k].position - watched.before->axes[k].position;
     watched.limits = std::max(watched.limits, std::abs(way) / cycle_s / 250.0);
   }
   watched.before = channel;
-  for (const std::size_t k : {X, Z}) {
+  for (const std::size_t k : {lathe_X, lathe_Z}) {
     const AxisSetpoint& axis = channel.axes[k];
     watched.limits =
         std::max({watched.limits, std::abs(axis.velocity) / 250.0,
@@ -65,16 +65,16 @@ TEST(Thread, FollowsTheAngleOfTheSpindle) {
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
-    const double z = channel.axes[Z].position;
+    const double z = channel.axes[lathe_Z].position;
     if (channel.tag.line != 4 || z > 0.5 || z < -28.5) return;
     watched.error = std::max(watched.error, off_helix(channel, 2.0, -1.5, 45.0));
     ++watched.samples;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_GT(watched.samples, 1800);  // 29 mm at 15 mm/s
-  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.error, discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
-  EXPECT_EQ(bench.channel(1).axes[Z].position, -30.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -30.0);
 }
 
 // Three starts of one thread, and the helix of each.
@@ -91,7 +91,7 @@ TEST(Thread, CutsAHelixPerStartAngle) {
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
-    const double z = channel.axes[Z].position;
+    const double z = channel.axes[lathe_Z].position;
     const bool in_thread = channel.tag.line == 8 && z < -1.0 && z > -17.0;
     if (in_thread) {
       watched.error = std::max(watched.error, off_helix(channel, 2.0, -3.0, 120.0 * pass));
@@ -103,7 +103,7 @@ TEST(Thread, CutsAHelixPerStartAngle) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_EQ(pass, 3);
   EXPECT_GT(watched.samples, 3 * 600);  // 16 mm at 22.5 mm/s
-  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.error, discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -121,21 +121,21 @@ TEST(Thread, FollowsTheMeasuredAngleNotTheCommandedOne) {
   do {
     std::vector<AxisFeedback> feedback(3);
     for (AxisFeedback& axis : feedback) axis.valid = axis.enabled = axis.referenced = true;
-    feedback[C].position = testing::encoder_deg(turns(cycles * cycle_s), 4096);
+    feedback[lathe_C].position = testing::encoder_deg(turns(cycles * cycle_s), 4096);
     bench.feedback(feedback);
     bench.cycle();
     ++cycles;
     ChannelOutput channel = bench.channel(1);
     watch_limits(channel, watched);
-    const double z = channel.axes[Z].position;
+    const double z = channel.axes[lathe_Z].position;
     if (channel.tag.line != 8 || z > -1.0 || z < -28.0) continue;
-    channel.axes[C].position = 360.0 * turns(cycles * cycle_s);
+    channel.axes[lathe_C].position = 360.0 * turns(cycles * cycle_s);
     watched.error = std::max(watched.error, off_helix(channel, 2.0, -2.0, 0.0));
     ++watched.samples;
   } while (cycles < 10 || (bench.channel(1).running && cycles < 60000));
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_GT(watched.samples, 10 * 1200);  // 27 mm at 20 mm/s
-  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.error, discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -148,7 +148,7 @@ TEST(Thread, StaysOnTheHelixWhileTheSpindleOverrideChanges) {
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
-    const double z = channel.axes[Z].position;
+    const double z = channel.axes[lathe_Z].position;
     if (z < -20.0 && !lowered) {
       bench.ask(OperatorAction::override_spindle, 1, "", 0.6);
       bench.ask(OperatorAction::override_feed, 1, "", 0.3);  // it has no effect in a thread
@@ -160,7 +160,7 @@ TEST(Thread, StaysOnTheHelixWhileTheSpindleOverrideChanges) {
   });
   EXPECT_TRUE(lowered);
   EXPECT_GT(watched.samples, 5000);  // 20 mm at 15 mm/s, 38 mm at 9 mm/s
-  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.error, discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -177,8 +177,8 @@ TEST(Thread, ACycleOfPassesCutsOneHelix) {
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
-    const double x = channel.axes[X].position;
-    const double z = channel.axes[Z].position;
+    const double x = channel.axes[lathe_X].position;
+    const double z = channel.axes[lathe_Z].position;
     if (z_before > -10.0 && z <= -10.0) depths.push_back(x);
     z_before = z;
     if (channel.tag.line != 4 || x > 10.99 || z > 0.5 || z < -24.0) return;
@@ -190,7 +190,7 @@ TEST(Thread, ACycleOfPassesCutsOneHelix) {
   EXPECT_THAT(depths, ElementsAre(DoubleNear(10.6, 1e-9), DoubleNear(10.2, 1e-9),
                                   DoubleNear(10.1, 1e-9), DoubleNear(10.1, 1e-9)));
   EXPECT_GT(watched.samples, 4 * 2000);  // 24 mm at 10 mm/s
-  EXPECT_LE(watched.error, discrete);
+  EXPECT_LE(watched.error, discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -207,20 +207,20 @@ TEST(Thread, ATapComesBackOnItsHelix) {
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
-    const double z = channel.axes[Z].position;
+    const double z = channel.axes[lathe_Z].position;
     bottom = std::min(bottom, z);
-    fastest_back = std::min(fastest_back, channel.axes[C].velocity);
-    if (channel.tag.line == 5) speed_at_end = channel.axes[C].velocity;
+    fastest_back = std::min(fastest_back, channel.axes[lathe_C].velocity);
+    if (channel.tag.line == 5) speed_at_end = channel.axes[lathe_C].velocity;
     if (channel.tag.line != 4 || z > 3.5) return;
     watched.error = std::max(watched.error, off_helix(channel, 5.0, -1.5, 0.0));
     ++watched.samples;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_NEAR(bottom, -20.0, discrete);
+  EXPECT_NEAR(bottom, -20.0, discrete_mm);
   EXPECT_EQ(fastest_back, -3600.0);  // 600 rev/min in deg/s
-  EXPECT_EQ(bench.channel(1).axes[Z].position, 5.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, 5.0);
   EXPECT_GT(watched.samples, 2 * 1500);
-  EXPECT_LE(watched.error, 2.0 * discrete);
+  EXPECT_LE(watched.error, 2.0 * discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -230,13 +230,13 @@ TEST(Thread, AHoldActsBehindTheThread) {
   bench.run(1, "p.nc");
   bool asked = false;
   bench.run_to_end([&](const CycleOutput& output) {
-    if (asked || output.channels[0].axes[Z].position > -10.0) return;
+    if (asked || output.channels[0].axes[lathe_Z].position > -10.0) return;
     bench.ask(OperatorAction::program_hold, 1);
     asked = true;
   });
   EXPECT_EQ(bench.channel(1).state, ChannelState::held);
-  EXPECT_EQ(bench.channel(1).axes[Z].position, -30.0);
-  EXPECT_EQ(bench.channel(1).axes[X].position, 10.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -30.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_X].position, 10.0);
 }
 
 TEST(Thread, AResetEndsItOnItsWay) {
@@ -247,17 +247,17 @@ TEST(Thread, AResetEndsItOnItsWay) {
   bool asked = false;
   bench.run_to_end([&](const CycleOutput& output) {
     watch_limits(output.channels[0], watched);
-    if (asked || output.channels[0].axes[Z].position > -10.0) return;
+    if (asked || output.channels[0].axes[lathe_Z].position > -10.0) return;
     bench.ask(OperatorAction::program_reset, 1);
     asked = true;
   });
   EXPECT_EQ(bench.channel(1).state, ChannelState::ready);
-  EXPECT_NEAR(bench.channel(1).axes[Z].position, -10.3, 0.2);
+  EXPECT_NEAR(bench.channel(1).axes[lathe_Z].position, -10.3, 0.2);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
   // And the machine can be used on.
   bench.run(1, "p.nc");
   bench.run_to_end();
-  EXPECT_EQ(bench.channel(1).axes[Z].position, -60.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -60.0);
 }
 
 // Single block stops before the thread and behind it; its blocks are one motion.
@@ -271,7 +271,7 @@ TEST(Thread, IsOneStepOfSingleBlock) {
   int stops = 0;
   for (; stops < 10; ++stops) {
     bench.run_to_end([&](const CycleOutput& output) {
-      const AxisSetpoint& z = output.channels[0].axes[Z];
+      const AxisSetpoint& z = output.channels[0].axes[lathe_Z];
       if (z.position < -18.0 && z.position > -22.0) slowest = std::min(slowest, -z.velocity);
     });
     if (!bench.channel(1).running) break;
@@ -281,7 +281,7 @@ TEST(Thread, IsOneStepOfSingleBlock) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_LT(stops, 8);
   EXPECT_NEAR(slowest, 15.0, 0.5);
-  EXPECT_EQ(bench.channel(1).axes[Z].position, -40.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -40.0);
 }
 
 // A tool in a hole must not be torn off its helix.
@@ -296,15 +296,15 @@ TEST(Thread, AResetInATapStopsTheSpindleOnTheHelix) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
     if (asked && channel.running) error = std::max(error, off_helix(channel, 5.0, -1.5, 0.0));
-    if (asked || channel.axes[Z].position > -10.0) return;
+    if (asked || channel.axes[lathe_Z].position > -10.0) return;
     bench.ask(OperatorAction::program_reset, 1);
     asked = true;
   });
   EXPECT_EQ(bench.channel(1).state, ChannelState::ready);
-  EXPECT_EQ(bench.channel(1).axes[C].velocity, 0.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_C].velocity, 0.0);
   // 600 rev/min at 1500 rev/min/s: two turns, 3 mm.
-  EXPECT_NEAR(bench.channel(1).axes[Z].position, -13.0, 0.2);
-  EXPECT_LE(error, 2.0 * discrete);
+  EXPECT_NEAR(bench.channel(1).axes[lathe_Z].position, -13.0, 0.2);
+  EXPECT_LE(error, 2.0 * discrete_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -360,7 +360,7 @@ TEST(Thread, IsRefusedWhereAnAxisIsTooSlowForIt) {
             "axis Z would need 300 mm/s at 3000 rev/min, its limit is 250");
   EXPECT_EQ(alarms[0].diagnostic.help[0],
             "turn the spindle with at most S2500, or cut a smaller lead");
-  EXPECT_EQ(bench.channel(1).axes[Z].position, 2.0);
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, 2.0);
 }
 
 }  // namespace

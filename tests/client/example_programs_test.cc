@@ -11,10 +11,11 @@
 #include <set>
 #include <string>
 
+#include "tests/client/stanok_program.h"
+
 namespace stanok::client {
 namespace {
 
-const std::string program = STANOK_BINARY_DIR "/bin/stanok";
 const std::string root = STANOK_SOURCE_DIR;
 
 struct Example {
@@ -31,7 +32,7 @@ class ExampleProgram : public ::testing::TestWithParam<Example> {};
 
 TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
   const Example& example = GetParam();
-  std::string command = program + " simulate " + root + "/programs/examples/" + example.name +
+  std::string command = stanok_program + " simulate " + example_folder + example.name +
                         ".nc --machine " + root + "/config/machines/" + example.machine + ".toml";
   if (*example.scheme != '\0') command += std::string(" --scheme 1=") + example.scheme;
   const int status = std::system((command + " >/dev/null").c_str());

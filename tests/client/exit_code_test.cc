@@ -7,6 +7,7 @@
 
 #include "protocol/json_rpc.h"
 #include "tests/client/fake_server.h"
+#include "tests/client/stanok_program.h"
 
 namespace stanok::client {
 namespace {
@@ -15,12 +16,10 @@ using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
 
-const std::string program = STANOK_BINARY_DIR "/bin/stanok";
 const std::string machine_file = STANOK_SOURCE_DIR "/config/machines/mill3.toml";
-const std::string examples = STANOK_SOURCE_DIR "/programs/examples/";
 
 int exit_code_of(const std::string& arguments) {
-  const int status = std::system((program + " " + arguments + " >/dev/null 2>&1").c_str());
+  const int status = std::system((stanok_program + " " + arguments + " >/dev/null 2>&1").c_str());
   EXPECT_TRUE(WIFEXITED(status)) << arguments;
   return WEXITSTATUS(status);
 }
@@ -72,7 +71,7 @@ TEST(ExitCode, IsThreeWhenThereIsNoDaemon) {
 }
 
 TEST(ExitCode, IsSixWhenAProgramHasErrors) {
-  EXPECT_EQ(exit_code_of("check " + examples + "helix.nc --machine " + machine_file), 0);
+  EXPECT_EQ(exit_code_of("check " + example_folder + "helix.nc --machine " + machine_file), 0);
   std::string pattern = (std::filesystem::temp_directory_path() / "stanok-exit-XXXXXX").string();
   const std::filesystem::path folder = ::mkdtemp(pattern.data());
   const std::string bad = (folder / "bad.nc").string();

@@ -13,14 +13,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/client/stanok_program.h"
+
 namespace stanok::client {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const std::string stanok = STANOK_BINARY_DIR "/bin/stanok ";
-const std::string examples = STANOK_SOURCE_DIR "/programs/examples/";
 const std::string grinder = STANOK_SOURCE_DIR "/config/machines/grinder.toml";
 
 std::string text_of(const fs::path& file) {
@@ -45,7 +45,8 @@ class Grind : public ::testing::Test {
     return path(name);
   }
   int run(const std::string& arguments) const {
-    const std::string command = stanok + arguments + " >" + path("stdout") + " 2>" + path("stderr");
+    const std::string command =
+        stanok_program + " " + arguments + " >" + path("stdout") + " 2>" + path("stderr");
     const int status = std::system(command.c_str());
     EXPECT_TRUE(WIFEXITED(status)) << command;
     return WEXITSTATUS(status);
@@ -57,7 +58,7 @@ class Grind : public ::testing::Test {
   // The example with one thing replaced.
   [[nodiscard]] std::string control_file_with(const std::string& what,
                                               const std::string& other) const {
-    std::string text = text_of(examples + "plunge_grinding.txt");
+    std::string text = text_of(example_folder + "plunge_grinding.txt");
     return write("changed.txt", text.replace(text.find(what), what.size(), other));
   }
 
@@ -66,8 +67,9 @@ class Grind : public ::testing::Test {
 };
 
 TEST_F(Grind, VerifiesThePapersFileAndWritesItBackToTheLetter) {
-  EXPECT_EQ(run("grind verify " + examples + "plunge_grinding.txt --out " + path("again.txt")), 0);
-  EXPECT_EQ(text_of(path("again.txt")), text_of(examples + "plunge_grinding.txt"));
+  EXPECT_EQ(
+      run("grind verify " + example_folder + "plunge_grinding.txt --out " + path("again.txt")), 0);
+  EXPECT_EQ(text_of(path("again.txt")), text_of(example_folder + "plunge_grinding.txt"));
   EXPECT_THAT(output(), HasSubstr("damping ratio 0.9000"));
   EXPECT_THAT(errors(), HasSubstr("W910"));
 }
@@ -88,7 +90,7 @@ TEST_F(Grind, RefusesAWrongControlFileWithPlaceAndRange) {
 }
 
 TEST_F(Grind, TellsFaultsOfAProcessFileAsTextAndAsJson) {
-  std::string text = text_of(examples + "plunge_grinding.toml");
+  std::string text = text_of(example_folder + "plunge_grinding.toml");
   text.replace(text.find("25_000_000.0"), 12, "25_000.0");
   const std::string wrong = write("p.toml", text);
   EXPECT_EQ(run("grind design " + wrong), 1);
@@ -102,7 +104,7 @@ TEST_F(Grind, TellsFaultsOfAProcessFileAsTextAndAsJson) {
 }
 
 TEST_F(Grind, DesignsFromAProcessFileWhatVerifyAccepts) {
-  const std::string design = "grind design " + examples + "plunge_grinding.toml";
+  const std::string design = "grind design " + example_folder + "plunge_grinding.toml";
   ASSERT_EQ(run(design + " --json --out " + path("cycle.txt")), 0);
   const nlohmann::json result = json();
   EXPECT_NEAR(result["q_max"], 0.408214276, 1e-6);
@@ -125,7 +127,7 @@ TEST_F(Grind, DesignsFromAProcessFileWhatVerifyAccepts) {
 }
 
 TEST_F(Grind, TakesNumberOrPlacesOfTheSwitchPoints) {
-  const std::string design = "grind design " + examples + "plunge_grinding.toml --json ";
+  const std::string design = "grind design " + example_folder + "plunge_grinding.toml --json ";
   ASSERT_EQ(run(design + "--points 3"), 0);
   EXPECT_EQ(json()["law"].size(), 8U);
   ASSERT_EQ(run(design + "--at 0.1,0.05,0.0"), 0);
@@ -136,7 +138,8 @@ TEST_F(Grind, TakesNumberOrPlacesOfTheSwitchPoints) {
 }
 
 TEST_F(Grind, RefusesAGainOfOneUnlessForced) {
-  const std::string design = "grind design " + examples + "plunge_grinding.toml --iterations 12 ";
+  const std::string design =
+      "grind design " + example_folder + "plunge_grinding.toml --iterations 12 ";
   EXPECT_EQ(run(design + "--koc 1.2"), 1);
   EXPECT_THAT(errors(), HasSubstr("E9107"));
   ASSERT_EQ(run(design + "--koc 1.5 --force --json"), 0);
@@ -146,7 +149,7 @@ TEST_F(Grind, RefusesAGainOfOneUnlessForced) {
 }
 
 TEST_F(Grind, DrawsItsPictures) {
-  const std::string verify = "grind verify " + examples + "plunge_grinding.txt --picture ";
+  const std::string verify = "grind verify " + example_folder + "plunge_grinding.txt --picture ";
   ASSERT_EQ(run(verify + path("a.svg")), 0) << errors();
   EXPECT_THAT(text_of(path("a.svg")), HasSubstr("<svg"));
   ASSERT_EQ(run(verify + path("a.png")), 0) << errors();
@@ -155,7 +158,7 @@ TEST_F(Grind, DrawsItsPictures) {
 }
 
 TEST_F(Grind, StudiesEveryCombinationInOrder) {
-  ASSERT_EQ(run("grind study " + examples +
+  ASSERT_EQ(run("grind study " + example_folder +
                 "plunge_grinding.toml --points 3 --vary stiffness=2e6:3e7:2 "
                 "--vary part_speed=100:140:3"),
             0);
@@ -169,7 +172,7 @@ TEST_F(Grind, StudiesEveryCombinationInOrder) {
   EXPECT_THAT(lines[5], ::testing::StartsWith("30000000,120,"));
   const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
   EXPECT_EQ(commas(lines[5]), commas(lines[0]));
-  EXPECT_EQ(run("grind study " + examples + "plunge_grinding.toml --vary stifness=1:2:3"), 2);
+  EXPECT_EQ(run("grind study " + example_folder + "plunge_grinding.toml --vary stifness=1:2:3"), 2);
 }
 
 struct TraceRow {
@@ -193,11 +196,11 @@ std::vector<TraceRow> read_trace(const std::string& file) {
 
 // Switched within one discrete of the machine (0.1 um), feeds to 1e-6, at rest at the last X.
 TEST_F(Grind, ProgramFollowsTheTableInTheSimulation) {
-  ASSERT_EQ(run("grind program " + examples + "plunge_grinding.txt -o " + path("p.nc") +
+  ASSERT_EQ(run("grind program " + example_folder + "plunge_grinding.txt -o " + path("p.nc") +
                 " --machine " + grinder),
             0)
       << errors();
-  EXPECT_EQ(text_of(path("p.nc")), text_of(examples + "plunge_grinding.nc"));
+  EXPECT_EQ(text_of(path("p.nc")), text_of(example_folder + "plunge_grinding.nc"));
   ASSERT_EQ(run("simulate " + path("p.nc") + " --machine " + grinder +
                 " --tip-trace 1=" + path("trace.csv")),
             0)
@@ -230,7 +233,7 @@ TEST_F(Grind, ProgramEndsWhereTheGaugeFindsTheSize) {
                   std::string("tables = \"grinder/tables.toml\"").size());
     return write(name, machine + "\n[[contact]]\ninput = 0\naxis = \"X\"\nto = " + to + "\n");
   };
-  ASSERT_EQ(run("grind program " + examples + "plunge_grinding.txt -o " + path("g.nc") +
+  ASSERT_EQ(run("grind program " + example_folder + "plunge_grinding.txt -o " + path("g.nc") +
                 " --gauge 0.02 --machine " + grinder),
             0)
       << errors();
@@ -254,7 +257,7 @@ TEST_F(Grind, SaysOfAProgramThatItBurns) {
 
 TEST_F(Grind, RefusesAMachineThatCannotGrindSo) {
   const std::string program =
-      "grind program " + examples + "plunge_grinding.txt -o " + path("p.nc");
+      "grind program " + example_folder + "plunge_grinding.txt -o " + path("p.nc");
   EXPECT_EQ(run(program + " --machine " STANOK_SOURCE_DIR "/config/machines/mill3.toml"), 1);
   EXPECT_THAT(errors(), HasSubstr("kind \"grind\""));
   EXPECT_EQ(run(program + " --wheel-speed 60 --machine " + grinder), 1);

@@ -2,6 +2,8 @@
 //
 // Each case replaces one line of a small valid file (or appends after its end), so that the line
 // numbers can be counted here.
+#include "tests/config/machine_faults.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,15 +61,6 @@ std::string with_line(int line, std::string_view replacement) {
   return line == end_of_file ? text + std::string(replacement) + '\n' : text;
 }
 
-std::vector<ConfigFault> faults_of(const std::filesystem::path& path) {
-  try {
-    static_cast<void>(read_machine_file(path));
-  } catch (const ConfigError& error) {
-    return error.faults();
-  }
-  return {};
-}
-
 struct Case {
   const char* name;
   int line;                 // that is replaced
@@ -87,7 +80,7 @@ TEST_P(WrongMachineFile, NamesPlaceAndRemedyOfItsOneFault) {
   const Case& wrong = GetParam();
   const TemporaryFiles files;
   const auto path = files.write("m.toml", with_line(wrong.line, wrong.replacement));
-  const std::vector<ConfigFault> faults = faults_of(path);
+  const std::vector<ConfigFault> faults = faults_of_machine(path);
   ASSERT_FALSE(faults.empty());
   EXPECT_EQ(faults[0].file, path.string());
   EXPECT_EQ(faults[0].line, wrong.fault_line) << faults[0].text;
@@ -286,13 +279,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, WrongMachineFile, ::testing::ValuesIn(cases),
 
 TEST(MachineFaults, TheValidFileHasNone) {
   const TemporaryFiles files;
-  EXPECT_THAT(faults_of(files.write("m.toml", valid_file)), ::testing::IsEmpty());
+  EXPECT_THAT(faults_of_machine(files.write("m.toml", valid_file)), ::testing::IsEmpty());
 }
 
 TEST(MachineFaults, AxisOfASpindleBelongsToOneChannelAndAllItsSchemes) {
   const TemporaryFiles files;
   const std::string spindle_axis = with_line(19, "speed_max = 6000\naxis = \"C\"");
-  const auto shared = faults_of(files.write(
+  const auto shared = faults_of_machine(files.write(
       "shared.toml", spindle_axis + "[[channel]]\nid = 2\nname = \"b\"\naxes = [\"C\"]\n"));
   ASSERT_FALSE(shared.empty());
   EXPECT_EQ(shared[0].line, 24U);
@@ -300,7 +293,7 @@ TEST(MachineFaults, AxisOfASpindleBelongsToOneChannelAndAllItsSchemes) {
   std::string parked = spindle_axis;
   parked.replace(parked.rfind("axes = [\"X\", \"C\"]"), std::string::npos,
                  "axes = [\"X\"]\n[[channel.scheme.parked]]\naxis = \"C\"\n");
-  const auto left_out = faults_of(files.write("parked.toml", parked));
+  const auto left_out = faults_of_machine(files.write("parked.toml", parked));
   ASSERT_EQ(left_out.size(), 1U);
   EXPECT_EQ(left_out[0].line, 25U);
   EXPECT_THAT(left_out[0].text, HasSubstr("scheme 1 leaves out axis 'C', which is spindle 1"));
@@ -313,14 +306,14 @@ TEST(MachineFaults, ASchemeMayLeaveOutAnAxisThatAnotherChannelHas) {
                            "[[channel.scheme]]\nid = 1\ntype = \"cartesian\"\naxes = [\"Y\"]\n"
                            "[[axis]]\nname = \"Y\"\nkind = \"linear\"\nmin = 0\nmax = 1\n"
                            "velocity_max = 1\nacceleration_max = 1\njerk_max = 1\n";
-  EXPECT_THAT(faults_of(files.write("m.toml", text)), ::testing::IsEmpty());
+  EXPECT_THAT(faults_of_machine(files.write("m.toml", text)), ::testing::IsEmpty());
 }
 
 TEST(MachineFaults, LinearAxisNeedsItsTravel) {
   const TemporaryFiles files;
   std::string text = with_line(6, "");
   text.erase(text.find("max = 10.0"), std::string_view("max = 10.0").size());
-  const auto faults = faults_of(files.write("m.toml", text));
+  const auto faults = faults_of_machine(files.write("m.toml", text));
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].line, 3U);
   EXPECT_THAT(faults[0].text, HasSubstr("axis X: keys 'min' and 'max' are missing"));
@@ -371,7 +364,7 @@ TEST(MachineFaults, OfASchemeFileNameThatFile) {
   const auto path = files.write(
       "m.toml",
       with_line(end_of_file, "[[channel.scheme]]\nid = 2\nfile = \"schemes/table.toml\""));
-  const auto faults = faults_of(path);
+  const auto faults = faults_of_machine(path);
   ASSERT_EQ(faults.size(), 3U);
   for (const ConfigFault& fault : faults) EXPECT_EQ(fault.file, scheme.string());
   EXPECT_EQ(to_string(faults[0]),
@@ -400,7 +393,7 @@ TEST(MachineFaults, OfTheTablesNameThatFile) {
                                   "[offset.G60]\n"
                                   "X = 1\n");
   const auto path = files.write("m.toml", with_line(2, "name = \"m\"\ntables = \"tables.toml\""));
-  const auto faults = faults_of(path);
+  const auto faults = faults_of_machine(path);
   ASSERT_EQ(faults.size(), 4U);
   const std::string file = tables.string();
   EXPECT_EQ(to_string(faults[0]), file + ":4:17: tool 1: corner_radius exceeds radius, 3");
@@ -412,12 +405,12 @@ TEST(MachineFaults, OfTheTablesNameThatFile) {
 TEST(MachineFaults, OfAFileThatCannotBeReadNameItAndTheCause) {
   const TemporaryFiles files;
   const auto missing = files.folder() / "none.toml";
-  const auto faults = faults_of(missing);
+  const auto faults = faults_of_machine(missing);
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(to_string(faults[0]), missing.string() +
                                       ": cannot read the file: No such file or directory; check "
                                       "the path");
-  const auto folder_faults = faults_of(files.folder());
+  const auto folder_faults = faults_of_machine(files.folder());
   ASSERT_EQ(folder_faults.size(), 1U);
   EXPECT_THAT(folder_faults[0].text, HasSubstr("it is a directory"));
 }
@@ -440,7 +433,7 @@ TEST(MachineFaults, OfADamagedFileAreNeverMoreThanConfigErrors) {
     for (std::size_t damages = below(3); damages > 0; --damages) {
       text[below(text.size())] = characters[below(characters.size())];
     }
-    refused += faults_of(files.write("m.toml", text)).empty() ? 0 : 1;
+    refused += faults_of_machine(files.write("m.toml", text)).empty() ? 0 : 1;
   }
   EXPECT_GT(refused, 150);  // the damage does reach the reader
 }
@@ -450,7 +443,7 @@ TEST(MachineFaults, OfOneDriveAddressForTwoAxes) {
   const auto path =
       files.write("m.toml", with_line(10, "jerk_max = 2e4\n[axis.drive]\naddress = 2") +
                                 "[drives]\nbus = \"modbus-tcp\"\n");
-  const auto faults = faults_of(path);
+  const auto faults = faults_of_machine(path);
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].line, 13U);
   EXPECT_THAT(faults[0].text, HasSubstr("axis C: its drive has the address of axis X, 2"));

@@ -10,6 +10,7 @@
 
 #include "config/machine_file.h"
 #include "config/scheme_keys.h"
+#include "tests/config/machine_faults.h"
 #include "tests/config/temporary_files.h"
 
 namespace stanok::config {
@@ -94,19 +95,14 @@ SchemeConfig read_scheme(const std::string& type) {
   return read_machine_file(path).machine.channels[0].schemes[0];
 }
 
-std::vector<ConfigFault> faults_of(const std::string& text) {
+std::vector<ConfigFault> faults_of_text(const std::string& text) {
   const TemporaryFiles files;
-  try {
-    static_cast<void>(read_machine_file(files.write("m.toml", text)));
-  } catch (const ConfigError& error) {
-    return error.faults();
-  }
-  return {};
+  return faults_of_machine(files.write("m.toml", text));
 }
 
 void expect_one_fault(const std::string& text, unsigned line, unsigned column,
                       const std::string& words) {
-  const std::vector<ConfigFault> faults = faults_of(text);
+  const std::vector<ConfigFault> faults = faults_of_text(text);
   ASSERT_FALSE(faults.empty()) << text;
   EXPECT_EQ(faults[0].line, line) << faults[0].text;
   EXPECT_EQ(faults[0].column, column) << faults[0].text;
@@ -121,7 +117,7 @@ TEST(SchemeFile, EveryTypeAFileMayNameHasAValidExample) {
     EXPECT_TRUE(is_here) << type;
   }
   for (const auto& [type, lines] : valid_schemes()) {
-    EXPECT_THAT(faults_of(file_text(type, lines)), ::testing::IsEmpty()) << type;
+    EXPECT_THAT(faults_of_text(file_text(type, lines)), ::testing::IsEmpty()) << type;
   }
 }
 
@@ -183,7 +179,7 @@ TEST(SchemeFaults, EveryTypeMissesItsRequiredKeysAndNoOthers) {
       const bool is_required =
           std::ranges::find(geometry.required_keys, line.key) != geometry.required_keys.end();
       if (!is_required) {
-        EXPECT_THAT(faults_of(file_text(type, wrong)), ::testing::IsEmpty()) << line.key;
+        EXPECT_THAT(faults_of_text(file_text(type, wrong)), ::testing::IsEmpty()) << line.key;
         continue;
       }
       expect_one_fault(file_text(type, wrong), scheme_line(), 1,

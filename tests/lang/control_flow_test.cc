@@ -4,8 +4,6 @@
 namespace stanok::lang::testing {
 namespace {
 
-using Texts = std::vector<std::string>;
-
 class ControlFlow : public ProgramTest {};
 
 TEST_F(ControlFlow, ChoosesByIfAndElse) {
@@ -191,11 +189,6 @@ TEST_F(ControlFlow, NeverHidesAnErrorBehindWarnings) {
   for (int i = 0; i < 150; ++i) text += "G4 P500\n";
   EXPECT_EQ(error_code(text + "G0 X1 X2\nM30\n"), "E4001");
 }
-
-struct FaultCase {
-  const char* text;
-  const char* code;
-};
 
 class FlowFault : public ProgramTest, public ::testing::WithParamInterface<FaultCase> {};
 

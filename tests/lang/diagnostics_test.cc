@@ -4,12 +4,6 @@
 namespace stanok::lang::testing {
 namespace {
 
-std::string repeated(const char* piece, int count) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += piece;
-  return text;
-}
-
 struct FaultCase {
   std::string text;
   const char* code;

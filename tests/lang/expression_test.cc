@@ -161,11 +161,6 @@ TEST_F(ExpressionTest, TellsWhyAChannelFunctionReturnedFalse) {
             (std::vector<std::string>{"E7001 file not found: a.nc"}));
 }
 
-struct FaultCase {
-  const char* text;
-  const char* code;
-};
-
 class ExpressionFault : public ProgramTest, public ::testing::WithParamInterface<FaultCase> {};
 
 TEST_P(ExpressionFault, IsReported) {

@@ -8,12 +8,6 @@
 namespace stanok::lang::testing {
 namespace {
 
-std::string repeated(std::string_view text, std::size_t count) {
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i) all += text;
-  return all;
-}
-
 // Codes that exclude each other in nothing.
 constexpr auto one_of_each_group = std::to_array<std::string_view>(
     {"G0 ", "G17 ", "G90 ", "G91.1 ", "G94 ", "G21 ", "G40 ", "G49 ", "G13.1 ", "G98 ", "G50 ",

@@ -7,11 +7,27 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lang/interpreter.h"
 
 namespace stanok::lang::testing {
+
+using Texts = std::vector<std::string>;
+
+// A text so many times, one behind the other.
+inline std::string repeated(std::string_view text, std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+// A text that is refused, when it is loaded or when it runs, and the code that says why.
+struct FaultCase {
+  const char* text;
+  const char* code;
+};
 
 class MemoryFiles : public Files {
  public:

@@ -251,11 +251,6 @@ TEST_F(Robustness, RandomBytesAreAnswered) {
 }
 
 TEST_F(Robustness, DeepNestingIsAnErrorNotACrash) {
-  const auto repeated = [](const char* piece, int count) {
-    std::string text;
-    for (int i = 0; i < count; ++i) text += piece;
-    return text;
-  };
   const std::string deep[] = {"num aa = " + repeated("(", 5000) + "1;\n",
                               "num aa = " + repeated("-", 5000) + "1;\n",
                               "num aa = " + repeated("sin(", 5000) + "1;\n",

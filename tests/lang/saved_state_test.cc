@@ -7,8 +7,6 @@
 namespace stanok::lang::testing {
 namespace {
 
-using Texts = std::vector<std::string>;
-
 class SavedStates : public ProgramTest {
  protected:
   std::mt19937 random{70};

@@ -8,8 +8,6 @@
 namespace stanok::lang::testing {
 namespace {
 
-using Texts = std::vector<std::string>;
-
 class Subprograms : public ProgramTest {
  protected:
   void map(std::string_view code, std::string_view meaning) {

@@ -6,12 +6,11 @@
 #include <regex>
 
 #include "base/catalogue.h"
+#include "tests/layering/repository.h"
 #include "tests/support/source_tree.h"
 
 namespace stanok::testing {
 namespace {
-
-const std::filesystem::path root = STANOK_SOURCE_DIR;
 
 constexpr std::size_t description_within = 15;  // lines
 constexpr std::size_t lines_max = 600;
@@ -23,7 +22,7 @@ bool describes(const std::string& line) {
 }
 
 TEST(HouseRules, EveryHeaderSaysInItsFirstLinesWhatItIs) {
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     if (!file.is_header()) continue;
     const auto end = file.lines.begin() +
                      static_cast<std::ptrdiff_t>(std::min(file.lines.size(), description_within));
@@ -33,14 +32,14 @@ TEST(HouseRules, EveryHeaderSaysInItsFirstLinesWhatItIs) {
 }
 
 TEST(HouseRules, EveryHeaderIsReadOnce) {
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     if (!file.is_header()) continue;
     EXPECT_EQ(std::count(file.lines.begin(), file.lines.end(), "#pragma once"), 1) << file.path;
   }
 }
 
 TEST(HouseRules, NoFileIsLongerThanAReaderCanFollow) {
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     EXPECT_LE(file.lines.size(), lines_max) << file.path;
   }
 }
@@ -48,7 +47,7 @@ TEST(HouseRules, NoFileIsLongerThanAReaderCanFollow) {
 TEST(HouseRules, NothingIsLeftUnfinished) {
   // Put together here so that this file does not contain the marks.
   const std::regex mark(std::string(R"(\b()") + "TO" + "DO|FIX" + "ME|XX" + "X|HA" + R"(CK)\b)");
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       EXPECT_FALSE(std::regex_search(file.lines[i], mark))
           << file.path << ":" << i + 1 << ": " << file.lines[i];
@@ -74,7 +73,7 @@ bool is_code_of_the_runtime(const SourceFile& file) {
 }
 
 TEST(HouseRules, EveryCodeThatIsRaisedHasItsRowInTheCatalogue) {
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     if (!is_code_of_the_runtime(file)) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       for (const std::string& code : codes_in(file.lines[i])) {
@@ -86,7 +85,7 @@ TEST(HouseRules, EveryCodeThatIsRaisedHasItsRowInTheCatalogue) {
 
 TEST(HouseRules, EveryRowOfTheCatalogueIsRaisedSomewhere) {
   std::set<std::string> raised;
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     if (!is_code_of_the_runtime(file)) continue;
     for (const std::string& line : file.lines) raised.merge(codes_in(line));
   }

@@ -6,12 +6,12 @@
 #include <optional>
 #include <regex>
 
+#include "tests/layering/repository.h"
 #include "tests/support/source_tree.h"
 
 namespace stanok::testing {
 namespace {
 
-const std::filesystem::path root = STANOK_SOURCE_DIR;
 const std::filesystem::path layering = std::filesystem::path(STANOK_BINARY_DIR) / "layering.txt";
 
 // Folders that hold programs of their own and may include any library; no library may include them.
@@ -58,7 +58,7 @@ std::string complaint(const Layers& layers, const SourceFile& file, const std::s
 TEST(Layering, EveryFolderOfSourcesIsALibraryOfTheBuild) {
   const Layers layers = read_layers(layering);
   std::set<std::string> strangers;
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     if (!layers.contains(file.folder) && !leaves.contains(file.folder)) {
       strangers.insert(file.folder);
     }
@@ -69,7 +69,7 @@ TEST(Layering, EveryFolderOfSourcesIsALibraryOfTheBuild) {
 TEST(Layering, EveryIncludeFollowsAnArrowOfTheBuild) {
   const Layers layers = read_layers(layering);
   ASSERT_FALSE(layers.empty()) << layering << " is empty";
-  for (const SourceFile& file : source_files(root)) {
+  for (const SourceFile& file : source_files(repository)) {
     if (!layers.contains(file.folder) && !leaves.contains(file.folder)) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const auto included = included_file(file.lines[i]);

@@ -7,11 +7,12 @@
 #include <numbers>
 
 #include "tests/motion/path_samples.h"
+#include "tests/support/cycle.h"
 
 namespace stanok::motion::testing {
 namespace {
 
-constexpr double cycle_s = 0.001;
+using stanok::testing::cycle_s;
 
 struct CodedCircle {
   double radius = 0.0;       // mm

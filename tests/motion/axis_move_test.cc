@@ -7,10 +7,12 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/cycle.h"
+
 namespace stanok::motion {
 namespace {
 
-constexpr double cycle = 0.001;
+using stanok::testing::cycle_s;
 
 struct Ride {
   std::vector<kinematics::Jet> jets;
@@ -21,7 +23,7 @@ Ride ride(AxisMove& move, int stop_at = -1) {
   Ride result;
   for (int k = 0; k < 1'000'000 && !move.is_at_rest(); ++k) {
     if (k == stop_at) move.stop();
-    move.advance(cycle);
+    move.advance(cycle_s);
     result.jets.push_back(move.position());
   }
   return result;
@@ -35,7 +37,7 @@ void expect_limits(const Ride& ride, const AxisMoveLimits& limits) {
   }
   for (std::size_t k = 1; k < ride.jets.size(); ++k) {
     const double step = std::abs(ride.jets[k].value - ride.jets[k - 1].value);
-    ASSERT_LE(step, limits.speed * cycle * (1 + 1e-9));
+    ASSERT_LE(step, limits.speed * cycle_s * (1 + 1e-9));
   }
 }
 
@@ -80,7 +82,7 @@ TEST(AxisMove, StopsAnywhereBeforeItsEnd) {
 TEST(AxisMove, BrakesInTheShortestWay) {
   AxisMove move;
   move.begin(0.0, 500.0, {.speed = 100.0, .ramp = {.a = 1000.0, .j = 20000.0}});
-  for (int k = 0; k < 1000; ++k) move.advance(cycle);
+  for (int k = 0; k < 1000; ++k) move.advance(cycle_s);
   const double from = move.position().value;
   move.stop();
   ride(move);

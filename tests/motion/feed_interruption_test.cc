@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/path_samples.h"
+#include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::motion::testing {
 namespace {
 
-constexpr Limits limits{};
-constexpr double cycle = 0.001;
+using stanok::testing::cycle_s;
 
 // A rest on the path: where, and over how many cycles the axes stood.
 struct Rest {
@@ -22,7 +22,7 @@ std::vector<Rest> rests_of(const std::vector<Sample>& samples) {
   for (std::size_t k = 1; k < samples.size(); ++k) {
     if (samples[k].out.state != PathState::standing) continue;
     if (samples[k - 1].out.state != PathState::standing) rests.push_back({samples[k].s, 0.0});
-    rests.back().standing_s += cycle;
+    rests.back().standing_s += cycle_s;
   }
   return rests;
 }
@@ -51,25 +51,25 @@ double feed_path(const std::vector<PathBuilder::Built>& built, double s) {
 }
 
 TEST(FeedInterruption, BeforeTheStartTheFirstRestIsBehindOneL_B) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(20.0, 10.0).end_chain();
-  const auto samples = run_path(three_axes(limits), chain.built(), nominal, 200000,
+  const auto samples = run_path(three_axes(usual_limits), chain.built(), nominal, 200000,
                                 interrupt_at(0, {.stand_mm = 0.4, .cut_mm = 2.0}));
   const auto rests = rests_of(samples);
   // 20 / 2 places, of which the last one is the end, where there is no feed to interrupt any more.
   ASSERT_EQ(rests.size(), 9U);
   for (std::size_t k = 0; k < rests.size(); ++k) {
     EXPECT_NEAR(rests[k].s, 2.0 * static_cast<double>(k + 1), 1e-9);
-    EXPECT_NEAR(rests[k].standing_s, 0.4 / 10.0, 2.0 * cycle);
+    EXPECT_NEAR(rests[k].standing_s, 0.4 / 10.0, 2.0 * cycle_s);
   }
   EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
 }
 
 TEST(FeedInterruption, OnTheMoveItRestsAtOnceAndThenEveryL_B) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(50.0, 40.0).end_chain();
   const int asked_at = 300;
-  const auto samples = run_path(three_axes(limits), chain.built(), nominal, 200000,
+  const auto samples = run_path(three_axes(usual_limits), chain.built(), nominal, 200000,
                                 interrupt_at(asked_at, {.stand_mm = 1.0, .cut_mm = 3.0}));
   const auto rests = rests_of(samples);
   ASSERT_GE(rests.size(), 2U);
@@ -79,14 +79,14 @@ TEST(FeedInterruption, OnTheMoveItRestsAtOnceAndThenEveryL_B) {
   EXPECT_LT(rests[0].s, asked_s + 1.3);
   for (std::size_t k = 1; k < rests.size(); ++k)
     EXPECT_NEAR(rests[k].s - rests[k - 1].s, 3.0, 1e-9);
-  for (const Rest& rest : rests) EXPECT_NEAR(rest.standing_s, 1.0 / 40.0, 2.0 * cycle);
+  for (const Rest& rest : rests) EXPECT_NEAR(rest.standing_s, 1.0 / 40.0, 2.0 * cycle_s);
 }
 
 TEST(FeedInterruption, RapidMovesAreNeitherCountedNorInterrupted) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(5.0, 20.0).line(40.0, 1.0).as_rapid().line(5.0, 20.0).end_chain();
   chain.line(30.0, 1.0).as_rapid().end_chain().line(4.0, 20.0).end_chain();
-  const auto samples = run_path(three_axes(limits), chain.built(), nominal, 200000,
+  const auto samples = run_path(three_axes(usual_limits), chain.built(), nominal, 200000,
                                 interrupt_at(0, {.stand_mm = 0.5, .cut_mm = 3.0}));
   const auto rests = rests_of(samples);
   ASSERT_EQ(rests.size(), 4U);
@@ -95,7 +95,7 @@ TEST(FeedInterruption, RapidMovesAreNeitherCountedNorInterrupted) {
 }
 
 TEST(FeedInterruption, HoldAndOverrideChangeTheTimeNotThePlaces) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(7.0, 30.0).arc(10.0, 3.0, 25.0).line(4.0, 30.0).end_chain();
   const auto settings = [](int k) {
     FeedControl control;
@@ -103,7 +103,7 @@ TEST(FeedInterruption, HoldAndOverrideChangeTheTimeNotThePlaces) {
     control.hold = k > 1000 && k < 1200;
     return control;
   };
-  const auto samples = run_path(three_axes(limits), chain.built(), settings, 200000,
+  const auto samples = run_path(three_axes(usual_limits), chain.built(), settings, 200000,
                                 interrupt_at(0, {.stand_mm = 0.25, .cut_mm = 2.5}));
   const auto rests = rests_of(samples);
   ASSERT_EQ(rests.size(), static_cast<std::size_t>(chain.length() / 2.5));
@@ -112,13 +112,13 @@ TEST(FeedInterruption, HoldAndOverrideChangeTheTimeNotThePlaces) {
 }
 
 TEST(FeedInterruption, OffTheFeedGoesOnWithoutARest) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(50.0, 20.0).end_chain();
   const auto act = [](int k, Interpolator& interpolator) {
     if (k == 0) interpolator.interrupt({.stand_mm = 0.4, .cut_mm = 2.0});
     if (k == 1000) interpolator.interrupt({});
   };
-  const auto samples = run_path(three_axes(limits), chain.built(), nominal, 200000, act);
+  const auto samples = run_path(three_axes(usual_limits), chain.built(), nominal, 200000, act);
   const auto rests = rests_of(samples);
   ASSERT_FALSE(rests.empty());
   EXPECT_LT(rests.back().s, samples[1000].s + 1e-9);
@@ -132,7 +132,7 @@ TEST(FeedInterruption, LimitsAndPlacesHoldOnRandomPaths) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    ChainMaker chain(limits);
+    ChainMaker chain(usual_limits);
     for (int k = 0; k < 60; ++k) {
       chain.line(std::pow(10.0, 3.0 * part(random) - 2.0), 5.0 + 95.0 * part(random));
       if (part(random) < 0.2) chain.as_rapid();
@@ -147,10 +147,10 @@ TEST(FeedInterruption, LimitsAndPlacesHoldOnRandomPaths) {
       if (part(random) < 0.002) control.hold = part(random) < 0.3;
       return control;
     };
-    const auto samples = run_path(three_axes(limits), chain.built(), settings, 400000,
+    const auto samples = run_path(three_axes(usual_limits), chain.built(), settings, 400000,
                                   interrupt_at(static_cast<int>(300.0 * part(random)), lengths));
     EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, cycle_s).worst(), 1.000001);
     const auto rests = rests_of(samples);
     for (std::size_t k = 1; k < rests.size(); ++k) {
       const double apart =
@@ -164,13 +164,13 @@ TEST(FeedInterruption, LimitsAndPlacesHoldOnRandomPaths) {
 }
 
 TEST(FeedInterruption, TheCycleAllocatesNothing) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(10.0, 20.0).end_chain();
   PathQueue queue;
-  LookAhead look_ahead(three_axes(limits));
+  LookAhead look_ahead(three_axes(usual_limits));
   for (const auto& built : chain.built()) look_ahead.add(built);
   ASSERT_TRUE(look_ahead.deliver(queue));
-  Interpolator interpolator(three_axes(limits));
+  Interpolator interpolator(three_axes(usual_limits));
   InterpolatorOutput out;
   const stanok::testing::NoAllocation forbidden;
   interpolator.interrupt({.stand_mm = 0.4, .cut_mm = 1.0});

@@ -15,12 +15,13 @@
 #include "motion/interpolator.h"
 #include "motion/look_ahead.h"
 #include "tests/motion/path_fixture.h"
+#include "tests/support/cycle.h"
 
 namespace stanok::motion {
 namespace {
 
-constexpr double cycle_s = 0.001;
-constexpr double discrete_mm = 0.001;
+using stanok::testing::cycle_s;
+using stanok::testing::discrete_mm;
 
 // Axes so strong that the laws are exact.
 MotionConfig strong_mill() {

@@ -9,13 +9,11 @@
 namespace stanok::motion::testing {
 namespace {
 
-constexpr Limits limits{};
-
 TEST(Interpolator, ShortMoveTakesTheTimeOfTheClosedForm) {
   // 10 mm at 50 mm/s: T = L / F + ramp time / 2 * 2 = 10 / 50 + 2 sqrt(50 / 50000).
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(10.0, 50.0).end_chain();
-  const auto samples = run_path(three_axes(limits), chain.built());
+  const auto samples = run_path(three_axes(usual_limits), chain.built());
   const double expected = 10.0 / 50.0 + 2.0 * std::sqrt(50.0 / 50000.0);
   EXPECT_EQ(static_cast<int>(samples.size()) - 1, static_cast<int>(std::ceil(expected / 0.001)));
   EXPECT_EQ(samples.back().out.axes[0].value, 10.0);
@@ -23,9 +21,9 @@ TEST(Interpolator, ShortMoveTakesTheTimeOfTheClosedForm) {
 }
 
 TEST(Interpolator, SteadyPartRunsAtExactlyTheProgrammedFeed) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(3.3, 100.0).line(4.7, 100.0).line(11.1, 100.0).end_chain();
-  const auto samples = run_path(three_axes(limits), chain.built());
+  const auto samples = run_path(three_axes(usual_limits), chain.built());
   int steady = 0;
   for (std::size_t k = 1; k < samples.size(); ++k) {
     if (samples[k].out.s_speed == 100.0) ++steady;
@@ -39,7 +37,7 @@ TEST(Interpolator, LimitsHoldOnRandomChainsAndTheEndIsExact) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    ChainMaker chain(limits);
+    ChainMaker chain(usual_limits);
     const int count = 1 + static_cast<int>(40.0 * part(random));
     for (int k = 0; k < count; ++k) {
       const double length = std::pow(10.0, 4.0 * part(random) - 2.5);
@@ -53,9 +51,9 @@ TEST(Interpolator, LimitsHoldOnRandomChainsAndTheEndIsExact) {
       }
     }
     chain.end_chain();
-    const auto samples = run_path(three_axes(limits), chain.built());
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, 0.001).worst(), 1.000001);
-    EXPECT_LE(columns_of(samples, 0, limits).worst(), 1.000001);
+    const auto samples = run_path(three_axes(usual_limits), chain.built());
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, 0.001).worst(), 1.000001);
+    EXPECT_LE(columns_of(samples, 0, usual_limits).worst(), 1.000001);
     EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
     EXPECT_EQ(samples.back().out.axes[0].first, 0.0);
     EXPECT_NEAR(samples.back().s, chain.length(), 1e-9 * chain.length());
@@ -67,38 +65,38 @@ TEST(Interpolator, PieceSpeedsAreKeptEverywhere) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    ChainMaker chain(limits);
+    ChainMaker chain(usual_limits);
     double feed = 100.0;
     for (int k = 0; k < 300; ++k) {  // dense: several pieces a cycle
       feed = std::clamp(feed * (0.8 + 0.45 * part(random)), 2.0, 400.0);
       chain.line(0.02 + 0.2 * part(random), feed);
     }
     chain.end_chain();
-    const auto samples = run_path(three_axes(limits), chain.built());
+    const auto samples = run_path(three_axes(usual_limits), chain.built());
     for (const Sample& sample : samples) {
       if (sample.out.state != PathState::moving) continue;
       EXPECT_LE(sample.out.s_speed, sample.out.feed_commanded * (1.0 + 1e-9));
     }
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, 0.001).worst(), 1.000001);
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, 0.001).worst(), 1.000001);
   }
 }
 
 TEST(Interpolator, ChainsFollowEachOtherWithoutLosingTheFractionOfACycle) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 20; ++k) chain.line(0.37, 60.0).end_chain();
-  const auto samples = run_path(three_axes(limits), chain.built());
+  const auto samples = run_path(three_axes(usual_limits), chain.built());
   // Each chain: the peak v with D(0, v) + D(v, 0) = v * 2 sqrt(v / J) = 0.37, T = 4 sqrt(v / J).
   const double v = std::cbrt(0.37 * 0.37 / 4.0 * 50000.0);
   const double expected = 20.0 * 4.0 * std::sqrt(v / 50000.0);
   EXPECT_EQ(static_cast<int>(samples.size()) - 1, static_cast<int>(std::ceil(expected / 0.001)));
-  EXPECT_LE(quotients_of(axis_of(samples, 0), limits, 0.001).worst(), 1.000001);
+  EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, 0.001).worst(), 1.000001);
   EXPECT_EQ(samples.back().out.chunks_done, 20U);
 }
 
 TEST(Interpolator, ChainBeyondTheChunkLimitIsNotEntered) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(1.0, 60.0).end_chain().line(1.0, 60.0).end_chain();
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(usual_limits);
   PathQueue queue;
   LookAhead look_ahead(config);
   for (const auto& built : chain.built()) look_ahead.add(built);
@@ -118,10 +116,10 @@ TEST(Interpolator, ChainBeyondTheChunkLimitIsNotEntered) {
 }
 
 TEST(Interpolator, CycleUsesNoHeap) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 500; ++k) chain.line(0.1, 50.0 + 50.0 * (k % 7));
   chain.end_chain();
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(usual_limits);
   PathQueue queue;
   LookAhead look_ahead(config);
   for (const auto& built : chain.built()) look_ahead.add(built);
@@ -135,9 +133,9 @@ TEST(Interpolator, CycleUsesNoHeap) {
 }
 
 TEST(Interpolator, DroppedPathLeavesTheAxesWhereTheyStand) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(50.0, 60.0).end_chain().line(50.0, 60.0).end_chain();
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(usual_limits);
   PathQueue queue;
   LookAhead look_ahead(config);
   for (const auto& built : chain.built()) look_ahead.add(built);
@@ -157,7 +155,7 @@ TEST(Interpolator, DroppedPathLeavesTheAxesWhereTheyStand) {
 }
 
 TEST(Interpolator, StandsWhereItIsTold) {
-  Interpolator interpolator(three_axes(limits));
+  Interpolator interpolator(three_axes(usual_limits));
   kinematics::Transform transform;
   transform.frame.offset = {10.0, 0.0, -5.0};
   interpolator.stand_at({1.0, 2.0, 3.0}, transform);

@@ -8,8 +8,6 @@
 namespace stanok::motion::testing {
 namespace {
 
-constexpr Limits limits{};
-
 // All chunks with their phases, delivered after every piece or only when everything is planned.
 struct CommittedPath {
   std::vector<Chunk> chunks;
@@ -29,7 +27,7 @@ void drain(PathQueue& queue, CommittedPath& path) {
 
 CommittedPath commit_all(const std::vector<PathBuilder::Built>& built, std::size_t deliver_every) {
   PathQueue queue;
-  LookAhead look_ahead(three_axes(limits));
+  LookAhead look_ahead(three_axes(usual_limits));
   CommittedPath path;
   std::size_t count = 0;
   for (const auto& piece : built) {
@@ -48,7 +46,7 @@ CommittedPath commit_all(const std::vector<PathBuilder::Built>& built, std::size
 ChainMaker random_walk(unsigned seed, int count, double length_mean) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> part(0.0, 1.0);
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   double feed = 100.0;
   for (int k = 0; k < count; ++k) {
     if (part(random) < 0.05) feed = 20.0 + 300.0 * part(random);
@@ -111,8 +109,8 @@ TEST(LookAhead, LongDenseChainRunsWithinItsLimitsAndWithoutStopping) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const ChainMaker chain = random_walk(seed, 12000, 0.05);
-    const auto samples = run_path(three_axes(limits), chain.built());
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, 0.001).worst(), 1.000001);
+    const auto samples = run_path(three_axes(usual_limits), chain.built());
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, 0.001).worst(), 1.000001);
     EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
     for (std::size_t k = 100; k + 100 < samples.size(); ++k) {
       EXPECT_GT(samples[k].out.s_speed, 1.0);
@@ -121,7 +119,7 @@ TEST(LookAhead, LongDenseChainRunsWithinItsLimitsAndWithoutStopping) {
 }
 
 TEST(LookAhead, ChunksAreOfASizeThatTheQueueHoldsSeveralOf) {
-  ChainMaker chain(limits);  // one block of very many pieces, then a dense rest
+  ChainMaker chain(usual_limits);  // one block of very many pieces, then a dense rest
   for (int k = 0; k < 9000; ++k) chain.line(0.001, 400.0);
   chain.end_chain();
   const CommittedPath path = commit_all(chain.built(), 1);
@@ -134,13 +132,13 @@ TEST(LookAhead, ChunksAreOfASizeThatTheQueueHoldsSeveralOf) {
 }
 
 TEST(LookAhead, ClearedPathStartsAgainAtRest) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 3000; ++k) chain.line(1.0, 100.0);
-  LookAhead look_ahead(three_axes(limits));
+  LookAhead look_ahead(three_axes(usual_limits));
   for (const auto& built : chain.built()) look_ahead.add(built);
   look_ahead.clear();
   EXPECT_TRUE(look_ahead.is_empty());
-  ChainMaker next(limits);
+  ChainMaker next(usual_limits);
   next.line(5.0, 50.0).end_chain();
   look_ahead.add(next.built().front());
   PathQueue queue;

@@ -21,7 +21,7 @@ struct Machine {
 
 std::unique_ptr<const Machine> three_axis_mill() {
   auto machine = std::make_unique<Machine>();
-  machine->config = three_axes({.v = 250.0, .a = 2500.0, .j = 50000.0});
+  machine->config = three_axes(channel_limits);
   kinematics::SchemeConfig cartesian;
   cartesian.type = "cartesian";
   cartesian.axes = {0, 1, 2};

@@ -6,6 +6,7 @@
 
 #include "motion/corner_overlap.h"
 #include "tests/motion/path_samples.h"
+#include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::motion::testing {
@@ -13,9 +14,8 @@ namespace {
 
 using Built = std::vector<PathBuilder::Built>;
 
-constexpr double cycle = 0.001;
+using stanok::testing::cycle_s;
 constexpr double tolerance_part = 0.99;  // of the tolerance, that corners use
-constexpr Limits limits{.v = 250.0, .a = 2500.0, .j = 50000.0};
 
 // A polyline as programmed.
 struct Polyline {
@@ -68,16 +68,16 @@ Polyline square() {
 }
 
 double seconds(const std::vector<Sample>& samples) {
-  return cycle * static_cast<double>(samples.size() - 1);
+  return cycle_s * static_cast<double>(samples.size() - 1);
 }
 
 TEST(Overlap, RightAngleSavesTheTimeOfTheClosedForm) {
   // tau = 2 (6 e / (sqrt(2) J))^(1/3), once at each of the 11 corners.
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   const auto stopped = run_path(config, build(square(), config, BlockEnding::exact_stop));
   const auto passed = run_path(config, build(square(), config));
   const double e = tolerance_part * 0.01;
-  const double tau = 2.0 * std::cbrt(6.0 * e / (std::numbers::sqrt2 * limits.j));
+  const double tau = 2.0 * std::cbrt(6.0 * e / (std::numbers::sqrt2 * channel_limits.j));
   EXPECT_NEAR(seconds(stopped) - seconds(passed), 11.0 * tau, 0.0021);
   EXPECT_LT(seconds(passed), 3.68);
 }
@@ -85,7 +85,8 @@ TEST(Overlap, RightAngleSavesTheTimeOfTheClosedForm) {
 TEST(Overlap, UnequalJerksMeetAtTheReachOfTheTolerance) {
   // The axes allow different jerks, so that both legs are at the reach r at different shares of
   // tau: J1 x^3 / 6 = J2 y^3 / 6 = r with x + y = tau and 2 r sin(45 deg) = e.
-  MotionConfig config = three_axes(limits, 1e-6);  // nothing is lost by chords between cycles
+  MotionConfig config =
+      three_axes(channel_limits, 1e-6);  // nothing is lost by chords between cycles
   config.axes[1].jerk_max = 20000.0;
   Polyline line;
   line.points.push_back({});
@@ -102,7 +103,7 @@ TEST(Overlap, UnequalJerksMeetAtTheReachOfTheTolerance) {
 
 TEST(Overlap, IsNoLongerThanTheRampsOfSlowLegs) {
   // F60: a ramp lasts 2 sqrt(v / J), less than the tolerance would allow.
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   Polyline line;
   line.tolerance = 0.5;
   line.points.push_back({});
@@ -112,7 +113,7 @@ TEST(Overlap, IsNoLongerThanTheRampsOfSlowLegs) {
 }
 
 TEST(Overlap, ExactPathAndExactStopHaveNone) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   Polyline exact = square();
   exact.tolerance = 0.0;
   for (const auto& built : {build(exact, config), build(square(), config, BlockEnding::exact_stop)})
@@ -120,7 +121,7 @@ TEST(Overlap, ExactPathAndExactStopHaveNone) {
 }
 
 TEST(Overlap, EndOfAChainWaitsForTheStartOfTheNext) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   const Built built = build(square(), config);
   LookAhead look_ahead(config);
   PathQueue queue;
@@ -136,7 +137,7 @@ TEST(Overlap, EndOfAChainWaitsForTheStartOfTheNext) {
 }
 
 TEST(Overlap, StopsAtTheCornerItselfBeforeAGate) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   const Polyline line = square();
   const auto samples = run_path(
       config, build(line, config), [](int) { return FeedControl{.closed_from_block = 3}; }, 2000);
@@ -146,7 +147,7 @@ TEST(Overlap, StopsAtTheCornerItselfBeforeAGate) {
 }
 
 TEST(Overlap, CycleUsesNoHeap) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   LookAhead look_ahead(config);
   for (const auto& piece : build(square(), config)) look_ahead.add(piece);
   PathQueue queue;
@@ -170,7 +171,7 @@ Machine random_machine(unsigned seed) {
   const auto log_between = [&](double low, double high) {
     return low * std::pow(high / low, part(random));
   };
-  Machine machine{three_axes(limits), {}};
+  Machine machine{three_axes(channel_limits), {}};
   const double hardness = log_between(20.0, 1000.0);  // jerk by acceleration, 1/s
   for (std::size_t k = 0; k < 3; ++k) {
     AxisLimits& axis = machine.config.axes[k];
@@ -337,7 +338,7 @@ TEST(Overlap, RestCloseBeforeABlendIsLeftAgain) {
 }
 
 TEST(Overlap, HoldInAnyCycleAroundACornerComesToRestOnThePath) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   const Polyline line = square();
   const Built built = build(line, config);
   for (int at = 280; at < 340; ++at) {

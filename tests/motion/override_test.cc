@@ -3,18 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/path_samples.h"
+#include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::motion::testing {
 namespace {
 
-constexpr Limits limits{};
-constexpr double cycle = 0.001;
+using stanok::testing::cycle_s;
 
 // A chain of lines with random lengths, feeds and, now and then, stricter limits and rapid travel.
 ChainMaker random_chain(std::mt19937_64& random, int count, double length_exponent) {
   std::uniform_real_distribution<double> part(0.0, 1.0);
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < count; ++k) {
     const double length = std::pow(10.0, 3.0 * part(random) + length_exponent);
     const double feed = 5.0 + 195.0 * part(random);
@@ -73,12 +73,12 @@ TEST_P(OverrideScenes, LimitsHoldAndTheEndIsExactWhateverTheOperatorDoes) {
     const ChainMaker chain = random_chain(random, scene.pieces, scene.length_exponent);
     RandomOperator settings(seed, scene.changes_per_cycle);
     int cycles = 0;
-    const auto samples = run_path(three_axes(limits), chain.built(), [&](int k) {
+    const auto samples = run_path(three_axes(usual_limits), chain.built(), [&](int k) {
       ++cycles;
       return k < 20000 ? settings(k) : FeedControl{};  // let it finish in the end
     });
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
-    EXPECT_LE(columns_of(samples, 0, limits).worst(), 1.000001);
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, cycle_s).worst(), 1.000001);
+    EXPECT_LE(columns_of(samples, 0, usual_limits).worst(), 1.000001);
     EXPECT_EQ(samples.back().out.state, PathState::idle);
     EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
     EXPECT_NEAR(samples.back().s, chain.length(), 1e-8 * chain.length());
@@ -102,7 +102,7 @@ TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    ChainMaker chain(limits);
+    ChainMaker chain(usual_limits);
     std::vector<double> ends, speeds, accelerations, jerks;
     double length = 0.0;
     for (int k = 0; k < 60; ++k) {
@@ -118,7 +118,7 @@ TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
       jerks.push_back(own.j);
     }
     chain.end_chain();
-    const auto samples = run_path(three_axes(limits), chain.built(), [](int k) {
+    const auto samples = run_path(three_axes(usual_limits), chain.built(), [](int k) {
       return FeedControl{.feed_override = k < 100 ? 1.0 : 1.7};
     });
     double top = 0.0;
@@ -136,27 +136,27 @@ TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
 }
 
 TEST(Override, SteadySpeedIsExactlyTheOverriddenFeed) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 30; ++k) chain.line(10.0, 60.0);
   chain.end_chain();
   for (const double part : {0.1, 0.37, 0.999, 1.2, 2.0}) {
-    const auto samples = run_path(three_axes(limits), chain.built(),
+    const auto samples = run_path(three_axes(usual_limits), chain.built(),
                                   [&](int) { return FeedControl{.feed_override = part}; });
     const auto steady = std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
       return sample.out.s_speed == part * 60.0;
     });
     const double seconds = chain.length() / (part * 60.0);
-    EXPECT_GT(static_cast<double>(steady), 0.85 * seconds / cycle);
+    EXPECT_GT(static_cast<double>(steady), 0.85 * seconds / cycle_s);
   }
 }
 
 TEST(Override, HoldBeginsToBrakeAtOnceAndStandsUntilResumed) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 200; ++k) chain.line(1.0, 100.0 + 20.0 * (k % 3));
   chain.end_chain();
   for (int at = 5; at < 900; at += 37) {
     SCOPED_TRACE(::testing::Message() << "hold in cycle " << at);
-    const auto samples = run_path(three_axes(limits), chain.built(), [&](int k) {
+    const auto samples = run_path(three_axes(usual_limits), chain.built(), [&](int k) {
       return FeedControl{.hold = k >= at && k < at + 400};
     });
     // At constant speed or speeding up: jerk turns against the motion in the first cycle.
@@ -168,15 +168,16 @@ TEST(Override, HoldBeginsToBrakeAtOnceAndStandsUntilResumed) {
     EXPECT_EQ(held.axes[0].first, 0.0);
     EXPECT_EQ(samples[static_cast<std::size_t>(at) + 399].out.axes[0].value, held.axes[0].value);
     EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, cycle_s).worst(), 1.000001);
   }
 }
 
 TEST(Override, BrakesAsFastAsTheLimitsAllow) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(500.0, 300.0).end_chain();
   const auto samples = run_path(
-      three_axes(limits), chain.built(), [](int k) { return FeedControl{.hold = k >= 800}; }, 2000);
+      three_axes(usual_limits), chain.built(), [](int k) { return FeedControl{.hold = k >= 800}; },
+      2000);
   // From 300 mm/s: T = A / J + v / A = 0.04 + 0.15 s.
   int braking = 0;
   for (std::size_t k = 801; k < samples.size() && samples[k].out.s_speed > 0.0; ++k) ++braking;
@@ -184,9 +185,9 @@ TEST(Override, BrakesAsFastAsTheLimitsAllow) {
 }
 
 TEST(Override, ZeroStandsStill) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   chain.line(100.0, 50.0).end_chain();
-  const auto samples = run_path(three_axes(limits), chain.built(), [](int k) {
+  const auto samples = run_path(three_axes(usual_limits), chain.built(), [](int k) {
     return FeedControl{.feed_override = k < 300 || k >= 900 ? 1.0 : 0.0};
   });
   EXPECT_EQ(samples[800].out.state, PathState::holding);
@@ -195,22 +196,22 @@ TEST(Override, ZeroStandsStill) {
 }
 
 TEST(Override, BackAtOneHundredPercentCostsLittleTime) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 100; ++k) chain.line(5.0, 100.0).line(0.05, 30.0);
   chain.end_chain();
-  const auto nominal = run_path(three_axes(limits), chain.built());
+  const auto nominal = run_path(three_axes(usual_limits), chain.built());
   // One change in the beginning: nearly everything is then run by the planner in the cycle.
-  const auto planned = run_path(three_axes(limits), chain.built(), [](int k) {
+  const auto planned = run_path(three_axes(usual_limits), chain.built(), [](int k) {
     return FeedControl{.feed_override = k == 20 ? 0.9 : 1.0};
   });
   EXPECT_LT(static_cast<double>(planned.size()), 1.05 * static_cast<double>(nominal.size()));
 }
 
 TEST(Override, ComesToRestAtTheEndOfWhatArrivedAndGoesOnWhenMoreDoes) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   for (int k = 0; k < 8000; ++k) chain.line(0.1, 100.0);
   chain.end_chain();
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(usual_limits);
   LookAhead look_ahead(config);
   for (const auto& built : chain.built()) look_ahead.add(built);
   PathQueue prepared;
@@ -250,11 +251,11 @@ TEST(Override, ComesToRestAtTheEndOfWhatArrivedAndGoesOnWhenMoreDoes) {
   while (!prepared.chunks.empty()) deliver_one();
   run(15000);
   EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
-  EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
+  EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, cycle_s).worst(), 1.000001);
 }
 
 TEST(Override, LimitsHoldAcrossChunks) {
-  ChainMaker chain(limits);
+  ChainMaker chain(usual_limits);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   for (int k = 0; k < 9000; ++k)
@@ -263,9 +264,9 @@ TEST(Override, LimitsHoldAcrossChunks) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     RandomOperator settings(seed, 0.004);
-    const auto samples = run_path(three_axes(limits), chain.built(),
+    const auto samples = run_path(three_axes(usual_limits), chain.built(),
                                   [&](int k) { return k < 30000 ? settings(k) : FeedControl{}; });
-    EXPECT_LE(quotients_of(axis_of(samples, 0), limits, cycle).worst(), 1.000001);
+    EXPECT_LE(quotients_of(axis_of(samples, 0), usual_limits, cycle_s).worst(), 1.000001);
     EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
     EXPECT_NEAR(samples.back().s, chain.length(), 1e-9 * chain.length());
   }
@@ -274,7 +275,7 @@ TEST(Override, LimitsHoldAcrossChunks) {
 TEST(Override, CycleUsesNoHeap) {
   std::mt19937_64 random(5);
   const ChainMaker chain = random_chain(random, 300, -2.5);
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(usual_limits);
   PathQueue queue;
   LookAhead look_ahead(config);
   for (const auto& built : chain.built()) look_ahead.add(built);

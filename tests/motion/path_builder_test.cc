@@ -69,25 +69,6 @@ Program random_program(Random& random, int axis_count, int block_count) {
   return program;
 }
 
-// A programmed block as dense points, independent of the geometry under test.
-struct Course {
-  Point start{};
-  const PathBlock* block = nullptr;
-
-  [[nodiscard]] Point at(double u) const {
-    Point p;
-    for (std::size_t k = 0; k < axes_max; ++k) p[k] = start[k] + u * (block->end[k] - start[k]);
-    if (block->kind == BlockKind::arc) {
-      const double angle = u * block->sweep_rad;
-      const double x = start[0] - block->centre[0];
-      const double y = start[1] - block->centre[1];
-      p[0] = block->centre[0] + x * std::cos(angle) - y * std::sin(angle);
-      p[1] = block->centre[1] + x * std::sin(angle) + y * std::cos(angle);
-    }
-    return p;
-  }
-};
-
 double xyz_distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }

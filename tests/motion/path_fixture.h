@@ -77,6 +77,33 @@ inline PathBlock arc_to(const Point& start, const std::array<double, 2>& centre,
   return block;
 }
 
+// A programmed block over its own parameter, 0 to 1, by its own closed form, independently of the
+// geometry under test.
+struct Course {
+  Point start{};
+  const PathBlock* block = nullptr;
+
+  [[nodiscard]] Point at(double u) const {
+    Point p;
+    for (std::size_t k = 0; k < axes_max; ++k) p[k] = start[k] + u * (block->end[k] - start[k]);
+    if (block->kind == BlockKind::arc) {
+      const double angle = u * block->sweep_rad;
+      const double x = start[0] - block->centre[0];
+      const double y = start[1] - block->centre[1];
+      p[0] = block->centre[0] + x * std::cos(angle) - y * std::sin(angle);
+      p[1] = block->centre[1] + x * std::sin(angle) + y * std::cos(angle);
+    }
+    if (block->kind == BlockKind::curve) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        p[c] = 0.0;
+        for (std::size_t n = block->curve[c].size(); n > 0; --n)
+          p[c] = p[c] * u + block->curve[c][n - 1];
+      }
+    }
+    return p;
+  }
+};
+
 inline Piece piece_of(const Shape& shape) {
   Piece piece;
   piece.geometry = shape.geometry;

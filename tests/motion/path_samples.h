@@ -20,6 +20,10 @@ struct Limits {
   double j = 50000.0;
 };
 
+// Of the axes of most tests, and of the linear axes that tests of channels have.
+inline constexpr Limits usual_limits{};
+inline constexpr Limits channel_limits{.v = 250.0, .a = 2500.0, .j = 50000.0};
+
 inline MotionConfig three_axes(const Limits& limits, double cycle_s = 0.001) {
   MotionConfig config;
   config.axis_count = 3;

@@ -7,12 +7,13 @@
 #include <numbers>
 
 #include "tests/motion/path_samples.h"
+#include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::motion::testing {
 namespace {
 
-constexpr double cycle_s = 0.001;
+using stanok::testing::cycle_s;
 constexpr double no_limit = 1e9;
 
 // A drive that has the velocity it is asked for at once, or with a lag: v' = (U + drift - v) / lag.

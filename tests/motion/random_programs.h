@@ -1,7 +1,6 @@
 // Random programs of every kind of path, and how far a point lies from what was programmed.
 //
-// Programs are lists of blocks that begin where the axes stand. The course of a block is computed
-// here by its own closed form, independently of the geometry under test.
+// Programs are lists of blocks that begin where the axes stand.
 #pragma once
 
 #include <algorithm>
@@ -175,32 +174,6 @@ inline Program five_axis_moves(Random& random, const Point& start) {
   }
   return program;
 }
-
-// A programmed block over its own parameter, 0 to 1.
-struct Course {
-  Point start{};
-  const PathBlock* block = nullptr;
-
-  [[nodiscard]] Point at(double u) const {
-    Point p;
-    for (std::size_t k = 0; k < axes_max; ++k) p[k] = start[k] + u * (block->end[k] - start[k]);
-    if (block->kind == BlockKind::arc) {
-      const double angle = u * block->sweep_rad;
-      const double x = start[0] - block->centre[0];
-      const double y = start[1] - block->centre[1];
-      p[0] = block->centre[0] + x * std::cos(angle) - y * std::sin(angle);
-      p[1] = block->centre[1] + x * std::sin(angle) + y * std::cos(angle);
-    }
-    if (block->kind == BlockKind::curve) {
-      for (std::size_t c = 0; c < 2; ++c) {
-        p[c] = 0.0;
-        for (std::size_t n = block->curve[c].size(); n > 0; --n)
-          p[c] = p[c] * u + block->curve[c][n - 1];
-      }
-    }
-    return p;
-  }
-};
 
 // How far a point is from a place of the course, as a part of the tolerance allowed: the tip by
 // distance, every rotary axis by itself.

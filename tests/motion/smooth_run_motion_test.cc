@@ -9,8 +9,6 @@
 namespace stanok::motion::testing {
 namespace {
 
-constexpr Limits limits{.v = 250.0, .a = 2500.0, .j = 50000.0};
-
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
@@ -77,15 +75,15 @@ double worst_deviation(const std::vector<Sample>& samples, const std::vector<Pat
 void expect_kept(const std::vector<Sample>& samples, const std::vector<PathBlock>& blocks,
                  double tolerance) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_LE(columns_of(samples, axis, limits).worst(), 1.0 + 1e-9) << "axis " << axis;
-    EXPECT_LE(quotients_of(axis_of(samples, axis), limits, 0.001).worst(), 1.0 + 1e-6);
+    EXPECT_LE(columns_of(samples, axis, channel_limits).worst(), 1.0 + 1e-9) << "axis " << axis;
+    EXPECT_LE(quotients_of(axis_of(samples, axis), channel_limits, 0.001).worst(), 1.0 + 1e-6);
     EXPECT_EQ(samples.back().out.axes[axis].value, blocks.back().end[axis]);
   }
   EXPECT_LE(worst_deviation(samples, blocks), tolerance);
 }
 
 TEST(SmoothRunMotion, KeepsLimitsAndToleranceAtTheFeed) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Draw draw(seed);
@@ -96,7 +94,7 @@ TEST(SmoothRunMotion, KeepsLimitsAndToleranceAtTheFeed) {
 }
 
 TEST(SmoothRunMotion, KeepsThemUnderHoldResumeAndOverride) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
     Draw draw(1000 + seed);
@@ -150,7 +148,7 @@ TEST(SmoothRunMotion, ChordsBetweenSetpointsPassCornersWithinTolerance) {
 
 // The turn of the whole path into a circle: 1 % of the time may go into its two ramps.
 TEST(SmoothRunMotion, ChordsOfACircleRunAtTheFeed) {
-  const MotionConfig config = three_axes(limits);
+  const MotionConfig config = three_axes(channel_limits);
   std::vector<PathBlock> blocks;
   for (int n = 1; n <= 6000; ++n) {
     PathBlock block;

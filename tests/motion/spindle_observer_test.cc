@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/cycle.h"
+
 namespace stanok::motion {
 namespace {
 
-constexpr double cycle_s = 0.001;
+using stanok::testing::cycle_s;
 
 double within_turn(double turns) {
   return 360.0 * (turns - std::floor(turns));

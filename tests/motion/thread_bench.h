@@ -16,13 +16,18 @@
 #include "motion/interpolator.h"
 #include "motion/look_ahead.h"
 #include "motion/thread_builder.h"
+#include "tests/support/cycle.h"
 #include "tests/support/helix.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::motion::testing {
 
-inline constexpr double discrete = 0.001;  // mm
-inline constexpr double cycle_s = 0.001;
+using stanok::testing::cycle_s;
+using stanok::testing::discrete_mm;
+using stanok::testing::steady;
+using stanok::testing::Turning;
+using stanok::testing::with_ripple;
+
 inline constexpr double rounding = 1e-12;  // of what is used of a limit
 inline constexpr int encoder_lines = 4096;
 inline constexpr std::size_t X = 0;
@@ -50,10 +55,6 @@ inline Point at(double x, double z) {
   point[Z] = z;
   return point;
 }
-
-using stanok::testing::steady;
-using stanok::testing::Turning;
-using stanok::testing::with_ripple;
 
 // One set-point.
 struct ThreadSample {

@@ -7,28 +7,13 @@
 #include <numbers>
 #include <random>
 
+#include "tests/plant/step_response.h"
+
 namespace stanok::plant {
 namespace {
 
 constexpr double bandwidth_hz = 20.0;
 constexpr double w = 2.0 * std::numbers::pi * bandwidth_hz;
-
-// Unit step response of w^2 / (s^2 + 2 d w s + w^2) at time t. Source: any textbook of control,
-// for the three cases of damping.
-double step_response(double d, double t) {
-  if (d < 1.0) {
-    const double wd = w * std::sqrt(1.0 - d * d);
-    const double phase = std::acos(d);
-    return 1.0 - std::exp(-d * w * t) / std::sqrt(1.0 - d * d) * std::sin(wd * t + phase);
-  }
-  if (d == 1.0) {
-    return 1.0 - (1.0 + w * t) * std::exp(-w * t);
-  }
-  const double root = std::sqrt(d * d - 1.0);
-  const double slow = w * (d - root);
-  const double fast = w * (d + root);
-  return 1.0 - (fast * std::exp(-slow * t) - slow * std::exp(-fast * t)) / (fast - slow);
-}
 
 class StepResponse : public ::testing::TestWithParam<double> {};
 
@@ -44,7 +29,7 @@ TEST_P(StepResponse, IsTheAnalyticOneWhateverTheStep) {
     t += dt;
     plant.follow({.position = 7.0}, dt);
     // Rounding of some hundred steps.
-    ASSERT_NEAR(plant.motion().position, 5.0 + 2.0 * step_response(damping, t), 1e-11)
+    ASSERT_NEAR(plant.motion().position, 5.0 + 2.0 * step_response(w, damping, t), 1e-11)
         << "t " << t << ", seed " << seed;
   }
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "tests/plant/step_response.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::plant {
@@ -17,12 +18,6 @@ constexpr double w = 2.0 * std::numbers::pi * 30.0;
 constexpr VelocityLoopConfig stiff{.bandwidth_hz = 30.0, .damping = 0.6, .resonance_hz = 0.0};
 constexpr VelocityLoopConfig elastic{
     .bandwidth_hz = 30.0, .damping = 0.6, .resonance_hz = 20.0, .resonance_damping = 0.05};
-
-// Unit step response of w^2 / (s^2 + 2 d w s + w^2), d < 1. Source: any textbook of control.
-double step_response(double d, double t) {
-  const double wd = w * std::sqrt(1.0 - d * d);
-  return 1.0 - std::exp(-d * w * t) / std::sqrt(1.0 - d * d) * std::sin(wd * t + std::acos(d));
-}
 
 TEST(ServoAxis, StiffAxisHasTheVelocityOfTheTextbookWhateverTheStep) {
   const unsigned seed = 4;
@@ -34,7 +29,7 @@ TEST(ServoAxis, StiffAxisHasTheVelocityOfTheTextbookWhateverTheStep) {
     const double dt = steps_s(random);
     t += dt;
     axis.follow({.velocity = 70.0}, dt);
-    ASSERT_NEAR(axis.motion().velocity, 70.0 * step_response(0.6, t), 1e-10) << "t " << t;
+    ASSERT_NEAR(axis.motion().velocity, 70.0 * step_response(w, 0.6, t), 1e-10) << "t " << t;
   }
 }
 

@@ -11,8 +11,6 @@
 namespace stanok::recording {
 namespace {
 
-constexpr const char* setpoints = "STANOK_MILL_CH1_SETPOINT";
-
 TEST(FlightRecorder, KeepsItsSpanAndAtMostASecondMore) {
   FlightRecorder flight(5'000'000);
   MessageStream stream(small_machine(), {&flight});
@@ -25,7 +23,7 @@ TEST(FlightRecorder, KeepsItsSpanAndAtMostASecondMore) {
   EXPECT_TRUE(contents->is_sound());
   ASSERT_TRUE(contents->description);
   EXPECT_EQ(contents->description->machine, "mill");
-  const auto& kept = contents->channels.at(setpoints);
+  const auto& kept = contents->channels.at(setpoint_channel);
   EXPECT_EQ(kept.missing, 0);
   EXPECT_GE(kept.messages, 5000);
   EXPECT_LE(kept.messages, 6000);
@@ -63,9 +61,9 @@ TEST(LogSwitch, BeginsAndEndsALogWhileTheStreamGoesOn) {
   ASSERT_TRUE(contents);
   EXPECT_TRUE(contents->is_sound());
   EXPECT_TRUE(contents->description);
-  EXPECT_EQ(contents->channels.at(setpoints).messages, 400);
-  EXPECT_EQ(contents->channels.at(setpoints).missing, 0);
-  EXPECT_EQ(contents->channels.at(setpoints).cycle_last, 699);
+  EXPECT_EQ(contents->channels.at(setpoint_channel).messages, 400);
+  EXPECT_EQ(contents->channels.at(setpoint_channel).missing, 0);
+  EXPECT_EQ(contents->channels.at(setpoint_channel).cycle_last, 699);
   EXPECT_EQ(contents->channels.count("STANOK_MILL_PROGRAM"), 1u);
 }
 

@@ -49,7 +49,7 @@ TEST_F(LogReading, CountsEveryMessageOfASoundLog) {
   EXPECT_EQ(log.events, events);
   EXPECT_EQ(log.bytes, static_cast<std::int64_t>(bytes_.size()));
   EXPECT_EQ(log.utime_last, (cycles - 1) * 1000);
-  EXPECT_EQ(log.channels.at("STANOK_MILL_CH1_SETPOINT").messages, cycles);
+  EXPECT_EQ(log.channels.at(setpoint_channel).messages, cycles);
   ASSERT_TRUE(log.description);
   EXPECT_EQ(log.description->machine, "mill");
   EXPECT_EQ(log.description->channels.at(0).axes.at(1).name, "C1");
@@ -85,7 +85,7 @@ TEST_F(LogReading, LosesOnlyTheEventThatMissesBytes) {
   EXPECT_EQ(log.events, events - 1);
   ASSERT_EQ(log.damage.size(), 1U);
   EXPECT_EQ(log.damage[0].offset, static_cast<std::int64_t>(place));
-  EXPECT_EQ(log.channels.at("STANOK_MILL_CH1_SETPOINT").missing, 1);
+  EXPECT_EQ(log.channels.at(setpoint_channel).missing, 1);
 }
 
 TEST_F(LogReading, IsNotLedAwayByAWrongLength) {
@@ -97,11 +97,11 @@ TEST_F(LogReading, IsNotLedAwayByAWrongLength) {
 }
 
 TEST_F(LogReading, TellsMessagesThatCannotBeDecoded) {
-  bytes_[begin_of(100) + 28 + std::string("STANOK_MILL_CH1_SETPOINT").size()] ^= 0xFF;
+  bytes_[begin_of(100) + 28 + std::string(setpoint_channel).size()] ^= 0xFF;
   const LogContents log = contents();
   EXPECT_EQ(log.events, events);
   EXPECT_FALSE(log.is_sound());
-  EXPECT_EQ(log.channels.at("STANOK_MILL_CH1_SETPOINT").undecodable, 1);
+  EXPECT_EQ(log.channels.at(setpoint_channel).undecodable, 1);
 }
 
 TEST_F(LogReading, AccountsForEveryByteOfRandomlyDamagedLogs) {

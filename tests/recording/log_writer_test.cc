@@ -13,7 +13,6 @@
 namespace stanok::recording {
 namespace {
 
-constexpr const char* setpoints = "STANOK_MILL_CH1_SETPOINT";
 constexpr const char* meta = "STANOK_MILL_LOG_META";
 
 LogContents sound_contents(const std::filesystem::path& file) {
@@ -50,7 +49,8 @@ TEST(LogPieces, StandAloneAndLoseNothing) {
     ASSERT_TRUE(contents.description);
     EXPECT_EQ(contents.description->machine, "mill");
     EXPECT_LT(contents.bytes, size_max + 5000);  // one message more at most
-    if (const auto found = contents.channels.find(setpoints); found != contents.channels.end()) {
+    if (const auto found = contents.channels.find(setpoint_channel);
+        found != contents.channels.end()) {
       messages += found->second.messages;
       EXPECT_EQ(found->second.missing, 0);
     }
@@ -87,7 +87,7 @@ TEST(LogPieces, BeginWithTheTexts) {
 TEST(LogPieces, AreOneWithoutABound) {
   const auto file = test_file("lcm");
   record(file, 2000);
-  EXPECT_EQ(sound_contents(file).channels.at(setpoints).messages, 2000);
+  EXPECT_EQ(sound_contents(file).channels.at(setpoint_channel).messages, 2000);
   EXPECT_FALSE(std::filesystem::exists(piece_name(file, 2)));
 }
 

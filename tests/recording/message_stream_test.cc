@@ -216,7 +216,7 @@ TEST(Publisher, ReachesASubscriberOnTheBus) {
   Publisher publisher("memq://");
   ASSERT_TRUE(publisher.good());
   std::vector<double> positions;
-  publisher.bus()->subscribeFunction("STANOK_MILL_CH1_SETPOINT", &keep_position, &positions);
+  publisher.bus()->subscribeFunction(setpoint_channel, &keep_position, &positions);
   MessageStream stream(small_machine(), {&publisher});
   for (int cycle = 0; cycle < 3; ++cycle) stream.cycle(output_of(cycle));
   while (publisher.bus()->handleTimeout(0) > 0) {

@@ -30,8 +30,11 @@ class MemoryFiles final : public lang::Files {
 [[nodiscard]] channels::MachineConfig two_channel_machine();
 
 // A lathe: X, Z 250 mm/s, 2500 mm/s2, 50000 mm/s3; spindle 1 to 3000 rev/min, which becomes C with
-// 120 deg/s, 1200, 24000 after M902.
+// 120 deg/s, 1200, 24000 after M902. Its axes by their places in the channel.
 [[nodiscard]] channels::MachineConfig turning_machine();
+inline constexpr std::size_t lathe_X = 0;
+inline constexpr std::size_t lathe_Z = 1;
+inline constexpr std::size_t lathe_C = 2;
 
 // Channels 1 and 2 with an axis of their own (X1 and X2, both called X) and C, which both have.
 // Schemes 1 leave C out, schemes 2 have it.

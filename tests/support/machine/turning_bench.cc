@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/cycle.h"
+
 namespace stanok::testing {
 namespace {
 
@@ -51,7 +53,7 @@ std::vector<CutCycle> cycles_of_cut(MachineBench& bench, const std::string& prog
       const CutCycle before = cycles.empty() ? CutCycle{} : cycles.back();
       one.x = channel.point_W[0].value;
       one.z = channel.point_W[1].value;
-      one.time_s = before.time_s + turning_cycle_s;
+      one.time_s = before.time_s + cycle_s;
       one.way = before.way + std::hypot(one.x - x, one.z - z);
       cycles.push_back(one);
     }
@@ -87,19 +89,22 @@ double CutTime::at(double way) const {
 void expect_cut(const std::vector<CutCycle>& cycles, const CutTime& wanted, FeedOf feed_of) {
   ASSERT_GE(cycles.size(), 2U);
   EXPECT_TRUE(cycles.back().is_last);
-  const double late_s = feed_of == FeedOf::revolution ? turning_cycle_s : 0.0;
+  const double late_s = feed_of == FeedOf::revolution ? cycle_s : 0.0;
   const double late_mm = late_s * wanted.variation();
   const double feed_at_end = cycles[cycles.size() - 2].process.feed_mm_per_min / s_per_min;
-  EXPECT_NEAR(cycles.back().way, wanted.way(), turning_discrete_mm);  // chords, even over corners
-  EXPECT_NEAR(cycles.back().time_s, wanted.total(),
-              turning_cycle_s + ramps_s + late_mm / feed_at_end);
+  EXPECT_NEAR(cycles.back().way, wanted.way(), discrete_mm);  // chords, even over corners
+  EXPECT_NEAR(cycles.back().time_s, wanted.total(), cycle_s + ramps_s + late_mm / feed_at_end);
   for (const CutCycle& one : cycles) {
     if (one.is_last) break;
     const double feed = one.process.feed_mm_per_min / s_per_min;
-    EXPECT_NEAR(wanted.at(one.way) * feed, one.time_s * feed, turning_discrete_mm + late_mm)
+    EXPECT_NEAR(wanted.at(one.way) * feed, one.time_s * feed, discrete_mm + late_mm)
         << "after " << one.time_s << " s at " << one.way << " mm";
     if (::testing::Test::HasFailure()) return;
   }
+}
+
+std::string word_unless_zero(const char* name, double value) {
+  return value == 0.0 ? "" : " " + std::string(name) + "=" + std::to_string(value);
 }
 
 double speed_of_cut(double m_per_min, double diameter, double n_min, double n_max) {

@@ -13,8 +13,12 @@
 
 namespace stanok::testing {
 
-inline constexpr double turning_cycle_s = 0.001;
-inline constexpr double turning_discrete_mm = 0.001;
+// Whether the feed of a cut is per revolution, as tables of cuts write it.
+inline constexpr bool per_min = false;
+inline constexpr bool per_rev = true;
+
+// A word of a program behind those before it, " v_k=120"; "" where the value is 0.
+[[nodiscard]] std::string word_unless_zero(const char* name, double value);
 
 // turning_machine() with spindle 1 from `speed_min` to 3000 rev/min; `acceleration` in rev/min/s,
 // 0: every speed at once.
