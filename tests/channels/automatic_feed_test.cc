@@ -15,7 +15,7 @@ using testing::MachineBench;
 using ::testing::Not;
 
 // Down to half the feed in 5 increments, one every 0.5 mm, above 6 um or 900 W.
-MachineConfig machine() {
+MachineConfig lathe_with_automatic_feeds() {
   MachineConfig config = testing::turning_machine();
   for (const auto law : {motion::LawKind::modulated, motion::LawKind::linear}) {
     const double level = law == motion::LawKind::linear ? 900.0 : 6.0;
@@ -38,7 +38,7 @@ OperatorEvent automatic(const char* law, bool on) {
   return event;
 }
 
-constexpr const char* program = "G0 X60 Z0\nG94 G1 Z-20 F600\nM30\n";
+constexpr const char* turning_program = "G0 X60 Z0\nG94 G1 Z-20 F600\nM30\n";
 
 struct Moment {
   double way = 0.0;    // along Z
@@ -46,7 +46,7 @@ struct Moment {
 };
 
 std::vector<Moment> cut(MachineBench& bench) {
-  bench.program("turn.nc", program);
+  bench.program("turn.nc", turning_program);
   bench.run(1, "turn.nc");
   std::vector<Moment> moments;
   bench.run_to_end([&](const CycleOutput& output) {
@@ -73,7 +73,7 @@ double fastest(const std::vector<Moment>& moments, double from, double to) {
 
 // 600 mm/min are 10 mm/s; 5 mm of path down and up again.
 TEST(AutomaticFeedOfAChannel, ModulatesTheFeedUnderVibration) {
-  MachineBench bench(machine());
+  MachineBench bench(lathe_with_automatic_feeds());
   bench.ask(automatic("modulated", true));
   bench.sensors({{.power_w = 500.0, .vibration_um = 8.0, .vibration_hz = 120.0}});
   const auto moments = cut(bench);
@@ -87,7 +87,7 @@ TEST(AutomaticFeedOfAChannel, ModulatesTheFeedUnderVibration) {
 }
 
 TEST(AutomaticFeedOfAChannel, FollowsThePowerOfTheSpindle) {
-  MachineBench bench(machine());
+  MachineBench bench(lathe_with_automatic_feeds());
   bench.ask(automatic("linear", true));
   bench.sensors({{.power_w = 1000.0, .vibration_um = 0.0, .vibration_hz = 0.0}});
   const auto moments = cut(bench);
@@ -100,7 +100,7 @@ TEST(AutomaticFeedOfAChannel, OffOrBelowItsLevelItChangesNoBit) {
   MachineBench plain(testing::turning_machine());
   const auto expected = cut(plain);
   for (const double vibration : {2.0, 5.9}) {
-    MachineBench bench(machine());
+    MachineBench bench(lathe_with_automatic_feeds());
     bench.ask(automatic("modulated", true));
     bench.sensors({{.power_w = 2000.0, .vibration_um = vibration, .vibration_hz = 50.0}});
     const auto moments = cut(bench);
@@ -113,14 +113,14 @@ TEST(AutomaticFeedOfAChannel, OffOrBelowItsLevelItChangesNoBit) {
 }
 
 TEST(AutomaticFeedOfAChannel, LostSensorIsSaidAndTheFeedIsTheSmallest) {
-  MachineBench bench(machine());
+  MachineBench bench(lathe_with_automatic_feeds());
   bench.ask(automatic("modulated", true));
   const auto moments = cut(bench);  // no sensor at all
   EXPECT_THAT(bench.event_codes(), Contains("W604"));
   EXPECT_NEAR(fastest(moments, 0.0, 20.0), 5.0, 1e-6);
   EXPECT_EQ(bench.channel(1).process.automatic[0].state, motion::ModuleState::fault);
 
-  MachineBench off(machine());
+  MachineBench off(lathe_with_automatic_feeds());
   cut(off);
   EXPECT_THAT(off.event_codes(), Not(Contains("W604")));
 }
@@ -135,7 +135,7 @@ TEST(AutomaticFeedOfAChannel, IsRefusedWhereTheMachineFileHasNone) {
 
 // Each value that changes is an input of the cycle, on record.
 TEST(AutomaticFeedOfAChannel, SensorsAreRecordedWhenTheyChange) {
-  MachineBench bench(machine());
+  MachineBench bench(lathe_with_automatic_feeds());
   const auto records = [&](double power) {
     const std::array sensors{SpindleSensors{.power_w = power}};
     CycleOutput output;

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::MachineBench;
 
-constexpr std::size_t C = 1;              // in both channels
+constexpr std::size_t shared_C = 1;       // in both channels
 constexpr double step_max = 0.12 + 1e-9;  // deg per cycle at 120 deg/s
 
 class SharedAxis : public ::testing::Test {
@@ -35,9 +35,10 @@ class SharedAxis : public ::testing::Test {
     for (int n = 0; n < count; ++n) look(bench.cycle());
   }
   void look(const CycleOutput& output) {
-    const double here = output.channels[0].axes[C].position;
-    EXPECT_EQ(output.channels[1].axes[C].position, here);
-    EXPECT_EQ(output.channels[1].drives[C].enabled, output.channels[0].drives[C].enabled);
+    const double here = output.channels[0].axes[shared_C].position;
+    EXPECT_EQ(output.channels[1].axes[shared_C].position, here);
+    EXPECT_EQ(output.channels[1].drives[shared_C].enabled,
+              output.channels[0].drives[shared_C].enabled);
     EXPECT_LE(std::abs(here - before), step_max);
     before = here;
   }
@@ -58,7 +59,7 @@ TEST_F(SharedAxis, IsClaimedBySchemesOneAfterTheOther) {
       "#kinematics (2, 2)\nif ($pos[C] != 30) { terminate (1001, \"not 30\"); }\nG91 G0 C5\nM30\n");
   to_end();
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_NEAR(bench.channel(1).axes[C].position, 35.0, 1e-9);
+  EXPECT_NEAR(bench.channel(1).axes[shared_C].position, 35.0, 1e-9);
 }
 
 TEST_F(SharedAxis, OfARunningChannelIsRefusedByName) {
@@ -76,7 +77,7 @@ TEST_F(SharedAxis, CannotBeTakenFromASchemeThatIsAboutToHaveIt) {
   run(2, "#kinematics (2, 2)\nG0 C-30\nM30\n");
   to_end();
   EXPECT_THAT(bench.alarm_codes(), Contains("E5203"));
-  EXPECT_NEAR(bench.channel(1).axes[C].position, 30.0, 1e-9);
+  EXPECT_NEAR(bench.channel(1).axes[shared_C].position, 30.0, 1e-9);
   EXPECT_EQ(bench.channel(2).scheme, 1);
 }
 
@@ -97,7 +98,7 @@ TEST_F(SharedAxis, OutsideTheSchemeOfARunningChannelIsFree) {
   run(2, "#kinematics (2, 2)\nG0 C40\nM30\n");
   cycles(1000);
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_NEAR(bench.channel(2).axes[C].position, 40.0, 1e-9);
+  EXPECT_NEAR(bench.channel(2).axes[shared_C].position, 40.0, 1e-9);
   to_end();
   EXPECT_EQ(bench.channel(1).axes[0].position, 100.0);
 }
@@ -110,7 +111,7 @@ TEST_F(SharedAxis, GoesBackToAChannelThatStartsWithItsScheme) {
   run(1, "G91 G0 C1\nM30\n");
   to_end();
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_NEAR(bench.channel(1).axes[C].position, 51.0, 1e-9);
+  EXPECT_NEAR(bench.channel(1).axes[shared_C].position, 51.0, 1e-9);
 }
 
 TEST_F(SharedAxis, KeepsAProgramFromStartingWhileAnotherChannelRunsWithIt) {

@@ -96,36 +96,33 @@ TEST_P(CuttingSpeedLaw, StepsCuttingSpeedAndFeedAtTheSamePlaces) {
   EXPECT_NEAR(cycles.back().process.spindle_rev_per_min, n_end, 1e-9 * n_end);
 }
 
-using Case = CuttingSpeedLawCase;
+const CuttingSpeedLawCase cutting_speed_law_cases[] = {
+    // Along a cylinder.
+    {"both_rise", "G1 Z-10", 10, 60, 60, per_min, 100, 0, 2, 90, 0, 2, 0.25},
+    {"speed_falls", "G1 Z-10", 10, 60, 60, per_min, 180, 0, -2.5, 120, 0, 1.5, 0.2},
+    {"feed_falls", "G1 Z-8", 8, 45, 45, per_min, 60, 0, 1, 200, 0, 2, -0.125},
+    {"fine_steps", "G1 Z-5", 5, 60, 60, per_min, 150, 0, 0.01, 150, 0, 0.1, 0.001},
+    {"ends", "G1 Z-9", 9, 60, 60, per_min, 90, 140, 0, 100, 160, 2, 0},
+    {"ends_cross", "G1 Z-7", 7, 80, 80, per_min, 220, 120, 0, 80, 130, 2, 0},
+    {"ends_before_the_block", "G1 Z-12", 12, 60, 60, per_min, 90, 120, 0, 90, 120, 1.5, 0.3},
+    {"block_ends_before", "G1 Z-4", 4, 60, 60, per_min, 100, 200, 0, 90, 150, 1, 0.2},
+    // Over changing diameters.
+    {"facing", "G1 X20", 20, 60, 20, per_min, 80, 0, 1, 150, 0, 1, 0.5},
+    {"facing_outwards", "G1 X80", 25, 30, 80, per_min, 120, 0, -1, 150, 0, 2, -0.5},
+    {"facing_to_highest_speed", "G1 X4", 18, 40, 4, per_min, 100, 160, 0, 150, 210, 3, 0},
+    {"lowest_speed_outwards", "G1 X90", 30, 30, 90, per_min, 40, 20, 0, 180, 120, 2, 0, 150},
+    {"taper", "G1 X52 Z-3", 5, 60, 52, per_min, 150, 180, 0, 150, 75, 2.5, 0},
+    // Per revolution.
+    {"rev_cylinder", "G1 Z-6", 6, 60, 60, per_rev, 100, 0, 1, 0.1, 0, 0.002, 0.25},
+    {"rev_facing", "G1 X20", 20, 60, 20, per_rev, 80, 120, 0, 0.2, 0.12, 0.002, 0},
+    {"rev_facing_outwards", "G1 X80", 25, 30, 80, per_rev, 100, 80, 0, 0.1, 0.2, 0.005, 0},
+    {"rev_highest_speed", "G1 X6", 17, 40, 6, per_rev, 120, 0, 2, 0.08, 0, 0.002, 0.5},
+    {"rev_lowest_speed", "G1 X90", 30, 30, 90, per_rev, 40, 20, 0, 0.3, 0.4, 0.004, 0, 150},
+    {"rev_taper", "G1 X52 Z-3", 5, 60, 52, per_rev, 150, 0, -2, 0.06, 0, 0.004, 0.2},
+};
 
-INSTANTIATE_TEST_SUITE_P(
-    Cases, CuttingSpeedLaw,
-    ::testing::Values(
-        // Along a cylinder.
-        Case{"both_rise", "G1 Z-10", 10, 60, 60, per_min, 100, 0, 2, 90, 0, 2, 0.25},
-        Case{"speed_falls", "G1 Z-10", 10, 60, 60, per_min, 180, 0, -2.5, 120, 0, 1.5, 0.2},
-        Case{"feed_falls", "G1 Z-8", 8, 45, 45, per_min, 60, 0, 1, 200, 0, 2, -0.125},
-        Case{"fine_steps", "G1 Z-5", 5, 60, 60, per_min, 150, 0, 0.01, 150, 0, 0.1, 0.001},
-        Case{"ends", "G1 Z-9", 9, 60, 60, per_min, 90, 140, 0, 100, 160, 2, 0},
-        Case{"ends_cross", "G1 Z-7", 7, 80, 80, per_min, 220, 120, 0, 80, 130, 2, 0},
-        Case{"ends_before_the_block", "G1 Z-12", 12, 60, 60, per_min, 90, 120, 0, 90, 120, 1.5,
-             0.3},
-        Case{"block_ends_before", "G1 Z-4", 4, 60, 60, per_min, 100, 200, 0, 90, 150, 1, 0.2},
-        // Over changing diameters.
-        Case{"facing", "G1 X20", 20, 60, 20, per_min, 80, 0, 1, 150, 0, 1, 0.5},
-        Case{"facing_outwards", "G1 X80", 25, 30, 80, per_min, 120, 0, -1, 150, 0, 2, -0.5},
-        Case{"facing_to_highest_speed", "G1 X4", 18, 40, 4, per_min, 100, 160, 0, 150, 210, 3, 0},
-        Case{"lowest_speed_outwards", "G1 X90", 30, 30, 90, per_min, 40, 20, 0, 180, 120, 2, 0,
-             150},
-        Case{"taper", "G1 X52 Z-3", 5, 60, 52, per_min, 150, 180, 0, 150, 75, 2.5, 0},
-        // Per revolution.
-        Case{"rev_cylinder", "G1 Z-6", 6, 60, 60, per_rev, 100, 0, 1, 0.1, 0, 0.002, 0.25},
-        Case{"rev_facing", "G1 X20", 20, 60, 20, per_rev, 80, 120, 0, 0.2, 0.12, 0.002, 0},
-        Case{"rev_facing_outwards", "G1 X80", 25, 30, 80, per_rev, 100, 80, 0, 0.1, 0.2, 0.005, 0},
-        Case{"rev_highest_speed", "G1 X6", 17, 40, 6, per_rev, 120, 0, 2, 0.08, 0, 0.002, 0.5},
-        Case{"rev_lowest_speed", "G1 X90", 30, 30, 90, per_rev, 40, 20, 0, 0.3, 0.4, 0.004, 0, 150},
-        Case{"rev_taper", "G1 X52 Z-3", 5, 60, 52, per_rev, 150, 0, -2, 0.06, 0, 0.004, 0.2}),
-    [](const auto& with) { return std::string(with.param.name); });
+INSTANTIATE_TEST_SUITE_P(Cases, CuttingSpeedLaw, ::testing::ValuesIn(cutting_speed_law_cases),
+                         [](const auto& with) { return std::string(with.param.name); });
 
 }  // namespace
 }  // namespace stanok::channels

@@ -20,18 +20,18 @@ using testing::MachineBench;
 
 constexpr double pi = std::numbers::pi;
 
-struct Vector {
+struct FaceVector {
   double x = 0.0;
   double y = 0.0;
 };
 
 // The tip over the workpiece from the machine axes alone: it turns by C against the tool on X.
-Vector on_face(const ChannelOutput& channel) {
+FaceVector on_face(const ChannelOutput& channel) {
   const double angle = channel.axes[lathe_C].position * pi / 180.0;
   return {channel.axes[lathe_X].position * std::cos(angle),
           channel.axes[lathe_X].position * std::sin(angle)};
 }
-Vector velocity_on_face(const ChannelOutput& channel) {
+FaceVector velocity_on_face(const ChannelOutput& channel) {
   const double angle = channel.axes[lathe_C].position * pi / 180.0;
   const double turning = channel.axes[lathe_C].velocity * pi / 180.0;
   const double r = channel.axes[lathe_X].position;
@@ -87,8 +87,8 @@ TEST_F(Face, ACircleOfRadius20IsACircleAtTheFeed) {
   run("G94 G8 M902\nG0 X50 C0\nG12.1\nG1 F1000 X50 C0\nG3 I-20 J0 P3\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
         if (channel.tag.line != 5 || !channel.moving) return;
-        const Vector p = on_face(channel);
-        const Vector v = velocity_on_face(channel);
+        const FaceVector p = on_face(channel);
+        const FaceVector v = velocity_on_face(channel);
         off = std::max(off, std::abs(std::hypot(p.x - 30.0, p.y) - 20.0));
         const double share = std::hypot(v.x, v.y) * 60.0 / 1000.0;
         fastest = std::max(fastest, share);
@@ -117,7 +117,7 @@ TEST_F(Face, ALineHalfAMillimetreBesideTheCentreStaysALine) {
   run("G94 G8 M902\nG0 X20 C0\nG12.1\nG1 F1000 X20 C0.5\nX-20\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
         if (channel.tag.line != 5) return;
-        const Vector p = on_face(channel);
+        const FaceVector p = on_face(channel);
         off = std::max(off, std::abs(p.y - 0.5));
         way = p.x;
         ++cycles;
@@ -136,7 +136,7 @@ TEST_F(Face, ALineThroughTheCentreIsRefused) {
 }
 
 TEST_F(Face, BeginsOnTheSideWhereTheToolStands) {
-  Vector end;
+  FaceVector end;
   double x = 0.0;
   run("G94 G8 M902\nG0 X-20 C0\nG12.1\nG1 F1000 X-20 C15\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
@@ -202,7 +202,7 @@ TEST_F(Face, InverseTimeCountsTheWayOverTheFace) {
   run("G94 G8 M902\nG0 X30 C0\nG12.1\nG1 F1000 X30 C0\nG93 G1 X15 C20 F30\nG94\nG13.1\nM0\nM30\n",
       [&](const ChannelOutput& channel) {
         if (channel.tag.line != 5 || !channel.moving) return;
-        const Vector v = velocity_on_face(channel);
+        const FaceVector v = velocity_on_face(channel);
         fastest = std::max(fastest, std::hypot(v.x, v.y));
         ++cycles;
       });

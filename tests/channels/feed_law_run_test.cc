@@ -274,7 +274,7 @@ TEST(FeedLawRun, EndsWithAReset) {
 }
 
 // A reset stops the spindle: a feed per revolution would wait for it for ever.
-TEST(FeedPerRevolution, NeedsTheSpindleAnewAfterAReset) {
+TEST(ResetFeedPerRevolution, NeedsTheSpindleAnewAfterAReset) {
   MachineBench bench(testing::lathe_with_spindle(10.0, 0.0));
   bench.program("cut.nc", "G95 G18 S600 M3\nG1 Z-50 F0.1\nM30\n");
   bench.run(1, "cut.nc");

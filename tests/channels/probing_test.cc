@@ -18,7 +18,7 @@ using testing::MachineBench;
 
 constexpr int probe = 7;
 
-MachineConfig machine() {
+MachineConfig mill_with_probe() {
   MachineConfig config = testing::two_channel_machine();
   config.channels[0].probe_input = probe;
   return config;
@@ -57,7 +57,7 @@ TEST(Probing, FindsTheSurfaceInTheFrameOfTheProgramAndGoesOnFromWhereItStopped) 
     SCOPED_TRACE(trial);
     const double surface = -5.0 - 30.0 * part(random);
     const double feed = 60.0 + 2000.0 * part(random);  // mm/min
-    MachineBench bench(machine());
+    MachineBench bench(mill_with_probe());
     bench.program("p.nc", "G52 Z3\nG0 Z0\nG38.2 Z-50 F" + std::to_string(feed) +
                               "\n"
                               "G0 X=$probe[Z] Z=$probe[Z]+10\nG91 G1 Y2 F600\nM30\n");
@@ -80,7 +80,7 @@ TEST(Probing, FindsTheSurfaceInTheFrameOfTheProgramAndGoesOnFromWhereItStopped) 
   }
 }
 
-struct Case {
+struct ProbingCase {
   const char* name;
   const char* program;
   double surface;
@@ -88,11 +88,11 @@ struct Case {
   double end_X;  // 1: the program came to its end; 2: it saw that the probe was found
 };
 
-class ProbingCases : public ::testing::TestWithParam<Case> {};
+class ProbingCases : public ::testing::TestWithParam<ProbingCase> {};
 
 TEST_P(ProbingCases, EndAsTheCodesSay) {
-  const Case& one = GetParam();
-  MachineBench bench(machine());
+  const ProbingCase& one = GetParam();
+  MachineBench bench(mill_with_probe());
   bench.program("p.nc", one.program);
   bench.run(1, "p.nc");
   Touching watch(bench, one.surface);
@@ -106,20 +106,23 @@ TEST_P(ProbingCases, EndAsTheCodesSay) {
 INSTANTIATE_TEST_SUITE_P(
     Codes, ProbingCases,
     ::testing::Values(
-        Case{"missed_with_alarm", "G38.2 Z-10 F600" STANOK_SEEN, -20.0, {"E4320"}, 0.0},
-        Case{"missed_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -20.0, {}, 1.0},
-        Case{"found_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -5.0, {}, 2.0},
-        Case{"touches_before", "G1 Z-6 F600\nG38.2 Z-10" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
-        Case{"touches_before_without_alarm", "G1 Z-6 F600\nG38.3 Z-10" STANOK_SEEN, -5.0, {}, 1.0},
-        Case{"leaves", "G1 Z-6 F600\nG38.4 Z10" STANOK_SEEN, -5.0, {}, 2.0},
-        Case{"never_leaves", "G1 Z-6 F600\nG38.4 Z-5.5" STANOK_SEEN, -5.0, {"E4320"}, 0.0},
-        Case{"is_free_before", "G38.4 Z10 F600" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
-        Case{"is_free_before_without_alarm", "G38.5 Z10 F600" STANOK_SEEN, -5.0, {}, 1.0}),
+        ProbingCase{"missed_with_alarm", "G38.2 Z-10 F600" STANOK_SEEN, -20.0, {"E4320"}, 0.0},
+        ProbingCase{"missed_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -20.0, {}, 1.0},
+        ProbingCase{"found_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -5.0, {}, 2.0},
+        ProbingCase{"touches_before", "G1 Z-6 F600\nG38.2 Z-10" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
+        ProbingCase{
+            "touches_before_without_alarm", "G1 Z-6 F600\nG38.3 Z-10" STANOK_SEEN, -5.0, {}, 1.0},
+        ProbingCase{"leaves", "G1 Z-6 F600\nG38.4 Z10" STANOK_SEEN, -5.0, {}, 2.0},
+        ProbingCase{"never_leaves", "G1 Z-6 F600\nG38.4 Z-5.5" STANOK_SEEN, -5.0, {"E4320"}, 0.0},
+        ProbingCase{"is_free_before", "G38.4 Z10 F600" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
+        ProbingCase{"is_free_before_without_alarm", "G38.5 Z10 F600" STANOK_SEEN, -5.0, {}, 1.0}),
     [](const auto& one) { return std::string(one.param.name); });
+
+#undef STANOK_SEEN
 
 // Without motion: the axes stand where they were, and the program counts from there.
 TEST(Probing, WithoutAWayToGoTheProgramGoesOnFromWhereTheAxesStand) {
-  MachineBench bench(machine());
+  MachineBench bench(mill_with_probe());
   bench.program("p.nc", "G1 Z-6 F600\nG38.3 Z-10\nG91 G1 Z1\nM30\n");
   bench.run(1, "p.nc");
   Touching watch(bench, -5.0);
@@ -138,7 +141,7 @@ TEST(Probing, NeedsAProbe) {
 
 // A hold and a resume on the way, and a reset: the probe is looked at all the same, or forgotten.
 TEST(Probing, SurvivesHoldAndReset) {
-  MachineBench bench(machine());
+  MachineBench bench(mill_with_probe());
   bench.program("p.nc", "G38.2 Z-30 F1200\nG0 X=$probe[Z]\nM30\n");
   bench.run(1, "p.nc");
   Touching watch(bench, -12.0);

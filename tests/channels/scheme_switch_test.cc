@@ -17,8 +17,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::MachineBench;
 
-constexpr std::size_t B = 3;
-constexpr std::size_t C = 4;
+constexpr std::size_t mill_B = 3;
+constexpr std::size_t mill_C = 4;
 
 // Drives that obey at once, but for those that are told not to.
 class SchemeSwitch : public ::testing::Test {
@@ -73,7 +73,7 @@ TEST_F(SchemeSwitch, BrakesAndReleasesWhatLeavesAndJoins) {
   EXPECT_EQ(alarm(), "");
   const ChannelOutput& channel = bench->channel(1);
   EXPECT_EQ(channel.scheme, 1);
-  for (const std::size_t axis : {B, C}) {
+  for (const std::size_t axis : {mill_B, mill_C}) {
     EXPECT_EQ(channel.axes[axis].position, 0.0);
     EXPECT_TRUE(channel.drives[axis].brake_closed);
     EXPECT_FALSE(channel.drives[axis].enabled);
@@ -81,38 +81,38 @@ TEST_F(SchemeSwitch, BrakesAndReleasesWhatLeavesAndJoins) {
 }
 
 TEST_F(SchemeSwitch, StaysWithTheOldSchemeWhenADriveDoesNotSwitchOn) {
-  dead[C] = true;
+  dead[mill_C] = true;
   run("#kinematics (2, 1)\nG0 C20\nM30\n");
   EXPECT_THAT(bench->alarm_codes(), ElementsAre("E5205"));
   EXPECT_THAT(alarm(), HasSubstr("the drive of axis C does not switch on"));
   EXPECT_EQ(bench->channel(1).scheme, 1);
-  EXPECT_TRUE(bench->channel(1).drives[B].brake_closed);
-  EXPECT_TRUE(bench->channel(1).drives[C].brake_closed);
-  dead[C] = false;
+  EXPECT_TRUE(bench->channel(1).drives[mill_B].brake_closed);
+  EXPECT_TRUE(bench->channel(1).drives[mill_C].brake_closed);
+  dead[mill_C] = false;
   reset();
   run("#kinematics (2, 1)\nG0 C20\nM30\n");
   EXPECT_EQ(bench->channel(1).scheme, 2);
-  EXPECT_EQ(bench->channel(1).axes[C].position, 20.0);
+  EXPECT_EQ(bench->channel(1).axes[mill_C].position, 20.0);
 }
 
 TEST_F(SchemeSwitch, StaysWithTheOldSchemeWhenABrakeDoesNotClose) {
   run("#kinematics (2, 1)\nG0 B10 C20\nM30\n");
-  stuck_open[C] = true;
+  stuck_open[mill_C] = true;
   run("#kinematics (1, 1)\nM30\n");
   EXPECT_THAT(alarm(), HasSubstr("E5205 the brake of axis C does not close"));
   EXPECT_EQ(bench->channel(1).scheme, 2);
   // What was moved stays where it is, braked.
-  EXPECT_EQ(bench->channel(1).axes[B].position, 0.0);
-  EXPECT_TRUE(bench->channel(1).drives[B].brake_closed);
-  EXPECT_TRUE(bench->channel(1).drives[C].brake_closed);
-  stuck_open[C] = false;
+  EXPECT_EQ(bench->channel(1).axes[mill_B].position, 0.0);
+  EXPECT_TRUE(bench->channel(1).drives[mill_B].brake_closed);
+  EXPECT_TRUE(bench->channel(1).drives[mill_C].brake_closed);
+  stuck_open[mill_C] = false;
   reset();
   run("G0 B5\nM30\n");  // the old scheme goes on
-  EXPECT_EQ(bench->channel(1).axes[B].position, 5.0);
+  EXPECT_EQ(bench->channel(1).axes[mill_B].position, 5.0);
 }
 
 TEST_F(SchemeSwitch, FailsTheMasterThatAskedForIt) {
-  dead[B] = true;
+  dead[mill_B] = true;
   run("#kinematics (2, 1)\nM30\n", 2);
   EXPECT_THAT(alarm(), HasSubstr("E5205 the drive of axis B does not switch on"));
   EXPECT_EQ(bench->channel(1).scheme, 1);
@@ -120,7 +120,7 @@ TEST_F(SchemeSwitch, FailsTheMasterThatAskedForIt) {
 }
 
 TEST_F(SchemeSwitch, NeedsAxesThatAreHomed) {
-  drives[B].referenced = false;
+  drives[mill_B].referenced = false;
   run("#kinematics (2, 1)\nM30\n");
   EXPECT_THAT(alarm(), HasSubstr("axis B is not homed"));
   reset();
@@ -145,7 +145,7 @@ TEST_F(SchemeSwitch, TheSamePoseIsTheSameTipInBothSchemes) {
 TEST_F(SchemeSwitch, ParkedAxesCannotBeProgrammed) {
   run("G0 B5\nM30\n");
   EXPECT_THAT(alarm(), HasSubstr("E5102 axis B takes no part in scheme 1"));
-  EXPECT_EQ(bench->channel(1).axes[B].position, 0.0);
+  EXPECT_EQ(bench->channel(1).axes[mill_B].position, 0.0);
 }
 
 // One line of a random program: a change, a spindle axis, a move. Many of them are refused.

@@ -14,7 +14,7 @@ using testing::MachineBench;
 
 constexpr double limit = 50.0;
 
-MachineConfig machine() {
+MachineConfig mill_with_soft_limit() {
   MachineConfig config = testing::two_channel_machine();
   config.axes[0].limits.position_max = limit;
   return config;
@@ -26,7 +26,7 @@ struct Reached {
 };
 
 Reached run(const std::string& program) {
-  MachineBench bench(machine());
+  MachineBench bench(mill_with_soft_limit());
   bench.program("p.nc", program);
   bench.run(1, "p.nc");
   Reached reached;

@@ -183,7 +183,7 @@ TEST(SpindleLaw, IsRefusedWhereItsSpeedComesToZero) {
 }
 
 // The driven tool has speeds of its own: neither they nor its stop concern the master spindle.
-TEST(FeedPerRevolution, IsThatOfTheMasterSpindle) {
+TEST(FeedPerRevolutionWithADrivenTool, IsThatOfTheMasterSpindle) {
   MachineConfig config = testing::strong_lathe(10.0);
   SpindleConfig driven_tool;
   driven_tool.id = 2;

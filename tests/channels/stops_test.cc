@@ -80,9 +80,9 @@ class SpeedWatch {
   double gain_ = 0.0;
 };
 
-constexpr std::array stops = {OperatorAction::program_hold, OperatorAction::program_stop,
-                              OperatorAction::program_reset, OperatorAction::machine_estop,
-                              OperatorAction::machine_off};
+constexpr std::array stopping_actions = {
+    OperatorAction::program_hold, OperatorAction::program_stop, OperatorAction::program_reset,
+    OperatorAction::machine_estop, OperatorAction::machine_off};
 
 bool is_abort(OperatorAction action) {
   return action != OperatorAction::program_hold;
@@ -101,7 +101,7 @@ void run_and_stop(MachineBench& bench, RandomRun& random) {
     bench.ask(OperatorAction::program_hold, 1);
     for (int n = random.pick(1, 300); n > 0; --n) bench.cycle();
   }
-  const OperatorAction stop = stops[static_cast<std::size_t>(random.pick(0, 4))];
+  const OperatorAction stop = stopping_actions[static_cast<std::size_t>(random.pick(0, 4))];
   const bool machine_wide =
       stop == OperatorAction::machine_estop || stop == OperatorAction::machine_off;
   const ChannelOutput at_stop = bench.channel(1);
@@ -229,7 +229,7 @@ TEST_F(StopTest, AStartThatHasNotBegunIsOverWithAStop) {
 }
 
 TEST_F(StopTest, ASpindleThatALineLeftOnStopsWithEveryAbort) {
-  for (const auto stop : stops) {
+  for (const auto stop : stopping_actions) {
     if (!is_abort(stop)) continue;
     MachineBench fresh;
     fresh.ask(OperatorAction::mdi, 1, "M3 S1000");

@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& with) { return std::string(with.param.name); });
 
 // Two starts of a tapered thread; F is the lead along Z, which travels farther.
-TEST(Thread, CutsATaperOfTwoStarts) {
+TEST(ProgrammedThread, CutsATaperOfTwoStarts) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc",
                 "G8 G18 G95\nS300 M3\nnum start = 0;\n"
@@ -143,7 +143,7 @@ TEST(Thread, CutsATaperOfTwoStarts) {
 }
 
 // G78 repeats its pass at each depth, always on the same helix.
-TEST(Thread, PassesOfG78FollowOneHelix) {
+TEST(ProgrammedThread, PassesOfG78FollowOneHelix) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc", "G7 G18 G95\nS300 M3\nG0 X32 Z4\nG78 X29 Z-20 F3\nX28\nX27.5\nM30\n");
   bench.run(1, "p.nc");
@@ -168,7 +168,7 @@ TEST(Thread, PassesOfG78FollowOneHelix) {
 
 // The two blocks of G76: fed in along a flank of 30 degrees, so that each pass begins so much
 // farther back, always at the same angle of the spindle.
-TEST(Thread, PassesOfG76InTwoBlocksLieOnTheirFlank) {
+TEST(ProgrammedThread, PassesOfG76InTwoBlocksLieOnTheirFlank) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc",
                 "G8 G18 G95\nS300 M3\nG0 X20 Z5\nG76 P010060 Q0.05 R0.1\n"
@@ -200,7 +200,7 @@ TEST(Thread, PassesOfG76InTwoBlocksLieOnTheirFlank) {
 }
 
 // The spindle slows down as the diameter grows, and the thread with it.
-TEST(Thread, FollowsASpindleThatHoldsItsCuttingSpeed) {
+TEST(ProgrammedThread, FollowsASpindleThatHoldsItsCuttingSpeed) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc", "G8 G18 G95\nG0 X10 Z3\nG96 S60 M3\nG33 X16 Z-57 F2\nG0 X30\nM30\n");
   bench.run(1, "p.nc");
@@ -225,7 +225,7 @@ TEST(Thread, FollowsASpindleThatHoldsItsCuttingSpeed) {
 }
 
 // A thread has the feed of its lead, and the path of a law does not count it.
-TEST(FeedLawRun, DoesNotCountAThread) {
+TEST(FeedLawBesideAThread, DoesNotCountAThread) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc",
                 "G8 G18 G94\nS300 M3\nG0 X20 Z5\nS_n=60 dS=1 dl=1\nG33 Z-20 K2\nG1 X17.5\nM30\n");

@@ -16,7 +16,7 @@ namespace {
 using ::testing::IsEmpty;
 using testing::MachineBench;
 
-struct Vector {
+struct TipPosition {
   double x = 0.0;
   double y = 0.0;
   double z = 0.0;
@@ -24,7 +24,7 @@ struct Vector {
 
 // p = Rz(C)^T (X + Ry(B) t) with t = (0, 0, -200): the table's centre is the zero of M, the tool
 // has no length.
-Vector tip_of(const ChannelOutput& channel) {
+TipPosition tip_of(const ChannelOutput& channel) {
   const double b = channel.axes[3].position * std::numbers::pi / 180.0;
   const double c = channel.axes[4].position * std::numbers::pi / 180.0;
   const double x = channel.axes[0].position - 200.0 * std::sin(b);
@@ -58,7 +58,7 @@ TEST(TipControl, ALineStaysALineWhileTheToolTurnsThroughThePole) {
     const ChannelOutput& channel = output.channels[0];
     share = std::max(share, share_of_limits(channel));
     if (channel.tag.line < 5 || channel.tag.line > 6) return;
-    const Vector tip = tip_of(channel);
+    const TipPosition tip = tip_of(channel);
     off = std::max(off, std::hypot(tip.y - 10.0, tip.z));
     ++cycles;
   });
@@ -90,7 +90,7 @@ TEST(TipControl, PosesRoundThePoleKeepTheLimitsAndTheTolerance) {
     const ChannelOutput& channel = output.channels[0];
     share = std::max(share, share_of_limits(channel));
     if (channel.tag.line < 6) return;
-    const Vector tip = tip_of(channel);
+    const TipPosition tip = tip_of(channel);
     off = std::max(off, std::hypot(tip.y - 5.0, tip.z));
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());

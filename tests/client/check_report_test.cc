@@ -16,12 +16,12 @@ Diagnostic diagnostic(Severity severity) {
   return d;
 }
 
-const std::vector<CheckedProgram> programs = {
+const std::vector<CheckedProgram> checked_programs = {
     {"a.nc", {diagnostic(Severity::error), diagnostic(Severity::warning)}, 12, 0.25},
     {"b.nc", {}, 30, 0.5}};
 
 TEST(CheckReport, SumsUpProgramsInATable) {
-  EXPECT_EQ(summary_table(programs, Terminal(false, false)),
+  EXPECT_EQ(summary_table(checked_programs, Terminal(false, false)),
             "program                    blocks  errors  warnings  seconds\n"
             "a.nc                           12       1         1    0.250\n"
             "b.nc                           30       0         0    0.500\n"
@@ -29,13 +29,13 @@ TEST(CheckReport, SumsUpProgramsInATable) {
 }
 
 TEST(CheckReport, HasTheSameNumbersAndAllDiagnosticsInJson) {
-  const auto json = summary_json(programs);
-  EXPECT_EQ(json["totals"]["blocks"], 42);
-  EXPECT_EQ(json["totals"]["errors"], 1);
-  EXPECT_EQ(json["files"][0]["warnings"], 1);
-  EXPECT_EQ(json["files"][0]["diagnostics"][0], to_json(programs[0].diagnostics[0]));
-  EXPECT_EQ(json["files"][0]["diagnostics"][0]["stack"][0], "in hole(), called at a.nc:4:1");
-  EXPECT_TRUE(json["files"][1]["diagnostics"].empty());
+  const auto report = summary_json(checked_programs);
+  EXPECT_EQ(report["totals"]["blocks"], 42);
+  EXPECT_EQ(report["totals"]["errors"], 1);
+  EXPECT_EQ(report["files"][0]["warnings"], 1);
+  EXPECT_EQ(report["files"][0]["diagnostics"][0], to_json(checked_programs[0].diagnostics[0]));
+  EXPECT_EQ(report["files"][0]["diagnostics"][0]["stack"][0], "in hole(), called at a.nc:4:1");
+  EXPECT_TRUE(report["files"][1]["diagnostics"].empty());
 }
 
 TEST(CheckReport, ShowsProgressWithinTheColumnsOfTheTerminal) {

@@ -40,7 +40,7 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
   EXPECT_EQ(WEXITSTATUS(status), 0) << command;
 }
 
-constexpr Example examples[] = {
+constexpr Example example_programs[] = {
     {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},
     {"bolt_circle", "mill3", ""},       {"tilted_pocket", "e7106mf4", "2"},
     {"trunnion", "trunnion", ""},       {"lathe", "lathe", ""},
@@ -51,14 +51,14 @@ constexpr Example examples[] = {
     {"workpiece", "e7106mf4", ""},      {"turned_part", "lathe", ""},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(examples),
+INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(example_programs),
                          [](const auto& example) {
                            return std::string(example.param.name) + "_on_" + example.param.machine;
                          });
 
 TEST(ExamplePrograms, ExistForEveryMachineFile) {
   std::set<std::string> machines;
-  for (const Example& example : examples) machines.insert(example.machine);
+  for (const Example& example : example_programs) machines.insert(example.machine);
   for (const auto& entry : std::filesystem::directory_iterator(root + "/config/machines")) {
     if (entry.path().extension() != ".toml") continue;
     EXPECT_TRUE(machines.contains(entry.path().stem().string())) << entry.path();

@@ -17,7 +17,7 @@ runtime::LawBlock block_of(motion::LawKind kind, int line) {
   return block;
 }
 
-std::vector<CheckedProgram> programs() {
+std::vector<CheckedProgram> programs_with_laws() {
   CheckedProgram program;
   program.file = "a.nc";
   Diagnostic warning;
@@ -36,7 +36,7 @@ std::vector<CheckedProgram> programs() {
 }
 
 TEST(LawReport, IsATableOfBlocks) {
-  EXPECT_EQ(estimate_table(programs(), Terminal(false, false)),
+  EXPECT_EQ(estimate_table(programs_with_laws(), Terminal(false, false)),
             "block   law            mm      increments  from  to   unit    s          closed form  "
             "cycle s  K_A  K_B  K_M\n"
             "a.nc:4  interrupted    10.000           4   120  120  mm/min     5.8000       5.8000  "
@@ -46,16 +46,16 @@ TEST(LawReport, IsATableOfBlocks) {
 }
 
 TEST(LawReport, KeepsTheDiagnosticsBesideTheLawsInJson) {
-  const auto json = estimate_json(programs());
-  EXPECT_EQ(json["diagnostics"][0]["code"], "W810");
-  const auto& first = json["feed_laws"][0];
+  const auto report = estimate_json(programs_with_laws());
+  EXPECT_EQ(report["diagnostics"][0]["code"], "W810");
+  const auto& first = report["feed_laws"][0];
   EXPECT_EQ(first["line"], 4);
   EXPECT_EQ(first["law"], "interrupted");
   EXPECT_EQ(first["k_a"], 2.0);
   EXPECT_EQ(first["k_b"], 10.0);
   EXPECT_FALSE(first.contains("k_m"));
   EXPECT_FALSE(first.contains("cycle_s"));
-  const auto& second = json["feed_laws"][1];
+  const auto& second = report["feed_laws"][1];
   EXPECT_EQ(second["feed_unit"], "mm/rev");
   EXPECT_EQ(second["time_is_least"], true);
   EXPECT_FALSE(second.contains("closed_form_s"));

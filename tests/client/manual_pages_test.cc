@@ -17,7 +17,7 @@
 namespace stanok::client {
 namespace {
 
-class ManualPages : public testing::Test {
+class ManualPages : public ::testing::Test {
  protected:
   ManualPages() {
     add_operator_commands(app, [](const OperatorCall&) {});

@@ -60,7 +60,7 @@ std::string arguments_for(const Method& method) {
   return line;
 }
 
-class EveryMethod : public testing::TestWithParam<Method> {};
+class EveryMethod : public ::testing::TestWithParam<Method> {};
 
 TEST_P(EveryMethod, HasASubcommand) {
   const Method& method = GetParam();
@@ -81,7 +81,8 @@ TEST_P(EveryMethod, TakesJsonSocketAndTimeout) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryMethod,
-                         testing::ValuesIn(protocol::methods().begin(), protocol::methods().end()),
+                         ::testing::ValuesIn(protocol::methods().begin(),
+                                             protocol::methods().end()),
                          [](const auto& row) {
                            std::string name(row.param.name);
                            std::replace(name.begin(), name.end(), '.', '_');
@@ -94,7 +95,7 @@ struct Case {
   const char* parameters;
 };
 
-class CommandLine : public testing::TestWithParam<Case> {};
+class CommandLine : public ::testing::TestWithParam<Case> {};
 
 TEST_P(CommandLine, BecomesMethodAndParameters) {
   const auto call = call_for(GetParam().line);
@@ -105,18 +106,18 @@ TEST_P(CommandLine, BecomesMethodAndParameters) {
 
 INSTANTIATE_TEST_SUITE_P(
     Examples, CommandLine,
-    testing::Values(Case{"program run part.nc", "program.run", R"({"program":"part.nc"})"},
-                    Case{"program run part.nc --channel 2 --wait", "program.run",
-                         R"({"program":"part.nc","channel":2,"wait":"done"})"},
-                    Case{"program hold", "program.hold", "{}"},
-                    Case{"override feed 80 --channel 1", "override.feed",
-                         R"({"percent":80,"channel":1})"},
-                    Case{"override feed 87.5", "override.feed", R"({"percent":87.5})"},
-                    Case{"kinematics select 2", "kinematics.select", R"({"scheme":2})"},
-                    Case{"subscribe channels events --rate-hz 5", "subscribe",
-                         R"({"topics":["channels","events"],"rate_hz":5})"},
-                    Case{"drive fault X stuck", "drive.fault", R"({"drive":"X","fault":"stuck"})"},
-                    Case{"mdi G0X1", "mdi", R"({"text":"G0X1"})"}));
+    ::testing::Values(
+        Case{"program run part.nc", "program.run", R"({"program":"part.nc"})"},
+        Case{"program run part.nc --channel 2 --wait", "program.run",
+             R"({"program":"part.nc","channel":2,"wait":"done"})"},
+        Case{"program hold", "program.hold", "{}"},
+        Case{"override feed 80 --channel 1", "override.feed", R"({"percent":80,"channel":1})"},
+        Case{"override feed 87.5", "override.feed", R"({"percent":87.5})"},
+        Case{"kinematics select 2", "kinematics.select", R"({"scheme":2})"},
+        Case{"subscribe channels events --rate-hz 5", "subscribe",
+             R"({"topics":["channels","events"],"rate_hz":5})"},
+        Case{"drive fault X stuck", "drive.fault", R"({"drive":"X","fault":"stuck"})"},
+        Case{"mdi G0X1", "mdi", R"({"text":"G0X1"})"}));
 
 TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
   for (const char* line :
@@ -130,14 +131,14 @@ TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
 }
 
 TEST(CommandLine, SendsTheTextOfAFileAndItsName) {
-  const std::string file = testing::TempDir() + "tables.toml";
+  const std::string file = ::testing::TempDir() + "tables.toml";
   std::ofstream(file) << "[offset.G54]\nX = 1\n";
   const auto call = call_for("tool load " + file);
   ASSERT_TRUE(call);
   EXPECT_EQ(call->parameters, json({{"tables", "[offset.G54]\nX = 1\n"}, {"file", file}}));
   EXPECT_EQ(call_for("tool load " + file + " --file mine")->parameters["file"], "mine");
-  EXPECT_FALSE(call_for("tool load " + testing::TempDir() + "missing.toml"));
-  EXPECT_FALSE(call_for("tool load " + testing::TempDir())) << "a folder";
+  EXPECT_FALSE(call_for("tool load " + ::testing::TempDir() + "missing.toml"));
+  EXPECT_FALSE(call_for("tool load " + ::testing::TempDir())) << "a folder";
 }
 
 TEST(CommandLine, WatchSubscribesToAllChannels) {

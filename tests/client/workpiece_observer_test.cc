@@ -146,9 +146,9 @@ TEST_F(WorkpieceRun, FindsNothingWithoutThem) {
 // The log knows machine, tools, programs and blank by itself.
 TEST_F(WorkpieceRun, IsTheSameOutOfItsLog) {
   const auto live = run("e7106mf4.toml", program_with(true));
-  const auto json = out_of_log();
-  EXPECT_DOUBLE_EQ(json["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
-  EXPECT_EQ(json["findings"], live[0]["findings"]);
+  const auto recorded = out_of_log();
+  EXPECT_DOUBLE_EQ(recorded["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
+  EXPECT_EQ(recorded["findings"], live[0]["findings"]);
 }
 
 // The file of a finding is the one that the block stands in, in a run and out of its log.

@@ -35,7 +35,7 @@ std::string example_with(const std::string& key, const std::string& line) {
   return text.replace(place, text.find('\n', place) - place, line);
 }
 
-std::vector<ConfigFault> faults_of(const std::string& text) {
+std::vector<ConfigFault> faults_of_process(const std::string& text) {
   const TemporaryFiles files;
   try {
     static_cast<void>(read_grinding_file(files.write("p.toml", text)));
@@ -80,7 +80,7 @@ class GrindingMistake : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(GrindingMistake, IsNamedWithKeyValueAndRange) {
   const Mistake& mistake = GetParam();
-  const auto faults = faults_of(example_with(mistake.key, mistake.line));
+  const auto faults = faults_of_process(example_with(mistake.key, mistake.line));
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults.front().line, mistake.at_line) << faults.front().text;
   EXPECT_GE(faults.front().column, 1U);
@@ -157,15 +157,16 @@ std::vector<Mistake> other_mistakes() {
   };
 }
 
-const auto named = [](const auto& info) { return std::string(info.param.name); };
+const auto name_of_parameter = [](const auto& info) { return std::string(info.param.name); };
 INSTANTIATE_TEST_SUITE_P(EveryKey, GrindingMistake, ::testing::ValuesIn(mistakes_of_every_key()),
-                         named);
-INSTANTIATE_TEST_SUITE_P(Others, GrindingMistake, ::testing::ValuesIn(other_mistakes()), named);
+                         name_of_parameter);
+INSTANTIATE_TEST_SUITE_P(Others, GrindingMistake, ::testing::ValuesIn(other_mistakes()),
+                         name_of_parameter);
 
 TEST(GrindingFaults, AreAllShownAtOnce) {
   std::string text = example_with("mass", "mass = -1");
   text.replace(text.find("0.56"), 4, "0.00");
-  EXPECT_EQ(faults_of(text).size(), 2U);
+  EXPECT_EQ(faults_of_process(text).size(), 2U);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 
 // A server for two clients.
-class ClientPlaces : public testing::Test {
+class ClientPlaces : public ::testing::Test {
  protected:
   ClientPlaces() : thread([this] { server.run(); }) {}
   ~ClientPlaces() override {

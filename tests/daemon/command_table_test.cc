@@ -116,7 +116,7 @@ bool has_no_object(std::string_view code) {
   return code == "E6030" || code == "E6060" || code == "E6005";
 }
 
-class CommandTable : public testing::TestWithParam<Situation> {};
+class CommandTable : public ::testing::TestWithParam<Situation> {};
 
 TEST_P(CommandTable, IsWhatADaemonAnswers) {
   constexpr int answered_within = 40;  // cycles; what begins something answers later
@@ -155,7 +155,7 @@ TEST_P(CommandTable, WhatOnlyLooksIsAnsweredAlways) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Situations, CommandTable, testing::ValuesIn(channels::situations),
+INSTANTIATE_TEST_SUITE_P(Situations, CommandTable, ::testing::ValuesIn(channels::situations),
                          [](const auto& test) {
                            std::string name(channels::name_of(test.param));
                            std::erase(name, ' ');

@@ -21,7 +21,7 @@ using protocol::FailureKind;
 using protocol::Role;
 using namespace std::chrono_literals;
 
-class DispatchTest : public testing::Test {
+class DispatchTest : public ::testing::Test {
  protected:
   DispatchTest() { session.role = Role::integrator; }
 

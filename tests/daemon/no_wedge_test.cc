@@ -15,11 +15,11 @@ namespace {
 using nlohmann::json;
 
 constexpr int commands = 10'000;
-constexpr int clients = 3;
+constexpr int client_count = 3;
 // The answer to a run that was waited for comes at the second look behind its end.
 constexpr int answered_within = 50;  // cycles
 
-class NoWedge : public testing::TestWithParam<int> {};
+class NoWedge : public ::testing::TestWithParam<int> {};
 
 TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   RandomCommands random(static_cast<std::uint64_t>(GetParam()));
@@ -28,9 +28,9 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   for (const auto& [name, text] : programs_of_random_commands()) bench.program(name, text);
   bench.demand("machine.on");
   std::deque<std::pair<RandomCommand, DaemonBench::Slot>> unanswered;
-  for (int n = 0; n < commands && !testing::Test::HasFatalFailure(); ++n) {
+  for (int n = 0; n < commands && !::testing::Test::HasFatalFailure(); ++n) {
     RandomCommand command = random.next();
-    const auto slot = bench.ask(n % clients, command.method, command.parameters);
+    const auto slot = bench.ask(n % client_count, command.method, command.parameters);
     if (!slot->has_value()) unanswered.emplace_back(std::move(command), slot);
     // Mostly at once, now and then long enough for something to happen.
     const int chance = random.pick(0, 39);
@@ -40,7 +40,7 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   }
   ASSERT_TRUE(bench.answer("system.info", {}, 0)->has_value());
 
-  for (int client = 0; client < clients; ++client) {
+  for (int client = 0; client < client_count; ++client) {
     for (const int channel : {1, 2})
       bench.ask(client, "channel.control", {{"on", 0}, {"channel", channel}});
   }
@@ -67,7 +67,7 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   bench.demand("program.run", {{"program", "last.nc"}, {"wait", "done"}});
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, NoWedge, testing::Range(1, 4));
+INSTANTIATE_TEST_SUITE_P(Seeds, NoWedge, ::testing::Range(1, 4));
 
 // Sends without waiting for answers, but for no more than a few dozen at a time; takes all of them.
 void send_commands(const std::filesystem::path& socket, std::uint64_t seed, int count) {
@@ -81,23 +81,24 @@ void send_commands(const std::filesystem::path& socket, std::uint64_t seed, int 
     ASSERT_NE(message.value("method", ""), "dropped") << message.dump();
     if (message.contains("id")) --unanswered;
   };
-  for (int n = 0; n < count && !testing::Test::HasFatalFailure(); ++n) {
+  for (int n = 0; n < count && !::testing::Test::HasFatalFailure(); ++n) {
     RandomCommand command = random.next();
     command.parameters.erase("wait");  // an endless program would be waited for endlessly
     client.request(n, command.method, command.parameters);
-    for (++unanswered; unanswered > on_their_way && !testing::Test::HasFatalFailure();)
+    for (++unanswered; unanswered > on_their_way && !::testing::Test::HasFatalFailure();)
       take_answer();
   }
-  while (unanswered > 0 && !testing::Test::HasFatalFailure()) take_answer();
+  while (unanswered > 0 && !::testing::Test::HasFatalFailure()) take_answer();
 }
 
 TEST(NoWedgeLive, TenThousandCommandsOfThreeClientsOverTheSocket) {
   LiveDaemon daemon;
   for (const auto& [name, text] : programs_of_random_commands()) daemon.program(name, text);
   std::vector<std::thread> threads;
-  for (std::uint64_t seed = 1; seed <= clients; ++seed) {
-    threads.emplace_back(
-        [&, seed] { send_commands(daemon.socket(), seed, (commands + clients - 1) / clients); });
+  for (std::uint64_t seed = 1; seed <= client_count; ++seed) {
+    threads.emplace_back([&, seed] {
+      send_commands(daemon.socket(), seed, (commands + client_count - 1) / client_count);
+    });
   }
   for (std::thread& thread : threads) thread.join();
 

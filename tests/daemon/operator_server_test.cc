@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 using namespace std::chrono_literals;
 
-class ServerTest : public testing::Test {
+class ServerTest : public ::testing::Test {
  protected:
   explicit ServerTest(ServerLimits limits = {})
       : socket(here.path() / "test.sock"),

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-class TableLoading : public testing::Test {
+class TableLoading : public ::testing::Test {
  protected:
   std::string saved() { return bench.answer("tool.save")->value()["tables"]; }
   // "": done; else the code of the refusal.

@@ -15,8 +15,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr BusTime poll = milliseconds{10};
-constexpr BusTime timeout = milliseconds{250};
+constexpr BusTime poll_time = milliseconds{10};
+constexpr BusTime drive_timeout = milliseconds{250};
 
 // A drive that answers as the test says, one poll after the other.
 class AxisExchangeTest : public ::testing::Test {
@@ -29,7 +29,7 @@ class AxisExchangeTest : public ::testing::Test {
   std::optional<ExchangeError> answer(double position_mm,
                                       DriveState state = DriveState::operation_enabled) {
     sent = exchange.command(target, TargetAge::fresh);
-    now += poll;
+    now += poll_time;
     StatusBlock block{.status_word = state_bits(state)};
     block.status_word |= standard_bits.referenced;
     block.position = static_cast<std::int32_t>(std::lround(position_mm * 1000.0));
@@ -43,7 +43,7 @@ class AxisExchangeTest : public ::testing::Test {
 
   void no_answer() {
     sent = exchange.command(target, TargetAge::fresh);
-    now += poll;
+    now += poll_time;
     exchange.fail(ExchangeError::timeout);
     exchange.supervise(now);
   }
@@ -58,7 +58,7 @@ class AxisExchangeTest : public ::testing::Test {
     }
   }
 
-  AxisExchange exchange{config(), poll, timeout};
+  AxisExchange exchange{config(), poll_time, drive_timeout};
   DriveTarget target{.enabled = true, .brake_closed = false};
   CommandBlock sent;
   BusTime now{0};
@@ -162,8 +162,8 @@ TEST_F(AxisExchangeTest, ContactIsLostAfterTheTimeout) {
     now += milliseconds{1};
     exchange.supervise(now);
   }
-  EXPECT_GT(now - last, timeout);
-  EXPECT_LE(now - last, timeout + milliseconds{1});
+  EXPECT_GT(now - last, drive_timeout);
+  EXPECT_LE(now - last, drive_timeout + milliseconds{1});
   EXPECT_FALSE(exchange.feedback().valid);
   EXPECT_EQ(exchange.feedback().losses, 1U);
 }
@@ -265,7 +265,7 @@ TEST_F(AxisExchangeTest, SurvivesArbitraryAnswers) {
     for (auto& value : registers) {
       value = static_cast<std::uint16_t>(any(random));
     }
-    now += poll;
+    now += poll_time;
     if (exchange.take(status_block(standard, registers), now, now)) {
       exchange.supervise(now);
     }

@@ -19,7 +19,7 @@ TEST(ExchangePlan, TheStandardMapTakesOneTrip) {
 }
 
 // Control word at 8192, speed right behind it; status at 8448, speed at 8451, power at 8460.
-AxisDriveConfig inverter() {
+AxisDriveConfig inverter_drive() {
   AxisDriveConfig drive{.axis = "S1", .kind = DriveKind::velocity, .map = {}};
   drive.map.control_word = {.address = 8192};
   drive.map.target_velocity = {.address = 8193};
@@ -30,7 +30,7 @@ AxisDriveConfig inverter() {
 }
 
 TEST(ExchangePlan, ARunWithoutGapsIsOneRequest) {
-  AxisDriveConfig drive = inverter();
+  AxisDriveConfig drive = inverter_drive();
   drive.requests = RequestStyle::write_multiple;
   EXPECT_EQ(exchange_plan(drive),
             (Plan{{.function = Function::write_registers, .written = {8192, 2}},
@@ -40,7 +40,7 @@ TEST(ExchangePlan, ARunWithoutGapsIsOneRequest) {
 }
 
 TEST(ExchangePlan, AReadBridgesTheGapsThatTheDriveBears) {
-  AxisDriveConfig drive = inverter();
+  AxisDriveConfig drive = inverter_drive();
   drive.requests = RequestStyle::write_single;
   drive.gap_max = 2;
   EXPECT_EQ(exchange_plan(drive),
@@ -51,7 +51,7 @@ TEST(ExchangePlan, AReadBridgesTheGapsThatTheDriveBears) {
 }
 
 TEST(ExchangePlan, AWriteNeverBridgesAGap) {
-  AxisDriveConfig drive = inverter();
+  AxisDriveConfig drive = inverter_drive();
   drive.map.target_velocity.address = 8194;
   drive.gap_max = 100;
   EXPECT_EQ(exchange_plan(drive),

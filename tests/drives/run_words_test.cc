@@ -9,20 +9,20 @@
 namespace stanok::drives {
 namespace {
 
-const RunWords inverter{.stop = 1,
-                        .run = 18,
-                        .run_reverse = 34,
-                        .fault_reset = 2,
-                        .running = {.mask = 3, .value = 3},
-                        .fault = {.mask = 0x80, .value = 0x80}};
+const RunWords inverter_words{.stop = 1,
+                              .run = 18,
+                              .run_reverse = 34,
+                              .fault_reset = 2,
+                              .running = {.mask = 3, .value = 3},
+                              .fault = {.mask = 0x80, .value = 0x80}};
 
 TEST(RunWords, DirectionStandsInTheWord) {
-  EXPECT_EQ(run_word(inverter, PowerRequest::on, 1500.0), 18);
-  EXPECT_EQ(run_word(inverter, PowerRequest::on, -1500.0), 34);
-  EXPECT_EQ(run_word(inverter, PowerRequest::on, 0.0), 1);
-  EXPECT_EQ(run_word(inverter, PowerRequest::off, 1500.0), 1);
-  EXPECT_EQ(run_word(inverter, PowerRequest::quick_stop, 1500.0), 1);
-  EXPECT_EQ(run_word(inverter, PowerRequest::reset_fault, 0.0), 2);
+  EXPECT_EQ(run_word(inverter_words, PowerRequest::on, 1500.0), 18);
+  EXPECT_EQ(run_word(inverter_words, PowerRequest::on, -1500.0), 34);
+  EXPECT_EQ(run_word(inverter_words, PowerRequest::on, 0.0), 1);
+  EXPECT_EQ(run_word(inverter_words, PowerRequest::off, 1500.0), 1);
+  EXPECT_EQ(run_word(inverter_words, PowerRequest::quick_stop, 1500.0), 1);
+  EXPECT_EQ(run_word(inverter_words, PowerRequest::reset_fault, 0.0), 2);
 }
 
 TEST(RunWords, WithoutAReverseWordTheSignStandsInTheVelocity) {
@@ -33,9 +33,9 @@ TEST(RunWords, WithoutAReverseWordTheSignStandsInTheVelocity) {
 }
 
 TEST(RunWords, StatusBitsSayWhatTheDriveDoes) {
-  EXPECT_EQ(state_of(inverter, 0x0003, 18), DriveState::operation_enabled);
-  EXPECT_EQ(state_of(inverter, 0x0001, 18), DriveState::ready_to_switch_on);
-  EXPECT_EQ(state_of(inverter, 0x0083, 18), DriveState::fault);
+  EXPECT_EQ(state_of(inverter_words, 0x0003, 18), DriveState::operation_enabled);
+  EXPECT_EQ(state_of(inverter_words, 0x0001, 18), DriveState::ready_to_switch_on);
+  EXPECT_EQ(state_of(inverter_words, 0x0083, 18), DriveState::fault);
 }
 
 TEST(RunWords, AContactorIsBelievedToDoWhatItIsTold) {
@@ -45,7 +45,8 @@ TEST(RunWords, AContactorIsBelievedToDoWhatItIsTold) {
 }
 
 TEST(RunWords, AnExchangeWritesMagnitudeAndReadsItBackWithSign) {
-  AxisDriveConfig drive{.axis = "S1", .kind = DriveKind::velocity, .map = {}, .words = inverter};
+  AxisDriveConfig drive{
+      .axis = "S1", .kind = DriveKind::velocity, .map = {}, .words = inverter_words};
   drive.map.control_word = {.address = 0};
   drive.map.target_velocity = {.address = 1, .scale = 0.5};
   drive.map.status_word = {.address = 2};

@@ -6,7 +6,7 @@
 namespace stanok::drives {
 namespace {
 
-constexpr BusTime timeout = std::chrono::milliseconds{250};
+constexpr BusTime signal_timeout = std::chrono::milliseconds{250};
 
 SignalConfig digital(SignalKind kind, int number, int unit, SignalTable table, int address,
                      int bit = 0) {
@@ -26,7 +26,7 @@ TEST(SignalExchange, NeighboursOfAUnitGoInOneRequest) {
        digital(digital_input, 6, 20, discrete_input, 4),
        digital(digital_input, 7, 20, discrete_input, 9), digital(digital_output, 0, 20, coil, 5),
        digital(digital_input, 1, 21, discrete_input, 5)},
-      timeout);
+      signal_timeout);
   ASSERT_EQ(exchange.blocks().size(), 4U);
   EXPECT_EQ(exchange.blocks()[0].table, coil);
   EXPECT_TRUE(exchange.blocks()[0].is_output);
@@ -49,7 +49,7 @@ TEST(SignalExchange, OutputsShareTheirRegister) {
         .unit = 7,
         .table = SignalTable::holding_register,
         .field = {.address = 101, .words = 2, .order = WordOrder::low_first, .scale = 1000.0}}},
-      timeout);
+      signal_timeout);
   SignalValues outputs;
   outputs.set(1, true);
   outputs.analog[2] = -70.0;  // -70000 = FFFE EE90 hex
@@ -73,7 +73,7 @@ TEST(SignalExchange, InputsComeFromBitsAndRegisters) {
         .unit = 7,
         .table = SignalTable::input_register,
         .field = {.address = 7, .is_signed = true, .scale = 100.0, .offset = -50.0}}},
-      timeout);
+      signal_timeout);
   ASSERT_EQ(exchange.blocks().size(), 2U);
   exchange.blocks()[0].bits = {0};
   exchange.blocks()[1].words = {0x0200, 0xFFFF};
@@ -92,12 +92,12 @@ TEST(SignalExchange, ASilentUnitIsLeftAloneForTheTimeoutAndTheOthersAreNot) {
   using enum SignalKind;
   SignalExchange exchange({digital(digital_input, 0, 20, SignalTable::discrete_input, 0),
                            digital(digital_input, 1, 21, SignalTable::discrete_input, 0)},
-                          timeout);
+                          signal_timeout);
   const BusTime now = std::chrono::seconds{5};
   exchange.fail(exchange.blocks()[0], now);
-  EXPECT_FALSE(exchange.is_due(exchange.blocks()[0], now + timeout - BusTime{1}));
+  EXPECT_FALSE(exchange.is_due(exchange.blocks()[0], now + signal_timeout - BusTime{1}));
   EXPECT_TRUE(exchange.is_due(exchange.blocks()[1], now));
-  EXPECT_TRUE(exchange.is_due(exchange.blocks()[0], now + timeout));
+  EXPECT_TRUE(exchange.is_due(exchange.blocks()[0], now + signal_timeout));
 }
 
 }  // namespace

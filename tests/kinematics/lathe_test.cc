@@ -7,7 +7,7 @@ namespace stanok::kinematics {
 namespace {
 
 // X Z C, without Y; the X axis reads 200 with the nose on the centre of the workpiece.
-SchemeConfig lathe(XReading x_reading, Turret turret) {
+SchemeConfig lathe_with(XReading x_reading, Turret turret) {
   SchemeConfig config;
   config.type = "lathe";
   config.axes = {0, 1, 2};
@@ -20,7 +20,7 @@ SchemeConfig lathe(XReading x_reading, Turret turret) {
 
 // A point at radius 30 and Z 7 with C at 90, cut by a tool that hangs 25 mm towards the workpiece
 // and 60 mm towards the chuck: the nose stands at radius 55 and Z 67.
-struct Case {
+struct LatheCase {
   const char* name;
   XReading x_reading;
   Turret turret;
@@ -28,15 +28,15 @@ struct Case {
 };
 
 TEST(Lathe, ReadsXAsItsMachineCountsIt) {
-  const Case cases[] = {
+  const LatheCase cases[] = {
       {"radius, behind", XReading::radius, Turret::rear, 200 + 55},
       {"diameter, behind", XReading::diameter, Turret::rear, 200 + 2 * 55},
       {"radius, in front", XReading::radius, Turret::front, 200 - 55},
       {"diameter, in front", XReading::diameter, Turret::front, 200 - 2 * 55},
   };
   const ToolVector tool{{-25, 99, -60}};  // there is no Y for the 99
-  for (const Case& each : cases) {
-    const Lathe scheme(lathe(each.x_reading, each.turret));
+  for (const LatheCase& each : cases) {
+    const Lathe scheme(lathe_with(each.x_reading, each.turret));
     AxisVector<double> axes_M{};
     AxisVector<double> point_B{};
     scheme.inverse(PointMode::axes, tool, {30, 7, 90}, axes_M);
@@ -49,7 +49,7 @@ TEST(Lathe, ReadsXAsItsMachineCountsIt) {
 }
 
 TEST(Lathe, MirrorsYWithTheTurretButNeverDoublesIt) {
-  SchemeConfig config = lathe(XReading::diameter, Turret::front);
+  SchemeConfig config = lathe_with(XReading::diameter, Turret::front);
   config.axes = {0, 1, 2};
   config.linear = {0, 1, 2};
   config.zero = {};
@@ -67,12 +67,12 @@ TEST(Lathe, MirrorsYWithTheTurretButNeverDoublesIt) {
 
 TEST(Lathe, NeedsXAndZ) {
   for (const std::size_t missing : {0U, 2U}) {
-    SchemeConfig config = lathe(XReading::radius, Turret::rear);
+    SchemeConfig config = lathe_with(XReading::radius, Turret::rear);
     config.linear[missing] = -1;
     EXPECT_EQ(scheme_defect(config), "X and Z must take part");
     EXPECT_EQ(make_scheme(config), nullptr);
   }
-  SchemeConfig config = lathe(XReading::radius, Turret::rear);
+  SchemeConfig config = lathe_with(XReading::radius, Turret::rear);
   EXPECT_EQ(scheme_defect(config), "");
   config.axes = {0, 2};
   EXPECT_EQ(scheme_defect(config), "X and Z must take part");

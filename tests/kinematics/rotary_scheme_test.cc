@@ -9,19 +9,19 @@
 namespace stanok::kinematics {
 namespace {
 
-constexpr int A = 3;
-constexpr int C = 4;
+constexpr int rotary_A = 3;
+constexpr int rotary_C = 4;
 
 // C turns a fork, A tilts the spindle in it: 100 mm from the axis of C down to the pivot of A,
 // which lies 20 mm to the side (+X), 150 mm from there to the nose.
 SchemeConfig fork_head() {
   SchemeConfig config;
   config.type = "head_head";
-  config.axes = {0, 1, 2, A, C};
+  config.axes = {0, 1, 2, rotary_A, rotary_C};
   config.linear = {0, 1, 2};
-  config.outer_axis = C;
+  config.outer_axis = rotary_C;
   config.outer_vector = {0, 0, 1};
-  config.inner_axis = A;
+  config.inner_axis = rotary_A;
   config.inner_vector = {1, 0, 0};
   config.pivot_to_pivot = {20, 0, -100};
   config.pivot_to_spindle = {0, 0, -150};
@@ -33,11 +33,11 @@ SchemeConfig fork_head() {
 SchemeConfig trunnion() {
   SchemeConfig config;
   config.type = "table_table";
-  config.axes = {0, 1, 2, A, C};
+  config.axes = {0, 1, 2, rotary_A, rotary_C};
   config.linear = {0, 1, 2};
-  config.outer_axis = A;
+  config.outer_axis = rotary_A;
   config.outer_vector = {1, 0, 0};
-  config.inner_axis = C;
+  config.inner_axis = rotary_C;
   config.inner_vector = {0, 0, 1};
   config.table_centre = {0, 0, -500};
   config.centre_to_centre = {0, 0, 40};
@@ -111,7 +111,7 @@ TEST(RotaryScheme, TypesWithOuterAndInnerAxisNameWhatIsMissing) {
   const Case cases[] = {
       {[](SchemeConfig& c) { c.linear[2] = -1; }, "X, Y and Z must take part"},
       {[](SchemeConfig& c) { c.outer_axis = -1; }, "the outer_axis must take part"},
-      {[](SchemeConfig& c) { c.axes.resize(4), c.inner_axis = C, c.outer_axis = A; },
+      {[](SchemeConfig& c) { c.axes.resize(4), c.inner_axis = rotary_C, c.outer_axis = rotary_A; },
        "the inner_axis must take part"},
       {[](SchemeConfig& c) { c.outer_vector = {0, 0, 2}; }, "outer_vector must have the length 1"},
       {[](SchemeConfig& c) { c.inner_vector = {}; }, "inner_vector must have the length 1"},

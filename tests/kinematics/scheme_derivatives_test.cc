@@ -17,7 +17,7 @@ namespace {
 using reference::Axes;
 using reference::Real;
 
-constexpr unsigned seed = 40105;
+constexpr unsigned derivative_seed = 40105;
 constexpr Real h = 1.0L / 2048;
 constexpr double clearance_mm = 5.0;  // from singularities
 
@@ -91,10 +91,10 @@ struct Derivatives {
 class EverySchemeOnItsReference : public ::testing::TestWithParam<Specimen> {};
 
 TEST_P(EverySchemeOnItsReference, HasItsPositionsVelocitiesAccelerationsAndJerks) {
-  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  SCOPED_TRACE(::testing::Message() << "seed " << derivative_seed);
   const Specimen& specimen = GetParam();
   const auto scheme = specimen.scheme();
-  Poses poses(specimen, seed);
+  Poses poses(specimen, derivative_seed);
   for (int i = 0; i < 4000; ++i) {
     const CubicMotion motion = random_motion(poses);
     const AxisVector<Jet> point = motion.jet();

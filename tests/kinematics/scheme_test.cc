@@ -12,15 +12,15 @@
 namespace stanok::kinematics {
 namespace {
 
-constexpr unsigned seed = 20031;
+constexpr unsigned scheme_seed = 20031;
 
 class EveryScheme : public ::testing::TestWithParam<Specimen> {};
 
 TEST_P(EveryScheme, ForwardOfInverseIsThePointInBothModesWithToolAndFrame) {
-  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  SCOPED_TRACE(::testing::Message() << "seed " << scheme_seed);
   const auto scheme = GetParam().scheme();
   ASSERT_NE(scheme, nullptr);
-  Poses poses(GetParam(), seed);
+  Poses poses(GetParam(), scheme_seed);
   for (int i = 0; i < 100'000; ++i) {
     const AxisVector<double> point_W = poses.next();
     const Transform transform{.scheme = scheme.get(),
@@ -39,7 +39,7 @@ TEST_P(EveryScheme, ForwardOfInverseIsThePointInBothModesWithToolAndFrame) {
 
 TEST_P(EveryScheme, JetOfAConstantPointIsTheDoubleResultWithoutDerivatives) {
   const auto scheme = GetParam().scheme();
-  Poses poses(GetParam(), seed);
+  Poses poses(GetParam(), scheme_seed);
   for (int i = 0; i < 10'000; ++i) {
     const AxisVector<double> point_B = poses.next();
     const PointMode mode = i % 2 == 0 ? PointMode::tip : PointMode::axes;
@@ -61,7 +61,7 @@ TEST_P(EveryScheme, JetOfAConstantPointIsTheDoubleResultWithoutDerivatives) {
 
 TEST_P(EveryScheme, ResultMayOverwriteTheArgument) {
   const auto scheme = GetParam().scheme();
-  Poses poses(GetParam(), seed);
+  Poses poses(GetParam(), scheme_seed);
   for (int i = 0; i < 1000; ++i) {
     const AxisVector<double> point_B = poses.next();
     const ToolVector tool = poses.tool();
@@ -103,11 +103,11 @@ TEST_P(EveryScheme, RotaryValuesAreKeptToTheBitWhenTheirZeroIsZero) {
 }
 
 TEST_P(EveryScheme, PointModesAgreeAtZeroAnglesWithTheZeroThatFollowsFromTheGeometry) {
-  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  SCOPED_TRACE(::testing::Message() << "seed " << scheme_seed);
   SchemeConfig config = GetParam().config;
   config.zero = zero_default(config);
   const auto scheme = GetParam().make(config);
-  Poses poses(GetParam(), seed);
+  Poses poses(GetParam(), scheme_seed);
   for (int i = 0; i < 1000; ++i) {
     AxisVector<double> point_B = poses.next();
     point_B[3] = point_B[4] = 0.0;

@@ -12,7 +12,7 @@ namespace stanok::kinematics {
 namespace {
 
 // X Z C of a lathe, X read in diameter; C is the third axis.
-SchemeConfig lathe() {
+SchemeConfig lathe_in_diameter() {
   SchemeConfig config;
   config.id = 3;
   config.type = "lathe";
@@ -22,7 +22,7 @@ SchemeConfig lathe() {
   config.x_reading = XReading::diameter;
   return config;
 }
-constexpr int C = 2;
+constexpr int lathe_C = 2;
 constexpr ToolVector tool{{-25, 0, -60}};
 
 // x = 30, y = 40: radius 50 at atan2(40, 30) = 53.13 deg. Beyond the centre the tool stands at -50,
@@ -30,18 +30,20 @@ constexpr ToolVector tool{{-25, 0, -60}};
 TEST(PolarFace, GoesByRadiusAndAngleOnEitherSideOfTheCentre) {
   const double angle = std::atan2(40.0, 30.0) * 180.0 / std::numbers::pi;
   AxisVector<double> axes_M{};
-  PolarFace(face_scheme(lathe(), C, false)).inverse(PointMode::axes, tool, {30, 7, 40}, axes_M);
+  PolarFace(face_scheme(lathe_in_diameter(), lathe_C, false))
+      .inverse(PointMode::axes, tool, {30, 7, 40}, axes_M);
   EXPECT_NEAR(axes_M[0], 100 + 2 * (50 + 25), 1e-12);
   EXPECT_EQ(axes_M[1], 17.0);
   EXPECT_NEAR(axes_M[2], 30 + angle, 1e-12);
-  PolarFace(face_scheme(lathe(), C, true)).inverse(PointMode::axes, tool, {30, 7, 40}, axes_M);
+  PolarFace(face_scheme(lathe_in_diameter(), lathe_C, true))
+      .inverse(PointMode::axes, tool, {30, 7, 40}, axes_M);
   EXPECT_NEAR(axes_M[0], 100 + 2 * (-50 + 25), 1e-12);
   EXPECT_NEAR(axes_M[2], 30 + angle - 180, 1e-12);
 }
 
 // Along a circle round the centre only C moves, by v / r; along a ray only X.
 TEST(PolarFace, TurnsOnCirclesAndStandsOnRays) {
-  const PolarFace scheme(face_scheme(lathe(), C, false));
+  const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, false));
   AxisVector<Jet> axes_M{};
   // 20 mm out on the x axis, 5 mm/s across: centripetal acceleration v^2 / r keeps it on the
   // circle.
@@ -63,13 +65,13 @@ TEST(PolarFace, TurnsOnCirclesAndStandsOnRays) {
 
 TEST(PolarFace, StandsAtTheZeroOfItsAngleOnThePole) {
   for (const bool negative_side : {false, true}) {
-    const PolarFace scheme(face_scheme(lathe(), C, negative_side));
+    const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, negative_side));
     AxisVector<Jet> axes_M{};
     scheme.inverse(PointMode::axes, tool, {Jet(0, 5, 6, 7), Jet(7, 1, 1, 1), Jet(0, 8, 9, 10)},
                    axes_M);
     EXPECT_EQ(axes_M[0].value, 100 + 2 * 25);
     EXPECT_EQ(axes_M[2].value, 30.0);
-    for (const int axis : {0, C}) {
+    for (const int axis : {0, lathe_C}) {
       EXPECT_EQ(axes_M[static_cast<std::size_t>(axis)].first, 0.0);
       EXPECT_EQ(axes_M[static_cast<std::size_t>(axis)].second, 0.0);
       EXPECT_EQ(axes_M[static_cast<std::size_t>(axis)].third, 0.0);
@@ -82,17 +84,17 @@ TEST(PolarFace, StandsAtTheZeroOfItsAngleOnThePole) {
 }
 
 TEST(PolarFace, KnowsItsWindingAxisAndItsDistanceFromThePole) {
-  const PolarFace face(face_scheme(lathe(), C, false));
-  EXPECT_EQ(face.winding_axes(), 1U << C);
+  const PolarFace face(face_scheme(lathe_in_diameter(), lathe_C, false));
+  EXPECT_EQ(face.winding_axes(), 1U << lathe_C);
   EXPECT_EQ(face.distance_to_singularity({3, 100, -4}), 5.0);
-  const Lathe plain(lathe());
+  const Lathe plain(lathe_in_diameter());
   EXPECT_EQ(plain.winding_axes(), 0U);
   EXPECT_EQ(plain.distance_to_singularity({0, 0, 0}), std::numeric_limits<double>::infinity());
 }
 
 // Radius 30: a quarter of the circumference is 15 pi mm, two circumferences are 720 deg.
 TEST(Cylinder, RollsTheDevelopedLengthRoundTheAxis) {
-  const Cylinder scheme(cylinder_scheme(lathe(), C, 30.0));
+  const Cylinder scheme(cylinder_scheme(lathe_in_diameter(), lathe_C, 30.0));
   constexpr double circumference = 60.0 * std::numbers::pi;
   AxisVector<double> axes_M{};
   scheme.inverse(PointMode::axes, tool, {28, 7, circumference / 4}, axes_M);
@@ -104,11 +106,11 @@ TEST(Cylinder, RollsTheDevelopedLengthRoundTheAxis) {
 }
 
 TEST(TurnedWorkpiece, KeepsIdFileAndParkingOfTheActiveScheme) {
-  SchemeConfig active = lathe();
+  SchemeConfig active = lathe_in_diameter();
   active.file = "lathe.toml";
   active.parking = {{.axis = 3}};
   for (const SchemeConfig& config :
-       {face_scheme(active, C, true), cylinder_scheme(active, C, 12.0)}) {
+       {face_scheme(active, lathe_C, true), cylinder_scheme(active, lathe_C, 12.0)}) {
     EXPECT_EQ(config.id, 3);
     EXPECT_EQ(config.file, "lathe.toml");
     EXPECT_EQ(config.parking.size(), 1U);
@@ -119,33 +121,36 @@ TEST(TurnedWorkpiece, KeepsIdFileAndParkingOfTheActiveScheme) {
 
 TEST(TurnedWorkpiece, NamesWhatIsMissing) {
   const auto on = [](const char* type) {
-    SchemeConfig active = lathe();
+    SchemeConfig active = lathe_in_diameter();
     active.type = type;
     return active;
   };
-  SchemeConfig without_x = lathe();
+  SchemeConfig without_x = lathe_in_diameter();
   without_x.axes = {1, 2};
-  SchemeConfig parked_c = lathe();
+  SchemeConfig parked_c = lathe_in_diameter();
   parked_c.axes = {0, 1};
   struct Case {
     SchemeConfig config;
     const char* defect;
   };
   const Case cases[] = {
-      {face_scheme(on("head_table"), C, false),
+      {face_scheme(on("head_table"), lathe_C, false),
        "it rides on a cartesian or lathe scheme, not on 'head_table'"},
-      {face_scheme(face_scheme(lathe(), C, false), C, false),
+      {face_scheme(face_scheme(lathe_in_diameter(), lathe_C, false), lathe_C, false),
        "it rides on a cartesian or lathe scheme, not on 'polar_face'"},
-      {face_scheme(without_x, C, false), "X must take part"},
-      {face_scheme(parked_c, C, false), "the rotary axis must take part"},
-      {face_scheme(lathe(), -1, false), "the rotary axis must take part"},
-      {face_scheme(lathe(), 1, false), "the rotary axis must be none of X, Y, Z"},
-      {cylinder_scheme(lathe(), 0, 5.0), "the rotary axis must be none of X, Y, Z"},
-      {cylinder_scheme(lathe(), C, 0.0), "the radius of the cylinder must be above 0"},
-      {cylinder_scheme(lathe(), C, -3.0), "the radius of the cylinder must be above 0"},
-      {cylinder_scheme(lathe(), C, std::nan("")), "the radius of the cylinder must be above 0"},
-      {face_scheme(on("cartesian"), C, false), ""},
-      {cylinder_scheme(on("cartesian"), C, 5.0), ""},
+      {face_scheme(without_x, lathe_C, false), "X must take part"},
+      {face_scheme(parked_c, lathe_C, false), "the rotary axis must take part"},
+      {face_scheme(lathe_in_diameter(), -1, false), "the rotary axis must take part"},
+      {face_scheme(lathe_in_diameter(), 1, false), "the rotary axis must be none of X, Y, Z"},
+      {cylinder_scheme(lathe_in_diameter(), 0, 5.0), "the rotary axis must be none of X, Y, Z"},
+      {cylinder_scheme(lathe_in_diameter(), lathe_C, 0.0),
+       "the radius of the cylinder must be above 0"},
+      {cylinder_scheme(lathe_in_diameter(), lathe_C, -3.0),
+       "the radius of the cylinder must be above 0"},
+      {cylinder_scheme(lathe_in_diameter(), lathe_C, std::nan("")),
+       "the radius of the cylinder must be above 0"},
+      {face_scheme(on("cartesian"), lathe_C, false), ""},
+      {cylinder_scheme(on("cartesian"), lathe_C, 5.0), ""},
   };
   for (const Case& each : cases) {
     EXPECT_EQ(scheme_defect(each.config), each.defect);

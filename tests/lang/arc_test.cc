@@ -88,14 +88,14 @@ TEST_F(Arc, AcceptsHalfACircleByItsRadius) {
   EXPECT_NEAR(list[1].centre[0], 25.0, 1e-12);
 }
 
-struct FaultCase {
+struct ArcFaultCase {
   const char* name;
   const char* text;
   const char* code;
   int column;
 };
 
-class ArcFault : public ProgramTest, public ::testing::WithParamInterface<FaultCase> {};
+class ArcFault : public ProgramTest, public ::testing::WithParamInterface<ArcFaultCase> {};
 
 TEST_P(ArcFault, IsReportedAtItsWord) {
   EXPECT_EQ(error_code(std::string("F100 G0 X10 Y0\n") + GetParam().text + "\nM30\n"),
@@ -106,16 +106,16 @@ TEST_P(ArcFault, IsReportedAtItsWord) {
 
 INSTANTIATE_TEST_SUITE_P(
     Arcs, ArcFault,
-    ::testing::Values(FaultCase{"NoCentre", "N120 G2 X40 Y10", "E4031", 6},
-                      FaultCase{"OtherRadius", "G2 X40 Y10 I5", "E4032", 1},
-                      FaultCase{"ZeroRadius", "G3 X40 I0 J0", "E4033", 1},
-                      FaultCase{"CircleByRadius", "G3 X10 Y0 R5", "E4034", 11},
-                      FaultCase{"RadiusTooSmall", "G3 X40 Y0 R5", "E4035", 11},
-                      FaultCase{"WrongPlaneWord", "G3 X40 Y0 K5", "E4030", 11},
-                      FaultCase{"CentreAndRadius", "G3 X40 Y0 I5 R5", "E4037", 14},
-                      FaultCase{"IncompleteCentre", "G90.1 G3 X40 I25", "E4038", 1},
-                      FaultCase{"Turns", "G3 X10 I5 P0", "E4008", 11},
-                      FaultCase{"BrokenTurns", "G3 X10 I5 P=1+0.5", "E4008", 11}),
+    ::testing::Values(ArcFaultCase{"NoCentre", "N120 G2 X40 Y10", "E4031", 6},
+                      ArcFaultCase{"OtherRadius", "G2 X40 Y10 I5", "E4032", 1},
+                      ArcFaultCase{"ZeroRadius", "G3 X40 I0 J0", "E4033", 1},
+                      ArcFaultCase{"CircleByRadius", "G3 X10 Y0 R5", "E4034", 11},
+                      ArcFaultCase{"RadiusTooSmall", "G3 X40 Y0 R5", "E4035", 11},
+                      ArcFaultCase{"WrongPlaneWord", "G3 X40 Y0 K5", "E4030", 11},
+                      ArcFaultCase{"CentreAndRadius", "G3 X40 Y0 I5 R5", "E4037", 14},
+                      ArcFaultCase{"IncompleteCentre", "G90.1 G3 X40 I25", "E4038", 1},
+                      ArcFaultCase{"Turns", "G3 X10 I5 P0", "E4008", 11},
+                      ArcFaultCase{"BrokenTurns", "G3 X10 I5 P=1+0.5", "E4008", 11}),
     [](const auto& one) { return one.param.name; });
 
 TEST_F(Arc, NamesThePlaneInItsFault) {

@@ -23,14 +23,15 @@
 namespace stanok::lang::testing {
 namespace {
 
-const std::filesystem::path folder =
+const std::filesystem::path conformance_folder =
     std::filesystem::path(STANOK_SOURCE_DIR) / "programs" / "conformance";
 
 std::vector<std::string> program_names() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(conformance_folder)) {
     if (entry.path().extension() != ".nc") continue;
-    const std::string name = std::filesystem::relative(entry.path(), folder).generic_string();
+    const std::string name =
+        std::filesystem::relative(entry.path(), conformance_folder).generic_string();
     if (name.find("included/") == std::string::npos) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
@@ -350,7 +351,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       answer.number = 2.0;
       return answer;
     };
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(conformance_folder)) {
       if (entry.path().parent_path().filename() != "included") continue;
       files.texts[entry.path().filename().string()] = file_text(entry.path());
     }
@@ -358,7 +359,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
 };
 
 TEST_P(Conformance, DoesWhatItSays) {
-  const std::string text = file_text(folder / GetParam());
+  const std::string text = file_text(conformance_folder / GetParam());
   const Expectations expected = expectations_of(text);
   prepare_machine(expected.channel);
   std::vector<std::string> errors;

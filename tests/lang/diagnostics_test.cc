@@ -4,14 +4,14 @@
 namespace stanok::lang::testing {
 namespace {
 
-struct FaultCase {
+struct PlacedFaultCase {
   std::string text;
   const char* code;
   int line;
   int column;
 };
 
-class Fault : public ProgramTest, public ::testing::WithParamInterface<FaultCase> {};
+class Fault : public ProgramTest, public ::testing::WithParamInterface<PlacedFaultCase> {};
 
 TEST_P(Fault, IsReportedAtItsPlace) {
   tables.tools[1] = {1, {0.0, 0.0, 10.0}, 0.0};
@@ -24,46 +24,49 @@ TEST_P(Fault, IsReportedAtItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Text, Fault,
-    ::testing::Values(FaultCase{"G0 X1 \xD0\xA4", "E1001", 1, 7}, FaultCase{"?", "E2001", 1, 1},
-                      FaultCase{"G0 X1\n\x01", "E1001", 2, 1},
-                      FaultCase{"G0 X1 (open", "E1006", 1, 7}, FaultCase{"/* open", "E1006", 1, 1},
-                      FaultCase{"G0 X1 (a (b))", "E1008", 1, 10},
-                      FaultCase{"G0 X1" + repeated(" ", 5000) + "Y1", "E1007", 1, 1},
-                      FaultCase{"G0 X1 N5", "E2006", 1, 7}, FaultCase{"G0 XY5", "E2007", 1, 4},
-                      FaultCase{"M2=3", "E2011", 1, 1},
-                      FaultCase{"G0 X-" + repeated("9", 400), "E1002", 1, 6},
-                      FaultCase{"num aa = 1e400;", "E1002", 1, 10},
-                      FaultCase{"{\n#include \"a.nc\"\n}", "E2012", 2, 10},
-                      FaultCase{"{\nO100\n}", "E2012", 2, 1}, FaultCase{"G0 @5", "E2090", 1, 4},
-                      FaultCase{"G1 X1,R2", "E2090", 1, 6}, FaultCase{"(LOG,text)", "E2090", 1, 1},
-                      FaultCase{"num sum_ = 1" + repeated("+1", 1001) + ";", "E2031", 1, 2013},
-                      FaultCase{"G0 X" + repeated("-", 70) + "1", "E2030", 1, 70},
-                      FaultCase{repeated("{", 65) + repeated("}", 65), "E2030", 1, 65}));
+    ::testing::Values(
+        PlacedFaultCase{"G0 X1 \xD0\xA4", "E1001", 1, 7}, PlacedFaultCase{"?", "E2001", 1, 1},
+        PlacedFaultCase{"G0 X1\n\x01", "E1001", 2, 1},
+        PlacedFaultCase{"G0 X1 (open", "E1006", 1, 7}, PlacedFaultCase{"/* open", "E1006", 1, 1},
+        PlacedFaultCase{"G0 X1 (a (b))", "E1008", 1, 10},
+        PlacedFaultCase{"G0 X1" + repeated(" ", 5000) + "Y1", "E1007", 1, 1},
+        PlacedFaultCase{"G0 X1 N5", "E2006", 1, 7}, PlacedFaultCase{"G0 XY5", "E2007", 1, 4},
+        PlacedFaultCase{"M2=3", "E2011", 1, 1},
+        PlacedFaultCase{"G0 X-" + repeated("9", 400), "E1002", 1, 6},
+        PlacedFaultCase{"num aa = 1e400;", "E1002", 1, 10},
+        PlacedFaultCase{"{\n#include \"a.nc\"\n}", "E2012", 2, 10},
+        PlacedFaultCase{"{\nO100\n}", "E2012", 2, 1}, PlacedFaultCase{"G0 @5", "E2090", 1, 4},
+        PlacedFaultCase{"G1 X1,R2", "E2090", 1, 6}, PlacedFaultCase{"(LOG,text)", "E2090", 1, 1},
+        PlacedFaultCase{"num sum_ = 1" + repeated("+1", 1001) + ";", "E2031", 1, 2013},
+        PlacedFaultCase{"G0 X" + repeated("-", 70) + "1", "E2030", 1, 70},
+        PlacedFaultCase{repeated("{", 65) + repeated("}", 65), "E2030", 1, 65}));
 
 INSTANTIATE_TEST_SUITE_P(
     Blocks, Fault,
     ::testing::Values(
-        FaultCase{"G0G9G90G91.1G94G21G17G40G49G50G54G64G69G80G97G98G15 X1", "E4005", 1, 49},
-        FaultCase{"G80\nX1", "E4012", 2, 1}, FaultCase{"G1 X1 F-5", "E4022", 1, 7},
-        FaultCase{"S-1", "E4022", 1, 1}, FaultCase{"G93\nG1 X1", "E4023", 2, 1},
-        FaultCase{"G1 X1", "E4020", 1, 1}, FaultCase{"G95 F1\nG94 G1 X1", "E4020", 2, 1},
-        FaultCase{"F100\nG53 G2 X1 I1", "E4041", 2, 1}, FaultCase{"G91\nG53 G0 X1", "E4042", 2, 1},
-        FaultCase{"M6", "E4051", 1, 1}, FaultCase{"G4 S5", "E4052", 1, 4},
-        FaultCase{"G4", "E4007", 1, 1}, FaultCase{"G54.1 P301", "E4008", 1, 7},
-        FaultCase{"G54.1", "E4007", 1, 1}, FaultCase{"T7", "E5002", 1, 1},
-        FaultCase{"G43 H7", "E5002", 1, 5}, FaultCase{"G43 H1.5", "E4008", 1, 5},
-        FaultCase{"G10 L2 X1", "E4007", 1, 1}, FaultCase{"G10 L3 P1 X1", "E4008", 1, 5},
-        FaultCase{"G0 C1", "E4010", 1, 4}, FaultCase{"G64 P-1", "E4008", 1, 5},
-        FaultCase{"M98", "E4007", 1, 1}, FaultCase{"M98 P5", "E7005", 1, 1},
-        FaultCase{"G87 X1", "E2090", 1, 1}, FaultCase{"G34 X1 K1", "E2090", 1, 1},
-        FaultCase{"G=17.33", "E4004", 1, 1}, FaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
+        PlacedFaultCase{"G0G9G90G91.1G94G21G17G40G49G50G54G64G69G80G97G98G15 X1", "E4005", 1, 49},
+        PlacedFaultCase{"G80\nX1", "E4012", 2, 1}, PlacedFaultCase{"G1 X1 F-5", "E4022", 1, 7},
+        PlacedFaultCase{"S-1", "E4022", 1, 1}, PlacedFaultCase{"G93\nG1 X1", "E4023", 2, 1},
+        PlacedFaultCase{"G1 X1", "E4020", 1, 1},
+        PlacedFaultCase{"G95 F1\nG94 G1 X1", "E4020", 2, 1},
+        PlacedFaultCase{"F100\nG53 G2 X1 I1", "E4041", 2, 1},
+        PlacedFaultCase{"G91\nG53 G0 X1", "E4042", 2, 1}, PlacedFaultCase{"M6", "E4051", 1, 1},
+        PlacedFaultCase{"G4 S5", "E4052", 1, 4}, PlacedFaultCase{"G4", "E4007", 1, 1},
+        PlacedFaultCase{"G54.1 P301", "E4008", 1, 7}, PlacedFaultCase{"G54.1", "E4007", 1, 1},
+        PlacedFaultCase{"T7", "E5002", 1, 1}, PlacedFaultCase{"G43 H7", "E5002", 1, 5},
+        PlacedFaultCase{"G43 H1.5", "E4008", 1, 5}, PlacedFaultCase{"G10 L2 X1", "E4007", 1, 1},
+        PlacedFaultCase{"G10 L3 P1 X1", "E4008", 1, 5}, PlacedFaultCase{"G0 C1", "E4010", 1, 4},
+        PlacedFaultCase{"G64 P-1", "E4008", 1, 5}, PlacedFaultCase{"M98", "E4007", 1, 1},
+        PlacedFaultCase{"M98 P5", "E7005", 1, 1}, PlacedFaultCase{"G87 X1", "E2090", 1, 1},
+        PlacedFaultCase{"G34 X1 K1", "E2090", 1, 1}, PlacedFaultCase{"G=17.33", "E4004", 1, 1},
+        PlacedFaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
 
 INSTANTIATE_TEST_SUITE_P(
     Runs, Fault,
-    ::testing::Values(FaultCase{"G43.4 H1\n#kinematics (1, 1)", "E5011", 2, 1},
-                      FaultCase{"num aa = 0;\nnum bb = 1/aa;", "E3008", 2, 10},
-                      FaultCase{"num aa[900000], bb[900000], cc[900000], dd[900000];", "E8002", 1,
-                                41}));
+    ::testing::Values(PlacedFaultCase{"G43.4 H1\n#kinematics (1, 1)", "E5011", 2, 1},
+                      PlacedFaultCase{"num aa = 0;\nnum bb = 1/aa;", "E3008", 2, 10},
+                      PlacedFaultCase{"num aa[900000], bb[900000], cc[900000], dd[900000];",
+                                      "E8002", 1, 41}));
 
 class DiagnosticsTest : public ProgramTest {
  protected:

@@ -72,8 +72,8 @@ Piece random_piece(Random& random, int kind) {
   }
 }
 
-class EveryKind : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(LineArcRoundedArcQuintic, EveryKind, testing::Range(0, 4));
+class EveryKind : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(LineArcRoundedArcQuintic, EveryKind, ::testing::Range(0, 4));
 
 TEST_P(EveryKind, TravelsAtUnitSpeedToRounding) {
   Random random(1);

@@ -202,7 +202,7 @@ class Run {
   std::vector<Sample> samples_;
 };
 
-struct Scene {
+struct AbortScene {
   const char* name;
   std::unique_ptr<const Machine> (*machine)();
   Program (*program)(Random& random, const Point& start);
@@ -211,7 +211,7 @@ struct Scene {
 };
 
 // Up to three programs that are aborted, and one that is run to its end.
-void run_seed(const Scene& scene, const Machine& machine, std::uint64_t seed, Places& places) {
+void run_seed(const AbortScene& scene, const Machine& machine, std::uint64_t seed, Places& places) {
   constexpr int aborts = 3;
   constexpr int busy_cycles = 6000;  // then the operator lets the last program run on
   Random random(seed);
@@ -236,10 +236,10 @@ void run_seed(const Scene& scene, const Machine& machine, std::uint64_t seed, Pl
   run.expect_limits();
 }
 
-class OperatorRuns : public ::testing::TestWithParam<Scene> {
+class OperatorRuns : public ::testing::TestWithParam<AbortScene> {
  protected:
   static void run_seeds(std::uint64_t first, std::uint64_t last) {
-    const Scene& scene = GetParam();
+    const AbortScene& scene = GetParam();
     const auto machine = scene.machine();
     Places places;
     for (std::uint64_t seed = first; seed <= last; ++seed) {
@@ -276,7 +276,7 @@ TEST(OperatorRunsOverChunks, KeepLimitsAndPathAndRestWhereTheyAreAborted) {
   const auto many_short_blocks = [](Random& random, const Point& start) {
     return winding_way(random, start, {.blocks = 3500, .length_max = 0.1});
   };
-  const Scene scene{"chunks", three_axis_mill, many_short_blocks, false, {}};
+  const AbortScene scene{"chunks", three_axis_mill, many_short_blocks, false, {}};
   const auto machine = scene.machine();
   Places places;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -288,20 +288,21 @@ TEST(OperatorRunsOverChunks, KeepLimitsAndPathAndRestWhereTheyAreAborted) {
 INSTANTIATE_TEST_SUITE_P(
     All, OperatorRuns,
     ::testing::Values(
-        Scene{"corners", three_axis_mill, corners, false, {PieceKind::line, PieceKind::quintic}},
-        Scene{"arcs", three_axis_mill, arcs, false, {PieceKind::arc}},
-        Scene{"splines", three_axis_mill, splines, false, {PieceKind::quintic}},
-        Scene{"smooth_runs", three_axis_mill, smooth_runs, false, {PieceKind::quintic}},
-        Scene{"five_axes",
-              five_axis_mill,
-              five_axis_moves,
-              false,
-              {PieceKind::line, PieceKind::quintic}},
-        Scene{"exact_path",
-              three_axis_mill,
-              lines_and_arcs,
-              true,
-              {PieceKind::line, PieceKind::arc}}),
+        AbortScene{
+            "corners", three_axis_mill, corners, false, {PieceKind::line, PieceKind::quintic}},
+        AbortScene{"arcs", three_axis_mill, arcs, false, {PieceKind::arc}},
+        AbortScene{"splines", three_axis_mill, splines, false, {PieceKind::quintic}},
+        AbortScene{"smooth_runs", three_axis_mill, smooth_runs, false, {PieceKind::quintic}},
+        AbortScene{"five_axes",
+                   five_axis_mill,
+                   five_axis_moves,
+                   false,
+                   {PieceKind::line, PieceKind::quintic}},
+        AbortScene{"exact_path",
+                   three_axis_mill,
+                   lines_and_arcs,
+                   true,
+                   {PieceKind::line, PieceKind::arc}}),
     [](const auto& scene) { return scene.param.name; });
 
 }  // namespace

@@ -160,18 +160,18 @@ TEST(Overlap, CycleUsesNoHeap) {
 
 // Random polylines.
 
-struct Machine {
+struct PolylineOnMachine {
   MotionConfig config;
   Polyline line;
 };
 
-Machine random_machine(unsigned seed) {
+PolylineOnMachine random_machine(unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   const auto log_between = [&](double low, double high) {
     return low * std::pow(high / low, part(random));
   };
-  Machine machine{three_axes(channel_limits), {}};
+  PolylineOnMachine machine{three_axes(channel_limits), {}};
   const double hardness = log_between(20.0, 1000.0);  // jerk by acceleration, 1/s
   for (std::size_t k = 0; k < 3; ++k) {
     AxisLimits& axis = machine.config.axes[k];
@@ -271,7 +271,7 @@ TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndAndSaveTime) {
   int overlaps = 0;
   for (unsigned seed = GetParam(); seed < GetParam() + 50; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    const Machine machine = random_machine(seed);
+    const PolylineOnMachine machine = random_machine(seed);
     const Built built = build(machine.line, machine.config);
     for (std::size_t k = 0; k < built.size(); ++k) {
       if (!built[k].overlap) continue;
@@ -307,7 +307,7 @@ FeedControl random_control(std::mt19937_64& random, const FeedControl& now) {
 TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndWhateverTheOperatorDoes) {
   for (unsigned seed = GetParam(); seed < GetParam() + 25; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    const Machine machine = random_machine(seed);
+    const PolylineOnMachine machine = random_machine(seed);
     std::mt19937_64 random(seed);
     FeedControl control;
     const auto samples = run_path(machine.config, build(machine.line, machine.config), [&](int k) {
@@ -327,7 +327,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomOverlaps, ::testing::Values(0U, 1000U, 210
 
 // Under this operator the path rests 18 nm before a blend, where a cycle at full jerk is too long.
 TEST(Overlap, RestCloseBeforeABlendIsLeftAgain) {
-  const Machine machine = random_machine(10118);
+  const PolylineOnMachine machine = random_machine(10118);
   std::mt19937_64 random(70827);
   FeedControl control;
   const auto samples = run_path(
@@ -355,7 +355,7 @@ TEST(Overlap, HoldInAnyCycleAroundACornerComesToRestOnThePath) {
 TEST(Overlap, SetpointsDoNotDependOnHowFarPreparationIsAhead) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    const Machine machine = random_machine(seed);
+    const PolylineOnMachine machine = random_machine(seed);
     const Built built = build(machine.line, machine.config);
     const auto far = run_path(machine.config, built);
     PathQueue queue;

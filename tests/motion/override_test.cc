@@ -56,17 +56,17 @@ class RandomOperator {
   FeedControl control_;
 };
 
-struct Scene {
+struct OverrideScene {
   const char* name;
   int pieces;
   double length_exponent;  // lengths 10^e ... 10^(e + 3) mm
   double changes_per_cycle;
 };
 
-class OverrideScenes : public ::testing::TestWithParam<Scene> {};
+class OverrideScenes : public ::testing::TestWithParam<OverrideScene> {};
 
 TEST_P(OverrideScenes, LimitsHoldAndTheEndIsExactWhateverTheOperatorDoes) {
-  const Scene& scene = GetParam();
+  const OverrideScene& scene = GetParam();
   for (unsigned seed = 1; seed <= 25; ++seed) {
     SCOPED_TRACE(::testing::Message() << scene.name << " seed " << seed);
     std::mt19937_64 random(seed);
@@ -90,10 +90,10 @@ TEST_P(OverrideScenes, LimitsHoldAndTheEndIsExactWhateverTheOperatorDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OverrideScenes,
-                         ::testing::Values(Scene{"dense", 400, -2.5, 0.01},
-                                           Scene{"long", 40, -1.0, 0.003},
-                                           Scene{"nervous", 100, -1.5, 0.2},
-                                           Scene{"tiny", 600, -4.0, 0.05}),
+                         ::testing::Values(OverrideScene{"dense", 400, -2.5, 0.01},
+                                           OverrideScene{"long", 40, -1.0, 0.003},
+                                           OverrideScene{"nervous", 100, -1.5, 0.2},
+                                           OverrideScene{"tiny", 600, -4.0, 0.05}),
                          [](const auto& scene) { return scene.param.name; });
 
 // Each piece's own speed, acceleration and jerk along s, not only those of the axis.

@@ -138,8 +138,8 @@ Deviation worst_deviation(const Program& program, const std::vector<Built>& buil
   return worst;
 }
 
-class Axes : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(ThreeAndFive, Axes, testing::Values(3, 5));
+class Axes : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(ThreeAndFive, Axes, ::testing::Values(3, 5));
 
 TEST_P(Axes, BlendsStayWithinTolerance) {
   const MotionConfig config = blending_mill(GetParam());
@@ -253,7 +253,7 @@ struct StopCase {
   PathBlock first;
   PathBlock second;
 };
-class Stops : public testing::TestWithParam<StopCase> {};
+class Stops : public ::testing::TestWithParam<StopCase> {};
 
 PathBlock with(PathBlock block, double tolerance_mm, BlockEnding ending) {
   block.tolerance_mm = tolerance_mm;
@@ -271,17 +271,17 @@ TEST_P(Stops, EndTheChainAtTheProgrammedPoint) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, Stops,
-    testing::Values(StopCase{"exact_stop", with(line_to({9.0}), 0.01, BlockEnding::exact_stop),
-                             line_to({9.0, 9.0})},
-                    StopCase{"exact_path_corner",
-                             with(line_to({9.0}), 0.0, BlockEnding::continuous),
-                             line_to({9.0, 9.0})},
-                    StopCase{"exact_path_of_the_next_block", line_to({9.0}),
-                             with(line_to({9.0, 9.0}), 0.0, BlockEnding::continuous)},
-                    StopCase{"turn_back", line_to({9.0}), line_to({0.0})},
-                    StopCase{"turn_of_170_deg", line_to({9.0}),
-                             line_to({9.0 - 5.0 * std::cos(pi / 18.0), 5.0 * std::sin(pi / 18.0)})},
-                    StopCase{"mm_to_deg", line_to({9.0}), line_to({9.0, 0.0, 0.0, 45.0})}),
+    ::testing::Values(
+        StopCase{"exact_stop", with(line_to({9.0}), 0.01, BlockEnding::exact_stop),
+                 line_to({9.0, 9.0})},
+        StopCase{"exact_path_corner", with(line_to({9.0}), 0.0, BlockEnding::continuous),
+                 line_to({9.0, 9.0})},
+        StopCase{"exact_path_of_the_next_block", line_to({9.0}),
+                 with(line_to({9.0, 9.0}), 0.0, BlockEnding::continuous)},
+        StopCase{"turn_back", line_to({9.0}), line_to({0.0})},
+        StopCase{"turn_of_170_deg", line_to({9.0}),
+                 line_to({9.0 - 5.0 * std::cos(pi / 18.0), 5.0 * std::sin(pi / 18.0)})},
+        StopCase{"mm_to_deg", line_to({9.0}), line_to({9.0, 0.0, 0.0, 45.0})}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(PathBuilder, RotaryWordsAloneMakeAWayInDegrees) {

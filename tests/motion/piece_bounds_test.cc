@@ -97,9 +97,10 @@ Piece circle_piece(double sweep, const kinematics::Transform& transform) {
   return piece;
 }
 
-class BothModes : public testing::TestWithParam<kinematics::PointMode> {};
+class BothModes : public ::testing::TestWithParam<kinematics::PointMode> {};
 INSTANTIATE_TEST_SUITE_P(AxesAndTip, BothModes,
-                         testing::Values(kinematics::PointMode::axes, kinematics::PointMode::tip));
+                         ::testing::Values(kinematics::PointMode::axes,
+                                           kinematics::PointMode::tip));
 
 TEST_P(BothModes, EveryAxisKeepsItsLimitsWithinPieceLimits) {
   const auto scheme = head_table();

@@ -33,7 +33,7 @@ struct LaggingDrive {
 };
 
 // A set-point with constant jerk that begins at 0.
-struct Course {
+struct ConstantJerk {
   double velocity = 0.0;
   double acceleration = 0.0;
   double jerk = 0.0;
@@ -45,7 +45,7 @@ struct Course {
 };
 
 // Following error at the cycle instant after `seconds`.
-double error_after(double seconds, PositionRegulator regulator, const Course& course,
+double error_after(double seconds, PositionRegulator regulator, const ConstantJerk& course,
                    LaggingDrive drive) {
   const int cycles = static_cast<int>(std::lround(seconds / cycle_s));
   drive.velocity = course.velocity;
@@ -103,7 +103,7 @@ TEST(PositionRegulator, ShareOfVelocityThatIsNotFedForwardIsLeftAsError) {
 // A drive with the lag L follows a parabola when U = v + L a; what is missing comes from the error:
 // L a / kp, whatever the cycle.
 TEST(PositionRegulator, ParabolaLeavesLagTimesAccelerationOverGain) {
-  const Course course{.velocity = -100.0, .acceleration = 500.0};
+  const ConstantJerk course{.velocity = -100.0, .acceleration = 500.0};
   const LaggingDrive drive{.lag_s = 0.004};
   const PositionRegulator without({.kp = 40.0}, no_limit);
   EXPECT_NEAR(error_after(1.0, without, course, drive), 0.004 * 500.0 / 40.0, 1e-9);
@@ -114,7 +114,7 @@ TEST(PositionRegulator, ParabolaLeavesLagTimesAccelerationOverGain) {
 // An error that grows steadily (L J t / kp) needs its own rate to be fed forward: kr stands for
 // what drives of higher order ask for beyond ka.
 TEST(PositionRegulator, JerkActsThroughItsGain) {
-  const Course course{.jerk = 2000.0};
+  const ConstantJerk course{.jerk = 2000.0};
   const LaggingDrive drive{.lag_s = 0.004};
   const PositionRegulator without({.kp = 40.0, .ka = 0.004}, no_limit);
   const PositionRegulator with({.kp = 40.0, .ka = 0.004, .kr = 1e-4}, no_limit);
@@ -133,7 +133,7 @@ TEST(PositionRegulator, SumOfErrorsTakesOverWhatADriftLeaves) {
 // 6 m/min and 1 ms: a set-point of the end of the cycle against a position of its start keeps the
 // axis ahead by one cycle's way, 100 um.
 TEST(PositionRegulator, ErrorOfTwoInstantsCostsTheWayOfTheTimeBetween) {
-  const Course course{.velocity = 100.0};
+  const ConstantJerk course{.velocity = 100.0};
   const auto lead = [&](int shift) {
     PositionRegulator regulator({.kp = 40.0}, no_limit);
     LaggingDrive drive{.velocity = 100.0};
@@ -149,7 +149,7 @@ TEST(PositionRegulator, ErrorOfTwoInstantsCostsTheWayOfTheTimeBetween) {
 
 // V of the cycle that is over instead of the one to come: a T is missing in U.
 TEST(PositionRegulator, VelocityOfTheCycleBeforeCostsAccelerationTimesCycleOverGain) {
-  const Course course{.acceleration = 500.0};
+  const ConstantJerk course{.acceleration = 500.0};
   PositionRegulator regulator({.kp = 40.0}, no_limit);
   LaggingDrive drive;
   for (int n = 0; n < 1000; ++n) {
@@ -224,7 +224,7 @@ TEST(ComingRates, AreTheMeansOverTheCycleWhileTheJerkIsConstant) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (int n = 0; n < 1000; ++n) {
-    const Course course{400.0 * value(random), 4000.0 * value(random), 1e5 * value(random)};
+    const ConstantJerk course{400.0 * value(random), 4000.0 * value(random), 1e5 * value(random)};
     const SetpointRates rates = coming_rates(course.at(0.0), cycle_s);
     const kinematics::Jet end = course.at(cycle_s);
     EXPECT_NEAR(rates.velocity, end.value / cycle_s, 1e-10);

@@ -9,7 +9,7 @@
 namespace stanok::motion {
 namespace {
 
-constexpr RampLimits limits{.a = 2000.0, .j = 50000.0};
+constexpr RampLimits ramp_limits{.a = 2000.0, .j = 50000.0};
 
 // End of a run of phases by their closed forms, checking that they join.
 template <class Run>
@@ -29,16 +29,16 @@ PathMotion run_through(const Run& run, PathMotion from, const RampLimits& bounds
 
 TEST(Profile, ShortSpeedChangeHasNoConstantAccelerationPart) {
   // dv = 20 < A^2 / J = 80: T = 2 sqrt(20 / 50000) = 0.04 s, D = (10 + 30) / 2 * 0.04.
-  EXPECT_DOUBLE_EQ(ramp_duration(10.0, 30.0, limits), 0.04);
-  EXPECT_DOUBLE_EQ(ramp_distance(10.0, 30.0, limits), 0.8);
-  EXPECT_EQ(ramp_up(0.0, 10.0, 30.0, limits).size(), 2U);
+  EXPECT_DOUBLE_EQ(ramp_duration(10.0, 30.0, ramp_limits), 0.04);
+  EXPECT_DOUBLE_EQ(ramp_distance(10.0, 30.0, ramp_limits), 0.8);
+  EXPECT_EQ(ramp_up(0.0, 10.0, 30.0, ramp_limits).size(), 2U);
 }
 
 TEST(Profile, LongSpeedChangeRunsAtTheAccelerationLimit) {
   // dv = 200 > 80: T = 2000 / 50000 + 200 / 2000 = 0.14 s.
-  EXPECT_DOUBLE_EQ(ramp_duration(200.0, 0.0, limits), 0.14);
-  EXPECT_DOUBLE_EQ(ramp_distance(200.0, 0.0, limits), 14.0);
-  EXPECT_EQ(ramp_down(200.0, 14.0, 0.0, limits).size(), 3U);
+  EXPECT_DOUBLE_EQ(ramp_duration(200.0, 0.0, ramp_limits), 0.14);
+  EXPECT_DOUBLE_EQ(ramp_distance(200.0, 0.0, ramp_limits), 14.0);
+  EXPECT_EQ(ramp_down(200.0, 14.0, 0.0, ramp_limits).size(), 3U);
 }
 
 TEST(Profile, RampsEndExactlyWhereTheyShould) {
@@ -67,9 +67,9 @@ TEST(Profile, DistanceToASpeedWithinTheRampAgreesWithThePhases) {
   for (int k = 0; k < 500; ++k) {
     const double low = 100.0 * part(random);
     const double high = low + 300.0 * part(random) + 1e-3;
-    const PhaseRun up = ramp_up(0.0, low, high, limits);
-    const RampCourse course(low, high, limits);
-    EXPECT_EQ(course.length(), ramp_distance(low, high, limits));
+    const PhaseRun up = ramp_up(0.0, low, high, ramp_limits);
+    const RampCourse course(low, high, ramp_limits);
+    EXPECT_EQ(course.length(), ramp_distance(low, high, ramp_limits));
     for (const Phase& phase : up) {
       const PathMotion inside = motion_at(phase, part(random) * phase.duration);
       EXPECT_NEAR(course.distance_to(inside.v), inside.s, 1e-9);
@@ -83,7 +83,7 @@ TEST(Profile, TimeAtAPlaceIsWhenThePhaseComesThere) {
   for (int k = 0; k < 500; ++k) {
     const double low = 100.0 * part(random) * static_cast<double>(k % 3 != 0);
     const double high = low + 300.0 * part(random) + 1e-3;
-    for (const Phase& phase : ramp_up(7.0, low, high, limits)) {
+    for (const Phase& phase : ramp_up(7.0, low, high, ramp_limits)) {
       const double t = part(random) * phase.duration;
       const PathMotion inside = motion_at(phase, t);
       if (!(phase.s < inside.s && inside.s < phase.s_end)) continue;
@@ -99,9 +99,9 @@ TEST(Profile, ReachableSpeedUsesTheWholeDistance) {
   for (int k = 0; k < 2000; ++k) {
     const double v0 = 200.0 * part(random) * static_cast<double>(k % 3 != 0);
     const double distance = std::pow(10.0, 6.0 * part(random) - 4.0);
-    const double v = reachable_speed(v0, distance, limits);
-    EXPECT_LE(ramp_distance(v0, v, limits), distance);
-    EXPECT_GE(ramp_distance(v0, v + 1e-12 * (1.0 + v), limits), distance);
+    const double v = reachable_speed(v0, distance, ramp_limits);
+    EXPECT_LE(ramp_distance(v0, v, ramp_limits), distance);
+    EXPECT_GE(ramp_distance(v0, v + 1e-12 * (1.0 + v), ramp_limits), distance);
   }
 }
 
@@ -112,13 +112,13 @@ TEST(Profile, PeakSpeedFillsTheDistanceWithTwoRamps) {
     const double v0 = 100.0 * part(random);
     const double v1 = 100.0 * part(random);
     const RampLimits down{.a = 300.0 + 3000.0 * part(random), .j = 1e4 + 1e5 * part(random)};
-    const double least = ramp_distance(v0, v1, v0 < v1 ? limits : down);
+    const double least = ramp_distance(v0, v1, v0 < v1 ? ramp_limits : down);
     const double distance = least + std::pow(10.0, 5.0 * part(random) - 3.0);
-    const double top = peak_speed(v0, v1, distance, limits, down, 1e5);
-    const double used = ramp_distance(v0, top, limits) + ramp_distance(top, v1, down);
+    const double top = peak_speed(v0, v1, distance, ramp_limits, down, 1e5);
+    const double used = ramp_distance(v0, top, ramp_limits) + ramp_distance(top, v1, down);
     EXPECT_LE(used, distance);
     const double above = top + 1e-12 * (1.0 + top);
-    EXPECT_GE(ramp_distance(v0, above, limits) + ramp_distance(above, v1, down), distance);
+    EXPECT_GE(ramp_distance(v0, above, ramp_limits) + ramp_distance(above, v1, down), distance);
   }
 }
 
@@ -129,8 +129,8 @@ TEST(Profile, ChangeOfSpeedFromAnyStateEndsAtTheTargetWithoutAcceleration) {
     const double a = (2.0 * part(random) - 1.0) * 2500.0;  // beyond the limit now and then
     const double v = 80.0 + 300.0 * part(random);
     const double target = 400.0 * part(random);
-    const PhaseRun run = change_speed({.s = 1.0, .v = v, .a = a}, target, limits);
-    const PathMotion end = run_through(run, {.s = 1.0, .v = v, .a = a}, limits);
+    const PhaseRun run = change_speed({.s = 1.0, .v = v, .a = a}, target, ramp_limits);
+    const PathMotion end = run_through(run, {.s = 1.0, .v = v, .a = a}, ramp_limits);
     EXPECT_NEAR(end.v, target, 1e-9 * (1.0 + target));
     EXPECT_NEAR(end.a, 0.0, 1e-8);
     if (run.size() > 0) {

@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(SynchronousRun, Tap,
                                            TapCase{"S1200Ripple", 20.0, 60.0, 0.2, 1.5}),
                          [](const auto& with) { return std::string(with.param.name); });
 
-TEST(SynchronousRun, LeavingATapStopsItsSpindleAndStaysOnTheHelix) {
+TEST(RigidTap, LeavingATapStopsItsSpindleAndStaysOnTheHelix) {
   TapSpindle spindle(10.0, 33.0, 0.0);
   ThreadBench bench([&](double) { return spindle.angle(); }, 10.0);
   bench.spindle_obeys([&](const SpindleOrder& order) { spindle.turn(order); },

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-struct Course {
+struct BuiltRun {
   MotionConfig config;
   std::vector<PathBlock> blocks;
   std::vector<Piece> pieces;  // from the builder
@@ -22,7 +22,7 @@ struct Course {
   Tolerance tolerance;
 };
 
-void build(Course& run) {
+void build(BuiltRun& run) {
   PathBuilder builder(run.config);
   builder.restart({});
   for (std::size_t k = 0; k < run.blocks.size(); ++k) {
@@ -39,9 +39,9 @@ void build(Course& run) {
 }
 
 // Blocks of all lengths that turn by up to `turn` rad at a time, in three or five axes.
-Course random_run(std::uint64_t seed, double turn, double longest) {
+BuiltRun random_run(std::uint64_t seed, double turn, double longest) {
   Random random(seed);
-  Course run;
+  BuiltRun run;
   const int axes = random.chance(0.5) ? 3 : 5;
   run.config = mill(axes);
   run.tolerance = {std::pow(10.0, random.between(-2.7, -1.0)),
@@ -72,7 +72,7 @@ struct Foot {
   Point point{};
 };
 
-Foot foot_on(const Course& run, const Point& p, std::size_t first, std::size_t last) {
+Foot foot_on(const BuiltRun& run, const Point& p, std::size_t first, std::size_t last) {
   Foot best;
   for (std::size_t n = first; n < last; ++n) {
     const Point start = n == 0 ? Point{} : run.blocks[n - 1].end;
@@ -102,7 +102,7 @@ Point position_at(const Piece& piece, double u) {
 
 TEST(SmoothRun, StaysWithinToleranceOfTheProgrammedWay) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const Course run = random_run(seed, seed % 2 == 0 ? 0.34 : 0.1, seed % 3 == 0 ? 30.0 : 1.0);
+    const BuiltRun run = random_run(seed, seed % 2 == 0 ? 0.34 : 0.1, seed % 3 == 0 ? 30.0 : 1.0);
     double worst = 0.0;
     for (const Piece& piece : run.pieces) {
       const auto block = static_cast<std::size_t>(piece.tag.block);
@@ -119,7 +119,7 @@ TEST(SmoothRun, StaysWithinToleranceOfTheProgrammedWay) {
 
 TEST(SmoothRun, PassesEveryProgrammedPointWithinTolerance) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    const Course run = random_run(seed, 0.3, 3.0);
+    const BuiltRun run = random_run(seed, 0.3, 3.0);
     std::vector<double> nearest(run.blocks.size(), 1e300);
     std::vector<double> rotary(run.blocks.size(), 1e300);
     for (const Piece& piece : run.pieces) {
@@ -146,7 +146,7 @@ TEST(SmoothRun, PassesEveryProgrammedPointWithinTolerance) {
 
 TEST(SmoothRun, ContinuesInPositionDirectionAndCurvature) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Course run = random_run(seed, 0.34, 2.0);
+    const BuiltRun run = random_run(seed, 0.34, 2.0);
     for (std::size_t n = 1; n < run.pieces.size(); ++n) {
       if (run.ends_chain[n - 1]) continue;
       JetPoint before;
@@ -169,7 +169,7 @@ TEST(SmoothRun, ContinuesInPositionDirectionAndCurvature) {
 TEST(SmoothRun, BeginsWhereTheBlendBeforeItEnds) {
   for (int n = -20; n <= 20; ++n) {
     SCOPED_TRACE(n);
-    Course run;
+    BuiltRun run;
     run.config = mill(3);
     run.tolerance = {0.05, 0.05};
     Point at{};
@@ -193,7 +193,7 @@ TEST(SmoothRun, BeginsWhereTheBlendBeforeItEnds) {
 }
 
 TEST(SmoothRun, TakesEveryBlockInOrderWithItsFeed) {
-  Course run;
+  BuiltRun run;
   run.config = mill(3);
   run.tolerance = {0.01, 0.05};
   Random random(5);
@@ -215,7 +215,7 @@ TEST(SmoothRun, TakesEveryBlockInOrderWithItsFeed) {
 }
 
 TEST(SmoothRun, IsStraightWhereTheWayIs) {
-  Course run;
+  BuiltRun run;
   run.config = mill(3);
   run.tolerance = {0.01, 0.05};
   run.blocks = {line_to({40.0}), line_to({80.0, 4.0}), line_to({120.0, 4.0})};
@@ -236,7 +236,7 @@ TEST(SmoothRun, IsStraightWhereTheWayIs) {
 TEST(SmoothRun, FollowsACircleFarCloserThanTheToleranceAsks) {
   constexpr double R = 10.0;
   constexpr double h = 0.1;
-  Course run;
+  BuiltRun run;
   run.config = mill(3);
   run.tolerance = {0.01, 0.05};
   const int count = static_cast<int>(2.0 * pi * R / h);
@@ -258,7 +258,7 @@ TEST(SmoothRun, FollowsACircleFarCloserThanTheToleranceAsks) {
 }
 
 TEST(SmoothRun, LeavesExactPathsAndSharpCornersAlone) {
-  Course run;
+  BuiltRun run;
   run.config = mill(3);
   run.tolerance = {0.0, 0.0};
   run.blocks = {line_to({1.0}), line_to({2.0, 0.1}), line_to({3.0, 0.1})};

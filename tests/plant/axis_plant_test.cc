@@ -13,7 +13,7 @@ namespace stanok::plant {
 namespace {
 
 constexpr double bandwidth_hz = 20.0;
-constexpr double w = 2.0 * std::numbers::pi * bandwidth_hz;
+constexpr double bandwidth_rad_per_s = 2.0 * std::numbers::pi * bandwidth_hz;
 
 class StepResponse : public ::testing::TestWithParam<double> {};
 
@@ -29,7 +29,8 @@ TEST_P(StepResponse, IsTheAnalyticOneWhateverTheStep) {
     t += dt;
     plant.follow({.position = 7.0}, dt);
     // Rounding of some hundred steps.
-    ASSERT_NEAR(plant.motion().position, 5.0 + 2.0 * step_response(w, damping, t), 1e-11)
+    ASSERT_NEAR(plant.motion().position, 5.0 + 2.0 * step_response(bandwidth_rad_per_s, damping, t),
+                1e-11)
         << "t " << t << ", seed " << seed;
   }
 }
@@ -64,7 +65,9 @@ TEST(AxisPlant, FollowsARampWithTheErrorTheFeedForwardLeaves) {
       demand.position = v * i * 1e-3;
       plant.follow(demand, 1e-3);
     }
-    EXPECT_NEAR(plant.following_error(demand), 2.0 * 0.7 * (1.0 - k) * v / w, 1e-9) << k;
+    EXPECT_NEAR(plant.following_error(demand), 2.0 * 0.7 * (1.0 - k) * v / bandwidth_rad_per_s,
+                1e-9)
+        << k;
     EXPECT_NEAR(plant.motion().velocity, v, 1e-9);
   }
 }

@@ -9,7 +9,7 @@
 namespace stanok::plant {
 namespace {
 
-constexpr double dt_s = 0.001;
+constexpr double time_step_s = 0.001;
 
 config::CuttingConfig bar() {
   return {.specific_force_n = 1600.0,
@@ -25,21 +25,21 @@ config::CuttingConfig bar() {
 TEST(ChipThickness, IsTheWayOverOneRevolution) {
   ChipThickness chip;
   const double turns_per_s = 10.0;
-  for (int k = 0; k < 50; ++k) chip.advance(2.0 * dt_s, turns_per_s * dt_s);
+  for (int k = 0; k < 50; ++k) chip.advance(2.0 * time_step_s, turns_per_s * time_step_s);
   EXPECT_NEAR(chip.thickness_mm(), 2.0 * 0.05, 1e-12);
-  for (int k = 0; k < 200; ++k) chip.advance(2.0 * dt_s, turns_per_s * dt_s);
+  for (int k = 0; k < 200; ++k) chip.advance(2.0 * time_step_s, turns_per_s * time_step_s);
   EXPECT_NEAR(chip.thickness_mm(), 2.0 * 0.1, 1e-12);
   // Twice the feed: half way over after half a revolution.
-  for (int k = 0; k < 50; ++k) chip.advance(4.0 * dt_s, turns_per_s * dt_s);
+  for (int k = 0; k < 50; ++k) chip.advance(4.0 * time_step_s, turns_per_s * time_step_s);
   EXPECT_NEAR(chip.thickness_mm(), 3.0 * 0.1, 1e-12);
-  for (int k = 0; k < 50; ++k) chip.advance(4.0 * dt_s, turns_per_s * dt_s);
+  for (int k = 0; k < 50; ++k) chip.advance(4.0 * time_step_s, turns_per_s * time_step_s);
   EXPECT_NEAR(chip.thickness_mm(), 4.0 * 0.1, 1e-12);
 }
 
 TEST(ChipThickness, RunsOutWhenTheToolRests) {
   ChipThickness chip;
-  for (int k = 0; k < 500; ++k) chip.advance(2.0 * dt_s, 10.0 * dt_s);
-  for (int k = 0; k < 101; ++k) chip.advance(0.0, 10.0 * dt_s);
+  for (int k = 0; k < 500; ++k) chip.advance(2.0 * time_step_s, 10.0 * time_step_s);
+  for (int k = 0; k < 101; ++k) chip.advance(0.0, 10.0 * time_step_s);
   EXPECT_NEAR(chip.thickness_mm(), 0.0, 1e-12);
 }
 
@@ -87,7 +87,8 @@ TEST(CuttingProcess, MakesForceAndPowerOfDepthChipAndHardness) {
   double z = 1.0;
   const double feed = 2.0;
   const auto go_to = [&](double end) {
-    for (; z > end; z -= feed * dt_s) process.advance({.x_mm = 30.0, .z_mm = z}, 600.0, dt_s);
+    for (; z > end; z -= feed * time_step_s)
+      process.advance({.x_mm = 30.0, .z_mm = z}, 600.0, time_step_s);
   };
   go_to(0.01);
   EXPECT_EQ(process.force_n(), 0.0);
@@ -101,7 +102,7 @@ TEST(CuttingProcess, MakesForceAndPowerOfDepthChipAndHardness) {
 
 TEST(CuttingProcess, TakesNoPowerWhileTheSpindleStands) {
   CuttingProcess process(bar());
-  for (double z = 1.0; z > -5.0; z -= 0.002) process.advance({30.0, z}, 0.0, dt_s);
+  for (double z = 1.0; z > -5.0; z -= 0.002) process.advance({30.0, z}, 0.0, time_step_s);
   EXPECT_EQ(process.force_n(), 0.0);
   EXPECT_EQ(process.power_w(), 0.0);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using drives::DriveState;
 
-drives::BusConfig config() {
+drives::BusConfig two_axis_bus() {
   drives::BusConfig bus;
   bus.axes = {{.axis = "X", .unit = 1}, {.axis = "Y", .unit = 2}};
   return bus;
@@ -34,7 +34,7 @@ class DirectBusTest : public ::testing::Test {
     ASSERT_EQ(feedback[0].state, DriveState::operation_enabled);
   }
 
-  DirectBus bus{config(), drives_of(config(), {}), 1.0 * millisecond};
+  DirectBus bus{two_axis_bus(), drives_of(two_axis_bus(), {}), 1.0 * millisecond};
   std::array<drives::DriveTarget, 2> targets{};
   std::array<drives::DriveFeedback, 2> feedback{};
 };
@@ -82,7 +82,7 @@ TEST_F(DirectBusTest, ASilentDriveIsInvalidAfterTheTimeout) {
 
 TEST(DirectBus, GivesTheSameBitsEveryRun) {
   const auto trace = [] {
-    DirectBus bus(config(), drives_of(config(), {}), 1.0 * millisecond);
+    DirectBus bus(two_axis_bus(), drives_of(two_axis_bus(), {}), 1.0 * millisecond);
     bus.inject(1, FaultKind::intermittent);
     std::array<drives::DriveTarget, 2> targets{};
     std::array<drives::DriveFeedback, 2> feedback{};
@@ -105,7 +105,7 @@ TEST(DirectBus, GivesTheSameBitsEveryRun) {
 // The way of a homing: a drive that counts from where it stood, a pulse, and the offset that makes
 // its count the position of the machine.
 TEST(DirectBus, AnIncrementalDriveIsReferencedByTheOffsetThatTheControlFinds) {
-  drives::BusConfig bus_config = config();
+  drives::BusConfig bus_config = two_axis_bus();
   bus_config.axes.resize(1);
   bus_config.axes[0].absolute_encoder = false;
   auto simulated = drives_of(bus_config, std::array<double, 1>{37.5});

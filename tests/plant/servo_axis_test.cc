@@ -14,7 +14,7 @@
 namespace stanok::plant {
 namespace {
 
-constexpr double w = 2.0 * std::numbers::pi * 30.0;
+constexpr double loop_rad_per_s = 2.0 * std::numbers::pi * 30.0;
 constexpr VelocityLoopConfig stiff{.bandwidth_hz = 30.0, .damping = 0.6, .resonance_hz = 0.0};
 constexpr VelocityLoopConfig elastic{
     .bandwidth_hz = 30.0, .damping = 0.6, .resonance_hz = 20.0, .resonance_damping = 0.05};
@@ -29,7 +29,8 @@ TEST(ServoAxis, StiffAxisHasTheVelocityOfTheTextbookWhateverTheStep) {
     const double dt = steps_s(random);
     t += dt;
     axis.follow({.velocity = 70.0}, dt);
-    ASSERT_NEAR(axis.motion().velocity, 70.0 * step_response(w, 0.6, t), 1e-10) << "t " << t;
+    ASSERT_NEAR(axis.motion().velocity, 70.0 * step_response(loop_rad_per_s, 0.6, t), 1e-10)
+        << "t " << t;
   }
 }
 
@@ -62,6 +63,7 @@ TEST(ServoAxis, VelocityAndAccelerationAreTheDerivatives) {
 // Gain from demand to velocity of the load, below, at and above both natural frequencies.
 TEST(ServoAxis, AnswersASineAsItsTransferFunctionSays) {
   using Complex = std::complex<double>;
+  const double w = loop_rad_per_s;
   const double r = 2.0 * std::numbers::pi * 20.0;
   for (const double hz : {2.0, 15.0, 20.0, 30.0, 60.0}) {
     const double f = 2.0 * std::numbers::pi * hz;
@@ -91,7 +93,7 @@ TEST(ServoAxis, IsLateByTheLagOfItsVelocityLoop) {
   ServoAxis axis(elastic, {}, 10.0);
   const double v = 80.0;
   for (int n = 0; n < 5000; ++n) axis.follow({.velocity = v}, 1e-3);
-  EXPECT_NEAR(axis.motion().position, 10.0 + v * (5.0 - 2.0 * 0.6 / w), 1e-8);
+  EXPECT_NEAR(axis.motion().position, 10.0 + v * (5.0 - 2.0 * 0.6 / loop_rad_per_s), 1e-8);
   EXPECT_NEAR(axis.motion().velocity, v, 1e-9);
 }
 

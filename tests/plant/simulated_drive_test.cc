@@ -14,7 +14,7 @@ namespace {
 using drives::CommandBlock;
 using drives::DriveState;
 
-SimulatedDriveConfig config() {
+SimulatedDriveConfig linear_drive() {
   SimulatedDriveConfig drive;
   drive.registers.axis = "X";
   drive.start = 20.0;
@@ -41,7 +41,7 @@ class SimulatedDriveTest : public ::testing::Test {
     }
   }
 
-  SimulatedDrive drive{config()};
+  SimulatedDrive drive{linear_drive()};
   std::uint16_t heartbeat = 0;
 };
 
@@ -100,7 +100,7 @@ TEST_F(SimulatedDriveTest, WatchdogTripsWhenNothingIsWritten) {
 TEST_F(SimulatedDriveTest, WatchdogIsLongerThanALongTimeoutOfTheBus) {
   drives::BusConfig bus;
   bus.timeout_ms = 3000;
-  bus.axes = {config().registers};
+  bus.axes = {linear_drive().registers};
   drive = SimulatedDrive(drives_of(bus, {}).front());
   switch_on();
   advance(5.9);
@@ -110,7 +110,7 @@ TEST_F(SimulatedDriveTest, WatchdogIsLongerThanALongTimeoutOfTheBus) {
 }
 
 TEST_F(SimulatedDriveTest, ALastingFollowingErrorTrips) {
-  SimulatedDriveConfig slow = config();
+  SimulatedDriveConfig slow = linear_drive();
   slow.axis.velocity_max = 1.0;
   drive = SimulatedDrive(slow);
   switch_on();
@@ -210,7 +210,7 @@ TEST_F(SimulatedDriveTest, WarmsUpWithItsPower) {
 // Switched on at 20 mm it counts from there; index pulses at 2.05 mm + k 10 mm of the
 // machine.
 TEST(IncrementalDrive, CountsFromZeroAndShowsSwitchesAndIndexPulses) {
-  SimulatedDriveConfig incremental = config();
+  SimulatedDriveConfig incremental = linear_drive();
   incremental.reference = {.absolute_encoder = false,
                            .home_switch_from = 25.0,
                            .home_switch_to = 40.0,
@@ -237,7 +237,7 @@ TEST(IncrementalDrive, CountsFromZeroAndShowsSwitchesAndIndexPulses) {
 }
 
 TEST(IncrementalDrive, CountsAnewAfterItWasWithoutPower) {
-  SimulatedDriveConfig incremental = config();
+  SimulatedDriveConfig incremental = linear_drive();
   incremental.reference.absolute_encoder = false;
   SimulatedDrive drive(incremental);
   drive.inject(FaultKind::elsewhere);
@@ -256,7 +256,7 @@ TEST_F(SimulatedDriveTest, AllocatesNothing) {
 
 // Cyclic synchronous velocity: the target position is only watched.
 TEST(VelocityDrive, FollowsTheTargetVelocityAndReportsItsErrorAgainstTheTargetPosition) {
-  SimulatedDriveConfig velocity_drive = config();
+  SimulatedDriveConfig velocity_drive = linear_drive();
   velocity_drive.kind = PlantKind::velocity_axis;
   velocity_drive.velocity_loop.resonance_hz = 0.0;  // settles within the times below
   SimulatedDrive drive(velocity_drive);
@@ -277,7 +277,7 @@ TEST(VelocityDrive, FollowsTheTargetVelocityAndReportsItsErrorAgainstTheTargetPo
 
 // An axis of 100 deg/s that is a spindle of 6000 deg/s for a while.
 TEST(SpindleAxisDrive, TurnsWithinATurnThenHoldsWhereItStands) {
-  SimulatedDriveConfig axis = config();
+  SimulatedDriveConfig axis = linear_drive();
   axis.start = 0.0;
   axis.axis.velocity_max = 7200.0;
   SimulatedDrive drive(axis);

@@ -8,14 +8,14 @@
 namespace stanok::plant {
 namespace {
 
-constexpr SpindlePlantConfig config{.speed_max = 6000.0,
-                                    .acceleration = 3000.0,
-                                    .coasting_time_s = 2.0,
-                                    .power_idle_w = 400.0,
-                                    .acceleration_w = 5000.0};
+constexpr SpindlePlantConfig main_spindle{.speed_max = 6000.0,
+                                          .acceleration = 3000.0,
+                                          .coasting_time_s = 2.0,
+                                          .power_idle_w = 400.0,
+                                          .acceleration_w = 5000.0};
 
 TEST(SpindlePlant, ReachesItsSpeedOnTheRamp) {
-  SpindlePlant spindle(config);
+  SpindlePlant spindle(main_spindle);
   for (int i = 0; i < 500; ++i) {
     spindle.follow({.velocity = 1500.0}, 1e-3);
   }
@@ -35,7 +35,7 @@ TEST(SpindlePlant, TurnsBothWaysAndCountsTheAngleWithinOneTurn) {
 }
 
 TEST(SpindlePlant, StaysWithinItsGreatestSpeed) {
-  SpindlePlant spindle(config);
+  SpindlePlant spindle(main_spindle);
   for (int i = 0; i < 4000; ++i) {
     spindle.follow({.velocity = 9000.0}, 1e-3);
   }
@@ -43,7 +43,7 @@ TEST(SpindlePlant, StaysWithinItsGreatestSpeed) {
 }
 
 TEST(SpindlePlant, IdlePowerIsHalfCoulombHalfViscous) {
-  SpindlePlant spindle(config);
+  SpindlePlant spindle(main_spindle);
   for (int i = 0; i < 2000; ++i) {
     spindle.follow({.velocity = 3000.0}, 1e-3);
   }
@@ -51,7 +51,7 @@ TEST(SpindlePlant, IdlePowerIsHalfCoulombHalfViscous) {
 }
 
 TEST(SpindlePlant, AcceleratingTakesPowerAndBrakingGivesItBack) {
-  SpindlePlant spindle(config);
+  SpindlePlant spindle(main_spindle);
   for (int i = 0; i < 1000; ++i) {
     spindle.follow({.velocity = 6000.0}, 1e-3);
   }

@@ -38,12 +38,12 @@ void begin(CutBench& bench, double force_n, double depth_mm) {
 
 // Time until the force stays within 2 % of its set-point, and how far it went beyond on the way
 // back.
-struct Settling {
+struct ForceSettling {
   double time_s = 0.0;
   double overshoot = 0.0;
 };
-Settling settle(CutBench& bench, double seconds) {
-  Settling settling;
+ForceSettling settle(CutBench& bench, double seconds) {
+  ForceSettling settling;
   double sign = 0.0;
   const double from = bench.time_s;
   bench.run(seconds, [&] {
@@ -82,7 +82,7 @@ TEST_P(ForceAfter, SettlesInTimeWithoutOvershoot) {
   bench.depth_mm = step.depth_after;
   bench.hardness_hb = step.hardness_after;
   const double limit_s = std::max(1.5, 12.0 * 60.0 / step.rev_per_min);
-  const Settling settling = settle(bench, 4.0 * limit_s);
+  const ForceSettling settling = settle(bench, 4.0 * limit_s);
   EXPECT_LE(settling.time_s, limit_s);
   EXPECT_LE(settling.overshoot, 0.05);
   const double steady = bench.mean_error(1.0);
@@ -146,7 +146,7 @@ TEST(ForceControl, StandsInTheAirAndInRapid) {
   bench.run(0.5);
   EXPECT_NEAR(bench.feed, held, 0.02 * held);
   bench.depth_mm = 2.0;
-  const Settling entry = settle(bench, 4.0);
+  const ForceSettling entry = settle(bench, 4.0);
   EXPECT_LE(entry.time_s, 1.5);
   EXPECT_LE(entry.overshoot, 0.05);
 }

@@ -35,7 +35,7 @@ struct Malformed {
   int code;
 };
 
-class MalformedLine : public testing::TestWithParam<Malformed> {};
+class MalformedLine : public ::testing::TestWithParam<Malformed> {};
 
 TEST_P(MalformedLine, GetsAnAnswerWithTheCodeOfTheSpecification) {
   const auto request = parse_request(GetParam().line);
@@ -51,7 +51,7 @@ TEST_P(MalformedLine, GetsAnAnswerWithTheCodeOfTheSpecification) {
 
 INSTANTIATE_TEST_SUITE_P(
     Corpus, MalformedLine,
-    testing::Values(
+    ::testing::Values(
         Malformed{"word", "hello", -32700}, Malformed{"open_object", "{", -32700},
         Malformed{"open_string", R"({"jsonrpc":"2.0)", -32700},
         Malformed{"trailing", R"({"jsonrpc":"2.0","id":1,"method":"x"} y)", -32700},

@@ -33,7 +33,7 @@ json sound_parameters(const Method& method) {
   return parameters;
 }
 
-class EveryMethod : public testing::TestWithParam<Method> {};
+class EveryMethod : public ::testing::TestWithParam<Method> {};
 
 TEST_P(EveryMethod, TakesSoundParametersByNameAndByPosition) {
   const Method& method = GetParam();
@@ -94,7 +94,8 @@ TEST_P(EveryMethod, RefusesValuesOfAnotherTypeOrBeyondTheRange) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, EveryMethod, testing::ValuesIn(methods().begin(), methods().end()),
+INSTANTIATE_TEST_SUITE_P(Table, EveryMethod,
+                         ::testing::ValuesIn(methods().begin(), methods().end()),
                          [](const auto& row) {
                            std::string name(row.param.name);
                            std::replace(name.begin(), name.end(), '.', '_');

@@ -8,7 +8,7 @@
 namespace stanok::protocol {
 namespace {
 
-class SocketLocation : public testing::Test {
+class SocketLocation : public ::testing::Test {
  protected:
   void SetUp() override {
     for (const char* name : {"XDG_RUNTIME_DIR", "XDG_STATE_HOME", "STATE_DIRECTORY"})

@@ -13,14 +13,14 @@
 namespace stanok::recording {
 namespace {
 
-constexpr int cycles = 200;
+constexpr int recorded_cycles = 200;
 // LOG_META, the tool, a set-point every cycle, the state and the process every 50 ms.
-constexpr std::int64_t events = 2 + cycles + 2 * (cycles / 50);
+constexpr std::int64_t events = 2 + recorded_cycles + 2 * (recorded_cycles / 50);
 
-class LogReading : public testing::Test {
+class LogReading : public ::testing::Test {
  protected:
   void SetUp() override {
-    record(file_, cycles);
+    record(file_, recorded_cycles);
     bytes_ = bytes_of(file_);
   }
   // Where event `number` begins: found by its header, not by the reader.
@@ -48,8 +48,8 @@ TEST_F(LogReading, CountsEveryMessageOfASoundLog) {
   EXPECT_TRUE(log.is_sound());
   EXPECT_EQ(log.events, events);
   EXPECT_EQ(log.bytes, static_cast<std::int64_t>(bytes_.size()));
-  EXPECT_EQ(log.utime_last, (cycles - 1) * 1000);
-  EXPECT_EQ(log.channels.at(setpoint_channel).messages, cycles);
+  EXPECT_EQ(log.utime_last, (recorded_cycles - 1) * 1000);
+  EXPECT_EQ(log.channels.at(setpoint_channel).messages, recorded_cycles);
   ASSERT_TRUE(log.description);
   EXPECT_EQ(log.description->machine, "mill");
   EXPECT_EQ(log.description->channels.at(0).axes.at(1).name, "C1");

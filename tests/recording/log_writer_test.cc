@@ -99,7 +99,7 @@ TEST(LogWriter, SaysWhyAFileCannotBeMade) {
 }
 
 // Once at the start and once for each further minute begun.
-TEST(MessageStream, SaysWhatTheLogIsEveryMinuteOfMachineTime) {
+TEST(LoggedStream, SaysWhatTheLogIsEveryMinuteOfMachineTime) {
   const auto file = test_file("lcm");
   {
     auto writer = LogWriter::open(file);
@@ -110,7 +110,7 @@ TEST(MessageStream, SaysWhatTheLogIsEveryMinuteOfMachineTime) {
   EXPECT_EQ(sound_contents(file).channels.at(meta).messages, 3);
 }
 
-TEST(MessageStream, CutsATextIntoChunksThatAddUp) {
+TEST(LoggedStream, CutsATextIntoChunksThatAddUp) {
   std::string text;
   for (int line = 0; line < 400; ++line) text += "N" + std::to_string(line) + " G1 X1.5\n";
   const auto file = test_file("lcm");

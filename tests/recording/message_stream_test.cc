@@ -83,7 +83,7 @@ TEST(ChannelNames, KeepWithinTheLimitOfLcm) {
   EXPECT_EQ(ChannelNames("e-7 x").name(2, Topic::setpoint), "STANOK_E_7_X_CH2_SETPOINT");
 }
 
-TEST(LogWriter, TellsOfAFullDiskAndGoesOnWithoutIt) {
+TEST(LogWriterOnAFullDisk, TellsOfAFullDiskAndGoesOnWithoutIt) {
   auto writer = LogWriter::open("/dev/full");
   ASSERT_TRUE(writer);
   MessageStream stream(small_machine(), {writer->get()});

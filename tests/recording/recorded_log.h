@@ -19,8 +19,8 @@ namespace stanok::recording {
 using Bytes = std::vector<std::uint8_t>;
 
 inline std::filesystem::path test_file(const std::string& name) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(testing::TempDir()) /
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  return std::filesystem::path(::testing::TempDir()) /
          (std::string(test->test_suite_name()) + "." + test->name() + "." + name);
 }
 
