@@ -9,12 +9,13 @@
 #include <string>
 
 #include "base/catalogue.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok {
 namespace {
 
 const std::filesystem::path document =
-    std::filesystem::path(STANOK_SOURCE_DIR) / "docs" / "alarms.md";
+    std::filesystem::path(stanok::testing::source_folder()) / "docs" / "alarms.md";
 
 constexpr std::string_view introduction =
     R"(# Codes of errors, warnings and alarms

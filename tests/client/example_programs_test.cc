@@ -12,11 +12,12 @@
 #include <string>
 
 #include "tests/client/stanok_program.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::client {
 namespace {
 
-const std::string root = STANOK_SOURCE_DIR;
+const std::string root = stanok::testing::source_folder();
 
 struct Example {
   const char* name;

@@ -8,6 +8,7 @@
 #include "protocol/json_rpc.h"
 #include "tests/client/fake_server.h"
 #include "tests/client/stanok_program.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::client {
 namespace {
@@ -16,7 +17,7 @@ using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
 
-const std::string machine_file = STANOK_SOURCE_DIR "/config/machines/mill3.toml";
+const std::string machine_file = stanok::testing::source_folder() + "/config/machines/mill3.toml";
 
 int exit_code_of(const std::string& arguments) {
   const int status = std::system((stanok_program + " " + arguments + " >/dev/null 2>&1").c_str());

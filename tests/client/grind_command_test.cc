@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "tests/client/stanok_program.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::client {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const std::string grinder = STANOK_SOURCE_DIR "/config/machines/grinder.toml";
+const std::string grinder = stanok::testing::source_folder() + "/config/machines/grinder.toml";
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -258,7 +259,9 @@ TEST_F(Grind, SaysOfAProgramThatItBurns) {
 TEST_F(Grind, RefusesAMachineThatCannotGrindSo) {
   const std::string program =
       "grind program " + example_folder + "plunge_grinding.txt -o " + path("p.nc");
-  EXPECT_EQ(run(program + " --machine " STANOK_SOURCE_DIR "/config/machines/mill3.toml"), 1);
+  EXPECT_EQ(run(program + " --machine " + stanok::testing::source_folder() +
+                "/config/machines/mill3.toml"),
+            1);
   EXPECT_THAT(errors(), HasSubstr("kind \"grind\""));
   EXPECT_EQ(run(program + " --wheel-speed 60 --machine " + grinder), 1);
   EXPECT_THAT(errors(), HasSubstr("wheel would turn at 2864"));

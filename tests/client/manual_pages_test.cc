@@ -13,6 +13,7 @@
 #include "client/operator_commands.h"
 #include "client/roff.h"
 #include "protocol/method_table.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::client {
 namespace {
@@ -77,7 +78,7 @@ std::string without_marks(const std::string& text) {
 }
 
 TEST_F(ManualPages, TellTheExitCodesOfTheDocument) {
-  std::ifstream file(STANOK_SOURCE_DIR "/docs/operating.md");
+  std::ifstream file(stanok::testing::source_folder() + "/docs/operating.md");
   std::stringstream document;
   document << file.rdbuf();
   const std::string main_page = without_marks(page("stanok"));

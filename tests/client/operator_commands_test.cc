@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "client/noun_command.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::client {
 namespace {
@@ -34,7 +35,8 @@ std::string words_of(const Method& method) {
 }
 
 std::string argument_for(const protocol::Parameter& parameter) {
-  if (parameter.spelling == protocol::Spelling::file) return STANOK_SOURCE_DIR "/README.md";
+  if (parameter.spelling == protocol::Spelling::file)
+    return stanok::testing::source_folder() + "/README.md";
   switch (parameter.type) {
     case protocol::ParameterType::integer:
     case protocol::ParameterType::number:

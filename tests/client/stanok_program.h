@@ -3,9 +3,11 @@
 
 #include <string>
 
+#include "tests/support/project_folders.h"
+
 namespace stanok::client {
 
-inline const std::string stanok_program = STANOK_BINARY_DIR "/bin/stanok";
-inline const std::string example_folder = STANOK_SOURCE_DIR "/programs/examples/";
+inline const std::string stanok_program = stanok::testing::build_folder() + "/bin/stanok";
+inline const std::string example_folder = stanok::testing::source_folder() + "/programs/examples/";
 
 }  // namespace stanok::client

@@ -12,6 +12,7 @@
 #include "recording/log_reader.h"
 #include "runtime/log_observer.h"
 #include "runtime/recorded_run.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::client {
 namespace {
@@ -20,7 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 const std::filesystem::path machines =
-    std::filesystem::path(STANOK_SOURCE_DIR) / "config" / "machines";
+    std::filesystem::path(stanok::testing::source_folder()) / "config" / "machines";
 
 // Programs that are run on a machine of the project.
 class WorkpieceRun : public ::testing::Test {

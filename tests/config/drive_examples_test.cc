@@ -7,6 +7,7 @@
 #include "config/machine_file.h"
 #include "drives/modbus/exchange_plan.h"
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::config {
 namespace {
@@ -15,7 +16,7 @@ using drives::Function;
 
 // All TOML of the document, in its order, with the rest of a machine around it.
 std::string machine_of_the_document() {
-  std::ifstream stream(std::string(STANOK_SOURCE_DIR) + "/docs/drives.md");
+  std::ifstream stream(stanok::testing::source_folder() + "/docs/drives.md");
   const std::string document{std::istreambuf_iterator<char>(stream),
                              std::istreambuf_iterator<char>()};
   std::string text =

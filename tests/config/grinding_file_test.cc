@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::config {
 namespace {
@@ -62,8 +63,8 @@ TEST(GrindingFile, FillsTheRequestOfADesign) {
 }
 
 TEST(GrindingFile, OfTheProjectIsReadWithoutFault) {
-  const auto request =
-      read_grinding_file(STANOK_SOURCE_DIR "/programs/examples/plunge_grinding.toml");
+  const auto request = read_grinding_file(stanok::testing::source_folder() +
+                                          "/programs/examples/plunge_grinding.toml");
   EXPECT_TRUE(process::request_findings(request).empty());
   EXPECT_FALSE(request.simulation.wear_rate_mm_per_s);
 }

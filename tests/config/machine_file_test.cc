@@ -10,6 +10,7 @@
 #include "config/key_reference.h"
 #include "config/tables_file.h"
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::config {
 namespace {
@@ -398,7 +399,7 @@ TEST(TablesFile, NamesOfWorkOffsets) {
 }
 
 std::string configuration_document() {
-  std::ifstream stream(std::string(STANOK_SOURCE_DIR) + "/docs/configuration.md");
+  std::ifstream stream(stanok::testing::source_folder() + "/docs/configuration.md");
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 

@@ -9,12 +9,13 @@
 #include "channels/motion_config.h"
 #include "config/machine_file.h"
 #include "kinematics/scheme.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::config {
 namespace {
 
 const std::filesystem::path machines =
-    std::filesystem::path(STANOK_SOURCE_DIR) / "config" / "machines";
+    std::filesystem::path(stanok::testing::source_folder()) / "config" / "machines";
 
 MachineFile machine(const std::string& name) {
   return read_machine_file(machines / (name + ".toml"));

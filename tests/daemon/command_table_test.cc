@@ -10,6 +10,7 @@
 #include "channels/command_rules.h"
 #include "channels/operator_action.h"
 #include "tests/daemon/daemon_bench.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::daemon {
 namespace {
@@ -210,7 +211,7 @@ std::string file_text(const std::string& path) {
 }
 
 TEST(CommandTableDocument, IsWhatTheManualPrints) {
-  const std::string path = STANOK_SOURCE_DIR "/docs/operator.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/operator.md";
   const std::string begin_mark =
       "<!-- commands: written by a test, see tests/daemon/command_table_test.cc -->\n";
   const std::string end_mark = "<!-- end of commands -->";

@@ -16,13 +16,14 @@
 #include "daemon/assembled_machine.h"
 #include "daemon/dispatch.h"
 #include "tests/daemon/temporary_directory.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::daemon {
 
 // The five-axis mill of the project: channel 1 works, channel 2 is the master.
 inline const config::MachineFile& mill_of_the_bench() {
-  static const config::MachineFile file =
-      config::read_machine_file(STANOK_SOURCE_DIR "/config/machines/e7106mf4.toml");
+  static const config::MachineFile file = config::read_machine_file(
+      stanok::testing::source_folder() + "/config/machines/e7106mf4.toml");
   return file;
 }
 

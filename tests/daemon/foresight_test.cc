@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/daemon/temporary_directory.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::daemon {
 namespace {
@@ -62,7 +63,7 @@ class ForesightTest : public ::testing::Test {
 
   TemporaryDirectory folder;
   config::MachineFile file =
-      config::read_machine_file(STANOK_SOURCE_DIR "/config/machines/mill3.toml");
+      config::read_machine_file(stanok::testing::source_folder() + "/config/machines/mill3.toml");
   std::mutex mutex;
   std::vector<recording::PathPreview> paths;
   Foresight foresight{file, {folder.path()}, [this](recording::PathPreview path) {

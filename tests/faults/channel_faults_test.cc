@@ -14,7 +14,7 @@ namespace {
 
 using channels::ChannelState;
 
-class ChannelFaults : public testing::Test {
+class ChannelFaults : public ::testing::Test {
  protected:
   void SetUp() override {
     bench.program("long.nc", "G90 G54\nG1 X600 F6000\nX100\nM30\n");

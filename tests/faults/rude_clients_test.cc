@@ -43,7 +43,7 @@ std::size_t resident_bytes() {
 }
 
 // A polite client, and a program that it started.
-class RudeClients : public testing::Test {
+class RudeClients : public ::testing::Test {
  protected:
   void SetUp() override {
     allow_descriptors(4096);

@@ -52,7 +52,7 @@ Strange text(const char* name, const char* code, std::string (*bytes)()) {
           [bytes](const fs::path& file) { std::ofstream(file, std::ios::binary) << bytes(); }};
 }
 
-class StrangeProgram : public testing::TestWithParam<Strange> {};
+class StrangeProgram : public ::testing::TestWithParam<Strange> {};
 
 TEST_P(StrangeProgram, IsAnsweredWithItsCodeAndTheNextOneRuns) {
   DaemonBench bench;
@@ -71,7 +71,7 @@ TEST_P(StrangeProgram, IsAnsweredWithItsCodeAndTheNextOneRuns) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, StrangeProgram,
-    testing::Values(
+    ::testing::Values(
         Strange{"Missing", "E7001", {}},
         Strange{"Folder", "E7003", [](const fs::path& file) { fs::create_directory(file); }},
         Strange{"Fifo", "E7003",
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, StrangeProgram,
-    testing::Values(text("Empty", "", [] { return std::string(); }),
+    ::testing::Values(text("Empty", "", [] { return std::string(); }),
                     text("WithByteOrderMark", "",
                          [] { return std::string("\xef\xbb\xbfG90 G53 G0 X2\nM30\n"); }),
                     text("Utf16", "E1001", [] { return utf_16("G90 G1 X1 F100\nM30\n"); }),
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Runs, StrangeProgram,
-    testing::Values(text("DivisionOfZeroByZero", "E3008",
+    ::testing::Values(text("DivisionOfZeroByZero", "E3008",
                          [] { return std::string("num zero = 0;\nG1 X=zero/zero F100\nM30\n"); }),
                     text("Overflow", "E3009",
                          [] { return std::string("num aa = 1e300;\nG1 X=aa*aa F100\nM30\n"); }),

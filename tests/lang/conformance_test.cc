@@ -19,12 +19,13 @@
 
 #include "lang/source.h"
 #include "tests/lang/program_support.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::lang::testing {
 namespace {
 
 const std::filesystem::path conformance_folder =
-    std::filesystem::path(STANOK_SOURCE_DIR) / "programs" / "conformance";
+    std::filesystem::path(stanok::testing::source_folder()) / "programs" / "conformance";
 
 std::vector<std::string> program_names() {
   std::vector<std::string> names;

@@ -13,13 +13,14 @@
 #include "base/catalogue.h"
 #include "lang/code_table.h"
 #include "lang/source.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::lang::testing {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = STANOK_SOURCE_DIR;
+const fs::path root = stanok::testing::source_folder();
 
 std::vector<std::string> texts_below(const fs::path& folder, const std::string& ending) {
   std::vector<std::string> texts;

@@ -12,11 +12,12 @@
 #include "lang/later_word.h"
 #include "lang/limits.h"
 #include "tests/lang/program_support.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::lang::testing {
 namespace {
 
-const std::string path = std::string(STANOK_SOURCE_DIR) + "/docs/language.md";
+const std::string path = stanok::testing::source_folder() + "/docs/language.md";
 
 // A part between its two marks is written by this test.
 struct WrittenPart {
@@ -267,7 +268,7 @@ TEST_F(LanguageDocument, HasTheTablesOfTheInterpreter) {
 
 // The guide shows the text of errors: what it prints is what the program before it gives.
 TEST_F(LanguageDocument, GuideHasExamplesThatRunAndTheErrorsOfThoseThatDoNot) {
-  const std::string guide = std::string(STANOK_SOURCE_DIR) + "/docs/programming.md";
+  const std::string guide = stanok::testing::source_folder() + "/docs/programming.md";
   const std::string text = read_document(guide);
   const auto list = examples(guide);
   EXPECT_GT(list.size(), 15u);

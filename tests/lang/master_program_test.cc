@@ -4,13 +4,14 @@
 #include <sstream>
 
 #include "tests/lang/program_support.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::lang::testing {
 namespace {
 
 // The program as people find it.
 std::string read_master() {
-  std::ifstream stream(std::string(STANOK_SOURCE_DIR) + "/programs/examples/master.nc");
+  std::ifstream stream(stanok::testing::source_folder() + "/programs/examples/master.nc");
   std::stringstream text;
   text << stream.rdbuf();
   return text.str();

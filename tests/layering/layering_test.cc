@@ -7,12 +7,14 @@
 #include <regex>
 
 #include "tests/layering/repository.h"
+#include "tests/support/project_folders.h"
 #include "tests/support/source_tree.h"
 
 namespace stanok::testing {
 namespace {
 
-const std::filesystem::path layering = std::filesystem::path(STANOK_BINARY_DIR) / "layering.txt";
+const std::filesystem::path layering =
+    std::filesystem::path(stanok::testing::build_folder()) / "layering.txt";
 
 // Folders that hold programs of their own and may include any library; no library may include them.
 const std::set<std::string> leaves{"tests", "benchmarks", "programs"};

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 
+#include "tests/support/project_folders.h"
+
 namespace stanok::testing {
 
-inline const std::filesystem::path repository = STANOK_SOURCE_DIR;
+inline const std::filesystem::path repository = stanok::testing::source_folder();
 
 }  // namespace stanok::testing

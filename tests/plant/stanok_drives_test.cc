@@ -14,12 +14,13 @@
 #include <vector>
 
 #include "tests/plant/loopback.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::plant {
 namespace {
 
-const std::string program = STANOK_BINARY_DIR "/bin/stanok-drives";
-const std::string machine = STANOK_SOURCE_DIR "/config/machines/e7106mf4.toml";
+const std::string program = stanok::testing::build_folder() + "/bin/stanok-drives";
+const std::string machine = stanok::testing::source_folder() + "/config/machines/e7106mf4.toml";
 
 // A running stanok-drives; its standard input and output are pipes, its standard error goes
 // nowhere.

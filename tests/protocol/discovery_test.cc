@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "protocol/method_table.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::protocol {
 namespace {
@@ -35,7 +36,7 @@ TEST(Discovery, ListsEveryMethodWithRoleAndParameters) {
 
 // All that stands between its two marks is the table, and nothing else of an older one.
 TEST(Discovery, IsWhatTheManualPrints) {
-  const std::string path = STANOK_SOURCE_DIR "/docs/protocol.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/protocol.md";
   const std::string begin_mark =
       "<!-- methods: written by a test, see tests/protocol/discovery_test.cc -->\n";
   const std::string end_mark = "<!-- end of methods -->";

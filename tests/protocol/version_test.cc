@@ -6,11 +6,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/project_folders.h"
+
 namespace stanok::protocol {
 namespace {
 
 TEST(Version, IsTheOneOfTheProject) {
-  std::ifstream file(STANOK_SOURCE_DIR "/CMakeLists.txt");
+  std::ifstream file(stanok::testing::source_folder() + "/CMakeLists.txt");
   std::ostringstream text;
   text << file.rdbuf();
   EXPECT_NE(text.str().find("project(stanok VERSION " + std::string(version) + " "),

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/project_folders.h"
+
 namespace stanok::recording {
 namespace {
 
@@ -64,7 +66,7 @@ std::string section_of(const fs::path& definition, std::vector<std::string>& und
 
 TEST(MessagesDocument, ListsEveryFieldOfEveryMessage) {
   std::vector<fs::path> definitions;
-  for (const auto& entry : fs::directory_iterator(STANOK_SOURCE_DIR "/messages"))
+  for (const auto& entry : fs::directory_iterator(stanok::testing::source_folder() + "/messages"))
     if (entry.path().extension() == ".lcm") definitions.push_back(entry.path());
   std::sort(definitions.begin(), definitions.end());
   std::vector<std::string> undescribed;
@@ -72,7 +74,7 @@ TEST(MessagesDocument, ListsEveryFieldOfEveryMessage) {
   for (const fs::path& definition : definitions) wanted += section_of(definition, undescribed);
   EXPECT_EQ(undescribed, std::vector<std::string>{});
 
-  const std::string path = STANOK_SOURCE_DIR "/docs/messages.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/messages.md";
   const std::string begin_mark =
       "<!-- fields: written by a test, see tests/recording/messages_document_test.cc -->\n";
   const std::string end_mark = "<!-- end of fields -->";

@@ -9,14 +9,16 @@
 #include "config/machine_file.h"
 #include "runtime/assembly.h"
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::runtime {
 namespace {
 
 // mill3 with velocity drives on a bus that is polled every `poll_ms`.
 config::MachineFile mill(const motion::RegulatorGains& gains, int poll_ms) {
-  config::MachineFile file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) /
-                                                       "config" / "machines" / "mill3.toml");
+  config::MachineFile file =
+      config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
+                                "machines" / "mill3.toml");
   file.bus.poll_ms = poll_ms;
   for (channels::AxisConfig& axis : file.machine.axes) {
     axis.regulator = {.feedback = channels::FeedbackPlace::cycle,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/machine_file.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::runtime {
 namespace {
@@ -30,8 +31,9 @@ class OneProgram : public lang::Files {
 };
 
 TEST(CheckProgram, FollowsThreadsWhoseFeedTheSpindleGives) {
-  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                              "machines" / "lathe.toml");
+  const auto file =
+      config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
+                                "machines" / "lathe.toml");
   const OneProgram files("G21 G18 G90 G94\nS300 M3\nG0 X20 Z2\nG33 Z-10 K1.5\nG0 X22\nM30\n");
   const DryRunResult result = check_program(file.machine, 1, -1, "part.nc", files);
   EXPECT_EQ(result.blocks, 6U);
@@ -40,8 +42,8 @@ TEST(CheckProgram, FollowsThreadsWhoseFeedTheSpindleGives) {
 }
 
 Diagnostics check_on(const std::string& machine, const std::string& program) {
-  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                              "machines" / machine);
+  const auto file = config::read_machine_file(
+      std::filesystem::path(stanok::testing::source_folder()) / "config" / "machines" / machine);
   return check_program(file.machine, 1, -1, "part.nc", OneProgram(program)).diagnostics;
 }
 
@@ -122,8 +124,9 @@ TEST(CheckProgram, WarnsOnceOfAFeedThatTheAxesLimit) {
 }
 
 TEST(CheckProgram, EstimatesBlocksUnderALaw) {
-  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                              "machines" / "lathe.toml");
+  const auto file =
+      config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
+                                "machines" / "lathe.toml");
   const OneProgram files(
       "G18 G7 G97 S600 M3\nG0 X60 Z0\nG94 G1 Z-20.04 S_n=120 dS=0.5 dl=0.1\n"
       "X70 F120 L_A=0.4 L_B=2\nG95 X72 S_n=0.1 dS=0.01 dl=0.5\nG97 M5\nM30\n");
@@ -145,8 +148,9 @@ TEST(CheckProgram, EstimatesBlocksUnderALaw) {
 
 // A curve has the length of its path, not that of its chord: here twice the legs of a parabola.
 TEST(CheckProgram, EstimatesASplineUnderALaw) {
-  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                              "machines" / "mill3.toml");
+  const auto file =
+      config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
+                                "machines" / "mill3.toml");
   const OneProgram files("G94 G17\nG0 X-2 Y4 Z0\nG5.1 X2 I2 J-8 S_n=60 dS=1 dl=0.5\nM30\n");
   const auto result = check_program(file.machine, 1, -1, "part.nc", files);
   EXPECT_TRUE(result.diagnostics.empty());
@@ -158,8 +162,9 @@ TEST(CheckProgram, EstimatesASplineUnderALaw) {
 }
 
 TEST(DryRun, StandsWhereARigidTapBegan) {
-  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                              "machines" / "mill3.toml");
+  const auto file =
+      config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
+                                "machines" / "mill3.toml");
   const OneProgram files("G21 G90 G94\nS300 M3\nG0 X0 Y0 Z5\nG33.1 Z-10 K1\nG0 X5\nM30\n");
   DryRun dry_run(file.machine, 1, -1, files);
   motion::Point last{};
@@ -182,8 +187,9 @@ struct Found {
 };
 
 Found search(const std::string& text, std::uint32_t line, Calculation calculation) {
-  const auto file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                              "machines" / "mill3.toml");
+  const auto file =
+      config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
+                                "machines" / "mill3.toml");
   const OneProgram files(text);
   DryRun dry_run(file.machine, 1, -1, files);
   Beginning beginning;

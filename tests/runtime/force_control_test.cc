@@ -11,6 +11,7 @@
 
 #include "runtime/simulation.h"
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::runtime {
 namespace {
@@ -19,7 +20,7 @@ using ::testing::Each;
 using ::testing::Le;
 using ::testing::SizeIs;
 
-const std::filesystem::path root = STANOK_SOURCE_DIR;
+const std::filesystem::path root = stanok::testing::source_folder();
 
 config::MachineFile lathe() {
   return config::read_machine_file(root / "config" / "machines" / "lathe.toml");

@@ -9,6 +9,7 @@
 
 #include "runtime/simulation.h"
 #include "tests/runtime/drive_bench.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::runtime {
 namespace {
@@ -53,8 +54,8 @@ TEST(Homing, FiveAxesInAnyOrderOfTheirSwitches) {
 // In scheme 1 of this machine B and C are parked at 0, braked and without power.
 TEST(Homing, ParkedAxesAreReleasedForItAndParkedAgain) {
   DriveBench bench([](const std::filesystem::path&) {
-    return config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                     "machines" / "e7106mf4.toml");
+    return config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
+                                     "config" / "machines" / "e7106mf4.toml");
   });
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok") << bench.text();
   bench.run(0.5);
@@ -93,7 +94,7 @@ class AngleBehindIndex final : public CycleObserver {
 // M902 on a spindle whose encoder counts from where it was switched on: it turns to its index
 // pulse, wherever that is, and C reads the machine's angle.
 TEST(Homing, ASpindleThatBecomesAnAxisTurnsToItsIndexPulse) {
-  std::ifstream stream(std::string(STANOK_SOURCE_DIR) + "/config/machines/lathe.toml");
+  std::ifstream stream(stanok::testing::source_folder() + "/config/machines/lathe.toml");
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   text.replace(text.find("tables = "), std::string("tables = \"lathe/tables.toml\"").size(), "");
   const std::string last_key = "jerk_max = 36000.0\n";

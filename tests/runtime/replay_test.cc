@@ -16,6 +16,7 @@
 #include "runtime/assembly.h"
 #include "runtime/log_observer.h"
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::runtime {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 using channels::OperatorAction;
 using ::testing::HasSubstr;
 
-const std::filesystem::path source_tree = STANOK_SOURCE_DIR;
+const std::filesystem::path source_tree = stanok::testing::source_folder();
 
 config::MachineFile started_at(const channels::AxisRow& starts, config::MachineFile file) {
   for (channels::AxisConfig& axis : file.machine.axes) {

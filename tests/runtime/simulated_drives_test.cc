@@ -10,6 +10,7 @@
 
 #include "runtime/simulation.h"
 #include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::runtime {
 namespace {
@@ -19,8 +20,8 @@ TEST(SimulatedDrives, ProgramWaitsForThemAndRuns) {
   const config::TemporaryFiles files;
   files.write("part.nc", "G1 X1 F600\nM30\n");
   SimulationOptions options;
-  options.file = config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                           "machines" / "mill3.toml");
+  options.file = config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
+                                           "config" / "machines" / "mill3.toml");
   options.program_roots = {files.folder()};
   options.programs = {{.channel = 1, .program = "part.nc"}};
   options.drives = DriveChoice::simulated;
@@ -32,8 +33,8 @@ TEST(SimulatedDrives, ProgramWaitsForThemAndRuns) {
 }
 
 config::MachineFile mill() {
-  return config::read_machine_file(std::filesystem::path(STANOK_SOURCE_DIR) / "config" /
-                                   "machines" / "mill3.toml");
+  return config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
+                                   "config" / "machines" / "mill3.toml");
 }
 
 // Bits of the set-points of a channel from the first cycle in which a program runs.

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "simulation/surface_mesh.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::simulation::testing {
 namespace {
@@ -109,7 +110,7 @@ std::string table_of_documents() {
 
 // With STANOK_WRITE_DOCS set it is written anew.
 TEST(WorkpieceDocument, HasTheTableOfAnalyticParts) {
-  const std::string path = std::string(STANOK_SOURCE_DIR) + "/docs/workpiece.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/workpiece.md";
   std::stringstream buffer;
   buffer << std::ifstream(path).rdbuf();
   std::string document = buffer.str();
