@@ -1,13 +1,22 @@
 // STANOK_ASSERT: a claim about our own code that is checked in every build, release included.
 //
-// Outside the real-time cycle a broken claim aborts the process. The cycle's own answer to one is
-// to stop sending set-points; the drives' watchdogs then stop the axes.
+// A broken claim throws BrokenClaim. Whoever owns the thread says what that means: a preparation
+// turns it into an alarm of its channel, whose axes stop along the path; the daemon's other threads
+// end the daemon in order. What the cycle reaches makes no claims: it guards the setpoints instead
+// (Channel::guard_setpoints).
 #pragma once
+
+#include <stdexcept>
 
 namespace stanok {
 
-// Prints the claim and its place to stderr and aborts.
-[[noreturn]] void assertion_failed(const char* claim, const char* file, int line) noexcept;
+// "motion/look_ahead.cc:53: broken claim: piece.length > 0.0": what a report about it should name.
+class BrokenClaim : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+[[noreturn]] void assertion_failed(const char* claim, const char* file, int line);
 
 }  // namespace stanok
 

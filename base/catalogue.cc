@@ -38,6 +38,13 @@ constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A4011", "a power that does not follow the feed", Reaction::feed_hold,
      "see whether the sensor of the spindle drive is stuck, and whether the tool still cuts",
      "resume: the feed stays the smallest one until force control is ordered again"},
+    {"A9001", "a fault of stanok itself while it prepared a program", Reaction::program_abort,
+     "report it: the text of the alarm, the program and the machine file",
+     "reset the channel; a program without the line named may run"},
+    {"A9002", "a setpoint that no axis can follow: a fault of stanok itself", Reaction::axis_stop,
+     "report it: the program, the machine file and the flight recorder, which keeps the last "
+     "minute",
+     "reset the channel, switch the machine on, and jog the axes clear"},
 });
 
 constexpr auto further_rows = std::to_array<CatalogueRow>({

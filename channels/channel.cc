@@ -104,7 +104,10 @@ void Channel::move() RT_SAFE {
   interpolator_.advance(link_.path, control, path_, limit);
   path_mm_ += path_.path_advanced;
   blocks_ = std::max(blocks_, path_.tag.run == run_ ? path_.tag.block : 0);
+  // Homing names the position of an axis anew: its number steps, and the axis does not.
+  const Steps steps = manual_.is_active() ? Steps::of_numbers : Steps::of_axes;
   if (manual_.is_active()) move_by_hand();
+  const bool is_sound = guard_setpoints(steps);
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     AxisSetpoint& setpoint = setpoints_[i];
@@ -117,7 +120,7 @@ void Channel::move() RT_SAFE {
     setpoint.jerk = jet.third;
     setpoint.position_code = motion::position_code(jet.value, axis.codes);
   }
-  guard_limits();
+  if (is_sound) guard_limits();
 }
 
 void Channel::show_remarks(std::int64_t cycle) RT_SAFE {

@@ -211,6 +211,7 @@ class Channel {
 
   // Items (channel_items.cc).
   void work_items() RT_SAFE;
+  [[nodiscard]] bool stops_where_preparation_broke_off() RT_SAFE;
   [[nodiscard]] bool finish_activity() RT_SAFE;
   void execute(const Item& item) RT_SAFE;
   void take_step() RT_SAFE;
@@ -254,6 +255,8 @@ class Channel {
   // Axes moved by hand (channel_manual.cc).
   void move_by_hand() RT_SAFE;
   void watch_limit_switches() RT_SAFE;
+  enum class Steps { of_axes, of_numbers };
+  [[nodiscard]] bool guard_setpoints(Steps steps) RT_SAFE;
   void guard_limits() RT_SAFE;
   // Probing (channel_probe.cc).
   void begin_probing(const Item& item) RT_SAFE;

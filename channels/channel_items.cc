@@ -39,6 +39,7 @@ bool is_of_program(ItemKind kind) RT_SAFE {
 void Channel::work_items() RT_SAFE {
   for (int n = 0; n < items_per_cycle; ++n) {
     if (resetting_ || (state_ == ChannelState::held && running_)) return;
+    if (stops_where_preparation_broke_off()) return;
     if (!finish_activity()) return;
     if (link_.items.empty() || !interpolator_.at_rest()) return;
     if (path_.chunks_done < link_.items.front().after_chunk) return;
@@ -50,6 +51,14 @@ void Channel::work_items() RT_SAFE {
     static_cast<void>(link_.items.pop(item_));
     execute(item_);
   }
+}
+
+// The path that comes before may never be complete: the axes stop along what there is of it.
+bool Channel::stops_where_preparation_broke_off() RT_SAFE {
+  if (link_.items.empty() || link_.items.front().kind != ItemKind::broken_off) return false;
+  static_cast<void>(link_.items.pop(item_));
+  fail_run(item_.code.view(), item_.text.view(), item_.tag);
+  return true;
 }
 
 // True when nothing keeps the channel from its next item.
@@ -108,8 +117,9 @@ void Channel::execute(const Item& item) RT_SAFE {
     case ItemKind::run_failed:
       end_run(false, static_cast<std::uint64_t>(item.number));
       return raise_alarm(item.code.view(), item.text.view(), item.tag);
+    case ItemKind::broken_off:
     case ItemKind::reset_done:
-      return;  // an answer to a reset that is over
+      return;  // told before; an answer to a reset that is over
     case ItemKind::transform:
       // The axes stand for one cycle in the new frame, so that every trace begins where they are.
       transform_ = *item.transform;

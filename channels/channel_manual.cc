@@ -63,6 +63,34 @@ int Channel::axis_on_limit_switch() const RT_SAFE {
   return -1;
 }
 
+// A setpoint that is no number, or a step that no axis can make, is a fault of our own and never
+// reaches a drive: the axes stay where they were commanded last, and their drives go off.
+bool Channel::guard_setpoints(Steps steps) RT_SAFE {
+  constexpr double steps_allowed = 2.0;  // of the longest at the axis' highest velocity
+  for (int k = 0; k < figures_.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const kinematics::Jet& axis = path_.axes[i];
+    const double step = std::abs(axis.value - setpoints_[i].position);
+    if (!owns(k)) continue;
+    const double step_max = steps_allowed * motion_.axes[i].velocity_max * figures_.cycle_s +
+                            figures_.axes[i].codes.resolution;
+    const bool is_number = std::isfinite(axis.value) && std::isfinite(axis.first) &&
+                           std::isfinite(axis.second) && std::isfinite(axis.third);
+    const bool may_step = steps == Steps::of_numbers || is_spindle_now(k);
+    if (is_number && (step <= step_max || may_step)) continue;
+    FixedText<128> text("axis ");
+    text.append(axis_name(k).view());
+    text.append(is_number ? " would step farther than it can move in a cycle"
+                          : " would get a setpoint that is no number");
+    for (std::size_t n = 0; n < motion::axes_max; ++n) path_.axes[n] = setpoints_[n].position;
+    interpolator_.drop_path(link_.path);
+    stand_in_frame();
+    fault("A9002", text.view());
+    return false;
+  }
+  return true;
+}
+
 // The last guard: planning lets nothing pass a soft limit, so whatever comes too near to one to
 // stand before it is a fault (motion/limit_guard.h). Moves by hand keep their own limits.
 void Channel::guard_limits() RT_SAFE {

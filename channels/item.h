@@ -26,6 +26,7 @@ enum class ItemKind : std::uint8_t {
   run_end,           // the program came to its end: number = blocks executed
   line_end,          // a line of an operator came to its end: number = blocks executed
   run_failed,        // the program failed: code, text
+  broken_off,        // preparation cannot go on, whatever path comes before: code, text
   reset_done,        // everything pushed before belongs to an older generation
   transform,         // `transform` holds from here
   dwell,             // value = s

@@ -53,6 +53,29 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
       threads_(machine, channel, motion_) {}
 
 Progress Preparation::step() {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    break_off("E8002", "the memory does not hold what the program needs");
+  } catch (const std::exception& fault) {
+    break_off("A9001", fault.what());
+  }
+  return Progress::worked;
+}
+
+// What was prepared and not handed over is dropped: its parts may contradict each other.
+void Preparation::break_off(std::string_view code, std::string_view reason) {
+  forget_path();
+  task_ = Task::idle;
+  Item item = item_of(ItemKind::broken_off,
+                      {run_, blocks_executed_, command_.origin.line, command_.origin.file});
+  item.code = FixedText<8>(code);
+  item.text = ShortText(reason);
+  item.after_rider = link_.riders.pushed();
+  pending_items_.push_back(item);
+}
+
+Progress Preparation::work() {
   Progress progress = Progress::blocked;
   Notice notice;
   while (link_.notices.pop(notice)) {
@@ -204,6 +227,11 @@ void Preparation::reset() {
   reports_.tell_search(config_.id, std::nullopt);
   interpreter_.reset();
   blocks_.reset_process();
+  forget_path();
+  push(item_of(ItemKind::reset_done, {}));
+}
+
+void Preparation::forget_path() {
   look_ahead_.clear();
   builder_.restart({});
   builder_.built().clear();
@@ -213,7 +241,6 @@ void Preparation::reset() {
   pending_items_.clear();
   pending_remarks_.clear();
   pending_riders_.clear();
-  push(item_of(ItemKind::reset_done, {}));
 }
 
 void Preparation::interpret() {

@@ -36,12 +36,18 @@ class Preparation {
               const lang::Files& files, LiveTables& tables, SharedVariables& shared,
               ChannelLink& link, ReportBook& reports);
 
+  // A fault of our own, or memory that is missing, ends what the channel does with an alarm; its
+  // axes stop along the path that the cycle has.
   [[nodiscard]] Progress step();
 
  private:
   static constexpr int commands_per_step = 64;
   enum class Task { idle, running, waiting_answer };
   using LoadResult = Expected<std::shared_ptr<const lang::Program>, Diagnostics>;
+
+  [[nodiscard]] Progress work();
+  void break_off(std::string_view code, std::string_view reason);
+  void forget_path();
 
   // Notices of the cycle.
   void obey(const Notice& notice);

@@ -147,6 +147,7 @@ void LookAhead::commit(std::size_t boundary, bool chain_ends) {
                           .s = plan_.boundary(segment.last) - s_end,
                           .v = segment.v1});
   }
+  STANOK_ASSERT(!phases.empty());
   const double v = phases.back().v_end;
   commit_chunks(boundary, phases, chain_ends);
   forget(boundary, v);
