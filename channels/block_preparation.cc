@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "motion/block_metric.h"
 #include "motion/nurbs.h"
 #include "motion/shape.h"
 
@@ -20,6 +21,10 @@ bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
   return a.scheme == b.scheme && a.mode == b.mode &&
          a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame == b.frame;
 }
+
+// An arc whose radii at both ends differ more is as small as the tolerance within which they may
+// differ, and rounded beyond recognition: the straight way is as near to what was meant.
+constexpr double radius_ratio_max = 2.0;
 
 // Nearer to the centre of a face its rotary axis turns faster than it is worth.
 constexpr double pole_distance_min_mm = 0.02;
@@ -48,28 +53,6 @@ motion::Point point_on(const motion::Point& start, const motion::Point& end,
 }
 
 }  // namespace
-
-double block_length(const motion::MotionConfig& motion, const motion::Point& start,
-                    const motion::PathBlock& block) {
-  if (block.kind == motion::BlockKind::curve)
-    return motion::curve(motion::PathMetric{motion.axis_count, 0b111}, start, block).length;
-  double geometry = 0.0;
-  double all = 0.0;
-  for (int k = 0; k < motion.axis_count; ++k) {
-    const double way = motion::at(block.end, k) - motion::at(start, k);
-    all += way * way;
-    const bool in_plane =
-        block.kind == motion::BlockKind::arc && (k == block.plane[0] || k == block.plane[1]);
-    if (in_plane) continue;
-    for (const int axis : motion.geometry) geometry += axis == k ? way * way : 0.0;
-  }
-  if (block.kind == motion::BlockKind::arc) {
-    const double radius = std::hypot(motion::at(start, block.plane[0]) - block.centre[0],
-                                     motion::at(start, block.plane[1]) - block.centre[1]);
-    return std::hypot(radius * block.sweep_rad, std::sqrt(geometry));
-  }
-  return geometry > 0.0 ? std::sqrt(geometry) : std::sqrt(all);
-}
 
 BlockPreparation::BlockPreparation(const MachineConfig& machine, const ChannelConfig& channel,
                                    const motion::MotionConfig& motion)
@@ -205,9 +188,15 @@ std::array<int, 2> BlockPreparation::plane_axes(lang::Plane plane) const {
 // Signed sweep from start to end direction: counter-clockwise positive, full turns for P > 1 and
 // for equal ends.
 void BlockPreparation::shape_arc(const lang::Move& move, motion::PathBlock& block) const {
-  block.kind = motion::BlockKind::arc;
   block.plane = plane_axes(move.plane);
   block.centre = move.centre;
+  const auto radius = [&](const motion::Point& point) {
+    return std::hypot(motion::at(point, block.plane[0]) - block.centre[0],
+                      motion::at(point, block.plane[1]) - block.centre[1]);
+  };
+  const auto [smaller, larger] = std::minmax({radius(position_W_), radius(block.end)});
+  if (larger > radius_ratio_max * smaller) return;  // a line
+  block.kind = motion::BlockKind::arc;
   const auto direction = [&](const motion::Point& point) {
     return std::atan2(motion::at(point, block.plane[1]) - block.centre[1],
                       motion::at(point, block.plane[0]) - block.centre[0]);
@@ -251,7 +240,7 @@ std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move&
 double BlockPreparation::length_of(const motion::PathBlock& block) const {
   motion::MotionConfig motion = motion_;
   motion.geometry = face_.geometry();
-  return block_length(motion, position_W_, block);
+  return motion::length_of(block, position_W_, motion);
 }
 
 // In the diameters of a turned part around Z; without an X axis there are none.
@@ -266,12 +255,9 @@ ProcessPreparation::Way BlockPreparation::way_of(const motion::PathBlock& block,
   const bool passes_centre =
       x >= 0 && std::signbit(motion::at(position_W_, x)) != std::signbit(motion::at(block.end, x));
   const double smaller = std::min(diameter(position_W_), diameter(block.end));
-  const std::array<int, 3> geometry = face_.geometry();
-  const bool in_mm =
-      block.kind != motion::BlockKind::line ||
-      std::any_of(geometry.begin(), geometry.end(), [&](int axis) {
-        return axis >= 0 && motion::at(position_W_, axis) != motion::at(block.end, axis);
-      });
+  motion::MotionConfig motion = motion_;
+  motion.geometry = face_.geometry();
+  const bool in_mm = motion::way_of(block, position_W_, motion) == motion::BlockWay::geometry;
   return {.length = length, .in_mm = in_mm, .diameter_min_mm = passes_centre ? 0.0 : smaller};
 }
 

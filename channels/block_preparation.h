@@ -112,9 +112,4 @@ class BlockPreparation {
   motion::Point position_W_{};                    // of the path
 };
 
-// Length of a block in its own metric: mm of the geometry axes, or deg when none of them moves
-// (motion/path.h).
-[[nodiscard]] double block_length(const motion::MotionConfig& motion, const motion::Point& start,
-                                  const motion::PathBlock& block);
-
 }  // namespace stanok::channels

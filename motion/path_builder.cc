@@ -11,6 +11,7 @@
 
 #include "base/assert.h"
 #include "motion/blend.h"
+#include "motion/block_metric.h"
 #include "motion/corner.h"
 #include "motion/geometry.h"
 #include "motion/piece_bounds.h"
@@ -19,10 +20,6 @@
 
 namespace stanok::motion {
 namespace {
-
-// An axis that moves less stands; geometry axes that all move less do not make a way in mm.
-constexpr double axis_standstill = 1e-12;
-constexpr double geometry_standstill = 1e-9;
 
 // "Exact" path: what a tolerance of 0 still permits, a millionth of a micrometre. It lets tangent
 // joins with rounded coordinates or a step of curvature pass slowly; real corners stop.
@@ -33,21 +30,14 @@ constexpr double rest_min = 1e-4;
 
 constexpr double shortest_part = 0.02;  // mm; of a block that is divided near a singularity
 
-bool moves(const PathBlock& block, const Point& start, std::size_t axis, double threshold) {
-  return !(std::abs(block.end[axis] - start[axis]) <= threshold);
-}
-
-// Any axis of the channel moves; an arc moves by its sweep.
-bool moves(const PathBlock& block, const Point& start, int axis_count) {
-  if (block.kind == BlockKind::arc && block.sweep_rad != 0.0) return true;
-  if (block.kind == BlockKind::curve) return true;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
-    if (moves(block, start, k, axis_standstill)) return true;
-  }
-  return false;
-}
-
-Shape shape_of(const PathMetric& metric, const Point& start, const PathBlock& block) {
+Shape shape_of(const Point& start, const PathBlock& block, const MotionConfig& config) {
+  const bool on_geometry = std::ranges::any_of(config.geometry, [&](int axis) {
+    return axis >= 0 && at(block.end, axis) != at(start, axis);
+  });
+  BlockWay moved = way_of(block, start, config);
+  if (moved == BlockWay::none && on_geometry) moved = BlockWay::geometry;
+  const PathMetric metric = metric_of(moved, config);
+  if (is_point_like(block, start)) return line(metric, start, block.end);
   switch (block.kind) {
     case BlockKind::arc:
       return arc(metric, start, block);
@@ -57,21 +47,6 @@ Shape shape_of(const PathMetric& metric, const Point& start, const PathBlock& bl
       break;
   }
   return line(metric, start, block.end);
-}
-
-// Tip's way in mm when a geometry axis moves, otherwise the way of all other axes in deg.
-PathMetric metric_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
-  PathMetric metric{config.axis_count, 0};
-  bool on_geometry = block.kind != BlockKind::line;
-  for (const int axis : config.geometry) {
-    if (axis < 0) continue;
-    metric.axes |= 1U << static_cast<unsigned>(axis);
-    const auto k = static_cast<std::size_t>(axis);
-    on_geometry = on_geometry || moves(block, start, k, geometry_standstill);
-  }
-  if (!on_geometry)
-    metric.axes = ((1U << static_cast<unsigned>(config.axis_count)) - 1U) & ~metric.axes;
-  return metric;
 }
 
 PieceProcess process_of(const BlockProcess& block) {
@@ -150,18 +125,17 @@ void PathBuilder::restart(const Point& point, const std::array<int, 3>& geometry
     run_ = SmoothRun(config_);
   }
   pending_.reset();
+  standing_.reset();
   run_.clear();
   stands_ = true;
   end_ = point;
 }
 
 std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
+  if (way_of(block, programmed_end(), config_) == BlockWay::none) return stand(block);
   STANOK_ASSERT(block.rapid || block.feed_per_s > 0.0);
-  if (!moves(block, end_, config_.axis_count)) {
-    if (block.ending == BlockEnding::exact_stop) finish();
-    return std::nullopt;
-  }
   Pending next = pending_from(block);
+  if (next.whole.length <= 0.0) return stand(block);  // back over what was not moved before
   next.keeps_clear = !soft_limit_excess(next.whole, narrowed(config_, next.whole, next.tolerance));
   if (!next.keeps_clear) {
     if (const auto excess = soft_limit_excess(next.whole, config_)) {
@@ -170,8 +144,20 @@ std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
   }
   take(next);
   end_ = block.end;
+  standing_.reset();
   if (block.ending == BlockEnding::exact_stop) finish();
   return std::nullopt;
+}
+
+std::optional<Unreachable> PathBuilder::stand(const PathBlock& block) {
+  standing_ = block;
+  if (block.ending == BlockEnding::exact_stop) finish();
+  return std::nullopt;
+}
+
+// Where the program is, within some `standstill` of the end of the path.
+const Point& PathBuilder::programmed_end() const {
+  return standing_ ? standing_->end : end_;
 }
 
 void PathBuilder::take(const Pending& next) {
@@ -196,6 +182,24 @@ void PathBuilder::take(const Pending& next) {
 void PathBuilder::finish() {
   if (run_.is_open()) close_run(SmoothRun::End::at_rest);
   if (pending_) stop();
+  if (standing_) stand_at_programmed_end();
+}
+
+// Blocks that did not move may have named another end by what rounding leaves: the axes go there,
+// so that they stand where the program says, to the bit.
+void PathBuilder::stand_at_programmed_end() {
+  PathBlock block = *standing_;
+  standing_.reset();
+  block.kind = BlockKind::line;
+  block.rapid = true;
+  block.process = {};
+  for (auto k = static_cast<std::size_t>(config_.axis_count); k < block.end.size(); ++k)
+    block.end[k] = end_[k];
+  if (block.end == end_) return;
+  pending_ = pending_from(block);
+  end_ = block.end;
+  if (pending_->whole.length > 0.0) return stop();
+  pending_.reset();
 }
 
 // Two blocks that may be neighbours in a smooth run.
@@ -236,8 +240,7 @@ void PathBuilder::emit_run() {
 }
 
 PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
-  const PathMetric metric = metric_of(block, end_, config_);
-  const Shape shape = shape_of(metric, end_, block);
+  const Shape shape = shape_of(end_, block, config_);
   Pending pending;
   pending.whole.tag = block.tag;
   pending.whole.geometry = shape.geometry;

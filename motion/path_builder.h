@@ -75,6 +75,8 @@ class PathBuilder {
     double reach = 0.0;
   };
 
+  [[nodiscard]] const Point& programmed_end() const;
+  [[nodiscard]] std::optional<Unreachable> stand(const PathBlock& block);
   [[nodiscard]] Pending pending_from(const PathBlock& block) const;
   void take(const Pending& next);
   [[nodiscard]] bool belong_together(const Pending& one, const Pending& next) const;
@@ -92,6 +94,7 @@ class PathBuilder {
   void emit_part(double from, const Point& from_point, double to, const Point& to_point,
                  double jerk_part);
   void stop();
+  void stand_at_programmed_end();
   void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
   void append(const Piece& piece, double jerk_part = 1.0);
   void append_blend(Piece piece, const Pending& next, double reach);
@@ -99,7 +102,8 @@ class PathBuilder {
 
   MotionConfig config_;
   Point end_{};
-  bool stands_ = true;  // the last piece ended a chain, or there is none
+  std::optional<PathBlock> standing_;  // the last block, where it did not move
+  bool stands_ = true;                 // the last piece ended a chain, or there is none
   // Either the last block is pending, or it is the last one of an open run.
   std::optional<Pending> pending_;
   Pending last_of_run_;
