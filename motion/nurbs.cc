@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/shape.h"
 
@@ -15,6 +16,9 @@ constexpr int speed_samples = 8;
 // Speed by the parameter, as a share of the control polygon's length, below which a curve is taken
 // to stand still.
 constexpr double parameter_speed_min = 1e-6;
+// The most by which this speed may change within a stretch: where it grows out of next to nothing
+// the curve is bent sharply, and what limits the path there must not hold for all of it.
+constexpr double speed_ratio_max = 16.0;
 
 using Homogeneous = std::array<double, 3>;  // w x, w y, w
 
@@ -58,6 +62,10 @@ struct CurvePoint {
   std::array<double, 2> first{};
   std::array<double, 2> second{};
 };
+
+double size(const std::array<double, 2>& vector) {
+  return std::hypot(vector[0], vector[1]);
+}
 
 Homogeneous casteljau(std::vector<Homogeneous> points, double x) {
   for (std::size_t left = points.size(); left > 1; --left) {
@@ -115,9 +123,7 @@ class Stretcher {
   bool stretch(double x0, double x1, int halvings, std::vector<CurveStretch>& out) const {
     const CurvePoint from = span_.at(x0);
     const CurvePoint to = span_.at(x1);
-    if (std::hypot(from.first[0], from.first[1]) < speed_least_ ||
-        std::hypot(to.first[0], to.first[1]) < speed_least_)
-      return false;
+    if (size(from.first) < speed_least_ || size(to.first) < speed_least_) return false;
     const double h = x1 - x0;
     CurveStretch made;
     made.end = x1;
@@ -126,7 +132,7 @@ class Stretcher {
           quintic_between(from.position[c], h * from.first[c], h * h * from.second[c],
                           to.position[c], h * to.first[c], h * h * to.second[c]);
     }
-    if (halvings < halvings_max && deviates(made, x0, x1)) {
+    if (halvings < halvings_max && (deviates(made, x0, x1) || changes_speed(x0, x1))) {
       const double middle = 0.5 * (x0 + x1);
       return stretch(x0, middle, halvings + 1, out) && stretch(middle, x1, halvings + 1, out);
     }
@@ -135,6 +141,22 @@ class Stretcher {
   }
 
  private:
+  // Between two samples the speed may be lower than at both, by what the second derivative allows.
+  [[nodiscard]] bool changes_speed(double x0, double x1) const {
+    const double step = (x1 - x0) / speed_samples;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    CurvePoint before = span_.at(x0);
+    for (int k = 1; k <= speed_samples; ++k) {
+      const CurvePoint here = span_.at(x0 + step * k);
+      const double change = std::max(size(before.second), size(here.second));
+      least = std::min(least, 0.5 * (size(before.first) + size(here.first) - step * change));
+      most = std::max(most, size(here.first));
+      before = here;
+    }
+    return most > speed_ratio_max * least;
+  }
+
   [[nodiscard]] bool deviates(const CurveStretch& made, double x0, double x1) const {
     for (int k = 1; k < speed_samples; ++k) {
       const double u = static_cast<double>(k) / speed_samples;
