@@ -211,11 +211,14 @@ void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bo
 
 // How long the next chain, which begins with `start`, may overlap the one that ends with `end`.
 void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
-  STANOK_ASSERT(end.pieces.back().geometry.kind == PieceKind::line);
-  STANOK_ASSERT(start.pieces.front().geometry.kind == PieceKind::line);
-  end.chunk.overlap_s = overlap_duration(
-      *end.overlap, last_ramp(end.phases), first_ramp(start.phases),
-      {.incoming = end.pieces.back().length, .outgoing = start.pieces.front().length}, config_);
+  const Piece& last = end.pieces.back();
+  const Piece& first = start.pieces.front();
+  // Straight ways that are nothing beside the length of their block give way to blends: no overlap.
+  if (last.geometry.kind == PieceKind::line && first.geometry.kind == PieceKind::line) {
+    end.chunk.overlap_s =
+        overlap_duration(*end.overlap, last_ramp(end.phases), first_ramp(start.phases),
+                         {.incoming = last.length, .outgoing = first.length}, config_);
+  }
   end.overlap.reset();
 }
 
