@@ -1,0 +1,49 @@
+// Random part programs of everything that moves: lines, arcs, splines, threads, drilling cycles,
+// feed laws, frames and modes, and moves that are tiny or none at all.
+//
+// Whatever decides comes through Choices: a seeded generator, or the bytes of a fuzzer. Programs
+// stay well within the travel of the machines of MachineBench; not all of them are right.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+
+namespace stanok::testing {
+
+class Choices {
+ public:
+  virtual ~Choices() = default;
+  virtual double between(double low, double high) = 0;
+  bool chance(double probability) { return between(0.0, 1.0) < probability; }
+  std::size_t below(std::size_t count);
+};
+
+class SeededChoices final : public Choices {
+ public:
+  explicit SeededChoices(std::uint64_t seed) : engine_(seed) {}
+  double between(double low, double high) override {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Eight bits a choice; lower ends when they are used up.
+class ChoicesOfBytes final : public Choices {
+ public:
+  ChoicesOfBytes(const std::uint8_t* bytes, std::size_t size) : bytes_(bytes), left_(size) {}
+  double between(double low, double high) override;
+
+ private:
+  const std::uint8_t* bytes_;
+  std::size_t left_;
+};
+
+enum class MachineKind { three_axes, five_axes, lathe };
+
+[[nodiscard]] std::string random_program(MachineKind machine, Choices& choices);
+
+}  // namespace stanok::testing
