@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "motion/geometry.h"
@@ -24,6 +25,8 @@ using AxisDerivatives = kinematics::AxisVector<Derivatives>;
 constexpr int sampling_intervals_max = 8192;
 // Sampling is refined until what may lie between samples is below this share of the bound.
 constexpr double margin_share_max = 0.05;
+constexpr double margin_seen_min = 1e-4;  // of a limit; what takes less need not be resolved
+constexpr double override_max = 2.0;
 
 bool moves(const Piece& piece, std::size_t axis) {
   const Geometry& g = piece.geometry;
@@ -219,14 +222,20 @@ AxisDerivatives taken(const Peaks& peaks, double Peak::* value) {
   return q;
 }
 
-// Whether the margins matter little where they decide: in the bounds, not in every axis.
-bool is_resolved(const PieceBounds& sampled, const PieceBounds& bounds) {
-  const auto close = [](double peak, double bound) {
-    return bound - peak <= margin_share_max * bound;
+// Whether the margins matter little where they decide: in the bounds, not in every axis. A margin
+// that takes no more than `margin_seen_min` of a limit at the highest speed `v` of the piece is
+// nothing, whatever its share: on a straight way curvature is rounding, and never settles.
+bool is_resolved(const PieceBounds& sampled, const PieceBounds& bounds, double v) {
+  const auto close = [](double peak, double bound, double weight) {
+    return bound - peak <= std::max(margin_share_max * bound, margin_seen_min / weight);
   };
-  return close(sampled.velocity, bounds.velocity) && close(sampled.tangent, bounds.tangent) &&
-         close(sampled.thrust, bounds.thrust) && close(sampled.curvature, bounds.curvature) &&
-         close(sampled.bend, bounds.bend) && close(sampled.aberrancy, bounds.aberrancy);
+  constexpr double always = std::numeric_limits<double>::infinity();
+  return close(sampled.velocity, bounds.velocity, always) &&
+         close(sampled.tangent, bounds.tangent, always) &&
+         close(sampled.thrust, bounds.thrust, always) &&
+         close(sampled.curvature, bounds.curvature, v * v) &&
+         close(sampled.bend, bounds.bend, 3.0 * v / bounds.tangent) &&
+         close(sampled.aberrancy, bounds.aberrancy, v * v * v);
 }
 
 PieceBounds sampled_bounds(const Piece& piece, const MotionConfig& config) {
@@ -235,7 +244,8 @@ PieceBounds sampled_bounds(const Piece& piece, const MotionConfig& config) {
     const Peaks peaks = sampled_peaks(piece, intervals, config);
     PieceBounds bounds = bounds_of(taken(peaks, &Peak::bound), piece.rapid, config);
     const PieceBounds sampled = bounds_of(taken(peaks, &Peak::sampled), piece.rapid, config);
-    if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds)) {
+    const double v = std::min(override_max * piece.feed_per_s, 1.0 / bounds.velocity);
+    if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds, v)) {
       if (const auto limits = common_limits(piece, config))
         bounds.euclidean = euclidean_bounds(peaks.turn.bound, *limits);
       return bounds;
