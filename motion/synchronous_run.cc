@@ -87,6 +87,7 @@ PathMotion SynchronousRun::advance(const SpindleMotion& spindle, const FeedContr
     RT_SAFE {
   order_ = {};
   if (stage_ == Stage::waits) {
+    if (control.hold) has_watched_ = false;  // the start angle may pass meanwhile
     if (control.hold || !is_due(spindle)) return motion_;
     stage_ = Stage::goes_in;
   }

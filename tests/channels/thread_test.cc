@@ -239,6 +239,32 @@ TEST(Thread, AHoldActsBehindTheThread) {
   EXPECT_EQ(bench.channel(1).axes[lathe_X].position, 10.0);
 }
 
+// At any moment of the wait for the start angle, and for less than a turn up to several: the path
+// begins with the angle of a later turn, on the same helix.
+TEST(Thread, AHoldBeforeItLetsTheStartAnglePass) {
+  for (int begin = 430; begin < 510; begin += 7) {
+    MachineBench bench(testing::turning_machine());
+    bench.program("p.nc", "G8 G18 G95\nS600 M3\nG33 Z-10 K1.5 Q45\nM30\n");
+    bench.run(1, "p.nc");
+    Watched watched;
+    const auto watch = [&](const CycleOutput& output) {
+      const ChannelOutput& channel = output.channels[0];
+      watch_limits(channel, watched);
+      const double z = channel.axes[lathe_Z].position;
+      if (z < -1.0 && z > -9.0)
+        watched.error = std::max(watched.error, off_helix(channel, 0.0, -1.5, 45.0));
+    };
+    for (int cycle = 0; cycle < begin; ++cycle) watch(bench.cycle());
+    bench.ask(OperatorAction::program_hold, 1);
+    for (int cycle = 0; cycle < 50; ++cycle) watch(bench.cycle());
+    bench.ask(OperatorAction::program_resume, 1);
+    bench.run_to_end(watch);
+    EXPECT_THAT(bench.alarm_codes(), IsEmpty()) << begin;
+    EXPECT_LE(watched.error, discrete_mm) << begin;
+    EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -10.0) << begin;
+  }
+}
+
 TEST(Thread, AResetEndsItOnItsWay) {
   MachineBench bench(testing::turning_machine());
   bench.program("p.nc", "G8 G18 G95\nS600 M3\nG0 X10 Z2\nG33 Z-60 K1.5\nG0 X20\nM30\n");
