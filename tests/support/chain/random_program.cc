@@ -73,7 +73,7 @@ class Writer {
   }
 
   void block() {
-    switch (choices_.below(16)) {
+    switch (choices_.below(18)) {
       case 0:
       case 1:
         return arc();
@@ -97,6 +97,10 @@ class Writer {
         return sum();
       case 11:
         return frame();
+      case 12:
+        return turns() ? thread() : compensated();
+      case 13:
+        return output();
       default:
         return straight();
     }
@@ -246,6 +250,28 @@ class Writer {
         return line("G1" + words + " L_A=" + text_of(choices_.between(0.01, 1.0), 3) +
                     " L_B=" + text_of(choices_.between(0.5, 5.0), 3));
     }
+  }
+
+  // A pass of a contour beside which the tool's centre runs.
+  void compensated() {
+    if (incremental_ || inverse_time_) return;
+    line(std::string(choices_.chance(0.5) ? "G41.1" : "G42.1") + " D" +
+         text_of(choices_.between(0.1, 4.0), 3));
+    const std::size_t count = 1 + choices_.below(4);
+    for (std::size_t n = 0; n < count; ++n) line("G1" + axis_pair() + feed_word());
+    line("G40");
+    line("G1" + axis_pair() + feed_word());
+  }
+
+  void thread() {
+    if (inverse_time_ || incremental_) return;
+    const double by = choices_.between(2.0, 12.0) * (choices_.chance(0.5) ? 1.0 : -1.0);
+    at_[1] += std::abs(at_[1] + by) > reach_mm ? -by : by;
+    line("G33 Z" + number(at_[1]) + " K" + text_of(choices_.between(0.25, 2.0), 3));
+  }
+
+  void output() {
+    line((choices_.chance(0.5) ? "M62 P" : "M64 P") + std::to_string(choices_.below(4)));
   }
 
   void mode() {
