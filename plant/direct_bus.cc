@@ -56,15 +56,20 @@ void DirectBus::write(std::span<const drives::DriveTarget> targets) RT_SAFE {
 }
 
 void DirectBus::exchange(Axis& axis, const drives::DriveTarget& target) RT_SAFE {
-  const drives::CommandBlock command = axis.exchange.command(target, drives::TargetAge::fresh);
   const AnswerKind kind = axis.drive.answer_kind();
   std::optional<drives::ExchangeError> error;
-  if (kind == AnswerKind::normal) {
-    axis.drive.command(command);
-    error = axis.exchange.take(axis.drive.status(), now_, now_);
-  } else {
+  if (kind != AnswerKind::normal) {
+    if (axis.exchange.has_answered())
+      static_cast<void>(axis.exchange.command(target, drives::TargetAge::fresh));
     error = error_of(kind);
     axis.exchange.fail(*error);
+  } else {
+    if (!axis.exchange.has_answered())
+      error = axis.exchange.take(axis.drive.status(), now_, now_);  // a first look
+    if (!error) {
+      axis.drive.command(axis.exchange.command(target, drives::TargetAge::fresh));
+      error = axis.exchange.take(axis.drive.status(), now_, now_);
+    }
   }
   axis.exchange.supervise(now_);
   ++exchanges_;

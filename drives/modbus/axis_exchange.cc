@@ -32,34 +32,70 @@ AxisExchange::AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime 
 
 CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_SAFE {
   take_offset(target);
-  const auto position = config_.map.target_position.increments(target.position - position_offset_);
-  const auto velocity = config_.map.target_velocity.increments(
-      has_direction_in_word() ? std::fabs(target.velocity) : target.velocity);
-  const bool sendable = position && velocity;
+  follows_velocity_ = target.mode == OperationMode::cyclic_synchronous_velocity;
   enable_blocked_ = target.enabled && (enable_blocked_ || lost_ || age == TargetAge::stale);
   watch_fault_reset(target.fault_reset);
+  const std::optional<Demand> demand = demand_of(target);
+  request_ = request_for(target, demand.has_value());
+  source_ = source_under(request_);
 
-  sent_.control_word = word_for(request_for(target, sendable), target.velocity);
+  sent_.control_word = word_for(request_, target.velocity);
   told_reverse_ = has_direction_in_word() && sent_.control_word == config_.words->run_reverse;
   if (target.brake_closed) {
     sent_.control_word |= config_.map.bits.close_brake;
   }
-  follows_velocity_ = target.mode == OperationMode::cyclic_synchronous_velocity;
   if (follows_velocity_) {
     sent_.control_word |= config_.map.bits.follow_velocity;
   }
-  if (sendable) {
-    const RegisterField& field = config_.map.target_position;
-    sent_.target_position = *position;
-    target_position_ = field.exists() ? field.value(*position) + position_offset_ : target.position;
-  }
-  sent_.target_velocity = sendable && !enable_blocked_ ? *velocity : 0;
+  set_targets(demand, target);
   if (!lost_) {
     const double sent = config_.map.target_velocity.value(sent_.target_velocity);
     speed_before_loss_ = std::max(std::fabs(feedback_.velocity), std::fabs(sent));
   }
   ++sent_.heartbeat;
+  commanded_ = true;
   return sent_;
+}
+
+WriteOrder AxisExchange::write_order() const RT_SAFE {
+  return request_ == PowerRequest::on ? WriteOrder::target_first : WriteOrder::control_word_first;
+}
+
+std::optional<AxisExchange::Demand> AxisExchange::demand_of(const DriveTarget& target) const
+    RT_SAFE {
+  const auto position = config_.map.target_position.increments(target.position - position_offset_);
+  const auto velocity = config_.map.target_velocity.increments(
+      has_direction_in_word() ? std::fabs(target.velocity) : target.velocity);
+  if (!position || !velocity) return std::nullopt;
+  return Demand{*position, *velocity};
+}
+
+double AxisExchange::counted_position() const RT_SAFE {
+  return feedback_.position - feedback_.position_offset;
+}
+
+AxisExchange::TargetSource AxisExchange::source_under(PowerRequest request) const RT_SAFE {
+  if (!moves_axis()) return TargetSource::cycle;
+  if (feedback_.state != DriveState::operation_enabled) return TargetSource::actual;
+  if (request == PowerRequest::on) return TargetSource::cycle;
+  return source_ == TargetSource::actual ? TargetSource::actual : TargetSource::held;
+}
+
+// What cannot be sent leaves the targets as they were, without velocity.
+void AxisExchange::set_targets(const std::optional<Demand>& demand, const DriveTarget& target)
+    RT_SAFE {
+  const RegisterField& field = config_.map.target_position;
+  const bool follows_cycle = source_ == TargetSource::cycle && demand.has_value();
+  if (follows_cycle) {
+    sent_.target_position = demand->position;
+  } else if (source_ == TargetSource::actual) {
+    sent_.target_position = field.saturated_increments(counted_position());
+  }
+  const double sent = field.exists()  ? field.value(sent_.target_position)
+                      : follows_cycle ? target.position - position_offset_
+                                      : counted_position();
+  target_position_ = sent + position_offset_;
+  sent_.target_velocity = follows_cycle && !enable_blocked_ ? demand->velocity : 0;
 }
 
 std::uint16_t AxisExchange::word_for(PowerRequest request, double velocity) const RT_SAFE {
@@ -92,7 +128,19 @@ PowerRequest AxisExchange::request_for(const DriveTarget& target, bool sendable)
   if (!target.enabled) {
     return PowerRequest::off;
   }
-  return enable_blocked_ || !sendable ? PowerRequest::quick_stop : PowerRequest::on;
+  if (enable_blocked_ || !sendable) {
+    return PowerRequest::quick_stop;
+  }
+  return may_take_over(target) ? PowerRequest::on : PowerRequest::off;
+}
+
+// A drive that is to follow the cycle from now on must stand where the cycle has its axis.
+bool AxisExchange::may_take_over(const DriveTarget& target) const RT_SAFE {
+  const bool is_taken_over = source_ == TargetSource::cycle && request_ == PowerRequest::on &&
+                             feedback_.state == DriveState::operation_enabled;
+  if (is_taken_over || !moves_axis() || follows_velocity_) return true;
+  const double apart = std::fabs(target.position - position_offset_ - counted_position());
+  return apart <= config_.following_error_max;
 }
 
 std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTime asked,
@@ -100,7 +148,7 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
   const auto state = state_in(answer);
   std::optional<ExchangeError> error;
   const bool has_echo = config_.map.heartbeat.exists() && config_.map.heartbeat_echo.exists();
-  if (has_echo && answer.heartbeat_echo != sent_.heartbeat) {
+  if (has_echo && commanded_ && answer.heartbeat_echo != sent_.heartbeat) {
     error = ExchangeError::stuck;
   } else if (!state || !is_plausible(answer, now)) {
     error = ExchangeError::implausible;
@@ -145,7 +193,10 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
   const RegisterMap& map = config_.map;
   const double position = map.position.value(answer.position) + position_offset_;
   check_reference(position, now);
+  const bool followed = moves_axis() && source_ == TargetSource::cycle;
+  enable_blocked_ |= followed && state != DriveState::operation_enabled;
   answering_ = true;
+  commanded_ = false;
   leak_ = std::max(leak_ - 1, 0);
   lost_ = lost_ && leak_ > leak_max_ / 2;
   feedback_.position = position;

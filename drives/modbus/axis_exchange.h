@@ -4,7 +4,15 @@
 // exchange supervises contact: it is lost after `timeout` without a good answer, or when a leaky
 // counter (up with every bad exchange, down with every good one) passes its limit. After a loss the
 // drive is told to stop, and it stays off until the cycle has taken back `enabled` once: nothing
-// resumes by itself. Time is given by the caller, as the time since the start of the bus.
+// resumes by itself. The same holds for the drive of an axis that has left "operation enabled" by
+// itself.
+//
+// The drive of an axis follows targets of the cycle only while it is on. Until then its target is
+// the position it reports itself, so it is never enabled towards a place where the axis is not; and
+// it is not enabled while the cycle wants the axis further away than `following_error_max`. A drive
+// that has never answered is only looked at: `take` without a `command` before it.
+//
+// Time is given by the caller, as the time since the start of the bus.
 #pragma once
 
 #include <chrono>
@@ -15,6 +23,7 @@
 #include "drives/bus_config.h"
 #include "drives/cia402.h"
 #include "drives/modbus/drive_registers.h"
+#include "drives/modbus/exchange_plan.h"
 
 namespace stanok::drives {
 
@@ -27,8 +36,14 @@ class AxisExchange {
  public:
   AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime timeout);
 
+  // Whether it is known where the drive stands: only then may it be written.
+  [[nodiscard]] bool has_answered() const RT_SAFE { return feedback_.sequence > 0; }
+
   // The block to send now.
   [[nodiscard]] CommandBlock command(const DriveTarget& target, TargetAge age) RT_SAFE;
+
+  // In which order the registers of that block are written.
+  [[nodiscard]] WriteOrder write_order() const RT_SAFE;
 
   // Takes the answer to the last command, or says why it is discarded; a discarded answer counts as
   // failed. The values are from some instant between `asked` and `now`.
@@ -49,7 +64,22 @@ class AxisExchange {
   [[nodiscard]] const ErrorCounts& errors_by_kind() const RT_SAFE { return errors_; }
 
  private:
+  // Whose target the drive was sent last: its own position, the last one of the cycle while it is
+  // being stopped, or the cycle's.
+  enum class TargetSource : std::uint8_t { actual, held, cycle };
+  struct Demand {
+    std::int32_t position;
+    std::int32_t velocity;
+  };
+
+  [[nodiscard]] std::optional<Demand> demand_of(const DriveTarget& target) const RT_SAFE;
   [[nodiscard]] PowerRequest request_for(const DriveTarget& target, bool sendable) const RT_SAFE;
+  [[nodiscard]] bool may_take_over(const DriveTarget& target) const RT_SAFE;
+  [[nodiscard]] TargetSource source_under(PowerRequest request) const RT_SAFE;
+  void set_targets(const std::optional<Demand>& demand, const DriveTarget& target) RT_SAFE;
+  [[nodiscard]] bool moves_axis() const RT_SAFE { return config_.spindle == 0; }
+  // Of the last answer, as the drive counts: without the offset.
+  [[nodiscard]] double counted_position() const RT_SAFE;
   [[nodiscard]] bool is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE;
   void check_reference(double position, BusTime now) RT_SAFE;
   void watch_following_error(BusTime now) RT_SAFE;
@@ -72,6 +102,8 @@ class AxisExchange {
   std::optional<BusTime> following_error_since_;
   int leak_ = 0;
   ErrorCounts errors_{};
+  TargetSource source_ = TargetSource::actual;
+  PowerRequest request_ = PowerRequest::off;
   double position_offset_ = 0.0;
   double target_position_ = 0.0;    // as sent
   double speed_before_loss_ = 0.0;  // the greater of target and actual speed
@@ -79,6 +111,7 @@ class AxisExchange {
   bool told_reverse_ = false;  // by a word of its own
   bool answering_ = true;
   bool lost_ = false;
+  bool commanded_ = false;  // since the last answer
   bool enable_blocked_ = false;
   bool moved_out_of_sight_ = false;
   bool position_accepted_ = false;

@@ -32,46 +32,72 @@ std::vector<RegisterRun> runs_of(const RegisterMap& map, std::span<const FieldOf
   return runs;
 }
 
-void add_single_writes(const std::vector<RegisterRun>& runs, std::vector<Request>& plan) {
+// Of function 6, one register each.
+std::vector<RegisterRun> single_registers(const std::vector<RegisterRun>& runs) {
+  std::vector<RegisterRun> singles;
   for (const RegisterRun& run : runs) {
-    for (int at = run.first; at < run.end(); ++at)
-      plan.push_back({.function = Function::write_register, .written = {at, 1}});
+    for (int at = run.first; at < run.end(); ++at) singles.push_back({at, 1});
   }
+  return singles;
 }
 
-// The last of both runs go together, so that the last read follows every write.
-void add_pairs(std::vector<RegisterRun> written, std::vector<RegisterRun> read,
-               std::vector<Request>& plan) {
-  const std::size_t pairs = std::min(written.size(), read.size());
-  for (std::size_t k = 0; k + pairs < written.size(); ++k)
-    plan.push_back({.function = Function::write_registers, .written = written[k]});
-  for (std::size_t k = 0; k + pairs < read.size(); ++k)
-    plan.push_back({.function = Function::read_registers, .read = read[k]});
-  for (std::size_t k = pairs; k > 0; --k) {
-    plan.push_back({.function = Function::write_and_read_registers,
-                    .written = written[written.size() - k],
-                    .read = read[read.size() - k]});
-  }
+bool holds(const RegisterRun& run, const RegisterField& field) {
+  return field.exists() && field.address >= run.first && field.address < run.end();
+}
+
+std::vector<RegisterRun> written_runs(const AxisDriveConfig& drive, WriteOrder order) {
+  std::vector<RegisterRun> runs = runs_of(drive.map, written_fields, 0, written_max);
+  if (drive.requests == RequestStyle::write_single) runs = single_registers(runs);
+  std::ranges::stable_partition(runs, [&](const RegisterRun& run) {
+    const bool has_control_word = holds(run, drive.map.control_word);
+    return order == WriteOrder::control_word_first ? has_control_word : !has_control_word;
+  });
+  return runs;
+}
+
+// The echo is read last.
+std::vector<RegisterRun> read_runs(const AxisDriveConfig& drive) {
+  std::vector<RegisterRun> runs = runs_of(drive.map, read_fields, drive.gap_max, read_max);
+  std::ranges::stable_partition(
+      runs, [&](const RegisterRun& run) { return !holds(run, drive.map.heartbeat_echo); });
+  return runs;
+}
+
+void add_writes(std::span<const RegisterRun> runs, RequestStyle style, std::vector<Request>& plan) {
+  const Function function =
+      style == RequestStyle::write_single ? Function::write_register : Function::write_registers;
+  for (const RegisterRun& run : runs) plan.push_back({.function = function, .written = run});
+}
+
+void add_reads(std::span<const RegisterRun> runs, std::vector<Request>& plan) {
+  for (const RegisterRun& run : runs)
+    plan.push_back({.function = Function::read_registers, .read = run});
 }
 
 }  // namespace
 
-std::vector<Request> exchange_plan(const AxisDriveConfig& drive) {
-  const std::vector<RegisterRun> written = runs_of(drive.map, written_fields, 0, written_max);
-  const std::vector<RegisterRun> read = runs_of(drive.map, read_fields, drive.gap_max, read_max);
+std::vector<Request> exchange_plan(const AxisDriveConfig& drive, WriteOrder order) {
+  const std::vector<RegisterRun> writes = written_runs(drive, order);
+  const std::vector<RegisterRun> reads = read_runs(drive);
+  const std::span<const RegisterRun> written = writes;
+  const std::span<const RegisterRun> read = reads;
+  const bool pairs_up = drive.requests == RequestStyle::write_and_read;
+  const std::size_t pairs = pairs_up ? std::min(written.size(), read.size()) : 0;
+  const std::size_t alone = written.size() - pairs;
   std::vector<Request> plan;
-  if (drive.requests == RequestStyle::write_and_read) {
-    add_pairs(written, read, plan);
-    return plan;
+  add_writes(written.first(alone), drive.requests, plan);
+  for (std::size_t k = 0; k < pairs; ++k) {
+    plan.push_back({.function = Function::write_and_read_registers,
+                    .written = written[alone + k],
+                    .read = read[k]});
   }
-  if (drive.requests == RequestStyle::write_single) {
-    add_single_writes(written, plan);
-  } else {
-    for (const RegisterRun& run : written)
-      plan.push_back({.function = Function::write_registers, .written = run});
-  }
-  for (const RegisterRun& run : read)
-    plan.push_back({.function = Function::read_registers, .read = run});
+  add_reads(read.subspan(pairs), plan);
+  return plan;
+}
+
+std::vector<Request> look_plan(const AxisDriveConfig& drive) {
+  std::vector<Request> plan;
+  add_reads(read_runs(drive), plan);
   return plan;
 }
 

@@ -4,8 +4,10 @@
 // Registers that follow each other are one run. A written run has no gap, since a gap would be
 // written too; a read run may bridge gaps of at most `gap_max` registers. With function 23 a
 // written and a read run go in one request, so a map of two blocks takes one trip. All writes come
-// before the last read, so that an echo is of this exchange. Source: MODBUS Application Protocol
-// V1.1b3, clauses 6.3, 6.6, 6.12, 6.17.
+// before the read of the echo, so that the echo is of this exchange. Where the control word is not
+// next to the targets, it comes behind them when it lets the drive move, so that no drive is
+// enabled with an old target, and before them when it stops the drive, so that a refused target
+// delays no stop. Source: MODBUS Application Protocol V1.1b3, clauses 6.3, 6.6, 6.12, 6.17.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +41,12 @@ struct Request {
   bool operator==(const Request&) const = default;
 };
 
-[[nodiscard]] std::vector<Request> exchange_plan(const AxisDriveConfig& drive);
+enum class WriteOrder : std::uint8_t { target_first, control_word_first };
+
+[[nodiscard]] std::vector<Request> exchange_plan(const AxisDriveConfig& drive,
+                                                 WriteOrder order = WriteOrder::target_first);
+
+// Only reads: how a drive is asked that has never answered.
+[[nodiscard]] std::vector<Request> look_plan(const AxisDriveConfig& drive);
 
 }  // namespace stanok::drives

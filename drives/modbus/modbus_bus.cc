@@ -41,7 +41,9 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle)
   status_.endpoint = link_.endpoint();
   for (const AxisDriveConfig& axis : drives_) {
     axes_.emplace_back(axis, poll_, timeout_);
-    plans_.push_back(exchange_plan(axis));
+    plans_.push_back({.look = look_plan(axis),
+                      .run = exchange_plan(axis, WriteOrder::target_first),
+                      .stop = exchange_plan(axis, WriteOrder::control_word_first)});
     images_.emplace_back(static_cast<std::size_t>(register_count(axis.map)));
     status_.axes.push_back({.axis = axis.axis});
   }
@@ -217,18 +219,27 @@ void ModbusBus::poll_one(std::size_t axis, TargetAge age) {
   }
 }
 
+// A drive that has never answered is looked at before anything is written to it.
 std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age) {
+  AxisExchange& drive = axes_[axis];
+  if (!drive.has_answered()) {
+    if (const auto error = carry_out(axis, plans_[axis].look)) return error;
+  }
+  write_block(drives_[axis].map, drive.command(boxes_[axis].target.read(), age), images_[axis]);
+  const bool runs = drive.write_order() == WriteOrder::target_first;
+  return carry_out(axis, runs ? plans_[axis].run : plans_[axis].stop);
+}
+
+std::optional<ExchangeError> ModbusBus::carry_out(std::size_t axis, std::span<const Request> plan) {
   const AxisDriveConfig& config = drives_[axis];
   AxisExchange& drive = axes_[axis];
-  std::vector<std::uint16_t>& image = images_[axis];
-  write_block(config.map, drive.command(boxes_[axis].target.read(), age), image);
   const BusTime begin = now();
-  auto error = link_.exchange(config.unit, plans_[axis], image);
+  auto error = link_.exchange(config.unit, plan, images_[axis]);
   const BusTime end = now();
   if (error) {
     drive.fail(*error);
   } else {
-    error = drive.take(status_block(config.map, image), begin, end);
+    error = drive.take(status_block(config.map, images_[axis]), begin, end);
   }
   count_exchange(error, end - begin);
   return error;

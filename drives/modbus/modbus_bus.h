@@ -55,6 +55,13 @@ class ModbusBus final : public DriveBus {
     std::uint32_t age_cycles = 0;
   };
 
+  // The requests of one drive: to look at it, to let it move, to stop it.
+  struct Plans {
+    std::vector<Request> look;
+    std::vector<Request> run;
+    std::vector<Request> stop;
+  };
+
   // A vibration sensor: what is read, and what crosses to the cycle.
   struct Sensor {
     explicit Sensor(const VibrationSensorConfig& config);
@@ -74,6 +81,8 @@ class ModbusBus final : public DriveBus {
   void poll_sensor(std::size_t sensor);
   [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block);
   [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t axis, TargetAge age);
+  [[nodiscard]] std::optional<ExchangeError> carry_out(std::size_t axis,
+                                                       std::span<const Request> plan);
   [[nodiscard]] bool ensure_connected();
   void back_off();
   void choose_silent_axis();
@@ -99,7 +108,7 @@ class ModbusBus final : public DriveBus {
   // Of the bus thread.
   ModbusLink link_;
   std::vector<AxisExchange> axes_;
-  std::vector<std::vector<Request>> plans_;
+  std::vector<Plans> plans_;
   std::vector<std::vector<std::uint16_t>> images_;  // registers of each drive, n at place n
   SignalExchange signals_;
   std::deque<Sensor> sensors_;  // rings stay where they are

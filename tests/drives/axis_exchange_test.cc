@@ -69,6 +69,7 @@ class AxisExchangeTest : public ::testing::Test {
 TEST_F(AxisExchangeTest, PositionComesWithTheTargetOfItsExchange) {
   target.position = 0.25;
   answer(0.2);
+  answer(0.2);
   EXPECT_EQ(exchange.feedback().target_position, 0.25);
   target.position = 0.5;
   no_answer();
@@ -86,9 +87,46 @@ TEST_F(AxisExchangeTest, FeedbackIsInvalidBeforeTheFirstAnswer) {
 TEST_F(AxisExchangeTest, SendsTargetsInIncrements) {
   target.position = 12.345;
   target.velocity = -3.5;
-  answer(0.0);
+  answer(12.3);
+  answer(12.3);
   EXPECT_EQ(sent.target_position, 12345);
   EXPECT_EQ(sent.target_velocity, -3500);
+}
+
+TEST_F(AxisExchangeTest, WhileItIsOffTheTargetIsWhereTheDriveStands) {
+  target.position = 120.0;
+  answer(1.5, DriveState::ready_to_switch_on);
+  for (int i = 0; i < 10; ++i) {
+    answer(2.5 + i, DriveState::ready_to_switch_on);
+    EXPECT_EQ(sent.target_position, i == 0 ? 1500 : 1500 + 1000 * i);
+    EXPECT_EQ(sent.target_velocity, 0);
+    EXPECT_EQ(sent.control_word, control_word(DriveState::ready_to_switch_on, PowerRequest::off))
+        << "not enabled towards 120 mm";
+  }
+  target.position = 11.6;
+  answer(11.6, DriveState::operation_enabled);
+  EXPECT_EQ(sent.control_word, control_word(DriveState::ready_to_switch_on, PowerRequest::on));
+  EXPECT_EQ(sent.target_position, 11500);
+  answer(11.6, DriveState::operation_enabled);
+  EXPECT_EQ(sent.target_position, 11600);
+}
+
+TEST_F(AxisExchangeTest, ADriveFoundOnIsSwitchedOffWhereItStands) {
+  target = {.position = 120.0, .brake_closed = false};
+  answer(1.5);
+  answer(1.5);
+  EXPECT_EQ(sent.target_position, 1500);
+  EXPECT_EQ(sent.control_word, control_word(DriveState::operation_enabled, PowerRequest::off));
+}
+
+TEST_F(AxisExchangeTest, WhatDropsOutIsNotEnabledAgainByItself) {
+  answer(0.0);
+  answer(0.0);
+  answer(0.0, DriveState::switch_on_disabled);
+  for (int i = 0; i < 10; ++i) {
+    answer(0.0, DriveState::ready_to_switch_on);
+    EXPECT_NE(sent.control_word & control::no_quick_stop, control::no_quick_stop);
+  }
 }
 
 TEST_F(AxisExchangeTest, BrakeBitFollowsTheTarget) {

@@ -44,8 +44,8 @@ TEST(ExchangePlan, AReadBridgesTheGapsThatTheDriveBears) {
   drive.requests = RequestStyle::write_single;
   drive.gap_max = 2;
   EXPECT_EQ(exchange_plan(drive),
-            (Plan{{.function = Function::write_register, .written = {8192, 1}},
-                  {.function = Function::write_register, .written = {8193, 1}},
+            (Plan{{.function = Function::write_register, .written = {8193, 1}},
+                  {.function = Function::write_register, .written = {8192, 1}},
                   {.function = Function::read_registers, .read = {8448, 4}},
                   {.function = Function::read_registers, .read = {8460, 1}}}));
 }
@@ -55,10 +55,28 @@ TEST(ExchangePlan, AWriteNeverBridgesAGap) {
   drive.map.target_velocity.address = 8194;
   drive.gap_max = 100;
   EXPECT_EQ(exchange_plan(drive),
+            (Plan{{.function = Function::write_registers, .written = {8194, 1}},
+                  {.function = Function::write_and_read_registers,
+                   .written = {8192, 1},
+                   .read = {8448, 13}}}));
+}
+
+TEST(ExchangePlan, AStopIsWrittenFirst) {
+  AxisDriveConfig drive = inverter_drive();
+  drive.map.target_velocity.address = 8190;
+  drive.gap_max = 100;
+  EXPECT_EQ(exchange_plan(drive, WriteOrder::control_word_first),
             (Plan{{.function = Function::write_registers, .written = {8192, 1}},
                   {.function = Function::write_and_read_registers,
-                   .written = {8194, 1},
+                   .written = {8190, 1},
                    .read = {8448, 13}}}));
+}
+
+TEST(ExchangePlan, TheEchoIsReadBehindEveryWrite) {
+  AxisDriveConfig drive = inverter_drive();
+  drive.map.heartbeat = {.address = 8300};
+  drive.map.heartbeat_echo = {.address = 8400};
+  EXPECT_EQ(exchange_plan(drive).back().read, (RegisterRun{8400, 1}));
 }
 
 // Properties for arbitrary maps: each register of a field is transferred, nothing else is written,
@@ -107,6 +125,15 @@ TEST(ExchangePlan, CoversAnyMapAndWritesNothingElse) {
           << "seed " << seed << ", round " << round;
     }
     ASSERT_GT(plan.back().read.count, 0);
+    const int echo = drive.map.heartbeat_echo.address;
+    const auto is_write = [](const Request& request) { return request.written.count > 0; };
+    const auto reads_echo = [&](const Request& request) {
+      return request.read.first <= echo && echo < request.read.end();
+    };
+    const auto last_write = std::ranges::find_if(plan.rbegin(), plan.rend(), is_write);
+    const auto echo_read = std::ranges::find_if(plan, reads_echo);
+    ASSERT_LE(last_write.base() - plan.begin() - 1, echo_read - plan.begin())
+        << "seed " << seed << ", round " << round;
   }
 }
 

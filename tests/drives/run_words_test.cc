@@ -46,7 +46,7 @@ TEST(RunWords, AContactorIsBelievedToDoWhatItIsTold) {
 
 TEST(RunWords, AnExchangeWritesMagnitudeAndReadsItBackWithSign) {
   AxisDriveConfig drive{
-      .axis = "S1", .kind = DriveKind::velocity, .map = {}, .words = inverter_words};
+      .axis = "S1", .spindle = 1, .kind = DriveKind::velocity, .map = {}, .words = inverter_words};
   drive.map.control_word = {.address = 0};
   drive.map.target_velocity = {.address = 1, .scale = 0.5};
   drive.map.status_word = {.address = 2};
