@@ -29,6 +29,13 @@ constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A3002", "a drive reports a fault", Reaction::axis_stop,
      "see the fault code in drive status and the manual of the drive",
      "clear the fault, reset the channel and switch the machine on"},
+    {"A3003", "an axis that does not follow its set-points", Reaction::axis_stop,
+     "see whether the axis is blocked, its encoder and coupling are sound, and following_error_max "
+     "fits the drive",
+     "reset the channel, switch the machine on and check the position of the axis"},
+    {"A3004", "a drive that has switched itself off", Reaction::axis_stop,
+     "see its power, its safe torque off and its enabling input",
+     "reset the channel and switch the machine on"},
     {"A4001", "axes that cannot follow a spindle through a thread", Reaction::feed_hold,
      "turn the spindle more slowly, and see that its speed is steady",
      "reset the channel; a tool may still be in the thread"},

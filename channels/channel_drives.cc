@@ -62,6 +62,8 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
   drives_ready_ = true;
   AxisNames silent;
   AxisNames faulty;
+  AxisNames stray;
+  AxisNames released;
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     AxisFeedback drive = feedback[static_cast<std::size_t>(figures_.machine_axis[i])];
@@ -77,6 +79,9 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     drives_ready_ = drives_ready_ && drive.valid && drive.enabled;
     if (drive_was_ready_[i] && !drive.valid) silent.add(figures_.axes[i].name.view());
     if (drive_was_ready_[i] && drive.fault) faulty.add(figures_.axes[i].name.view());
+    if (drive_was_ready_[i] && drive.strays) stray.add(figures_.axes[i].name.view());
+    if (drive_was_ready_[i] && drive.valid && !drive.enabled && !drive.fault)
+      released.add(figures_.axes[i].name.view());
     drive_was_ready_[i] = drive_was_ready_[i] || (drive.valid && drive.enabled);
   }
   watch_limit_switches();
@@ -85,6 +90,14 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
     fault("A3001", silent.sentence(" does not answer", " do not answer").view());
   if (faulty.count > 0)
     fault("A3002", faulty.sentence(" reports a fault", " report faults").view());
+  if (stray.count > 0)
+    fault("A3003", stray
+                       .sentence(" does not follow its set-points, or does not tell where it is",
+                                 " do not follow their set-points, or do not tell where they are")
+                       .view());
+  if (released.count > 0)
+    fault("A3004",
+          released.sentence(" has switched itself off", " have switched themselves off").view());
 }
 
 // A drive that is about to take its axis over shall hold it where it is: an encoder counts from

@@ -83,6 +83,7 @@ struct AxisFeedback {
   bool home_switch = false;  // it stands on its reference switch
   bool limit_negative = false;
   bool limit_positive = false;
+  bool strays = false;            // too far from its set-point for longer than a disturbance lasts
   double position_offset = 0.0;   // of what the drive counts
   double index_position = 0.0;    // at the latest index pulse
   std::uint32_t index_count = 0;  // pulses so far

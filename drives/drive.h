@@ -53,7 +53,9 @@ struct DriveFeedback {
   double position = 0.0;
   double target_position = 0.0;  // what was written in the exchange that brought `position`
   double velocity = 0.0;
-  double following_error = 0.0;  // the drive's own demand minus its position, at one instant
+  // Demand minus position at one instant: what the drive reports, or what its answer shows against
+  // its targets, whichever is worse.
+  double following_error = 0.0;
   double power_w = 0.0;
   double vibration_um = 0.0;
   double vibration_hz = 0.0;

@@ -9,8 +9,8 @@ namespace {
 
 // In the order of the enumeration.
 constexpr std::array<std::string_view, fault_kind_count> names = {
-    "none", "off",       "stuck",   "garbage", "slow",  "intermittent",
-    "trip", "elsewhere", "mangled", "hang_up", "jammed"};
+    "none", "off",       "stuck",   "garbage", "slow",   "intermittent",
+    "trip", "elsewhere", "mangled", "hang_up", "jammed", "frozen"};
 
 }  // namespace
 

@@ -20,8 +20,9 @@ enum class FaultKind : std::uint16_t {
   mangled = 8,       // answers with broken frames
   hang_up = 9,       // closes the connection instead of answering
   jammed = 10,       // the axis does not move, whatever the motor does
+  frozen = 11,       // answers rightly, but with the same position for ever and no following error
 };
-inline constexpr std::uint16_t fault_kind_count = 11;
+inline constexpr std::uint16_t fault_kind_count = 12;
 
 [[nodiscard]] std::string_view name_of(FaultKind kind);
 [[nodiscard]] std::optional<FaultKind> fault_named(std::string_view name);

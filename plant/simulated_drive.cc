@@ -189,7 +189,12 @@ drives::StatusBlock SimulatedDrive::status() RT_SAFE {
   if (fault_ == FaultKind::garbage) {
     return arbitrary_status();
   }
-  return measured_status();
+  drives::StatusBlock status = measured_status();
+  if (fault_ == FaultKind::frozen) {
+    status.position = stuck_status_.position;
+    status.following_error = 0;
+  }
+  return status;
 }
 
 drives::StatusBlock SimulatedDrive::measured_status() const RT_SAFE {
@@ -298,7 +303,7 @@ void SimulatedDrive::inject(FaultKind kind) RT_SAFE {
     power_.trip(drives::fault_code::over_current);
     kind = FaultKind::none;
   }
-  if (kind == FaultKind::stuck && fault_ != FaultKind::stuck) {
+  if ((kind == FaultKind::stuck || kind == FaultKind::frozen) && fault_ != kind) {
     stuck_status_ = measured_status();
   }
   const bool had_supply = has_supply();

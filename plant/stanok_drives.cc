@@ -53,7 +53,7 @@ void define(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "print the units as JSON");
   app.add_option("--fault", options.faults,
                  "begin with a fault: off, stuck, garbage, slow, intermittent, trip, elsewhere, "
-                 "mangled, hang_up or jammed")
+                 "mangled, hang_up, jammed or frozen")
       ->type_name("AXIS=KIND");
 }
 

@@ -97,9 +97,9 @@ constexpr Parameter on_or_off{.name = "on",
                               .maximum = 1,
                               .help = "1 on, 0 off"};
 
-constexpr auto fault_choices =
-    std::to_array<std::string_view>({"none", "off", "stuck", "garbage", "slow", "intermittent",
-                                     "trip", "elsewhere", "mangled", "hang_up", "jammed"});
+constexpr auto fault_choices = std::to_array<std::string_view>(
+    {"none", "off", "stuck", "garbage", "slow", "intermittent", "trip", "elsewhere", "mangled",
+     "hang_up", "jammed", "frozen"});
 constexpr Parameter drive =
     required_text("drive", "name of the axis; S and its number for a spindle");
 constexpr Parameter drive_fault{.name = "fault",

@@ -15,7 +15,8 @@ enum Bit : unsigned {
   brake_closed = 16,
   home_switch = 32,
   limit_negative = 64,
-  limit_positive = 128
+  limit_positive = 128,
+  strays = 256
 };
 
 template <class Message>
@@ -51,7 +52,7 @@ feedback_t to_feedback(int channel, int axis, const channels::AxisFeedback& feed
       bit(feedback.valid, valid) | bit(feedback.fault, fault) | bit(feedback.enabled, enabled) |
       bit(feedback.referenced, referenced) | bit(feedback.brake_closed, brake_closed) |
       bit(feedback.home_switch, home_switch) | bit(feedback.limit_negative, limit_negative) |
-      bit(feedback.limit_positive, limit_positive));
+      bit(feedback.limit_positive, limit_positive) | bit(feedback.strays, strays));
   message.index_count = feedback.index_count;
   message.position = feedback.position;
   message.setpoint = feedback.setpoint;
@@ -94,6 +95,7 @@ channels::AxisFeedback from_feedback(const feedback_t& message) {
           .home_switch = has(home_switch),
           .limit_negative = has(limit_negative),
           .limit_positive = has(limit_positive),
+          .strays = has(strays),
           .position_offset = message.position_offset,
           .index_position = message.index_position,
           .index_count = static_cast<std::uint32_t>(message.index_count)};

@@ -166,8 +166,7 @@ struct Assembly::Parts {
     for (std::size_t k = 0; k < axis_count; ++k) {
       const drives::DriveFeedback& raw = raw_feedback[k];
       const bool fault = raw.state == drives::DriveState::fault ||
-                         raw.state == drives::DriveState::fault_reaction_active ||
-                         raw.following_error_exceeded;
+                         raw.state == drives::DriveState::fault_reaction_active;
       feedback[k] = {.position = raw.position,
                      .setpoint = raw.target_position,
                      .velocity = raw.velocity,
@@ -179,6 +178,7 @@ struct Assembly::Parts {
                      .home_switch = raw.home_switch,
                      .limit_negative = raw.limit_negative,
                      .limit_positive = raw.limit_positive,
+                     .strays = raw.following_error_exceeded,
                      .position_offset = raw.position_offset,
                      .index_position = raw.index_position,
                      .index_count = raw.index_count};

@@ -95,6 +95,7 @@ void AxisExchange::set_targets(const std::optional<Demand>& demand, const DriveT
                       : follows_cycle ? target.position - position_offset_
                                       : counted_position();
   target_position_ = sent + position_offset_;
+  targets_ = {std::min(targets_.low, sent), std::max(targets_.high, sent)};
   sent_.target_velocity = follows_cycle && !enable_blocked_ ? demand->velocity : 0;
 }
 
@@ -202,7 +203,6 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
   feedback_.position = position;
   feedback_.target_position = target_position_;
   feedback_.velocity = velocity_in(answer);
-  feedback_.following_error = map.following_error.value(answer.following_error);
   feedback_.fault_code = answer.fault_code;
   feedback_.state = state;
   feedback_.brake_closed = (answer.status_word & map.bits.brake_closed) != 0;
@@ -211,7 +211,9 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
   feedback_.valid = !lost_;
   ++feedback_.sequence;
   feedback_from_ = asked;
-  watch_following_error(now);
+  watch_following_error(map.following_error.value(answer.following_error), now);
+  const double sent = target_position_ - position_offset_;
+  targets_ = {sent, sent};
 }
 
 // A drive without a bit for it knows its position when its encoder is absolute.
@@ -248,7 +250,18 @@ void AxisExchange::check_reference(double position, BusTime now) RT_SAFE {
   }
 }
 
-void AxisExchange::watch_following_error(BusTime now) RT_SAFE {
+// From the nearest target that the drive may be following; 0 while it follows none.
+double AxisExchange::deviation() const RT_SAFE {
+  const bool follows = source_ == TargetSource::cycle && moves_axis() && !follows_velocity_ &&
+                       feedback_.state == DriveState::operation_enabled;
+  const double counted = counted_position();
+  return follows ? std::clamp(counted, targets_.low, targets_.high) - counted : 0.0;
+}
+
+// The worse of what the drive says of itself and what its answer shows.
+void AxisExchange::watch_following_error(double reported, BusTime now) RT_SAFE {
+  const double seen = deviation();
+  feedback_.following_error = std::fabs(seen) > std::fabs(reported) ? seen : reported;
   const double error = follows_velocity_ ? 0.0 : feedback_.following_error;
   if (std::fabs(error) <= config_.following_error_max) {
     following_error_since_.reset();

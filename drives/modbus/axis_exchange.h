@@ -12,6 +12,10 @@
 // it is not enabled while the cycle wants the axis further away than `following_error_max`. A drive
 // that has never answered is only looked at: `take` without a `command` before it.
 //
+// Whether an axis follows is judged twice: by the following error that the drive reports, and by
+// the position of an answer against the targets of this exchange and the one before, between which
+// a drive may be that takes one exchange to reach a target.
+//
 // Time is given by the caller, as the time since the start of the bus.
 #pragma once
 
@@ -67,6 +71,11 @@ class AxisExchange {
   // Whose target the drive was sent last: its own position, the last one of the cycle while it is
   // being stopped, or the cycle's.
   enum class TargetSource : std::uint8_t { actual, held, cycle };
+  // Targets that the drive may be following, as it counts.
+  struct Band {
+    double low = 0.0;
+    double high = 0.0;
+  };
   struct Demand {
     std::int32_t position;
     std::int32_t velocity;
@@ -82,7 +91,8 @@ class AxisExchange {
   [[nodiscard]] double counted_position() const RT_SAFE;
   [[nodiscard]] bool is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE;
   void check_reference(double position, BusTime now) RT_SAFE;
-  void watch_following_error(BusTime now) RT_SAFE;
+  [[nodiscard]] double deviation() const RT_SAFE;
+  void watch_following_error(double reported, BusTime now) RT_SAFE;
   void watch_fault_reset(bool demanded) RT_SAFE;
   [[nodiscard]] std::uint16_t word_for(PowerRequest request, double velocity) const RT_SAFE;
   [[nodiscard]] std::optional<DriveState> state_in(const StatusBlock& answer) const RT_SAFE;
@@ -104,6 +114,7 @@ class AxisExchange {
   ErrorCounts errors_{};
   TargetSource source_ = TargetSource::actual;
   PowerRequest request_ = PowerRequest::off;
+  Band targets_{};  // sent since the last answer, and the one that it answered
   double position_offset_ = 0.0;
   double target_position_ = 0.0;    // as sent
   double speed_before_loss_ = 0.0;  // the greater of target and actual speed

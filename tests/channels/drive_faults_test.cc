@@ -45,6 +45,17 @@ TEST_F(DriveFaults, TheAlarmNamesTheAxisOfTheDrive) {
   EXPECT_EQ(alarm(), "A3002 the drive of axis " + axes[1].name + " reports a fault");
 }
 
+TEST_F(DriveFaults, AnAxisThatDoesNotFollowIsNamed) {
+  drives[1].strays = true;
+  EXPECT_EQ(alarm(), "A3003 the drive of axis " + axes[1].name +
+                         " does not follow its set-points, or does not tell where it is");
+}
+
+TEST_F(DriveFaults, ADriveThatSwitchesItselfOffStopsTheChannel) {
+  drives[1].enabled = false;
+  EXPECT_EQ(alarm(), "A3004 the drive of axis " + axes[1].name + " has switched itself off");
+}
+
 TEST_F(DriveFaults, ABusThatFallsSilentIsOneAlarmOfAllItsAxes) {
   for (AxisFeedback& drive : drives) drive.valid = false;
   EXPECT_THAT(alarm(), HasSubstr("A3001 the drives of axes " + axes[0].name + ", " + axes[1].name));

@@ -291,6 +291,69 @@ TEST_F(AxisExchangeTest, FollowingErrorCountsOnlyWhenItLasts) {
   EXPECT_EQ(exchange.feedback().following_error, -0.6);
 }
 
+// At 100 mm/s a poll of 10 ms is 1 mm. The drive says of itself that it follows.
+TEST_F(AxisExchangeTest, AnAxisThatStandsUnderMovingTargetsIsNoticed) {
+  for (int i = 0; i < 20; ++i) answer(0.0);
+  int polls = 0;
+  while (!exchange.feedback().following_error_exceeded && polls < 100) {
+    target.position += 1.0;
+    answer(0.0);
+    ++polls;
+  }
+  // More than 0.5 mm off from the second poll on, for 100 ms.
+  EXPECT_EQ(polls, 2 + 11);
+  EXPECT_NEAR(exchange.feedback().following_error, 12.0, 1e-9);
+}
+
+TEST_F(AxisExchangeTest, AnAxisBetweenTheLastTwoTargetsFollows) {
+  for (const double behind_polls : {0.0, 0.5, 1.0}) {
+    target.position = 0.0;
+    exchange = AxisExchange{config(), poll_time, drive_timeout};
+    answer(0.0);
+    for (int i = 0; i < 500; ++i) {
+      const double before = target.position;
+      target.position += 4.0;  // 400 mm/s
+      answer(target.position - behind_polls * (target.position - before));
+      ASSERT_EQ(exchange.feedback().following_error, 0.0) << i;
+    }
+  }
+}
+
+// What was sent in vain may have arrived: the drive is somewhere between.
+TEST_F(AxisExchangeTest, LostAnswersMakeNoFollowingError) {
+  answer(0.0);
+  for (int i = 0; i < 500; ++i) {
+    target.position += 1.0;
+    if (i % 5 != 0) {
+      no_answer();
+    } else {
+      answer(target.position - i % 4);
+    }
+    ASSERT_FALSE(exchange.feedback().following_error_exceeded) << i;
+    if (exchange.is_lost()) break;
+  }
+}
+
+TEST_F(AxisExchangeTest, APositionThatIsOffAtRestIsNoticed) {
+  answer(0.0);
+  for (int i = 0; i < 13; ++i) answer(-0.6);
+  EXPECT_TRUE(exchange.feedback().following_error_exceeded);
+  EXPECT_NEAR(exchange.feedback().following_error, 0.6, 1e-9);
+}
+
+TEST_F(AxisExchangeTest, ADriveWithoutThisRegisterIsWatchedAllTheSame) {
+  AxisDriveConfig bare = config();
+  bare.map.following_error = {};
+  exchange = AxisExchange{bare, poll_time, drive_timeout};
+  answer(0.0);
+  answer(0.0);
+  for (int i = 0; i < 30; ++i) {
+    target.position += 1.0;
+    answer(0.0);
+  }
+  EXPECT_TRUE(exchange.feedback().following_error_exceeded);
+}
+
 TEST_F(AxisExchangeTest, SurvivesArbitraryAnswers) {
   const unsigned seed = 23;
   std::mt19937 random(seed);

@@ -49,7 +49,7 @@ class DriveFaultReactions : public ::testing::TestWithParam<Reaction> {
 
   [[nodiscard]] bool sees_fault() const {
     const channels::AxisFeedback& drive = bench.output().feedback[0];
-    return !drive.valid || drive.fault;
+    return !drive.valid || drive.fault || drive.strays;
   }
 
   // Until the feedback that a cycle acts on shows the fault.
@@ -129,7 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Reaction{"comes_back_elsewhere", FaultKind::elsewhere, "A3001", true},
                       Reaction{"mangled_frames", FaultKind::mangled, "A3001", true},
                       Reaction{"hangs_up", FaultKind::hang_up, "A3001", true},
-                      Reaction{"jammed", FaultKind::jammed, "A3002", false}),
+                      Reaction{"jammed", FaultKind::jammed, "A3002", false},
+                      Reaction{"frozen", FaultKind::frozen, "A3003", false}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
