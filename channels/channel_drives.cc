@@ -101,7 +101,8 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
 }
 
 // A drive that is about to take its axis over shall hold it where it is: an encoder counts from
-// elsewhere than the control believed, or the axis was moved while it was off.
+// elsewhere than the control believed, or the axis was moved while it was off. While the machine is
+// off the set-points go with the axes, so that what is shown, kept and touched off is true.
 void Channel::adopt_positions() RT_SAFE {
   constexpr double discretes_apart = 2.0;  // what the drive's own rounding cannot be
   if (running_ || !is_standing()) return;
@@ -109,9 +110,9 @@ void Channel::adopt_positions() RT_SAFE {
   for (int k = 0; k < figures_.axis_count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const AxisFeedback& drive = feedback_[i];
-    const bool is_taken_over = drives_[i].enabled && owns(k) && drive.valid && !drive.enabled;
+    const bool is_free = (drives_[i].enabled || !powered_) && owns(k) && !drive.enabled;
     const double apart = std::abs(drive.position - path_.axes[i].value);
-    if (!is_taken_over || is_spindle_now(k)) continue;
+    if (!is_free || !drive.valid || is_spindle_now(k)) continue;
     if (apart <= discretes_apart * figures_.axes[i].codes.resolution) continue;
     path_.axes[i] = drive.position;
     setpoints_[i].position = drive.position;

@@ -236,7 +236,8 @@ void read_drive_of(const AxisFile& file, int place, AxisSection& section, const 
                 .kind = in_cycle ? drives::DriveKind::velocity : drives::DriveKind::position,
                 .absolute_encoder = axis.homing.order == 0,
                 .following_error_max = axis.following_error_max,
-                .velocity_max = axis.limits.velocity_max},
+                .velocity_max = axis.limits.velocity_max,
+                .acceleration_max = axis.limits.acceleration_max},
       .brake_s = axis.brake_s,
       .power_s = axis.power_s};
   if (file.drive != nullptr) read_drive(*file.drive, DriveLoad::axis, drive, scope.inner("drive"));

@@ -112,21 +112,26 @@ json axis_names(const channels::MachineConfig& machine, const channels::ChannelC
   return names;
 }
 
-// Whether a drive in contact says that the position belongs to the machine.
-bool is_verified(const ChannelOutput& output, std::size_t axis) {
+// Whether a drive in contact says that the position belongs to the machine. An axis that its drive
+// does not hold must be where it is shown, too: it may have been moved meanwhile.
+bool is_verified(const channels::AxisConfig& config, const ChannelOutput& output,
+                 std::size_t axis) {
+  if (!output.has_feedback) return true;
   const channels::AxisFeedback& feedback = output.feedback[axis];
-  return !output.has_feedback || (feedback.valid && feedback.referenced);
+  const double apart = std::abs(feedback.position - output.axes[axis].position);
+  return feedback.valid && feedback.referenced &&
+         (feedback.enabled || apart <= config.following_error_max);
 }
 
 json axes_json(const channels::MachineConfig& machine, const channels::ChannelConfig& config,
                const ChannelOutput& output) {
   json axes = json::object();
   for (std::size_t k = 0; k < config.axes.size(); ++k) {
-    const std::string& name = machine.axes[static_cast<std::size_t>(config.axes[k])].name;
-    axes[name] = {{"position", output.axes[k].position},
-                  {"verified", is_verified(output, k)},
-                  {"enabled", output.drives[k].enabled},
-                  {"brake", output.drives[k].brake_closed}};
+    const channels::AxisConfig& axis = machine.axes[static_cast<std::size_t>(config.axes[k])];
+    axes[axis.name] = {{"position", output.axes[k].position},
+                       {"verified", is_verified(axis, output, k)},
+                       {"enabled", output.drives[k].enabled},
+                       {"brake", output.drives[k].brake_closed}};
   }
   return axes;
 }

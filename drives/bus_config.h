@@ -33,8 +33,9 @@ struct AxisDriveConfig {
   bool absolute_encoder = true;      // knows its position at power-on
   int watchdog_ms = 0;               // set in the drive: it stops by itself; 0: not known
   double following_error_max = 0.5;  // mm or deg
-  double velocity_max =
-      0.0;  // mm/s, deg/s, rev/min; feedback faster than twice this is absurd; 0: any
+  // mm/s, deg/s, rev/min; feedback faster than twice this is absurd; 0: any
+  double velocity_max = 0.0;
+  double acceleration_max = 0.0;  // mm/s^2, deg/s^2: of a stop out of sight; 0: not known
 };
 
 enum class BusKind { none, modbus_tcp, modbus_rtu };

@@ -13,7 +13,8 @@ drives::AxisDriveConfig default_drive(const channels::AxisConfig& axis, int plac
           .kind = in_cycle ? drives::DriveKind::velocity : drives::DriveKind::position,
           .absolute_encoder = axis.homing.order == 0,
           .following_error_max = axis.following_error_max,
-          .velocity_max = axis.limits.velocity_max};
+          .velocity_max = axis.limits.velocity_max,
+          .acceleration_max = axis.limits.acceleration_max};
 }
 
 VelocityLoopConfig velocity_loop(const config::SimulationConfig& simulation) {

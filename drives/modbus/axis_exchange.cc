@@ -18,6 +18,9 @@ constexpr double velocity_margin = 2.0;
 // Shorter excursions of the following error come from a late target, not from the axis.
 constexpr std::chrono::milliseconds following_error_time{100};
 
+// For which a position drive goes on with the velocity of its last target.
+constexpr std::chrono::milliseconds bridged_time{100};
+
 double seconds(BusTime time) RT_SAFE {
   return static_cast<double>(time.count()) * 1e-9;
 }
@@ -50,7 +53,8 @@ CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_
   set_targets(demand, target);
   if (!lost_) {
     const double sent = config_.map.target_velocity.value(sent_.target_velocity);
-    speed_before_loss_ = std::max(std::fabs(feedback_.velocity), std::fabs(sent));
+    const bool actual_is_faster = std::fabs(feedback_.velocity) > std::fabs(sent);
+    velocity_before_loss_ = actual_is_faster ? feedback_.velocity : sent;
   }
   ++sent_.heartbeat;
   commanded_ = true;
@@ -193,7 +197,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
     RT_SAFE {
   const RegisterMap& map = config_.map;
   const double position = map.position.value(answer.position) + position_offset_;
-  check_reference(position, now);
+  check_reference(map.position.value(answer.position));
   const bool followed = moves_axis() && source_ == TargetSource::cycle;
   enable_blocked_ |= followed && state != DriveState::operation_enabled;
   answering_ = true;
@@ -237,16 +241,30 @@ void AxisExchange::take_measurements(const StatusBlock& answer) RT_SAFE {
   feedback_.index_count = answer.index_count;
 }
 
-// Without contact a drive can only have come to rest: it is at most as far as its last speed would
-// have carried it. Further away, its counter no longer tells the position of the machine.
-void AxisExchange::check_reference(double position, BusTime now) RT_SAFE {
+// Out of sight an axis comes to rest: at most behind the last target that was sent, which may have
+// arrived, or, when nothing arrived any more, behind the stretch that it bridges from where it was
+// seen last; a velocity drive goes on for the time-out. From there it brakes.
+AxisExchange::Band AxisExchange::reach_out_of_sight() const RT_SAFE {
+  const double counted = counted_position();
+  const double speed = std::fabs(velocity_before_loss_);
+  const BusTime bridged = config_.kind == DriveKind::velocity ? timeout_ : bridged_time;
+  const double braking =
+      config_.acceleration_max > 0.0 ? speed * speed / (2.0 * config_.acceleration_max) : 0.0;
+  const double ahead = std::copysign(speed * seconds(bridged), velocity_before_loss_);
+  Band reach{std::min({counted, targets_.low, counted + ahead}),
+             std::max({counted, targets_.high, counted + ahead})};
+  (velocity_before_loss_ < 0.0 ? reach.low : reach.high) += std::copysign(braking, ahead);
+  return {reach.low - config_.following_error_max, reach.high + config_.following_error_max};
+}
+
+// Further away than it can have moved, the counter of the drive no longer tells the position of the
+// machine.
+void AxisExchange::check_reference(double counted) RT_SAFE {
   if (position_accepted_) {
     moved_out_of_sight_ = false;
     reference_found_ = true;
   } else if (lost_ && feedback_.sequence > 0 && !follows_velocity_) {
-    const double reach =
-        speed_before_loss_ * seconds(now - feedback_from_) + config_.following_error_max;
-    moved_out_of_sight_ |= std::fabs(position - feedback_.position) > reach;
+    moved_out_of_sight_ |= counted < reach_.low || counted > reach_.high;
   }
 }
 
@@ -286,6 +304,7 @@ void AxisExchange::supervise(BusTime now) RT_SAFE {
   const bool silent = now - feedback_from_ > timeout_;
   if (!lost_ && (silent || leak_ >= leak_max_)) {
     lost_ = true;
+    reach_ = reach_out_of_sight();
     leak_ = leak_max_;
     feedback_.valid = false;
     ++feedback_.losses;

@@ -71,7 +71,7 @@ class AxisExchange {
   // Whose target the drive was sent last: its own position, the last one of the cycle while it is
   // being stopped, or the cycle's.
   enum class TargetSource : std::uint8_t { actual, held, cycle };
-  // Targets that the drive may be following, as it counts.
+  // Of positions, as the drive counts.
   struct Band {
     double low = 0.0;
     double high = 0.0;
@@ -90,7 +90,8 @@ class AxisExchange {
   // Of the last answer, as the drive counts: without the offset.
   [[nodiscard]] double counted_position() const RT_SAFE;
   [[nodiscard]] bool is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE;
-  void check_reference(double position, BusTime now) RT_SAFE;
+  [[nodiscard]] Band reach_out_of_sight() const RT_SAFE;
+  void check_reference(double counted) RT_SAFE;
   [[nodiscard]] double deviation() const RT_SAFE;
   void watch_following_error(double reported, BusTime now) RT_SAFE;
   void watch_fault_reset(bool demanded) RT_SAFE;
@@ -114,10 +115,12 @@ class AxisExchange {
   ErrorCounts errors_{};
   TargetSource source_ = TargetSource::actual;
   PowerRequest request_ = PowerRequest::off;
-  Band targets_{};  // sent since the last answer, and the one that it answered
+  Band targets_{};  // that the drive may be following: sent since the last answer, and the one that
+                    // it answered
   double position_offset_ = 0.0;
-  double target_position_ = 0.0;    // as sent
-  double speed_before_loss_ = 0.0;  // the greater of target and actual speed
+  double target_position_ = 0.0;       // as sent
+  double velocity_before_loss_ = 0.0;  // the faster of target and actual velocity
+  Band reach_{};                       // out of sight, as the drive counts
   bool follows_velocity_ = false;
   bool told_reverse_ = false;  // by a word of its own
   bool answering_ = true;

@@ -22,7 +22,8 @@ constexpr BusTime drive_timeout = milliseconds{250};
 class AxisExchangeTest : public ::testing::Test {
  protected:
   static AxisDriveConfig config() {
-    return {.axis = "X", .following_error_max = 0.5, .velocity_max = 400.0};
+    return {
+        .axis = "X", .following_error_max = 0.5, .velocity_max = 400.0, .acceleration_max = 1000.0};
   }
 
   // One good exchange; the drive is in `state` at `position_mm`.
@@ -56,6 +57,30 @@ class AxisExchangeTest : public ::testing::Test {
     for (int i = 0; i < 100 && exchange.is_lost(); ++i) {
       answer(position_mm, DriveState::switch_on_disabled);
     }
+  }
+
+  // The drive stands where the cycle wants it, and follows from now on.
+  void take_over(double position_mm) {
+    answer(position_mm);
+    answer(position_mm);
+  }
+
+  // At 100 mm/s, seen last at 10 mm.
+  void lose_in_motion_and_find_again(double position_mm, int polls_away = 0) {
+    target.position = 4.0;
+    take_over(4.0);
+    velocity_mm_per_s = 100;
+    target.velocity = 100.0;
+    for (target.position = 5.0; target.position < 10.0; target.position += 1.0)
+      answer(target.position);
+    answer(10.0);
+    while (!exchange.is_lost()) {
+      target.position += 1.0;
+      no_answer();
+    }
+    velocity_mm_per_s = 0;
+    for (int i = 0; i < polls_away; ++i) no_answer();
+    lose_and_find_again(position_mm);
   }
 
   AxisExchange exchange{config(), poll_time, drive_timeout};
@@ -253,11 +278,31 @@ TEST_F(AxisExchangeTest, ADriveThatComesBackElsewhereIsNotReferenced) {
 }
 
 TEST_F(AxisExchangeTest, AMovingDriveMayComeToRestOutOfSight) {
-  velocity_mm_per_s = 100;
-  answer(10.0);
-  velocity_mm_per_s = 0;
-  lose_and_find_again(22.0);  // 100 mm/s carries it 25 mm in the 250 ms of the timeout
+  lose_in_motion_and_find_again(34.0);
   EXPECT_TRUE(exchange.feedback().referenced);
+}
+
+// 100 mm/s carry it from 10 mm to 35 mm before the loss is noticed, braking with 1000 mm/s^2 takes
+// 5 mm, and 0.5 mm is the following error.
+TEST_F(AxisExchangeTest, AMovingDriveIsNoFurtherThanItCanHaveMoved) {
+  lose_in_motion_and_find_again(40.4);
+  EXPECT_TRUE(exchange.feedback().referenced);
+}
+
+TEST_F(AxisExchangeTest, AMovingDriveThatWentTooFarIsNotReferenced) {
+  lose_in_motion_and_find_again(40.6);
+  EXPECT_FALSE(exchange.feedback().referenced);
+}
+
+TEST_F(AxisExchangeTest, AMovingDriveThatTurnedBackIsNotReferenced) {
+  lose_in_motion_and_find_again(9.4);
+  EXPECT_FALSE(exchange.feedback().referenced);
+}
+
+// However long it was away: it had to come to rest at once.
+TEST_F(AxisExchangeTest, TimeOutOfSightMakesTheReachNoLonger) {
+  lose_in_motion_and_find_again(60.0, 1000);
+  EXPECT_FALSE(exchange.feedback().referenced);
 }
 
 TEST_F(AxisExchangeTest, OneDemandResetsOneFault) {
@@ -309,7 +354,7 @@ TEST_F(AxisExchangeTest, AnAxisBetweenTheLastTwoTargetsFollows) {
   for (const double behind_polls : {0.0, 0.5, 1.0}) {
     target.position = 0.0;
     exchange = AxisExchange{config(), poll_time, drive_timeout};
-    answer(0.0);
+    take_over(0.0);
     for (int i = 0; i < 500; ++i) {
       const double before = target.position;
       target.position += 4.0;  // 400 mm/s
@@ -321,21 +366,18 @@ TEST_F(AxisExchangeTest, AnAxisBetweenTheLastTwoTargetsFollows) {
 
 // What was sent in vain may have arrived: the drive is somewhere between.
 TEST_F(AxisExchangeTest, LostAnswersMakeNoFollowingError) {
-  answer(0.0);
+  take_over(0.0);
   for (int i = 0; i < 500; ++i) {
     target.position += 1.0;
-    if (i % 5 != 0) {
-      no_answer();
-    } else {
-      answer(target.position - i % 4);
-    }
+    const double oldest = target.position - 2.0;  // of the last answer but one
+    i % 5 == 0 ? no_answer() : static_cast<void>(answer(i % 5 == 1 ? oldest : target.position));
     ASSERT_FALSE(exchange.feedback().following_error_exceeded) << i;
-    if (exchange.is_lost()) break;
+    ASSERT_EQ(exchange.feedback().following_error, 0.0) << i;
   }
 }
 
 TEST_F(AxisExchangeTest, APositionThatIsOffAtRestIsNoticed) {
-  answer(0.0);
+  take_over(0.0);
   for (int i = 0; i < 13; ++i) answer(-0.6);
   EXPECT_TRUE(exchange.feedback().following_error_exceeded);
   EXPECT_NEAR(exchange.feedback().following_error, 0.6, 1e-9);
@@ -345,8 +387,7 @@ TEST_F(AxisExchangeTest, ADriveWithoutThisRegisterIsWatchedAllTheSame) {
   AxisDriveConfig bare = config();
   bare.map.following_error = {};
   exchange = AxisExchange{bare, poll_time, drive_timeout};
-  answer(0.0);
-  answer(0.0);
+  take_over(0.0);
   for (int i = 0; i < 30; ++i) {
     target.position += 1.0;
     answer(0.0);

@@ -212,7 +212,7 @@ class WriteOrderOnTheBus : public ::testing::TestWithParam<Split> {
   WriteOrderOnTheBus() { bus.start(); }
 
   bool until(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{20};
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{60};
     while (std::chrono::steady_clock::now() < end) {
       bus.write({&target, 1});
       bus.read({&feedback, 1});
