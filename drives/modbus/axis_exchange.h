@@ -106,7 +106,9 @@ class AxisExchange {
 
   AxisDriveConfig config_;
   BusTime timeout_;
-  int leak_max_;
+  // Seen when a target arrives: until then the drive went on with constant velocity for a poll.
+  double bridging_error_;
+  int leak_regained_;
   CommandBlock sent_;
   DriveFeedback feedback_;
   BusTime feedback_from_{0};  // the feedback is not older than this

@@ -1,4 +1,5 @@
-// The bus thread: one round over all drives per poll, at absolute times.
+// The bus thread: one round over all drives per poll, at absolute times, and between the rounds
+// those again that did not answer.
 #include "drives/modbus/modbus_bus.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace stanok::drives {
 namespace {
 
 constexpr BusTime pause_max = std::chrono::seconds{1};
-
-// A request may fail twice within the timeout before contact counts as lost.
-std::chrono::microseconds response_timeout(const BusConfig& config) {
-  return std::chrono::microseconds{std::chrono::milliseconds{config.timeout_ms}} / 3;
-}
 
 // Samples that wait for the cycle: those of a second.
 constexpr double kept_s = 1.0;
@@ -35,25 +31,27 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle)
       epoch_(std::chrono::steady_clock::now()),
       drives_(drives_of(config_)),
       boxes_(drives_.size()),
-      link_(config_, response_timeout(config_)),
+      link_(config_),
       signals_(config_.signals, timeout_) {
   STANOK_ASSERT(config_.poll_ms > 0 && config_.timeout_ms > 0 && cycle > Duration{});
   status_.endpoint = link_.endpoint();
   for (const AxisDriveConfig& axis : drives_) {
     axes_.emplace_back(axis, poll_, timeout_);
+    asking_.push_back({.patience = Patience(timeout_)});
     plans_.push_back({.look = look_plan(axis),
                       .run = exchange_plan(axis, WriteOrder::target_first),
                       .stop = exchange_plan(axis, WriteOrder::control_word_first)});
     images_.emplace_back(static_cast<std::size_t>(register_count(axis.map)));
     status_.axes.push_back({.axis = axis.axis});
   }
+  signal_patience_.assign(signals_.blocks().size(), Patience(timeout_));
   for (const VibrationSensorConfig& sensor : config_.vibration_sensors) {
-    sensors_.emplace_back(sensor);
+    sensors_.emplace_back(sensor, timeout_);
     status_.vibration.push_back({.sensor = sensor.name()});
   }
 }
 
-ModbusBus::Sensor::Sensor(const VibrationSensorConfig& config)
+ModbusBus::Sensor::Sensor(const VibrationSensorConfig& config, BusTime timeout)
     : block{.unit = config.unit,
             .table = SignalTable::holding_register,
             .first = config.first_register,
@@ -61,7 +59,8 @@ ModbusBus::Sensor::Sensor(const VibrationSensorConfig& config)
             .words = std::vector<std::uint16_t>(static_cast<std::size_t>(config.count) + 1)},
       reader(config),
       meter(config.rate_hz, stretch_s),
-      samples(static_cast<std::size_t>(std::ceil(kept_s * config.rate_hz)) + 1) {}
+      samples(static_cast<std::size_t>(std::ceil(kept_s * config.rate_hz)) + 1),
+      asking{.patience = Patience(timeout)} {}
 
 ModbusBus::~ModbusBus() {
   stop();
@@ -130,10 +129,14 @@ BusTime ModbusBus::now() const {
 void ModbusBus::run(const std::stop_token& stop_requested) {
   BusTime next_poll = now();
   while (!stop_requested.stop_requested()) {
-    poll_all();
-    next_poll = std::max(next_poll + poll_, now());
+    if (now() >= next_poll) {
+      poll_all();
+      next_poll = std::max(next_poll + poll_, now());
+    } else {
+      ask_again();
+    }
     std::unique_lock lock(wait_mutex_);
-    wait_.wait_until(lock, stop_requested, epoch_ + next_poll, [] { return false; });
+    wait_.wait_until(lock, stop_requested, epoch_ + next_turn(next_poll), [] { return false; });
   }
   for (std::size_t axis = 0; axis < axes_.size() && link_.is_connected(); ++axis) {
     poll_one(axis, TargetAge::stale);
@@ -147,7 +150,7 @@ void ModbusBus::poll_all() {
   choose_silent_axis();
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     const bool is_turn = axis == silent_axis_ && now() >= silent_again_at_;
-    if (axes_[axis].is_answering() || is_turn) {
+    if (!axes_[axis].is_lost() || is_turn) {
       poll_one(axis, age);
     }
     axes_[axis].supervise(now());
@@ -157,13 +160,37 @@ void ModbusBus::poll_all() {
   for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) poll_sensor(sensor);
 }
 
+bool ModbusBus::is_asked_again(std::size_t axis) const {
+  return !axes_[axis].is_answering() && !axes_[axis].is_lost();
+}
+
+// One missed answer costs a poll of 50 ms no more than one of 10 ms.
+void ModbusBus::ask_again() {
+  const TargetAge age = target_age();
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    if (!is_asked_again(axis) || now() < asking_[axis].again_at) continue;
+    poll_one(axis, age);
+    axes_[axis].supervise(now());
+    publish_axis(axis);
+  }
+}
+
+BusTime ModbusBus::next_turn(BusTime next_poll) const {
+  BusTime next = next_poll;
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    if (is_asked_again(axis)) next = std::min(next, asking_[axis].again_at);
+  }
+  return next;
+}
+
 // Outputs fall when the cycle is silent.
 void ModbusBus::poll_signals(TargetAge age) {
   const SignalValues outputs = outputs_.read();
   signals_.fill_outputs(age == TargetAge::fresh ? outputs : SignalValues{});
-  for (SignalBlock& block : signals_.blocks()) {
+  for (std::size_t place = 0; place < signals_.blocks().size(); ++place) {
+    SignalBlock& block = signals_.blocks()[place];
     if (!signals_.is_due(block, now()) || !ensure_connected()) continue;
-    if (exchange(block)) {
+    if (exchange(block, signal_patience_[place])) {
       signals_.fail(block, now());
     } else {
       signals_.take(block);
@@ -174,21 +201,29 @@ void ModbusBus::poll_signals(TargetAge age) {
   inputs_.write(signals_.inputs());
 }
 
-std::optional<ExchangeError> ModbusBus::exchange(SignalBlock& block) {
+std::optional<ExchangeError> ModbusBus::exchange(SignalBlock& block, Patience& patience) {
+  link_.wait_at_most(patience.for_next_answer());
   const BusTime begin = now();
   const auto error = link_.exchange(block);
-  count_exchange(error, now() - begin);
-  if (error && !link_.is_connected()) back_off();
+  note_answer(error, now() - begin, patience);
   return error;
+}
+
+void ModbusBus::note_answer(std::optional<ExchangeError> error, BusTime round_trip,
+                            Patience& patience) {
+  count_exchange(error, round_trip);
+  const bool is_answer = !error || *error == ExchangeError::exception;
+  if (is_answer) pause_ = BusTime{0};
+  is_answer ? patience.note_answer(round_trip) : patience.note_silence();
 }
 
 // A sensor that does not answer is left alone for the timeout.
 void ModbusBus::poll_sensor(std::size_t place) {
   Sensor& sensor = sensors_[place];
-  if (now() < sensor.again_at || !ensure_connected()) return;
-  if (exchange(sensor.block)) {
+  if (now() < sensor.asking.again_at || !ensure_connected()) return;
+  if (exchange(sensor.block, sensor.asking.patience)) {
     ++sensor.errors;
-    sensor.again_at = now() + timeout_;
+    sensor.asking.again_at = now() + timeout_;
   } else {
     const std::span<const double> fresh = sensor.reader.take(sensor.block.words);
     sensor.meter.add(fresh);
@@ -205,15 +240,11 @@ void ModbusBus::poll_sensor(std::size_t place) {
 // A drive that has been given up is tried once per timeout: every try costs the others the time of
 // an answer that does not come.
 void ModbusBus::poll_one(std::size_t axis, TargetAge age) {
+  asking_[axis].again_at = now() + asking_[axis].patience.between_tries();
   if (!ensure_connected()) {
     return;
   }
   const auto error = exchange(axis, age);
-  if (!error || *error == ExchangeError::exception) {
-    pause_ = BusTime{0};
-  } else if (!link_.is_connected()) {
-    back_off();
-  }
   if (error && axes_[axis].is_lost()) {
     silent_again_at_ = now() + timeout_;
   }
@@ -233,6 +264,8 @@ std::optional<ExchangeError> ModbusBus::exchange(std::size_t axis, TargetAge age
 std::optional<ExchangeError> ModbusBus::carry_out(std::size_t axis, std::span<const Request> plan) {
   const AxisDriveConfig& config = drives_[axis];
   AxisExchange& drive = axes_[axis];
+  Patience& patience = asking_[axis].patience;
+  link_.wait_at_most(patience.for_next_answer());
   const BusTime begin = now();
   auto error = link_.exchange(config.unit, plan, images_[axis]);
   const BusTime end = now();
@@ -241,7 +274,7 @@ std::optional<ExchangeError> ModbusBus::carry_out(std::size_t axis, std::span<co
   } else {
     error = drive.take(status_block(config.map, images_[axis]), begin, end);
   }
-  count_exchange(error, end - begin);
+  note_answer(error, end - begin, patience);
   return error;
 }
 
@@ -252,6 +285,7 @@ bool ModbusBus::ensure_connected() {
   if (now() < connect_again_at_) {
     return false;
   }
+  link_.wait_at_most(timeout_ / 3);
   link_.connect();
   const std::scoped_lock lock(status_mutex_);
   if (link_.is_connected()) {
@@ -265,13 +299,13 @@ bool ModbusBus::ensure_connected() {
 
 void ModbusBus::back_off() {
   connect_again_at_ = now() + pause_;
-  pause_ = std::clamp(2 * pause_, poll_, pause_max);
+  pause_ = std::clamp(2 * pause_, timeout_ / 25, pause_max);
 }
 
 void ModbusBus::choose_silent_axis() {
   for (std::size_t step = 1; step <= axes_.size(); ++step) {
     const std::size_t axis = (silent_axis_ + step) % axes_.size();
-    if (!axes_[axis].is_answering()) {
+    if (axes_[axis].is_lost()) {
       silent_axis_ = axis;
       return;
     }

@@ -2,9 +2,10 @@
 // signals of programs and the samples of vibration sensors each poll.
 //
 // Per drive and poll one request with function code 23 where its register map allows it, else as
-// few as possible. After an error the connection is closed
-// and made again, first at once, then with growing pauses up to a second; drives that do not answer
-// take turns, so that they do not hold up the others. What is sent and what is believed is decided
+// few as possible. A drive that does not answer is asked again as soon as its patience says, while
+// the others are asked at their polls. After an error the connection is closed and made again at
+// once; where it cannot be made, with growing pauses up to a second. Drives that are given up take
+// turns, so that they do not hold up the others. What is sent and what is believed is decided
 // in AxisExchange. When the cycle writes no targets for the timeout the drives are stopped.
 #pragma once
 
@@ -25,6 +26,7 @@
 #include "drives/modbus/axis_exchange.h"
 #include "drives/modbus/exchange_plan.h"
 #include "drives/modbus/modbus_link.h"
+#include "drives/modbus/patience.h"
 #include "drives/modbus/signal_exchange.h"
 
 namespace stanok::drives {
@@ -62,28 +64,38 @@ class ModbusBus final : public DriveBus {
     std::vector<Request> stop;
   };
 
+  // When a drive is asked, and how long it may take to answer.
+  struct Asking {
+    Patience patience;
+    BusTime again_at{0};  // after a try that failed
+  };
+
   // A vibration sensor: what is read, and what crosses to the cycle.
   struct Sensor {
-    explicit Sensor(const VibrationSensorConfig& config);
+    Sensor(const VibrationSensorConfig& config, BusTime timeout);
 
     SignalBlock block;
     VibrationReader reader;
     VibrationMeter meter;
     Ring<double> samples;
     std::uint64_t errors = 0;
-    BusTime again_at{0};
+    Asking asking;
   };
 
   void run(const std::stop_token& stop_requested);
   void poll_all();
+  void ask_again();
+  [[nodiscard]] bool is_asked_again(std::size_t axis) const;
+  [[nodiscard]] BusTime next_turn(BusTime next_poll) const;
   void poll_one(std::size_t axis, TargetAge age);
   void poll_signals(TargetAge age);
   void poll_sensor(std::size_t sensor);
-  [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block);
+  [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block, Patience& patience);
   [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t axis, TargetAge age);
   [[nodiscard]] std::optional<ExchangeError> carry_out(std::size_t axis,
                                                        std::span<const Request> plan);
   [[nodiscard]] bool ensure_connected();
+  void note_answer(std::optional<ExchangeError> error, BusTime round_trip, Patience& patience);
   void back_off();
   void choose_silent_axis();
   [[nodiscard]] TargetAge target_age();
@@ -109,6 +121,8 @@ class ModbusBus final : public DriveBus {
   ModbusLink link_;
   std::vector<AxisExchange> axes_;
   std::vector<Plans> plans_;
+  std::vector<Asking> asking_;
+  std::vector<Patience> signal_patience_;           // of each block
   std::vector<std::vector<std::uint16_t>> images_;  // registers of each drive, n at place n
   SignalExchange signals_;
   std::deque<Sensor> sensors_;  // rings stay where they are

@@ -35,16 +35,24 @@ ExchangeError error_of(int error_number) {
 
 }  // namespace
 
-ModbusLink::ModbusLink(const BusConfig& config, std::chrono::microseconds response_timeout)
+ModbusLink::ModbusLink(const BusConfig& config)
     : context_(new_context(config)), endpoint_(endpoint_of(config)) {
   if (context_ == nullptr) {
     return;  // libmodbus refused the device or address: a link that never connects
   }
-  const auto seconds = static_cast<std::uint32_t>(response_timeout.count() / 1'000'000);
-  const auto microseconds = static_cast<std::uint32_t>(response_timeout.count() % 1'000'000);
+  modbus_set_error_recovery(context_.get(), MODBUS_ERROR_RECOVERY_NONE);
+}
+
+void ModbusLink::wait_at_most(std::chrono::nanoseconds time) {
+  if (context_ == nullptr) {
+    return;
+  }
+  constexpr std::int64_t second_us = 1'000'000;
+  const std::int64_t time_us = std::chrono::ceil<std::chrono::microseconds>(time).count();
+  const auto seconds = static_cast<std::uint32_t>(time_us / second_us);
+  const auto microseconds = static_cast<std::uint32_t>(time_us % second_us);
   modbus_set_response_timeout(context_.get(), seconds, microseconds);
   modbus_set_byte_timeout(context_.get(), seconds, microseconds);
-  modbus_set_error_recovery(context_.get(), MODBUS_ERROR_RECOVERY_NONE);
 }
 
 ModbusLink::~ModbusLink() {

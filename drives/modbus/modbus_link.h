@@ -22,12 +22,15 @@ namespace stanok::drives {
 
 class ModbusLink {
  public:
-  ModbusLink(const BusConfig& config, std::chrono::microseconds response_timeout);
+  explicit ModbusLink(const BusConfig& config);
   ~ModbusLink();
   ModbusLink(const ModbusLink&) = delete;
   ModbusLink& operator=(const ModbusLink&) = delete;
 
-  // Waits at most the response timeout. A link that could not be made is not connected.
+  // Of every answer from now on.
+  void wait_at_most(std::chrono::nanoseconds time);
+
+  // Waits at most that time. A link that could not be made is not connected.
   void connect();
   void close();
   [[nodiscard]] bool is_connected() const { return connected_; }

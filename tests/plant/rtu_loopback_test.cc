@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <random>
 #include <string>
 #include <thread>
 
@@ -43,6 +45,9 @@ class Cable {
  public:
   Cable() : thread_([this](const std::stop_token& stop) { carry(stop); }) {}
 
+  // From now on this share of what is carried has one byte changed.
+  void disturb(double share) { noise_ = share; }
+
   const std::string& one_end() const { return a_.device; }
   const std::string& other_end() const { return b_.device; }
 
@@ -56,16 +61,19 @@ class Cable {
     }
   }
 
-  static void copy(const pollfd& from, int to) {
+  void copy(const pollfd& from, int to) {
     std::array<char, 512> bytes{};
     if ((from.revents & POLLIN) != 0) {
       const ssize_t count = read(from.fd, bytes.data(), bytes.size());
+      if (std::bernoulli_distribution(noise_)(random_)) bytes[random_() % 8] ^= 0x10;
       EXPECT_EQ(write(to, bytes.data(), static_cast<std::size_t>(count)), count);
     }
   }
 
   Terminal a_;
   Terminal b_;
+  std::atomic<double> noise_{0.0};
+  std::minstd_rand random_;
   std::jthread thread_;
 };
 
@@ -106,6 +114,28 @@ TEST_F(RtuLoopback, ASilentUnitDoesNotTakeTheOtherWithIt) {
     return !cycle.feedback[0].valid && cycle.feedback[1].valid &&
            cycle.feedback[1].sequence > sequence + 20;
   }));
+}
+
+// A changed byte spoils a request or an answer: contact is kept, and the axes go on.
+TEST_F(RtuLoopback, NoiseOnTheLineIsBorne) {
+  drives::BusConfig noisy = bus();
+  noisy.poll_ms = 20;
+  noisy.timeout_ms = 3000;
+  CycleSide cycle(noisy, 0);
+  ASSERT_TRUE(cycle.switch_on());
+  cable.disturb(0.1);
+  cycle.targets[0].position = 1.3;
+  const auto errors = [&] {
+    return cycle.errors(drives::ExchangeError::mangled) +
+           cycle.errors(drives::ExchangeError::timeout) +
+           cycle.errors(drives::ExchangeError::stuck);
+  };
+  ASSERT_TRUE(cycle.until([&] {
+    return errors() > 5 && cycle.feedback[0].sequence > 60 && cycle.feedback[1].sequence > 60;
+  }));
+  EXPECT_EQ(cycle.feedback[0].losses, 0U);
+  EXPECT_EQ(cycle.feedback[1].losses, 0U);
+  EXPECT_TRUE(cycle.until([&] { return cycle.feedback[0].position == 1.3; }));
 }
 
 TEST_F(RtuLoopback, BrokenFramesAreDiscarded) {

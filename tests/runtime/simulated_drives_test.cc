@@ -37,6 +37,24 @@ config::MachineFile mill() {
                                    "config" / "machines" / "mill3.toml");
 }
 
+// A poll is a matter of the bus: from 10 to 50 ms the drives follow, at full acceleration, too.
+TEST(SimulatedDrives, FollowAtEveryPollOfTheContract) {
+  const config::TemporaryFiles files;
+  files.write("part.nc", "G1 X20 Y10 F3000\nG0 X100 Y50\nG1 X0 Y0 F6000\nM30\n");
+  for (const int poll_ms : {10, 20, 30, 40, 50}) {
+    SimulationOptions options;
+    options.file = mill();
+    options.file.bus.poll_ms = poll_ms;
+    options.program_roots = {files.folder()};
+    options.programs = {{.channel = 1, .program = "part.nc"}};
+    options.drives = DriveChoice::simulated;
+    const SimulationResult result = simulate(options, {}, [] { return false; });
+    EXPECT_TRUE(result.ok) << poll_ms << " ms";
+    for (const channels::AlarmReport& alarm : result.alarms)
+      ADD_FAILURE() << alarm.diagnostic.code << " " << alarm.diagnostic.message;
+  }
+}
+
 // Bits of the set-points of a channel from the first cycle in which a program runs.
 class SetpointBits final : public CycleObserver {
  public:
