@@ -113,6 +113,9 @@ TEST_P(DriveFaultReactions, StopAlongThePathWithinTwoCyclesAndWaitForAnOperator)
   bench.fail("X", FaultKind::none);
   bench.run(2.0);
   EXPECT_EQ(bench.set_point(1), stands_at);
+  // What is shown, kept and touched off is what the drive says, not where the channel had stopped.
+  EXPECT_TRUE(bench.output().feedback[0].valid);
+  EXPECT_NEAR(bench.set_point(0), bench.output().feedback[0].position, 0.01);
   EXPECT_FALSE(bench.output().running);
   EXPECT_EQ(bench.output().state, channels::ChannelState::alarm);
   recover();
