@@ -3,6 +3,7 @@
 // L1 and L2 write what the words say; L10, L11 and L20 write the value with which the point where
 // the axes stand has the programmed coordinates. Values that go into a table as they are count as
 // radii in diameter mode, too; coordinates do not.
+#include <cmath>
 #include <string>
 
 #include "lang/actions.h"
@@ -80,13 +81,18 @@ std::optional<int> table_tool(ActiveBlock& block) {
   return std::nullopt;
 }
 
-// The programmed coordinates, those of the point where no word is.
-AxisValues wanted_point(const ActiveBlock& block) {
-  AxisValues point = block.modal.position_W;
+// Where the point that stands has to lie in the base so that, in the system `frame`, it has the
+// programmed coordinates; the others stay as they are in that system.
+AxisValues wanted_base(const ActiveBlock& block, const WorkFrame& frame) {
+  const ModalState& modal = block.modal;
+  const WorkFrame active = modal.frame();
+  AxisValues point = frame == active
+                         ? modal.position_W
+                         : frame.work_from_base(active.base_from_work(modal.position_W));
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    if (is_programmed(block, i)) point[i] = block.modal.map.to_work(i, block.values[i]);
+    if (is_programmed(block, i)) point[i] = modal.map.to_work(i, block.values[i]);
   }
-  return point;
+  return frame.base_from_work(point);
 }
 
 void write_work_offset(ActiveBlock& block) {
@@ -100,16 +106,21 @@ void write_work_offset(ActiveBlock& block) {
   if (block.has('R')) write_offset(block, *page, "R", rotation_of_offset, block.value('R'));
 }
 
+// In a turned system a coordinate along one of its axes lies along several axes of the base: each
+// of them whose offset changes is written.
 void write_work_offset_here(ActiveBlock& block) {
+  if (excluded_by_mode(block, 100, {Exclusion::transformation})) return;
   const auto page = table_page(block);
   if (!page) return;
-  const WorkFrame frame = block.modal.frame();
-  const AxisValues point_B = frame.base_from_work(block.modal.position_W);
-  const AxisValues wanted_B = frame.base_from_work(wanted_point(block));
+  ModalState there = block.modal;
+  take_work_offset(there, block.tables, *page);
+  const AxisValues point_B = block.modal.frame().base_from_work(block.modal.position_W);
+  const AxisValues wanted_B = wanted_base(block, there.frame());
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    if (!is_programmed(block, i)) continue;
+    const bool moved = std::abs(point_B[i] - wanted_B[i]) > position_noise;
+    if (!is_programmed(block, i) && !moved) continue;
     write_offset(block, *page, block.channel.axes[i].word, static_cast<int>(i),
-                 block.modal.work_offset[i] + point_B[i] - wanted_B[i]);
+                 there.work_offset[i] + point_B[i] - wanted_B[i]);
   }
 }
 
@@ -137,11 +148,11 @@ void write_tool_words(ActiveBlock& block, int tool) {
   }
 }
 
-// `lengths` along X, Y, Z, of which the programmed ones are written.
-void write_tool_row(ActiveBlock& block, int tool, const AxisValues& lengths) {
+// `lengths` along X, Y, Z, of which those of the axes `written` are.
+void write_tool_row(ActiveBlock& block, int tool, const AxisValues& lengths, AxisSet written) {
   for (std::size_t k = 0; k < 3; ++k) {
     const int axis = block.modal.geometry[k];
-    if (axis < 0 || !is_programmed(block, static_cast<std::size_t>(axis))) continue;
+    if (axis < 0 || (written & axis_bit(static_cast<std::size_t>(axis))) == 0) continue;
     write_tool(block, tool, length_parameters[k], lengths[static_cast<std::size_t>(axis)]);
   }
   write_tool_words(block, tool);
@@ -152,7 +163,7 @@ void write_tool_values(ActiveBlock& block) {
   if (!tool || !check_lengths(block)) return;
   AxisValues lengths{};
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) lengths[i] = table_value(block, i);
-  write_tool_row(block, *tool, lengths);
+  write_tool_row(block, *tool, lengths, block.programmed);
 }
 
 // The length with which the point has the programmed coordinates: in the active system (L10), or
@@ -168,11 +179,17 @@ void write_tool_length_here(ActiveBlock& block, bool in_fixture) {
     take_work_offset(fixture, block.tables, fixture_offset);
     frame = fixture.frame();
   }
-  const AxisValues wanted_B = frame.base_from_work(wanted_point(block));
+  const AxisValues point_B = block.modal.frame().base_from_work(block.modal.position_W);
+  const AxisValues wanted_B = wanted_base(block, frame);
   const AxisValues zero = block.tables.scheme_zero();
+  AxisSet written = block.programmed;
   AxisValues lengths = machine_position(block);
-  for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] -= zero[i] + wanted_B[i];
-  write_tool_row(block, *tool, lengths);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    lengths[i] -= zero[i] + wanted_B[i];
+    if (std::abs(point_B[i] - wanted_B[i]) > position_noise)
+      written = static_cast<AxisSet>(written | axis_bit(i));
+  }
+  write_tool_row(block, *tool, lengths, written);
 }
 
 }  // namespace

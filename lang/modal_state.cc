@@ -4,14 +4,6 @@
 #include <string>
 
 namespace stanok::lang {
-namespace {
-
-// Coordinates closer than this (mm or deg) are the same: far below any axis resolution, far above
-// the rounding of sums of offsets.
-constexpr double position_noise = 1e-9;
-
-}  // namespace
-
 ModalState default_modal_state(ChannelKind kind) {
   const bool lathe = kind == ChannelKind::lathe;
   ModalState state;

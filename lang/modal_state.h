@@ -24,6 +24,9 @@ namespace stanok::lang {
   return static_cast<AxisSet>(1U << axis);
 }
 
+// Coordinates closer than this (mm or deg) are the same: far below any axis resolution, far above
+// the rounding of sums of offsets.
+inline constexpr double position_noise = 1e-9;
 inline constexpr double mm_per_inch = 25.4;
 inline constexpr double m_per_foot = 0.3048;
 inline constexpr std::size_t spindles_max = 16;
