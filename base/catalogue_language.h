@@ -148,6 +148,8 @@ inline constexpr auto language_rows = [] {
        "correct the program and load it again"},
       {"E4015", "a word that two codes of a block would take", end,
        "program one of them in a block of its own", "correct the program and start it again"},
+      {"E4016", "a code or word that another control understands differently", end,
+       "write what is meant as the text says", "correct the program and load it again"},
       {"E4020", "motion at feed without a feed", end, "program F before the move or in its block",
        "correct the program and start it again"},
       {"E4021", "feed per revolution while the spindle stands", end,

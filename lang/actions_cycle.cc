@@ -105,6 +105,18 @@ std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
   return block.integer('L', 0, static_cast<int>(moves_max / moves));
 }
 
+// Of the words of G76 some belong to the thread cycle of lathe channels.
+bool uses_its_words(ActiveBlock& block, CodeNumber code) {
+  if (code != 760) return true;
+  for (const char letter : {'E', 'H', 'I', 'J', 'K'}) {
+    if (!block.has(letter)) continue;
+    block.fail("E4003", {letter, -1, {}},
+               std::string("`G76` does not use `") + letter + "` on this channel", "unused word");
+    return false;
+  }
+  return true;
+}
+
 void make_hole(Hole& hole, CodeNumber code) {
   if (pecks(code)) {
     hole.peck(code);
@@ -126,7 +138,7 @@ void bore_or_thread(ActiveBlock& block, CodeNumber code) {
 
 void drill_hole(ActiveBlock& block, CodeNumber code) {
   const auto axis = tool_axis(block, code);
-  if (!axis) return;
+  if (!axis || !uses_its_words(block, code)) return;
   DrillingCycle& cycle = block.modal.cycle;
   if (!is_cycle(block.modal.code(Group::motion))) {
     cycle = {};

@@ -111,12 +111,9 @@ AxisValues shift_to_words(const ActiveBlock& block) {
 void shift_axes(ActiveBlock& block, CodeNumber code) {
   const WorkFrame before = block.modal.frame();
   if (code == 920) {
-    if (block.has('S')) {
-      block.channel.kind == ChannelKind::lathe ? limit_speed(block) : take_speed(block, 0);
-    }
+    if (block.has('S')) limit_speed(block);
     if (block.programmed == 0) {
-      const bool limits = block.has('S') && block.channel.kind == ChannelKind::lathe;
-      if (!limits) block.fail("E4007", {'G', 920, {}}, "`G92` needs an axis word", "");
+      if (!block.has('S')) block.fail("E4007", {'G', 920, {}}, "`G92` needs an axis word", "");
       return;
     }
     block.modal.axis_shift = shift_to_words(block);

@@ -20,9 +20,9 @@ void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
   block.fail("E4068", {'G', code, {}}, "the contour cannot be used: " + why, "");
 }
 
-// Words that the mill's G70 and G71 do not have.
-void refuse_words(ActiveBlock& block) {
-  for (const char letter : {'P', 'Q', 'R', 'U', 'W'}) {
+// Words that the code does not have on this channel, or not in this form.
+void refuse_words(ActiveBlock& block, std::string_view refused) {
+  for (const char letter : refused) {
     if (!block.has(letter)) continue;
     block.fail("E4003", {letter, -1, {}},
                std::string("nothing in this block uses `") + letter + "`", "unused word");
@@ -220,10 +220,13 @@ void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour
 }  // namespace
 
 void rough_contour(ActiveBlock& block, CodeNumber code) {
-  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block);
+  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUW");
   auto moves = CycleMoves::of(block, code);
   if (!moves) return;
-  if (!block.has('P') && !block.has('Q')) return take_settings(block, code);
+  const bool only_settings = !block.has('P') && !block.has('Q');
+  refuse_words(block, !only_settings ? "R" : code == 710 ? "W" : "U");
+  if (block.failed()) return;
+  if (only_settings) return take_settings(block, code);
   const RoughingSettings& settings =
       code == 710 ? block.modal.turning_roughing : block.modal.facing_roughing;
   if (settings.depth <= 0.0) {
@@ -242,7 +245,7 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
 
 // The blocks themselves are run, with all they do; then the tool comes back.
 void finish_contour(ActiveBlock& block, CodeNumber code) {
-  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block);
+  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUW");
   const auto contour = find_contour(block, code);
   if (!contour) return;
   for (const Contour::Block& one : contour->blocks) {

@@ -1,6 +1,7 @@
 // Actions of scaling and mirror: G50, G51, G50.1, G51.1. They change what the words of later blocks
 // mean (lang/coordinate_map.h), not where the axes stand.
 #include "lang/actions.h"
+#include "lang/other_controls.h"
 
 namespace stanok::lang {
 namespace {
@@ -33,7 +34,10 @@ bool check_factor_words(ActiveBlock& block) {
         .help.emplace_back("mirror with `G51.1`");
     return false;
   }
-  return true;
+  constexpr double factor_max = 100.0;
+  for (const char letter : {'P', 'I', 'J', 'K'})
+    refuse_thousandths(block, letter, factor_max, "a scale factor");
+  return !block.failed();
 }
 
 }  // namespace
@@ -70,7 +74,12 @@ void scale_axes(ActiveBlock& block, CodeNumber code) {
   }
 }
 
+// G50 S on a lathe channel limits the speed of G96 and leaves the scale as it is.
 void cancel_scaling(ActiveBlock& block, CodeNumber code) {
+  if (block.has('S')) {
+    block.kept_groups |= group_bit(Group::scaling);
+    return limit_speed(block);
+  }
   if (block.modal.code(Group::scaling) == code) return;
   if (excluded_by_mode(block, code, {Exclusion::radius_compensation})) return;
   block.modal.map.cancel_scaling();

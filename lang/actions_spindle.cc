@@ -233,7 +233,7 @@ void restore_spindle_mode(ActiveBlock& block, const ModalState& saved) {
   if (code == 960) send_cutting_speed(block);
 }
 
-// G92 S on a lathe channel: the limit of G96.
+// G50 S and G92 S on a lathe channel: the limit of G96.
 void limit_speed(ActiveBlock& block) {
   const double limit = block.value('S');
   if (limit < 0.0) {

@@ -169,6 +169,14 @@ void write_tool_values(ActiveBlock& block) {
 // The length with which the point has the programmed coordinates: in the active system (L10), or
 // in G59.3 without G52, G92 and rotation (L11).
 void write_tool_length_here(ActiveBlock& block, bool in_fixture) {
+  if (block.programmed == 0) {
+    const std::string name = in_fixture ? "`G10 L11`" : "`G10 L10`";
+    BlockFault& fault =
+        block.fail("E4016", {'L', -1, {}}, name + " without an axis word", "no length");
+    fault.notes.push_back({"on Fanuc controls R is a length then, here it is the radius", {}});
+    fault.help.emplace_back("write the length with `G10 L1 P1 Z120.5`, the radius with `L1` and R");
+    return;
+  }
   if (excluded_by_mode(block, 100, {Exclusion::tip_control, Exclusion::transformation})) return;
   const auto tool = table_tool(block);
   if (!tool || !check_lengths(block)) return;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lang/actions.h"
+#include "lang/other_controls.h"
 
 namespace stanok::lang {
 namespace {
@@ -85,6 +86,14 @@ void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
 void cut_thread(ActiveBlock& block, CodeNumber code) {
   auto move = synchronous_move(block, code);
   if (!move) return;
+  constexpr double whole_turn_deg = 360.0;
+  if (block.has('Q') && std::abs(block.value('Q')) > whole_turn_deg) {
+    block
+        .fail("E4016", {'Q', -1, {}}, "`Q`, the angle of the spindle, is more than a turn",
+              "thousandths?")
+        .help.emplace_back("give degrees with a decimal point, e.g. `Q180.0`");
+    return;
+  }
   if (block.has('Q')) move->start_angle_deg = block.value('Q');
   advance_position(block, move->line);
   block.queue.emit(*move);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lang/cycle_moves.h"
+#include "lang/other_controls.h"
 
 namespace stanok::lang {
 namespace {
@@ -47,6 +48,20 @@ void need(ActiveBlock& block, char letter, bool good, const std::string& what) {
             "`G76` needs " + what, present ? "out of range" : std::string("no ") + letter)
       .help.push_back(
           "write `G76 P Z I J K`, or the settings `G76 P Q R` and then `G76 X Z P Q F`");
+}
+
+// Lengths of a thread are far below this, in either unit; Fanuc controls count P and Q in
+// thousandths.
+constexpr double thread_depth_max = 20.0;
+
+// Words of the other forms of G76.
+void refuse_words_of_other_forms(ActiveBlock& block, std::string_view used) {
+  for (const char letter : std::string_view("EFHIJKLPQR")) {
+    if (!block.has(letter) || used.find(letter) != std::string_view::npos) continue;
+    block.fail("E4003", {letter, -1, {}},
+               std::string("this form of `G76` does not use `") + letter + "`", "unused word");
+    return;
+  }
 }
 
 // Depth n is first * n^exponent, then `last` once more and the spring passes.
@@ -102,6 +117,7 @@ void cut_passes(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
 }
 
 void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
+  refuse_words_of_other_forms(block, "EHIJKLPQR");
   const double taper = block.has('E') ? block.length('E') : 0.0;
   const double degression = block.has('R') ? block.value('R') : 1.0;
   const double angle = block.has('Q') ? block.value('Q') : 0.0;
@@ -131,6 +147,9 @@ void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
 
 // First block of the other form: it stays valid for those that follow.
 void take_thread_settings(ActiveBlock& block) {
+  refuse_words_of_other_forms(block, "PQR");
+  refuse_thousandths(block, 'Q', thread_depth_max / 10.0, "a smallest cut");
+  if (block.failed()) return;
   ThreadSettings& settings = block.modal.thread;
   if (block.has('P')) {
     const auto digits = block.integer('P', 0, 999999);
@@ -147,6 +166,9 @@ void take_thread_settings(ActiveBlock& block) {
 
 void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   const ThreadSettings& settings = block.modal.thread;
+  refuse_words_of_other_forms(block, "PQRF");
+  for (const char letter : {'P', 'Q'})
+    refuse_thousandths(block, letter, thread_depth_max, "a depth");
   need(block, 'X', moves.names_x(), "X, the root of the thread");
   need(block, 'P', block.has('P') && block.value('P') > 0.0, "P, a positive depth");
   need(block, 'Q', block.has('Q') && block.value('Q') > 0.0, "Q, a positive first depth");
@@ -165,6 +187,7 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.exit = settings.run_out_tenths * thread.lead / 10.0;
   thread.depth = depth - settings.last_cut;
   need(block, 'P', thread.depth > 0.0, "P larger than the last cut");
+  need(block, 'P', settings.smallest_cut < depth, "P larger than the smallest cut");
   if (block.failed()) return;
   add_passes(block, thread, block.length('Q'), 0.5, settings.smallest_cut, 0);
   thread.depth = depth;

@@ -8,6 +8,7 @@
 #include "lang/feed_law_words.h"
 #include "lang/macro_arguments.h"
 #include "lang/number.h"
+#include "lang/other_controls.h"
 #include "lang/source.h"
 
 namespace stanok::lang {
@@ -278,6 +279,8 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   if (channel != nullptr) {
     if (auto fault = check_master(words, *channel)) return fault;
     axes = channel_words->letters() | channel_words->incremental_letters();
+    const bool has_axis_words = (words.letters & axes & ~dwell_set) != 0 || any_named_axis(words);
+    if (auto fault = other_meaning({words, codes, channel->kind, has_axis_words})) return fault;
   }
   LetterSet allowed = codes.words | always_allowed | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
@@ -292,8 +295,17 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
 }
 
 bool dwells_suspiciously_long(const BlockWords& words) {
-  return has_code(words, 40) && words.has('P') && words.value('P') >= 100.0 &&
-         (words.whole & letter_bit('P')) != 0;
+  const auto looks_like_milliseconds = [&](char letter) {
+    return words.has(letter) && words.value(letter) >= 100.0 &&
+           (words.whole & letter_bit(letter)) != 0;
+  };
+  constexpr std::array<CodeNumber, 6> dwelling_cycles{740, 820, 840, 860, 880, 890};
+  if (has_code(words, 40)) {
+    return looks_like_milliseconds(words.has('P') ? 'P' : words.has('X') ? 'X' : 'U');
+  }
+  const bool cycle = std::any_of(dwelling_cycles.begin(), dwelling_cycles.end(),
+                                 [&](CodeNumber code) { return has_code(words, code); });
+  return cycle && looks_like_milliseconds('P');
 }
 
 void execute_block(ActiveBlock& block) {
@@ -316,6 +328,11 @@ void execute_block(ActiveBlock& block) {
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return;
   if (auto fault = missing_axes(codes, block.programmed != 0)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  if (auto fault = other_meaning(
+          {block.words, codes, block.channel.kind, block.programmed != 0, &block.modal})) {
     block.fault = std::move(fault);
     return;
   }

@@ -107,7 +107,7 @@ constexpr auto code_rows = std::to_array<Code>({
     g(435, length, P::length, no_axes, "H", not_master, later, "tool tip control by vector"),
     g(440, length, P::length, no_axes, "H", not_master, compensate_length, "tool length, negative"),
     g(490, length, P::length, no_axes, "", everywhere, compensate_length, "tool length off"),
-    g(500, scaling, P::settings, no_axes, "", everywhere, cancel_scaling, "scaling off"),
+    g(500, scaling, P::settings, no_axes, "S", everywhere, cancel_scaling, "scaling off"),
     g(501, mirror, P::settings, axes, "", everywhere, cancel_mirror, "mirror off"),
     g(510, scaling, P::settings, axes, "PIJK", not_master, scale_axes, "scaling"),
     g(511, mirror, P::settings, needs_axes, "", not_master, mirror_axes, "mirror"),

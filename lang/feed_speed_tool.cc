@@ -21,10 +21,10 @@ constexpr Code law_words =
     word_row(0, Phase::motion_modifier, Availability::not_master, take_feed_law, "feed law");
 constexpr Code tool_word = word_row('T', Phase::tool, Availability::not_master, take_tool, "tool");
 
-// G76 and G92 have a word of their own on lathe channels only.
+// G76 has F of its own on lathe channels only.
 bool takes_word(const Code& code, char letter, ChannelKind kind) {
   const bool own = code.letter == 'G' && (code.words & letter_bit(letter)) != 0;
-  return own && (kind == ChannelKind::lathe || (code.number != 760 && code.number != 920));
+  return own && (kind == ChannelKind::lathe || code.number != 760);
 }
 
 bool is_taken(const ActiveBlock& block, const BlockCodes& codes, char letter) {

@@ -24,6 +24,26 @@ SpindleAction turning_of(const ModalState& modal) {
                                           : SpindleAction::clockwise;
 }
 
+// K is the lead, on Fanuc controls a number of holes: what F of the same block contradicts, and
+// what can be no lead, is refused.
+bool is_lead(ActiveBlock& block, double speed) {
+  if (!block.has('K')) return true;
+  constexpr double tolerance = 0.01;  // of a feed that was rounded
+  const double lead = block.length('K');
+  const bool by_turn = block.modal.feed_mode() == FeedMode::per_revolution;
+  const double by_feed = by_turn ? block.modal.feed_mm : block.modal.feed_mm / speed;
+  const bool contradicted = block.has('F') && std::abs(by_feed - lead) > tolerance * std::abs(lead);
+  if (lead > 0.0 && !contradicted) return true;
+  BlockFault& fault =
+      block.fail("E4016", {'K', -1, {}},
+                 lead > 0.0 ? "`K`, the lead of the tap, and F contradict each other"
+                            : "`K`, the lead of the tap, must be positive",
+                 "meant for what?");
+  fault.notes.push_back({"on Fanuc controls K is a number of holes: here it is L", {}});
+  fault.help.emplace_back("keep K, the lead, or F, lead times speed");
+  return false;
+}
+
 // Lead of the tap: K, else F of G95, else F of G94 by the speed of the spindle.
 double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
   const ModalState& modal = block.modal;
@@ -33,6 +53,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
         .help.push_back("program S before, e.g. `S300 M3`");
     return 0.0;
   }
+  if (!is_lead(block, speed)) return 0.0;
   double lead = modal.cycle.lead;
   if (lead <= 0.0 && modal.feed_known) {
     lead = modal.feed_mode() == FeedMode::per_revolution ? modal.feed_mm : modal.feed_mm / speed;

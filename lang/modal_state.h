@@ -127,7 +127,7 @@ struct ModalState {
   double orient_angle_deg = 0.0;                          // of the last M19
   int cutting_spindle = 0;                                // of G96, as in SpindleCommand
   double cutting_speed_m_per_min = 0.0;
-  double speed_limit_rev_per_min = 0.0;  // of G96: D, G92 S; 0: none
+  double speed_limit_rev_per_min = 0.0;  // of G96: D, G50 S, G92 S; 0: none
   bool mist = false;
   bool flood = false;
   bool feed_override = true;
