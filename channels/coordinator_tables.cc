@@ -7,7 +7,7 @@ namespace stanok::channels {
 Coordinator::Verdict Coordinator::set_tool(const OperatorEvent& event) RT_SAFE {
   const int edge = event.value_2 < 1.0 ? 1 : static_cast<int>(event.value_2);
   const int value = tool_value_named(event.text.view());
-  if (value == 0 || !stores_.tables->tool_value(event.number, edge, value))
+  if (value == 0 || !stores_.tables->has_place(event.number, edge))
     return refusal("E5021", "there is no such tool, edge or value");
   if (!stores_.tables->set_tool_value(event.number, edge, value, event.value, Writer::person))
     return refusal("E5020", "the value is out of range");

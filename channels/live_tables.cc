@@ -7,7 +7,7 @@ namespace stanok::channels {
 namespace {
 
 constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
-constexpr int tools_without_row_max = 99;  // present with length 0 and radius 0
+constexpr int tools_without_row_max = 99;
 
 // In the order of ToolValue.
 std::array<double, tool_values> values_of(const ToolEdge& tool) {
@@ -86,7 +86,7 @@ int tool_value_named(std::string_view name) RT_SAFE {
 }
 
 LiveTables::LiveTables(const MachineConfig& machine)
-    : write_protected_(machine.tables_write_protected) {
+    : write_protected_(machine.tables_write_protected), unnamed_tools_(machine.unnamed_tools) {
   for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
   columns_.emplace_back("R");
   for (const ChannelConfig& channel : machine.channels) channels_.push_back(channel.id);
@@ -114,6 +114,7 @@ LiveTables::LiveTables(const MachineConfig& machine)
     ToolRow& made = tools_[tool_count_++];
     made.fixed = row.first;
     made.is_default = row.second;
+    made.exists = !row.second || unnamed_tools_ || made.fixed.number == 0;
     const auto values = values_of(made.fixed);
     for (std::size_t k = 0; k < values.size(); ++k) made.values[k] = values[k];
   }
@@ -178,6 +179,15 @@ std::optional<double> LiveTables::offset(int number, const std::string& axis) co
 }
 
 const LiveTables::ToolRow* LiveTables::find(int number, int edge) const RT_SAFE {
+  const ToolRow* const row = find_place(number, edge);
+  return row != nullptr && row->exists.load(std::memory_order_acquire) ? row : nullptr;
+}
+
+bool LiveTables::has_place(int number, int edge) const RT_SAFE {
+  return find_place(number, edge) != nullptr;
+}
+
+const LiveTables::ToolRow* LiveTables::find_place(int number, int edge) const RT_SAFE {
   std::size_t first = 0;
   std::size_t count = tool_count_;
   while (first < count) {
@@ -199,10 +209,13 @@ std::optional<double> LiveTables::tool_value(int number, int edge, int value) co
 
 bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writer writer) RT_SAFE {
   if (write_protected_ && writer == Writer::program) return false;
-  if (!tool_value(number, edge, value)) return false;
+  const bool by_person = writer == Writer::person;
+  const ToolRow* const found = by_person ? find_place(number, edge) : find(number, edge);
+  if (found == nullptr || value < 1 || value > tool_values) return false;
   if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
-  ToolRow& row = tools_[static_cast<std::size_t>(find(number, edge) - tools_.get())];
+  ToolRow& row = tools_[static_cast<std::size_t>(found - tools_.get())];
   row.values[static_cast<std::size_t>(value - 1)].store(to, std::memory_order_relaxed);
+  row.exists.store(true, std::memory_order_release);
   return true;
 }
 
@@ -217,7 +230,9 @@ TablesConfig LiveTables::snapshot() const {
   for (std::size_t k = 0; k < tool_count_; ++k) {
     const ToolRow& row = tools_[k];
     const ToolEdge now = with_values(row.fixed, row.values);
-    if (!row.is_default || values_of(now) != values_of(row.fixed)) tables.tools.push_back(now);
+    const bool filled = !unnamed_tools_ && row.fixed.number != 0 && row.exists;
+    if (!row.is_default || filled || values_of(now) != values_of(row.fixed))
+      tables.tools.push_back(now);
   }
   for (int number = 1; number <= work_offsets_max; ++number) {
     for (std::size_t axis = 0; axis < columns_.size(); ++axis) {

@@ -1,7 +1,8 @@
 // The live tables of the machine: tools, work offsets and reference points, read by all
 // preparations, written by programs and operators.
 //
-// Which entries exist is fixed when the machine starts; each value is read and written atomically,
+// Which entries exist is fixed when the machine starts, but for the free places of tools, which an
+// operator's value fills; each value is read and written atomically,
 // by programs in the cycle, reference points by the preparation of their channel alone. Names:
 // "G54".."G59", "G59.1".."G59.3", "G54.1 P1".. for the work offsets; absent rows are zero. Any
 // thread.
@@ -74,6 +75,8 @@ class LiveTables {
   // `axis` of the calls above by the name of the machine's axis, "R": the rotation; -1: none.
   [[nodiscard]] int column(std::string_view axis) const RT_SAFE;
   [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
+  // A tool is there, or an operator's value would make one.
+  [[nodiscard]] bool has_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
                                     Writer writer = Writer::program) RT_SAFE;
 
@@ -81,10 +84,13 @@ class LiveTables {
   struct ToolRow {
     ToolEdge fixed;           // number, edge, name, kind, shape
     bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
+    std::atomic<bool> exists{true};  // false: a free place
     std::array<std::atomic<double>, tool_values> values{};
   };
 
+  // A tool that exists; a free place too.
   [[nodiscard]] const ToolRow* find(int number, int edge) const RT_SAFE;
+  [[nodiscard]] const ToolRow* find_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
     return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
   }
@@ -97,6 +103,7 @@ class LiveTables {
   std::vector<std::string> columns_;  // of the offsets: the axes, and R, the rotation
   std::vector<int> channels_;         // ids
   bool write_protected_ = false;
+  bool unnamed_tools_ = true;
   std::unique_ptr<std::atomic<double>[]> offsets_;
   std::unique_ptr<std::atomic<double>[]> reference_points_;
   std::unique_ptr<ToolRow[]> tools_;  // ascending by number and edge

@@ -107,7 +107,7 @@ struct ToolEdge {
 using AxisRow = std::map<std::string, double>;  // axis name -> mm or deg
 
 struct TablesConfig {
-  std::vector<ToolEdge> tools;             // absent rows 1..99: length 0, radius 0
+  std::vector<ToolEdge> tools;             // see MachineConfig::unnamed_tools
   std::map<std::string, AxisRow> offsets;  // "G54" -> axes
   // channel id -> "G28", "G30 P2" to "G30 P4" -> axes, in M; absent values are zero
   std::map<int, std::map<std::string, AxisRow>> reference_points;
@@ -121,6 +121,9 @@ struct MachineConfig {
   std::vector<SpindleConfig> spindles;
   std::vector<ChannelConfig> channels;  // ascending ids
   TablesConfig tables;
+  // Tools 1 to 99 that no row names exist too, with length 0 and radius 0: where the machine file
+  // has no table of tools. Else they are free places, for an operator to fill.
+  bool unnamed_tools = true;
   bool tables_write_protected = false;  // against programs
 };
 

@@ -122,6 +122,7 @@ class MachineReader {
       return;
     }
     file_.machine.tables = read_tables(tables, names_of_axes(file_.machine), faults_);
+    file_.machine.unnamed_tools = file_.machine.tables.tools.empty();
     check_reference_points(tables);
   }
 

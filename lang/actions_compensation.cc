@@ -12,19 +12,21 @@
 namespace stanok::lang {
 namespace {
 
-// Tool whose radius counts: D, or the active one.
+// Tool whose radius counts: D, or the active edge.
 std::optional<Tool> compensated_tool(ActiveBlock& block, CodeNumber code) {
   int number = block.modal.tool_active;
+  int edge = std::max(block.modal.tool_edge, 1);
   if (block.has('D')) {
     const auto named = block.integer('D', 0, 99999999);
     if (!named) return std::nullopt;
     number = *named;
+    edge = 1;
   }
   if (number == 0) return Tool{};
-  auto tool = block.tables.tool(number);
+  auto tool = block.tables.tool_edge(number, edge);
   if (!tool) {
     const WordName word = block.has('D') ? WordName{'D', -1, {}} : WordName{'G', code, {}};
-    block.fail("E5002", word, "the tool table has no tool " + std::to_string(number),
+    block.fail("E5021", word, "the tool table has no tool " + std::to_string(number),
                "unknown tool");
   }
   return tool;

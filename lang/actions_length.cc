@@ -47,7 +47,7 @@ std::optional<LengthSource> length_source(ActiveBlock& block) {
     source = {*named, 1};
   }
   if (source.tool == 0 || block.tables.tool_edge(source.tool, source.edge)) return source;
-  block.fail("E5002", {block.has('H') ? 'H' : 'G', block.has('H') ? -1 : 430, {}},
+  block.fail("E5021", {block.has('H') ? 'H' : 'G', block.has('H') ? -1 : 430, {}},
              "the tool table has no tool " + std::to_string(source.tool), "unknown tool");
   return std::nullopt;
 }

@@ -59,13 +59,17 @@ void take_tool(ActiveBlock& block, CodeNumber) {
   if (!number) return;
   const ToolWord word = tool_of_word(block, *number);
   const bool known = word.tool == 0 || block.tables.tool(word.tool);
-  if (!known ||
-      (word.tool != 0 && word.edge > 1 && !block.tables.tool_edge(word.tool, word.edge))) {
-    block.fail(
-        "E5002", {'T', -1, {}},
-        known ? "tool " + std::to_string(word.tool) + " has no edge " + std::to_string(word.edge)
-              : "the tool table has no tool " + std::to_string(word.tool),
-        known ? "unknown edge" : "unknown tool");
+  if (!known) {
+    block.fail("E5021", {'T', -1, {}}, "the tool table has no tool " + std::to_string(word.tool),
+               "unknown tool");
+    return;
+  }
+  if (word.tool != 0 && word.edge > 1 && !block.tables.tool_edge(word.tool, word.edge)) {
+    const std::string tool = std::to_string(word.tool);
+    block
+        .fail("E5021", {'T', -1, {}}, "tool " + tool + " has no edge " + std::to_string(word.edge),
+              "unknown edge")
+        .help.push_back("the last two digits are the edge: edge 1 is `T" + tool + "01`");
     return;
   }
   block.modal.tool_prepared = word.tool;
@@ -93,7 +97,7 @@ void set_tool_number(ActiveBlock& block, CodeNumber) {
   const auto tool = block.integer('Q', 0, 99999999);
   if (!tool) return;
   if (*tool != 0 && !block.tables.tool(*tool)) {
-    block.fail("E5002", {'Q', -1, {}}, "the tool table has no tool " + std::to_string(*tool),
+    block.fail("E5021", {'Q', -1, {}}, "the tool table has no tool " + std::to_string(*tool),
                "unknown tool");
     return;
   }

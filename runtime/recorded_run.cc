@@ -107,6 +107,7 @@ void take_texts(Texts& texts, RecordedRun& run) {
   channels::MachineConfig& machine = run.machine.machine;
   machine.tables =
       config::read_tables_text(tables, "tables at start", config::names_of_axes(machine));
+  machine.unnamed_tools = run.setup.unnamed_tools;
   for (channels::AxisConfig& axis : machine.axes) {
     const auto start = run.setup.starts.find(axis.name);
     if (start != run.setup.starts.end()) axis.start = start->second;

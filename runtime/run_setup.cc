@@ -14,7 +14,8 @@ std::string text_of(const RunSetup& setup) {
   std::ostringstream text;
   text << "on_at_start " << setup.options.on_at_start << "\n"
        << "stops_go_on " << setup.options.stops_go_on << "\n"
-       << "outputs_to_inputs " << setup.options.outputs_to_inputs << "\n";
+       << "outputs_to_inputs " << setup.options.outputs_to_inputs << "\n"
+       << "unnamed_tools " << setup.unnamed_tools << "\n";
   for (const auto& [channel, scheme] : setup.schemes)
     text << "scheme " << channel << " " << scheme << "\n";
   text << std::setprecision(std::numeric_limits<double>::max_digits10);
@@ -28,7 +29,8 @@ RunSetup setup_of(const std::string& text) {
   const std::map<std::string, bool*> switches{
       {"on_at_start", &setup.options.on_at_start},
       {"stops_go_on", &setup.options.stops_go_on},
-      {"outputs_to_inputs", &setup.options.outputs_to_inputs}};
+      {"outputs_to_inputs", &setup.options.outputs_to_inputs},
+      {"unnamed_tools", &setup.unnamed_tools}};
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -73,6 +75,7 @@ void record_setup(const RunSetup& setup, const config::MachineFile& file,
   const std::string tables = config::to_toml(file.machine.tables);
   stream.text({.kind = TextKind::tables, .name = "tables at start", .text = tables});
   RunSetup whole = setup;
+  whole.unnamed_tools = file.machine.unnamed_tools;
   for (const channels::AxisConfig& axis : file.machine.axes) whole.starts[axis.name] = axis.start;
   const std::string text = text_of(whole);
   stream.text({.kind = TextKind::initial_state, .name = "run", .text = text});

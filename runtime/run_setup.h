@@ -15,6 +15,7 @@ struct RunSetup {
   channels::MachineOptions options{};
   std::vector<std::pair<int, int>>
       schemes{};               // channel, scheme at start; the others by machine file
+  bool unnamed_tools = true;   // as in MachineConfig
   channels::AxisRow starts{};  // where axes stand at first; the others by machine file
 };
 
@@ -26,8 +27,8 @@ struct RunSetup {
 [[nodiscard]] recording::LogDescription description_of(const config::MachineFile& file,
                                                        std::string version, std::string build);
 
-// Sends the setup, with the starts of `file.machine`, and the files of the machine, named from the
-// folder of the machine file.
+// Sends the setup, with the starts and tools of `file.machine`, and the files of the machine, named
+// from the folder of the machine file.
 void record_setup(const RunSetup& setup, const config::MachineFile& file,
                   recording::MessageStream& stream);
 

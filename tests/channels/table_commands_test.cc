@@ -11,6 +11,9 @@ using testing::MachineBench;
 
 class TableCommands : public ::testing::Test {
  protected:
+  explicit TableCommands(MachineConfig config = testing::two_channel_machine())
+      : bench(std::move(config)) {}
+
   std::string set_tool(int number, const char* key, double value, double edge = 0.0) {
     OperatorEvent event;
     event.action = OperatorAction::tool_set;
@@ -64,6 +67,50 @@ TEST_F(TableCommands, AreRefusedWhereThereIsNoSuchEntryOrValue) {
   EXPECT_EQ(set_tool(4000, "length", 1.0), "E5021");
   EXPECT_EQ(set_tool(4, "radius", -1.0), "E5020");
   EXPECT_EQ(set_tool(4, "length", 1.0, 5.0), "E5021");
+}
+
+// Of a table that names tools, those that it does not name are free places.
+class TableOfNamedTools : public TableCommands {
+ protected:
+  TableOfNamedTools() : TableCommands(machine()) {}
+
+  static MachineConfig machine() {
+    MachineConfig config = testing::two_channel_machine();
+    config.unnamed_tools = false;
+    ToolEdge tool;
+    tool.number = 4;
+    tool.length = 40.0;
+    config.tables.tools = {tool};
+    return config;
+  }
+};
+
+TEST_F(TableOfNamedTools, HasFreePlacesThatAnOperatorFills) {
+  std::vector<std::string> alarms;
+  for (const char* text : {"T7 M6\nM30\n", "G43 H7\nM30\n", "G41 D7\nM30\n", "M61 Q7\nM30\n",
+                           "T4 M6\nG43 H5\nM30\n"}) {
+    bench.program("p.nc", text);
+    bench.run(1, "p.nc");
+    bench.run_to_end();
+    alarms.emplace_back("E5021");
+    EXPECT_EQ(bench.alarm_codes(), alarms) << text;
+    bench.ask(OperatorAction::program_reset, 1, "");
+    bench.run_to_end();
+  }
+  bench.program("write.nc",
+                "if (settable_tool (7, 1, 1, 5)) { terminate (1000, \"made\"); }\nM30\n");
+  bench.run(1, "write.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.alarm_codes(), alarms);
+  EXPECT_EQ(bench.machine().tables().tools.size(), 1u);
+  EXPECT_EQ(set_tool(7, "length", 0.0), "ok");
+  EXPECT_EQ(bench.machine().tables().tools.size(), 2u);
+  EXPECT_EQ(set_tool(7, "length", 12.0), "ok");
+  bench.program("p.nc", "T7 M6\nG43 G0 Z0\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  EXPECT_EQ(bench.alarm_codes(), alarms);
+  EXPECT_NEAR(bench.channel(1).axes[2].position, 12.0, 1e-9);
 }
 
 TEST_F(TableCommands, ReferencePointsStandInTheTablesOfTheirChannel) {

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlacedFaultCase{"G91\nG53 G0 X1", "E4042", 2, 1}, PlacedFaultCase{"M6", "E4051", 1, 1},
         PlacedFaultCase{"G4 S5", "E4052", 1, 4}, PlacedFaultCase{"G4", "E4007", 1, 1},
         PlacedFaultCase{"G54.1 P301", "E4008", 1, 7}, PlacedFaultCase{"G54.1", "E4007", 1, 1},
-        PlacedFaultCase{"T7", "E5002", 1, 1}, PlacedFaultCase{"G43 H7", "E5002", 1, 5},
+        PlacedFaultCase{"T7", "E5021", 1, 1}, PlacedFaultCase{"G43 H7", "E5021", 1, 5},
         PlacedFaultCase{"G43 H1.5", "E4008", 1, 5}, PlacedFaultCase{"G10 L2 X1", "E4007", 1, 1},
         PlacedFaultCase{"G10 L3 P1 X1", "E4008", 1, 5}, PlacedFaultCase{"G0 C1", "E4010", 1, 4},
         PlacedFaultCase{"G64 P-1", "E4008", 1, 5}, PlacedFaultCase{"M98", "E4007", 1, 1},
@@ -172,7 +172,7 @@ TEST_F(DiagnosticsTest, LimitTheNumberOfFiles) {
 
 TEST_F(DiagnosticsTest, KeepTheMotionBeforeTheFaultyBlock) {
   run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
-  EXPECT_EQ(error.code, "E5002");
+  EXPECT_EQ(error.code, "E5021");
   EXPECT_EQ(all<Move>().size(), 2u);
   EXPECT_EQ(all<ToolPrepare>().size(), 0u);
   EXPECT_EQ(interpreter->next(commands.front()), Step::failed);

@@ -15,5 +15,5 @@ G91 G0 Z1
 M61 Q4
 ; expect: set T4
 T0102
-; expect error 17:1 E5002
+; expect error 17:1 E5021
 M30
