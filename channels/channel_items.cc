@@ -100,7 +100,8 @@ bool Channel::finish_activity() RT_SAFE {
 void Channel::wait(Activity activity, double seconds) RT_SAFE {
   activity_ = activity;
   activity_began_ = cycle_;
-  activity_cycles_ = ceiling(seconds / figures_.cycle_s - dwell_rounding);
+  constexpr double cycles_max = 1e15;  // for ever, and exact
+  activity_cycles_ = ceiling(std::min(seconds / figures_.cycle_s - dwell_rounding, cycles_max));
 }
 
 void Channel::execute(const Item& item) RT_SAFE {

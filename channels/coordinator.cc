@@ -344,6 +344,7 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   if (errand.kind == RequestKind::mark_wait) return step_mark_wait(errand);
   if (errand.kind == RequestKind::shared_read || errand.kind == RequestKind::shared_write)
     return step_shared(errand);
+  if (errand.kind == RequestKind::shared_combine) return combine_shared(errand);
   if (is_table_request(errand.kind)) return step_table(errand);
   if (errand.kind == RequestKind::machine_value) return step_value(errand);
   if (errand.kind == RequestKind::input_wait) return step_input_wait(errand);

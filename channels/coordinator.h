@@ -120,6 +120,7 @@ class Coordinator {
   [[nodiscard]] std::optional<Verdict> claim(int index, lang::AxisSet axes) RT_SAFE;
   // Values (coordinator_values.cc)
   [[nodiscard]] Verdict step_shared(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict combine_shared(const Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict step_table(const Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict step_input_wait(Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict step_value(const Errand& errand) RT_SAFE;

@@ -1,8 +1,28 @@
 // Values that programs read and write in the cycle.
+#include <array>
+#include <cmath>
+
 #include "channels/coordinator.h"
 #include "channels/spindle.h"
 
 namespace stanok::channels {
+namespace {
+
+double combined(double there, double operand, lang::Combination combination) RT_SAFE {
+  switch (combination) {
+    case lang::Combination::subtract:
+      return there - operand;
+    case lang::Combination::multiply:
+      return there * operand;
+    case lang::Combination::divide:
+      return there / operand;
+    case lang::Combination::add:
+      break;
+  }
+  return there + operand;
+}
+
+}  // namespace
 
 Coordinator::Verdict Coordinator::step_shared(const Errand& errand) RT_SAFE {
   SharedVariables& shared = *stores_.shared;
@@ -14,6 +34,24 @@ Coordinator::Verdict Coordinator::step_shared(const Errand& errand) RT_SAFE {
   if (!writes && request.is_text) verdict.text = ReasonText(shared.text(request.number).view());
   if (!writes && !request.is_text) verdict.number = shared.number(request.number);
   return verdict;
+}
+
+// Read, computed and written in one cycle: of two channels that count neither is lost. What cannot
+// be computed leaves the value as it is.
+Coordinator::Verdict Coordinator::combine_shared(const Errand& errand) RT_SAFE {
+  SharedVariables& shared = *stores_.shared;
+  const RequestData& request = errand.request;
+  if (request.is_text) {
+    if (!shared.append_text(request.number, errand.text))
+      return refusal("E3009", "a shared string has at most 255 bytes");
+    return success();
+  }
+  if (request.combination == lang::Combination::divide && request.value == 0.0)
+    return refusal("E3008", "division by zero");
+  const double value = combined(shared.number(request.number), request.value, request.combination);
+  if (!std::isfinite(value)) return refusal("E3009", "the result is too large");
+  shared.set_number(request.number, value);
+  return success();
 }
 
 // M66; the modes are those of its L. A time without the event is answered with -1.

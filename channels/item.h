@@ -56,7 +56,8 @@ struct RequestData {
   std::int32_t number = 0;
   std::int32_t index = 0;
   bool analog = false;
-  bool is_text = false;        // shared variables
+  bool is_text = false;  // shared variables
+  lang::Combination combination = lang::Combination::add;
   std::uint32_t channels = 0;  // bit k: channel with id k
   double seconds = -1.0;
   double value = 0.0;

@@ -183,10 +183,12 @@ void Preparation::add_request(const lang::Command& command, const lang::Request&
   data.channels = request.channels;
   data.seconds = request.seconds;
   data.value = request.value;
+  data.combination = request.combination;
   item.text = ShortText(request.text);
   axes_change_ = axes_change_ || request.kind == lang::RequestKind::spindle_to_axis;
   if (request.kind == lang::RequestKind::shared_read ||
-      request.kind == lang::RequestKind::shared_write) {
+      request.kind == lang::RequestKind::shared_write ||
+      request.kind == lang::RequestKind::shared_combine) {
     const SharedVariables::Cell cell = shared_.cell(request.text, request.index);
     data.number = cell.number;
     data.is_text = cell.is_text;

@@ -48,6 +48,14 @@ class SharedVariables {
   void set_text(std::int32_t cell, const ShortText& value) RT_SAFE {
     texts_[static_cast<std::size_t>(cell)] = value;
   }
+  // False, and nothing is changed, when it does not fit behind what is there.
+  [[nodiscard]] bool append_text(std::int32_t cell, const ShortText& more) RT_SAFE {
+    ShortText& text = texts_[static_cast<std::size_t>(cell)];
+    constexpr std::size_t characters_max = sizeof(ShortText{}.characters) - 1;
+    if (text.view().size() + more.view().size() > characters_max) return false;
+    text.append(more.view());
+    return true;
+  }
 
  private:
   struct Entry {

@@ -79,6 +79,8 @@ const char* name_of(lang::RequestKind kind) {
       return "shared_read";
     case RequestKind::shared_write:
       return "shared_write";
+    case RequestKind::shared_combine:
+      return "shared_combine";
     case RequestKind::program_restart:
       return "program_restart";
   }

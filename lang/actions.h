@@ -16,9 +16,11 @@ void take_feed(ActiveBlock& block, CodeNumber);
 // F alone, while no feed law is modal.
 void set_feed(ActiveBlock& block);
 void take_tool(ActiveBlock& block, CodeNumber);
-void select_feed_mode(ActiveBlock& block, CodeNumber code);     // G93 G94 G95
-void select_path_mode(ActiveBlock& block, CodeNumber code);     // G60 G61 G61.1 G64
-void dwell(ActiveBlock& block, CodeNumber code);                // G4
+void select_feed_mode(ActiveBlock& block, CodeNumber code);  // G93 G94 G95
+void select_path_mode(ActiveBlock& block, CodeNumber code);  // G60 G61 G61.1 G64
+void dwell(ActiveBlock& block, CodeNumber code);             // G4
+// False, with the block failed, when `letter` does not hold a dwell of `seconds`.
+[[nodiscard]] bool check_dwell(ActiveBlock& block, char letter, double seconds);
 void change_tool(ActiveBlock& block, CodeNumber code);          // M6
 void set_tool_number(ActiveBlock& block, CodeNumber code);      // M61
 void switch_coolant(ActiveBlock& block, CodeNumber code);       // M7 M8 M9

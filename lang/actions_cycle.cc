@@ -61,7 +61,7 @@ void take_cycle_words(ActiveBlock& block, std::size_t axis) {
     cycle.has_bottom = true;
   }
   if (block.has('Q')) cycle.peck = block.length('Q');
-  if (block.has('P')) cycle.dwell_s = block.value('P');
+  if (block.has('P') && check_dwell(block, 'P', block.value('P'))) cycle.dwell_s = block.value('P');
   if (block.has('K')) cycle.lead = block.length('K');
 }
 

@@ -149,11 +149,17 @@ void dwell(ActiveBlock& block, CodeNumber) {
     }
     seconds *= 60.0 / speed;
   }
-  if (seconds < 0.0) {
-    block.fail("E4008", {block.dwell_word, -1, {}}, "a dwell must not be negative", "negative");
-    return;
-  }
-  block.queue.emit(Dwell{seconds});
+  if (check_dwell(block, block.dwell_word, seconds)) block.queue.emit(Dwell{seconds});
+}
+
+bool check_dwell(ActiveBlock& block, char letter, double seconds) {
+  constexpr double seconds_max = 1e9;  // 31 years: in cycles a number that can be counted to
+  if (seconds >= 0.0 && seconds <= seconds_max) return true;
+  const bool negative = seconds < 0.0;
+  block.fail("E4008", {letter, -1, {}},
+             negative ? "a dwell must not be negative" : "a dwell is at most 1000000000 s",
+             negative ? "negative" : "too long");
+  return false;
 }
 
 void switch_coolant(ActiveBlock& block, CodeNumber code) {

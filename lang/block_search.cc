@@ -94,6 +94,7 @@ const char* omission_of(RequestKind kind) {
     case RequestKind::offset_table_write:
       return "table writes";
     case RequestKind::shared_write:
+    case RequestKind::shared_combine:
       return "shared variables";
     default:
       return nullptr;

@@ -24,7 +24,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 constexpr double near_tolerance = 1e-6;
 
 bool set(Value& result, double number) {
-  result = value_of(number);
+  result = value_of(without_sign_of_zero(number));
   return std::isfinite(number);
 }
 
@@ -43,10 +43,15 @@ double tangent(double x) {
   const double cosine = cosine_of_degrees(x);
   return cosine == 0.0 ? HUGE_VAL : sine_of_degrees(x) / cosine;
 }
+// Of the rational sines only 0, a half and 1 belong to rational angles (I. Niven, "Irrational
+// Numbers", 1956): 0 and 1 come out exactly by themselves.
 double arc_sine(double x) {
-  return std::asin(x) / degree;
+  constexpr double of_a_half = 30.0;
+  return std::abs(x) == 0.5 ? std::copysign(of_a_half, x) : std::asin(x) / degree;
 }
 double arc_cosine(double x) {
+  constexpr double of_a_half = 60.0;
+  if (std::abs(x) == 0.5) return x > 0.0 ? of_a_half : 180.0 - of_a_half;
   return std::acos(x) / degree;
 }
 double arc_tangent(double x) {
@@ -190,7 +195,8 @@ bool as_text(Arguments a, Value& result) {
   if (!is_integer(a[1].number) || a[1].number < 0.0 || a[1].number > 17.0) return false;
   char text[400];
   std::snprintf(text, sizeof text, "%.*f", static_cast<int>(std::lround(a[1].number)), a[0].number);
-  return set_text(result, text);
+  const bool rounded_to_zero = std::strpbrk(text, "123456789") == nullptr;
+  return set_text(result, rounded_to_zero && text[0] == '-' ? text + 1 : text);
 }
 bool as_number(Arguments a, Value& result) {
   std::string_view text = text_of(a[0]);

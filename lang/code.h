@@ -81,6 +81,7 @@ enum class Op : std::uint8_t {
   workpiece,          // (number... -> ): extra 0 the workpiece, 1 its position
   read_shared,        // (index... -> value): shared[operand], `count` indices
   write_shared,       // (index... value -> )
+  combine_shared,     // (index... value -> ): Combination `extra`
   mark,               // (id channel... -> ): builtins()[operand] with `count` arguments
   end_of_text,
 };

@@ -328,7 +328,11 @@ enum class RequestKind : std::uint8_t {
   shared_read,      // text = name, index = element
   shared_write,     // the same, value or value_text
   program_restart,  // M99 in the main program: it begins again, or with a false answer ends
+  shared_combine,   // as shared_write: the value that is there and this one, by `combination`
 };
+
+// What += and its like make of the value that a shared variable has; of texts add joins them.
+enum class Combination : std::uint8_t { add, subtract, multiply, divide };
 
 // Stands for the rotation of a work offset (G10 L2 R) where its axes have indices.
 inline constexpr int rotation_of_offset = -2;
@@ -344,6 +348,7 @@ struct Request {
   double value = 0.0;
   std::string text;
   std::string value_text;
+  Combination combination = Combination::add;
   bool statement = false;  // statement form: a false answer raises an alarm in the calling channel
 };
 

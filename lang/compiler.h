@@ -118,6 +118,8 @@ class Compiler {
   void load_target(const Expression& target, const Symbol& symbol);
   void store_target(const Expression& target, const Symbol& symbol);
   bool combine(const Assignment& assignment, Operation operation, Type type);
+  void combine_shared(const Assignment& assignment, const Symbol& symbol, Type type);
+  void refuse_combination(const Assignment& assignment, Type type);
   void compile_item(const Declaration& declaration, const DeclaredItem& item);
   void compile_shared(const DeclaredItem& item, Type type);
   void compile_array(const DeclaredItem& item, Type type);

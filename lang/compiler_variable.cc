@@ -6,7 +6,23 @@
 #include "lang/number.h"
 
 namespace stanok::lang {
-namespace {}  // namespace
+namespace {
+
+// Of +=, -=, *= and /=.
+Combination combination_of(Operation operation) {
+  switch (operation) {
+    case Operation::subtract:
+      return Combination::subtract;
+    case Operation::multiply:
+      return Combination::multiply;
+    case Operation::divide:
+      return Combination::divide;
+    default:
+      return Combination::add;
+  }
+}
+
+}  // namespace
 
 std::string_view type_name(Type type) {
   switch (type) {
@@ -240,6 +256,8 @@ void Compiler::compile_kind(const Assignment& assignment) {
                     "name an element");
     return;
   }
+  if (assignment.combined && symbol->shared >= 0)
+    return combine_shared(assignment, *symbol, type.type);
   if (assignment.combined) load_target(target, *symbol);
   if (!require(assignment.value, type.type, "the value")) return;
   if (assignment.combined && !combine(assignment, *assignment.combined, type.type)) return;
@@ -265,10 +283,27 @@ std::optional<Compiler::Symbol> Compiler::assignable(const Expression& target) {
 void Compiler::load_target(const Expression& target, const Symbol& symbol) {
   if (target.node != Node::element) return load(symbol, target.span);
   const auto indices = static_cast<std::uint8_t>(target.children.size());
-  const bool shared = symbol.shared >= 0;
-  emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + (shared ? 0 : 1)));
-  emit(shared ? Op::read_shared : Op::element, target.span,
-       shared ? static_cast<std::uint32_t>(symbol.shared) : 0, indices);
+  emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + 1));
+  emit(Op::element, target.span, 0, indices);
+}
+
+// The machine reads, computes and writes at once.
+void Compiler::combine_shared(const Assignment& assignment, const Symbol& symbol, Type type) {
+  if (!require(assignment.value, type, "the value")) return;
+  const Operation operation = *assignment.combined;
+  if (type != Type::number && (type != Type::string || operation != Operation::add)) {
+    refuse_combination(assignment, type);
+    return;
+  }
+  const Expression& target = assignment.target;
+  const std::size_t indices = target.node == Node::element ? target.children.size() : 0;
+  emit(Op::combine_shared, statement_span_, static_cast<std::uint32_t>(symbol.shared),
+       static_cast<std::uint8_t>(indices), static_cast<std::uint16_t>(combination_of(operation)));
+}
+
+void Compiler::refuse_combination(const Assignment& assignment, Type type) {
+  reporter_.error("E3004", assignment.target.span,
+                  "this operator does not work on a " + std::string(type_name(type)), "");
 }
 
 bool Compiler::combine(const Assignment& assignment, Operation operation, Type type) {
@@ -280,8 +315,7 @@ bool Compiler::combine(const Assignment& assignment, Operation operation, Type t
     emit(Op::compute, statement_span_, 0, 0, static_cast<std::uint16_t>(operation));
     return true;
   }
-  reporter_.error("E3004", assignment.target.span,
-                  "this operator does not work on a " + std::string(type_name(type)), "");
+  refuse_combination(assignment, type);
   return false;
 }
 

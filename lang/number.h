@@ -49,7 +49,7 @@ inline bool read_number(const char*& at, const char* end, double& value, bool& w
     fast_float::from_chars(first, cursor, value, fast_float::chars_format::fixed);
     if (std::isinf(value)) return false;
   }
-  if (negative) value = -value;
+  if (negative) value = 0.0 - value;  // -0 is 0
   at = cursor;
   return true;
 }

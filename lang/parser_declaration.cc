@@ -1,4 +1,5 @@
 // Declarations of variables and definitions of functions.
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -16,6 +17,16 @@ Statement statement_of(Declaration declaration) {
   return statement;
 }
 
+// "do5", "end5"
+bool begins_macro_line(std::string_view name) {
+  for (const std::string_view word : {"do", "end"}) {
+    if (!name.starts_with(word)) continue;
+    const std::string_view rest = name.substr(word.size());
+    return !rest.empty() && std::all_of(rest.begin(), rest.end(), is_digit);
+  }
+  return false;
+}
+
 // Why a name may not be declared; empty when it may.
 std::string_view reason_against(std::string_view name) {
   const std::string wanted = folded(name);
@@ -30,6 +41,7 @@ std::string_view reason_against(std::string_view name) {
   if (bracket_function(std::string_view(wanted).substr(1))) {
     return "it reads like a word with a function, as in `Xsin[30]`";
   }
+  if (begins_macro_line(wanted)) return "it reads like a line of a macro, as in `DO1`";
   return {};
 }
 

@@ -215,6 +215,8 @@ class ProgramRun : private ContourSource, private Parameters {
   bool name_tool_value(std::size_t first, bool by_number, Request& request);
   void read_shared(const Instruction& instruction);
   void write_shared(const Instruction& instruction);
+  void combine_shared(const Instruction& instruction);
+  void send_shared(const Instruction& instruction, Request request);
   bool pop_shared_element(const Instruction& instruction, Request& request);
   void take_mark(const Instruction& instruction);
   std::optional<int> mark_of(double number);

@@ -247,6 +247,8 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return read_shared(instruction);
     case Op::write_shared:
       return write_shared(instruction);
+    case Op::combine_shared:
+      return combine_shared(instruction);
     case Op::mark:
       return take_mark(instruction);
     case Op::argument:

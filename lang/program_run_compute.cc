@@ -18,10 +18,10 @@ bool quick_result(Operation operation, double left, double right, double& result
       result = left - right;
       return std::isfinite(result);
     case Operation::multiply:
-      result = left * right;
+      result = without_sign_of_zero(left * right);
       return std::isfinite(result);
     case Operation::divide:
-      result = left / right;
+      result = without_sign_of_zero(left / right);
       return right != 0.0 && std::isfinite(result);
     case Operation::less:
     case Operation::bracket_less:

@@ -42,6 +42,18 @@ void ProgramRun::read_shared(const Instruction& instruction) {
 void ProgramRun::write_shared(const Instruction& instruction) {
   Request request;
   request.kind = RequestKind::shared_write;
+  send_shared(instruction, std::move(request));
+}
+
+// One request, so that no other channel comes between the reading and the writing.
+void ProgramRun::combine_shared(const Instruction& instruction) {
+  Request request;
+  request.kind = RequestKind::shared_combine;
+  request.combination = static_cast<Combination>(instruction.extra);
+  send_shared(instruction, std::move(request));
+}
+
+void ProgramRun::send_shared(const Instruction& instruction, Request request) {
   const Value value = pop();
   request.value = value.number;
   request.value_text = text_of(value);

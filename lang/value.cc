@@ -61,7 +61,7 @@ double raw_result(Operation operation, double left, double right) {
     case Operation::bracket_xor:
       return truth((left != 0.0) != (right != 0.0));
     case Operation::negate:
-      return -left;
+      return 0.0 - left;
     case Operation::identity:
       return left;
     case Operation::logical_not:
@@ -100,7 +100,7 @@ std::optional<double> computed(Operation operation, double left, double right,
     return std::nullopt;
   }
   const double result = raw_result(operation, left, right);
-  if (std::isfinite(result)) return result;
+  if (std::isfinite(result)) return without_sign_of_zero(result);
   fault = std::isnan(result) ? ArithmeticFault{"E3009", "no real result"}
                              : ArithmeticFault{"E3009", "the result is too large"};
   return std::nullopt;

@@ -16,6 +16,11 @@
 
 namespace stanok::lang {
 
+// There is one zero: -0 would be shown as such, and be another direction for atan2.
+[[nodiscard]] constexpr double without_sign_of_zero(double number) {
+  return number + 0.0;
+}
+
 struct Object;
 
 struct Value {

@@ -38,6 +38,55 @@ TEST(SharedVariables, EightChannelsCountTogether) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
 }
 
+TEST(SharedVariables, SevenChannelsThatCountAtOnceLoseNothing) {
+  MachineBench bench(machine_of_one_axis_channels(8));
+  const std::string declared = "shared num ups, downs, product, halves, table[2], joined_length;\n";
+  for (int k = 1; k <= 7; ++k) {
+    const std::string name = "p" + std::to_string(k) + ".nc";
+    bench.program(name, declared +
+                            "mark_wait (1, 1, 2, 3, 4, 5, 6, 7, 8);\n"
+                            "for (num idx = 0; idx < 5; idx++) {\n"
+                            "ups++; downs -= 2; table[1] += 3; }\n"
+                            "product *= 2; halves /= 2;\n"
+                            "mark_wait (2, 1, 2, 3, 4, 5, 6, 7, 8);\nM30\n");
+    bench.run(k, name);
+  }
+  bench.program("p8.nc", declared +
+                             "product = 1; halves = 128;\n"
+                             "mark_wait (1, 1, 2, 3, 4, 5, 6, 7, 8);\n"
+                             "mark_wait (2, 1, 2, 3, 4, 5, 6, 7, 8);\n"
+                             "if (ups != 35) { terminate (1001, str (ups)); }\n"
+                             "if (downs != -70) { terminate (1002, str (downs)); }\n"
+                             "if (table[1] != 105) { terminate (1003, str (table[1])); }\n"
+                             "if (product != 128) { terminate (1004, str (product)); }\n"
+                             "if (halves != 1) { terminate (1005, str (halves)); }\nM30\n");
+  bench.run(8, "p8.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+}
+
+TEST(SharedVariables, WhatCannotBeComputedIsAnAlarmAndChangesNothing) {
+  const std::string long_text(200, 'a');
+  const std::map<std::string, std::string> faults{
+      {"num kept = 0;\ncount /= kept;", "E3008"},
+      {"count *= 1e300; count *= 1e300;", "E3009"},
+      {"name += \"" + long_text + "\"; name += \"" + long_text + "\";", "E3009"}};
+  for (const auto& [text, code] : faults) {
+    MachineBench bench(machine_of_one_axis_channels(1));
+    const std::string declared = "shared num count;\nshared string name;\n";
+    bench.program("a.nc", declared + "count = 5;\n" + text + "\nM30\n");
+    bench.run(1, "a.nc");
+    bench.run_to_end();
+    EXPECT_THAT(bench.alarm_codes(), ::testing::ElementsAre(code)) << text;
+    bench.ask(OperatorAction::program_reset, 1);
+    bench.program(
+        "b.nc", declared + "if (count < 1 || len (name) > 200) { terminate (1001, \"\"); }\nM30\n");
+    bench.run(1, "b.nc");
+    bench.run_to_end();
+    EXPECT_THAT(bench.alarm_codes(), ::testing::ElementsAre(code)) << text;
+  }
+}
+
 TEST(SharedVariables, TextsAndTruthsCrossTheMachine) {
   MachineBench bench(machine_of_one_axis_channels(2));
   bench.program("a.nc",

