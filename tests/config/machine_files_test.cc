@@ -36,8 +36,39 @@ TEST_P(ProjectMachine, IsReadWithoutFaultAndItsSchemesCanBeMade) {
 
 INSTANTIATE_TEST_SUITE_P(All, ProjectMachine,
                          ::testing::Values("e7106mf4", "grinder", "mill3", "mill5", "lathe",
-                                           "stress8", "trunnion"),
+                                           "millturn4", "stress8", "trunnion"),
                          [](const auto& name) { return name.param; });
+
+// ISO 5608: the cutting edge angle is the one between the edge and the direction of the feed, here
+// -Z: an edge at 95 deg lies 85 deg from +Z, behind the shoulder that the tip cuts. An 80 deg
+// insert (C) has its other edge 80 deg from there, one of 35 deg (V) 35 deg.
+TEST(MachineFiles, InsertsCutAShoulderWithTheirTip) {
+  for (const char* const name : {"lathe", "millturn4"}) {
+    for (const channels::ToolEdge& tool : machine(name).machine.tables.tools) {
+      if (tool.kind != "insert") continue;
+      const bool roughs = tool.name.find("CNMG") != std::string::npos;
+      EXPECT_EQ(tool.angle_front, 180.0 - (roughs ? 95.0 : 93.0)) << name << " " << tool.name;
+      EXPECT_EQ(tool.angle_front - tool.angle_back, roughs ? 80.0 : 35.0)
+          << name << " " << tool.name;
+    }
+  }
+}
+
+// The slide of a front turret goes against the workpiece's X; the tip of the shipped tools lies
+// 25 mm beside its reference point.
+TEST(MachineFiles, TurretsOfMillturn4ReachFromTheCentreToAWorkpieceOfDiameter200) {
+  const MachineFile file = machine("millturn4");
+  for (const auto& [name, sign] : {std::pair("X1", 1.0), std::pair("X2", -1.0)}) {
+    const auto axis = std::ranges::find(file.machine.axes, name, &channels::AxisConfig::name);
+    ASSERT_NE(axis, file.machine.axes.end());
+    EXPECT_GT(sign * axis->start, 100.0) << name;
+    for (const double radius : {0.0, 100.0}) {
+      const double position = sign * (radius - 25.0);
+      EXPECT_GE(position, axis->limits.position_min) << name;
+      EXPECT_LE(position, axis->limits.position_max) << name;
+    }
+  }
+}
 
 TEST(MachineFiles, E7106mf4HasAWorkChannelWithTwoSchemesAndAMaster) {
   const MachineFile file = machine("e7106mf4");
