@@ -120,7 +120,7 @@ std::optional<json> OperatorClient::receive(Deadline deadline) {
   std::array<char, 65536> bytes;  // NOLINT: filled by recv
   while (true) {
     if (const auto frame = frames_.next()) {
-      json message = json::parse(frame->text, nullptr, false);
+      json message = protocol::json_from_text(frame->text);
       if (message.is_object()) return message;
       throw ConnectionError("the daemon sent something that is not JSON-RPC");
     }

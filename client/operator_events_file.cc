@@ -47,7 +47,9 @@ std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
   for (int line = 1; std::getline(file, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
-      events.push_back(timed_event(json::parse(text)));
+      const json event = protocol::json_from_text(text);
+      if (event.is_discarded()) throw std::invalid_argument("the line is no JSON text");
+      events.push_back(timed_event(event));
     } catch (const std::exception& reason) {
       throw std::runtime_error(path + ":" + std::to_string(line) + ": " + reason.what());
     }

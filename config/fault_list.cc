@@ -4,13 +4,32 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <istream>
+#include <memory>
 #include <string_view>
 #include <tuple>
 
 #include "base/system_error.h"
+#include "base/text_bounds.h"
 
 namespace stanok::config {
+namespace {
+
+// No more of a file than shows that it is too long.
+std::string read_beginning(std::istream& stream) {
+  constexpr std::size_t piece = std::size_t{64} << 10;
+  std::string text;
+  while (stream && text.size() <= toml_bounds.bytes) {
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    stream.read(text.data() + before, static_cast<std::streamsize>(piece));
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
+}  // namespace
+
 void FaultList::add(const toml::source_region& place, std::string text) {
   faults_.push_back({.file = place.path ? *place.path : std::string(),
                      .line = place.begin.line,
@@ -62,7 +81,7 @@ std::optional<std::string> read_text(const std::filesystem::path& file, FaultLis
   }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::string text = read_beginning(stream);
   if (!stream.is_open() || stream.bad()) {
     faults.add(file, "cannot read the file: " + system_error_text(errno) + "; check the path");
     return std::nullopt;
@@ -73,6 +92,13 @@ std::optional<std::string> read_text(const std::filesystem::path& file, FaultLis
 
 std::optional<toml::table> parse_text(std::string_view text, const std::filesystem::path& file,
                                       FaultList& faults) {
+  if (const auto excess = toml_excess(text)) {
+    toml::source_region place;
+    place.path = std::make_shared<const std::string>(file.native());
+    place.begin = {excess->line, excess->column};
+    faults.add(place, "cannot be read: " + excess->text + "; the files of a machine have less");
+    return std::nullopt;
+  }
   try {
     return toml::parse(text, std::string_view(file.native()));
   } catch (const toml::parse_error& error) {

@@ -2,31 +2,14 @@
 
 #include <algorithm>
 
+#include "base/text_bounds.h"
+
 namespace stanok::protocol {
 namespace {
 
 using nlohmann::json;
 
 constexpr const char* not_a_request = "E9001";
-
-bool is_nested_too_deeply(std::string_view text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      in_string = c != '"';
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > nesting_max) return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
 
 Unexpected<BadRequest> bad(json id, FailureKind kind, std::string message) {
   return Unexpected<BadRequest>(
@@ -48,12 +31,17 @@ bool is_id(const json& value) {
 
 }  // namespace
 
+json json_from_text(std::string_view text) {
+  if (json_excess(text)) return {json::value_t::discarded};
+  return json::parse(text.begin(), text.end(), nullptr, false);
+}
+
 Expected<Request, BadRequest> parse_request(std::string_view line) {
   if (looks_like_http(line))
     return bad(nullptr, FailureKind::parse_error, "this is not an HTTP server");
-  if (is_nested_too_deeply(line))
-    return bad(nullptr, FailureKind::parse_error, "JSON nested too deeply");
-  json message = json::parse(line.begin(), line.end(), nullptr, false);
+  if (const auto excess = json_excess(line))
+    return bad(nullptr, FailureKind::parse_error, "not a request: " + excess->text);
+  const json message = json_from_text(line);
   if (message.is_discarded()) return bad(nullptr, FailureKind::parse_error, "not a JSON text");
   if (message.is_array()) {
     return bad(nullptr, FailureKind::invalid_request,

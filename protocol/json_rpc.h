@@ -15,8 +15,9 @@
 
 namespace stanok::protocol {
 
-// Deeper nesting is refused before it is parsed; no method needs more than three levels.
-inline constexpr int nesting_max = 64;
+// The value of a JSON text; a discarded one when it is none, or deeper or longer than
+// base/text_bounds.h allows.
+[[nodiscard]] nlohmann::json json_from_text(std::string_view text);
 
 struct Request {
   nlohmann::json id;         // number, string or null

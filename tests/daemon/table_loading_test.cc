@@ -51,6 +51,16 @@ TEST_F(TableLoading, RefusesAnotherReferencePoint) {
   EXPECT_EQ(value_of(7, "length"), 0.0) << "nothing of it is loaded";
 }
 
+TEST_F(TableLoading, RefusesAKeyOfVeryManyPartsBeforeItIsParsed) {
+  std::string key = "a";
+  for (int part = 1; part < 50'000; ++part) key += ".a";
+  for (const std::string& text : {key + " = 1\n", "[" + key + "]\n", "x = {" + key + " = 1}\n"}) {
+    EXPECT_EQ(load(text), "E9014");
+    EXPECT_EQ(answer.error().place.line, 1);
+  }
+  EXPECT_EQ(load("x = " + std::string(100'000, '[')), "E9014");
+}
+
 // Random values through a saved text and back.
 TEST_F(TableLoading, OfASavedTextBringsEveryBitBack) {
   std::mt19937_64 random(7);

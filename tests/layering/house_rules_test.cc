@@ -55,6 +55,20 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
   }
 }
 
+// Parsers that recurse are called where the depth of the text was measured (base/text_bounds.h).
+TEST(HouseRules, TextsAreMeasuredBeforeTheyAreParsed) {
+  const std::regex parser(R"((toml|json)::(parse|parse_file|accept|sax_parse|from_\w+)\()");
+  for (const SourceFile& file : source_files(repository)) {
+    const bool measures =
+        file.path == "config/fault_list.cc" || file.path == "protocol/json_rpc.cc";
+    if (measures || file.path.starts_with("tests/")) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(file.lines[i], parser))
+          << file.path << ":" << i + 1 << ": " << file.lines[i];
+    }
+  }
+}
+
 // Codes of the catalogue as string literals begin with them: "E4031", "E7001 file not found";
 // comments do not count.
 std::set<std::string> codes_in(const std::string& line) {
