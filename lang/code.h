@@ -155,7 +155,7 @@ struct CompiledFile {
   std::vector<Callee> callees;
   std::vector<OCallCode> o_calls;
   std::vector<std::vector<SettingTarget>> settings;
-  std::vector<Diagnostic> faults;
+  std::vector<Fault> faults;
   std::map<int, std::uint32_t> numbered_programs;         // O number -> instruction
   std::map<std::string, std::uint32_t> function_by_name;  // folded
   std::map<std::string, std::uint32_t> o_subprograms;     // label -> index in functions

@@ -225,7 +225,7 @@ void Compiler::compile_kind(const CallStatement& statement) {
 }
 
 void Compiler::compile_kind(const FaultyText& text) {
-  file_.faults.push_back(text.diagnostic);
+  file_.faults.push_back(text.fault);
   emit(Op::raise, statement_span_, static_cast<std::uint32_t>(file_.faults.size() - 1));
 }
 

@@ -1,4 +1,5 @@
 // Code of control flow and functions.
+#include <set>
 #include <utility>
 
 #include "lang/compiler.h"
@@ -152,7 +153,7 @@ void Compiler::compile_kind(const Switch& statement) {
 }
 
 void Compiler::check_cases(const Switch& statement) {
-  std::vector<Constant> seen;
+  std::set<std::pair<double, std::string>> seen;
   bool has_default = false;
   for (const SwitchCase& one : statement.cases) {
     if (one.values.empty() && std::exchange(has_default, true)) {
@@ -164,11 +165,8 @@ void Compiler::check_cases(const Switch& statement) {
         reporter_.error("E3007", value.span, "a case must be constant", "not a constant");
         continue;
       }
-      for (const Constant& other : seen) {
-        if (other.number != constant->number || other.text != constant->text) continue;
+      if (!seen.emplace(constant->number, constant->text).second)
         reporter_.error("E3018", value.span, "this case stands twice", "same value as before");
-      }
-      seen.push_back(*constant);
     }
   }
 }

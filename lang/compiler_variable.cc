@@ -155,6 +155,7 @@ void Compiler::report_unknown(std::string_view name, const Span& span, std::stri
   Diagnostic& diagnostic = reporter_.error(
       "E3001", span, "unknown " + std::string(what) + " `" + std::string(name) + "`",
       "not declared here");
+  if (!reporter_.is_kept(diagnostic)) return;
   const std::string_view nearest = nearest_name(name, known_names());
   if (!nearest.empty()) diagnostic.help.push_back("did you mean `" + std::string(nearest) + "`?");
 }
@@ -274,7 +275,7 @@ std::optional<Compiler::Symbol> Compiler::assignable(const Expression& target) {
   if (found != nullptr && !found->read_only) return *found;
   Diagnostic& diagnostic = reporter_.error(
       "E3013", target.span, "`" + target.text + "` is a constant", "cannot be changed");
-  if (found != nullptr)
+  if (found != nullptr && reporter_.is_kept(diagnostic))
     diagnostic.notes.push_back({"declared here", file_.source.place(found->span)});
   return std::nullopt;
 }

@@ -117,7 +117,10 @@ Parser::MaybeStatement Parser::parse_declaration_or_function() {
 }
 
 Parser::MaybeStatement Parser::parse_items(Declaration declaration) {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
   do {
+    if (!check_length(start, line)) return std::nullopt;
     const Token name = scanner_.take(LineEnds::blank);
     if (!check_declared_name(name)) return std::nullopt;
     DeclaredItem item;

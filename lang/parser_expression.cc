@@ -264,10 +264,12 @@ Parser::MaybeExpression Parser::parse_system_variable() {
 // expressions separated by commas, up to and with `close`
 bool Parser::parse_list(std::string_view close, std::vector<Expression>& list) {
   if (accept(close)) return true;
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
   bool good = true;
   do {
     auto element = parse_conditional();
-    good = element.has_value();
+    good = element.has_value() && check_length(start, line);
     if (good) list.push_back(std::move(*element));
   } while (good && accept(","));
   return good && expect(close, "the last value");

@@ -35,6 +35,7 @@ Parser::MaybeStatement Parser::parse_iso() {
       break;
     }
     if (!parse_iso_part(block)) return std::nullopt;
+    if (scanner_.offset() - start > limits::block_bytes) scanner_.skip_to_line_end();
   }
   if (scanner_.offset() - start > limits::block_bytes) {
     reporter_.error("E1007", {start, 1, line}, "the block is longer than 4096 bytes", "too long");

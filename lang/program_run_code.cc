@@ -259,8 +259,10 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
       return restore_gvector(instruction.count != 0);
     case Op::channel_error:
       return push(value_of(channel_error_));
-    case Op::raise:
-      return fail_with(file().faults[instruction.operand]);
+    case Op::raise: {
+      const Fault& fault = file().faults[instruction.operand];
+      return fail_at(fault.span, fault.code, fault.message, fault.label);
+    }
     case Op::end_of_text:
       queue_.set_origin({frames_.back().file, span().line}, block_);
       if (frames_.size() > 1) return leave_subprogram();

@@ -68,37 +68,36 @@ std::string_view nearest_name(std::string_view name,
 
 Diagnostic& Reporter::error(std::string_view code, const Span& span, std::string message,
                             std::string label) {
-  Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
   ++error_count_;
-  last_error_ = diagnostic;
-  if (is_soft(span.offset)) diagnostic.severity = Severity::warning;
+  last_error_ = {std::string(code), span, message, label};
+  const Severity severity = is_soft(span.offset) ? Severity::warning : Severity::error;
+  if (!keeps(severity)) return overflow_ = {};
+  Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
+  diagnostic.severity = severity;
   return keep(std::move(diagnostic));
 }
 
 Diagnostic& Reporter::warning(std::string_view code, const Span& span, std::string message,
                               std::string label) {
+  if (!keeps(Severity::warning)) return overflow_ = {};
   Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
   diagnostic.severity = Severity::warning;
   return keep(std::move(diagnostic));
 }
 
 void Reporter::add(Diagnostic diagnostic) {
-  if (diagnostic.severity == Severity::error) {
-    ++error_count_;
-    last_error_ = diagnostic;
-  }
+  if (diagnostic.severity == Severity::error) ++error_count_;
   keep(std::move(diagnostic));
+}
+
+bool Reporter::keeps(Severity severity) const {
+  return (severity == Severity::error ? errors_kept_ : warnings_kept_) < limits::diagnostics;
 }
 
 // Errors and warnings have their own limits: warnings never hide an error.
 Diagnostic& Reporter::keep(Diagnostic diagnostic) {
-  const bool error = diagnostic.severity == Severity::error;
-  std::size_t& kept = error ? errors_kept_ : warnings_kept_;
-  if (kept >= limits::diagnostics) {
-    overflow_ = std::move(diagnostic);
-    return overflow_;
-  }
-  ++kept;
+  if (!keeps(diagnostic.severity)) return overflow_ = std::move(diagnostic);
+  ++(diagnostic.severity == Severity::error ? errors_kept_ : warnings_kept_);
   diagnostics_.push_back(std::move(diagnostic));
   return diagnostics_.back();
 }

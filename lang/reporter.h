@@ -17,6 +17,14 @@
 
 namespace stanok::lang {
 
+// What is wrong with a piece of text. Short: a text may have millions that nobody is told of.
+struct Fault {
+  std::string code;
+  Span span;
+  std::string message;
+  std::string label;
+};
+
 class Reporter {
  public:
   explicit Reporter(const Source& source) : source_(source) {}
@@ -37,16 +45,21 @@ class Reporter {
   // Number of errors reported so far, softened ones included.
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   // The last error as it was reported first, for text that is an error only when reached.
-  [[nodiscard]] const Diagnostic& last_error() const { return last_error_; }
+  [[nodiscard]] const Fault& last_error() const { return last_error_; }
+  // False: it came after the hundredth, and what would complete it need not be found out.
+  [[nodiscard]] bool is_kept(const Diagnostic& diagnostic) const {
+    return &diagnostic != &overflow_;
+  }
   // Everything reported, in the order of the text.
   [[nodiscard]] Diagnostics take();
 
  private:
+  [[nodiscard]] bool keeps(Severity severity) const;
   Diagnostic& keep(Diagnostic diagnostic);
 
   const Source& source_;
   Diagnostics diagnostics_;
-  Diagnostic last_error_;
+  Fault last_error_;
   Diagnostic overflow_;  // takes what comes after the hundredth error
   std::size_t error_count_ = 0;
   std::size_t errors_kept_ = 0;

@@ -75,7 +75,7 @@ void Scanner::skip_to_line_end() {
 void Scanner::skip_line_comment() {
   const std::size_t start = offset_;
   skip_to_line_end();
-  check_comment(start, offset_);
+  check_comment(start, line_);
 }
 
 void Scanner::skip_blanks(LineEnds line_ends) {
@@ -99,6 +99,7 @@ void Scanner::skip_blanks(LineEnds line_ends) {
 bool Scanner::skip_block_comment() {
   const Span opening = here(2);
   const std::size_t start = offset_;
+  const std::uint32_t line = line_;
   const std::size_t close = text_.find("*/", offset_ + 2);
   if (close == std::string_view::npos) {
     reporter_.error("E1006", opening, "the comment is not closed", "`*/` is missing");
@@ -113,16 +114,18 @@ bool Scanner::skip_block_comment() {
     }
   }
   offset_ = close + 2;
-  check_comment(start, offset_);
+  check_comment(start, line);
   return true;
 }
 
-void Scanner::check_comment(std::size_t start, std::size_t end) {
-  for (std::size_t at = start; at < end;) {
+void Scanner::check_comment(std::size_t start, std::uint32_t line) {
+  for (std::size_t at = start; at < offset_;) {
     const std::size_t length = utf8_length(text_, at);
     if (length == 0) {
-      reporter_.warning("W110", {at, 1, source_.line_number(at)}, "the text is not valid UTF-8",
-                        "shown as U+FFFD");
+      const auto ends = [&](std::size_t k) { return is_line_end(text_[k]); };
+      for (std::size_t k = start; k < at; k += ends(k) && text_.substr(k, 2) == "\r\n" ? 2 : 1)
+        line += ends(k) ? 1 : 0;
+      reporter_.warning("W110", {at, 1, line}, "the text is not valid UTF-8", "shown as U+FFFD");
       return;
     }
     at += length;
@@ -142,7 +145,7 @@ std::optional<std::string_view> Scanner::read_parenthesis_comment() {
     return std::nullopt;
   }
   const std::string_view comment = text_.substr(start, offset_ - start);
-  check_comment(start, offset_);
+  check_comment(start, line_);
   ++offset_;
   return comment;
 }
@@ -245,7 +248,7 @@ Token Scanner::read_string_token() {
   } else {
     ++offset_;
   }
-  check_comment(start, offset_);
+  check_comment(start, line_);
   token.span = span_from(start, line_);
   token.text = text_.substr(start, offset_ - start);
   return token;

@@ -71,7 +71,8 @@ class Scanner {
 
  private:
   bool skip_block_comment();
-  void check_comment(std::size_t start, std::size_t end);
+  // Of the text from `start` to the end of what was read; `line` is that of `start`.
+  void check_comment(std::size_t start, std::uint32_t line);
   Token read_token(LineEnds line_ends);
   Token read_number_token();
   Token read_string_token();

@@ -13,6 +13,7 @@
 #include "lang/active_block.h"
 #include "lang/command.h"
 #include "lang/plain_block.h"
+#include "lang/reporter.h"
 #include "lang/source.h"
 
 namespace stanok::lang {
@@ -250,7 +251,7 @@ struct FunctionDefinition {
 };
 // Text with an error that nothing reaches unless a subprogram call does.
 struct FaultyText {
-  Diagnostic diagnostic;
+  Fault fault;
 };
 
 struct Statement {
