@@ -37,6 +37,8 @@ class Channel {
   void select_scheme(int scheme);
 
   // What the preparation has made so far is seen in this cycle; of a recorded run, what that saw.
+  // Whether the preparation has made what a recorded cycle saw of it. Not of the cycle.
+  [[nodiscard]] bool has_prepared(const Arrivals& recorded) const;
   void see_arrivals(const Arrivals& recorded = {.resets = 0,
                                                 .chunks = Arrivals::everything,
                                                 .items = Arrivals::everything,
@@ -337,6 +339,8 @@ class Channel {
   ChannelState state_ = ChannelState::idle;
   bool powered_ = false;
   bool has_program_ = false;
+  std::int32_t loads_ = 0;         // that were begun
+  std::int32_t program_load_ = 0;  // of the program that is there
   Job loading_ = Job::program;
   bool running_ = false;
   bool run_ok_ = true;

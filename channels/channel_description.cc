@@ -37,6 +37,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
                                              const ChannelConfig& channel) {
   lang::ChannelDescription description;
   description.id = channel.id;
+  description.bounds = machine.program_bounds;
   description.name = channel.name;
   description.kind = channel.kind;
   description.spindles = channel.spindles;

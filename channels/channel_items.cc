@@ -179,6 +179,7 @@ void Channel::take_load(const Item& item) RT_SAFE {
   text_ = item.text;
   if (!item.flag || loading_ != Job::program) return;
   has_program_ = true;
+  program_load_ = static_cast<std::int32_t>(item.number);
   if (state_ == ChannelState::idle) state_ = ChannelState::ready;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <cstdint>
 
 #include "base/ring.h"
 #include "channels/item.h"
@@ -16,6 +18,10 @@ struct ChannelLink {
   Ring<Rider> riders{8192};    // preparation -> cycle
   Ring<Remark> remarks{1024};  // preparation -> cycle
   Ring<Notice> notices{16};    // cycle -> preparation
+
+  // The cycle: resets that were asked for since construction. A preparation that has obeyed fewer
+  // ends what it compiles: the reset waits for it.
+  std::atomic<std::uint32_t> resets_wanted{0};
 
   // The cycle: what it sees of the rings until the next call, counted since construction. In this
   // order a chunk comes with the items before it, and with the riders before its blocks.

@@ -8,6 +8,8 @@ void Channel::begin_load(const ShortText& text, Job job) RT_SAFE {
   loading_ = job;
   Notice notice;
   notice.kind = job == Job::line ? NoticeKind::load_line : NoticeKind::load;
+  notice.load = program_load_;
+  if (job == Job::program) notice.number = ++loads_;
   notice.text = ReasonText(text.view());
   static_cast<void>(link_.notices.push(notice));
 }
@@ -26,6 +28,7 @@ Notice Channel::notice_of_start(NoticeKind kind) const RT_SAFE {
   Notice notice;
   notice.kind = kind;
   notice.run = run_;
+  notice.load = program_load_;
   notice.number = scheme_;
   notice.block_skip = block_skip_;
   notice.axes_M = axes_M();
@@ -111,6 +114,7 @@ void Channel::begin_reset() RT_SAFE {
   if (resetting_) return;
   resetting_ = true;
   reset_sent_ = false;
+  link_.resets_wanted.fetch_add(1, std::memory_order_relaxed);
   control_.hold = true;
   control_.leaves_thread = true;
 }
@@ -154,6 +158,14 @@ void Channel::continue_reset() RT_SAFE {
     stand_in_frame();
     return;
   }
+}
+
+bool Channel::has_prepared(const Arrivals& recorded) const {
+  if (recorded.resets > arrivals_.resets) return true;  // what it saw is counted from there on
+  return link_.path.chunks.pushed() - forgotten_.chunks >= recorded.chunks &&
+         link_.items.pushed() - forgotten_.items >= recorded.items &&
+         link_.riders.pushed() - forgotten_.riders >= recorded.riders &&
+         link_.remarks.pushed() - forgotten_.remarks >= recorded.remarks;
 }
 
 void Channel::see_arrivals(const Arrivals& recorded) RT_SAFE {

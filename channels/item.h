@@ -21,7 +21,8 @@ using ReasonText = FixedText<1024>;  // of an answer: lines after the first are 
 using FileName = FixedText<96>;
 
 enum class ItemKind : std::uint8_t {
-  load_done,         // a program or line was compiled, a block found: flag = success, text = name
+  load_done,         // a program or line was compiled, a block found: flag = success, text = name,
+                     // number = of the load
                      // or reason
   run_end,           // the program came to its end: number = blocks executed
   line_end,          // a line of an operator came to its end: number = blocks executed
@@ -91,7 +92,7 @@ struct Item {
 }
 
 enum class NoticeKind : std::uint8_t {
-  load,           // compile program `text`
+  load,           // compile program `text`, number = of the load
   load_line,      // compile `text`, a line of an operator
   search,         // find the block `text` of the loaded program, met for the `value`-th time, ok =
                   // with calculation; as a start would: axes_M, number, block_skip
@@ -107,6 +108,7 @@ enum class NoticeKind : std::uint8_t {
 struct Notice {
   NoticeKind kind = NoticeKind::answer;
   std::uint32_t run = 0;
+  std::int32_t load = 0;  // number of the load whose program the channel has; 0: of none
   std::int32_t number = 0;
   std::uint16_t block_skip = 0;  // start, answer: levels that are skipped from now on
   bool ok = true;

@@ -77,7 +77,8 @@ struct Seat {
   Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
        const lang::Files& files, LiveTables& tables, SharedVariables& shared, CycleBooks books)
       : schemes(make_schemes(config)),
-        preparation(machine, config, schemes, files, tables, shared, link, *books.reports),
+        preparation(machine, config, schemes, files, {tables, shared, link, *books.reports},
+                    options.gives_up),
         channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,
                 config.scheme, link, books) {}
 
@@ -197,6 +198,10 @@ const MachineConfig& Machine::config() const {
 
 Progress Machine::prepare(int index) {
   return parts_->seats[static_cast<std::size_t>(index)]->preparation.step();
+}
+
+bool Machine::has_prepared(int index, const Arrivals& recorded) const {
+  return parts_->seats[static_cast<std::size_t>(index)]->channel.has_prepared(recorded);
 }
 
 bool Machine::select_scheme_at_start(int channel, int scheme) {

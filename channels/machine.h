@@ -7,6 +7,7 @@
 // cycle only when every preparation is blocked, which makes runs repeatable to the bit.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -57,7 +58,9 @@ struct AlarmReport {
   Diagnostic diagnostic;
 };
 
-enum class Progress { worked, blocked };
+// blocked: waits for the cycle. computing: it might go on for ever, nothing of what was done is for
+// the cycle; a clock that waits for the preparations goes on after a while.
+enum class Progress { worked, computing, blocked };
 
 struct MachineOptions {
   bool on_at_start = false;  // drives enabled from the first cycle (simulate)
@@ -67,6 +70,8 @@ struct MachineOptions {
   // Force control of each channel, in their order; nullptr, or shorter: none. They outlive the
   // machine.
   std::vector<motion::FeedModifier*> feed_modifiers{};
+  // Asked from the preparations while they compile; true: nobody waits for them any more.
+  std::function<bool()> gives_up{};
 };
 
 class Machine {
@@ -83,6 +88,8 @@ class Machine {
 
   // Channel `index` counts from 0. One thread per channel at most.
   [[nodiscard]] Progress prepare(int index);
+  // Whether channel `index` has prepared what a recorded cycle saw of it. Not while a cycle runs.
+  [[nodiscard]] bool has_prepared(int index, const Arrivals& recorded) const;
 
   // Power-on choice of a scheme, before the first cycle. False: no such channel or scheme.
   [[nodiscard]] bool select_scheme_at_start(int channel, int scheme);

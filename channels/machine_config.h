@@ -125,6 +125,7 @@ struct MachineConfig {
   // has no table of tools. Else they are free places, for an operator to fill.
   bool unnamed_tools = true;
   bool tables_write_protected = false;  // against programs
+  lang::ProgramBounds program_bounds;
 };
 
 }  // namespace stanok::channels

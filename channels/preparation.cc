@@ -34,18 +34,22 @@ SchemeSet make_schemes(const ChannelConfig& channel) {
 }
 
 Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& channel,
-                         const SchemeSet& schemes, const lang::Files& files, LiveTables& tables,
-                         SharedVariables& shared, ChannelLink& link, ReportBook& reports)
+                         const SchemeSet& schemes, const lang::Files& files,
+                         const PreparationBooks& books, std::function<bool()> gives_up)
     : config_(channel),
       schemes_(schemes),
       files_(files),
-      shared_(shared),
-      link_(link),
-      reports_(reports),
-      live_(tables),
+      shared_(books.shared),
+      link_(books.link),
+      reports_(books.reports),
+      live_(books.tables),
+      is_unwanted_([this, gives_up = std::move(gives_up)] {
+        return link_.resets_wanted.load(std::memory_order_relaxed) != resets_obeyed_ ||
+               (gives_up && gives_up());
+      }),
       motion_(motion_config(machine, channel)),
       description_(channel_description(machine, channel)),
-      tables_(tables, machine, channel),
+      tables_(books.tables, machine, channel),
       interpreter_(description_, tables_, files),
       blocks_(machine, channel, motion_),
       builder_(motion_),
@@ -84,15 +88,16 @@ Progress Preparation::work() {
   }
   if (!flush()) return progress;
   if (task_ != Task::running) return progress;
-  interpret();
+  progress = interpret();
   static_cast<void>(flush());
-  return Progress::worked;
+  return progress;
 }
 
 void Preparation::obey(const Notice& notice) {
+  use_load(notice.load);
   switch (notice.kind) {
     case NoticeKind::load:
-      return load(std::string(notice.text.view()));
+      return load(std::string(notice.text.view()), notice.number);
     case NoticeKind::load_line:
       return load_line(std::string(notice.text.view()));
     case NoticeKind::search:
@@ -109,34 +114,43 @@ void Preparation::obey(const Notice& notice) {
   }
 }
 
-void Preparation::load(const std::string& name) {
+// The cycle may never hear of a load: a reset comes between. The program that it has then is the
+// one before.
+void Preparation::use_load(std::int32_t number) {
+  if (newest_.number != number || newest_.program == nullptr) return;
+  program_ = std::move(newest_.program);
+  program_name_ = std::move(newest_.name);
+  newest_ = {};
+}
+
+void Preparation::load(const std::string& name, std::int32_t number) {
   Diagnostics diagnostics;
-  auto compiled = lang::compile(name, files_, &description_, diagnostics);
+  auto compiled = lang::compile(name, files_, &description_, diagnostics, is_unwanted_);
   if (compiled) {
     if (auto faults = declare_shared(**compiled); !faults.empty()) {
       compiled = Unexpected<Diagnostics>(std::move(faults));
     }
   }
   if (compiled) {
-    program_ = *compiled;
-    program_name_ = name;
+    newest_ = {number, *compiled, name};
     search_.reset();
     reports_.tell_search(config_.id, std::nullopt);
   }
-  finish_load(name, compiled, std::move(diagnostics));
+  finish_load(name, compiled, std::move(diagnostics), number);
 }
 
 void Preparation::load_line(const std::string& line) {
   Diagnostics diagnostics;
   const auto compiled =
-      lang::compile_line(line, program_.get(), files_, &description_, diagnostics);
+      lang::compile_line(line, program_.get(), files_, &description_, diagnostics, is_unwanted_);
   if (compiled) line_ = *compiled;
   finish_load(line, compiled, std::move(diagnostics));
 }
 
 void Preparation::finish_load(const std::string& name, const LoadResult& compiled,
-                              Diagnostics diagnostics) {
+                              Diagnostics diagnostics, std::int32_t number) {
   Item done = item_of(ItemKind::load_done, {});
+  done.number = number;
   if (compiled) {
     done.flag = true;
     done.text = ShortText(name);
@@ -228,6 +242,7 @@ void Preparation::reset() {
   interpreter_.reset();
   blocks_.reset_process();
   forget_path();
+  ++resets_obeyed_;
   push(item_of(ItemKind::reset_done, {}));
 }
 
@@ -243,30 +258,36 @@ void Preparation::forget_path() {
   pending_riders_.clear();
 }
 
-void Preparation::interpret() {
+Progress Preparation::interpret() {
   if (search_ && search_->stage != ProgramSearch::Stage::found) return search_on();
+  Progress progress = Progress::computing;
   for (int n = 0; n < commands_per_step && task_ == Task::running && pending_items_.empty(); ++n) {
+    has_given_ = false;
     switch (next_command()) {
       case lang::Step::command:
         blocks_executed_ = std::max(blocks_executed_, command_.block);
         take(command_);
         break;
       case lang::Step::working:
-        return;
+        return progress;
       case lang::Step::waiting:
         task_ = Task::waiting_answer;
-        return;
+        return Progress::worked;
       case lang::Step::stopped:
       case lang::Step::ended:
         task_ = Task::idle;
-        return;
+        return Progress::worked;
       case lang::Step::failed: {
         const Diagnostic& error = interpreter_.error();
         fail(error, {run_, blocks_executed_, static_cast<std::uint32_t>(error.place.line), 0});
-        return;
+        return Progress::worked;
       }
     }
+    if (!has_given_) continue;
+    progress = Progress::worked;
+    interpreter_.renew_steps();
   }
+  return pending_items_.empty() ? progress : Progress::worked;
 }
 
 motion::BlockTag Preparation::tag_of(const lang::Command& command) const {
@@ -301,6 +322,7 @@ void Preparation::end_thread() {
 
 void Preparation::collect_pieces() {
   for (const motion::PathBuilder::Built& built : builder_.built()) {
+    has_given_ = true;
     warn_of_feed(built.piece);
     plan(built);
   }
@@ -316,6 +338,11 @@ void Preparation::warn_of_feed(const motion::Piece& piece) {
       {piece.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
 }
 
+void Preparation::push_remark(const Remark& remark) {
+  has_given_ = true;
+  pending_remarks_.push_back(remark);
+}
+
 // Pieces without a law pass as long as none with a law waits before them.
 void Preparation::plan(const motion::PathBuilder::Built& built) {
   const bool may_pass = laws_.is_empty() && built.piece.process.law == nullptr;
@@ -323,6 +350,7 @@ void Preparation::plan(const motion::PathBuilder::Built& built) {
 }
 
 void Preparation::push(Item item) {
+  has_given_ = true;
   end_chain();
   item.after_rider = link_.riders.pushed() + pending_riders_.size();
   pending_items_.push_back(item);
@@ -330,6 +358,7 @@ void Preparation::push(Item item) {
 
 // A chain with very many riders ends: its path must be delivered before the ring is full of them.
 void Preparation::push_rider(const Rider& rider) {
+  has_given_ = true;
   pending_riders_.push_back(rider);
   if (++riders_in_chain_ >= link_.riders.capacity() / 2) end_chain();
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,11 +31,19 @@ using SchemeSet = std::map<int, std::unique_ptr<const kinematics::Scheme>>;
 // Throws std::invalid_argument for a type of scheme that does not exist.
 [[nodiscard]] SchemeSet make_schemes(const ChannelConfig& channel);
 
+// What a preparation shares with others of its machine; all outlive it.
+struct PreparationBooks {
+  LiveTables& tables;
+  SharedVariables& shared;
+  ChannelLink& link;
+  ReportBook& reports;
+};
+
 class Preparation {
  public:
   Preparation(const MachineConfig& machine, const ChannelConfig& channel, const SchemeSet& schemes,
-              const lang::Files& files, LiveTables& tables, SharedVariables& shared,
-              ChannelLink& link, ReportBook& reports);
+              const lang::Files& files, const PreparationBooks& books,
+              std::function<bool()> gives_up);
 
   // A fault of our own, or memory that is missing, ends what the channel does with an alarm; its
   // axes stop along the path that the cycle has.
@@ -51,9 +60,11 @@ class Preparation {
 
   // Notices of the cycle.
   void obey(const Notice& notice);
-  void load(const std::string& name);
+  void load(const std::string& name, std::int32_t number);
+  void use_load(std::int32_t number);
   void load_line(const std::string& line);
-  void finish_load(const std::string& name, const LoadResult& compiled, Diagnostics diagnostics);
+  void finish_load(const std::string& name, const LoadResult& compiled, Diagnostics diagnostics,
+                   std::int32_t number = 0);
   [[nodiscard]] Diagnostics declare_shared(const lang::Program& program);
   void start(const Notice& notice);
   void name_files();
@@ -64,7 +75,7 @@ class Preparation {
   // Block search (preparation_search.cc).
   void search(const Notice& notice);
   [[nodiscard]] bool enter_program(ProgramSearch::Stage stage);
-  void search_on();
+  [[nodiscard]] Progress search_on();
   void end_search(const Diagnostic& fault);
   void arrive();
   [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
@@ -77,7 +88,7 @@ class Preparation {
   [[nodiscard]] lang::Step next_command();
 
   // Program.
-  void interpret();
+  [[nodiscard]] Progress interpret();
   void take(const lang::Command& command);
   void take_state(const lang::Command& command);
   void add_move(const lang::Command& command, const lang::Move& move);
@@ -100,6 +111,7 @@ class Preparation {
   void plan(const motion::PathBuilder::Built& built);
   void push(Item item);
   void push_rider(const Rider& rider);
+  void push_remark(const Remark& remark);
   void push_transform();
   [[nodiscard]] bool flush();
   [[nodiscard]] motion::BlockTag tag_of(const lang::Command& command) const;
@@ -112,6 +124,8 @@ class Preparation {
   ChannelLink& link_;
   ReportBook& reports_;
   const LiveTables& live_;
+  lang::Interruption is_unwanted_;  // what is being compiled
+  std::uint32_t resets_obeyed_ = 0;
   motion::MotionConfig motion_;
   lang::ChannelDescription description_;
   ChannelTables tables_;
@@ -123,6 +137,13 @@ class Preparation {
   ThreadPreparation threads_;
 
   Task task_ = Task::idle;
+  // A load that the cycle has not used yet.
+  struct Load {
+    std::int32_t number = 0;
+    std::shared_ptr<const lang::Program> program;
+    std::string name;
+  };
+  Load newest_;
   std::shared_ptr<const lang::Program> program_;  // loaded
   std::string program_name_;
   std::shared_ptr<const lang::Program> line_;     // of an operator, compiled
@@ -133,6 +154,7 @@ class Preparation {
   std::uint32_t run_ = 0;
   std::uint64_t blocks_executed_ = 0;
   bool chain_open_ = false;
+  bool has_given_ = false;          // the command at hand: something for the cycle
   bool feed_is_warned_of_ = false;  // once a run
   bool scheme_switched_ = false;    // since the last answer or start
   bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis

@@ -50,9 +50,8 @@ void Preparation::take(const lang::Command& command) {
                  },
                  [&](const lang::Message& message) {
                    const bool warns = message.kind == lang::Message::Kind::warning;
-                   pending_remarks_.push_back(
-                       {tag_of(command),
-                        SpokenText{FixedText<8>(warns ? "W0001" : ""), ShortText(message.text)}});
+                   push_remark({tag_of(command), SpokenText{FixedText<8>(warns ? "W0001" : ""),
+                                                            ShortText(message.text)}});
                  },
                  [&](const lang::ModalReport&) {},
                  [&](const lang::ProgramStop& stop) {
@@ -94,11 +93,10 @@ void Preparation::take(const lang::Command& command) {
                  },
                  [&](const lang::MarkCommand& mark) { add_mark(command, mark); },
                  [&](const lang::WorkpieceAnnouncement& shape) {
-                   pending_remarks_.push_back(
-                       {tag_of(command), BlankNews{shape, blocks_.transform().frame}});
+                   push_remark({tag_of(command), BlankNews{shape, blocks_.transform().frame}});
                  },
                  [&](const lang::WorkpiecePosition& position) {
-                   pending_remarks_.push_back({tag_of(command), position});
+                   push_remark({tag_of(command), position});
                  },
              },
              command.payload);
@@ -149,6 +147,7 @@ void Preparation::add_thread(const lang::Command& command, const lang::Synchrono
   if (!line) return fail_at_block(command, line.error());
   if (const auto refusal = threads_.add(move, *line, start, blocks_.geometry()))
     return fail_at_block(command, *refusal);
+  has_given_ = true;
   if (move.kind == lang::SynchronousMove::Kind::rigid_tap) blocks_.return_to(start);
 }
 

@@ -65,25 +65,32 @@ bool Preparation::enter_program(ProgramSearch::Stage stage) {
   return true;
 }
 
-void Preparation::search_on() {
+Progress Preparation::search_on() {
   for (int n = 0; n < commands_per_step; ++n) {
     switch (interpreter_.next(command_)) {
       case lang::Step::command:
         blocks_executed_ = std::max(blocks_executed_, command_.block);
-        if (const auto fault = pass(command_)) return end_search(*fault);
+        if (const auto fault = pass(command_)) {
+          end_search(*fault);
+          return Progress::worked;
+        }
         break;
       case lang::Step::working:
-        return;
+        return Progress::computing;
       case lang::Step::waiting:
         break;  // its request was answered when it came
       case lang::Step::stopped:
-        return arrive();
+        arrive();
+        return Progress::worked;
       case lang::Step::ended:
-        return end_search(lang::ended_before(*running_, search_->place));
+        end_search(lang::ended_before(*running_, search_->place));
+        return Progress::worked;
       case lang::Step::failed:
-        return end_search(interpreter_.error());
+        end_search(interpreter_.error());
+        return Progress::worked;
     }
   }
+  return Progress::worked;
 }
 
 void Preparation::end_search(const Diagnostic& fault) {

@@ -67,7 +67,7 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
   const LocatedProgram program = locate(candidate.path);
   std::vector<LocatedProgram> roots{program};
   if (!candidate.folder.empty()) roots.push_back({"", candidate.folder});
-  const runtime::ProgramFiles files(search_roots(roots, job));
+  const runtime::ProgramFiles files(search_roots(roots, job), machine.program_bounds.bytes);
   auto result = runtime::check_program(machine, job.channel, scheme_of(job), program.name, files);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (!candidate.folder.empty()) {  // in a folder a name alone may be that of several programs
@@ -103,7 +103,7 @@ class Progress {
 
 std::vector<CheckedProgram> check_all(const std::vector<Candidate>& candidates,
                                       const JobOptions& job) {
-  const auto machine = config::read_machine_file(job.machine_file);
+  const auto machine = machine_file_of(job);
   const Terminal errors(STDERR_FILENO);
   const Progress progress(candidates.size(), errors.is_terminal() && candidates.size() > 1);
   std::vector<CheckedProgram> programs;
@@ -196,6 +196,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_flag("--estimate", options->estimate,
                     "time and figures of each block under a feed law; with --json an object");
   add_job_options(*command, options->job);
+  add_steps_option(*command, options->job);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

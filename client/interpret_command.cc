@@ -47,9 +47,10 @@ runtime::Beginning beginning_of(const InterpretOptions& options) {
 
 int run(const InterpretOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto machine = config::read_machine_file(options.job.machine_file);
+  const auto machine = machine_file_of(options.job);
   const LocatedProgram program = locate(options.program);
-  const runtime::ProgramFiles files(search_roots({program}, options.job));
+  const runtime::ProgramFiles files(search_roots({program}, options.job),
+                                    machine.machine.program_bounds.bytes);
   runtime::DryRun dry_run(machine.machine, options.job.channel, scheme_of(options.job), files);
   std::string text;
   const auto write_out = [&] {
@@ -92,6 +93,7 @@ void add_interpret_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("interpret", "print a program's records after block preparation");
   command->add_option("PROGRAM", options->program, "part program")->type_name("FILE")->required();
   add_job_options(*command, options->job);
+  add_steps_option(*command, options->job);
   auto* const line =
       command->add_option("--from-line", options->from_line, "begin at this line (block search)");
   command->add_option("--from-block", options->from_block, "begin at block N (block search)")

@@ -32,6 +32,21 @@ void add_job_options(CLI::App& command, JobOptions& options) {
   command.add_flag("--json", options.json, "print JSON");
 }
 
+void add_steps_option(CLI::App& command, JobOptions& options) {
+  command
+      .add_option("--steps", options.steps,
+                  "million steps after which a program without end is left")
+      ->check(CLI::Range(1, 1'000'000));
+}
+
+config::MachineFile machine_file_of(const JobOptions& options) {
+  config::MachineFile file = config::read_machine_file(options.machine_file);
+  if (options.steps > 0) {
+    file.machine.program_bounds.steps = static_cast<std::uint64_t>(options.steps) * 1'000'000;
+  }
+  return file;
+}
+
 std::pair<int, std::string> channel_assignment(const std::string& text, const std::string& option) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals + 1 == text.size()) {

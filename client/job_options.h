@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "config/machine_file.h"
+
 namespace stanok::client {
 
 struct JobOptions {
@@ -14,10 +16,15 @@ struct JobOptions {
   int channel = 1;
   std::vector<std::string> schemes;  // "CH=ID"
   std::string program_root;
+  int steps = 0;  // million; 0: as the machine file says
   bool json = false;
 };
 
 void add_job_options(CLI::App& command, JobOptions& options);
+// --steps, of the commands that follow a program without running it.
+void add_steps_option(CLI::App& command, JobOptions& options);
+// The machine file of the job, with what its options say instead.
+[[nodiscard]] config::MachineFile machine_file_of(const JobOptions& options);
 
 // "CH=TEXT" -> channel and text; throws CLI::ValidationError when it is not of this form.
 [[nodiscard]] std::pair<int, std::string> channel_assignment(const std::string& text,

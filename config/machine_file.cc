@@ -110,6 +110,9 @@ class MachineReader {
     file_.machine.name = section.name;
     file_.machine.cycle_us = section.cycle_us;
     file_.machine.tables_write_protected = section.tables_write_protected;
+    file_.machine.program_bounds = {
+        .bytes = static_cast<std::size_t>(section.program_size_max_mb) << 20,
+        .steps = static_cast<std::uint64_t>(section.program_steps_max_m) * 1'000'000};
     if (!section.tables.empty()) read_tables_named(section.tables, scope);
   }
 

@@ -73,6 +73,13 @@ const Keys<MachineSection>& machine_keys() {
        "file with tools and offsets at first start"},
       {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",
        "programs cannot write tools and offsets"},
+      {"program_size_max", at<&MachineSection::program_size_max_mb>, optional, "MiB",
+       "text of a program with all its files", from(1, 4096)},
+      {"program_steps_max", at<&MachineSection::program_steps_max_m>, optional, "million",
+       "steps that a program may compute without moving, waiting or asking; of check and "
+       "interpret, "
+       "steps of a run",
+       from(1, 1'000'000)},
   };
   return keys;
 }

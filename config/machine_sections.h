@@ -15,6 +15,8 @@ struct MachineSection {
   int cycle_us = 1000;
   std::string tables;  // file name; empty: none
   bool tables_write_protected = false;
+  int program_size_max_mb = 256;
+  int program_steps_max_m = 1000;
 };
 
 [[nodiscard]] const Keys<MachineSection>& machine_keys();

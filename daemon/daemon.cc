@@ -115,7 +115,9 @@ int run_daemon(const DaemonOptions& options) {
                                                 : options.socket);
 
   std::optional<FifoForNewThreads> fifo(drive_bus_priority);  // the server of embedded drives
-  const runtime::AssemblyOptions assembled = assembly_options(options, file, program_root);
+  std::atomic<bool> ends{false};  // nothing waits for a program that is being compiled
+  runtime::AssemblyOptions assembled = assembly_options(options, file, program_root);
+  assembled.machine.gives_up = [&ends] { return ends.load(std::memory_order_relaxed); };
   runtime::Assembly assembly(assembled);
   fifo.reset();
   Recorder recorder(file, build_description(), recorder_options(options, file, state.path()));
@@ -129,6 +131,7 @@ int run_daemon(const DaemonOptions& options) {
   const auto fail = [&](const std::string& reason) {
     spdlog::critical("{}; the machine is stopped", reason);
     has_failed = true;
+    ends = true;
     server.end();
   };
   const KeptState kept(state.path(), machine);
@@ -146,6 +149,7 @@ int run_daemon(const DaemonOptions& options) {
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
                file.machine.cycle_us, machine.drive_choice(), socket.path().string());
   server.run();
+  ends = true;
   spdlog::info("stanokd ends");
   return has_failed ? exit_machine_fault : 0;
 }

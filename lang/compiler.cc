@@ -112,6 +112,7 @@ void Compiler::compile_body(const StatementList& list) {
 }
 
 void Compiler::compile_statement(const Statement& statement) {
+  context_.watch.pass();
   statement_span_ = statement.span;
   const std::size_t errors = reporter_.error_count();
   const std::size_t start = file_.code.size();

@@ -13,6 +13,7 @@
 #include "lang/builtin.h"
 #include "lang/channel_words.h"
 #include "lang/code.h"
+#include "lang/compile_watch.h"
 #include "lang/program.h"
 #include "lang/reporter.h"
 #include "lang/tree.h"
@@ -39,6 +40,7 @@ struct CompilerContext {
   const ChannelDialect& dialect;
   std::vector<FileNames>& names;  // of all files, by index
   Reporter& reporter;
+  const CompileWatch& watch;
 };
 
 class Compiler {

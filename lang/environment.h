@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +51,12 @@ struct AddressAlias {
   std::string address;
 };
 
+// How much a program may ask for; the machine file has the keys. What else is bounded: limits.h.
+struct ProgramBounds {
+  std::size_t bytes = std::size_t{256} << 20;  // of its text, with all files
+  std::uint64_t steps = 1'000'000'000;         // of a run, see Interpreter::renew_steps
+};
+
 // The fixed part of a channel, from the machine file.
 struct ChannelDescription {
   int id = 1;
@@ -68,6 +76,7 @@ struct ChannelDescription {
   double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
   std::vector<UserCode> user_codes;
   std::vector<AddressAlias> address_alias;
+  ProgramBounds bounds;
 };
 
 struct Tool {
@@ -110,6 +119,9 @@ struct SourceText {
   std::string path;  // where it was found
   std::string text;
 };
+
+// The error E8004: `name` has `bytes`, or makes a program of so many; `bytes_max` are allowed.
+[[nodiscard]] Diagnostic too_large(std::string_view name, std::size_t bytes, std::size_t bytes_max);
 
 // Finds and reads program files (docs/language.md, "File names").
 class Files {

@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "lang/compile_watch.h"
 #include "lang/kept_files.h"
 #include "lang/loader.h"
 #include "lang/program_run.h"
@@ -21,11 +22,16 @@ namespace {
 
 using Compiled = Expected<std::shared_ptr<const Program>, Diagnostics>;
 
-// A program for which the memory does not suffice is refused: the channels that run go on.
+// A program for which the memory does not suffice is refused: the channels that run go on. So is
+// one whose compilation was ended.
 template <class Compile>
 Compiled within_memory(std::string_view name, Compile compile) {
   try {
     return compile();
+  } catch (const CompileEnd& end) {
+    Diagnostic fault = end.reason();
+    fault.place.file = name;
+    return Unexpected<Diagnostics>({std::move(fault)});
   } catch (const std::bad_alloc&) {
     Diagnostic fault;
     fault.code = "E8002";
@@ -40,16 +46,18 @@ Compiled within_memory(std::string_view name, Compile compile) {
 Expected<std::shared_ptr<const Program>, Diagnostics> compile(std::string_view name,
                                                               const Files& files,
                                                               const ChannelDescription* channel,
-                                                              Diagnostics& warnings) {
-  return within_memory(name, [&] { return Loader(files, channel, warnings).load(name); });
+                                                              Diagnostics& warnings,
+                                                              const Interruption& interrupted) {
+  return within_memory(name,
+                       [&] { return Loader(files, channel, warnings, interrupted).load(name); });
 }
 
 Expected<std::shared_ptr<const Program>, Diagnostics> compile_line(
     std::string_view line, const Program* loaded, const Files& files,
-    const ChannelDescription* channel, Diagnostics& warnings) {
+    const ChannelDescription* channel, Diagnostics& warnings, const Interruption& interrupted) {
   return within_memory({}, [&] {
     const KeptFiles kept(loaded, files);
-    return Loader(kept, channel, warnings).load_line(line, loaded);
+    return Loader(kept, channel, warnings, interrupted).load_line(line, loaded);
   });
 }
 
@@ -130,6 +138,14 @@ const Diagnostic& Interpreter::error() const {
 
 Origin Interpreter::origin() const {
   return state_->run.origin();
+}
+
+std::uint64_t Interpreter::steps() const {
+  return state_->run.steps();
+}
+
+void Interpreter::renew_steps() {
+  state_->run.renew_steps();
 }
 
 std::uint64_t Interpreter::blocks() const {

@@ -5,6 +5,7 @@
 // of an expression too.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,18 +21,22 @@ namespace stanok::lang {
 
 class Program;  // a compiled program with all it includes; immutable, shared
 
+// Asked again and again while a program is compiled; true ends that.
+using Interruption = std::function<bool()>;
+
 // Compiles `name` for a channel: all errors of the text and its includes (up to 100 a file), or the
 // program. Warnings are appended to `warnings`. `channel` may be nullptr: channel-dependent checks
-// are left out then. Memory that does not suffice is an error of the program (E8002).
+// are left out then. Memory that does not suffice is an error of the program (E8002), and so is
+// an interruption (E6072).
 [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> compile(
     std::string_view name, const Files& files, const ChannelDescription* channel,
-    Diagnostics& warnings);
+    Diagnostics& warnings, const Interruption& interrupted = {});
 
 // Compiles one line as an operator types it: one complete statement. Functions of `loaded` and of
 // what it includes can be called; nullptr: there is no program.
 [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> compile_line(
     std::string_view line, const Program* loaded, const Files& files,
-    const ChannelDescription* channel, Diagnostics& warnings);
+    const ChannelDescription* channel, Diagnostics& warnings, const Interruption& interrupted = {});
 
 // File names of the job, by Origin::file.
 [[nodiscard]] std::string_view file_name(const Program& program, std::uint16_t file);
@@ -119,6 +124,13 @@ class Interpreter {
 
   // Line of the statement at hand, for status displays.
   [[nodiscard]] Origin origin() const;
+
+  // Steps of this run: instructions and lines, a block counts hundred.
+  [[nodiscard]] std::uint64_t steps() const;
+  // The run moved, waited or asked: the steps that it may compute without (ProgramBounds) begin
+  // anew. A run that takes more fails with E8005. The first run of a Interpreter and each start
+  // begin with all of them.
+  void renew_steps();
 
   // ISO blocks executed in this run.
   [[nodiscard]] std::uint64_t blocks() const;

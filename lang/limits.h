@@ -17,6 +17,9 @@ inline constexpr std::size_t string_bytes = 4096;
 inline constexpr std::size_t o_call_arguments = 30;
 inline constexpr std::size_t call_depth = 64;  // functions, O-subs, files and macros together
 inline constexpr std::size_t files = 256;      // of one program, includes counted
+// Of one program; a plain block is none, it is kept as its text. About 1 kB each while it compiles.
+inline constexpr std::size_t statements = 1'000'000;
+inline constexpr int steps_of_block = 100;  // of the bound of steps, see ProgramBounds
 inline constexpr std::size_t array_elements = 1'000'000;
 inline constexpr std::size_t run_array_bytes = std::size_t{64}
                                                << 20;  // all arrays of a run together

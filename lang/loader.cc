@@ -83,16 +83,19 @@ std::vector<std::string> file_names_of_label(const OLabel& label) {
 
 }  // namespace
 
-Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings)
+Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings,
+               const Interruption& interrupted)
     : files_(files),
       channel_(channel),
       dialect_(channel),
       warnings_(warnings),
+      watch_(interrupted),
       program_(std::make_shared<Program>()) {}
 
 Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_view name) {
   auto text = files_.read(name, {});
   if (!text) return tl::unexpected(Diagnostics{text.error()});
+  if (auto refusal = refusal_of_file(**text)) return tl::unexpected(Diagnostics{*refusal});
   add_file(std::move(*text));
   find_all_files();
   check_end(0);
@@ -115,10 +118,10 @@ void Loader::find_all_files() {
   }
 }
 
-std::optional<Loader::FileIndex> Loader::add_file(std::shared_ptr<const SourceText> text) {
+Loader::FileIndex Loader::add_file(std::shared_ptr<const SourceText> text) {
   const auto known = index_by_path_.find(text->path);
   if (known != index_by_path_.end()) return known->second;
-  if (loaded_.size() >= limits::files) return std::nullopt;
+  bytes_ += text->text.size();
   const auto index = static_cast<FileIndex>(loaded_.size());
   index_by_path_.emplace(text->path, index);
   program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text))));
@@ -138,16 +141,25 @@ std::optional<Loader::FileIndex> Loader::find_file(std::string_view name, FileIn
     failures_.emplace(key, text.error());
     return std::nullopt;
   }
-  const auto index = add_file(std::move(*text));
-  if (!index) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E8003";
-    diagnostic.message = "a program has at most 256 files";
-    failures_.emplace(key, std::move(diagnostic));
+  if (auto refusal = refusal_of_file(**text)) {
+    failures_.emplace(key, std::move(*refusal));
     return std::nullopt;
   }
-  program_->file_by_name.emplace(key, *index);
+  const FileIndex index = add_file(std::move(*text));
+  program_->file_by_name.emplace(key, index);
   return index;
+}
+
+std::optional<Diagnostic> Loader::refusal_of_file(const SourceText& text) const {
+  if (index_by_path_.contains(text.path)) return std::nullopt;
+  const std::size_t bytes_max = (channel_ != nullptr ? channel_->bounds : ProgramBounds{}).bytes;
+  const std::size_t bytes = bytes_ + text.text.size();
+  if (bytes > bytes_max) return too_large(text.name, bytes, bytes_max);
+  if (loaded_.size() < limits::files) return std::nullopt;
+  Diagnostic diagnostic;
+  diagnostic.code = "E8003";
+  diagnostic.message = "a program has at most 256 files";
+  return diagnostic;
 }
 
 void Loader::parse(FileIndex index) {
@@ -161,6 +173,7 @@ void Loader::parse(FileIndex index) {
   context.channel = index == 0 ? channel_ : nullptr;
   if (index == 0) context.functions = functions_of_line_;
   context.dialect = &dialect_;
+  context.watch = &watch_;
   context.named_parameters = &program_->named_parameters;
   context.included_functions = [this, index](std::string_view name) {
     const auto file = find_file(name, index);
@@ -302,8 +315,9 @@ void Loader::compile_all() {
   std::vector<std::unique_ptr<Compiler>> compilers;
   for (std::size_t i = 0; i < loaded_.size(); ++i) {
     const ChannelDescription* const channel = i == 0 ? channel_ : nullptr;
-    compilers.push_back(std::make_unique<Compiler>(CompilerContext{
-        *program_, static_cast<FileIndex>(i), channel, dialect_, names, *loaded_[i].reporter}));
+    compilers.push_back(
+        std::make_unique<Compiler>(CompilerContext{*program_, static_cast<FileIndex>(i), channel,
+                                                   dialect_, names, *loaded_[i].reporter, watch_}));
   }
   // Included files stand behind those that include them, and their constants come first.
   for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);

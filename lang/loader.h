@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/compile_watch.h"
 #include "lang/compiler.h"
 #include "lang/interpreter.h"
 #include "lang/program.h"
@@ -20,7 +21,9 @@ namespace stanok::lang {
 
 class Loader {
  public:
-  Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings);
+  // All outlive it.
+  Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings,
+         const Interruption& interrupted);
 
   [[nodiscard]] Expected<std::shared_ptr<const Program>, Diagnostics> load(std::string_view name);
   // One statement; `files` has the texts of `loaded` as they were read.
@@ -40,7 +43,9 @@ class Loader {
   // Index of the file that `from` calls `name`; reads and registers it. Nothing with `failure_` set
   // when it cannot be read.
   std::optional<FileIndex> find_file(std::string_view name, FileIndex from);
-  std::optional<FileIndex> add_file(std::shared_ptr<const SourceText> text);
+  FileIndex add_file(std::shared_ptr<const SourceText> text);
+  // Why the program cannot take one more file of that length; nothing: it can.
+  [[nodiscard]] std::optional<Diagnostic> refusal_of_file(const SourceText& text) const;
   void find_all_files();
   void include_loaded(const Program& loaded);
   void check_line(std::string_view line);
@@ -65,8 +70,10 @@ class Loader {
   const ChannelDescription* channel_;
   const ChannelDialect dialect_;
   Diagnostics& warnings_;
+  CompileWatch watch_;
   std::shared_ptr<Program> program_;
   std::vector<LoadedFile> loaded_;
+  std::size_t bytes_ = 0;                    // of all files
   std::set<std::string> functions_of_line_;  // that an operator's line may call
   std::map<std::string, FileIndex> index_by_path_;
   std::map<std::pair<FileIndex, std::string>, Diagnostic> failures_;

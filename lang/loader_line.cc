@@ -46,8 +46,7 @@ void Loader::include_loaded(const Program& loaded) {
   for (const std::uint16_t file : offering) {
     const Source& source = loaded.files[file]->source;
     functions_of_line_.merge(defined_functions(source));
-    if (const auto index = add_file(source.shared_text()))
-      program_->files[0]->includes.push_back(*index);
+    program_->files[0]->includes.push_back(add_file(source.shared_text()));
   }
 }
 

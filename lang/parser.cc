@@ -132,6 +132,7 @@ void Parser::parse_statement(StatementList& list) {
     reporter_.error("E2003", scanner_.here(), "`}` without `{`", "nothing to close");
     return scanner_.advance(1);
   }
+  if (context_.watch != nullptr) context_.watch->count_statement();
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   const int skip_level = take_block_skip();
@@ -175,6 +176,7 @@ bool Parser::take_plain_lines(StatementList& list) {
   TextValues values(parameters);
   const ChannelWords* const channel = channel_words_ ? &*channel_words_ : nullptr;
   for (const char* line = at; line != end; line = at, ++lines) {
+    if (context_.watch != nullptr) context_.watch->pass();
     if (!read_plain_line(at, end, surroundings, words, values)) break;
     if (!is_plain_block(words, channel, dialect_)) {
       at = line;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lang/channel_words.h"
+#include "lang/compile_watch.h"
 #include "lang/environment.h"
 #include "lang/named_parameter.h"
 #include "lang/reporter.h"
@@ -32,6 +33,7 @@ struct ParserContext {
   IncludedFunctions included_functions;
   std::set<std::string> functions;              // folded names that can be called besides
   NamedParameters* named_parameters = nullptr;  // nullptr: blocks that use them are not plain
+  CompileWatch* watch = nullptr;                // nullptr: nothing ends the reading
 };
 
 class Parser {

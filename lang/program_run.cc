@@ -28,7 +28,25 @@ std::vector<IsoWord> places_of_words(const Source& source, const Span& block_spa
 
 Step ProgramRun::next(Command& command) {
   if (answer_owed_) return Step::waiting;
-  for (int work = 0; work < work_bound; ++work) {
+  if (phase_ == Phase::running && steps() - renewed_at_ > steps_max_) fail_endless();
+  int work = 0;
+  const Step step = advance(command, work);
+  instructions_ += static_cast<std::uint64_t>(work);
+  return step;
+}
+
+// At the statement that would come next: the run is somewhere in its loop.
+void ProgramRun::fail_endless() {
+  const std::vector<Span>& spans = file().spans;
+  const std::size_t next = std::min<std::size_t>(frames_.back().position, spans.size() - 1);
+  fail_at(plain_.at != plain_.end ? span_of_line(file().source, plain_.line) : spans[next], "E8005",
+          "the program computed " + std::to_string(channel_.bounds.steps / 1'000'000) +
+              " million steps without moving, waiting or asking",
+          "it was here then");
+}
+
+Step ProgramRun::advance(Command& command, int& work) {
+  for (; work < work_bound; ++work) {
     if (compensation_.engaged()) {
       if (!compensation_.ready().empty()) return deliver(compensation_.ready(), command);
       if (compensate()) continue;

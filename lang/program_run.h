@@ -22,6 +22,7 @@
 #include "lang/command_queue.h"
 #include "lang/gvector.h"
 #include "lang/interpreter.h"
+#include "lang/limits.h"
 #include "lang/modal_state.h"
 #include "lang/predefined_parameter.h"
 #include "lang/program.h"
@@ -52,6 +53,10 @@ class ProgramRun : private ContourSource, private Parameters {
   [[nodiscard]] const Diagnostic& error() const { return error_; }
   [[nodiscard]] Origin origin() const;
   [[nodiscard]] std::uint64_t blocks() const { return block_; }
+  [[nodiscard]] std::uint64_t steps() const {
+    return instructions_ + std::uint64_t{limits::steps_of_block} * block_;
+  }
+  void renew_steps() { renewed_at_ = steps(); }
 
  private:
   enum class Phase { idle, running, ended, failed };
@@ -124,6 +129,8 @@ class ProgramRun : private ContourSource, private Parameters {
   void begin_modal_state(const AxisValues& position_B);
   void continue_modal_state(const AxisValues& position_B);
   void begin();
+  Step advance(Command& command, int& work);
+  void fail_endless();
   int run_code(int bound);
   [[nodiscard]] Step failed_or(Step other) const {
     return phase_ == Phase::failed ? Step::failed : other;
@@ -305,7 +312,10 @@ class ProgramRun : private ContourSource, private Parameters {
     AxisValues start_W{};
   };
   std::optional<ContourReturn> contour_return_;
-  std::uint64_t block_ = 0;  // ISO blocks executed
+  std::uint64_t block_ = 0;         // ISO blocks executed
+  std::uint64_t instructions_ = 0;  // and lines without a block
+  std::uint64_t renewed_at_ = 0;    // steps at that time
+  std::uint64_t steps_max_ = 0;     // since then
   std::uint16_t block_skip_ = 0;
 
   ArrayLedger array_ledger_ = std::make_shared<std::size_t>(0);

@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::size_t r_parameter_count = 1000;
 
+// A block search passes a text once, whatever its length: a block has at least two bytes.
+constexpr std::uint64_t free_steps_of_byte = limits::steps_of_block / 2;
+
 }  // namespace
 
 ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
@@ -29,6 +32,11 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   contour_return_.reset();
   rest_.reset();
   block_ = 0;
+  instructions_ = 0;
+  renewed_at_ = 0;
+  steps_max_ = channel_.bounds.steps;
+  for (const auto& one : program_->files)
+    steps_max_ += free_steps_of_byte * one->source.text().size();
   stop_.reset();
   stack_.clear();
   slots_.clear();

@@ -26,7 +26,7 @@ constexpr int fault_reset_polls = 5;  // of the bus, so that the demand reaches 
 struct Assembly::Parts {
   explicit Parts(AssemblyOptions given)
       : options(std::move(given)),
-        files(options.program_roots, &texts),
+        files(options.program_roots, options.file.machine.program_bounds.bytes, &texts),
         force_controls(options.file),
         machine(options.file.machine, files, force_controls.given_to(options.machine)),
         axis_count(options.file.machine.axes.size()) {

@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "base/overloaded.h"
 #include "channels/channel_description.h"
 #include "channels/feed_limit.h"
 #include "channels/motion_config.h"
 #include "channels/scheme_switch.h"
+#include "lang/limits.h"
 
 namespace stanok::runtime {
 namespace {
@@ -29,6 +31,20 @@ bool is_table_request(lang::RequestKind kind) {
   using lang::RequestKind;
   return kind == RequestKind::tool_table_write || kind == RequestKind::tool_table_read ||
          kind == RequestKind::offset_table_write || kind == RequestKind::offset_table_read;
+}
+
+// What takes time or an answer of the machine, but for moves to where the axes stand.
+bool gives_work(const lang::Payload& payload) {
+  return std::visit(Overloaded{
+                        [](const lang::Move& move) { return move.kind == lang::MoveKind::arc; },
+                        [](const lang::ToolPrepare&) { return false; },
+                        [](const lang::ToolLength&) { return false; },
+                        [](const lang::FrameChange&) { return false; },
+                        [](const lang::FeedLawChange&) { return false; },
+                        [](const lang::ModalReport&) { return false; },
+                        [](const auto&) { return true; },
+                    },
+                    payload);
 }
 
 motion::Point start_of(const channels::MachineConfig& machine,
@@ -85,17 +101,42 @@ bool DryRun::load(const std::string& program, Diagnostics& diagnostics) {
     return false;
   }
   program_ = *compiled;
+  steps_max_ = description_.bounds.steps +
+               std::uint64_t{lang::limits::steps_of_block} * lang::line_count(*program_);
   return true;
+}
+
+// False, with a warning, when a program that moves, waits or asks again and again takes too long to
+// follow; one that only computes is ended by the interpreter (E8005).
+bool DryRun::may_go_on(const lang::Command& command, const motion::Point& before,
+                       Diagnostics& diagnostics) {
+  if (!gives_work(command.payload) && blocks_.position_W() == before) return true;
+  interpreter_.renew_steps();
+  if (interpreter_.steps() <= steps_max_) return true;
+  Diagnostic warning;
+  warning.code = "W820";
+  warning.severity = Severity::warning;
+  warning.message = "the program did not come to its end within " +
+                    std::to_string(description_.bounds.steps / 1'000'000) +
+                    " million steps; it was followed up to here";
+  warning.help = {
+      "if it is to come to an end, see the loop; else raise `program_steps_max` of the "
+      "machine file, or --steps"};
+  lang::put_at_block(*program_, command.origin, warning);
+  diagnostics.push_back(std::move(warning));
+  return false;
 }
 
 void DryRun::go_on(Reachability reachability, const RecordSink& record, const RequestSink& request,
                    DryRunResult& result) {
   lang::Command command;
   while (result.diagnostics.size() < diagnostics_max) {
+    const motion::Point before = blocks_.position_W();
     switch (interpreter_.next(command)) {
       case lang::Step::command:
         result.blocks = std::max(result.blocks, command.block);
         take(command, reachability, record, request, result.diagnostics);
+        if (!may_go_on(command, before, result.diagnostics)) return;
         break;
       case lang::Step::working:
       case lang::Step::waiting:

@@ -75,6 +75,8 @@ class DryRun {
   [[nodiscard]] bool load(const std::string& program, Diagnostics& diagnostics);
   void go_on(Reachability reachability, const RecordSink& record, const RequestSink& request,
              DryRunResult& result);
+  [[nodiscard]] bool may_go_on(const lang::Command& command, const motion::Point& before,
+                               Diagnostics& diagnostics);
   [[nodiscard]] std::optional<Diagnostic> search(const lang::StopPlace& place,
                                                  lang::SearchCollector& collector);
   [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Request& request,
@@ -114,6 +116,7 @@ class DryRun {
   channels::ThreadPreparation threads_;
   lang::Interpreter interpreter_;
   std::shared_ptr<const lang::Program> program_;
+  std::uint64_t steps_max_ = 0;  // of a run; text that is passed once is free
   const kinematics::Scheme* scheme_ = nullptr;
   bool feed_is_warned_of_ = false;  // once a program
   std::vector<LawBlock> laws_;

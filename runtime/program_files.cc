@@ -63,13 +63,15 @@ int open_beneath(const fs::path& folder, std::string_view name) {
   return number < 0 ? -errno : number;
 }
 
-Expected<std::string, Diagnostic> read_all(int file, std::string_view name) {
+Expected<std::string, Diagnostic> read_all(int file, std::string_view name, std::size_t bytes_max) {
   struct stat status{};
   if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
     return Unexpected<Diagnostic>(
         diagnostic("E7003", std::string(name) + " is not a regular file", ""));
   }
-  std::string text(static_cast<std::size_t>(status.st_size), '\0');
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > bytes_max) return Unexpected<Diagnostic>(lang::too_large(name, size, bytes_max));
+  std::string text(size, '\0');
   std::size_t filled = 0;
   while (filled < text.size()) {
     const ssize_t count = ::read(file, text.data() + filled, text.size() - filled);
@@ -101,8 +103,8 @@ std::string similar_name(const fs::path& folder, std::string_view name) {
 
 }  // namespace
 
-ProgramFiles::ProgramFiles(std::vector<fs::path> roots, TextBook* book)
-    : roots_(std::move(roots)), book_(book) {}
+ProgramFiles::ProgramFiles(std::vector<fs::path> roots, std::size_t bytes_max, TextBook* book)
+    : roots_(std::move(roots)), bytes_max_(bytes_max), book_(book) {}
 
 std::vector<fs::path> ProgramFiles::folders_for(std::string_view from) const {
   std::vector<fs::path> folders;
@@ -145,7 +147,7 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
       }
       continue;
     }
-    auto text = read_all(file.number(), name);
+    auto text = read_all(file.number(), name, bytes_max_);
     if (!text) return Unexpected<Diagnostic>(text.error());
     auto source = std::make_shared<lang::SourceText>();
     source->name = std::string(name);

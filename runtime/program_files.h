@@ -18,8 +18,10 @@ class ProgramFiles final : public lang::Files {
  public:
   // Searched in order after the folder of the text that names the file; each with its programs/,
   // subprograms/ and cycles/.
+  // Longer files than `bytes_max` are refused before they are read.
   // What was asked for is noted in `book`, which outlives this; nullptr: nowhere.
-  explicit ProgramFiles(std::vector<std::filesystem::path> roots, TextBook* book = nullptr);
+  ProgramFiles(std::vector<std::filesystem::path> roots, std::size_t bytes_max,
+               TextBook* book = nullptr);
 
   [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
       std::string_view name, std::string_view from) const override;
@@ -30,6 +32,7 @@ class ProgramFiles final : public lang::Files {
   [[nodiscard]] std::vector<std::filesystem::path> folders_for(std::string_view from) const;
 
   std::vector<std::filesystem::path> roots_;
+  std::size_t bytes_max_;
   TextBook* book_;
 };
 

@@ -111,7 +111,6 @@ class Repetition {
   // The next cycle. What it needs of the program has been prepared: at least as far ahead as in the
   // recorded run.
   const channels::CycleOutput& cycle() {
-    prepare();
     const std::int64_t cycle = output_.cycle + 1;
     events_.clear();
     for (; next_input_ < run_.inputs.size() && run_.inputs[next_input_].cycle <= cycle;
@@ -128,6 +127,7 @@ class Repetition {
       if (const int index = index_of(arrival.channel); index >= 0)
         arrivals_[static_cast<std::size_t>(index)] = arrival.value;
     }
+    prepare();
     channels::CycleInputs inputs{.events = events_, .feedback = {}, .sensors = sensors_};
     if (!run_.feedback.empty()) inputs.feedback = feedback_;
     inputs.signals = &signals_;
@@ -138,14 +138,20 @@ class Repetition {
   }
 
  private:
+  // A preparation that only computes goes on until it has made what the recorded cycle saw.
   void prepare() {
     bool worked = true;
     while (worked) {
       worked = false;
       for (int k = 0; k < static_cast<int>(config_.channels.size()); ++k) {
-        while (machine_.prepare(k) == channels::Progress::worked) worked = true;
+        while (prepare_step(k)) worked = true;
       }
     }
+  }
+  bool prepare_step(int channel) {
+    const channels::Progress progress = machine_.prepare(channel);
+    if (progress != channels::Progress::computing) return progress == channels::Progress::worked;
+    return !machine_.has_prepared(channel, arrivals_[static_cast<std::size_t>(channel)]);
   }
 
   [[nodiscard]] int index_of(int channel) const {

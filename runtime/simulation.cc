@@ -14,6 +14,10 @@ namespace {
 constexpr std::int64_t interruption_interval = 1024;  // cycles
 constexpr int interruption_steps = 1024;              // of a preparation
 
+// Steps in which a preparation may compute without giving the cycle anything before the clock goes
+// on, 20 million instructions. From then on it gets one step a cycle, until it gives something.
+constexpr int computing_steps_max = 1000;
+
 constexpr std::uint64_t first_event_id = 1'000'000;  // ids below are those of programs
 
 std::int64_t thread_time_ns() {
@@ -29,18 +33,28 @@ config::MachineFile file_without_replaced_plant(const SimulationOptions& options
   return file;
 }
 
+channels::MachineOptions machine_options(const SimulationOptions& options,
+                                         const std::function<bool()>& interrupted) {
+  channels::MachineOptions chosen = setup_of(options).options;
+  chosen.gives_up = interrupted;
+  return chosen;
+}
+
 class Simulation {
  public:
-  Simulation(const SimulationOptions& options, const std::vector<CycleObserver*>& observers)
+  Simulation(const SimulationOptions& options, const std::vector<CycleObserver*>& observers,
+             const std::function<bool()>& interrupted)
       : options_(options),
         observers_(observers),
         assembly_({.file = file_without_replaced_plant(options),
                    .drives = options.drives,
                    .program_roots = options.program_roots,
-                   .machine = setup_of(options).options,
+                   .machine = machine_options(options, interrupted),
                    .output_capacity = 0}),
         machine_(assembly_.machine()),
-        process_(options.file.machine.cycle_us * 1e-6) {
+        process_(options.file.machine.cycle_us * 1e-6),
+        computing_steps_(options.file.machine.channels.size()),
+        has_computed_(options.file.machine.channels.size()) {
     for (const auto& [channel, scheme] : options.schemes) {
       if (!machine_.select_scheme_at_start(channel, scheme)) {
         result_.refusals.push_back("E5201 channel " + std::to_string(channel) +
@@ -80,19 +94,30 @@ class Simulation {
     }
   }
 
-  // False: interrupted, as a program that loops without moving must be.
+  // Until every preparation is blocked, or has computed for long. False: interrupted.
   bool prepare_all(const std::function<bool()>& interrupted) {
+    std::fill(has_computed_.begin(), has_computed_.end(), false);
     bool worked = true;
     for (int steps = 1; worked;) {
       worked = false;
-      for (int k = 0; k < static_cast<int>(options_.file.machine.channels.size()); ++k) {
-        while (machine_.prepare(k) == channels::Progress::worked) {
+      for (std::size_t k = 0; k < computing_steps_.size(); ++k) {
+        while (prepare_step(k)) {
           worked = true;
           if (steps++ % interruption_steps == 0 && interrupted()) return false;
         }
       }
     }
     return true;
+  }
+
+  // False: nothing more before the next cycle.
+  bool prepare_step(std::size_t channel) {
+    int& computing = computing_steps_[channel];
+    if (computing > computing_steps_max && has_computed_[channel]) return false;
+    const channels::Progress progress = machine_.prepare(static_cast<int>(channel));
+    has_computed_[channel] = progress == channels::Progress::computing;
+    computing = has_computed_[channel] ? computing + 1 : 0;
+    return progress != channels::Progress::blocked && computing <= computing_steps_max;
   }
 
   void cycle() {
@@ -199,6 +224,8 @@ class Simulation {
   channels::CycleOutput before_first_{};
   const channels::CycleOutput* output_ = &before_first_;
   std::vector<channels::OperatorEvent> events_;
+  std::vector<int> computing_steps_;  // by channel, without having given anything since
+  std::vector<bool> has_computed_;    // by channel, since the latest cycle
   std::size_t next_event_ = 0;
   std::size_t next_sensors_ = 0;
   SimulationResult result_;
@@ -216,7 +243,7 @@ RunSetup setup_of(const SimulationOptions& options) {
 SimulationResult simulate(const SimulationOptions& options,
                           const std::vector<CycleObserver*>& observers,
                           const std::function<bool()>& interrupted) {
-  return Simulation(options, observers).run(interrupted);
+  return Simulation(options, observers, interrupted).run(interrupted);
 }
 
 }  // namespace stanok::runtime

@@ -89,7 +89,7 @@ class DaemonBench {
     for (int step = 0; worked && step < steps_max; ++step) {
       worked = false;
       for (std::size_t k = 0; k < assembly_.file().machine.channels.size(); ++k) {
-        worked = assembly_.machine().prepare(static_cast<int>(k)) == channels::Progress::worked ||
+        worked = assembly_.machine().prepare(static_cast<int>(k)) != channels::Progress::blocked ||
                  worked;
       }
     }

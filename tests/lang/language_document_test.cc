@@ -137,6 +137,7 @@ std::string limit_table_text() {
       {"MiB of all arrays of a run, with their strings | E8002",
        std::to_string(limits::run_array_bytes >> 20)},
       {"files of a program | E8003", std::to_string(limits::files)},
+      {"statements of a program beside plain blocks | E8002", std::to_string(limits::statements)},
       {"steps of a modulated feed law, one way | E4337", std::to_string(limits::feed_law_steps)},
       {"points of a curve of feeds | E4345", std::to_string(limits::feed_law_points)},
       {"errors shown of a file |", std::to_string(limits::diagnostics)}};

@@ -67,7 +67,7 @@ class CycleLoop : public ::testing::Test {
  private:
   static void cycle(Assembly& assembly, std::span<const channels::OperatorEvent> events,
                     Followed& followed) {
-    while (assembly.machine().prepare(0) == channels::Progress::worked) {
+    while (assembly.machine().prepare(0) != channels::Progress::blocked) {
     }
     const channels::CycleOutput& output = assembly.cycle(events);
     const channels::AxisFeedback& x = assembly.feedback()[0];

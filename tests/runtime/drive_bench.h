@@ -107,7 +107,7 @@ class DriveBench {
 
   const channels::ChannelOutput& cycle() {
     for (int k = 0; k < output_count(); ++k) {
-      while (assembly_.machine().prepare(k) == channels::Progress::worked) {
+      while (assembly_.machine().prepare(k) != channels::Progress::blocked) {
       }
     }
     output_ = &assembly_.cycle(events_).channels[0];

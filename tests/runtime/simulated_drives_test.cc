@@ -114,7 +114,7 @@ TEST(SimulatedDrives, ASpindleWithADriveOfItsOwnTurnsAsItIsProgrammed) {
   start.channel = 1;
   start.text = FixedText<256>("part.nc");
   const auto cycle = [&](std::span<const channels::OperatorEvent> events) {
-    while (assembly.machine().prepare(0) == channels::Progress::worked) {
+    while (assembly.machine().prepare(0) != channels::Progress::blocked) {
     }
     assembly.cycle(events);
   };
@@ -156,7 +156,7 @@ TEST(EmbeddedDrives, ProgramsReachSignalsOnTheBus) {
                      .output_capacity = 0});
   assembly.start();
   const auto cycle = [&](std::span<const channels::OperatorEvent> events) {
-    while (assembly.machine().prepare(0) == channels::Progress::worked) {
+    while (assembly.machine().prepare(0) != channels::Progress::blocked) {
     }
     assembly.cycle(events);
     std::this_thread::sleep_for(std::chrono::milliseconds{1});

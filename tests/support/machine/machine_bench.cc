@@ -206,7 +206,7 @@ const channels::CycleOutput& MachineBench::cycle() {
   while (worked) {
     worked = false;
     for (int k = 0; k < static_cast<int>(config_.channels.size()); ++k) {
-      while (machine_->prepare(k) == channels::Progress::worked) worked = true;
+      while (machine_->prepare(k) != channels::Progress::blocked) worked = true;
     }
   }
   machine_->cycle({.events = events_,
