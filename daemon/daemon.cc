@@ -10,6 +10,7 @@
 #include "daemon/kept_state.h"
 #include "daemon/operator_server.h"
 #include "daemon/preparation_threads.h"
+#include "daemon/signals.h"
 #include "daemon/state_directory.h"
 #include "protocol/socket_location.h"
 #include "protocol/version.h"
@@ -103,6 +104,7 @@ struct RunningDrives {
 }  // namespace
 
 int run_daemon(const DaemonOptions& options) {
+  ignore_harmless_signals();
   config::MachineFile file = config::read_machine_file(options.machine_file);
   const std::string& name = file.machine.name;
   const fs::path program_root =

@@ -19,7 +19,7 @@ struct DaemonOptions {
   std::filesystem::path log_directory;         // empty: no log file
 };
 
-// Serves until SIGINT, SIGTERM or system.shutdown; 0, or 7 when a thread of the daemon failed.
+// Serves until a signal (signals.h) or system.shutdown; 0, or 7 when a thread of the daemon failed.
 // Throws ConfigError, StateDirectoryError, SocketError and std::runtime_error before any axis has
 // power.
 [[nodiscard]] int run_daemon(const DaemonOptions& options);

@@ -8,12 +8,12 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <csignal>
 #include <map>
 #include <vector>
 
 #include "daemon/orderly_end.h"
 #include "daemon/session.h"
+#include "daemon/signals.h"
 
 namespace stanok::daemon {
 namespace {
@@ -54,9 +54,11 @@ struct OperatorServer::Parts {
         acceptor(io, LocalSocket(), socket.release()),
         timer(io),
         pause(io),
-        signals(io, SIGINT, SIGTERM),
+        signals(io),
         dispatch(machine, std::move(description), [this] { begin_end("on request"); }),
-        ending(machine) {}
+        ending(machine) {
+    for (const int number : ending_signals()) signals.add(number);
+  }
 
   void accept();
   void admit(LocalSocket::socket socket);
@@ -65,7 +67,7 @@ struct OperatorServer::Parts {
   bool make_room();
   void forget(int id);
   void await_signal();
-  void begin_end(const char* why);
+  void begin_end(const std::string& why);
   void tick();
   void push_status(SteadyTime now);
   void drop_overdue(SteadyTime now);
@@ -205,14 +207,14 @@ void OperatorServer::Parts::push_event(const channels::Event& event) {
 void OperatorServer::Parts::await_signal() {
   signals.async_wait([this](const error_code& error, int number) {
     if (error) return;
-    // The second signal does not wait for the machine to come to rest.
-    if (ending.has_begun()) return io.stop();
-    begin_end(number == SIGINT ? "by SIGINT" : "by SIGTERM");
+    begin_end("by " + signal_name(number));
     await_signal();
   });
 }
 
-void OperatorServer::Parts::begin_end(const char* why) {
+// A second reason hastens nothing: a terminal that is closed sends several signals.
+void OperatorServer::Parts::begin_end(const std::string& why) {
+  if (ending.has_begun()) return spdlog::info("asked to end {}, while ending", why);
   spdlog::info("ending {}: feed hold, then drives off", why);
   ending.begin(std::chrono::steady_clock::now());
 }

@@ -2,7 +2,7 @@
 //
 // Greets each client, cuts its bytes into requests, lets Dispatch answer them, pushes status and
 // events to those who subscribed. At most 64 clients; an observer makes room for an operator.
-// SIGINT and SIGTERM arrive here like commands: feed hold, drives off, orderly end.
+// Signals (signals.h) arrive here like commands: feed hold, drives off, orderly end.
 #pragma once
 
 #include <functional>

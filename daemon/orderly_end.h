@@ -1,6 +1,6 @@
 // OrderlyEnd: how the daemon ends: feed hold of all channels, then drives off, then the end.
 //
-// Begun by SIGINT, SIGTERM or system.shutdown. A machine that does not come to rest in time does
+// Begun by a signal or system.shutdown. A machine that does not come to rest in time does
 // not keep the daemon alive: the drives' watchdogs stop the axes (docs/operating.md, "E-stop").
 #pragma once
 

@@ -1,13 +1,11 @@
 // stanokd: the runtime daemon. Command line and exit codes; everything else is in daemon/daemon.h.
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <map>
 
 #include "daemon/daemon.h"
+#include "daemon/daemon_log.h"
 #include "protocol/version.h"
 
 namespace {
@@ -49,12 +47,12 @@ int run(const CommandLine& given) {
                 file.machine.channels.size(), file.machine.axes.size());
     return 0;
   }
+  const stanok::daemon::DaemonLog log;
   return stanok::daemon::run_daemon(given.options);
 }
 
 // The exit code; throws what cannot be mended here.
 int run(int argc, char** argv) {
-  spdlog::set_default_logger(spdlog::stderr_logger_mt("stanokd"));
   CLI::App app("stanokd: runs a machine");
   app.set_version_flag("--version", std::string(stanok::protocol::version));
   CommandLine given;

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <csignal>
 #include <thread>
 
+#include "daemon/signals.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/daemon/raw_client.h"
 #include "tests/daemon/temporary_directory.h"
@@ -189,16 +191,36 @@ TEST_F(ServerTest, CarriesOnWhenAClientGoesBeforeItsAnswer) {
   EXPECT_EQ(other.receive()["method"], "hello");
 }
 
-TEST_F(ServerTest, EndsOnSigtermWithAFeedHoldAndDrivesOff) {
+class ServerSignals : public ServerTest, public ::testing::WithParamInterface<int> {};
+
+// One signal, and another behind it that changes nothing: a terminal that is closed sends two.
+TEST_P(ServerSignals, EndWithAFeedHoldAndDrivesOff) {
   RawClient client(socket.path());
   client.receive();
-  ASSERT_EQ(std::raise(SIGTERM), 0);
+  ASSERT_EQ(std::raise(GetParam()), 0);
+  ASSERT_EQ(std::raise(GetParam()), 0);
   EXPECT_TRUE(client.receive().is_discarded()) << "the connection ends with the server";
   const auto events = machine.submitted();
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0].action, channels::OperatorAction::program_hold);
   EXPECT_EQ(events[0].channel, 0);
   EXPECT_EQ(events[1].action, channels::OperatorAction::machine_off);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllThatWouldEndTheProcess, ServerSignals,
+                         ::testing::ValuesIn(ending_signals()), [](const auto& tested) {
+                           std::string name = signal_name(tested.param);
+                           std::erase_if(name, [](char c) { return std::isalnum(c) == 0; });
+                           return name;
+                         });
+
+TEST_F(ServerTest, IsNotEndedNorStoppedByPipesTerminalsAndFileSizes) {
+  ignore_harmless_signals();
+  for (const int number : {SIGPIPE, SIGXFSZ, SIGTSTP, SIGTTIN, SIGTTOU})
+    ASSERT_EQ(std::raise(number), 0);
+  RawClient client(socket.path());
+  EXPECT_EQ(client.receive()["method"], "hello");
+  EXPECT_TRUE(machine.submitted().empty());
 }
 
 class ImpatientServerTest : public ServerTest {

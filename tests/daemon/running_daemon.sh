@@ -20,7 +20,7 @@ trap stop_daemon EXIT
 
 fail() {
   "${operate[@]}" channel status --json >&2 || true
-  cat "$folder/stanokd.err" >&2
+  if [[ -f $folder/stanokd.err ]]; then cat "$folder/stanokd.err" >&2; fi
   printf 'FAILED: %s\n' "$1" >&2
   exit 1
 }
