@@ -65,4 +65,20 @@ bool is_stop(OperatorAction action) RT_SAFE {
   }
 }
 
+bool begins_motion(OperatorAction action) RT_SAFE {
+  switch (action) {
+    case OperatorAction::machine_on:
+    case OperatorAction::program_run:
+    case OperatorAction::program_start:
+    case OperatorAction::program_resume:
+    case OperatorAction::kinematics_select:
+    case OperatorAction::mdi:
+    case OperatorAction::jog:
+    case OperatorAction::home:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace stanok::channels

@@ -19,4 +19,7 @@ namespace stanok::channels {
 // of room.
 [[nodiscard]] bool is_stop(OperatorAction action) RT_SAFE;
 
+// Whether something may begin to move, or get power, by the action.
+[[nodiscard]] bool begins_motion(OperatorAction action) RT_SAFE;
+
 }  // namespace stanok::channels

@@ -13,8 +13,10 @@
 #include <limits>
 
 #include "base/system_error.h"
+#include "channels/operator_action.h"
 #include "client/interrupts.h"
 #include "protocol/json_rpc.h"
+#include "protocol/method_table.h"
 #include "protocol/socket_location.h"
 
 namespace stanok::client {
@@ -51,6 +53,13 @@ int connected_descriptor(const std::filesystem::path& socket) {
   return descriptor;
 }
 
+bool is_stop(std::string_view name) {
+  const protocol::Method* method = protocol::find_method(name);
+  if (method == nullptr) return false;
+  const auto action = channels::operator_action(method->action);
+  return action && channels::is_stop(*action);
+}
+
 // For poll: -1 waits for ever; rounded up, so that the deadline has passed when poll gives up.
 int milliseconds_until(const OperatorClient::Deadline& deadline) {
   if (!deadline) return -1;
@@ -71,6 +80,11 @@ OperatorClient::OperatorClient(const std::filesystem::path& socket)
     ::close(descriptor_);
     throw;
   }
+  const json parameters = hello ? hello->value("params", json::object()) : json::object();
+  if (hello && hello->value("method", json()) == "dropped") {
+    turned_away_ = parameters.value("reason", "");
+    return;
+  }
   if (!hello || hello->value("method", json()) != "hello") {
     ::close(descriptor_);
     if (hello && hello->contains("error")) {
@@ -78,7 +92,7 @@ OperatorClient::OperatorClient(const std::filesystem::path& socket)
     }
     throw ConnectionError(socket.string() + ": whoever listens there is no stanok daemon");
   }
-  hello_ = hello->value("params", json::object());
+  hello_ = parameters;
 }
 
 OperatorClient::~OperatorClient() {
@@ -87,6 +101,8 @@ OperatorClient::~OperatorClient() {
 
 Expected<json, protocol::Failure> OperatorClient::call(const std::string& method,
                                                        const json& parameters, Deadline deadline) {
+  if (turned_away_ && !is_stop(method))
+    throw ConnectionError("the daemon ended the connection: " + *turned_away_);
   const int id = ++last_id_;
   send(protocol::request_line(id, method, parameters));
   while (const auto message = receive(deadline)) {

@@ -36,7 +36,8 @@ class OperatorClient {
   using Deadline = std::optional<Clock::time_point>;  // nothing: wait for ever
   using Listener = std::function<void(const std::string& method, const nlohmann::json& parameters)>;
 
-  // Connects and waits for the daemon's hello. Throws ConnectionError.
+  // Connects and waits for the daemon's hello. A daemon that has no place left still takes stops.
+  // Throws ConnectionError.
   explicit OperatorClient(const std::filesystem::path& socket);
   ~OperatorClient();
   OperatorClient(const OperatorClient&) = delete;
@@ -63,7 +64,8 @@ class OperatorClient {
   int descriptor_ = -1;
   int last_id_ = 0;
   protocol::FrameReader frames_;
-  nlohmann::json hello_;
+  nlohmann::json hello_;                    // empty: there was no place
+  std::optional<std::string> turned_away_;  // why
   Listener listener_;
 };
 

@@ -27,6 +27,7 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
                                    std::vector<std::filesystem::path> program_roots)
     : assembly_(assembly),
       inputs_(assembly.machine().input_records()),
+      replies_(assembly.machine().replies()),
       recorder_(recorder),
       program_root_(std::move(program_root)),
       newest_(before_the_first_cycle(assembly.file().machine)),
@@ -39,7 +40,21 @@ void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
 }
 
 void AssembledMachine::cycle() RT_SAFE {
-  cycles_ = assembly_.cycle(events_.take()).cycle;
+  const EventQueue::Taken taken = events_.take();
+  cycles_.store(assembly_.cycle(taken.events).cycle, std::memory_order_relaxed);
+  refuse_overtaken(taken.overtaken);
+}
+
+void AssembledMachine::refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE {
+  for (const channels::OperatorEvent& event : events) {
+    channels::OperatorReply reply;
+    reply.id = event.id;
+    reply.ok = false;
+    reply.code = FixedText<8>("E6072");
+    reply.text = FixedText<240>("a stop was asked for after this and came first");
+    // A full ring loses the answer, as it does in the coordinator; the desk answers in the end.
+    static_cast<void>(replies_.push(reply));
+  }
 }
 
 void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {

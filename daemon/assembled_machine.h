@@ -5,6 +5,7 @@
 // lock outside of real time, and the figures of the loop.
 #pragma once
 
+#include <atomic>
 #include <mutex>
 
 #include "daemon/event_queue.h"
@@ -38,6 +39,11 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] bool submit(const channels::OperatorEvent& event) override {
     return events_.put(event);
   }
+  [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
+    return events_.put_stop(stop);
+  }
+  [[nodiscard]] std::uint64_t stops_taken() override { return events_.stops_put(); }
+  [[nodiscard]] std::int64_t cycles() override { return cycles_; }
   [[nodiscard]] channels::CycleOutput newest_output() override;
   [[nodiscard]] std::vector<channels::RunReport> runs() override {
     return assembly_.machine().runs();
@@ -83,12 +89,15 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   }
 
  private:
+  void refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE;
+
   runtime::Assembly& assembly_;
   Ring<channels::InputRecord>& inputs_;
+  Ring<channels::OperatorReply>& replies_;
   Recorder& recorder_;
   std::filesystem::path program_root_;
   EventQueue events_;
-  std::int64_t cycles_ = 0;
+  std::atomic<std::int64_t> cycles_{0};
   RealTimeLoop* loop_ = nullptr;
   std::mutex mutex_;
   channels::CycleOutput newest_;

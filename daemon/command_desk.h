@@ -37,6 +37,8 @@ class CommandDesk {
 
   void on_reply(const channels::OperatorReply& reply);
   void tick(SteadyTime now);
+  // For a command that another desk has had accepted.
+  void note_acceptance(const channels::OperatorEvent& event);
 
   [[nodiscard]] std::size_t waiting() const { return pending_.size() + awaited_.size(); }
 
@@ -57,7 +59,6 @@ class CommandDesk {
 
   [[nodiscard]] protocol::Failure refusal(const Pending& pending,
                                           const channels::OperatorReply& reply) const;
-  void note_acceptance(const channels::OperatorEvent& event);
   void await_run(int channel, Answer answer);
   void answer_ended_runs();
   void watch_cycle(SteadyTime now);

@@ -2,8 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
-#include <atomic>
 #include <optional>
+#include <string_view>
 #include <thread>
 
 #include "daemon/assembled_machine.h"
@@ -129,23 +129,21 @@ int run_daemon(const DaemonOptions& options) {
   machine.set_loop(loop);
   OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()});
 
-  std::atomic<bool> has_failed{false};
-  const auto fail = [&](const std::string& reason) {
-    spdlog::critical("{}; the machine is stopped", reason);
-    has_failed = true;
+  // First the stop: what is said may need memory.
+  const auto fail = [&](std::string_view who, std::string_view reason) {
+    server.fail();
     ends = true;
-    server.end();
+    spdlog::critical("{}: {}; the machine is stopped", who, reason);
   };
   const KeptState kept(state.path(), machine);
   const RunningDrives drives(assembly);
-  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server}, fail);
+  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server},
+                                  [&](std::string_view reason) { fail("publisher", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
-      [&](int index, const std::string& reason) {
-        fail("preparation of channel " +
-             std::to_string(file.machine.channels[static_cast<std::size_t>(index)].id) + ": " +
-             reason);
+      [&](int index, std::string_view reason) {
+        fail(file.machine.channels[static_cast<std::size_t>(index)].name, reason);
       });
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
@@ -153,7 +151,7 @@ int run_daemon(const DaemonOptions& options) {
   server.run();
   ends = true;
   spdlog::info("stanokd ends");
-  return has_failed ? exit_machine_fault : 0;
+  return server.has_failed() ? exit_machine_fault : 0;
 }
 
 }  // namespace stanok::daemon

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 
-#include "channels/operator_action.h"
 #include "daemon/drive_report.h"
 #include "daemon/inventory.h"
+#include "daemon/operator_command.h"
 #include "daemon/table_loading.h"
 #include "protocol/discovery.h"
-#include "protocol/machine_request.h"
 #include "protocol/version.h"
 
 namespace stanok::daemon {
@@ -27,10 +26,7 @@ Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, i
   return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
 }
 
-// Commands that make sense for the machine as a whole name no channel.
-bool concerns_machine(const Method& method) {
-  return protocol::noun(method) == "machine";
-}
+}  // namespace
 
 void log_command(const SessionState& session, const protocol::Request& request,
                  const Outcome& outcome) {
@@ -45,7 +41,19 @@ void log_command(const SessionState& session, const protocol::Request& request,
   }
 }
 
-}  // namespace
+json greeting(const config::MachineFile& file, const SessionState& session) {
+  json channels = json::array();
+  for (const auto& channel : file.machine.channels) {
+    channels.push_back({{"id", channel.id}, {"name", channel.name}});
+  }
+  return {{"server", "stanokd"},
+          {"version", protocol::version},
+          {"api", protocol::api_version},
+          {"machine", file.machine.name},
+          {"channels", std::move(channels)},
+          {"session", session.id},
+          {"role", protocol::role_name(session.role)}};
+}
 
 Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
                    std::function<void()> on_shutdown)
@@ -92,7 +100,7 @@ const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
 
 void Dispatch::handle(SessionState& session, const protocol::Request& request, Answer answer) {
   const Method* method = protocol::find_method(request.method);
-  const auto parameters = admitted(session, method, request);
+  const auto parameters = admitted_parameters(machine_.file(), session.role, method, request);
   if (!parameters) return answer(Unexpected<Failure>(parameters.error()));
   if (!method->action.empty()) {
     // Sessions may go before the answer comes; the log entry must not need them.
@@ -191,50 +199,19 @@ Outcome Dispatch::tool_get(const json& parameters) const {
       "the table has no tool " + std::to_string(number) + " with edge " + std::to_string(edge));
 }
 
-// The checked parameters, if the session may call the method and the channel exists.
-Expected<json, Failure> Dispatch::admitted(const SessionState& session, const Method* method,
-                                           const protocol::Request& request) const {
-  if (method == nullptr) {
-    return fail(FailureKind::method_not_found, "E9002",
-                "unknown method \"" + request.method + "\"");
-  }
-  if (session.role < method->role) {
-    return fail(FailureKind::not_permitted, "E9004",
-                request.method + " needs the role " +
-                    std::string(protocol::role_name(method->role)) + "; this session is " +
-                    std::string(protocol::role_name(session.role)));
-  }
-  auto parameters = protocol::checked_parameters(*method, request.parameters);
-  if (!parameters) return parameters;
-  const int channel = parameters->value("channel", 0);
-  if (channel != 0 && !has_channel(channel)) {
-    return fail(FailureKind::refused, "E6001", "no such channel: " + std::to_string(channel),
-                channel);
-  }
-  return parameters;
-}
-
 void Dispatch::command(const SessionState& session, const Method& method, const json& parameters,
                        Answer answer) {
-  const protocol::MachineRequest request = protocol::machine_request(method, parameters);
-  const auto action = channels::operator_action(request.action);
-  if (!action) {
-    return answer(fail(FailureKind::internal, "", "no action " + std::string(request.action)));
-  }
-  channels::OperatorEvent event;
-  event.action = *action;
-  event.channel = concerns_machine(method) ? 0 : channel_or_first(parameters);
-  if (const auto obstacle = control_.obstacle(*action, event.channel, session.id))
+  auto event = operator_event(machine_.file(), method, parameters);
+  if (!event) return answer(Unexpected<Failure>(event.error()));
+  event->stops_before = session.stops_before;
+  const channels::OperatorAction action = event->action;
+  if (const auto obstacle = control_.obstacle(action, event->channel, session.id))
     return answer(Unexpected<Failure>(*obstacle));
-  event.number = request.number;
-  event.value = request.value;
-  event.value_2 = request.value_2;
-  event.text = FixedText<256>(request.text);
-  const bool begins_run = *action == channels::OperatorAction::program_run ||
-                          *action == channels::OperatorAction::mdi ||
-                          *action == channels::OperatorAction::program_start;
+  const bool begins_run = action == channels::OperatorAction::program_run ||
+                          action == channels::OperatorAction::mdi ||
+                          action == channels::OperatorAction::program_start;
   const bool waits = begins_run && parameters.value("wait", "accepted") == "done";
-  desk_.submit(event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));
+  desk_.submit(*event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));
 }
 
 // Drives are reset and made to fail beside the cycle: what they then report enters it as feedback.
@@ -269,28 +246,8 @@ Outcome Dispatch::change_session(SessionState& session, const Method& method,
   return json{{"topics", topics}, {"rate_hz", rate_hz}};
 }
 
-bool Dispatch::has_channel(int id) const {
-  const auto& channels = machine_.file().machine.channels;
-  return std::any_of(channels.begin(), channels.end(),
-                     [&](const auto& channel) { return channel.id == id; });
-}
-
 int Dispatch::channel_or_first(const json& parameters) const {
-  return parameters.value("channel", machine_.file().machine.channels.front().id);
-}
-
-json Dispatch::hello(const SessionState& session) const {
-  json channels = json::array();
-  for (const auto& channel : machine_.file().machine.channels) {
-    channels.push_back({{"id", channel.id}, {"name", channel.name}});
-  }
-  return {{"server", "stanokd"},
-          {"version", protocol::version},
-          {"api", protocol::api_version},
-          {"machine", machine_.file().machine.name},
-          {"channels", std::move(channels)},
-          {"session", session.id},
-          {"role", protocol::role_name(session.role)}};
+  return daemon::channel_or_first(machine_.file(), parameters);
 }
 
 json Dispatch::snapshot(const Subscription& subscription) const {

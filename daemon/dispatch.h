@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -23,7 +24,16 @@ struct SessionState {
   protocol::Role role = protocol::Role::observer;
   std::string peer;  // for logs: "uid 1000, pid 4711"
   Subscription subscription;
+  // Stops that the daemon had taken when the request at hand came in.
+  std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
 };
+
+// Parameters of the server's first message; any thread.
+[[nodiscard]] nlohmann::json greeting(const config::MachineFile& file, const SessionState& session);
+
+// Every command and its outcome, in the daemon's own log; any thread.
+void log_command(const SessionState& session, const protocol::Request& request,
+                 const Outcome& outcome);
 
 // What the daemon knows of itself, for system.info.
 struct DaemonDescription {
@@ -47,8 +57,9 @@ class Dispatch {
   // The session has ended.
   void forget(int session);
 
-  // Parameters of the server's first message.
-  [[nodiscard]] nlohmann::json hello(const SessionState& session) const;
+  // A stop that the reception took was accepted.
+  void note_stop(const channels::OperatorEvent& stop) { desk_.note_acceptance(stop); }
+
   // What a subscription shows.
   [[nodiscard]] nlohmann::json snapshot(const Subscription& subscription) const;
 
@@ -57,9 +68,6 @@ class Dispatch {
   // The methods that only look, by name.
   [[nodiscard]] static const std::map<std::string_view, Query>& queries();
 
-  [[nodiscard]] Expected<nlohmann::json, protocol::Failure> admitted(
-      const SessionState& session, const protocol::Method* method,
-      const protocol::Request& request) const;
   void command(const SessionState& session, const protocol::Method& method,
                const nlohmann::json& parameters, Answer answer);
   void note_control();
@@ -74,7 +82,6 @@ class Dispatch {
   [[nodiscard]] Outcome change_session(SessionState& session, const protocol::Method& method,
                                        const nlohmann::json& parameters);
   [[nodiscard]] int channel_or_first(const nlohmann::json& parameters) const;
-  [[nodiscard]] bool has_channel(int id) const;
   [[nodiscard]] nlohmann::json system_info() const;
 
   RunningMachine& machine_;

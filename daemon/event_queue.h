@@ -1,8 +1,10 @@
-// EventQueue: operator events on their way into the real-time cycle, in their order.
+// EventQueue: operator events on their way into the real-time cycle.
 //
-// One producer (the operator server's thread), one consumer (the cycle). The last places are kept
-// for events that stop motion, so that nobody who floods the machine with requests can keep a stop
-// out; a stop never overtakes what was asked before it, so nothing starts behind it.
+// Two producers, each with a ring of its own: the operator server's thread for everything, the
+// reception's thread for stops, which wait for nothing that the other one does. One consumer, the
+// cycle. An event carries how many stops had been put when its request came in: it is handed on
+// behind these, and when it begins motion and a stop of its channel has been put since then, it is
+// overtaken and not handed on at all. So nothing starts behind a stop that was asked for later.
 #pragma once
 
 #include <array>
@@ -11,31 +13,56 @@
 #include "base/ring.h"
 #include "channels/operator_action.h"
 #include "channels/operator_event.h"
+#include "channels/output.h"
 
 namespace stanok::daemon {
 
 class EventQueue {
  public:
-  static constexpr std::size_t capacity = 128;
-  static constexpr std::size_t kept_for_stops = 64;
+  static constexpr std::size_t capacity = 80;
+  static constexpr std::size_t kept_for_stops = 16;  // of the operator server
+  static constexpr std::size_t stops_max = 48;
+  static constexpr std::size_t kept_for_emergency = 8;  // of the stops
 
-  // False: no room; the event is not taken.
+  // Operator server's thread. False: no room; the event is not taken.
   [[nodiscard]] bool put(const channels::OperatorEvent& event) {
-    if (!channels::is_stop(event.action) && ring_.space() <= kept_for_stops) return false;
-    return ring_.push(event);
+    if (!channels::is_stop(event.action) && events_.space() <= kept_for_stops) return false;
+    return events_.push(event);
   }
+  // Reception's thread. False: no room; the stop is not taken.
+  [[nodiscard]] bool put_stop(const channels::OperatorEvent& stop) {
+    const bool is_emergency = stop.action == channels::OperatorAction::machine_estop ||
+                              stop.action == channels::OperatorAction::machine_off;
+    if (!is_emergency && stops_.space() <= kept_for_emergency) return false;
+    return stops_.push(stop);
+  }
+  // Stops put since construction; reception's thread.
+  [[nodiscard]] std::uint64_t stops_put() const { return stops_.pushed(); }
 
-  // All events that wait. The span is valid until the next call.
-  [[nodiscard]] std::span<const channels::OperatorEvent> take() RT_SAFE {
-    const std::size_t count = ring_.size();
-    for (std::size_t k = 0; k < count; ++k) taken_[k] = ring_[k];
-    ring_.pop_front(count);
-    return {taken_.data(), count};
-  }
+  struct Taken {
+    std::span<const channels::OperatorEvent> events;     // in their order
+    std::span<const channels::OperatorEvent> overtaken;  // to be refused
+  };
+  // All that waits. The spans are valid until the next call.
+  [[nodiscard]] Taken take() RT_SAFE;
 
  private:
-  Ring<channels::OperatorEvent> ring_{capacity};
-  std::array<channels::OperatorEvent, capacity> taken_{};
+  // Which stop of a channel was the last one; they count from 1.
+  struct LastStop {
+    std::int32_t channel = 0;
+    std::uint64_t number = 0;
+  };
+  void note_stops(std::size_t count) RT_SAFE;
+  [[nodiscard]] bool is_overtaken(const channels::OperatorEvent& event) const RT_SAFE;
+
+  Ring<channels::OperatorEvent> events_{capacity};
+  Ring<channels::OperatorEvent> stops_{stops_max};
+  std::uint64_t stops_taken_ = 0;
+  std::uint64_t last_of_any_ = 0;
+  std::uint64_t last_of_all_ = 0;
+  std::array<LastStop, channels::channels_max> last_{};
+  std::array<channels::OperatorEvent, capacity + stops_max> taken_{};
+  std::array<channels::OperatorEvent, capacity> overtaken_{};
 };
 
 }  // namespace stanok::daemon

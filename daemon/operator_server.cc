@@ -2,18 +2,16 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <map>
+#include <thread>
 #include <vector>
 
-#include "daemon/orderly_end.h"
 #include "daemon/session.h"
-#include "daemon/signals.h"
+#include "daemon/stop_desk.h"
 
 namespace stanok::daemon {
 namespace {
@@ -21,18 +19,8 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 using nlohmann::json;
-using protocol::Failure;
-using protocol::FailureKind;
-using LocalSocket = asio::local::stream_protocol;
 
 constexpr auto tick_period = std::chrono::milliseconds(10);
-// When the system has no descriptors left, accepting is tried again after this time.
-constexpr auto accept_pause = std::chrono::milliseconds(100);
-
-std::string oversize_line() {
-  return protocol::failure_line(
-      nullptr, {FailureKind::invalid_request, "E9001", "a request has at most 1 MiB", 0, {}});
-}
 
 json event_json(const channels::Event& event) {
   const auto text_or_null = [](std::string_view text) {
@@ -47,195 +35,147 @@ json event_json(const channels::Event& event) {
 
 }  // namespace
 
-struct OperatorServer::Parts {
+struct OperatorServer::Parts final : Counter {
   Parts(ListeningSocket& socket, RunningMachine& machine, DaemonDescription description,
-        ServerLimits given)
-      : limits(given),
-        acceptor(io, LocalSocket(), socket.release()),
+        const ServerLimits& limits)
+      : reception(socket, machine, *this, limits),
         timer(io),
-        pause(io),
-        signals(io),
-        dispatch(machine, std::move(description), [this] { begin_end("on request"); }),
-        ending(machine) {
-    for (const int number : ending_signals()) signals.add(number);
-  }
+        dispatch(machine, std::move(description), [this] { reception.end(); }) {}
 
-  void accept();
-  void admit(LocalSocket::socket socket);
-  void answer_frame(Session& session, const protocol::Frame& frame);
-  [[nodiscard]] std::size_t clients() const;
-  bool make_room();
-  void forget(int id);
-  void await_signal();
-  void begin_end(const std::string& why);
+  // From the reception's thread.
+  void on_arrival(std::shared_ptr<Session> session) override;
+  void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+                std::uint64_t stops_before) override;
+  void on_departure(int session) override;
+  void on_stop_accepted(const channels::OperatorEvent& stop) override;
+  void on_end() override { io.stop(); }
+
+  void answer_frame(const std::shared_ptr<Session>& session, const protocol::Frame& frame,
+                    std::uint64_t stops_before);
+  void serve();
   void tick();
   void push_status(SteadyTime now);
-  void drop_overdue(SteadyTime now);
   void push_event(const channels::Event& event);
-  [[nodiscard]] std::vector<std::shared_ptr<Session>> all_sessions() const;
 
-  ServerLimits limits;
+  // First: what the other members still hold of its sessions goes before it.
+  Reception reception;
   asio::io_context io{1};
-  LocalSocket::acceptor acceptor;
+  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   asio::steady_timer timer;
-  asio::steady_timer pause;
-  asio::signal_set signals;
   Dispatch dispatch;
-  OrderlyEnd ending;
   std::map<int, std::shared_ptr<Session>> sessions;
-  int last_session = 0;
 };
 
-void OperatorServer::Parts::accept() {
-  acceptor.async_accept([this](const error_code& error, LocalSocket::socket socket) {
-    if (error == asio::error::operation_aborted) return;
-    if (!error) {
-      admit(std::move(socket));
-      return accept();
-    }
-    spdlog::warn("cannot accept a client: {}", error.message());
-    pause.expires_after(accept_pause);
-    pause.async_wait([this](const error_code& stopped) {
-      if (!stopped) accept();
-    });
+void OperatorServer::Parts::on_arrival(std::shared_ptr<Session> session) {
+  asio::post(io,
+             [this, session = std::move(session)] { sessions.emplace(session->id(), session); });
+}
+
+void OperatorServer::Parts::on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+                                     std::uint64_t stops_before) {
+  asio::post(io, [this, session = std::move(session), frame = std::move(frame), stops_before] {
+    answer_frame(session, frame, stops_before);
+    session->frame_is_done_soon();
   });
 }
 
-void OperatorServer::Parts::admit(LocalSocket::socket socket) {
-  const auto session = std::make_shared<Session>(std::move(socket), ++last_session);
-  const bool has_room = clients() < limits.clients_max || make_room();
-  sessions.emplace(session->state().id, session);
-  session->start([this](Session& from, const protocol::Frame& frame) { answer_frame(from, frame); },
-                 [this](int id) { forget(id); });
-  if (!has_room) return session->drop("E9008", "too many clients");
-  dispatch.set_clients(clients());
-  session->send(protocol::notification_line("hello", dispatch.hello(session->state())));
-}
-
-// Who has been told to go lingers until it has read that, but has no place any more.
-std::size_t OperatorServer::Parts::clients() const {
-  return static_cast<std::size_t>(
-      std::count_if(sessions.begin(), sessions.end(),
-                    [](const auto& entry) { return !entry.second->is_dropped(); }));
-}
-
-// Ends the session of the observer who has been here longest.
-bool OperatorServer::Parts::make_room() {
-  const auto observer = std::find_if(sessions.begin(), sessions.end(), [](const auto& entry) {
-    return !entry.second->is_dropped() && entry.second->state().role == protocol::Role::observer;
+void OperatorServer::Parts::on_departure(int session) {
+  asio::post(io, [this, session] {
+    sessions.erase(session);
+    dispatch.forget(session);
   });
-  if (observer == sessions.end()) return false;
-  observer->second->drop("E9008", "an operator needs the place");
-  return true;
 }
 
-void OperatorServer::Parts::forget(int id) {
-  sessions.erase(id);
-  dispatch.forget(id);
-  dispatch.set_clients(clients());
+void OperatorServer::Parts::on_stop_accepted(const channels::OperatorEvent& stop) {
+  asio::post(io, [this, stop] { dispatch.note_stop(stop); });
 }
 
-void OperatorServer::Parts::answer_frame(Session& session, const protocol::Frame& frame) {
-  if (frame.kind == protocol::FrameKind::oversize) return session.send(oversize_line());
+void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session,
+                                         const protocol::Frame& frame, std::uint64_t stops_before) {
   const auto request = protocol::parse_request(frame.text);
-  if (!request)
-    return session.send(protocol::failure_line(request.error().id, request.error().failure));
-  const std::weak_ptr<Session> asker = session.weak_from_this();
-  dispatch.handle(
-      session.state(), *request,
-      [asker, id = request->id, wanted = request->wants_answer](const Outcome& outcome) {
-        const auto alive = asker.lock();
-        if (!alive || !wanted) return;
-        alive->send(outcome ? protocol::answer_line(id, *outcome)
-                            : protocol::failure_line(id, outcome.error()));
-      });
-}
-
-// Sessions may end while something is sent to them; the copy keeps the loop whole.
-std::vector<std::shared_ptr<Session>> OperatorServer::Parts::all_sessions() const {
-  std::vector<std::shared_ptr<Session>> all;
-  all.reserve(sessions.size());
-  for (const auto& [id, session] : sessions) all.push_back(session);
-  return all;
+  if (!request) {
+    return session->send_soon(protocol::failure_line(request.error().id, request.error().failure));
+  }
+  dispatch.set_clients(reception.clients());
+  session->state().stops_before = stops_before;
+  dispatch.handle(session->state(), *request,
+                  [asker = std::weak_ptr<Session>(session), id = request->id,
+                   wanted = request->wants_answer](const Outcome& outcome) {
+                    const auto alive = asker.lock();
+                    if (alive) alive->note_role(alive->state().role);
+                    if (!alive || !wanted) return;
+                    alive->send_soon(outcome ? protocol::answer_line(id, *outcome)
+                                             : protocol::failure_line(id, outcome.error()));
+                  });
 }
 
 void OperatorServer::Parts::tick() {
   timer.expires_after(tick_period);
   timer.async_wait([this](const error_code& error) {
     if (error) return;
+    tick();
     const auto now = std::chrono::steady_clock::now();
     dispatch.tick(now);
     push_status(now);
-    drop_overdue(now);
-    if (ending.step(now)) return io.stop();
-    tick();
   });
 }
 
 void OperatorServer::Parts::push_status(SteadyTime now) {
-  for (const auto& session : all_sessions()) {
+  for (const auto& [id, session] : sessions) {
     Subscription& subscription = session->state().subscription;
     if (!subscription.is_due(now) || !session->has_room_for_status()) continue;
     if (auto status = subscription.status(dispatch.snapshot(subscription), now)) {
-      session->send(protocol::notification_line("status", *status));
-    }
-  }
-}
-
-void OperatorServer::Parts::drop_overdue(SteadyTime now) {
-  for (const auto& session : all_sessions()) {
-    if (session->has_overstayed(now)) {
-      session->close();
-    } else if (session->has_frame_begun_before(now - limits.frame_time_max)) {
-      session->drop("E9001", "a request was begun and not finished in time");
+      session->send_soon(protocol::notification_line("status", *status));
     }
   }
 }
 
 void OperatorServer::Parts::push_event(const channels::Event& event) {
-  for (const auto& session : all_sessions()) {
+  for (const auto& [id, session] : sessions) {
     Subscription& subscription = session->state().subscription;
     const bool is_elsewhere =
         subscription.channel() != 0 && event.channel != subscription.channel();
     if (!subscription.wants("events") || is_elsewhere) continue;
     json parameters = event_json(event);
     parameters["seq"] = subscription.next_seq();
-    session->send(protocol::notification_line("event", parameters));
+    session->send_soon(protocol::notification_line("event", parameters));
   }
 }
 
-void OperatorServer::Parts::await_signal() {
-  signals.async_wait([this](const error_code& error, int number) {
-    if (error) return;
-    begin_end("by " + signal_name(number));
-    await_signal();
-  });
-}
-
-// A second reason hastens nothing: a terminal that is closed sends several signals.
-void OperatorServer::Parts::begin_end(const std::string& why) {
-  if (ending.has_begun()) return spdlog::info("asked to end {}, while ending", why);
-  spdlog::info("ending {}: feed hold, then drives off", why);
-  ending.begin(std::chrono::steady_clock::now());
+// Until the reception ends it. A fault costs the request that led to it; the machine is stopped.
+void OperatorServer::Parts::serve() {
+  while (!io.stopped()) {
+    try {
+      io.run();
+    } catch (const std::exception& fault) {
+      reception.fail();
+      spdlog::critical("the operator server: {}; the machine is stopped", fault.what());
+    }
+  }
 }
 
 OperatorServer::OperatorServer(ListeningSocket& socket, RunningMachine& machine,
                                DaemonDescription description, ServerLimits limits)
-    : parts_(std::make_unique<Parts>(socket, machine, std::move(description), limits)) {
-  parts_->await_signal();
-}
+    : parts_(std::make_unique<Parts>(socket, machine, std::move(description), limits)) {}
 
 OperatorServer::~OperatorServer() = default;
 
 void OperatorServer::run() {
-  parts_->accept();
+  const std::jthread reception([parts = parts_.get()] { parts->reception.run(); });
   parts_->tick();
-  parts_->io.run();
-  for (const auto& session : parts_->all_sessions()) session->close();
+  parts_->serve();
 }
 
 void OperatorServer::end() {
-  asio::post(parts_->io, [parts = parts_.get()] { parts->begin_end("on request"); });
+  parts_->reception.end();
+}
+
+void OperatorServer::fail() {
+  parts_->reception.fail();
+}
+
+bool OperatorServer::has_failed() const {
+  return parts_->reception.has_failed();
 }
 
 void OperatorServer::on_event(const channels::Event& event) {
@@ -243,6 +183,7 @@ void OperatorServer::on_event(const channels::Event& event) {
 }
 
 void OperatorServer::on_reply(const channels::OperatorReply& reply) {
+  if (StopDesk::is_ours(reply)) return parts_->reception.on_reply(reply);
   asio::post(parts_->io, [parts = parts_.get(), reply] { parts->dispatch.on_reply(reply); });
 }
 

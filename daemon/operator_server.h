@@ -1,8 +1,9 @@
-// OperatorServer: accepts clients on the unix socket and serves them, one thread, no waiting.
+// OperatorServer: serves the clients on the unix socket: two threads, and none of them waits for
+// the other.
 //
-// Greets each client, cuts its bytes into requests, lets Dispatch answer them, pushes status and
-// events to those who subscribed. At most 64 clients; an observer makes room for an operator.
-// Signals (signals.h) arrive here like commands: feed hold, drives off, orderly end.
+// The reception (reception.h) reads and writes the clients, takes stops and does the orderly end.
+// This thread lets Dispatch answer all other requests, in their order, and pushes status and events
+// to those who subscribed; what it is busy with delays no stop.
 #pragma once
 
 #include <functional>
@@ -11,13 +12,9 @@
 #include "daemon/dispatch.h"
 #include "daemon/listening_socket.h"
 #include "daemon/publisher_thread.h"
+#include "daemon/reception.h"
 
 namespace stanok::daemon {
-
-struct ServerLimits {
-  std::size_t clients_max = 64;
-  std::chrono::milliseconds frame_time_max{10000};  // from the first byte of a frame to its end
-};
 
 class OperatorServer final : public CycleListener {
  public:
@@ -29,8 +26,10 @@ class OperatorServer final : public CycleListener {
   // Serves until the orderly end is over.
   void run();
 
-  // Begin the orderly end; any thread.
+  // Begin the orderly end; the same because of a fault of ours. Any thread; they need no memory.
   void end();
+  void fail();
+  [[nodiscard]] bool has_failed() const;
 
   // From the publisher thread; handed over to the server's.
   void on_event(const channels::Event& event) override;

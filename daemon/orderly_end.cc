@@ -29,7 +29,7 @@ void OrderlyEnd::begin(Time now) {
   if (stage_ != Stage::not_begun) return;
   stage_ = Stage::holding;
   deadline_ = now + rest_time_max;
-  submit(channels::OperatorAction::program_hold);
+  stops_.order(channels::OperatorAction::program_hold);
 }
 
 bool OrderlyEnd::step(Time now) {
@@ -38,18 +38,11 @@ bool OrderlyEnd::step(Time now) {
   const auto output = machine_.newest_output();
   if (stage_ == Stage::holding && all(output, stands)) {
     stage_ = Stage::switching_off;
-    submit(channels::OperatorAction::machine_off);
+    stops_.order(channels::OperatorAction::machine_off);
   } else if (stage_ == Stage::switching_off && all(output, stands) && all(output, is_off)) {
     stage_ = Stage::done;
   }
   return stage_ == Stage::done;
-}
-
-void OrderlyEnd::submit(channels::OperatorAction action) {
-  channels::OperatorEvent event;
-  event.action = action;
-  // The queue keeps room for stops; were it full all the same, the deadline ends the daemon.
-  static_cast<void>(machine_.submit(event));
 }
 
 }  // namespace stanok::daemon

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "daemon/running_machine.h"
+#include "daemon/stop_desk.h"
 
 namespace stanok::daemon {
 
@@ -14,7 +15,8 @@ class OrderlyEnd {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  explicit OrderlyEnd(RunningMachine& machine) : machine_(machine) {}
+  // Both outlive the end.
+  OrderlyEnd(RunningMachine& machine, StopDesk& stops) : machine_(machine), stops_(stops) {}
 
   // Does nothing the second time.
   void begin(Time now);
@@ -24,9 +26,9 @@ class OrderlyEnd {
 
  private:
   enum class Stage { not_begun, holding, switching_off, done };
-  void submit(channels::OperatorAction action);
 
   RunningMachine& machine_;
+  StopDesk& stops_;
   Stage stage_ = Stage::not_begun;
   Time deadline_{};
 };

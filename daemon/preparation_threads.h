@@ -6,7 +6,7 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace stanok::daemon {
 class PreparationThreads {
  public:
   using Prepare = std::function<channels::Progress(int index)>;
-  using OnFault = std::function<void(int index, const std::string& reason)>;
+  using OnFault = std::function<void(int index, std::string_view reason)>;
 
   // Channels count from 0. Both functions are called from several threads.
   PreparationThreads(int channels, Prepare prepare, OnFault on_fault);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -43,7 +43,7 @@ std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& li
 
 class PublisherThread {
  public:
-  using OnFault = std::function<void(const std::string& reason)>;
+  using OnFault = std::function<void(std::string_view reason)>;
 
   // Rings and listeners outlive the thread.
   PublisherThread(const CycleRings& rings, std::vector<CycleListener*> listeners, OnFault on_fault);

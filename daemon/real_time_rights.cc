@@ -63,13 +63,18 @@ RealTimeRights take_real_time_rights(int priority) {
   return rights;
 }
 
+void prefer_this_thread(int priority) {
+  sched_param parameters{};
+  parameters.sched_priority = priority;
+  // Refused without the right to it; take_real_time_rights tells the operator so.
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+}
+
 FifoForNewThreads::FifoForNewThreads(int priority) {
   sched_param parameters{};
   pthread_getschedparam(pthread_self(), &policy_before_, &parameters);
   priority_before_ = parameters.sched_priority;
-  parameters.sched_priority = priority;
-  // Refused without the right to it; take_real_time_rights tells the operator so.
-  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+  prefer_this_thread(priority);
 }
 
 FifoForNewThreads::~FifoForNewThreads() {

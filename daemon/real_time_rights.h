@@ -18,6 +18,9 @@ struct RealTimeRights {
 // For the calling thread, before its first cycle. Priority as of sched(7), 1..99.
 [[nodiscard]] RealTimeRights take_real_time_rights(int priority);
 
+// FIFO scheduling for the calling thread, where the system grants it.
+void prefer_this_thread(int priority);
+
 // While it lives, threads that the calling thread starts inherit FIFO scheduling (sched(7)), where
 // the system grants it; the calling thread is as before afterwards. For threads that must answer
 // within milliseconds under load, below the cycle.

@@ -1,7 +1,8 @@
 // RunningMachine: what the operator's side may ask of the machine that runs.
 //
-// Everything here is called from the operator server's thread, and nothing of it waits for the
-// cycle. Tests put a machine of their own behind it.
+// Everything here is called from the operator server's thread, but for what stops and the orderly
+// end need, which is the reception's; nothing of it waits for the cycle. Tests put a machine of
+// their own behind it.
 #pragma once
 
 #include <filesystem>
@@ -47,6 +48,12 @@ class RunningMachine {
 
   // Into the next cycle. False: no room.
   [[nodiscard]] virtual bool submit(const channels::OperatorEvent& event) = 0;
+  // The same for a stop; reception's thread. Waits for nothing at all.
+  [[nodiscard]] virtual bool submit_stop(const channels::OperatorEvent& stop) = 0;
+  // How many of them were taken so far; reception's thread.
+  [[nodiscard]] virtual std::uint64_t stops_taken() = 0;
+  // Cycles so far; any thread.
+  [[nodiscard]] virtual std::int64_t cycles() = 0;
 
   // The output of the newest cycle that has been handed on; cycle 0 before the first one.
   [[nodiscard]] virtual channels::CycleOutput newest_output() = 0;

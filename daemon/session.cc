@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <utility>
 
@@ -42,13 +43,16 @@ SessionState state_of(Session::Socket& socket, int id) {
 }  // namespace
 
 Session::Session(Socket socket, int id)
-    : socket_(std::move(socket)), state_(state_of(socket_, id)) {}
+    : socket_(std::move(socket)),
+      state_(state_of(socket_, id)),
+      id_(id),
+      peer_(state_.peer),
+      role_(state_.role) {}
 
 void Session::start(OnFrame on_frame, OnEnd on_end) {
   on_frame_ = std::move(on_frame);
   on_end_ = std::move(on_end);
-  spdlog::debug("session {} ({}) begins as {}", state_.id, state_.peer,
-                protocol::role_name(state_.role));
+  spdlog::debug("session {} ({}) begins as {}", id_, peer_, protocol::role_name(role()));
   read();
 }
 
@@ -57,12 +61,27 @@ void Session::read() {
                           [self = shared_from_this()](const error_code& error, std::size_t bytes) {
                             if (error) return self->close();
                             self->take(bytes);
-                            if (self->socket_.is_open() && !self->dropping_) self->read();
+                            self->go_on();
                           });
 }
 
+void Session::go_on() {
+  if (!socket_.is_open() || dropping_) return;
+  rests_ = frames_handed_on_ >= frames_handed_on_max;
+  if (!rests_) read();
+}
+
+void Session::frame_is_done_soon() {
+  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+    --self->frames_handed_on_;
+    if (!self->rests_) return;
+    self->frame_begun_ = now();
+    self->go_on();
+  });
+}
+
 void Session::take(std::size_t bytes) {
-  if (!frames_.is_within_frame()) frame_begun_ = std::chrono::steady_clock::now();
+  if (!frames_.is_within_frame()) frame_begun_ = now();
   frames_.append({received_.data(), bytes});
   bool had_frame = false;
   while (const auto frame = frames_.next()) {
@@ -70,7 +89,7 @@ void Session::take(std::size_t bytes) {
     on_frame_(*this, *frame);
     had_frame = true;
   }
-  if (had_frame) frame_begun_ = std::chrono::steady_clock::now();
+  if (had_frame) frame_begun_ = now();
 }
 
 void Session::send(std::string line) {
@@ -78,16 +97,29 @@ void Session::send(std::string line) {
   const bool was_empty = output_.empty();
   if (!output_.push(std::move(line)))
     return drop("E9009", "the client does not read what it is sent");
+  has_room_for_status_ = output_.has_room_for_status();
   if (was_empty) write();
+}
+
+void Session::send_soon(std::string line) {
+  asio::post(socket_.get_executor(), [self = shared_from_this(), line = std::move(line)]() mutable {
+    self->send(std::move(line));
+  });
+}
+
+void Session::turn_away(const std::string& code, const std::string& reason) {
+  send(protocol::notification_line("dropped", {{"code", code}, {"reason", reason}}));
+  turned_away_ = true;
+  stay_for(last_word_time);
 }
 
 void Session::drop(const std::string& code, const std::string& reason) {
   if (dropping_ || !socket_.is_open()) return;
-  spdlog::warn("session {} ({}) is dropped: {}", state_.id, state_.peer, reason);
+  spdlog::warn("session {} ({}) is dropped: {}", id_, peer_, reason);
   const bool was_empty = output_.empty();
   output_.end_with(protocol::notification_line("dropped", {{"code", code}, {"reason", reason}}));
   dropping_ = true;
-  last_word_until_ = std::chrono::steady_clock::now() + last_word_time;
+  stay_for(last_word_time);
   if (was_empty) write();
 }
 
@@ -96,6 +128,7 @@ void Session::write() {
                     [self = shared_from_this()](const error_code& error, std::size_t) {
                       if (error) return self->close();
                       self->output_.pop_front();
+                      self->has_room_for_status_ = self->output_.has_room_for_status();
                       if (!self->output_.empty()) return self->write();
                       if (self->dropping_) self->close();
                     });
@@ -106,9 +139,9 @@ void Session::close() {
   if (socket_.is_open()) {
     ignored = socket_.shutdown(Socket::shutdown_both, ignored);
     ignored = socket_.close(ignored);
-    spdlog::debug("session {} ({}) ends", state_.id, state_.peer);
+    spdlog::debug("session {} ({}) ends", id_, peer_);
   }
-  if (on_end_) std::exchange(on_end_, nullptr)(state_.id);
+  if (on_end_) std::exchange(on_end_, nullptr)(id_);
 }
 
 }  // namespace stanok::daemon

@@ -77,6 +77,11 @@ class FakeMachine final : public RunningMachine {
     if (on_submit) on_submit(event);
     return true;
   }
+  [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
+    return submit(stop);
+  }
+  [[nodiscard]] std::uint64_t stops_taken() override { return 0; }
+  [[nodiscard]] std::int64_t cycles() override { return copy(output).cycle; }
   [[nodiscard]] channels::CycleOutput newest_output() override { return copy(output); }
   [[nodiscard]] std::vector<channels::RunReport> runs() override { return copy(run_reports); }
   [[nodiscard]] std::vector<channels::AlarmReport> alarms() override { return copy(alarm_reports); }

@@ -223,6 +223,102 @@ TEST_F(ServerTest, IsNotEndedNorStoppedByPipesTerminalsAndFileSizes) {
   EXPECT_TRUE(machine.submitted().empty());
 }
 
+// A request of somebody that keeps the operator server busy until the test lets it go.
+class BusyServerTest : public ServerTest {
+ protected:
+  BusyServerTest() {
+    machine.on_submit = [this](const channels::OperatorEvent& event) {
+      if (event.action == channels::OperatorAction::override_feed) {
+        is_busy = true;
+        while (is_busy) std::this_thread::sleep_for(1ms);
+      }
+      server.on_reply(accepted(event.id));
+    };
+  }
+  ~BusyServerTest() override { is_busy = false; }
+
+  void keep_busy(RawClient& client) {
+    client.receive();
+    client.request(1, "override.feed", {{"percent", 50}});
+    while (!is_busy) std::this_thread::yield();
+  }
+  std::atomic<bool> is_busy{false};
+};
+
+TEST_F(BusyServerTest, TakesEveryStopWhileTheOperatorServerIsBusy) {
+  RawClient rude(socket.path());
+  keep_busy(rude);
+  RawClient client(socket.path());
+  EXPECT_EQ(client.receive()["method"], "hello");
+  int id = 1;
+  for (const char* stop :
+       {"machine.estop", "machine.off", "program.hold", "program.stop", "program.reset"}) {
+    client.request(++id, stop);
+    EXPECT_EQ(client.receive("id", id)["result"]["accepted"], true) << stop;
+  }
+  // On the connection of who keeps it busy, too, and behind a request that waits.
+  rude.request(2, "machine.status");
+  rude.request(3, "machine.estop");
+  EXPECT_EQ(rude.receive("id", 3)["result"]["accepted"], true);
+  EXPECT_TRUE(is_busy) << "the other request is still being worked on";
+  EXPECT_EQ(machine.submitted().size(), 7U);
+}
+
+TEST_F(BusyServerTest, EndsInOrderWhileTheOperatorServerIsBusy) {
+  RawClient rude(socket.path());
+  keep_busy(rude);
+  ASSERT_EQ(std::raise(SIGTERM), 0);
+  while (machine.submitted().size() < 3) std::this_thread::yield();
+  EXPECT_TRUE(is_busy);
+  EXPECT_EQ(machine.submitted()[1].action, channels::OperatorAction::program_hold);
+  EXPECT_EQ(machine.submitted()[2].action, channels::OperatorAction::machine_off);
+}
+
+TEST_F(ServerTest, TakesAStopFromAClientThatFindsNoPlace) {
+  std::vector<std::unique_ptr<RawClient>> idle;
+  for (int k = 0; k < 200; ++k) {
+    idle.push_back(std::make_unique<RawClient>(socket.path()));
+    idle.back()->receive();
+  }
+  RawClient late(socket.path());
+  late.request(1, "machine.status");
+  late.request(2, "machine.estop");
+  EXPECT_EQ(late.receive()["method"], "dropped");
+  EXPECT_EQ(late.receive()["id"], 2) << "nothing but the stop is answered";
+  EXPECT_EQ(machine.submitted().size(), 1U);
+}
+
+TEST_F(ServerTest, ChecksAStopAsEveryRequest) {
+  RawClient client(socket.path());
+  client.receive();
+  client.request(1, "program.hold", {{"channel", 9}});
+  EXPECT_EQ(client.receive("id", 1)["error"]["data"]["code"], "E6001");
+  client.request(2, "program.hold", {{"canal", 1}});
+  EXPECT_EQ(client.receive("id", 2)["error"]["data"]["code"], "E9003");
+  machine.change([](FakeMachine& m) { m.is_full = true; });
+  client.request(3, "program.hold");
+  EXPECT_EQ(client.receive("id", 3)["error"]["data"]["code"], "E9007");
+  client.request(4, "session.role", {{"role", "observer"}});
+  client.receive("id", 4);
+  client.request(5, "machine.estop");
+  EXPECT_EQ(client.receive("id", 5)["error"]["data"]["code"], "E9004");
+  EXPECT_TRUE(machine.submitted().empty());
+}
+
+// The machine throws where the request is worked on, as when there is no memory left.
+TEST_F(ServerTest, StopsTheMachineWhenItsOwnWorkFails) {
+  machine.on_submit = [](const channels::OperatorEvent& event) {
+    if (event.action == channels::OperatorAction::override_feed) throw std::bad_alloc();
+  };
+  RawClient client(socket.path());
+  client.receive();
+  client.request(1, "override.feed", {{"percent", 50}});
+  while (machine.submitted().size() < 3) std::this_thread::yield();
+  EXPECT_EQ(machine.submitted()[1].action, channels::OperatorAction::program_hold);
+  EXPECT_EQ(machine.submitted()[2].action, channels::OperatorAction::machine_off);
+  EXPECT_TRUE(server.has_failed());
+}
+
 class ImpatientServerTest : public ServerTest {
  protected:
   ImpatientServerTest() : ServerTest({.clients_max = 64, .frame_time_max = 30ms}) {}

@@ -24,7 +24,7 @@ TEST(PreparationThreads, WorkOnEveryChannelUntilTheyAreStopped) {
           if (++calls.at(static_cast<std::size_t>(index)) == 5) all_worked.count_down();
           return index == 0 ? Progress::blocked : Progress::worked;
         },
-        [](int, const std::string&) { FAIL(); });
+        [](int, std::string_view) { FAIL(); });
     all_worked.wait();
   }
   const int after = calls[1];
@@ -43,8 +43,8 @@ TEST(PreparationThreads, TellAFaultAndKeepTheOtherChannelsAtWork) {
           if (!other_worked.try_wait()) other_worked.count_down();
           return Progress::worked;
         },
-        [&](int index, const std::string& reason) {
-          told = std::to_string(index) + " " + reason;
+        [&](int index, std::string_view reason) {
+          told = std::to_string(index) + " " + std::string(reason);
           faulted.count_down();
         });
     faulted.wait();
@@ -101,7 +101,7 @@ TEST(PublisherThread, HandsOverWhatIsLeftBeforeItEnds) {
   Notebook book;
   const auto output = std::make_unique<channels::CycleOutput>();
   {
-    const PublisherThread thread(rings.all(), {&book}, [](const std::string&) { FAIL(); });
+    const PublisherThread thread(rings.all(), {&book}, [](std::string_view) { FAIL(); });
     for (std::int64_t cycle = 1; cycle <= 1000; ++cycle) {
       output->cycle = cycle;
       while (!rings.outputs.push(*output)) std::this_thread::yield();
@@ -121,7 +121,7 @@ TEST(PublisherThread, TellsAFaultOfAListener) {
   std::string told;
   std::latch done(1);
   ASSERT_TRUE(rings.events.push({}));
-  const PublisherThread thread(rings.all(), {&broken}, [&](const std::string& reason) {
+  const PublisherThread thread(rings.all(), {&broken}, [&](std::string_view reason) {
     told = reason;
     done.count_down();
   });

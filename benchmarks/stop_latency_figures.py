@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""How long a stop takes to reach the axes of a daemon that others keep busy.
+
+Starts stanokd with embedded drives. N times: a program runs, a new client connects and sends program.hold, and the
+time from its first system call to the answer is taken, which comes behind the cycle that took the stop; the fourth row
+adds a load of the tool table of TABLE_KB that the operator server works on for seconds. Rows: nobody else; 1,000 rude clients (64 hold
+all places and ask without pause, the others knock again and again or dangle); the same with standard error that
+nobody reads, a full pipe; the same with the table.
+
+usage: stop_latency_figures.py STANOKD MACHINE_FILE [STOPS]      (default 200 a row)
+"""
+import json
+import multiprocessing
+import os
+import resource
+import selectors
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+ASKING, KNOCKING = 64, 936
+TABLE_KB = 900
+PROGRAM = "G21 G90 G17 G54\nG64 P0.01\n%sM30\n" % ("G1 X40 F3000\nG3 X0 Y0 I-20\n" * 20000)
+
+
+def request(number, method, **parameters):
+    return (json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": parameters}) + "\n").encode()
+
+
+def connect(path):
+    one = socket.socket(socket.AF_UNIX)
+    one.connect(path)
+    return one
+
+
+class Operator:
+    """One connection that waits for its answers."""
+
+    def __init__(self, path):
+        self.socket = connect(path)
+        self.lines = self.socket.makefile("rb")
+        self.last_id = 0
+
+    def ask(self, method, **parameters):
+        self.last_id += 1
+        self.socket.sendall(request(self.last_id, method, **parameters))
+        while True:
+            line = self.lines.readline()
+            if not line:
+                raise ConnectionError(method)
+            answer = json.loads(line)
+            if answer.get("id") == self.last_id:
+                return answer
+
+
+def crowd(path, ready):
+    """64 that ask without pause, from the places they hold; 936 that find none: half of them knock again when they are
+    let go, half are silent until then."""
+    most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    resource.setrlimit(resource.RLIMIT_NOFILE, (min(4096, most), most))
+    selector = selectors.DefaultSelector()
+    question = request(1, "machine.status")
+    for k in range(ASKING + KNOCKING):
+        one = connect(path)
+        one.setblocking(False)
+        selector.register(one, selectors.EVENT_READ, k)
+        one.send(question)
+    ready.set()
+    while True:
+        for key, _ in selector.select(0.05):
+            one = key.fileobj
+            try:
+                text = one.recv(65536)
+                if text and key.data < ASKING:
+                    one.send(question)
+            except BlockingIOError:
+                continue
+            except ConnectionError:
+                text = b""
+            if not text:
+                selector.unregister(one)
+                one.close()
+                again = connect(path)
+                again.setblocking(False)
+                selector.register(again, selectors.EVENT_READ, key.data)
+                if key.data % 2 == 0:
+                    again.send(question)
+
+
+def table():
+    rows, number = ["[tool.1.1]\nlength = 1.5\n"], 1
+    while sum(map(len, rows)) < TABLE_KB * 1000:
+        number += 1
+        rows += [f"[tool.{number + k}.1]\nlength = {k}.25\nradius = 2.5\nwear_length = 0.125\n" for k in range(100)]
+        number += 99
+    return "".join(rows)[: TABLE_KB * 1000].rsplit("[", 1)[0]
+
+
+def stop_once(path):
+    """Seconds from nothing to the answer of a hold."""
+    begin = time.monotonic()
+    Operator(path).ask("program.hold", channel=1)
+    return time.monotonic() - begin
+
+
+def measure(title, stanokd, machine, stops, crowded, unread, loading):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "op.sock")
+        with open(os.path.join(folder, "part.nc"), "w") as program:
+            program.write(PROGRAM)
+        read_end, write_end = os.pipe()
+        if unread:
+            os.set_blocking(write_end, False)
+            try:
+                while True:
+                    os.write(write_end, b"x" * 4096)
+            except BlockingIOError:
+                os.set_blocking(write_end, True)
+        error = write_end if unread else subprocess.DEVNULL
+        daemon = subprocess.Popen([stanokd, "--machine", machine, "--drives", "embedded", "--lcm", "off", "--state",
+                                   os.path.join(folder, "state"), "--socket", path, "--program-root", folder],
+                                  stderr=error)
+        rude = None
+        try:
+            while not os.path.exists(path):
+                time.sleep(0.05)
+            time.sleep(0.5)
+            operator = Operator(path)
+            operator.ask("machine.on")
+            time.sleep(1.0)
+            operator.ask("program.run", program="part.nc", channel=1)
+            if crowded:
+                ready = multiprocessing.Event()
+                rude = multiprocessing.Process(target=crowd, args=(path, ready), daemon=True)
+                rude.start()
+                ready.wait()
+            if loading:
+                text = table()
+                load = request(99, "tool.load", tables=text, file="rude")
+            seconds, busy = [], 0
+            for _ in range(stops):
+                if loading and busy == 0:
+                    operator.socket.sendall(load)
+                    time.sleep(0.1)
+                busy = (busy + 1) % 20
+                seconds.append(stop_once(path))
+                time.sleep(0.02)
+            seconds.sort()
+            last = len(seconds) - 1
+            row = [seconds[int(last * part)] * 1e3 for part in (0.5, 0.99, 1.0)]
+            print(f"{title:45} {row[0]:8.2f} {row[1]:8.2f} {row[2]:8.2f}", flush=True)
+        finally:
+            if rude:
+                rude.terminate()
+                rude.join()
+            daemon.terminate()
+            try:
+                daemon.wait(30)
+            except subprocess.TimeoutExpired:
+                daemon.kill()
+                daemon.wait()
+            os.close(read_end)
+            os.close(write_end)
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    stanokd, machine = sys.argv[1:3]
+    stops = int(sys.argv[3]) if len(sys.argv) > 3 else 200
+    print(f"{'from connecting to the answer of a hold, ms':45} {'p50':>8} {'p99':>8} {'max':>8}")
+    measure("nobody else", stanokd, machine, stops, False, False, False)
+    measure("1,000 rude clients", stanokd, machine, stops, True, False, False)
+    measure("the same, and a log that nobody reads", stanokd, machine, stops, True, True, False)
+    measure("the same, and a tool table of 900 kB", stanokd, machine, stops, True, True, True)
+
+
+main()
