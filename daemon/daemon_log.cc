@@ -94,6 +94,8 @@ struct DaemonLog::Writer {
 DaemonLog::DaemonLog(int descriptor) : writer_(std::make_shared<Writer>()) {
   writer_->queue = std::make_shared<spdlog::details::thread_pool>(lines_max, 1U);
   writer_->sink = std::make_shared<DescriptorSink>(descriptor, writer_->queue);
+  // What cannot even be queued, for want of memory, is lost; spdlog would write it here and now.
+  spdlog::set_error_handler([](const std::string&) { ++lines_lost_of_process; });
   spdlog::set_default_logger(std::make_shared<spdlog::async_logger>(
       "stanokd", writer_->sink, writer_->queue, spdlog::async_overflow_policy::overrun_oldest));
 }

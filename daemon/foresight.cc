@@ -164,7 +164,12 @@ void Foresight::work(const std::stop_token& stop) {
       at_work_ = order.channel;
       is_outdated_ = false;
     }
-    auto seen = simulate(order, stop);
+    std::optional<Foreseen> seen;
+    try {
+      seen = simulate(order, stop);
+    } catch (const std::exception& error) {
+      spdlog::warn("{} cannot be simulated beforehand: {}", order.program, error.what());
+    }
     const std::lock_guard lock(mutex_);
     at_work_ = 0;
     if (!seen || is_outdated_) continue;
@@ -174,7 +179,7 @@ void Foresight::work(const std::stop_token& stop) {
   }
 }
 
-// Nothing: it was given up, or cannot be simulated.
+// Nothing: it was given up, or is refused. Throws where it cannot be simulated.
 std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
                                                        const std::stop_token& stop) {
   Foreseen seen;
@@ -196,15 +201,10 @@ std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
         stop.stop_requested() || is_outdated_ || std::chrono::steady_clock::now() > give_up_at;
     return is_given_up;
   };
-  try {
-    const auto result = runtime::simulate(options, {&writer, &previews}, interrupted);
-    if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
-    seen.total_s = result.machine_time_s;
-    if (!result.alarms.empty()) seen.alarm = result.alarms.front();
-  } catch (const std::exception& error) {
-    spdlog::warn("{} cannot be simulated beforehand: {}", order.program, error.what());
-    return std::nullopt;
-  }
+  const auto result = runtime::simulate(options, {&writer, &previews}, interrupted);
+  if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
+  seen.total_s = result.machine_time_s;
+  if (!result.alarms.empty()) seen.alarm = result.alarms.front();
   previews.hand_to(take_path_, order.program);
   seen.is_known = true;
   return seen;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 
 namespace stanok::daemon {
@@ -20,11 +21,22 @@ StateKeeper::StateKeeper(std::filesystem::path file, const DurableKind& kind, Sn
     std::condition_variable_any wake;
     std::unique_lock lock(mutex);
     while (!stop.stop_requested()) {
-      save_when_changed();
+      try_to_save();
       wake.wait_for(lock, stop, period, [] { return false; });
     }
-    save_when_changed();
+    try_to_save();
   });
+}
+
+// Where memory ends it is tried again, as with a disk that is full.
+void StateKeeper::try_to_save() {
+  try {
+    save_when_changed();
+  } catch (const std::exception& fault) {
+    if (!has_told_fault_)
+      spdlog::error("{} cannot be kept: {}; tried again", kind_.name, fault.what());
+    has_told_fault_ = true;
+  }
 }
 
 StateKeeper::~StateKeeper() = default;

@@ -27,6 +27,7 @@ class StateKeeper {
   StateKeeper& operator=(const StateKeeper&) = delete;
 
  private:
+  void try_to_save();
   void save_when_changed();
 
   std::filesystem::path file_;

@@ -101,6 +101,20 @@ if ! is_sanitized; then
   expect_end 0
 fi
 
+# Memory that ends where no program is to blame: feed hold, drives off, and an end that says so.
+if ! is_sanitized; then
+  for ((k = 1; k < 20000; ++k)); do printf '[tool.%d.1]\nlength = %d.25\nradius = 2.5\n' "$k" "$k"; done >"$folder/large.toml"
+  start_daemon
+  switch_on
+  expect_exit 0 program run long.nc
+  wait_for '"line":2,'
+  prlimit --pid "$daemon" --as="$(awk '$1 == "VmSize:" { print $2 * 1024 }' "/proc/$daemon/status")"
+  "${operate[@]}" tool load "$folder/large.toml" >/dev/null 2>&1 || true # it has no answer to give
+  expect_end 7
+  grep -q 'bad_alloc; the machine is stopped' "$folder/stanokd.err" || fail "the end does not say why"
+  grep -q 'feed hold, then drives off' "$folder/stanokd.err" || fail "the end is not an orderly one"
+fi
+
 # Without any privilege: it runs, and says once what it has not got.
 plain=()
 if [[ $(id -u) == 0 ]]; then
