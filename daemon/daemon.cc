@@ -1,6 +1,7 @@
 #include "daemon/daemon.h"
 
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 
 #include <optional>
 #include <string_view>
@@ -61,6 +62,13 @@ runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
   return chosen;
 }
 
+// Where nobody has said what others may write (umask 000), they may write nothing.
+void protect_files_from_others() {
+  constexpr ::mode_t usual = 0022;
+  const ::mode_t given = ::umask(usual);
+  if ((given & S_IWOTH) != 0) ::umask(given);
+}
+
 // The real-time thread; its rights are taken before its first cycle and told once.
 class RealTimeThread {
  public:
@@ -105,6 +113,7 @@ struct RunningDrives {
 
 int run_daemon(const DaemonOptions& options) {
   ignore_harmless_signals();
+  protect_files_from_others();
   config::MachineFile file = config::read_machine_file(options.machine_file);
   const std::string& name = file.machine.name;
   const fs::path program_root =

@@ -64,6 +64,25 @@ ListeningSocket::ListeningSocket(std::filesystem::path path) : path_(std::move(p
   if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
   if (error) throw SocketError(path_.parent_path().string() + ": " + error.message());
   clear_the_way(path_, address);
+  bind_and_listen();
+}
+
+void ListeningSocket::renew() {
+  if (path_.has_parent_path()) {
+    std::error_code error;
+    std::filesystem::create_directories(path_.parent_path(), error);
+    if (error) throw SocketError(path_.parent_path().string() + ": " + error.message());
+  }
+  bind_and_listen();
+}
+
+bool ListeningSocket::is_there() const {
+  struct stat status{};
+  return ::lstat(path_.c_str(), &status) == 0 || errno != ENOENT;
+}
+
+void ListeningSocket::bind_and_listen() {
+  const sockaddr_un address = address_of(path_);
   descriptor_ = new_socket(path_);
   const ::mode_t mask = ::umask(not_for_others);
   const bool is_bound =
@@ -74,7 +93,7 @@ ListeningSocket::ListeningSocket(std::filesystem::path path) : path_(std::move(p
   if (!is_bound || ::listen(descriptor_, waiting_connections_max) != 0 ||
       ::lstat(path_.c_str(), &status) != 0) {
     const int reason = is_bound ? errno : bind_error;
-    ::close(descriptor_);
+    ::close(std::exchange(descriptor_, -1));
     fail(path_, reason);
   }
   inode_ = status.st_ino;

@@ -1,7 +1,7 @@
 // ListeningSocket: the unix socket of the operator server in the file system.
 //
 // Mode 0660 from its first moment. A socket that a dead daemon left behind is removed; one that
-// somebody still listens on is not taken over.
+// somebody still listens on is not taken over. One thread at a time.
 #pragma once
 
 #include <sys/types.h>
@@ -29,7 +29,14 @@ class ListeningSocket {
   // The descriptor; the caller closes it.
   [[nodiscard]] int release();
 
+  // Whether its file is still there.
+  [[nodiscard]] bool is_there() const;
+  // Another socket at the same path, when the file is gone. Throws SocketError.
+  void renew();
+
  private:
+  void bind_and_listen();
+
   std::filesystem::path path_;
   int descriptor_ = -1;
   ino_t inode_ = 0;

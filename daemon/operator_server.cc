@@ -21,6 +21,7 @@ using boost::system::error_code;
 using nlohmann::json;
 
 constexpr auto tick_period = std::chrono::milliseconds(10);
+constexpr auto socket_look_period = std::chrono::milliseconds(500);
 
 json event_json(const channels::Event& event) {
   const auto text_or_null = [](std::string_view text) {
@@ -36,10 +37,11 @@ json event_json(const channels::Event& event) {
 }  // namespace
 
 struct OperatorServer::Parts final : Counter {
-  Parts(ListeningSocket& socket, RunningMachine& machine, DaemonDescription description,
+  Parts(ListeningSocket& listening, RunningMachine& machine, DaemonDescription description,
         const ServerLimits& limits)
-      : reception(socket, machine, *this, limits),
+      : reception(listening, machine, *this, limits),
         timer(io),
+        socket(listening),
         dispatch(machine, std::move(description), [this] { reception.end(); }) {}
 
   // From the reception's thread.
@@ -54,6 +56,7 @@ struct OperatorServer::Parts final : Counter {
                     std::uint64_t stops_before);
   void serve();
   void tick();
+  void look_after_socket(SteadyTime now);
   void push_status(SteadyTime now);
   void push_event(const channels::Event& event);
 
@@ -62,6 +65,8 @@ struct OperatorServer::Parts final : Counter {
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   asio::steady_timer timer;
+  ListeningSocket& socket;
+  SteadyTime next_look_at_socket{};
   Dispatch dispatch;
   std::map<int, std::shared_ptr<Session>> sessions;
 };
@@ -117,7 +122,22 @@ void OperatorServer::Parts::tick() {
     const auto now = std::chrono::steady_clock::now();
     dispatch.tick(now);
     push_status(now);
+    look_after_socket(now);
   });
+}
+
+// A file that somebody has removed keeps no new client out for long.
+void OperatorServer::Parts::look_after_socket(SteadyTime now) {
+  if (now < next_look_at_socket) return;
+  next_look_at_socket = now + socket_look_period;
+  if (socket.is_there()) return;
+  try {
+    socket.renew();
+    spdlog::error("the socket {} was removed; there is a new one", socket.path().string());
+    reception.listen_on(socket.release());
+  } catch (const SocketError& error) {
+    spdlog::error("the socket was removed: {}; tried again", error.what());
+  }
 }
 
 void OperatorServer::Parts::push_status(SteadyTime now) {

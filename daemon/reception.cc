@@ -280,6 +280,15 @@ std::size_t Reception::clients() const {
   return parts_->clients;
 }
 
+void Reception::listen_on(int descriptor) {
+  asio::post(parts_->io, [parts = parts_.get(), descriptor] {
+    error_code ignored;
+    ignored = parts->acceptor.close(ignored);
+    parts->acceptor = LocalSocket::acceptor(parts->io, LocalSocket(), descriptor);
+    parts->accept();
+  });
+}
+
 void Reception::on_reply(const channels::OperatorReply& reply) {
   asio::post(parts_->io, [parts = parts_.get(), reply] { parts->stops.on_reply(reply); });
 }

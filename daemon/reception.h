@@ -65,6 +65,8 @@ class Reception {
 
   // Clients that have a place; any thread.
   [[nodiscard]] std::size_t clients() const;
+  // Listens there from now on; takes the descriptor. Any thread.
+  void listen_on(int descriptor);
   // A reply to a stop; any thread.
   void on_reply(const channels::OperatorReply& reply);
 

@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t refresh_period_us = 200'000;
+constexpr std::int64_t reopen_periods = 10;  // what is closed or gone is tried again
 constexpr std::int64_t bytes_per_mb = 1'000'000;
 constexpr std::int64_t us_per_s = 1'000'000;
 constexpr std::int64_t flight_after_us = 2'000'000;  // what a fault leads to belongs to it
@@ -110,8 +111,38 @@ void Recorder::on_output(const channels::CycleOutput& output) {
   stream_->cycle(output);
   if (flight_due_cycle_ > 0 && cycle_ >= flight_due_cycle_) write_flight();
   if (output.cycle % refresh_period_ != 0) return;
+  if (publisher_ && output.cycle % (reopen_periods * refresh_period_) == 0) open_bus_again();
   if (auto* log = log_.writer()) static_cast<void>(log->flush());
   refresh_status();
+  if (output.cycle % (reopen_periods * refresh_period_) == 0) look_after_folder();
+}
+
+// A folder that was removed takes its log along: told, and a new log begins in a new folder.
+void Recorder::look_after_folder() {
+  const std::lock_guard lock(mutex_);
+  std::error_code error;
+  const fs::path folder = fs::path(status_.log_file).parent_path();
+  if (status_.log_file.empty() || log_turns_ || folder.empty()) return;
+  if (fs::exists(folder, error) || error) return;
+  const fs::path file = log_file_name(folder, machine_);
+  auto log = open_log(file);
+  if (!log) {
+    if (!has_told_folder_) spdlog::error("the folder of the log is gone; {}", log.error().text);
+    has_told_folder_ = true;
+    return;
+  }
+  spdlog::error("the folder of the log {} is gone; a new one begins: {}", status_.log_file,
+                file.string());
+  has_told_folder_ = false;
+  next_log_ = std::move(*log);
+  status_.log_file = file;
+  log_turns_.store(true, std::memory_order_release);
+}
+
+void Recorder::open_bus_again() {
+  if (publisher_->good()) return;
+  publisher_->reopen();
+  if (publisher_->good()) spdlog::info("LCM {} is open now", publisher_->status().url);
 }
 
 void Recorder::show_path(recording::PathPreview path) {

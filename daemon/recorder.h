@@ -61,6 +61,8 @@ class Recorder final : public CycleListener {
   void turn_log();
   void take_new_paths();
   void write_flight();
+  void open_bus_again();
+  void look_after_folder();
   void refresh_status();
   void tell_error_of_log();
   [[nodiscard]] std::int64_t utime() const;
@@ -77,6 +79,7 @@ class Recorder final : public CycleListener {
   std::int64_t refresh_period_;        // cycles
   std::int64_t flight_due_cycle_ = 0;  // 0: nothing has happened
   bool has_told_error_ = false;
+  bool has_told_folder_ = false;
   std::atomic<bool> workpieces_allowed_{false};
 
   std::atomic<bool> log_turns_{false};  // to next_log_

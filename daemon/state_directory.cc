@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,7 +15,8 @@
 namespace stanok::daemon {
 namespace {
 
-constexpr ::mode_t lock_mode = 0644;
+// Who can open it, even to read, can lock it.
+constexpr ::mode_t lock_mode = 0600;
 
 std::string holder_of(int lock) {
   std::array<char, 32> text{};
@@ -34,6 +36,7 @@ StateDirectory::StateDirectory(std::filesystem::path path) : path_(std::move(pat
   const std::filesystem::path file = path_ / "stanokd.lock";
   lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, lock_mode);
   if (lock_ < 0) throw StateDirectoryError(file.string() + ": " + system_error_text(errno));
+  static_cast<void>(::fchmod(lock_, lock_mode));  // one of an older version; of others', refused
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     const std::string holder = holder_of(lock_);
     ::close(lock_);

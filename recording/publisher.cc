@@ -18,7 +18,11 @@ std::string chosen_url(std::string url) {
 
 Publisher::Publisher(std::string url) {
   status_.url = chosen_url(std::move(url));
-  if (status_.url.starts_with("tcpq")) return;
+  reopen();
+}
+
+void Publisher::reopen() {
+  if (bus_ != nullptr || status_.url.starts_with("tcpq")) return;
   bus_ = std::make_unique<lcm::LCM>(status_.url);
   status_.open = bus_->good();
   if (!status_.open) bus_.reset();

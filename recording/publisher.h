@@ -1,8 +1,9 @@
 // Publishes the message stream on the LCM bus, for viewers.
 //
 // Nothing is ever accepted from the bus. Without a multicast route the bus cannot be opened, and a
-// route may be lost later: both are a status, not a failure; the machine runs on. Publishing
-// allocates and calls the kernel: for the publisher thread only.
+// route may be lost later: both are a status, not a failure; the machine runs on. A bus that is not
+// open is opened again now and then. Publishing allocates and calls the kernel: for the publisher
+// thread only.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +44,9 @@ class Publisher : public MessageSink {
   [[nodiscard]] const PublisherStatus& status() const { return status_; }
   // For subscribers in the same process (memq in tests); nullptr when not open.
   [[nodiscard]] lcm::LCM* bus() { return bus_.get(); }
+
+  // Tries to open the bus; nothing when it is open, or is of a kind that is refused.
+  void reopen();
 
  private:
   std::unique_ptr<lcm::LCM> bus_;

@@ -144,6 +144,9 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
       if (const int error = -file.number(); error == EXDEV || error == ELOOP) {
         return Unexpected<Diagnostic>(
             diagnostic("E7002", std::string(name) + " leads out of the program root", ""));
+      } else if (error != ENOENT && error != ENOTDIR) {
+        return Unexpected<Diagnostic>(diagnostic(
+            "E7004", "cannot open " + std::string(name) + ": " + system_error_text(error), ""));
       }
       continue;
     }

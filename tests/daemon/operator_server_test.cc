@@ -223,6 +223,17 @@ TEST_F(ServerTest, IsNotEndedNorStoppedByPipesTerminalsAndFileSizes) {
   EXPECT_TRUE(machine.submitted().empty());
 }
 
+TEST_F(ServerTest, IsFoundAgainWhenItsSocketWasRemoved) {
+  RawClient before(socket.path());
+  before.receive();
+  ASSERT_TRUE(std::filesystem::remove(socket.path()));
+  while (!RawClient::is_answered(socket.path())) std::this_thread::sleep_for(1ms);
+  RawClient after(socket.path());
+  EXPECT_EQ(after.receive()["method"], "hello");
+  before.request(1, "machine.status");
+  EXPECT_EQ(before.receive("id", 1)["result"]["name"], "fake");
+}
+
 // A request of somebody that keeps the operator server busy until the test lets it go.
 class BusyServerTest : public ServerTest {
  protected:

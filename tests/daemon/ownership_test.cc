@@ -44,6 +44,16 @@ TEST(StateDirectory, BelongsToOneDaemonAndNamesItsPid) {
   }
 }
 
+// Who can open a file, even to read, can lock it, and keep the daemon from starting.
+TEST(StateDirectory, CanBeLockedByNobodyElse) {
+  const TemporaryDirectory here;
+  const fs::path lock = here.path() / "stanokd.lock";
+  std::ofstream(lock) << "1\n";
+  fs::permissions(lock, fs::perms(0666));
+  const StateDirectory state(here.path());
+  EXPECT_EQ(fs::status(lock).permissions(), fs::perms(0600));
+}
+
 TEST(StateDirectory, IsFreeAgainWhenItsDaemonHasGone) {
   const TemporaryDirectory here;
   {

@@ -49,6 +49,19 @@ class RecorderTest : public ::testing::Test {
   std::int64_t cycle = 0;
 };
 
+TEST_F(RecorderTest, BeginsANewLogWhenItsFolderIsRemoved) {
+  ASSERT_TRUE(recorder.start_log());
+  run(10);
+  fs::remove_all(folder.path() / "log");
+  run(10'000);
+  ASSERT_EQ(files("fake").size(), 1U);
+  const auto log = recorder.stop_log();
+  ASSERT_TRUE(log);
+  EXPECT_EQ(*log, files("fake").front());
+  run(10);
+  EXPECT_GT(fs::file_size(*log), 0U);
+}
+
 TEST_F(RecorderTest, SendsThePathThatAProgramWillTake) {
   ASSERT_TRUE(recorder.start_log());
   run(10);

@@ -51,11 +51,15 @@ run_through short.nc
 expect_exit 0 log status --json
 expect_output '"open":false' "LCM without a route"
 [[ $(count sent) == 0 ]] || fail "something was sent without a route"
+
+# A route that comes later.
+ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
+await_more sent 0
+grep -q 'is open now' "$folder/stanokd.err" || fail "it is not told that LCM is open"
 expect_exit 0 system shutdown
 expect_end 0
 
 # In a run.
-ip route add 224.0.0.0/4 dev lo || skip "no multicast route in the namespace"
 start_daemon
 switch_on
 expect_exit 0 program run long.nc

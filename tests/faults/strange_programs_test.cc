@@ -1,6 +1,7 @@
 // Programs that are none, that are hostile, or that change under the machine: each is refused with
 // its code or runs as it was loaded, and the daemon goes on.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <functional>
@@ -90,50 +91,66 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Texts, StrangeProgram,
     ::testing::Values(text("Empty", "", [] { return std::string(); }),
-                    text("WithByteOrderMark", "",
-                         [] { return std::string("\xef\xbb\xbfG90 G53 G0 X2\nM30\n"); }),
-                    text("Utf16", "E1001", [] { return utf_16("G90 G1 X1 F100\nM30\n"); }),
-                    text("Binary", "E1001", [] { return binary(million); }),
-                    text("LineOfTenMegabytes", "E1007",
-                         [] { return "G1 X1" + std::string(10 * million, ' ') + "F100\nM30\n"; }),
-                    text("CommentOfTenMegabytes", "",
-                         [] { return "; " + std::string(10 * million, 'x') + "\nM30\n"; }),
-                    text("NumberOfTenMegabytes", "E1002",
-                         [] { return "G1 X" + std::string(10 * million, '1') + "\nM30\n"; }),
-                    text("MillionParentheses", "E2030",
-                         [] {
-                           return "num aa = " + std::string(million, '(') + "1" +
-                                  std::string(million, ')') + ";\nM30\n";
-                         }),
-                    text("MillionBrackets", "E2030",
-                         [] {
-                           return "G1 X" + std::string(million, '[') + "1" +
-                                  std::string(million, ']') + "\nM30\n";
-                         }),
-                    text("HundredMegabytes", "",
-                         [] {
-                           return repeated("; " + std::string(97, 'x') + "\n", million) +
-                                  "G90 G53 G0 X2\nM30\n";
-                         })),
+                      text("WithByteOrderMark", "",
+                           [] { return std::string("\xef\xbb\xbfG90 G53 G0 X2\nM30\n"); }),
+                      text("Utf16", "E1001", [] { return utf_16("G90 G1 X1 F100\nM30\n"); }),
+                      text("Binary", "E1001", [] { return binary(million); }),
+                      text("LineOfTenMegabytes", "E1007",
+                           [] { return "G1 X1" + std::string(10 * million, ' ') + "F100\nM30\n"; }),
+                      text("CommentOfTenMegabytes", "",
+                           [] { return "; " + std::string(10 * million, 'x') + "\nM30\n"; }),
+                      text("NumberOfTenMegabytes", "E1002",
+                           [] { return "G1 X" + std::string(10 * million, '1') + "\nM30\n"; }),
+                      text("MillionParentheses", "E2030",
+                           [] {
+                             return "num aa = " + std::string(million, '(') + "1" +
+                                    std::string(million, ')') + ";\nM30\n";
+                           }),
+                      text("MillionBrackets", "E2030",
+                           [] {
+                             return "G1 X" + std::string(million, '[') + "1" +
+                                    std::string(million, ']') + "\nM30\n";
+                           }),
+                      text("HundredMegabytes", "",
+                           [] {
+                             return repeated("; " + std::string(97, 'x') + "\n", million) +
+                                    "G90 G53 G0 X2\nM30\n";
+                           })),
     [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Runs, StrangeProgram,
-    ::testing::Values(text("DivisionOfZeroByZero", "E3008",
-                         [] { return std::string("num zero = 0;\nG1 X=zero/zero F100\nM30\n"); }),
-                    text("Overflow", "E3009",
-                         [] { return std::string("num aa = 1e300;\nG1 X=aa*aa F100\nM30\n"); }),
-                    text("RootOfANegativeNumber", "E3009",
-                         [] { return std::string("num aa = -1;\nG1 X=sqrt(aa) F100\nM30\n"); }),
-                    text("RecursionWithoutEnd", "E8001",
-                         [] {
-                           return std::string(
-                               "num deeper (num nn) { return deeper (nn + 1) + deeper (nn + 2); }\n"
-                               "num aa = deeper (1);\nM30\n");
-                         }),
-                    text("IncludesItself", "",
-                         [] { return std::string("#include \"part.nc\"\nM30\n"); })),
+    ::testing::Values(
+        text("DivisionOfZeroByZero", "E3008",
+             [] { return std::string("num zero = 0;\nG1 X=zero/zero F100\nM30\n"); }),
+        text("Overflow", "E3009",
+             [] { return std::string("num aa = 1e300;\nG1 X=aa*aa F100\nM30\n"); }),
+        text("RootOfANegativeNumber", "E3009",
+             [] { return std::string("num aa = -1;\nG1 X=sqrt(aa) F100\nM30\n"); }),
+        text("RecursionWithoutEnd", "E8001",
+             [] {
+               return std::string(
+                   "num deeper (num nn) { return deeper (nn + 1) + deeper (nn + 2); }\n"
+                   "num aa = deeper (1);\nM30\n");
+             }),
+        text("IncludesItself", "", [] { return std::string("#include \"part.nc\"\nM30\n"); })),
     [](const auto& test) { return test.param.name; });
+
+// A process that may open no more files has not lost the program.
+TEST(ProgramWithoutADescriptor, IsToldAsWhatItIs) {
+  DaemonBench bench;
+  bench.program("part.nc", "G90 G53 G0 X1\nM30\n");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{.rlim_cur = 0, .rlim_max = before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  const auto outcome = bench.answer("program.load", {{"program", "part.nc"}});
+  setrlimit(RLIMIT_NOFILE, &before);
+  ASSERT_TRUE(outcome.has_value());
+  ASSERT_FALSE(outcome->has_value());
+  EXPECT_EQ(outcome->error().code, "E7004") << outcome->error().message;
+  EXPECT_NE(outcome->error().message.find("Too many open files"), std::string::npos);
+}
 
 // An endless loop without motion is ended by a reset, at once.
 TEST(EndlessProgram, IsOverWithAReset) {

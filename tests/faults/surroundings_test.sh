@@ -86,6 +86,17 @@ expect_exit 0 system shutdown
 expect_end 0
 unset LC_ALL LOCPATH TZ
 
+# Where umask lets others write, what the daemon makes does not.
+umask_before=$(umask)
+umask 000
+rm -r "$folder/state"
+start_daemon --log "$folder/logs"
+umask "$umask_before"
+expect_exit 0 system shutdown
+expect_end 0
+found=$(find "$folder/state" "$folder/logs" -perm /022)
+[[ -z $found ]] || fail "others may write: $found"
+
 # A program that the memory does not hold is refused; the next one runs.
 if ! is_sanitized; then
   head -c 90m < <(yes '; a line of a comment that is as long as lines of comments are, again and again') \
