@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
+
 namespace stanok {
 namespace {
 
@@ -25,16 +27,23 @@ std::string place_text(const Place& place) {
 }
 
 // Tabs are kept in the padding so that the caret stands under its word whatever the tab width.
-std::string padding(const std::string& source_line, int column) {
+std::string padding(std::string_view source_line, int column) {
+  const auto length = static_cast<std::size_t>(std::max(column - 1, 0));
   std::string text;
-  for (int i = 0; i + 1 < column; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    text += index < source_line.size() && source_line[index] == '\t' ? '\t' : ' ';
+  for (const char c : source_line.substr(0, offset_of_character(source_line, length))) {
+    if (!continues_character(c)) text += c == '\t' ? '\t' : ' ';
   }
+  text.resize(length, ' ');
   return text;
 }
 
-// What is shown of a line: all of it, or of a very long one the part around the column.
+std::string characters_of(std::string_view text, std::size_t first, std::size_t count) {
+  const std::string_view rest = text.substr(offset_of_character(text, first));
+  return std::string(rest.substr(0, offset_of_character(rest, count)));
+}
+
+// What is shown of a line: all of it, or of a very long one the part around the column. Counted in
+// characters, as columns are.
 struct Excerpt {
   std::string text;
   int column = 1;  // in the text
@@ -44,12 +53,13 @@ Excerpt excerpt_of(const std::string& line, int column) {
   constexpr std::size_t shown_whole = 300;
   constexpr std::size_t shown_before = 80;
   constexpr std::size_t shown = 160;
-  if (line.size() <= shown_whole) return {line, column};
-  const auto place = std::min(static_cast<std::size_t>(std::max(column - 1, 0)), line.size());
+  const std::size_t length = character_count(line);
+  if (length <= shown_whole) return {line, column};
+  const auto place = std::min(static_cast<std::size_t>(std::max(column - 1, 0)), length);
   const std::size_t begin = place - std::min(place, shown_before);
   const std::string before = begin > 0 ? "..." : "";
-  const std::string behind = begin + shown < line.size() ? "..." : "";
-  return {before + line.substr(begin, shown) + behind,
+  const std::string behind = begin + shown < length ? "..." : "";
+  return {before + characters_of(line, begin, shown) + behind,
           static_cast<int>(before.size() + place - begin) + 1};
 }
 
@@ -59,7 +69,7 @@ void append_picture(std::string& text, const Diagnostic& d) {
   const std::string gutter(number.size(), ' ');
   int width = d.place.end_line == d.place.line ? d.place.end_column - d.place.column : 1;
   if (line.text.size() != d.source_line.size())
-    width = std::min(width, static_cast<int>(line.text.size()) - line.column + 1);
+    width = std::min(width, static_cast<int>(character_count(line.text)) - line.column + 1);
   text += gutter + " |\n" + number + " | " + line.text + "\n" + gutter + " | ";
   text += padding(line.text, line.column);
   text += std::string(static_cast<std::size_t>(std::max(width, 1)), '^') + " " + d.label + "\n";

@@ -1,5 +1,5 @@
 // FixedText<N>: a short text as plain data, for what crosses into the real-time cycle. Longer text
-// is cut.
+// is cut behind a whole character.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/rt_safe.h"
+#include "base/utf8.h"
 
 namespace stanok {
 
@@ -17,7 +18,8 @@ struct FixedText {
 
   constexpr FixedText() = default;
   constexpr FixedText(std::string_view text) RT_SAFE {  // NOLINT: a text is a text
-    std::copy_n(text.begin(), std::min(text.size(), N - 1), characters.begin());
+    const std::string_view kept = cut_to(text, N - 1);
+    std::copy(kept.begin(), kept.end(), characters.begin());
   }
   [[nodiscard]] constexpr std::string_view view() const RT_SAFE {
     const auto end = std::find(characters.begin(), characters.end(), '\0');
@@ -28,8 +30,8 @@ struct FixedText {
   // Behind what is there, as far as it fits.
   constexpr FixedText& append(std::string_view text) RT_SAFE {
     const std::size_t length = view().size();
-    std::copy_n(text.begin(), std::min(text.size(), N - 1 - length),
-                characters.begin() + static_cast<std::ptrdiff_t>(length));
+    const std::string_view kept = cut_to(text, N - 1 - length);
+    std::copy(kept.begin(), kept.end(), characters.begin() + static_cast<std::ptrdiff_t>(length));
     return *this;
   }
   constexpr FixedText& append(long number) RT_SAFE {

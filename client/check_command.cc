@@ -1,5 +1,6 @@
 #include "client/check_command.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "client/job_options.h"
 #include "client/law_report.h"
 #include "client/noun_command.h"
+#include "client/output.h"
 #include "config/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
@@ -87,11 +89,10 @@ class Progress {
   void show(std::size_t done, const std::string& file) const {
     if (!wanted_) return;
     constexpr std::size_t columns = 79;
-    std::fprintf(stderr, "%s%s", clear_line, progress_bar(done, all_, file, columns).c_str());
-    std::fflush(stderr);
+    write_message(clear_line + progress_bar(done, all_, file, columns));
   }
   void clear() const {
-    if (wanted_) std::fputs(clear_line, stderr);
+    if (wanted_) write_message(clear_line);
   }
 
  private:
@@ -139,15 +140,15 @@ int run(const CheckOptions& options) {
     }
   }
   if (options.estimate && options.job.json) {
-    std::printf("%s\n", estimate_json(programs).dump().c_str());
+    write_json(estimate_json(programs));
   } else if (options.estimate) {
-    std::fputs(estimate_table(programs, Terminal(STDOUT_FILENO)).c_str(), stdout);
+    write_data(estimate_table(programs, Terminal(STDOUT_FILENO)));
   } else if (options.job.json) {
-    std::printf("%s\n", (folders ? summary_json(programs) : all).dump().c_str());
+    write_json(folders ? summary_json(programs) : all);
   } else if (folders) {
-    std::fputs(summary_table(programs, Terminal(STDOUT_FILENO)).c_str(), stdout);
+    write_data(summary_table(programs, Terminal(STDOUT_FILENO)));
   } else if (all.empty()) {
-    std::printf("no errors\n");
+    write_data("no errors\n");
   }
   return exit_code;
 }
@@ -161,11 +162,12 @@ int check_machine(const std::string& path, bool as_json) {
     json["machine"] = file.machine.name;
     json["axes"] = file.machine.axes.size();
     json["channels"] = file.machine.channels.size();
-    std::printf("%s\n", json.dump().c_str());
+    write_json(json);
     return 0;
   }
-  std::printf("%s: %zu axes, %zu channels, cycle %d us: no errors\n", file.machine.name.c_str(),
-              file.machine.axes.size(), file.machine.channels.size(), file.machine.cycle_us);
+  write_data(fmt::format("{}: {} axes, {} channels, cycle {} us: no errors\n", file.machine.name,
+                         file.machine.axes.size(), file.machine.channels.size(),
+                         file.machine.cycle_us));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "client/diagnostic_output.h"
 #include "client/text_table.h"
 
@@ -95,7 +96,7 @@ std::string progress_bar(std::size_t done, std::size_t all, const std::string& f
   if (room <= cut.size()) return text;
   // The end of a path says more than its beginning; a cut character is no character.
   std::string end = file.substr(file.size() - (room - cut.size()));
-  while (!end.empty() && (end.front() & 0xC0) == 0x80) end.erase(0, 1);
+  while (!end.empty() && continues_character(end.front())) end.erase(0, 1);
   return text + std::string(cut) + end;
 }
 

@@ -1,6 +1,6 @@
 #include "client/diagnostic_output.h"
 
-#include <cstdio>
+#include "client/output.h"
 
 namespace stanok::client {
 namespace {
@@ -41,7 +41,7 @@ nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
 }
 
 void print(const Diagnostic& diagnostic) {
-  std::fputs(to_text(diagnostic).c_str(), stderr);
+  write_message(to_text(diagnostic));
 }
 
 int exit_code_of(const Diagnostic& diagnostic) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/catalogue.h"
+#include "client/output.h"
 
 namespace stanok::client {
 namespace {
@@ -53,13 +53,13 @@ json row_json(const CatalogueRow& row) {
 int explain(const ExplainOptions& options) {
   const CatalogueRow* row = find_in_catalogue(upper(options.code));
   if (row == nullptr) {
-    std::fprintf(stderr, "no such code: %s\n", options.code.c_str());
+    write_message("no such code: " + options.code + "\n");
     return 1;
   }
   if (options.json) {
-    std::printf("%s\n", row_json(*row).dump().c_str());
+    write_json(row_json(*row));
   } else {
-    std::fputs(explanation(options.code).c_str(), stdout);
+    write_data(explanation(options.code));
   }
   return 0;
 }

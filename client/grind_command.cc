@@ -14,6 +14,7 @@
 #include "client/grind_program.h"
 #include "client/grind_report.h"
 #include "client/grind_study.h"
+#include "client/output.h"
 #include "client/progress_line.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/part_program.h"
@@ -48,7 +49,7 @@ void print_findings(const process::Findings& findings) {
   const Terminal terminal(STDERR_FILENO);
   for (const process::Finding& finding : findings) {
     const Colour colour = finding.is_error() ? Colour::red : Colour::yellow;
-    std::fputs(terminal.coloured(to_text(finding), colour).c_str(), stderr);
+    write_message(terminal.coloured(to_text(finding), colour));
   }
 }
 
@@ -70,9 +71,9 @@ int report(const GrindOptions& options, const DesignRequest& request, const Cycl
   draw_pictures(options, request, design);
   const process::Findings& findings = design.verification.findings;
   if (options.json) {
-    std::printf("%s\n", to_json(grind_report).dump().c_str());
+    write_json(to_json(grind_report));
   } else {
-    std::fputs(to_text(grind_report, Terminal(STDOUT_FILENO)).c_str(), stdout);
+    write_data(to_text(grind_report, Terminal(STDOUT_FILENO)));
     print_findings(findings);
   }
   return process::has_errors(findings) ? exit_failed : 0;
@@ -89,7 +90,7 @@ void write_program(const std::string& path, const GrindOptions& options,
 }
 
 int refused(const GrindOptions& options, const process::Findings& findings) {
-  if (options.json) std::printf("%s\n", refusal_json(findings).dump().c_str());
+  if (options.json) write_json(refusal_json(findings));
   if (!options.json) print_findings(findings);
   return exit_failed;
 }
@@ -162,7 +163,7 @@ int run_study_command(const GrindOptions& options) {
   progress.clear();
   const std::string text = study_csv(variations, points);
   if (options.out.empty()) {
-    std::fputs(text.c_str(), stdout);
+    write_data(text);
   } else {
     write_text(options.out, text);
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "client/diagnostic_output.h"
+#include "client/output.h"
 #include "config/grinding_file.h"
 
 namespace stanok::client {
@@ -28,7 +29,7 @@ std::string read_text(const std::string& path) {
 
 void print_refusal(const nlohmann::ordered_json& diagnostics) {
   const nlohmann::ordered_json json{{"ok", false}, {"diagnostics", diagnostics}};
-  std::printf("%s\n", json.dump().c_str());
+  write_json(json);
 }
 
 // What was found wrong is printed; nothing then.

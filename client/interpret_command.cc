@@ -1,11 +1,14 @@
 #include "client/interpret_command.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 
 #include "client/diagnostic_output.h"
 #include "client/job_options.h"
+#include "client/output.h"
 #include "client/record_text.h"
 #include "config/machine_file.h"
 #include "runtime/dry_run.h"
@@ -54,7 +57,7 @@ int run(const InterpretOptions& options) {
   runtime::DryRun dry_run(machine.machine, options.job.channel, scheme_of(options.job), files);
   std::string text;
   const auto write_out = [&] {
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    write_data(text);
     text.clear();
   };
   const auto print_record = [&](const lang::Command& command, const motion::PathBlock* block) {
@@ -77,10 +80,10 @@ int run(const InterpretOptions& options) {
   if (options.quiet) {
     const double cpu_s = processor_time_s();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    std::printf(R"({"kind":"summary","blocks":%lu,"cpu_s":%.6f,"wall_s":%.6f,"blocks_per_s":%.0f})",
-                static_cast<unsigned long>(result.blocks), cpu_s, wall.count(),
-                static_cast<double>(result.blocks) / cpu_s);
-    std::printf("\n");
+    write_data(fmt::format(
+        R"({{"kind":"summary","blocks":{},"cpu_s":{:.6f},"wall_s":{:.6f},"blocks_per_s":{:.0f}}})"
+        "\n",
+        result.blocks, cpu_s, wall.count(), static_cast<double>(result.blocks) / cpu_s));
   }
   return has_errors(result.diagnostics) ? exit_program_error : 0;
 }

@@ -1,5 +1,6 @@
 #include "client/log_command.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "client/interrupts.h"
 #include "client/log_text.h"
 #include "client/noun_command.h"
+#include "client/output.h"
 #include "recording/log_contents.h"
 #include "recording/log_export.h"
 #include "recording/log_play.h"
@@ -60,15 +62,17 @@ std::vector<int> chosen_channels(const recording::LogContents& contents, int cha
 
 void warn_when_damaged(const recording::LogContents& contents, const std::string& file) {
   if (contents.is_sound()) return;
-  std::fprintf(stderr, "warning: %s is damaged; what can be read is used (stanok log info %s)\n",
-               file.c_str(), file.c_str());
+  write_message("warning: " + file + " is damaged; what can be read is used (stanok log info " +
+                file + ")\n");
 }
 
 int print_contents(const LogOptions& options) {
   const auto contents = value_or_throw(recording::read_contents(options.file));
-  const std::string text =
-      options.json ? to_json(contents).dump() + "\n" : text_of(contents, Terminal(STDOUT_FILENO));
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (options.json) {
+    write_json(to_json(contents));
+  } else {
+    write_data(text_of(contents, Terminal(STDOUT_FILENO)));
+  }
   return contents.is_sound() ? 0 : exit_failed;
 }
 
@@ -87,7 +91,7 @@ int export_csv(const LogOptions& options) {
   if (csv == nullptr) throw std::runtime_error("cannot write " + options.out);
   const auto rows = value_or_throw(
       recording::export_setpoints(options.file, contents, channels.front(), csv.get()));
-  std::fprintf(stderr, "%lld rows\n", static_cast<long long>(rows));
+  write_message(fmt::format("{} rows\n", rows));
   return 0;
 }
 
@@ -98,7 +102,7 @@ int plot(const LogOptions& options) {
   for (const int channel : channels) {
     const auto pictures =
         value_or_throw(recording::plot_channel(options.file, contents, channel, options.out));
-    for (const std::string& picture : pictures) std::printf("%s\n", picture.c_str());
+    for (const std::string& picture : pictures) write_data(picture + "\n");
   }
   return 0;
 }
@@ -119,22 +123,21 @@ nlohmann::json replay_json(const runtime::ReplayResult& result) {
 int verify(const LogOptions& options) {
   const bool shows_progress = isatty(STDERR_FILENO) != 0;
   const auto result = runtime::replay(options.file, [&](double part) {
-    if (shows_progress) std::fprintf(stderr, "\r\033[K%3.0f %%", 100.0 * part);
+    if (shows_progress) write_message(fmt::format("\r\033[K{:3.0f} %", 100.0 * part));
   });
-  if (shows_progress) std::fprintf(stderr, "\r\033[K");
-  for (const std::string& remark : result.remarks)
-    std::fprintf(stderr, "warning: %s\n", remark.c_str());
+  if (shows_progress) write_message("\r\033[K");
+  for (const std::string& remark : result.remarks) write_message("warning: " + remark + "\n");
   if (options.json) {
-    std::printf("%s\n", replay_json(result).dump().c_str());
+    write_json(replay_json(result));
   } else if (result.difference) {
     const runtime::SetpointDifference& first = *result.difference;
-    std::printf(
-        "differs in cycle %lld, channel %d, %s: recorded %.17g, repeated %.17g (%llu ULPs)\n",
-        static_cast<long long>(first.cycle), first.channel, first.field.c_str(), first.recorded,
-        first.repeated, static_cast<unsigned long long>(first.units_in_last_place));
+    write_data(fmt::format(
+        "differs in cycle {}, channel {}, {}: recorded {:.17g}, repeated {:.17g} ({} ULPs)\n",
+        first.cycle, first.channel, first.field, first.recorded, first.repeated,
+        first.units_in_last_place));
   } else {
-    std::printf("%lld set-points of %lld cycles are the same, bit for bit\n",
-                static_cast<long long>(result.setpoints), static_cast<long long>(result.cycles));
+    write_data(fmt::format("{} set-points of {} cycles are the same, bit for bit\n",
+                           result.setpoints, result.cycles));
   }
   return result.is_same() ? 0 : exit_failed;
 }
@@ -146,12 +149,13 @@ int play(const LogOptions& options) {
   catch_interrupts();
   const auto result = value_or_throw(
       recording::play(options.file, options.speed, bus, [] { return is_interrupted(); }));
-  std::fprintf(stderr, "%lld messages of %.3f s on %s\n", static_cast<long long>(result.messages),
-               result.recorded_s, bus.status().url.c_str());
+  write_message(fmt::format("{} messages of {:.3f} s on {}\n", result.messages, result.recorded_s,
+                            bus.status().url));
   for (const recording::Damage& damage : result.damage) {
-    std::fprintf(stderr, "warning: %s at byte %lld: %lld bytes were left out\n",
-                 damage.kind == recording::DamageKind::cut ? "the log is cut" : "damage",
-                 static_cast<long long>(damage.offset), static_cast<long long>(damage.bytes));
+    write_message(
+        fmt::format("warning: {} at byte {}: {} bytes were left out\n",
+                    damage.kind == recording::DamageKind::cut ? "the log is cut" : "damage",
+                    damage.offset, damage.bytes));
   }
   if (is_interrupted()) return exit_interrupted;
   return result.damage.empty() ? 0 : exit_failed;

@@ -9,6 +9,7 @@
 #include "base/catalogue.h"
 #include "client/interrupts.h"
 #include "client/operator_client.h"
+#include "client/output.h"
 #include "client/result_text.h"
 #include "client/run_progress.h"
 #include "client/watch_view.h"
@@ -48,31 +49,29 @@ std::string place_text(const Place& place) {
 }
 
 void show_failure(const Failure& failure, OutputForm form) {
-  if (form == OutputForm::json)
-    std::printf("%s\n", json{{"error", to_json(failure)}}.dump().c_str());
+  if (form == OutputForm::json) write_json(json{{"error", to_json(failure)}});
   const Terminal terminal(STDERR_FILENO);
   const std::string code = failure.code.empty() ? "" : "[" + failure.code + "]";
-  std::fprintf(stderr, "%s%s: %s\n", place_text(failure.place).c_str(),
-               terminal.coloured("error" + code, Colour::red).c_str(), failure.message.c_str());
+  write_message(place_text(failure.place) + terminal.coloured("error" + code, Colour::red) + ": " +
+                failure.message + "\n");
   const CatalogueRow* row = find_in_catalogue(failure.code);
   if (row != nullptr && !row->remedy.empty()) {
-    std::fprintf(stderr, "  remedy: %s\n", std::string(row->remedy).c_str());
+    write_message("  remedy: " + std::string(row->remedy) + "\n");
   }
 }
 
 void show_result(const OperatorCall& call, const json& result) {
   if (call.form == OutputForm::json) {
-    std::printf("%s\n", result.dump().c_str());
+    write_json(result);
   } else {
-    std::fputs(result_text(call.method->name, result, Terminal(STDOUT_FILENO)).c_str(), stdout);
+    write_data(result_text(call.method->name, result, Terminal(STDOUT_FILENO)));
   }
 }
 
 int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Deadline deadline) {
   WatchView view(call.form, Terminal(STDOUT_FILENO), call.is_overview);
   client.on_notification([&](const std::string& method, const json& parameters) {
-    std::fputs(view.shown(method, parameters).c_str(), stdout);
-    std::fflush(stdout);
+    write_data_now(view.shown(method, parameters));
   });
   const auto accepted = client.call(std::string(call.method->name), call.parameters, deadline);
   if (!accepted) {

@@ -4,9 +4,9 @@
 
 #include <unistd.h>
 
-#include <cstdio>
 #include <string>
 
+#include "client/output.h"
 #include "client/terminal.h"
 
 namespace stanok::client {
@@ -15,8 +15,7 @@ class ProgressLine {
  public:
   void show(const std::string& text) const {
     if (!terminal_.is_terminal()) return;
-    std::fprintf(stderr, "\r\033[K%s", text.c_str());  // ECMA-48 EL: erase to the end of the line
-    std::fflush(stderr);
+    write_message("\r\033[K" + text);  // ECMA-48 EL: erase to the end of the line
   }
   void clear() const { show(""); }
 

@@ -1,10 +1,12 @@
 #include "client/record_parts.h"
 
+#include "base/utf8.h"
+
 namespace stanok::client {
 
 void append_string(std::string& text, std::string_view value) {
   text += '"';
-  for (const char c : value) {
+  for (const char c : valid_utf8(value)) {
     if (c == '"' || c == '\\') {
       text += '\\';
       text += c;

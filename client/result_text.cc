@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/text_table.h"
+#include "protocol/json_text.h"
 
 namespace stanok::client {
 namespace {
@@ -114,7 +115,7 @@ std::string cell_text(const json& value) {
   if (value.is_null() || value.empty()) return "-";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_integer()) return value.dump();
+  if (value.is_number_integer()) return protocol::json_text(value);
   if (value.is_number()) return number_text(value.get<double>());
   std::string text;
   if (value.is_array()) {

@@ -1,7 +1,6 @@
 #include "client/run_progress.h"
 
-#include <cstdio>
-
+#include "client/output.h"
 #include "client/result_text.h"
 
 namespace stanok::client {
@@ -35,13 +34,12 @@ void RunProgress::follow(OperatorClient& client) {
 }
 
 void RunProgress::show(const json& channel) {
-  std::fprintf(stderr, "%s%s", erase_line, progress_line(channel).c_str());
-  std::fflush(stderr);
+  write_message(erase_line + progress_line(channel));
   is_shown_ = true;
 }
 
 void RunProgress::clear() {
-  if (is_shown_) std::fputs(erase_line, stderr);
+  if (is_shown_) write_message(erase_line);
   is_shown_ = false;
 }
 

@@ -1,11 +1,11 @@
 #include "client/self_commands.h"
 
-#include <cstdio>
 #include <memory>
 #include <string>
 
 #include "client/completion.h"
 #include "client/manual_pages.h"
+#include "client/output.h"
 
 namespace stanok::client {
 
@@ -13,7 +13,7 @@ void add_completion_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("completion", "completion script for a shell");
   const auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
-  command->callback([shell, &app] { std::fputs(bash_completion(app).c_str(), stdout); });
+  command->callback([shell, &app] { write_data(bash_completion(app)); });
 }
 
 void add_manual_command(CLI::App& app) {

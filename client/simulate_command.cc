@@ -1,5 +1,6 @@
 #include "client/simulate_command.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,11 +8,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/utf8.h"
 #include "client/diagnostic_output.h"
 #include "client/exit_codes.h"
 #include "client/interrupts.h"
 #include "client/job_options.h"
 #include "client/operator_events_file.h"
+#include "client/output.h"
 #include "client/sensor_file.h"
 #include "client/workpiece_observer.h"
 #include "config/machine_file.h"
@@ -43,18 +46,19 @@ class SimulationProgress final : public runtime::CycleObserver {
   explicit SimulationProgress(double cycle_s)
       : cycle_s_(cycle_s), shown_(isatty(STDERR_FILENO) != 0) {}
   ~SimulationProgress() override {
-    if (printed_) std::fputs("\r\033[K", stderr);
+    if (printed_) write_message("\r\033[K");
   }
   void observe(const channels::CycleOutput& output) override {
     constexpr std::int64_t interval = 1 << 16;  // cycles
     if (!shown_ || output.cycle % interval != 0) return;
     printed_ = true;
-    std::fprintf(stderr, "\rmachine time %.0f s", static_cast<double>(output.cycle) * cycle_s_);
+    std::string line =
+        fmt::format("\rmachine time {:.0f} s", static_cast<double>(output.cycle) * cycle_s_);
     for (int k = 0; k < output.channel_count; ++k) {
       const auto& channel = output.channels[static_cast<std::size_t>(k)];
-      if (channel.running) std::fprintf(stderr, "  ch %d line %u", channel.id, channel.tag.line);
+      if (channel.running) line += fmt::format("  ch {} line {}", channel.id, channel.tag.line);
     }
-    std::fputs("\033[K", stderr);
+    write_message(line + "\033[K");
   }
 
  private:
@@ -137,16 +141,18 @@ nlohmann::ordered_json result_json(const runtime::SimulationResult& result,
 
 void print_summary(const runtime::SimulationResult& result) {
   for (const channels::RunReport& run : result.runs) {
-    std::printf("channel %d  %-28s %8lu blocks  %10.3f s  %12.3f mm  %s\n", run.channel,
-                run.program.c_str(), static_cast<unsigned long>(run.blocks),
-                static_cast<double>(run.end_cycle - run.start_cycle) * result.cycle_s, run.path_mm,
-                run.ok ? "ok" : "failed");
+    write_data(fmt::format("channel {}  {:28} {:8} blocks  {:10.3f} s  {:12.3f} mm  {}\n",
+                           run.channel, valid_utf8(run.program), run.blocks,
+                           static_cast<double>(run.end_cycle - run.start_cycle) * result.cycle_s,
+                           run.path_mm, run.ok ? "ok" : "failed"));
   }
-  std::printf(
-      "machine time %.3f s in %.2f s (%.0f times real time), cycle p50 %.1f us p99.9 %.1f us\n",
-      result.machine_time_s, result.wall_s, result.machine_time_s / result.wall_s,
-      microseconds(result.cycle_time.percentile(0.5)),
-      microseconds(result.cycle_time.percentile(0.999)));
+  write_data(
+      fmt::format("machine time {:.3f} s in {:.2f} s ({:.0f} times real time), cycle p50 {:.1f} us "
+                  "p99.9 {:.1f} "
+                  "us\n",
+                  result.machine_time_s, result.wall_s, result.machine_time_s / result.wall_s,
+                  microseconds(result.cycle_time.percentile(0.5)),
+                  microseconds(result.cycle_time.percentile(0.999))));
 }
 
 // What the run says as it comes: messages of programs, and warnings of programs, of feeds that the
@@ -159,8 +165,9 @@ class EventLines final : public runtime::CycleObserver {
     if (!code.empty() && code.front() != 'W') return;
     const std::string kind = code.empty() ? "message" : "warning[" + code + "]";
     const std::string line = event.tag.line > 0 ? " line " + std::to_string(event.tag.line) : "";
-    std::fprintf(stderr, "%s%s: channel %d%s: %s\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "",
-                 kind.c_str(), event.channel, line.c_str(), std::string(event.text.view()).c_str());
+    write_message(fmt::format("{}{}: channel {}{}: {}\n",
+                              isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", kind, event.channel,
+                              line, event.text.view()));
   }
 };
 
@@ -245,11 +252,10 @@ void tell_faults(const runtime::SimulationResult& result) {
       print(report.diagnostic);
   }
   if (result.load_diagnostics.empty()) {
-    for (const std::string& refusal : result.refusals)
-      std::fprintf(stderr, "error: %s\n", refusal.c_str());
+    for (const std::string& refusal : result.refusals) write_message("error: " + refusal + "\n");
   }
   for (const std::string& refused : result.refused_events)
-    std::fprintf(stderr, "warning: an event of the operator was refused: %s\n", refused.c_str());
+    write_message("warning: an event of the operator was refused: " + refused + "\n");
 }
 
 void print_result(const SimulateOptions& given, const channels::MachineConfig& machine,
@@ -257,7 +263,7 @@ void print_result(const SimulateOptions& given, const channels::MachineConfig& m
   if (given.job.json) {
     nlohmann::ordered_json json = result_json(result, machine);
     if (workpieces != nullptr) json["workpieces"] = workpieces->json();
-    std::printf("%s\n", json.dump().c_str());
+    write_json(json);
   } else {
     print_summary(result);
     if (workpieces != nullptr) workpieces->print_summary();
@@ -270,7 +276,7 @@ int run(const SimulateOptions& given) {
   catch_interrupts();
   const auto result = runtime::simulate(options, observers.all(), [] { return is_interrupted(); });
   const std::string log_error = observers.log == nullptr ? "" : observers.log->close();
-  if (!log_error.empty()) std::fprintf(stderr, "error: %s\n", log_error.c_str());
+  if (!log_error.empty()) write_message("error: " + log_error + "\n");
   observers.lines_and_traces.clear();
   tell_faults(result);
   WorkpieceObserver* workpieces = observers.workpieces.get();

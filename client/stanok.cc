@@ -3,17 +3,28 @@
 // This file names the commands and turns what can go wrong into exit codes (docs/operating.md,
 // "Exit codes"); each command lives in a file of its own.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "client/exit_codes.h"
 #include "client/offline.h"
 #include "client/operator_client.h"
 #include "client/operator_commands.h"
 #include "client/operator_run.h"
+#include "client/output.h"
 #include "protocol/version.h"
 
 namespace {
+
+// Help and version, or what is wrong with the command line.
+int tell(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream data;
+  std::ostringstream message;
+  const int code = app.exit(error, data, message);
+  stanok::client::write_data(data.str());
+  stanok::client::write_message(message.str());
+  return code == 0 ? 0 : stanok::client::exit_usage;
+}
 
 int run(int argc, char** argv) {
   CLI::App app("stanok: operates a machine, checks and simulates programs");
@@ -30,13 +41,13 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : stanok::client::exit_usage;
+    return tell(app, error);
   }
   return exit_code;
 }
 
 int fail(const std::exception& error, int exit_code) {
-  std::fprintf(stderr, "stanok: %s\n", error.what());
+  stanok::client::write_message("stanok: " + std::string(error.what()) + "\n");
   return exit_code;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/utf8.h"
+
 namespace stanok::client {
 namespace {
 
@@ -20,8 +22,7 @@ std::string padded(const std::string& cell, std::size_t columns) {
 }  // namespace
 
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return character_count(text);
 }
 
 TextTable::TextTable(std::vector<std::string> headings) {
@@ -29,6 +30,7 @@ TextTable::TextTable(std::vector<std::string> headings) {
 }
 
 void TextTable::add_row(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = valid_utf8(cell);
   cells.resize(rows_.front().size());
   rows_.push_back(std::move(cells));
 }

@@ -5,6 +5,7 @@
 #include "client/overview_text.h"
 #include "client/result_text.h"
 #include "client/run_progress.h"
+#include "protocol/json_text.h"
 
 namespace stanok::client {
 namespace {
@@ -22,7 +23,7 @@ std::string event_line(const json& event) {
 
 std::string WatchView::shown(const std::string& method, const json& parameters) {
   if (form_ == OutputForm::json) {
-    return json{{"method", method}, {"params", parameters}}.dump() + "\n";
+    return protocol::json_text(json{{"method", method}, {"params", parameters}}) + "\n";
   }
   if (method == "event") {
     lines_drawn_ = 0;  // the event stays above what is drawn next

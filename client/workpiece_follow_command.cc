@@ -1,5 +1,7 @@
 #include "client/workpiece_follow_command.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -10,6 +12,7 @@
 #include "client/exit_codes.h"
 #include "client/interrupts.h"
 #include "client/noun_command.h"
+#include "client/output.h"
 #include "client/workpiece_stream.h"
 #include "config/machine_file.h"
 #include "recording/log_reader.h"
@@ -64,7 +67,7 @@ class Album {
       has_failed_ = true;
     }
     if (!files.picture.empty()) {
-      std::fprintf(stderr, "%10.3f s  %s\n", stream.time_s(), files.picture.c_str());
+      write_message(fmt::format("{:10.3f} s  {}\n", stream.time_s(), files.picture));
     }
   }
 
@@ -94,7 +97,7 @@ int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
       json.push_back(to_json(*named.workpiece, stream.names()));
       json.back()["program"] = named.title;
     }
-    std::printf("%s\n", json.dump().c_str());
+    write_json(json);
   } else {
     print(workpieces, stream.names());
   }

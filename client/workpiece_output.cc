@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "client/diagnostic_output.h"
+#include "client/output.h"
 #include "simulation/loose_pieces.h"
 #include "simulation/part_picture.h"
 #include "simulation/stl_file.h"
@@ -101,7 +102,7 @@ std::string write_report(const Workpiece& workpiece, const FileNames& name_of,
   for (const BlockRemoval& block : workpiece.report().blocks())
     json["blocks"].push_back(block_json(block, name_of));
   std::ofstream stream(file);
-  stream << json.dump(1) << '\n';
+  stream << protocol::json_text(json, protocol::JsonLayout::indented) << '\n';
   stream.close();
   return stream ? "" : file + ": cannot be written";
 }
@@ -110,8 +111,8 @@ std::string write_report(const Workpiece& workpiece, const FileNames& name_of,
 
 void complain(int channel, const std::string& code, const std::string& text) {
   const std::string place = channel == 0 ? "" : "channel " + std::to_string(channel) + ": ";
-  std::fprintf(stderr, "%s[%s]: %s%s\n", code.front() == 'W' ? "warning" : "error", code.c_str(),
-               place.c_str(), text.c_str());
+  const char* word = code.front() == 'W' ? "warning" : "error";
+  write_message(fmt::format("{}[{}]: {}{}\n", word, code, place, text));
 }
 
 std::string numbered(const std::string& file, std::size_t number) {
@@ -186,8 +187,8 @@ void print_findings(const Workpiece& workpiece, const FileNames& name_of) {
     print(diagnostic);
   }
   if (findings.size() > findings_shown) {
-    std::fprintf(stderr, "%zu more findings; --workpiece-report has all of them\n",
-                 findings.size() - findings_shown);
+    write_message(fmt::format("{} more findings; --workpiece-report has all of them\n",
+                              findings.size() - findings_shown));
   }
 }
 
@@ -196,11 +197,11 @@ void print(const std::vector<NamedWorkpiece>& workpieces, const FileNames& name_
     const Workpiece& workpiece = *named.workpiece;
     print_findings(workpiece, name_of);
     const std::vector<BlockRemoval> blocks = workpiece.report().blocks();
-    std::printf(
-        "workpiece of %s: removed %.2f of %.2f mm³ in %zu blocks, at most %.1f mm³/s, "
-        "%zu findings\n",
-        named.title.c_str(), workpiece.report().removed_mm3(), volume_of(workpiece.blank()),
-        blocks.size(), rate_max(blocks), workpiece.report().findings().size());
+    write_data(
+        fmt::format("workpiece of {}: removed {:.2f} of {:.2f} mm³ in {} blocks, at most {:.1f} "
+                    "mm³/s, {} findings\n",
+                    named.title, workpiece.report().removed_mm3(), volume_of(workpiece.blank()),
+                    blocks.size(), rate_max(blocks), workpiece.report().findings().size()));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "daemon/operator_command.h"
 #include "daemon/table_loading.h"
 #include "protocol/discovery.h"
+#include "protocol/json_text.h"
 #include "protocol/version.h"
 
 namespace stanok::daemon {
@@ -30,8 +31,7 @@ Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, i
 
 void log_command(const SessionState& session, const protocol::Request& request,
                  const Outcome& outcome) {
-  const std::string parameters =
-      request.parameters.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string parameters = protocol::json_text(request.parameters);
   if (outcome) {
     spdlog::info("session {} ({}): {} {}: done", session.id, session.peer, request.method,
                  parameters);

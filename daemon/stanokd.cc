@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 
+#include "base/utf8.h"
 #include "daemon/daemon.h"
 #include "daemon/daemon_log.h"
 #include "protocol/version.h"
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "stanokd: %s\n", error.what());
+    std::fprintf(stderr, "stanokd: %s\n", stanok::valid_utf8(error.what()).c_str());
     return exit_failed;
   }
 }

@@ -8,6 +8,7 @@
 #include "config/config_error.h"
 #include "config/tables_file.h"
 #include "daemon/inventory.h"
+#include "protocol/json_text.h"
 
 namespace stanok::daemon {
 namespace {
@@ -59,13 +60,14 @@ Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wa
   for (const auto& [key, value] : after.items()) {
     if (before.at(key) == value) continue;
     if (channels::tool_value_named(key) == 0) {
-      return Unexpected<Failure>(Failure{
-          FailureKind::refused,
-          "E9015",
-          "tool " + std::to_string(wanted.number) + ", edge " + std::to_string(wanted.edge) + ": " +
-              key + " is " + before.at(key).dump() + " here and " + value.dump() + " in the text",
-          0,
-          {}});
+      return Unexpected<Failure>(Failure{FailureKind::refused,
+                                         "E9015",
+                                         "tool " + std::to_string(wanted.number) + ", edge " +
+                                             std::to_string(wanted.edge) + ": " + key + " is " +
+                                             protocol::json_text(before.at(key)) + " here and " +
+                                             protocol::json_text(value) + " in the text",
+                                         0,
+                                         {}});
     }
     OperatorEvent set = command(OperatorAction::tool_set, key, value.get<double>());
     set.number = wanted.number;
@@ -96,8 +98,8 @@ std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
         if (value == before) continue;
         std::string text = "reference point " + name;
         text.append(" of channel ").append(std::to_string(channel)).append(": ").append(axis);
-        text.append(" is ").append(json(before).dump()).append(" here and ");
-        text.append(json(value).dump()).append(" in the text");
+        text.append(" is ").append(protocol::json_text(json(before))).append(" here and ");
+        text.append(protocol::json_text(json(value))).append(" in the text");
         return Failure{FailureKind::refused, "E9015", std::move(text), 0, {}};
       }
     }

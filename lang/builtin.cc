@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "base/angle.h"
+#include "base/utf8.h"
 #include "lang/limits.h"
 #include "lang/number.h"
 #include "lang/source.h"
@@ -147,23 +148,26 @@ bool bits_xor(Arguments a, Value& result) {
 }
 
 bool length_of(Arguments a, Value& result) {
-  return set(result, static_cast<double>(text_of(a[0]).size()));
+  return set(result, static_cast<double>(character_count(text_of(a[0]))));
 }
 bool part_of(Arguments a, Value& result) {
   const std::string& text = text_of(a[0]);
   if (!is_integer(a[1].number) || a[1].number < 0.0) return false;
   const auto first = static_cast<std::size_t>(std::lround(a[1].number));
-  if (first > text.size()) return false;
+  if (first > character_count(text)) return false;
   std::size_t count = std::string::npos;
   if (a.size() > 2) {
     if (!is_integer(a[2].number) || a[2].number < 0.0) return false;
     count = static_cast<std::size_t>(std::lround(a[2].number));
   }
-  return set_text(result, text.substr(first, count));
+  const std::string_view rest = std::string_view(text).substr(offset_of_character(text, first));
+  return set_text(result, std::string(rest.substr(0, offset_of_character(rest, count))));
 }
 bool position_of(Arguments a, Value& result) {
-  const std::size_t at = text_of(a[0]).find(text_of(a[1]));
-  return set(result, at == std::string::npos ? -1.0 : static_cast<double>(at));
+  const std::string_view text = text_of(a[0]);
+  const std::size_t at = text.find(text_of(a[1]));
+  if (at == std::string::npos) return set(result, -1.0);
+  return set(result, static_cast<double>(character_count(text.substr(0, at))));
 }
 bool in_lower_case(Arguments a, Value& result) {
   return set_text(result, folded(text_of(a[0])));

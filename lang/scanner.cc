@@ -5,29 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/utf8.h"
+
 namespace stanok::lang {
-namespace {
-
-// Length of the UTF-8 sequence at `at`, 0 when it is none (RFC 3629, section 4).
-std::size_t utf8_length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  }
-  const unsigned second = byte(1);
-  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-  const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
-  return overlong || outside ? 0 : length;
-}
-
-}  // namespace
-
 Scanner::Scanner(const Source& source, Reporter& reporter)
     : source_(source),
       reporter_(reporter),
@@ -119,17 +99,14 @@ bool Scanner::skip_block_comment() {
 }
 
 void Scanner::check_comment(std::size_t start, std::uint32_t line) {
-  for (std::size_t at = start; at < offset_;) {
-    const std::size_t length = utf8_length(text_, at);
-    if (length == 0) {
-      const auto ends = [&](std::size_t k) { return is_line_end(text_[k]); };
-      for (std::size_t k = start; k < at; k += ends(k) && text_.substr(k, 2) == "\r\n" ? 2 : 1)
-        line += ends(k) ? 1 : 0;
-      reporter_.warning("W110", {at, 1, line}, "the text is not valid UTF-8", "shown as U+FFFD");
-      return;
-    }
-    at += length;
-  }
+  if (!source_.is_repaired()) return;
+  const std::size_t at = text_.substr(0, offset_).find(replacement_character, start);
+  if (at == std::string_view::npos) return;
+  const auto ends = [&](std::size_t k) { return is_line_end(text_[k]); };
+  for (std::size_t k = start; k < at; k += ends(k) && text_.substr(k, 2) == "\r\n" ? 2 : 1)
+    line += ends(k) ? 1 : 0;
+  const auto length = static_cast<std::uint32_t>(replacement_character.size());
+  reporter_.warning("W110", {at, length, line}, "the text is not valid UTF-8", "shown as U+FFFD");
 }
 
 std::optional<std::string_view> Scanner::read_parenthesis_comment() {
@@ -265,7 +242,7 @@ Token Scanner::read_symbol_token() {
     if (ahead == pair) length = 2;
   }
   if (length == 1 && static_cast<unsigned char>(ahead[0]) >= 0x80) {
-    length = std::max<std::size_t>(utf8_length(text_, offset_), 1);
+    length = std::max<std::size_t>(character_length(text_, offset_), 1);
   }
   token.text = text_.substr(offset_, length);
   token.span = here(static_cast<std::uint32_t>(length));

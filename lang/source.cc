@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/utf8.h"
+
 namespace stanok::lang {
 namespace {
 
@@ -22,10 +24,8 @@ bool is_leader(char c) {
   return c == '\0' || is_blank(c) || is_line_end(c);
 }
 
-int characters(std::string_view bytes) {
-  return static_cast<int>(std::count_if(bytes.begin(), bytes.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
+int characters(std::string_view text) {
+  return static_cast<int>(character_count(text));
 }
 
 }  // namespace
@@ -48,6 +48,12 @@ std::string folded(std::string_view name) {
 }
 
 Source::Source(std::shared_ptr<const SourceText> text) : text_(std::move(text)) {
+  if (!is_utf8(text_->text)) {
+    auto repaired = std::make_shared<SourceText>(*text_);
+    repaired->text = valid_utf8(text_->text);
+    text_ = std::move(repaired);
+    is_repaired_ = true;
+  }
   end_ = text_->text.size();
   if (text_->text.starts_with("\xEF\xBB\xBF")) begin_ = 3;
   find_frame();

@@ -1,7 +1,8 @@
 // A program text in the hands of the compiler: what of it is read, and where an offset stands.
 //
 // The text is read once and shared; tokens, trees and compiled code refer to it by byte offsets
-// and are turned into file:line:column only when something is said about them.
+// and are turned into file:line:column only when something is said about them. It is UTF-8: bytes
+// that are no text become U+FFFD here, so that no name, message or picture of a line holds them.
 #pragma once
 
 #include <cstddef>
@@ -32,6 +33,8 @@ class Source {
   [[nodiscard]] const std::string& name() const { return text_->name; }
   [[nodiscard]] const std::string& path() const { return text_->path; }
   [[nodiscard]] std::string_view text() const { return text_->text; }
+  // Whether some bytes of the file were not UTF-8.
+  [[nodiscard]] bool is_repaired() const { return is_repaired_; }
   [[nodiscard]] const std::shared_ptr<const SourceText>& shared_text() const { return text_; }
   [[nodiscard]] std::string_view text(const Span& span) const;
 
@@ -54,6 +57,7 @@ class Source {
   void find_frame();
 
   std::shared_ptr<const SourceText> text_;
+  bool is_repaired_ = false;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::uint32_t begin_line_ = 1;

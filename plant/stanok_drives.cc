@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "base/utf8.h"
 #include "config/machine_file.h"
 #include "plant/drive_console.h"
 #include "plant/machine_drives.h"
@@ -191,7 +192,7 @@ int main(int argc, char** argv) {
   try {
     return stanok::plant::run(argc, argv);
   } catch (const std::exception& error) {  // ConfigError, ServerError
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", stanok::valid_utf8(error.what()).c_str());
     return stanok::plant::exit_failed;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocol/json_text.h"
 #include "protocol/method_table.h"
 
 namespace stanok::protocol {
@@ -60,8 +61,8 @@ std::string range_text(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::integer:
     case ParameterType::number: {
-      std::string low = json(parameter.minimum).dump();
-      std::string high = json(parameter.maximum).dump();
+      std::string low = json_text(json(parameter.minimum));
+      std::string high = json_text(json(parameter.maximum));
       if (low.ends_with(".0")) low.resize(low.size() - 2);
       if (high.ends_with(".0")) high.resize(high.size() - 2);
       return std::string(type_name(parameter.type)) + " " + low + "–" + high + unit;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text_bounds.h"
+#include "protocol/json_text.h"
 
 namespace stanok::protocol {
 namespace {
@@ -17,7 +18,7 @@ Unexpected<BadRequest> bad(json id, FailureKind kind, std::string message) {
 }
 
 std::string to_line(const json& message) {
-  return message.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  return json_text(message) + "\n";
 }
 
 // Looks like the first line of a web browser's request: somebody is on the wrong door.

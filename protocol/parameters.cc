@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "protocol/json_rpc.h"
+#include "protocol/json_text.h"
 
 namespace stanok::protocol {
 namespace {
@@ -17,10 +18,8 @@ Unexpected<Failure> wrong(std::string message) {
 }
 
 std::string number_text(double value) {
-  return json(value == std::floor(value) && std::abs(value) < 1e15
-                  ? json(static_cast<std::int64_t>(value))
-                  : json(value))
-      .dump();
+  const bool is_whole = value == std::floor(value) && std::abs(value) < 1e15;
+  return json_text(is_whole ? json(static_cast<std::int64_t>(value)) : json(value));
 }
 
 std::string choices_text(const Parameter& parameter) {

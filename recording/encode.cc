@@ -4,6 +4,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "base/utf8.h"
+
 namespace stanok::recording {
 namespace {
 
@@ -81,9 +83,10 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
 }
 
 void put_text(std::string_view text, std::span<std::uint8_t> bytes) {
-  const std::size_t length = std::min(text.size(), bytes.size() - 1);
-  std::copy_n(text.begin(), length, bytes.begin());
-  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(length), bytes.end(), std::uint8_t{0});
+  const std::string repaired = is_utf8(text) ? std::string() : valid_utf8(text);
+  const std::string_view kept = cut_to(repaired.empty() ? text : repaired, bytes.size() - 1);
+  std::copy(kept.begin(), kept.end(), bytes.begin());
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(kept.size()), bytes.end(), std::uint8_t{0});
 }
 
 setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp) {

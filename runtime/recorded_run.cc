@@ -4,6 +4,7 @@
 #include <stanok_messages/program_chunk_t.hpp>
 #include <stdexcept>
 
+#include "base/utf8.h"
 #include "config/tables_file.h"
 #include "recording/channel_names.h"
 #include "recording/decode.h"
@@ -123,7 +124,7 @@ void RecordedFiles::add(const program_read_t& read) {
 
 Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> RecordedFiles::read(
     std::string_view name, std::string_view from) const {
-  const auto answers = answers_.find({std::string(name), std::string(from)});
+  const auto answers = answers_.find({valid_utf8(name), valid_utf8(from)});  // as a log has them
   const bool is_known = answers != answers_.end() && !answers->second.empty();
   const Answer answer = is_known ? answers->second.front() : Answer{};
   if (is_known) answers->second.pop_front();

@@ -50,6 +50,12 @@ INSTANTIATE_TEST_SUITE_P(
         ValueCase{"1 + wrap360 (-1e-18)", 1}, ValueCase{"bit_and (12, 10)", 8},
         ValueCase{"bit_or (12, 10)", 14}, ValueCase{"bit_xor (12, 10)", 6},
         ValueCase{"len (\"abc\" + str (12))", 5}, ValueCase{"find (\"abcd\", \"cd\")", 2},
+        ValueCase{"len (\"\u0444\u0440\u20AC\U0001F527\")", 4},
+        ValueCase{"find (\"\u0444\u0440 cd\", \"cd\")", 3},
+        ValueCase{"find (\"\u0444\u0440\", \"\u0440\")", 1},
+        ValueCase{"len (substr (\"\u0444\u0440\u20AC cd\", 1, 2))", 2},
+        ValueCase{"substr (\"\u0444\u0440\u20AC cd\", 1, 2) == \"\u0440\u20AC\" ? 1 : 0", 1},
+        ValueCase{"substr (\"\u0444\u0440\", 2) == \"\" ? 1 : 0", 1},
         ValueCase{"to_num (\" 2.50 \")", 2.5}, ValueCase{"PI", 3.14159265358979323846},
         ValueCase{"CH_ALARM + GV_ALL", 67}, ValueCase{"near (1, 1 + 1e-9) ? 1 : 0", 1},
         ValueCase{"near (1, 1.1, 0.2) ? 1 : 0", 1}));

@@ -15,6 +15,10 @@ namespace {
 constexpr std::size_t description_within = 15;  // lines
 constexpr std::size_t lines_max = 600;
 
+bool is_code_of_the_runtime(const SourceFile& file) {
+  return file.folder != "tests" && file.folder != "benchmarks" && file.path != "base/catalogue.cc";
+}
+
 // A comment line with at least three words.
 bool describes(const std::string& line) {
   static const std::regex description(R"(^//(\s+\S+){3,})");
@@ -69,6 +73,24 @@ TEST(HouseRules, TextsAreMeasuredBeforeTheyAreParsed) {
   }
 }
 
+// JSON becomes text in protocol/json_text.h and the words of `stanok` leave in client/output.cc,
+// where bytes that are no UTF-8 are repaired. Nothing goes past them.
+TEST(HouseRules, NothingIsWrittenPastTheRepairOfTexts) {
+  const std::regex dump(R"(\.dump\()");
+  const std::regex output(R"(std::(printf|fprintf|fputs|puts|fwrite|cout|cerr))");
+  for (const SourceFile& file : source_files(repository)) {
+    const bool is_judged = is_code_of_the_runtime(file) && file.folder != "programs";
+    for (std::size_t i = 0; is_judged && i < file.lines.size(); ++i) {
+      const std::string place = file.path + ":" + std::to_string(i + 1);
+      EXPECT_FALSE(file.path != "protocol/json_text.h" && std::regex_search(file.lines[i], dump))
+          << place << ": use protocol::json_text";
+      EXPECT_FALSE(file.folder == "client" && file.path != "client/output.cc" &&
+                   std::regex_search(file.lines[i], output))
+          << place << ": use client/output.h";
+    }
+  }
+}
+
 // Codes of the catalogue as string literals begin with them: "E4031", "E7001 file not found";
 // comments do not count.
 std::set<std::string> codes_in(const std::string& line) {
@@ -80,10 +102,6 @@ std::set<std::string> codes_in(const std::string& line) {
     codes.insert((*match)[1].str());
   }
   return codes;
-}
-
-bool is_code_of_the_runtime(const SourceFile& file) {
-  return file.folder != "tests" && file.folder != "benchmarks" && file.path != "base/catalogue.cc";
 }
 
 TEST(HouseRules, EveryCodeThatIsRaisedHasItsRowInTheCatalogue) {
