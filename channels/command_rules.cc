@@ -1,5 +1,7 @@
 #include "channels/command_rules.h"
 
+#include "channels/operator_action.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -71,6 +73,7 @@ const Rule& rule_of(OperatorAction action) RT_SAFE {
     case OperatorAction::process_interrupt:
     case OperatorAction::process_automatic:
     case OperatorAction::process_adaptive:
+    case OperatorAction::channel_control:
       return always;
   }
   return always;
@@ -119,6 +122,11 @@ std::string_view claim_of_refusal(std::string_view code) RT_SAFE {
   if (code == switches) return ": the kinematics are being changed";
   if (code == scheme_in_use) return ": its kinematics are in use by a program";
   return "";
+}
+
+ControlScope control_scope(OperatorAction action) RT_SAFE {
+  if (is_stop(action)) return ControlScope::nothing;
+  return concerns_all_channels(action) ? ControlScope::all_channels : ControlScope::channel;
 }
 
 bool concerns_all_channels(OperatorAction action) RT_SAFE {

@@ -42,6 +42,14 @@ inline constexpr std::array situations = {
 // What the codes of the table say of a channel: " is running or held".
 [[nodiscard]] std::string_view claim_of_refusal(std::string_view code) RT_SAFE;
 
+// What is refused while another session has a channel to itself (docs/operator.md).
+enum class ControlScope : std::uint8_t {
+  nothing,       // stops pass always
+  channel,       // what concerns that channel
+  all_channels,  // what concerns the machine or its tables: one such channel is enough
+};
+[[nodiscard]] ControlScope control_scope(OperatorAction action) RT_SAFE;
+
 // Whether all channels must admit the action: it concerns the machine or its tables.
 [[nodiscard]] bool concerns_all_channels(OperatorAction action) RT_SAFE;
 

@@ -123,6 +123,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->value = event.value;
   slot->text = event.text;
   slot->generation = channel->generation();
+  slot->controller = controller_[static_cast<std::size_t>(index)];
   slot->stage = stops ? 1 : 0;
 }
 
@@ -187,6 +188,8 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return each([&](Channel& c) RT_SAFE { c.set_single_block(event.number != 0); });
     case OperatorAction::jog:
       return jog(event, channel);
+    case OperatorAction::channel_control:
+      return set_controller(event);
     case OperatorAction::tool_set:
       return set_tool(event);
     case OperatorAction::offset_set:
@@ -257,7 +260,10 @@ void Coordinator::adopt_requests() RT_SAFE {
     errand.tag = item->tag;
     errand.text = item->text;
     const Channel* target = channel_with_id(item->request.channel, errand.target);
-    if (target != nullptr) errand.generation = target->generation();
+    if (target != nullptr) {
+      errand.generation = target->generation();
+      errand.controller = controller_[static_cast<std::size_t>(errand.target)];
+    }
   }
 }
 
@@ -279,15 +285,18 @@ bool Coordinator::is_its_turn(const Errand& errand) const RT_SAFE {
          });
 }
 
-// Why what was asked for may not begin now: what the channel does, or a stop since it was asked.
+// Why what was asked for may not begin now: what the channel does, a stop since it was asked, or
+// somebody who has the channel to himself.
 std::optional<Coordinator::Verdict> Coordinator::obstacle(const Errand& errand,
                                                           OperatorAction action,
-                                                          const Channel& target) RT_SAFE {
+                                                          const Channel& target) const RT_SAFE {
   if (errand.asker == errand.target) return std::nullopt;
   const std::string_view code = refusal_code(action, target.situation());
   if (!code.empty()) return refusal(code, target, claim_of_refusal(code));
-  if (errand.generation == target.generation()) return std::nullopt;
-  return refusal("E6072", target, " was stopped before it began");
+  if (errand.generation != target.generation())
+    return refusal("E6072", target, " was stopped before it began");
+  if (!is_under_control_of_others(errand)) return std::nullopt;
+  return refusal("E6080", target, " is under control of another operator");
 }
 
 // Stop of a channel holds its wait.

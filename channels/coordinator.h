@@ -56,6 +56,7 @@ class Coordinator {
     bool active = false;
     std::uint64_t order = 0;       // in which errands came
     std::uint32_t generation = 0;  // of the target, when it was asked
+    std::int32_t controller = 0;   // of the target, when it was asked
     int asker = operator_asker;    // index of the channel that asks
     std::uint64_t reply_id = 0;
     Job job = Job::program;
@@ -97,8 +98,12 @@ class Coordinator {
   static void begin_stop(OperatorAction action, Channel& channel) RT_SAFE;
   [[nodiscard]] static bool begins_something(const Errand& errand) RT_SAFE;
   [[nodiscard]] bool is_its_turn(const Errand& errand) const RT_SAFE;
-  [[nodiscard]] static std::optional<Verdict> obstacle(const Errand& errand, OperatorAction action,
-                                                       const Channel& target) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> obstacle(const Errand& errand, OperatorAction action,
+                                                const Channel& target) const RT_SAFE;
+  // Control of channels by one session (coordinator_control.cc)
+  [[nodiscard]] Verdict set_controller(const OperatorEvent& event) RT_SAFE;
+  [[nodiscard]] bool is_under_control_of_others(const Errand& errand) const RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> foreign_axis(int index, lang::AxisSet axes) const RT_SAFE;
   void adopt_requests() RT_SAFE;
   void conclude(Errand& errand, const Verdict& verdict) RT_SAFE;
   void follow_owners() RT_SAFE;
@@ -172,6 +177,8 @@ class Coordinator {
   std::array<int, channels_max>
       owner_{};  // who started the run of a channel; operator_asker: an operator
   std::array<std::uint32_t, channels_max> owner_run_{};  // in which run of the owner
+  std::array<std::int32_t, channels_max>
+      controller_{};  // session that has the channel to itself; 0: nobody
   std::uint64_t errands_taken_ = 0;
   Rendezvous rendezvous_;
   ChannelSet released_ = 0;  // stood at a soft mark that is met now, and have not yet left it

@@ -99,6 +99,7 @@ Coordinator::Verdict Coordinator::step_restart(Channel& asker) RT_SAFE {
 }
 
 std::optional<Coordinator::Verdict> Coordinator::claim(int index, lang::AxisSet axes) RT_SAFE {
+  if (const auto foreign = foreign_axis(index, axes)) return foreign;
   const AxisOwnership::Obstacle obstacle = ownership_.obstacle(index, axes);
   if (obstacle.axis < 0) {
     ownership_.claim(index, axes);

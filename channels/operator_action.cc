@@ -36,6 +36,7 @@ constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>
     {OperatorAction::offset_set, "offset_set"},
     {OperatorAction::process_adaptive, "process_adaptive"},
     {OperatorAction::program_search, "program_search"},
+    {OperatorAction::channel_control, "channel_control"},
 });
 
 }  // namespace

@@ -43,6 +43,7 @@ enum class OperatorAction : std::uint8_t {
                       // "frequency"), value
   program_search,     // where the loaded program begins when it is started: text = target of
                       // lang::search_target, number = 1 without calculation, value = pass
+  channel_control,    // number = session that has the channel to itself; 0: nobody
 };
 
 // What an operator does with the force control of a channel.

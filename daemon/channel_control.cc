@@ -1,6 +1,6 @@
 #include "daemon/channel_control.h"
 
-#include "channels/operator_action.h"
+#include "channels/command_rules.h"
 #include "daemon/dispatch.h"
 
 namespace stanok::daemon {
@@ -33,10 +33,24 @@ void ChannelControl::forget(int session) {
 
 std::optional<Failure> ChannelControl::obstacle(channels::OperatorAction action, int channel,
                                                 int session) const {
-  const auto held = holders_.find(channel);
-  if (held == holders_.end() || held->second.session == session || channels::is_stop(action))
-    return std::nullopt;
+  const channels::ControlScope scope = channels::control_scope(action);
+  if (scope == channels::ControlScope::nothing) return std::nullopt;
+  if (scope == channels::ControlScope::all_channels) return obstacle_to_all(session);
+  const int controller = session_with(channel);
+  if (controller == 0 || controller == session) return std::nullopt;
   return refusal(channel, holder(channel));
+}
+
+std::optional<Failure> ChannelControl::obstacle_to_all(int session) const {
+  for (const auto& [channel, held] : holders_) {
+    if (held.session != session) return refusal(channel, holder(channel));
+  }
+  return std::nullopt;
+}
+
+int ChannelControl::session_with(int channel) const {
+  const auto held = holders_.find(channel);
+  return held == holders_.end() ? 0 : held->second.session;
 }
 
 std::string ChannelControl::holder(int channel) const {

@@ -1,8 +1,10 @@
 // ChannelControl: a session may have a channel to itself.
 //
 // What moves or sets something of that channel is then refused to all others with E6080, until the
-// session gives the channel back or ends. Stops, questions, and what concerns the whole machine are
-// never refused for that. Belongs to the operator server's thread.
+// session gives the channel back or ends; so is what concerns all channels or the tables that they
+// share (channels::control_scope). Stops and questions are never refused for that. The cycle is
+// told who has a channel, too: it stops what would come by way of programs. Belongs to the operator
+// server's thread.
 #pragma once
 
 #include <map>
@@ -27,6 +29,10 @@ class ChannelControl {
   // Why the session may not do this with the channel.
   [[nodiscard]] std::optional<protocol::Failure> obstacle(channels::OperatorAction action,
                                                           int channel, int session) const;
+  // Why the session may not do what concerns all channels.
+  [[nodiscard]] std::optional<protocol::Failure> obstacle_to_all(int session) const;
+  // 0: nobody has it.
+  [[nodiscard]] int session_with(int channel) const;
   // "session 4 (uid 1000, pid 4711)"; empty: nobody has it.
   [[nodiscard]] std::string holder(int channel) const;
 

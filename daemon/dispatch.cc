@@ -115,14 +115,17 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   }
   if (method->name == "tool.get") return answer(tool_get(*parameters));
   if (method->name == "tool.load") return load_tables(session, *parameters, std::move(answer));
-  if (method->name == "channel.control") return answer(control_channel(session, *parameters));
+  if (method->name == "channel.control")
+    return control_channel(session, *parameters, std::move(answer));
   if (protocol::noun(*method) == "log") {
     const Outcome outcome = method->name == "log.start" ? start_log() : stop_log();
     log_command(session, request, outcome);
     return answer(outcome);
   }
   if (protocol::noun(*method) == "drive") {
-    const Outcome outcome = command_drive(*method, *parameters);
+    const auto obstacle = control_.obstacle_to_all(session.id);
+    const Outcome outcome =
+        obstacle ? Unexpected<Failure>(*obstacle) : command_drive(*method, *parameters);
     log_command(session, request, outcome);
     return answer(outcome);
   }
@@ -143,6 +146,7 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
 void Dispatch::forget(int session) {
   control_.forget(session);
   note_control();
+  tell_control();
 }
 
 void Dispatch::note_control() {
@@ -150,14 +154,45 @@ void Dispatch::note_control() {
     notes_[channel.id].controlled_by = control_.holder(channel.id);
 }
 
-Outcome Dispatch::control_channel(const SessionState& session, const json& parameters) {
+// Answered when the cycle knows it: from then on nothing of others begins there.
+void Dispatch::control_channel(const SessionState& session, const json& parameters, Answer answer) {
   const int channel = channel_or_first(parameters);
   const bool takes = parameters.value("on", 1) != 0;
   const auto obstacle = takes ? control_.take(channel, session) : std::nullopt;
+  if (obstacle) return answer(Unexpected<Failure>(*obstacle));
   if (!takes) control_.give_back(channel, session.id);
   note_control();
-  if (obstacle) return Unexpected<Failure>(*obstacle);
-  return json{{"channel", channel}, {"controlled_by", control_.holder(channel)}};
+  tell_control(channel, [this, channel, takes, id = session.id,
+                         answer = std::move(answer)](const Outcome& outcome) {
+    if (!outcome && takes) {
+      control_.give_back(channel, id);
+      note_control();
+    }
+    if (!outcome) return answer(outcome);
+    answer(json{{"channel", channel}, {"controlled_by", control_.holder(channel)}});
+  });
+}
+
+// Sessions end without a word, and an order may find no room: what the cycle was not told yet.
+void Dispatch::tell_control() {
+  for (const auto& channel : machine_.file().machine.channels) {
+    if (told_control_[channel.id] != control_.session_with(channel.id))
+      tell_control(channel.id, [](const Outcome&) {});
+  }
+}
+
+void Dispatch::tell_control(int channel, Answer answer) {
+  constexpr int not_known = -1;
+  channels::OperatorEvent event;
+  event.action = channels::OperatorAction::channel_control;
+  event.channel = channel;
+  event.number = control_.session_with(channel);
+  told_control_[channel] = event.number;
+  desk_.submit(event, WaitFor::accepted,
+               [this, channel, answer = std::move(answer)](const Outcome& outcome) {
+                 if (!outcome) told_control_[channel] = not_known;
+                 answer(outcome);
+               });
 }
 
 Outcome Dispatch::start_log() const {
@@ -177,7 +212,6 @@ Outcome Dispatch::stop_log() const {
 
 void Dispatch::load_tables(const SessionState& session, const json& parameters, Answer answer) {
   const auto name = parameters.value("file", std::string("tables"));
-  auto commands = commands_to_load(machine_, parameters["tables"].get<std::string>(), name);
   const auto log_and_answer = [who = session, name,
                                answer = std::move(answer)](const Outcome& outcome) {
     protocol::Request request;
@@ -186,6 +220,9 @@ void Dispatch::load_tables(const SessionState& session, const json& parameters, 
     log_command(who, request, outcome);
     answer(outcome);
   };
+  if (const auto obstacle = control_.obstacle_to_all(session.id))
+    return log_and_answer(Unexpected<Failure>(*obstacle));
+  auto commands = commands_to_load(machine_, parameters["tables"].get<std::string>(), name);
   if (!commands) return log_and_answer(Unexpected<Failure>(commands.error()));
   submit_one_by_one(desk_, std::move(*commands), log_and_answer);
 }

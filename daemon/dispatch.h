@@ -52,7 +52,10 @@ class Dispatch {
   void handle(SessionState& session, const protocol::Request& request, Answer answer);
 
   void on_reply(const channels::OperatorReply& reply) { desk_.on_reply(reply); }
-  void tick(SteadyTime now) { desk_.tick(now); }
+  void tick(SteadyTime now) {
+    tell_control();
+    desk_.tick(now);
+  }
   void set_clients(std::size_t clients) { clients_ = clients; }
   // The session has ended.
   void forget(int session);
@@ -71,8 +74,10 @@ class Dispatch {
   void command(const SessionState& session, const protocol::Method& method,
                const nlohmann::json& parameters, Answer answer);
   void note_control();
-  [[nodiscard]] Outcome control_channel(const SessionState& session,
-                                        const nlohmann::json& parameters);
+  void control_channel(const SessionState& session, const nlohmann::json& parameters,
+                       Answer answer);
+  void tell_control();
+  void tell_control(int channel, Answer answer);
   [[nodiscard]] Outcome start_log() const;
   [[nodiscard]] Outcome stop_log() const;
   void load_tables(const SessionState& session, const nlohmann::json& parameters, Answer answer);
@@ -89,6 +94,7 @@ class Dispatch {
   std::function<void()> on_shutdown_;
   NotesOfChannels notes_;
   ChannelControl control_;
+  std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
   CommandDesk desk_;
   StatusReport report_;
   std::size_t clients_ = 0;

@@ -182,6 +182,19 @@ std::string cell(std::string_view code) {
   return code.empty() ? " ✓ |" : " " + std::string(code) + " |";
 }
 
+// Which channels the asker must not be kept from.
+std::string word_for(channels::ControlScope scope) {
+  switch (scope) {
+    case channels::ControlScope::nothing:
+      return "–";
+    case channels::ControlScope::channel:
+      return "this";
+    case channels::ControlScope::all_channels:
+      return "all";
+  }
+  return "";
+}
+
 std::string command_table() {
   std::string text = "| command |";
   std::string line = "|---|";
@@ -189,7 +202,7 @@ std::string command_table() {
     text += " " + std::string(channels::name_of(situation)) + " |";
     line += "---|";
   }
-  text += "\n" + line + "\n";
+  text += " control |\n" + line + "---|\n";
   for (const protocol::Method& method : protocol::methods()) {
     const auto action = channels::operator_action(method.action);
     if (!action) continue;
@@ -198,7 +211,7 @@ std::string command_table() {
     text += "| `" + name + "` |";
     for (const Situation situation : channels::situations)
       text += cell(channels::refusal_code(*action, situation));
-    text += "\n";
+    text += " " + word_for(channels::control_scope(*action)) + " |\n";
   }
   return text;
 }

@@ -61,7 +61,12 @@ class DispatchTest : public ::testing::Test {
 TEST_F(DispatchTest, GivesAChannelToOneSession) {
   session.id = 3;
   session.peer = "uid 1000, pid 77";
-  EXPECT_EQ(result("channel.control")["controlled_by"], "session 3 (uid 1000, pid 77)");
+  const auto taken = ask("channel.control");
+  EXPECT_FALSE(taken->has_value()) << "answered when the cycle knows it";
+  EXPECT_EQ(machine.submitted().at(0).action, OperatorAction::channel_control);
+  EXPECT_EQ(machine.submitted().at(0).number, 3);
+  dispatch.on_reply(accepted(machine.submitted().at(0).id));
+  EXPECT_EQ(taken->value().value()["controlled_by"], "session 3 (uid 1000, pid 77)");
   EXPECT_EQ(result("channel.status")["controlled_by"], "session 3 (uid 1000, pid 77)");
   session.id = 4;
   for (const auto& [method, parameters] :
@@ -70,18 +75,69 @@ TEST_F(DispatchTest, GivesAChannelToOneSession) {
                                    {"override.feed", {{"percent", 50}}}})
     EXPECT_EQ(failure(method, parameters).code, "E6080") << method;
   EXPECT_EQ(failure("channel.control").code, "E6080");
-  EXPECT_EQ(machine.submitted().size(), 0u);
+  EXPECT_EQ(machine.submitted().size(), 1u);
   for (const char* method : {"program.hold", "program.stop", "program.reset", "machine.estop"})
     static_cast<void>(ask(method));
-  EXPECT_EQ(machine.submitted().size(), 4u) << "stops are for everybody";
+  EXPECT_EQ(machine.submitted().size(), 5u) << "stops are for everybody";
   static_cast<void>(ask("override.feed", {{"percent", 50}, {"channel", 2}}));
-  EXPECT_EQ(machine.submitted().size(), 5u) << "another channel";
-  static_cast<void>(result("channel.control", {{"on", 0}}));
+  EXPECT_EQ(machine.submitted().size(), 6u) << "another channel";
+  static_cast<void>(ask("channel.control", {{"on", 0}}));
   EXPECT_EQ(failure("override.feed", {{"percent", 50}}).code, "E6080") << "it is not its own";
   dispatch.forget(3);
   EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
+  EXPECT_EQ(machine.submitted().back().action, OperatorAction::channel_control);
+  EXPECT_EQ(machine.submitted().back().number, 0) << "the cycle is told";
   static_cast<void>(ask("override.feed", {{"percent", 50}}));
-  EXPECT_EQ(machine.submitted().size(), 6u);
+  EXPECT_EQ(machine.submitted().back().action, OperatorAction::override_feed);
+}
+
+// What concerns all channels is refused when somebody else has any of them.
+TEST_F(DispatchTest, ControlOfAChannelCoversWhatAllChannelsShare) {
+  session.id = 3;
+  static_cast<void>(ask("channel.control", {{"channel", 2}}));
+  const auto ask_all = [&](const auto& check) {
+    for (const auto& [method, parameters] : std::map<std::string, json>{
+             {"machine.on", json::object()},
+             {"tool.set", {{"number", 4}, {"key", "length"}, {"value", 1.0}}},
+             {"offset.set", {{"offset", "G54"}, {"axis", "X2"}, {"value", 1.0}}},
+             {"tool.load", {{"tables", "[offset.G54]\nX2 = 1.0\n"}}},
+             {"drive.reset", {{"drive", "X"}}}})
+      check(method, parameters);
+  };
+  session.id = 4;
+  ask_all([&](const std::string& method, const json& parameters) {
+    EXPECT_EQ(failure(method, parameters).code, "E6080") << method;
+  });
+  EXPECT_EQ(machine.submitted().size(), 1u);
+  static_cast<void>(ask("machine.off"));
+  EXPECT_EQ(machine.submitted().size(), 2u) << "a stop";
+  session.id = 3;
+  ask_all([&](const std::string& method, const json& parameters) {
+    const auto slot = ask(method, parameters);
+    EXPECT_TRUE(!slot->has_value() || slot->value().has_value()) << method;
+  });
+}
+
+// Who has asked and whom the cycle did not hear has no control; the cycle is told until it hears.
+TEST_F(DispatchTest, TellsTheCycleWhoHasAChannelUntilItHears) {
+  session.id = 3;
+  machine.is_full = true;
+  EXPECT_EQ(failure("channel.control").code, "E9007");
+  EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
+  machine.is_full = false;
+  tick(0ms);
+  EXPECT_EQ(machine.submitted().back().number, 0);
+  static_cast<void>(ask("channel.control"));
+  EXPECT_EQ(machine.submitted().back().number, 3);
+  machine.is_full = true;
+  dispatch.forget(3);
+  EXPECT_EQ(machine.submitted().back().number, 3);
+  machine.is_full = false;
+  tick(10ms);
+  EXPECT_EQ(machine.submitted().back().number, 0);
+  const std::size_t told = machine.submitted().size();
+  tick(20ms);
+  EXPECT_EQ(machine.submitted().size(), told) << "once";
 }
 
 TEST_F(DispatchTest, ObeysTheRoleOfEveryMethod) {
@@ -116,6 +172,8 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
     session.role = Role::integrator;
     const std::size_t before = machine.submitted().size();
     const auto slot = ask(std::string(method.name), parameters);
+    if (method.name == "channel.control")  // answered when the cycle knows it
+      dispatch.on_reply(accepted(machine.submitted().back().id));
     if (method.action.empty()) {
       ASSERT_TRUE(slot->has_value()) << method.name;
       EXPECT_TRUE(slot->value().has_value())
@@ -299,12 +357,13 @@ TEST_F(DispatchTest, ListsAlarmsUntilTheyAreAcknowledged) {
   ASSERT_EQ(standing["alarms"].size(), 1U);
   EXPECT_EQ(standing["alarms"][0]["line"], 3);
   EXPECT_FALSE(standing["alarms"][0]["remedy"].get<std::string>().empty());
+  machine.output.channels[0].state = channels::ChannelState::alarm;
   const auto slot = ask("alarm.ack");
   dispatch.on_reply(accepted(machine.submitted()[0].id));
-  EXPECT_TRUE(result("alarm.list")["alarms"].empty());
-  EXPECT_EQ(result("alarm.history")["alarms"][0]["acknowledged"], true);
-  machine.output.channels[0].state = channels::ChannelState::alarm;
   EXPECT_EQ(result("alarm.list")["alarms"].size(), 1U) << "the channel still has it";
+  EXPECT_EQ(result("alarm.history")["alarms"][0]["acknowledged"], true);
+  machine.output.channels[0].state = channels::ChannelState::idle;
+  EXPECT_TRUE(result("alarm.list")["alarms"].empty());
 }
 
 TEST_F(DispatchTest, LetsRolesGoDownOnly) {
