@@ -285,6 +285,9 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "tool "
      "stand in the tables file of the machine, reference points are stored by programs (G28.1)",
      "give the command again"},
+    {"E9016", "no answer within the time that was given", Reaction::warning,
+     "what was asked for may still be under way, and goes on: look at stanok channel status",
+     "give more time with --timeout, or do not wait"},
     {"E9101", "a control file of a grinding cycle that cannot be read", Reaction::warning,
      "see the text for the place and what is expected there; docs/grinding.md has the form",
      "correct the file and call the command again"},

@@ -115,7 +115,7 @@ Expected<json, protocol::Failure> OperatorClient::call(const std::string& method
     }
   }
   return Unexpected<protocol::Failure>(protocol::Failure{
-      protocol::FailureKind::timed_out, "E9006", "no answer to " + method + " in time", 0, {}});
+      protocol::FailureKind::timed_out, "E9016", "no answer to " + method + " in time", 0, {}});
 }
 
 void OperatorClient::listen(Deadline deadline) {

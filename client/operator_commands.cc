@@ -122,6 +122,11 @@ bool is_wait(const Parameter& parameter) {
   return parameter.name == "wait";
 }
 
+// Who types a line wants to know what came of it.
+bool waits_unless_told_otherwise(const Method& method) {
+  return method.name == "mdi";
+}
+
 OperatorCall call_of(const Method& method, const GivenOptions& given) {
   OperatorCall call;
   call.method = &method;
@@ -147,7 +152,9 @@ OperatorCall call_of(const Method& method, const GivenOptions& given) {
 
 void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& given) {
   if (is_wait(parameter)) {
-    command.add_flag("--wait", given.wait, "wait until the work is done");
+    command.add_flag("--wait,!--no-wait", given.wait,
+                     given.wait ? "wait until the work is done; --no-wait: until it is accepted"
+                                : "wait until the work is done");
     return;
   }
   const bool is_option = parameter.spelling == protocol::Spelling::option;
@@ -175,6 +182,7 @@ void add_method(CLI::App& app, const Method& method,
       verb.empty() ? app : noun_command(app, noun, std::string(protocol::noun_help(noun)));
   CLI::App* command = parent.add_subcommand(verb.empty() ? noun : verb, std::string(method.help));
   const auto given = std::make_shared<GivenOptions>();
+  given->wait = waits_unless_told_otherwise(method);
   for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
   add_common_options(*command, *given);
   command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });

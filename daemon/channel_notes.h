@@ -12,8 +12,10 @@ struct ChannelNotes {
   std::string program;  // loaded last
   double rapid_override_percent = 100.0;
   double spindle_override_percent = 100.0;
-  std::string controlled_by;            // a session; empty: nobody alone
-  std::size_t alarms_acknowledged = 0;  // of the machine's list of alarms, from its beginning
+  std::string controlled_by;  // a session; empty: nobody alone
+  // Of the machine's list of alarms, from its beginning. What is cleared never stands again.
+  std::size_t alarms_acknowledged = 0;
+  std::size_t alarms_cleared = 0;
 };
 
 // By channel id.

@@ -24,7 +24,8 @@ bool begins_program(OperatorAction action) {
 
 // Its refusal is told with a place.
 bool reads_program(OperatorAction action) {
-  return loads_program(action) || action == OperatorAction::program_search;
+  return loads_program(action) || action == OperatorAction::program_search ||
+         action == OperatorAction::mdi;
 }
 
 Failure failure_of(FailureKind kind, const char* code, std::string text, int channel) {
@@ -101,8 +102,18 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
     if (event.action == OperatorAction::alarm_acknowledge ||
         event.action == OperatorAction::program_reset) {
       notes.alarms_acknowledged = alarms;
+      if (event.action == OperatorAction::program_reset || !is_in_alarm(channel.id))
+        notes.alarms_cleared = alarms;
     }
   }
+}
+
+bool CommandDesk::is_in_alarm(int channel) const {
+  const channels::CycleOutput output = machine_.newest_output();
+  return std::any_of(output.channels.begin(), output.channels.begin() + output.channel_count,
+                     [&](const channels::ChannelOutput& one) {
+                       return one.id == channel && one.state == channels::ChannelState::alarm;
+                     });
 }
 
 void CommandDesk::await_run(int channel, Answer answer) {

@@ -59,6 +59,7 @@ class CommandDesk {
 
   [[nodiscard]] protocol::Failure refusal(const Pending& pending,
                                           const channels::OperatorReply& reply) const;
+  [[nodiscard]] bool is_in_alarm(int channel) const;
   void await_run(int channel, Answer answer);
   void answer_ended_runs();
   void watch_cycle(SteadyTime now);

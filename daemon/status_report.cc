@@ -366,10 +366,12 @@ json StatusReport::alarm_rows(int channel, bool standing_only) const {
   return {{"alarms", std::move(rows)}};
 }
 
-// An alarm stands while its channel is in that state, and while nobody has acknowledged it.
+// An alarm stands until somebody has acknowledged it, and as long as its channel is in that state;
+// what a reset has cleared does not come back with the next one.
 bool StatusReport::stands(const channels::AlarmReport& alarm, std::size_t index,
                           const channels::CycleOutput& output) const {
   const auto notes = notes_.find(alarm.channel);
+  if (notes != notes_.end() && index < notes->second.alarms_cleared) return false;
   const bool is_acknowledged = notes != notes_.end() && index < notes->second.alarms_acknowledged;
   return !is_acknowledged || output_of(output, alarm.channel).state == ChannelState::alarm;
 }

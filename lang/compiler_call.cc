@@ -223,7 +223,7 @@ void Compiler::check_channel_call(const Builtin& builtin, const Expression& call
     reporter_
         .warning("W710", call.children[1].span,
                  "\"" + name->text + "\" is not included; it is looked for at run time",
-                 "not checked now")
+                 "no part of this program")
         .help.push_back("add `#include \"" + name->text + "\"`");
   }
   if (!channel) return;

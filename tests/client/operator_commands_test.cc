@@ -119,7 +119,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"subscribe channels events --rate-hz 5", "subscribe",
              R"({"topics":["channels","events"],"rate_hz":5})"},
         Case{"drive fault X stuck", "drive.fault", R"({"drive":"X","fault":"stuck"})"},
-        Case{"mdi G0X1", "mdi", R"({"text":"G0X1"})"}));
+        Case{"mdi G0X1", "mdi", R"({"text":"G0X1","wait":"done"})"},
+        Case{"mdi G0X1 --wait", "mdi", R"({"text":"G0X1","wait":"done"})"},
+        Case{"mdi G0X1 --no-wait", "mdi", R"({"text":"G0X1"})"},
+        Case{"program start --no-wait", "program.start", "{}"}));
 
 TEST(CommandLine, IsRefusedWithoutADaemonWhenAValueDoesNotFit) {
   for (const char* line :

@@ -366,6 +366,54 @@ TEST_F(DispatchTest, ListsAlarmsUntilTheyAreAcknowledged) {
   EXPECT_TRUE(result("alarm.list")["alarms"].empty());
 }
 
+// What was reset does not come back with the next alarm; what was acknowledged in an alarm stands
+// with it.
+TEST_F(DispatchTest, AnAlarmThatWasResetDoesNotComeBackWithTheNext) {
+  const auto raise = [&](const char* code) {
+    channels::AlarmReport alarm;
+    alarm.channel = 1;
+    alarm.diagnostic.code = code;
+    machine.alarm_reports.push_back(alarm);
+    machine.output.channels[0].state = channels::ChannelState::alarm;
+  };
+  const auto accept = [&](const char* method) {
+    static_cast<void>(ask(method));
+    dispatch.on_reply(accepted(machine.submitted().back().id));
+  };
+  const auto standing = [&] {
+    std::vector<std::string> codes;
+    const json list = result("alarm.list");
+    for (const json& row : list["alarms"]) codes.push_back(row["code"]);
+    return codes;
+  };
+  raise("E5101");
+  machine.output.channels[0].state = channels::ChannelState::idle;
+  accept("program.reset");
+  EXPECT_TRUE(standing().empty());
+  raise("U1006");
+  EXPECT_EQ(standing(), std::vector<std::string>{"U1006"});
+  accept("alarm.ack");
+  EXPECT_EQ(standing(), std::vector<std::string>{"U1006"}) << "the channel is in that state";
+  machine.output.channels[0].state = channels::ChannelState::idle;
+  EXPECT_TRUE(standing().empty());
+  accept("alarm.ack");
+  raise("E6003");
+  EXPECT_EQ(standing(), std::vector<std::string>{"E6003"});
+  EXPECT_EQ(result("alarm.history")["alarms"].size(), 3u);
+}
+
+TEST_F(DispatchTest, TellsTheErrorOfALineWithTheKindOfAProgramsErrors) {
+  const auto slot = ask("mdi", {{"text", "G1 X1 F"}});
+  channels::AlarmReport report;
+  report.channel = 1;
+  report.diagnostic.code = "E2001";
+  machine.diagnostics = {report};
+  dispatch.on_reply(refused(machine.submitted()[0].id, "", "mdi"));
+  ASSERT_TRUE(slot->has_value());
+  EXPECT_EQ(slot->value().error().kind, FailureKind::program_error);
+  EXPECT_EQ(slot->value().error().code, "E2001");
+}
+
 TEST_F(DispatchTest, LetsRolesGoDownOnly) {
   EXPECT_EQ(result("session.role", {{"role", "observer"}})["role"], "observer");
   EXPECT_EQ(result("session.role", {{"role", "operator"}})["role"], "observer");
