@@ -4,8 +4,12 @@
 // "Exit codes"); each command lives in a file of its own.
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <span>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include "client/command_suggestion.h"
 #include "client/exit_codes.h"
 #include "client/offline.h"
 #include "client/operator_client.h"
@@ -17,13 +21,16 @@
 namespace {
 
 // Help and version, or what is wrong with the command line.
-int tell(const CLI::App& app, const CLI::ParseError& error) {
+int tell(const CLI::App& app, const CLI::ParseError& error, std::span<char*> arguments) {
   std::ostringstream data;
   std::ostringstream message;
   const int code = app.exit(error, data, message);
   stanok::client::write_data(data.str());
   stanok::client::write_message(message.str());
-  return code == 0 ? 0 : stanok::client::exit_usage;
+  if (code == 0) return 0;
+  const std::vector<std::string> words(arguments.begin() + 1, arguments.end());
+  stanok::client::write_message(stanok::client::command_suggestion(app, words));
+  return stanok::client::exit_usage;
 }
 
 int run(int argc, char** argv) {
@@ -41,7 +48,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return tell(app, error);
+    return tell(app, error, {argv, static_cast<std::size_t>(argc)});
   }
   return exit_code;
 }

@@ -64,6 +64,7 @@ TEST(OperatorClient, GivesUpAtTheDeadline) {
   const auto result = client.call("x", json::object(), OperatorClient::Clock::now() + 20ms);
   ASSERT_FALSE(result);
   EXPECT_EQ(exit_code(result.error().kind), 4);
+  EXPECT_EQ(result.error().code, "E9016");
 }
 
 TEST(OperatorClient, SaysThatTheConnectionIsLost) {

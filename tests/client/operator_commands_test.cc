@@ -6,7 +6,9 @@
 #include <fstream>
 #include <optional>
 
+#include "client/command_suggestion.h"
 #include "client/noun_command.h"
+#include "client/offline.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::client {
@@ -152,6 +154,29 @@ TEST(CommandLine, WatchSubscribesToAllChannels) {
   EXPECT_EQ(call->method->name, "subscribe");
   EXPECT_EQ(call->parameters, json::parse(R"({"topics":["channels","events"]})"));
   EXPECT_TRUE(call->is_overview);
+}
+
+struct MisspeltCase {
+  std::vector<std::string> words;
+  const char* suggestion;
+};
+
+TEST(CommandSuggestion, NamesTheNearestCommand) {
+  CLI::App app;
+  int exit_code = 0;
+  add_operator_commands(app, [](const OperatorCall&) {});
+  add_offline_commands(app, exit_code);
+  for (const MisspeltCase& given : {
+           MisspeltCase{{"chek", "part.nc"}, "did you mean `stanok check`?\n"},
+           MisspeltCase{{"--socket", "/x", "Program", "rum"}, "did you mean `stanok program`?\n"},
+           MisspeltCase{{"program", "rnu", "a.nc"}, "did you mean `stanok program run`?\n"},
+           MisspeltCase{{"program", "run"}, ""},
+           MisspeltCase{{"check", "chek"}, ""},
+           MisspeltCase{{"zzzzzzzzz"}, ""},
+           MisspeltCase{{}, ""},
+       }) {
+    EXPECT_EQ(command_suggestion(app, given.words), given.suggestion);
+  }
 }
 
 TEST(NounCommand, IsSharedByOperatorAndOffLineCommands) {
