@@ -6,8 +6,8 @@
 namespace stanok {
 namespace {
 
-// Names of sources begin where the build was made, as that of this one does; what counts is from the
-// root of the repository.
+// Names of sources begin where the build was made, as that of this one does; what counts is from
+// the root of the repository.
 std::string_view from_root(std::string_view file) {
   std::string_view root = __FILE__;
   root.remove_suffix(std::string_view("base/assert.cc").size());

@@ -68,7 +68,7 @@ TEST_F(CompileEndTest, AllFilesTogetherAreBounded) {
 TEST_F(CompileEndTest, StatementsOfAProgramAreBoundedFullSize) {
   const std::string statement = "aa=1;\n";
   const auto text = [&](std::size_t count) {
-    return "num aa;\n" + repeated(statement, static_cast<int>(count) - 1) + "G1 X1 F1\n";
+    return "num aa;\n" + repeated(statement, count - 1) + "G1 X1 F1\n";
   };
   EXPECT_EQ(code_with(text(limits::statements)), "");
   EXPECT_EQ(code_with(text(limits::statements + 1)), "E8002");
