@@ -125,11 +125,53 @@ bool BlockPreparation::take_programmed(const kinematics::Transform& next) {
 
 void BlockPreparation::stand_at(const motion::Point& axes_M) {
   kinematics::forward(transform(), axes_M, position_W_);
+  if (is_on_face()) face_axis_M_ = motion::at(axes_M, face_.rotary_axis());
+}
+
+bool BlockPreparation::is_on_face() const {
+  return face_.is_on() && face_.is_face();
+}
+
+// The position on the face says nothing of the turns that its rotary axis has made.
+double BlockPreparation::face_axis_at(const motion::PathBlock& block, double part) const {
+  motion::Point point_W = position_W_;
+  for (std::size_t k = 0; k < point_W.size(); ++k)
+    point_W[k] += (block.end[k] - position_W_[k]) * part;
+  if (block.kind == motion::BlockKind::arc) {
+    const double angle = block.sweep_rad * part;
+    const double x = motion::at(position_W_, block.plane[0]) - block.centre[0];
+    const double y = motion::at(position_W_, block.plane[1]) - block.centre[1];
+    point_W[static_cast<std::size_t>(block.plane[0])] =
+        block.centre[0] + x * std::cos(angle) - y * std::sin(angle);
+    point_W[static_cast<std::size_t>(block.plane[1])] =
+        block.centre[1] + x * std::sin(angle) + y * std::cos(angle);
+  }
+  motion::Point axes_M{};
+  kinematics::inverse(*block.transform, point_W, axes_M);
+  return motion::at(axes_M, face_.rotary_axis());
+}
+
+// How far the rotary axis turns between two parts of the block, deg: halved until the shorter way
+// round is the way that the path takes.
+double BlockPreparation::face_turn(const motion::PathBlock& block, double from, double to) const {
+  constexpr double sure_deg = 60.0;
+  constexpr double part_min = 1e-7;
+  const double turn = std::remainder(face_axis_at(block, to) - face_axis_at(block, from), 360.0);
+  const bool is_line = block.kind == motion::BlockKind::line;
+  if (is_line || (std::abs(turn) < sure_deg && to - from < 0.1) || to - from < part_min)
+    return turn;
+  const double middle = 0.5 * (from + to);
+  return face_turn(block, from, middle) + face_turn(block, middle, to);
 }
 
 motion::Point BlockPreparation::axes_M() const {
   motion::Point axes_M{};
   kinematics::inverse(transform(), position_W_, axes_M);
+  if (is_on_face()) {
+    constexpr double turn = 360.0;
+    double& rotary = axes_M[static_cast<std::size_t>(face_.rotary_axis())];
+    rotary += turn * std::round((face_axis_M_ - rotary) / turn);
+  }
   return axes_M;
 }
 
@@ -295,6 +337,7 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
   const auto way = way_of(*block, length_of(*block));
   if (auto refusal = process_.apply(move, way, *block))
     return Unexpected<Diagnostic>(std::move(*refusal));
+  if (is_on_face()) face_axis_M_ += face_turn(*block, 0.0, 1.0);
   position_W_ = block->end;
   return block;
 }

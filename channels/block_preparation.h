@@ -90,6 +90,9 @@ class BlockPreparation {
   [[nodiscard]] bool set_tool_length(const lang::ToolLength& length);
   [[nodiscard]] bool set_transformation(const lang::TransformationChange& change);
   [[nodiscard]] bool take_programmed(const kinematics::Transform& next);
+  [[nodiscard]] bool is_on_face() const;
+  [[nodiscard]] double face_axis_at(const motion::PathBlock& block, double part) const;
+  [[nodiscard]] double face_turn(const motion::PathBlock& block, double from, double to) const;
   void stand_at(const motion::Point& axes_M);
   [[nodiscard]] std::optional<Diagnostic> refuse_pole(const motion::PathBlock& block) const;
   [[nodiscard]] motion::Point end_of(const lang::Move& move) const;
@@ -108,6 +111,7 @@ class BlockPreparation {
   kinematics::Transform programmed_;  // without face or cylinder transformation
   ProcessPreparation process_;
   FaceTransformation face_;
+  double face_axis_M_ = 0.0;  // on a face: where its rotary axis stands, with all its turns; deg
   std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
   motion::Point position_W_{};                    // of the path
 };

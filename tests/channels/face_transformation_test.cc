@@ -218,5 +218,19 @@ TEST_F(Face, EndsWhereItStandsInDegrees) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
 }
 
+// Once and one and a half times round the centre, by lines and by an arc: C has turned, and from
+// there a programmed C0 turns it back. Every step of every axis is judged.
+TEST_F(Face, ItsAxisKeepsItsTurnsBehindIt) {
+  double c_max = 0.0;
+  run("G94 G8 M902\nG0 X20 C0\nG12.1\nG1 X10 C10 F1200\nX-10\nC-10\nX10\nC5\n"
+      "X20 C0\nG3 X-20 C0 I-20 J0\nG13.1\nG0 X25\nC0\nM30\n",
+      [&](const ChannelOutput& channel) {
+        c_max = std::max(c_max, channel.axes[lathe_C].position);
+      });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_NEAR(c_max, 540.0, 1.0);
+  EXPECT_NEAR(bench.channel(1).axes[lathe_X].position, 25.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace stanok::channels
