@@ -76,8 +76,7 @@ bool Channel::guard_setpoints(Steps steps) RT_SAFE {
                             figures_.axes[i].codes.resolution;
     const bool is_number = std::isfinite(axis.value) && std::isfinite(axis.first) &&
                            std::isfinite(axis.second) && std::isfinite(axis.third);
-    // A spindle that becomes an axis takes the position that its encoder tells.
-    const bool may_step = steps == Steps::of_numbers || (spindle_axes_ >> k & 1U) != 0;
+    const bool may_step = steps == Steps::of_numbers || is_spindle_now(k);
     if (is_number && (step <= step_max || may_step)) continue;
     FixedText<128> text("axis ");
     text.append(axis_name(k).view());
