@@ -183,7 +183,7 @@ class Writer {
     if (choices_.chance(0.25)) {
       words += " R" + number(std::abs(sweep) > std::numbers::pi ? -radius : radius);
     } else {
-      words += (turns() ? " I" : " I") + number(along) + (turns() ? " K" : " J") + number(across);
+      words += " I" + number(along) + (turns() ? " K" : " J") + number(across);
     }
     if (!turns() && choices_.chance(0.2)) {
       const double rise = step();
