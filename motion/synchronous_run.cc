@@ -77,6 +77,7 @@ void SynchronousRun::begin(const SpindleCoupling& coupling, double length) RT_SA
   order_ = {};
   is_lost_ = false;
   has_watched_ = false;
+  mean_speed_ = 0.0;
   leaves_ = false;
   is_in_law_ = false;
   has_joined_ = false;
@@ -87,6 +88,7 @@ PathMotion SynchronousRun::advance(const SpindleMotion& spindle, const FeedContr
     RT_SAFE {
   order_ = {};
   if (stage_ == Stage::waits) {
+    watch_speed(spindle);
     if (control.hold) has_watched_ = false;  // the start angle may pass meanwhile
     if (control.hold || !is_due(spindle)) return motion_;
     stage_ = Stage::goes_in;
@@ -124,6 +126,26 @@ void SynchronousRun::leave(const SpindleMotion& spindle) RT_SAFE {
   take(shortest_way());
 }
 
+// With which limits the run-in to this speed is made: those of the entry where it could be braked
+// off before the first corner, that has no part in it then.
+RampLimits SynchronousRun::run_in_limits(double speed) RT_SAFE {
+  limits_ = limits_of(coupling_.entry);
+  const RampLimits limits = scaled(limits_, run_in_share);
+  if (run_ins_before_corner * ramp_distance(0.0, speed, limits) <= coupling_.entry_end)
+    return limits;
+  limits_ = limits_of(coupling_.chain);
+  return scaled(limits_, run_in_share);
+}
+
+// The mean lags behind a speed that changes at a steady rate by what the rate makes of the speed
+// during a run-in. At first it is zero: only a spindle that has turned for as long as that is
+// known.
+void SynchronousRun::watch_speed(const SpindleMotion& spindle) RT_SAFE {
+  const double speed = std::abs(spindle.speed);
+  const double duration = ramp_duration(0.0, speed, run_in_limits(speed));
+  mean_speed_ += (spindle.speed - mean_speed_) * std::min(1.0, cycle_s_ / duration);
+}
+
 // Whether the run-in begins within this cycle: half its turns before the start angle comes.
 bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   const double speed = std::abs(spindle.speed);
@@ -133,15 +155,13 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
     lose();
     return false;
   }
-  // Where the run-in could be braked off before the first corner, that has no part in it.
-  limits_ = limits_of(coupling_.entry);
-  RampLimits limits = scaled(limits_, run_in_share);
-  if (run_ins_before_corner * ramp_distance(0.0, speed, limits) > coupling_.entry_end) {
-    limits_ = limits_of(coupling_.chain);
-    limits = scaled(limits_, run_in_share);
-  }
+  const RampLimits limits = run_in_limits(speed);
   const double duration = ramp_duration(0.0, speed, limits);
-  if (std::abs(spindle.acceleration) * duration > change_in_run_in * speed) {
+  // The acceleration that an encoder shows is noisy, and more so over a long run-in; the speed is
+  // not. Either says that the spindle keeps its speed.
+  const bool keeps_speed = std::abs(spindle.acceleration) * duration <= change_in_run_in * speed ||
+                           std::abs(spindle.speed - mean_speed_) <= change_in_run_in * speed;
+  if (!keeps_speed) {
     has_watched_ = false;
     return false;
   }

@@ -90,6 +90,24 @@ INSTANTIATE_TEST_SUITE_P(SynchronousRun, Ripple,
                                            RippleCase{"S3000F2", 50.0, 2.0}),
                          [](const auto& with) { return std::string(with.param.name); });
 
+// A run-in to almost all that an axis can takes so long that the steps of the encoder, through the
+// acceleration that is seen of them, add up to more than the speed may change meanwhile.
+TEST(SynchronousRun, BeginsNearTheHighestSpeedOfTheAxes) {
+  const Turning turning = steady(10.0);
+  constexpr double lead = 24.6;  // 246 of 250 mm/s
+  ThreadBench bench(turning, 10.0, at(0.0, 200.0));
+  constexpr int lines = 1024;
+  bench.see_through(lines);
+  bench.idle(0.3);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(0.0, 200.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(0.0, -280.0), lead)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  EXPECT_LE(helix_error(samples, turning, 200.0, -lead, 0.0, 100.0, -180.0), lead / lines);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
 // The start angle is one of the spindle, whichever way it turns.
 TEST(SynchronousRun, FollowsASpindleThatTurnsCounterClockwise) {
   const Turning turning = [](double t) { return -10.0 * t; };

@@ -79,6 +79,9 @@ class ThreadBench {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const InterpolatorOutput& output() const { return output_; }
 
+  // Counts of a turn that the encoder gives.
+  void see_through(int lines) { lines_ = lines; }
+
   // The spindle turns, nothing is to be cut.
   void idle(double seconds) {
     const int cycles = static_cast<int>(seconds / cycle_s);
@@ -105,7 +108,7 @@ class ThreadBench {
 
   void cycle() {
     observer_.advance(cycle_s, command(0.0));
-    observer_.observe(stanok::testing::encoder_deg(turning_(time_), encoder_lines));
+    observer_.observe(stanok::testing::encoder_deg(turning_(time_), lines_));
     interpolator_.see_spindle(0, observer_.ahead(cycle_s, command(cycle_s)));
     {
       stanok::testing::NoAllocation guard;
@@ -152,6 +155,7 @@ class ThreadBench {
 
   MotionConfig config_ = lathe_axes();
   Turning turning_;
+  int lines_ = encoder_lines;
   std::function<void(const SpindleOrder&)> obey_;
   std::function<SpindleMotion(double)> commands_;
   double speed_wanted_;
