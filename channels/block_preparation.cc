@@ -359,12 +359,10 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
   nurbs.points.insert(nurbs.points.end(), spline.points.begin(), spline.points.end());
   nurbs.weights = spline.weights;
   const auto stretches = motion::stretches_of(nurbs, curve_deviation_mm);
-  if (stretches.empty()) {
-    Diagnostic d;
-    d.code = "E6033";
-    d.message = "a spline without a direction at one end: control points coincide";
-    d.help = {"move the first or the last inner control point away from the end beside it"};
-    return Unexpected<Diagnostic>(std::move(d));
+  if (stretches.empty()) {  // a point, in the plane
+    auto point = block(spline.base, tag);
+    if (!point) return Unexpected<Diagnostic>(point.error());
+    return std::vector{*point};
   }
   auto whole = block_without_feed(spline.base, tag);
   if (!whole) return Unexpected<Diagnostic>(whole.error());

@@ -11,13 +11,16 @@
 namespace stanok::motion {
 namespace {
 
-constexpr int halvings_max = 12;
+constexpr int halvings_max = 12;          // for the deviation
+constexpr int halvings_at_cusp_max = 40;  // until next to nothing is left
+// Of what has no direction, or turns it sharply, this much is left out: the path meets itself at a
+// corner there. Longer than a `standstill`, so that no block of its own comes of it.
+constexpr double unseen_way = 1e-9;  // mm
+constexpr double rounding = 1e-12;   // mm
 constexpr int speed_samples = 8;
-// Speed by the parameter, as a share of the control polygon's length, below which a curve is taken
-// to stand still.
-constexpr double parameter_speed_min = 1e-6;
-// The most by which this speed may change within a stretch: where it grows out of next to nothing
-// the curve is bent sharply, and what limits the path there must not hold for all of it.
+// The most by which the speed by the parameter may change within a stretch: where it grows out of
+// next to nothing the curve is bent sharply, and what limits the path there must not hold for all
+// of it.
 constexpr double speed_ratio_max = 16.0;
 
 using Homogeneous = std::array<double, 3>;  // w x, w y, w
@@ -114,53 +117,113 @@ double value_of(const std::array<double, 6>& c, double u) {
   return ((((c[5] * u + c[4]) * u + c[3]) * u + c[2]) * u + c[1]) * u + c[0];
 }
 
-// Appends the stretches of a span between x0 and x1; false when the curve stands still there.
+// Makes the stretches of a curve, span by span.
 class Stretcher {
  public:
-  Stretcher(const Span& span, double deviation, double speed_least)
-      : span_(span), deviation_(deviation), speed_least_(speed_least) {}
+  explicit Stretcher(double deviation) : deviation_(deviation) {}
 
-  bool stretch(double x0, double x1, int halvings, std::vector<CurveStretch>& out) const {
-    const CurvePoint from = span_.at(x0);
-    const CurvePoint to = span_.at(x1);
-    if (size(from.first) < speed_least_ || size(to.first) < speed_least_) return false;
-    const double h = x1 - x0;
+  // Appends those between x0 and x1 of a span, which the parameter of the curve passes as
+  // `number` + x.
+  void stretch(const Span& span, double number, double x0, double x1, int halvings) {
+    const CurvePoint from = span.at(x0);
+    const CurvePoint to = span.at(x1);
+    const bool has_cusp = changes_speed(span, x0, x1);
+    if (has_cusp && (halvings >= halvings_at_cusp_max || way(span, x0, x1) < unseen_way)) return;
+    const CurveStretch made = between_states(from, to, x1 - x0);
+    if (has_cusp || (halvings < halvings_max && deviates(span, made, x0, x1))) {
+      const double middle = 0.5 * (x0 + x1);
+      stretch(span, number, x0, middle, halvings + 1);
+      return stretch(span, number, middle, x1, halvings + 1);
+    }
+    made_.push_back(made);
+    made_.back().end = number + x1;
+  }
+
+  // What was left out between stretches, before the first and behind the last is closed by its
+  // neighbours; parameters are shares of the curve.
+  std::vector<CurveStretch> finish(const std::array<double, 2>& start,
+                                   const std::array<double, 2>& end, double spans) {
+    std::array<double, 2> here = start;
+    for (CurveStretch& made : made_) {
+      move_start(made, here);
+      here = end_of(made);
+      made.end /= spans;
+    }
+    if (!made_.empty()) {
+      move_end(made_.back(), end);
+      made_.back().end = 1.0;
+    }
+    return std::move(made_);
+  }
+
+ private:
+  static CurveStretch between_states(const CurvePoint& from, const CurvePoint& to, double h) {
     CurveStretch made;
-    made.end = x1;
     for (std::size_t c = 0; c < 2; ++c) {
       made.coefficients[c] =
           quintic_between(from.position[c], h * from.first[c], h * h * from.second[c],
                           to.position[c], h * to.first[c], h * h * to.second[c]);
     }
-    if (halvings < halvings_max && (deviates(made, x0, x1) || changes_speed(x0, x1))) {
-      const double middle = 0.5 * (x0 + x1);
-      return stretch(x0, middle, halvings + 1, out) && stretch(middle, x1, halvings + 1, out);
-    }
-    out.push_back(made);
-    return true;
+    return made;
   }
 
- private:
+  static std::array<double, 2> end_of(const CurveStretch& made) {
+    return {value_of(made.coefficients[0], 1.0), value_of(made.coefficients[1], 1.0)};
+  }
+
+  // One end goes to another place within `unseen_way`; both derivatives at both ends stay.
+  static void move_start(CurveStretch& made, const std::array<double, 2>& to) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      const double by = to[c] - made.coefficients[c][0];
+      if (std::abs(by) < rounding) continue;
+      add(made.coefficients[c], quintic_between(by, 0.0, 0.0, 0.0, 0.0, 0.0));
+    }
+  }
+  static void move_end(CurveStretch& made, const std::array<double, 2>& to) {
+    const std::array<double, 2> end = end_of(made);
+    for (std::size_t c = 0; c < 2; ++c) {
+      const double by = to[c] - end[c];
+      if (std::abs(by) < rounding) continue;
+      add(made.coefficients[c], quintic_between(0.0, 0.0, 0.0, by, 0.0, 0.0));
+    }
+  }
+  static void add(std::array<double, 6>& coefficients, const std::array<double, 6>& more) {
+    for (std::size_t k = 0; k < more.size(); ++k) coefficients[k] += more[k];
+  }
+
   // Between two samples the speed may be lower than at both, by what the second derivative allows.
-  [[nodiscard]] bool changes_speed(double x0, double x1) const {
+  [[nodiscard]] static bool changes_speed(const Span& span, double x0, double x1) {
     const double step = (x1 - x0) / speed_samples;
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
-    CurvePoint before = span_.at(x0);
+    CurvePoint before = span.at(x0);
     for (int k = 1; k <= speed_samples; ++k) {
-      const CurvePoint here = span_.at(x0 + step * k);
+      const CurvePoint here = span.at(x0 + step * k);
       const double change = std::max(size(before.second), size(here.second));
       least = std::min(least, 0.5 * (size(before.first) + size(here.first) - step * change));
       most = std::max(most, size(here.first));
       before = here;
     }
-    return most > speed_ratio_max * least;
+    return !(least > 0.0 && most <= speed_ratio_max * least);
   }
 
-  [[nodiscard]] bool deviates(const CurveStretch& made, double x0, double x1) const {
+  [[nodiscard]] static double way(const Span& span, double x0, double x1) {
+    const double step = (x1 - x0) / speed_samples;
+    double length = 0.0;
+    std::array<double, 2> before = span.at(x0).position;
+    for (int k = 1; k <= speed_samples; ++k) {
+      const std::array<double, 2> here = span.at(x0 + step * k).position;
+      length += std::hypot(here[0] - before[0], here[1] - before[1]);
+      before = here;
+    }
+    return length;
+  }
+
+  [[nodiscard]] bool deviates(const Span& span, const CurveStretch& made, double x0,
+                              double x1) const {
     for (int k = 1; k < speed_samples; ++k) {
       const double u = static_cast<double>(k) / speed_samples;
-      const CurvePoint point = span_.at(x0 + (x1 - x0) * u);
+      const CurvePoint point = span.at(x0 + (x1 - x0) * u);
       if (std::hypot(value_of(made.coefficients[0], u) - point.position[0],
                      value_of(made.coefficients[1], u) - point.position[1]) > deviation_)
         return true;
@@ -168,18 +231,9 @@ class Stretcher {
     return false;
   }
 
-  const Span& span_;
   double deviation_;
-  double speed_least_;
+  std::vector<CurveStretch> made_;
 };
-
-double polygon_length(const std::vector<std::array<double, 2>>& points) {
-  double length = 0.0;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    length += std::hypot(points[k][0] - points[k - 1][0], points[k][1] - points[k - 1][1]);
-  }
-  return length;
-}
 
 }  // namespace
 
@@ -191,18 +245,10 @@ std::vector<CurveStretch> stretches_of(const PlanarNurbs& curve, double deviatio
   }
   const auto degree = static_cast<std::size_t>(curve.degree);
   const std::size_t spans = control.size() - degree;
-  const double speed_least =
-      parameter_speed_min * polygon_length(curve.points) / static_cast<double>(spans);
-  std::vector<CurveStretch> stretches;
-  for (std::size_t s = 0; s < spans; ++s) {
-    const Span span(bezier_of(control, degree, s));
-    const std::size_t first = stretches.size();
-    if (!Stretcher(span, deviation, speed_least).stretch(0.0, 1.0, 0, stretches)) return {};
-    for (std::size_t k = first; k < stretches.size(); ++k) {
-      stretches[k].end = (static_cast<double>(s) + stretches[k].end) / static_cast<double>(spans);
-    }
-  }
-  return stretches;
+  Stretcher stretcher(deviation);
+  for (std::size_t s = 0; s < spans; ++s)
+    stretcher.stretch(Span(bezier_of(control, degree, s)), static_cast<double>(s), 0.0, 1.0, 0);
+  return stretcher.finish(curve.points.front(), curve.points.back(), static_cast<double>(spans));
 }
 
 }  // namespace stanok::motion

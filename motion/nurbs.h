@@ -2,7 +2,8 @@
 //
 // A stretch has position and first two derivatives of the curve at both ends. Curves of degree up
 // to 5 with equal weights are reproduced; others deviate by less than asked for, since stretches
-// are halved until they do: the deviation falls with the sixth power of their length.
+// are halved until they do: the deviation falls with the sixth power of their length. Where the
+// curve has no direction, or turns back within some nm, stretches meet at a corner.
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ struct CurveStretch {
   std::array<std::array<double, 6>, 2> coefficients{};
 };
 
-// Empty when the curve has no direction somewhere, because control points coincide.
+// Empty when all control points are the same.
 [[nodiscard]] std::vector<CurveStretch> stretches_of(const PlanarNurbs& curve, double deviation);
 
 }  // namespace stanok::motion

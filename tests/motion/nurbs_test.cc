@@ -134,8 +134,35 @@ TEST(Nurbs, ACuspIsAloneInItsStretch) {
   }
 }
 
-TEST(Nurbs, CurveWithoutADirectionIsRefused) {
-  EXPECT_TRUE(stretches_of({3, {{0, 0}, {0, 0}, {5, 5}, {9, 0}}, {}}, 1e-7).empty());
+// Both components of the derivative vanish at u = 1/2 of (0, 0), (10, 10), (0, 10), (10, 0), and at
+// the ends of the others: the stretches meet at a corner there, and are one curve all the same.
+TEST(Nurbs, WhereItHasNoDirectionIsACorner) {
+  const PlanarNurbs curves[] = {{3, {{0, 0}, {10, 10}, {0, 10}, {10, 0}}, {}},
+                                {3, {{0, 0}, {0, 0}, {5, 5}, {9, 0}}, {}},
+                                {3, {{0, 0}, {5, 5}, {9, 0}, {9, 0}}, {}},
+                                {3, {{0, 0}, {0, 0}, {9, 1}, {9, 1}}, {}},
+                                {3, {{0, 0}, {0, 0}, {0, 0}, {9, 1}}, {}},
+                                {5, {{0, 0}, {0, 0}, {0, 0}, {4, 4}, {4, 4}, {9, 1}, {9, 1}}, {}}};
+  for (const PlanarNurbs& curve : curves) {
+    const auto stretches = stretches_of(curve, 1e-7);
+    ASSERT_FALSE(stretches.empty());
+    EXPECT_LT(stretches.size(), 100U);
+    std::array<double, 2> end = curve.points.front();
+    for (const CurveStretch& stretch : stretches) {
+      EXPECT_NEAR(std::hypot(at(stretch, 0.0)[0] - end[0], at(stretch, 0.0)[1] - end[1]), 0.0,
+                  1e-12);
+      end = at(stretch, 1.0);
+      const double begun = std::hypot(stretch.coefficients[0][1], stretch.coefficients[1][1]);
+      EXPECT_GT(begun, 0.0);
+    }
+    EXPECT_NEAR(std::hypot(end[0] - curve.points.back()[0], end[1] - curve.points.back()[1]), 0.0,
+                1e-12);
+    EXPECT_EQ(stretches.back().end, 1.0);
+  }
+}
+
+TEST(Nurbs, APointIsNoCurve) {
+  EXPECT_TRUE(stretches_of({3, {{1, 2}, {1, 2}, {1, 2}, {1, 2}}, {}}, 1e-7).empty());
 }
 
 }  // namespace
