@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <numbers>
+#include <string_view>
 
 namespace stanok::testing {
 namespace {
@@ -322,8 +324,13 @@ std::size_t Choices::below(std::size_t count) {
   return std::min(chosen, count - 1);
 }
 
+ChoicesOfBytes::ChoicesOfBytes(const std::uint8_t* bytes, std::size_t size)
+    : bytes_(bytes),
+      left_(size),
+      then_(std::hash<std::string_view>{}({reinterpret_cast<const char*>(bytes), size})) {}
+
 double ChoicesOfBytes::between(double low, double high) {
-  if (left_ == 0) return low;
+  if (left_ == 0) return then_.between(low, high);
   const double part = static_cast<double>(*bytes_++) / 256.0;
   --left_;
   return low + (high - low) * part;

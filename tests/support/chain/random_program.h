@@ -31,15 +31,16 @@ class SeededChoices final : public Choices {
   std::mt19937_64 engine_;
 };
 
-// Eight bits a choice; lower ends when they are used up.
+// Eight bits a choice; when they are used up a generator goes on that all of them seed.
 class ChoicesOfBytes final : public Choices {
  public:
-  ChoicesOfBytes(const std::uint8_t* bytes, std::size_t size) : bytes_(bytes), left_(size) {}
+  ChoicesOfBytes(const std::uint8_t* bytes, std::size_t size);
   double between(double low, double high) override;
 
  private:
   const std::uint8_t* bytes_;
   std::size_t left_;
+  SeededChoices then_;
 };
 
 enum class MachineKind { three_axes, five_axes, lathe };
