@@ -10,8 +10,11 @@
 namespace stanok::config {
 namespace {
 
-std::string quoted(std::string_view text) {
-  return '\'' + std::string(text) + '\'';
+constexpr std::size_t path_part_max = 64;  // bytes; of a path to a socket there are 107
+
+bool is_control(char c) {
+  const auto code = static_cast<unsigned char>(c);
+  return code < 0x20 || code == 0x7f;
 }
 
 std::string joined(const std::vector<std::string_view>& names, std::string_view separator) {
@@ -59,16 +62,17 @@ std::string range_text(const Allowed& allowed) {
   const bool has_min = std::isfinite(allowed.min);
   const bool has_max = std::isfinite(allowed.max);
   if (has_min && has_max) return number_text(allowed.min) + " to " + number_text(allowed.max);
-  if (has_min && allowed.min_excluded) return "above " + number_text(allowed.min);
   if (has_min) return number_text(allowed.min) + " or more";
   if (has_max) return number_text(allowed.max) + " or less";
+  if (allowed.part_of_path) {
+    return "1 to " + std::to_string(path_part_max) + " bytes, no '/', no '.' or blank at its begin";
+  }
   return allowed.direction ? "not 0, 0, 0" : "";
 }
 
 bool is_allowed(const toml::node& node, const KeyText& key, const Scope& scope, double value) {
   const Allowed& allowed = key.allowed;
-  const bool too_small = allowed.min_excluded ? value <= allowed.min : value < allowed.min;
-  if (!too_small && value <= allowed.max) return true;
+  if (allowed.min <= value && value <= allowed.max) return true;
   scope.fault(node.source(), std::string(key.name) + " is " + number_text(value) + "; it must be " +
                                  range_text(allowed) + " (" + explained(key) + ")");
   return false;
@@ -87,6 +91,20 @@ std::optional<double> number(const toml::node& node, const KeyText& key, const S
     return std::nullopt;
   }
   return value;
+}
+
+// Texts come into messages, file names and the bus: none may break a line or steer a terminal.
+bool is_plain(const toml::node& node, const KeyText& key, const Scope& scope,
+              std::string_view text) {
+  if (std::ranges::none_of(text, is_control)) return true;
+  scope.fault(node.source(), std::string(key.name) + " is " + quoted(text) +
+                                 "; write it without control characters");
+  return false;
+}
+
+bool is_part_of_path(std::string_view text) {
+  return !text.empty() && text.size() <= path_part_max && text.front() != '.' &&
+         text.front() != ' ' && text.find('/') == std::string_view::npos;
 }
 
 // Shortens or lengthens a vector to 1; false when it is zero.
@@ -129,6 +147,12 @@ const toml::source_region& place_of(const toml::table& table, std::string_view k
   const toml::array* list = table[key].as_array();
   const toml::node* element = list == nullptr ? nullptr : list->get(index);
   return element == nullptr ? place_of(table, key) : element->source();
+}
+
+std::string quoted(std::string_view text) {
+  std::string line = "'";
+  for (const char c : text) line += is_control(c) ? '?' : c;
+  return line + '\'';
 }
 
 std::string number_text(double value) {
@@ -181,7 +205,10 @@ void read_value(const toml::node& node, const KeyText& key, const Scope& scope,
   } else if (key.presence == required && read->empty()) {
     scope.fault(node.source(),
                 std::string(key.name) + " is empty; write the " + std::string(key.meaning));
-  } else {
+  } else if (key.allowed.part_of_path && !is_part_of_path(*read)) {
+    scope.fault(node.source(), std::string(key.name) + " is " + quoted(*read) + "; it must have " +
+                                   range_text(key.allowed) + " (" + explained(key) + ")");
+  } else if (is_plain(node, key, scope, *read)) {
     value = *read;
   }
 }
@@ -211,6 +238,7 @@ void read_value(const toml::node& node, const KeyText& key, const Scope& scope, 
   for (const toml::node& element : *list) {
     const auto read = element.value_exact<std::string>();
     if (!read) return wrong_kind(element, key, scope, "a list of texts in quotes");
+    if (!is_plain(element, key, scope, *read)) return;
     texts.push_back(*read);
   }
   value = std::move(texts);
@@ -233,7 +261,8 @@ void read_value(const toml::node& node, const KeyText& key, const Scope& scope, 
   if (table == nullptr) return wrong_kind(node, key, scope, "a table of texts");
   for (const auto& [name, element] : *table) {
     if (const auto read = element.value_exact<std::string>()) {
-      value[std::string(name.str())] = *read;
+      if (is_plain(element, key, scope, name.str()) && is_plain(element, key, scope, *read))
+        value[std::string(name.str())] = *read;
     } else {
       wrong_kind(element, key, scope, "a text in quotes");
     }

@@ -30,15 +30,20 @@ namespace stanok::config {
 struct Allowed {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool min_excluded = false;
   std::vector<std::string_view> names{};  // empty: any text
   bool direction = false;                 // three numbers, read as the unit vector along them
+  bool part_of_path = false;              // a text that files and folders are named after
 };
 
 inline const Allowed any{};
-inline const Allowed positive{.min = 0.0, .min_excluded = true};
+// Beyond it, in the units of the file, is a slip; sums and quotients of several quantities would
+// leave what numbers hold.
+inline const Allowed positive{.min = 1e-9, .max = 1e12};
+// Of a velocity, acceleration or jerk: what moves less than a micrometre a second stands.
+inline const Allowed limit_of_motion{.min = 1e-3, .max = 1e9};
 inline const Allowed not_negative{.min = 0.0};
 inline const Allowed direction{.direction = true};
+inline const Allowed part_of_path{.part_of_path = true};
 [[nodiscard]] inline Allowed from(double min,
                                   double max = std::numeric_limits<double>::infinity()) {
   return {.min = min, .max = max};
@@ -128,6 +133,9 @@ struct KeyRow {
 
 // A number as a person writes it: the shortest text that reads back to the same bits.
 [[nodiscard]] std::string number_text(double value);
+
+// A text in quotes for a message, in one line.
+[[nodiscard]] std::string quoted(std::string_view text);
 
 // Faults for keys of `table` that are not in `known`, with the nearest known one.
 void refuse_unknown_keys(const toml::table& table, const std::vector<std::string_view>& known,

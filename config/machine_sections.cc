@@ -66,7 +66,8 @@ const Keys<RecorderFile>& recorder_keys() {
 
 const Keys<MachineSection>& machine_keys() {
   static const Keys<MachineSection> keys = {
-      {"name", at<&MachineSection::name>, required, "", "name of the machine, also on the LCM bus"},
+      {"name", at<&MachineSection::name>, required, "",
+       "name of the machine, of its files, and on the LCM bus", part_of_path},
       {"cycle_us", at<&MachineSection::cycle_us>, optional, "us", "real-time cycle",
        from(100, 20000)},
       {"tables", at<&MachineSection::tables>, optional, "",

@@ -102,6 +102,21 @@ const Case cases[] = {
      "acceleration, mm/s2, deg/s2)"},
     {"MissingName", 2, "", 1, 1, "[machine]: key 'name' is missing"},
     {"EmptyName", 2, "name = \"\"", 2, 8, "[machine]: name is empty"},
+    {"NameOfAnotherFolder", 2, "name = \"../m\"", 2, 8, "[machine]: name is '../m'; it must have"},
+    {"NameWithAFolder", 2, "name = \"a/m\"", 2, 8, "no '/'"},
+    {"NameLongerThanAPath", 2,
+     "name = \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\"", 2, 8,
+     "1 to 64 bytes"},
+    {"NameOfTwoLines", 2, "name = \"m\\nX\"", 2, 8,
+     "[machine]: name is 'm?X'; write it without control characters"},
+    {"NameThatSteersATerminal", 22, "name = \"w\\u001b[2J\"", 22, 8,
+     "name is 'w?[2J'; write it without control characters"},
+    {"ControlCharacterInAList", 23, "axes = [\"X\", \"C\\t\"]", 23, 14,
+     "axes is 'C?'; write it without control characters"},
+    {"LimitOfNextToNothing", 10, "jerk_max = 5e-324", 10, 12,
+     "axis X: jerk_max is 5e-324; it must be 0.001 to 1e+09"},
+    {"LimitOfAnything", 9, "acceleration_max = 1e300", 9, 20,
+     "axis X: acceleration_max is 1e+300; it must be 0.001 to 1e+09"},
     {"TextForNumber", 8, "velocity_max = \"fast\"", 8, 16,
      "axis X: velocity_max is a text; write a number (highest velocity, mm/s, deg/s)"},
     {"NumberForText", 4, "name = 5", 4, 8, "axis 1: name is an integer; write a text in quotes"},
@@ -118,7 +133,7 @@ const Case cases[] = {
     {"NotANumber", 10, "jerk_max = nan", 10, 12, "axis X: jerk_max is not finite"},
     {"TooLarge", 18, "id = 99999999999", 18, 6, "id is too large; write an integer"},
     {"NotPositive", 8, "velocity_max = 0", 8, 16,
-     "axis X: velocity_max is 0; it must be above 0 (highest velocity"},
+     "axis X: velocity_max is 0; it must be 0.001 to 1e+09 (highest velocity"},
     {"OutOfRange", 2, "name = \"m\"\ncycle_us = 50", 3, 12,
      "cycle_us is 50; it must be 100 to 20000"},
     {"NotOneOfTheNames", 5, "kind = \"lineal\"", 5, 8,
@@ -343,15 +358,17 @@ TEST(MachineFaults, AreAllShownInTheOrderOfTheFile) {
     FAIL() << "a wrong file was accepted";
   } catch (const ConfigError& error) {
     const std::string text = error.what();
-    EXPECT_EQ(text,
-              name +
-                  ":1:1: [machine]: key 'name' is missing; add it (name of the machine, also on "
-                  "the LCM bus)\n" +
-                  name + ":2:1: [machine]: unknown key 'nme'; did you mean 'name'?\n" + name +
-                  ":6:7: axis X: min is 10, max is -10; min must be below max\n" + name +
-                  ":8:16: axis X: velocity_max is -1; it must be above 0 (highest velocity, mm/s, "
-                  "deg/s)\n" +
-                  name + ":15:15: channel 1: tool_change is 'm5'; it must be one of m6, t_word");
+    EXPECT_EQ(
+        text,
+        name +
+            ":1:1: [machine]: key 'name' is missing; add it (name of the machine, of its files, "
+            "and on "
+            "the LCM bus)\n" +
+            name + ":2:1: [machine]: unknown key 'nme'; did you mean 'name'?\n" + name +
+            ":6:7: axis X: min is 10, max is -10; min must be below max\n" + name +
+            ":8:16: axis X: velocity_max is -1; it must be 0.001 to 1e+09 (highest velocity, mm/s, "
+            "deg/s)\n" +
+            name + ":15:15: channel 1: tool_change is 'm5'; it must be one of m6, t_word");
   }
 }
 
