@@ -129,6 +129,8 @@ void Interpolator::enter(PathQueue& queue) RT_SAFE {
   if (!is_synchronous()) return;
   synchronous_.begin(cursor_.chunk().coupling, cursor_.chunk().length);
   is_nominal_ = true;
+  phase_time_first_ = 0.0;  // of phases that an override had left
+  phase_cycles_ = 0.0;
 }
 
 // Runs for a cycle by the spindle; nothing is left of it.

@@ -239,6 +239,29 @@ TEST(Thread, AHoldActsBehindTheThread) {
   EXPECT_EQ(bench.channel(1).axes[lathe_X].position, 10.0);
 }
 
+// What is left of a planned move that an override changed is forgotten with it: behind the thread
+// the next move begins at its beginning.
+TEST(Thread, AnOverrideBeforeItDoesNotReachBehindIt) {
+  for (int begin = 450; begin < 800; begin += 50) {
+    MachineBench bench(testing::turning_machine());
+    bench.program("p.nc",
+                  "G8 G18 G95\nS600 M3\nG94 G1 X5 F1200\nG33 Z-10 K1.5\nG0 Z0\nG1 X0 Z-3\nM30\n");
+    bench.run(1, "p.nc");
+    Watched watched;
+    const auto watch = [&](const CycleOutput& output) {
+      watch_limits(output.channels[0], watched);
+    };
+    for (int cycle = 0; cycle < begin; ++cycle) watch(bench.cycle());
+    bench.ask(OperatorAction::override_feed, 1, "", 0.5);
+    while (bench.channel(1).tag.line < 4) watch(bench.cycle());
+    bench.ask(OperatorAction::override_feed, 1, "", 1.0);
+    bench.run_to_end(watch);
+    EXPECT_THAT(bench.alarm_codes(), IsEmpty()) << begin;
+    EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -3.0) << begin;
+    EXPECT_LE(watched.limits, 1.0 + 1e-9) << begin;
+  }
+}
+
 // At any moment of the wait for the start angle, and for less than a turn up to several: the path
 // begins with the angle of a later turn, on the same helix.
 TEST(Thread, AHoldBeforeItLetsTheStartAnglePass) {
