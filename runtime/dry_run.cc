@@ -234,9 +234,7 @@ void DryRun::take(const lang::Command& command, Reachability reachability, const
     return take_move(command, *move, reachability, record, diagnostics);
   }
   record(command, nullptr);
-  const bool only_tells = std::holds_alternative<lang::Message>(command.payload) ||
-                          std::holds_alternative<lang::ModalReport>(command.payload);
-  if (!only_tells) threads_.forget();
+  if (channels::ThreadPreparation::ends_at(command.payload)) threads_.forget();
   if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
     threads_.take_spindle(*spindle);
   if (const auto* wish = std::get_if<lang::Request>(&command.payload)) {
