@@ -220,7 +220,7 @@ void SynchronousRun::follow(const Jet& course) RT_SAFE {
 }
 
 // From the limits of the run-in, which is before the first corner, to those of the whole chain, and
-// behind the last corner to those there. False: the motion is beyond the limits of the chain.
+// behind the last corner to those there. False: the motion stays beyond the limits of the chain.
 bool SynchronousRun::changes_limits() RT_SAFE {
   if (motion_.s >= coupling_.exit_begin) {
     limits_ = limits_of(coupling_.exit);
@@ -229,9 +229,20 @@ bool SynchronousRun::changes_limits() RT_SAFE {
     has_joined_ = std::abs(motion_.a) <= chain.a &&
                   std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
     if (has_joined_) limits_ = chain;
-    return has_joined_;
+    return has_joined_ || brakes_before_corner();
   }
   return true;
+}
+
+// The acceleration of the moment follows the steps of the encoder: what is beyond the limits of the
+// chain in one cycle is within them some cycles later, and there is time for that as long as the
+// limits of the entry bring the path to rest before the first corner.
+bool SynchronousRun::brakes_before_corner() const RT_SAFE {
+  const double a = std::max(motion_.a, 0.0);
+  const double t = cycle_s_ + a / limits_.j;  // the jerk may still raise it in this cycle
+  const double way = t * (motion_.v + t * (a + 0.5 * limits_.j * cycle_s_));
+  const double v = motion_.v + t * (a + limits_.j * cycle_s_);
+  return motion_.s + way + ramp_distance(0.0, v, limits_) < coupling_.entry_end;
 }
 
 // The jerk over the cycle up to the set-point: that of the course, and the regulator's on the

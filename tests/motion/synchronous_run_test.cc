@@ -202,6 +202,31 @@ TEST(SynchronousRun, ACornerKeepsAToleranceThatIsProgrammed) {
   EXPECT_GT(off, 0.009);  // it uses what it may
 }
 
+// At a corner that leaves the path hardly any acceleration, less than the steps of the encoder seem
+// to ask for in some cycles: the thread waits for a calm one while there is time.
+TEST(SynchronousRun, ACornerThatNeedsAlmostAllIsJoinedInACalmCycle) {
+  for (int start = 0; start < 20; ++start) {
+    const Turning turning = steady(10.0);
+    ThreadBench bench(turning, 10.0, at(10.0, 0.0));
+    bench.see_through(1024);
+    bench.idle(0.3 + 0.0137 * start);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+    ThreadBlock out = block_to(at(10.0, 2.557), 0.265);
+    ThreadBlock back = block_to(at(10.0, -4.478), 1.681);
+    for (ThreadBlock* block : {&out, &back}) {
+      block->tolerance_mm = 0.1;
+      block->keeps_tolerance = true;
+    }
+    ASSERT_FALSE(builder.add(out));
+    ASSERT_FALSE(builder.add(back));
+    bench.send(builder);
+    EXPECT_EQ(bench.cut().back().z, -4.478) << start;
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+    EXPECT_LE(bench.used(), 1.0 + rounding) << start;
+  }
+}
+
 TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
