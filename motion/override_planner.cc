@@ -182,7 +182,7 @@ OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, doub
     if (is_faster(v_high, v_cap) && !(slows && keeps(run, first, last, caps)))
       return {.binding_speed = v_cap};
   }
-  return find_rest(then, last, caps);
+  return find_rest(then, sight_.piece_at(then.s, first), caps);
 }
 
 // Drafts a slow start from rest, close before a piece of low limits, which a cycle of full jerk
@@ -331,7 +331,7 @@ bool OverridePlanner::ease(PathMotion& from, std::size_t& piece, Caps caps) RT_S
   if (!keeps(run, piece, last, caps)) return false;
   draft().add(run);
   from = {.s = end.s_end, .v = end.v_end};
-  piece = last;
+  piece = sight_.piece_at(from.s, piece);
   return true;
 }
 

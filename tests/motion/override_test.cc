@@ -135,6 +135,45 @@ TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
   }
 }
 
+// Blends of some tens of nm between lines: a cycle passes several pieces, the limits of each hold
+// at its set-points.
+TEST(Override, PieceLimitsHoldWhereACyclePassesSeveralPieces) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    ChainMaker chain(usual_limits);
+    std::vector<double> ends;
+    std::vector<Limits> own;
+    double length = 0.0;
+    for (int k = 0; k < 30; ++k) {
+      const bool is_blend = k % 2 == 1;
+      own.push_back(is_blend ? Limits{.v = 0.02 + 0.5 * part(random),
+                                      .a = 10.0 + 100.0 * part(random),
+                                      .j = 5e3 + 5e3 * part(random)}
+                             : usual_limits);
+      const double piece = std::pow(10.0, (is_blend ? -5.0 : -4.5) + 1.5 * part(random));
+      chain.slow_line(piece, 80.0, own.back());
+      length += piece;
+      ends.push_back(length);
+    }
+    chain.end_chain();
+    RandomOperator settings(seed, 0.05);
+    const auto samples = run_path(three_axes(usual_limits), chain.built(), [&](int k) {
+      return k < 5000 ? settings(k) : FeedControl{.feed_override = 0.5};
+    });
+    for (const Sample& sample : samples) {
+      const auto at = std::upper_bound(ends.begin(), ends.end(), sample.s) - ends.begin();
+      const Limits& limits = own[std::min<std::size_t>(static_cast<std::size_t>(at), 29)];
+      const auto& x = sample.out.axes[0];
+      EXPECT_LE(x.first, limits.v * (1.0 + 1e-8));
+      EXPECT_LE(std::abs(x.second), limits.a * (1.0 + 1e-8));
+      EXPECT_LE(std::abs(x.third), limits.j * (1.0 + 1e-8));
+    }
+    EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
+  }
+}
+
 TEST(Override, SteadySpeedIsExactlyTheOverriddenFeed) {
   ChainMaker chain(usual_limits);
   for (int k = 0; k < 30; ++k) chain.line(10.0, 60.0);
