@@ -8,6 +8,7 @@
 
 #include "channels/scheme_switch.h"
 #include "channels/spindle.h"
+#include "motion/synchronous_run.h"
 
 namespace stanok::channels {
 namespace {
@@ -35,7 +36,7 @@ Diagnostic fault(const char* code, std::string message, std::string help) {
 
 ThreadPreparation::ThreadPreparation(const MachineConfig& machine, const ChannelConfig& channel,
                                      const motion::MotionConfig& motion)
-    : channel_(channel), builder_(motion) {
+    : channel_(channel), builder_(motion), cycle_s_(motion.cycle_s) {
   for (const int id : channel.spindles) {
     const auto config = std::ranges::find(machine.spindles, id, &SpindleConfig::id);
     if (config != machine.spindles.end()) spindles_.push_back({.config = *config});
@@ -114,7 +115,8 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
     coupling.dwell_s = move.dwell_s;
     const double fastest = is_tap ? std::max(1.0, move.return_speed_factor) : 1.0;
     builder_.begin(start, geometry, coupling,
-                   fastest * spindles_[spindle_].rev_per_min / seconds_per_minute);
+                   fastest * spindles_[spindle_].rev_per_min / seconds_per_minute,
+                   motion::jerk_to_follow(spindles_[spindle_].config.encoder_pulses, cycle_s_));
   }
   motion::ThreadBlock block;
   block.tag = line.tag;
@@ -148,6 +150,16 @@ Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) co
           "the corner before this block of the thread is too sharp for the axes at " + speed,
           "turn the spindle with at most S" + speed_text(found.speed_max) +
               ", or allow a larger tolerance with G64 P");
+    case Kind::encoder_too_coarse: {
+      const SpindleConfig& spindle = spindles_[spindle_].config;
+      return fault(
+          "E5306",
+          "the encoder of spindle " + std::to_string(spindle.id) + ", " +
+              std::to_string(spindle.encoder_pulses) +
+              " pulses per revolution, is too coarse for this lead and the jerk of the axes",
+          "cut a lead of at most " + short_number(found.lead_max) +
+              " mm, or enter the counts that the encoder really gives, with all edges");
+    }
     case Kind::too_many_blocks:
       break;
   }

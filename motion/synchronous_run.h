@@ -37,6 +37,10 @@ struct SpindleOrder {
   double acceleration = 0.0;  // turns/s^2
 };
 
+// Jerk along the chain, in turns/s^3, that the path needs to follow a spindle through the steps of
+// its encoder; with less it comes off the law.
+[[nodiscard]] double jerk_to_follow(int encoder_pulses, double cycle_s);
+
 class SynchronousRun {
  public:
   explicit SynchronousRun(double cycle_s);

@@ -80,10 +80,11 @@ Point on(const Point& start, const Point& per_turn, double turns) {
 }  // namespace
 
 void ThreadBuilder::begin(const Point& start, const std::array<int, 3>& geometry,
-                          const SpindleCoupling& coupling, double speed) {
+                          const SpindleCoupling& coupling, double speed, double jerk_least) {
   config_.geometry = geometry;
   coupling_ = coupling;
   speed_ = speed;
+  jerk_least_ = jerk_least;
   end_ = start;
   blocks_.clear();
 }
@@ -110,16 +111,21 @@ ThreadBuilder::Straight ThreadBuilder::straight(const ThreadBlock& block,
   return straight;
 }
 
-std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block) const {
+std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block, double lead_mm) const {
   if (const auto excess = soft_limit_excess(block.whole, config_)) return unreachable(*excess);
   if (block.whole.bounds.velocity * speed_ > 1.0)
     return too_slow_axis(block.whole, speed_, config_);
+  const double jerk = piece_limits(block.whole.bounds, unlimited).j;
+  if (jerk < jerk_least_) {
+    return ThreadFault{.kind = ThreadFault::Kind::encoder_too_coarse,
+                       .lead_max = lead_mm * jerk / jerk_least_};
+  }
   return std::nullopt;
 }
 
 std::optional<ThreadFault> ThreadBuilder::add(const ThreadBlock& block) {
   Straight next = straight(block, end_);
-  if (auto fault = fault_of(next)) return fault;
+  if (auto fault = fault_of(next, block.lead_mm)) return fault;
   if (blocks_.size() >= blocks_max) return ThreadFault{.kind = ThreadFault::Kind::too_many_blocks};
   if (auto fault = append(next)) return fault;
   end_ = block.end;
@@ -148,7 +154,7 @@ std::optional<ThreadFault> ThreadBuilder::append(Straight next) {
 
 std::optional<ThreadFault> ThreadBuilder::add_tap(const ThreadBlock& block) {
   Straight tap = straight(block, end_);
-  if (auto fault = fault_of(tap)) return fault;
+  if (auto fault = fault_of(tap, block.lead_mm)) return fault;
   coupling_.bottom = tap.whole.length;
   coupling_.spindle_acceleration =
       std::min(coupling_.spindle_acceleration, reversal_mm_per_s2 / block.lead_mm);
@@ -156,7 +162,7 @@ std::optional<ThreadFault> ThreadBuilder::add_tap(const ThreadBlock& block) {
     ThreadBlock longer = block;
     longer.end = on(block.end, tap.per_turn, overrun);
     Straight with_overrun = straight(longer, end_);
-    if (fault_of(with_overrun)) continue;
+    if (fault_of(with_overrun, block.lead_mm)) continue;
     blocks_.push_back(with_overrun);
     break;
   }

@@ -31,12 +31,19 @@ struct ThreadBlock {
 
 // Why a block of a thread cannot be cut.
 struct ThreadFault {
-  enum class Kind { unreachable, axis_too_slow, corner_too_sharp, too_many_blocks };
+  enum class Kind {
+    unreachable,
+    axis_too_slow,
+    corner_too_sharp,
+    too_many_blocks,
+    encoder_too_coarse
+  };
   Kind kind = Kind::unreachable;
   int axis = 0;            // unreachable, axis_too_slow
   double value = 0.0;      // position; speed of the axis, per s
   double limit = 0.0;      // of it
   double speed_max = 0.0;  // of the spindle, turns/s, with which the block could be cut
+  double lead_max = 0.0;   // encoder_too_coarse: mm, that could be followed
 };
 
 struct ThreadChain {
@@ -51,9 +58,10 @@ class ThreadBuilder {
   [[nodiscard]] bool is_empty() const { return blocks_.empty(); }
 
   // A new chain at `start`, with these axes as X, Y and Z. `speed`: of the spindle, turns/s, as
-  // programmed; 0: not known. What the axes allow is added to the coupling.
+  // programmed; 0: not known. `jerk_least`: along the chain, for its encoder (jerk_to_follow). What
+  // the axes allow is added to the coupling.
   void begin(const Point& start, const std::array<int, 3>& geometry,
-             const SpindleCoupling& coupling, double speed);
+             const SpindleCoupling& coupling, double speed, double jerk_least = 0.0);
   // A fault leaves the chain as it is.
   [[nodiscard]] std::optional<ThreadFault> add(const ThreadBlock& block);
   // The only block of a tap: the path goes on behind its end for what the spindle overruns. The
@@ -81,7 +89,7 @@ class ThreadBuilder {
   };
 
   [[nodiscard]] Straight straight(const ThreadBlock& block, const Point& start) const;
-  [[nodiscard]] std::optional<ThreadFault> fault_of(const Straight& block) const;
+  [[nodiscard]] std::optional<ThreadFault> fault_of(const Straight& block, double lead_mm) const;
   [[nodiscard]] Corner corner(const Straight& one, const Straight& next, double turns) const;
   [[nodiscard]] std::optional<ThreadFault> join(Straight& one, Straight& next, double part) const;
   [[nodiscard]] std::optional<ThreadFault> append(Straight next);
@@ -90,6 +98,7 @@ class ThreadBuilder {
   MotionConfig config_;
   SpindleCoupling coupling_;
   double speed_ = 0.0;
+  double jerk_least_ = 0.0;
   Point end_{};
   std::vector<Straight> blocks_;
 };

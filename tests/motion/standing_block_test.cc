@@ -15,13 +15,13 @@ namespace {
 constexpr double feed = 10.0;
 
 // Path and profile of the blocks, planned whole; nothing may be left.
-struct Planned {
+struct PlannedBlocks {
   Point end{};
   double time = 0.0;
   int chains = 0;
 };
 
-Planned planned(const std::vector<PathBlock>& blocks, int axis_count = 3) {
+PlannedBlocks planned(const std::vector<PathBlock>& blocks, int axis_count = 3) {
   const MotionConfig config = mill(axis_count);
   PathBuilder builder(config);
   LookAhead look_ahead(config);
@@ -29,7 +29,7 @@ Planned planned(const std::vector<PathBlock>& blocks, int axis_count = 3) {
   builder.restart({});
   for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block).has_value());
   builder.finish();
-  Planned result;
+  PlannedBlocks result;
   for (const PathBuilder::Built& built : builder.built()) {
     EXPECT_GT(built.piece.length, 0.0);
     look_ahead.add(built);
@@ -71,8 +71,9 @@ TEST(StandingBlocks, CostNoTime) {
   const double alone = planned({line_to(at_x(1.0), feed), line_to(at_x(2.0), feed)}).time;
   Point aside = at_x(1.0);
   aside[1] = 3e-10;
-  const Planned between = planned({line_to(at_x(1.0), feed), line_to(aside, feed),
-                                   line_to(at_x(1.0 - 1e-10), feed), line_to(at_x(2.0), feed)});
+  const PlannedBlocks between =
+      planned({line_to(at_x(1.0), feed), line_to(aside, feed), line_to(at_x(1.0 - 1e-10), feed),
+               line_to(at_x(2.0), feed)});
   EXPECT_NEAR(between.time, alone, 1e-9);
   EXPECT_EQ(between.chains, 1);
 }

@@ -90,6 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "G18 G8 G97 S2000 M3\nG0 X10 Z2\nG64 P0.001\nG33 Z-10 K3\nM62 P1\n"
                   "G33 X30 Z-12 K3\nM30\n",
                   "E5303", 6},
+        FaultCase{"lead_too_large_for_the_encoder", "lathe.toml",
+                  "G18 G8 G97 S60 M3\nG0 X10 Z5\nG33 Z-90 K23\nM30\n", "E5306", 3},
         FaultCase{"two_leads", "lathe.toml", TURN "G33 Z-20 K2 F2\nM30\n", "E4066", 3},
         FaultCase{"no_lead", "lathe.toml", TURN "G33 Z-20\nM30\n", "E4066", 3},
         FaultCase{"negative_lead", "lathe.toml", TURN "G33 Z-20 K-2\nM30\n", "E4066", 3},
