@@ -13,7 +13,7 @@ namespace stanok::testing {
 namespace {
 
 constexpr const char* name = "chain.nc";
-constexpr int cycles_max = 1000000;          // of a program; far more than any of them takes
+constexpr int cycles_max = 20000000;         // of a program; 5.5 hours of machine time
 constexpr double rounding = 1e-6;            // of a limit
 constexpr double event_probability = 0.003;  // a cycle
 
