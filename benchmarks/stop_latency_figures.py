@@ -5,7 +5,8 @@ Starts stanokd with embedded drives. N times: a program runs, a new client conne
 time from its first system call to the answer is taken, which comes behind the cycle that took the stop; the fourth row
 adds a load of the tool table of TABLE_KB that the operator server works on for seconds. Rows: nobody else; 1,000 rude clients (64 hold
 all places and ask without pause, the others knock again and again or dangle); the same with standard error that
-nobody reads, a full pipe; the same with the table.
+nobody reads, a full pipe; the same with the table; nobody else on the socket, but on every processor another program
+that computes with real-time priority FIFO_OF_HOGS (needs the right to it; the measuring client takes one more).
 
 usage: stop_latency_figures.py STANOKD MACHINE_FILE [STOPS]      (default 200 a row)
 """
@@ -22,6 +23,7 @@ import time
 
 ASKING, KNOCKING = 64, 936
 TABLE_KB = 900
+FIFO_OF_HOGS = 50
 PROGRAM = "G21 G90 G17 G54\nG64 P0.01\n%sM30\n" % ("G1 X40 F3000\nG3 X0 Y0 I-20\n" * 20000)
 
 
@@ -98,6 +100,29 @@ def table():
     return "".join(rows)[: TABLE_KB * 1000].rsplit("[", 1)[0]
 
 
+def hog(processor):
+    """Computes on one processor before everything of lower priority."""
+    os.sched_setaffinity(0, {processor})
+    os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(FIFO_OF_HOGS))
+    while True:
+        pass
+
+
+def measure_hogged(stanokd, machine, stops):
+    hogs = [multiprocessing.Process(target=hog, args=(k,), daemon=True) for k in sorted(os.sched_getaffinity(0))]
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(FIFO_OF_HOGS + 1))
+    except PermissionError:
+        return print("real-time hogs on every processor: no right to FIFO scheduling")
+    try:
+        measure("real-time hogs on every processor", stanokd, machine, stops, False, False, False, hogs)
+    finally:
+        for one in hogs:
+            one.terminate()
+            one.join()
+        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+
+
 def stop_once(path):
     """Seconds from nothing to the answer of a hold."""
     begin = time.monotonic()
@@ -105,7 +130,7 @@ def stop_once(path):
     return time.monotonic() - begin
 
 
-def measure(title, stanokd, machine, stops, crowded, unread, loading):
+def measure(title, stanokd, machine, stops, crowded, unread, loading, hogs=()):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "op.sock")
         with open(os.path.join(folder, "part.nc"), "w") as program:
@@ -139,6 +164,8 @@ def measure(title, stanokd, machine, stops, crowded, unread, loading):
             if loading:
                 text = table()
                 load = request(99, "tool.load", tables=text, file="rude")
+            for one in hogs:
+                one.start()
             seconds, busy = [], 0
             for _ in range(stops):
                 if loading and busy == 0:
@@ -175,6 +202,7 @@ def main():
     measure("1,000 rude clients", stanokd, machine, stops, True, False, False)
     measure("the same, and a log that nobody reads", stanokd, machine, stops, True, True, False)
     measure("the same, and a tool table of 900 kB", stanokd, machine, stops, True, True, True)
+    measure_hogged(stanokd, machine, stops)
 
 
 main()

@@ -39,7 +39,7 @@ bool is_table_request(lang::RequestKind kind) RT_SAFE {
 
 Coordinator::Coordinator(std::span<Channel* const> channels,
                          const std::array<OwnerFailure, channels_max>& on_owner_failure,
-                         double cycle_s, Ring<OperatorReply>& replies, MachineStores stores)
+                         double cycle_s, ReplyRings replies, MachineStores stores)
     : channel_count_(static_cast<int>(channels.size())),
       ownership_(channels),
       on_owner_failure_(on_owner_failure),
@@ -333,7 +333,8 @@ void Coordinator::reply(std::uint64_t id, const Verdict& verdict) RT_SAFE {
   answer.ok = verdict.ok;
   answer.code = verdict.code;
   answer.text = FixedText<240>(verdict.text.view());
-  static_cast<void>(replies_.push(answer));
+  const bool is_of_stop = (id & stop_id_mark) != 0;
+  static_cast<void>((is_of_stop ? replies_.stops : replies_.usual).push(answer));
 }
 
 Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {

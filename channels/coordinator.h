@@ -28,11 +28,17 @@ struct MachineStores {
   const Signals* inputs = nullptr;
 };
 
+// Where replies go: those to stops have a ring, and a consumer, of their own.
+struct ReplyRings {
+  Ring<OperatorReply>& usual;
+  Ring<OperatorReply>& stops;
+};
+
 class Coordinator {
  public:
   Coordinator(std::span<Channel* const> channels,
               const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s,
-              Ring<OperatorReply>& replies, MachineStores stores);
+              ReplyRings replies, MachineStores stores);
 
   void take(const OperatorEvent& event) RT_SAFE;
   // After all channels have done their cycle.
@@ -170,7 +176,7 @@ class Coordinator {
   AxisOwnership ownership_;
   std::array<OwnerFailure, channels_max> on_owner_failure_{};
   double cycle_s_;
-  Ring<OperatorReply>& replies_;
+  ReplyRings replies_;
   MachineStores stores_;
   std::array<Errand, channels_max + operator_errands>
       errands_{};  // first one per channel, then the operators'

@@ -105,7 +105,8 @@ struct Machine::Parts {
         sensors(machine.spindles.size()),
         events(events_max),
         inputs(inputs_max),
-        replies(replies_max) {
+        replies(replies_max),
+        stop_replies(replies_max) {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
       throw std::invalid_argument("a machine has 1 to " + std::to_string(channels_max) +
                                   " channels");
@@ -118,9 +119,9 @@ struct Machine::Parts {
       channels.push_back(&seats.back()->channel);
       if (options.on_at_start) channels.back()->power(true);
     }
-    coordinator =
-        std::make_unique<Coordinator>(channels, owner_rules(machine), machine.cycle_us * 1e-6,
-                                      replies, MachineStores{&shared, &tables, &signals_in});
+    coordinator = std::make_unique<Coordinator>(
+        channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
+        MachineStores{&shared, &tables, &signals_in});
   }
 
   // Takes over what changed, and writes it down.
@@ -181,6 +182,7 @@ struct Machine::Parts {
   Ring<Event> events;
   Ring<InputRecord> inputs;
   Ring<OperatorReply> replies;
+  Ring<OperatorReply> stop_replies;
   std::vector<std::unique_ptr<Seat>> seats;
   std::unique_ptr<Coordinator> coordinator;
   std::int64_t cycle = 0;
@@ -279,6 +281,9 @@ Ring<InputRecord>& Machine::input_records() {
 }
 Ring<OperatorReply>& Machine::replies() {
   return parts_->replies;
+}
+Ring<OperatorReply>& Machine::stop_replies() {
+  return parts_->stop_replies;
 }
 std::vector<RunReport> Machine::runs() const {
   return parts_->reports.runs();

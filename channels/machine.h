@@ -107,6 +107,7 @@ class Machine {
   [[nodiscard]] Ring<Event>& events();
   [[nodiscard]] Ring<InputRecord>& input_records();
   [[nodiscard]] Ring<OperatorReply>& replies();
+  [[nodiscard]] Ring<OperatorReply>& stop_replies();  // of events with stop_id_mark
 
   // Reports gathered by the preparations and the caller of `collect`; any thread.
   [[nodiscard]] std::vector<RunReport> runs() const;

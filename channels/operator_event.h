@@ -61,6 +61,9 @@ struct OperatorEvent {
   FixedText<256> text;
 };
 
+// In the id of an event whose asker hears of its reply apart from all others: a stop.
+inline constexpr std::uint64_t stop_id_mark = std::uint64_t{1} << 63;
+
 // Accepted or refused, once for every event with an id; refused with a code of the catalogue.
 struct OperatorReply {
   std::uint64_t id = 0;

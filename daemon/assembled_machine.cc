@@ -57,6 +57,12 @@ void AssembledMachine::refuse_overtaken(std::span<const channels::OperatorEvent>
   }
 }
 
+std::optional<channels::OperatorReply> AssembledMachine::stop_reply() {
+  channels::OperatorReply reply;
+  if (!assembly_.machine().stop_replies().pop(reply)) return std::nullopt;
+  return reply;
+}
+
 void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
   channels::InputRecord record;
   record.cycle = cycles_;

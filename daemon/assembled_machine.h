@@ -42,6 +42,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
     return events_.put_stop(stop);
   }
+  [[nodiscard]] std::optional<channels::OperatorReply> stop_reply() override;
   [[nodiscard]] std::uint64_t stops_taken() override { return events_.stops_put(); }
   [[nodiscard]] std::int64_t cycles() override { return cycles_; }
   [[nodiscard]] channels::CycleOutput newest_output() override;

@@ -29,6 +29,7 @@ using LocalSocket = asio::local::stream_protocol;
 
 constexpr int reception_priority = 70;  // below the cycle, above the drive buses
 constexpr auto round = std::chrono::milliseconds(10);
+constexpr auto cycle_wait = std::chrono::milliseconds(1);  // until the cycle may have replied
 constexpr auto round_share = std::chrono::milliseconds(5);
 // When the system has no descriptors left, accepting is tried again after this time.
 constexpr auto accept_retry_pause = std::chrono::milliseconds(20);
@@ -234,8 +235,10 @@ bool Reception::Parts::step_end() {
 
 void Reception::Parts::serve_one_round() {
   const auto end = std::chrono::steady_clock::now() + round;
-  while (std::chrono::steady_clock::now() < end) {
-    io.run_one_until(end);
+  for (auto now = std::chrono::steady_clock::now(); now < end;
+       now = std::chrono::steady_clock::now()) {
+    io.run_one_until(stops.waits_for_reply() ? std::min(end, now + cycle_wait) : end);
+    while (const auto reply = machine.stop_reply()) stops.on_reply(*reply);
     share.rest_when_used_up();
   }
   stops.tick(std::chrono::steady_clock::now());

@@ -50,6 +50,8 @@ class RunningMachine {
   [[nodiscard]] virtual bool submit(const channels::OperatorEvent& event) = 0;
   // The same for a stop; reception's thread. Waits for nothing at all.
   [[nodiscard]] virtual bool submit_stop(const channels::OperatorEvent& stop) = 0;
+  // The next reply to one; reception's thread. Waits for nothing at all.
+  [[nodiscard]] virtual std::optional<channels::OperatorReply> stop_reply() = 0;
   // How many of them were taken so far; reception's thread.
   [[nodiscard]] virtual std::uint64_t stops_taken() = 0;
   // Cycles so far; any thread.

@@ -24,7 +24,7 @@ bool StopDesk::take(protocol::Role role, const protocol::Request& request, Answe
   if (!parameters) return answer(Unexpected<Failure>(parameters.error())), true;
   auto stop = operator_event(machine_.file(), *method, *parameters);
   if (!stop) return answer(Unexpected<Failure>(stop.error())), true;
-  stop->id = ++last_id_ | id_mark;
+  stop->id = ++last_id_ | channels::stop_id_mark;
   if (!machine_.submit_stop(*stop))
     return answer(refused_stop("E9007", "too many requests at once", stop->channel)), true;
   pending_.emplace(stop->id, Pending{*stop, std::move(answer)});

@@ -30,13 +30,13 @@ class StopDesk {
 
   // Whether the reply belongs to a stop; any thread.
   [[nodiscard]] static bool is_ours(const channels::OperatorReply& reply) {
-    return (reply.id & id_mark) != 0;
+    return (reply.id & channels::stop_id_mark) != 0;
   }
   void on_reply(const channels::OperatorReply& reply);
+  [[nodiscard]] bool waits_for_reply() const { return !pending_.empty(); }
   void tick(SteadyTime now);
 
  private:
-  static constexpr std::uint64_t id_mark = std::uint64_t{1} << 63;
   struct Pending {
     channels::OperatorEvent stop;
     Answer answer;

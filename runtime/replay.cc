@@ -228,7 +228,7 @@ class Repetition {
     while (machine_.input_records().pop(input)) {
     }
     channels::OperatorReply reply;
-    while (machine_.replies().pop(reply)) {
+    while (machine_.replies().pop(reply) || machine_.stop_replies().pop(reply)) {
     }
   }
 

@@ -80,6 +80,9 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
     return submit(stop);
   }
+  [[nodiscard]] std::optional<channels::OperatorReply> stop_reply() override {
+    return std::nullopt;
+  }
   [[nodiscard]] std::uint64_t stops_taken() override { return 0; }
   [[nodiscard]] std::int64_t cycles() override { return copy(output).cycle; }
   [[nodiscard]] channels::CycleOutput newest_output() override { return copy(output); }
