@@ -5,6 +5,8 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <mutex>
 #include <thread>
 
 #include "process/grinding/number_text.h"
@@ -121,9 +123,16 @@ std::vector<StudyPoint> run_study(const DesignRequest& request,
   std::vector<StudyPoint> points(static_cast<std::size_t>(study_size(variations)));
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
+  std::mutex fault_mutex;
+  std::exception_ptr fault;  // of a thread, for who called
   const auto work = [&] {
     for (std::size_t index = next++; index < points.size(); index = next++) {
-      points[index] = studied(design, variations, index);
+      try {
+        points[index] = studied(design, variations, index);
+      } catch (...) {
+        const std::scoped_lock lock(fault_mutex);
+        fault = std::current_exception();
+      }
       ++done;
     }
   };
@@ -138,6 +147,7 @@ std::vector<StudyPoint> run_study(const DesignRequest& request,
       std::this_thread::sleep_for(between_shows);
     }
   }
+  if (fault) std::rethrow_exception(fault);
   show(points.size());
   return points;
 }

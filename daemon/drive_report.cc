@@ -109,6 +109,7 @@ json drive_status(RunningMachine& machine) {
           {"connections", bus.connections},
           {"exchanges", bus.exchanges},
           {"errors", counts_of(bus.errors)},
+          {"own_fault", bus.own_fault.empty() ? json(nullptr) : json(bus.own_fault.view())},
           {"round_trip_us",
            {{"p50", bus.round_trip.p50_us},
             {"p90", bus.round_trip.p90_us},

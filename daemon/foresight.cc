@@ -153,6 +153,7 @@ void Foresight::begins(int channel, RunsOfChannels before) {
   foreseen_[channel].before = std::move(before);
 }
 
+// The root of the thread: what cannot be foreseen is no reason to end a machine at work.
 void Foresight::work(const std::stop_token& stop) {
   become_idle_class();
   while (!stop.stop_requested()) {
@@ -164,19 +165,24 @@ void Foresight::work(const std::stop_token& stop) {
       at_work_ = order.channel;
       is_outdated_ = false;
     }
-    std::optional<Foreseen> seen;
     try {
-      seen = simulate(order, stop);
+      keep(order.channel, simulate(order, stop));
     } catch (const std::exception& error) {
       spdlog::warn("{} cannot be simulated beforehand: {}", order.program, error.what());
+    } catch (...) {
+      spdlog::warn("{} cannot be simulated beforehand", order.program);
     }
     const std::lock_guard lock(mutex_);
     at_work_ = 0;
-    if (!seen || is_outdated_) continue;
-    Foreseen& kept = foreseen_[order.channel];
-    seen->before = std::move(kept.before);
-    kept = std::move(*seen);
   }
+}
+
+void Foresight::keep(int channel, std::optional<Foreseen> seen) {
+  const std::lock_guard lock(mutex_);
+  if (!seen || is_outdated_) return;
+  Foreseen& kept = foreseen_[channel];
+  seen->before = std::move(kept.before);
+  kept = std::move(*seen);
 }
 
 // Nothing: it was given up, or is refused. Throws where it cannot be simulated.

@@ -97,6 +97,7 @@ class Foresight {
   };
 
   void work(const std::stop_token& stop);
+  void keep(int channel, std::optional<Foreseen> seen);
   [[nodiscard]] std::optional<Foreseen> simulate(const Order& order, const std::stop_token& stop);
   [[nodiscard]] static std::optional<double> reached(const Foreseen& foreseen, int channel,
                                                      const channels::CycleOutput& now);

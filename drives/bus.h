@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fixed_text.h"
 #include "base/rt_safe.h"
 #include "drives/drive.h"
 #include "drives/signals.h"
@@ -30,8 +31,9 @@ enum class ExchangeError : std::uint8_t {
   exception,      // the drive answered with a Modbus exception
   stuck,          // the answer does not echo the request: it is not from now
   implausible,    // no state of the standard, or a position or velocity the axis cannot have
+  own_fault,      // a fault of stanok itself ended the round of exchanges
 };
-inline constexpr std::size_t exchange_error_count = 7;
+inline constexpr std::size_t exchange_error_count = 8;
 
 [[nodiscard]] std::string_view name_of(ExchangeError error);
 
@@ -69,6 +71,7 @@ struct BusStatus {
   std::uint64_t connections = 0;  // made since the start
   std::uint64_t exchanges = 0;    // good and bad
   ErrorCounts errors{};
+  FixedText<200> own_fault{};  // what the latest one says
   RoundTrip round_trip{};
   std::vector<AxisBusStatus> axes{};
   std::vector<VibrationStatus> vibration{};

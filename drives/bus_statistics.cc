@@ -8,7 +8,8 @@ namespace stanok::drives {
 
 std::string_view name_of(ExchangeError error) {
   constexpr std::array<std::string_view, exchange_error_count> names = {
-      "not_connected", "timeout", "disconnected", "mangled", "exception", "stuck", "implausible"};
+      "not_connected", "timeout", "disconnected", "mangled",
+      "exception",     "stuck",   "implausible",  "own_fault"};
   return names[static_cast<std::size_t>(error)];
 }
 

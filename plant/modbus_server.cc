@@ -103,10 +103,7 @@ void ModbusServer::stop() {
   }
   thread_.request_stop();
   thread_.join();
-  late_.clear();
-  for (const int client : std::exchange(clients_, {})) {
-    close(client);
-  }
+  hang_up();
   if (is_serial()) {
     modbus_set_socket(context_.get(), listener_);
     modbus_close(context_.get());
@@ -116,8 +113,27 @@ void ModbusServer::stop() {
   close(wake_);
 }
 
+void ModbusServer::hang_up() noexcept {
+  late_.clear();
+  serial_requests_.clear();
+  for (const int client : clients_) close(client);
+  clients_.clear();
+}
+
+// The root of the thread. The drives go on to move, or trip their watchdogs, when it serves again.
 void ModbusServer::run(const std::stop_token& stop_requested) {
   const std::stop_callback wake(stop_requested, [this] { eventfd_write(wake_, 1); });
+  while (!stop_requested.stop_requested()) {
+    try {
+      serve_until(stop_requested);
+    } catch (...) {
+      hang_up();
+      std::this_thread::sleep_for(std::chrono::milliseconds{idle_ms});
+    }
+  }
+}
+
+void ModbusServer::serve_until(const std::stop_token& stop_requested) {
   while (!stop_requested.stop_requested()) {
     std::vector<pollfd> polled = {{wake_, POLLIN, 0}, {listener_, POLLIN, 0}};
     for (const int client : clients_) {
@@ -158,7 +174,12 @@ void ModbusServer::accept_client() {
   setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &no_delay, sizeof(no_delay));
   const timeval patience{.tv_sec = 0, .tv_usec = patience_us};
   setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof(patience));
-  clients_.push_back(client);
+  try {
+    clients_.push_back(client);
+  } catch (...) {
+    close(client);
+    throw;
+  }
 }
 
 void ModbusServer::drop(int socket) {

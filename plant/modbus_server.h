@@ -2,7 +2,8 @@
 //
 // One unit id per drive, and unit 247 as the panel for fault injection (docs/drives.md). Sockets
 // are polled here, requests are answered by libmodbus. Any number of clients; one that does not
-// read its answers is dropped.
+// read its answers is dropped. An exception in the thread, as when memory ends, hangs up on all
+// clients; the thread goes on.
 #pragma once
 
 #include <modbus/modbus.h>
@@ -71,6 +72,8 @@ class ModbusServer {
   void listen();
   void open_serial_line();
   void run(const std::stop_token& stop_requested);
+  void serve_until(const std::stop_token& stop_requested);
+  void hang_up() noexcept;
   [[nodiscard]] int poll_timeout_ms() const;
   void accept_client();
   void drop(int socket);

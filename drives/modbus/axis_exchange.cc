@@ -307,15 +307,18 @@ void AxisExchange::fail(ExchangeError error) RT_SAFE {
 
 void AxisExchange::supervise(BusTime now) RT_SAFE {
   const bool silent = now - feedback_from_ > timeout_;
-  if (!lost_ && (silent || leak_ >= leak_max)) {
-    lost_ = true;
-    reach_ = reach_out_of_sight();
-    leak_ = leak_max;
-    feedback_.valid = false;
-    ++feedback_.losses;
-    // Whether an incremental encoder has counted on meanwhile, or begun anew, nobody can tell.
-    reference_found_ = reference_found_ && config_.absolute_encoder;
-  }
+  if (silent || leak_ >= leak_max) lose_contact();
+}
+
+void AxisExchange::lose_contact() RT_SAFE {
+  if (lost_) return;
+  lost_ = true;
+  reach_ = reach_out_of_sight();
+  leak_ = leak_max;
+  feedback_.valid = false;
+  ++feedback_.losses;
+  // Whether an incremental encoder has counted on meanwhile, or begun anew, nobody can tell.
+  reference_found_ = reference_found_ && config_.absolute_encoder;
 }
 
 }  // namespace stanok::drives

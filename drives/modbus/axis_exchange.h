@@ -57,6 +57,9 @@ class AxisExchange {
   // The last command had no usable answer.
   void fail(ExchangeError error) RT_SAFE;
 
+  // Contact is lost at once, whatever the time-out says.
+  void lose_contact() RT_SAFE;
+
   // Once per poll, whether or not there was an exchange.
   void supervise(BusTime now) RT_SAFE;
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <utility>
 
 #include "base/assert.h"
 
@@ -24,6 +26,9 @@ std::uint32_t cycles_in(int timeout_ms, Duration cycle) {
 }  // namespace
 
 ModbusBus::ModbusBus(BusConfig config, Duration cycle)
+    : ModbusBus(config, cycle, std::make_unique<ModbusLink>(config)) {}
+
+ModbusBus::ModbusBus(BusConfig config, Duration cycle, std::unique_ptr<ModbusLink> link)
     : config_(std::move(config)),
       poll_(std::chrono::milliseconds{config_.poll_ms}),
       timeout_(std::chrono::milliseconds{config_.timeout_ms}),
@@ -31,10 +36,10 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle)
       epoch_(std::chrono::steady_clock::now()),
       drives_(drives_of(config_)),
       boxes_(drives_.size()),
-      link_(config_),
+      link_(std::move(link)),
       signals_(config_.signals, timeout_) {
   STANOK_ASSERT(config_.poll_ms > 0 && config_.timeout_ms > 0 && cycle > Duration{});
-  status_.endpoint = link_.endpoint();
+  status_.endpoint = link_->endpoint();
   for (const AxisDriveConfig& axis : drives_) {
     axes_.emplace_back(axis, poll_, timeout_);
     asking_.push_back({.patience = Patience(timeout_)});
@@ -126,7 +131,46 @@ BusTime ModbusBus::now() const {
   return std::chrono::steady_clock::now() - epoch_;
 }
 
+// The root of the thread: nothing that happens here ends the process while axes move.
 void ModbusBus::run(const std::stop_token& stop_requested) {
+  while (!stop_requested.stop_requested()) {
+    without_end([&] { poll_until(stop_requested); });
+  }
+  without_end([this] { take_leave(); });
+  link_->close();
+}
+
+template <class Work>
+void ModbusBus::without_end(const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& fault) {
+    lose_contact(fault.what());
+  } catch (...) {
+    lose_contact("an exception without a text");
+  }
+}
+
+// As with a connection that breaks: the cycle sees at once that no drive answers, and the drives
+// hear nothing until they are told to stop, or until their watchdogs stop them. Allocates nothing:
+// memory may be what is missing.
+void ModbusBus::lose_contact(std::string_view reason) {
+  link_->close();
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    axes_[axis].lose_contact();
+    boxes_[axis].feedback.write(axes_[axis].feedback());
+  }
+  {
+    const std::scoped_lock lock(status_mutex_);
+    ++status_.errors[static_cast<std::size_t>(ExchangeError::own_fault)];
+    status_.own_fault = reason;
+    status_.connected = false;
+    for (AxisBusStatus& axis : status_.axes) axis.in_contact = false;
+  }
+  std::this_thread::sleep_for(poll_);  // a fault of every round takes no processor from others
+}
+
+void ModbusBus::poll_until(const std::stop_token& stop_requested) {
   BusTime next_poll = now();
   while (!stop_requested.stop_requested()) {
     if (now() >= next_poll) {
@@ -138,11 +182,14 @@ void ModbusBus::run(const std::stop_token& stop_requested) {
     std::unique_lock lock(wait_mutex_);
     wait_.wait_until(lock, stop_requested, epoch_ + next_turn(next_poll), [] { return false; });
   }
-  for (std::size_t axis = 0; axis < axes_.size() && link_.is_connected(); ++axis) {
+}
+
+// The drives are told to stop, and outputs fall.
+void ModbusBus::take_leave() {
+  for (std::size_t axis = 0; axis < axes_.size() && link_->is_connected(); ++axis) {
     poll_one(axis, TargetAge::stale);
   }
   poll_signals(TargetAge::stale);
-  link_.close();
 }
 
 void ModbusBus::poll_all() {
@@ -202,9 +249,9 @@ void ModbusBus::poll_signals(TargetAge age) {
 }
 
 std::optional<ExchangeError> ModbusBus::exchange(SignalBlock& block, Patience& patience) {
-  link_.wait_at_most(patience.for_next_answer());
+  link_->wait_at_most(patience.for_next_answer());
   const BusTime begin = now();
-  const auto error = link_.exchange(block);
+  const auto error = link_->exchange(block);
   note_answer(error, now() - begin, patience);
   return error;
 }
@@ -265,9 +312,9 @@ std::optional<ExchangeError> ModbusBus::carry_out(std::size_t axis, std::span<co
   const AxisDriveConfig& config = drives_[axis];
   AxisExchange& drive = axes_[axis];
   Patience& patience = asking_[axis].patience;
-  link_.wait_at_most(patience.for_next_answer());
+  link_->wait_at_most(patience.for_next_answer());
   const BusTime begin = now();
-  auto error = link_.exchange(config.unit, plan, images_[axis]);
+  auto error = link_->exchange(config.unit, plan, images_[axis]);
   const BusTime end = now();
   if (error) {
     drive.fail(*error);
@@ -279,22 +326,22 @@ std::optional<ExchangeError> ModbusBus::carry_out(std::size_t axis, std::span<co
 }
 
 bool ModbusBus::ensure_connected() {
-  if (link_.is_connected()) {
+  if (link_->is_connected()) {
     return true;
   }
   if (now() < connect_again_at_) {
     return false;
   }
-  link_.wait_at_most(timeout_ / 3);
-  link_.connect();
+  link_->wait_at_most(timeout_ / 3);
+  link_->connect();
   const std::scoped_lock lock(status_mutex_);
-  if (link_.is_connected()) {
+  if (link_->is_connected()) {
     ++status_.connections;
   } else {
     ++status_.errors[static_cast<std::size_t>(ExchangeError::not_connected)];
     back_off();
   }
-  return link_.is_connected();
+  return link_->is_connected();
 }
 
 void ModbusBus::back_off() {
@@ -325,7 +372,7 @@ void ModbusBus::publish_axis(std::size_t axis) {
   const DriveFeedback& feedback = axes_[axis].feedback();
   boxes_[axis].feedback.write(feedback);
   const std::scoped_lock lock(status_mutex_);
-  status_.connected = link_.is_connected();
+  status_.connected = link_->is_connected();
   AxisBusStatus& status = status_.axes[axis];
   status.in_contact = feedback.valid;
   status.answers = feedback.sequence;

@@ -7,13 +7,16 @@
 // once; where it cannot be made, with growing pauses up to a second. Drives that are given up take
 // turns, so that they do not hold up the others. What is sent and what is believed is decided
 // in AxisExchange. When the cycle writes no targets for the timeout the drives are stopped.
+// An exception in the bus thread is a loss of contact with every drive; the thread goes on.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -36,6 +39,8 @@ class ModbusBus final : public DriveBus {
   // `cycle`: period of read and write. Feedback older than the timeout is invalid even when the bus
   // thread itself hangs; that is counted in cycles.
   ModbusBus(BusConfig config, Duration cycle);
+  // Over a link of the caller's.
+  ModbusBus(BusConfig config, Duration cycle, std::unique_ptr<ModbusLink> link);
   ~ModbusBus() override;
 
   void start() override;
@@ -83,6 +88,11 @@ class ModbusBus final : public DriveBus {
   };
 
   void run(const std::stop_token& stop_requested);
+  template <class Work>
+  void without_end(const Work& work);
+  void lose_contact(std::string_view reason);
+  void poll_until(const std::stop_token& stop_requested);
+  void take_leave();
   void poll_all();
   void ask_again();
   [[nodiscard]] bool is_asked_again(std::size_t axis) const;
@@ -118,7 +128,7 @@ class ModbusBus final : public DriveBus {
   std::atomic<std::uint64_t> writes_{0};
 
   // Of the bus thread.
-  ModbusLink link_;
+  std::unique_ptr<ModbusLink> link_;
   std::vector<AxisExchange> axes_;
   std::vector<Plans> plans_;
   std::vector<Asking> asking_;

@@ -23,7 +23,7 @@ namespace stanok::drives {
 class ModbusLink {
  public:
   explicit ModbusLink(const BusConfig& config);
-  ~ModbusLink();
+  virtual ~ModbusLink();
   ModbusLink(const ModbusLink&) = delete;
   ModbusLink& operator=(const ModbusLink&) = delete;
 
@@ -37,11 +37,12 @@ class ModbusLink {
 
   // Makes the requests in their order until one fails. What is written comes from the image of
   // the registers (register n at place n), what is read goes there.
-  [[nodiscard]] std::optional<ExchangeError> exchange(int unit, std::span<const Request> requests,
-                                                      std::span<std::uint16_t> image);
+  [[nodiscard]] virtual std::optional<ExchangeError> exchange(int unit,
+                                                              std::span<const Request> requests,
+                                                              std::span<std::uint16_t> image);
 
   // Reads the inputs of the block, or writes its outputs.
-  [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block);
+  [[nodiscard]] virtual std::optional<ExchangeError> exchange(SignalBlock& block);
 
   [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -140,6 +141,22 @@ TEST_F(ForesightTest, EndsInAnEndlessLoopWithoutMotion) {
   write("b.nc", "G4 P2\nM30\n");
   foresight.look_at(1, "b.nc", now, file.machine.tables);
   EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
+}
+
+// As when memory ends: the daemon lives, and looks at the next program.
+TEST_F(ForesightTest, LivesOnAfterAnyException) {
+  std::atomic<bool> throws = true;
+  Foresight faulty{file, {folder.path()}, [&](const recording::PathPreview& path) {
+                     static_cast<void>(path);
+                     if (throws.exchange(false)) throw 42;
+                   }};
+  write("a.nc", "G1 X1 F1000\nM30\n");
+  faulty.look_at(1, "a.nc", now, file.machine.tables);
+  while (throws) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_FALSE(faulty.outlook(1, now).predicted_s);
+  faulty.look_at(1, "a.nc", now, file.machine.tables);
+  while (!faulty.outlook(1, now).predicted_s)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 TEST_F(ForesightTest, EndsAtOnceInTheMiddleOfASimulation) {

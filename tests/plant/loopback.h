@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "drives/modbus/modbus_bus.h"
@@ -37,6 +39,11 @@ inline drives::BusConfig bus_of(int count) {
 class CycleSide {
  public:
   CycleSide(drives::BusConfig config, int port) : bus(with_port(std::move(config), port), cycle) {
+    bus.start();
+  }
+  template <class Link>
+  CycleSide(drives::BusConfig config, int port, std::type_identity<Link> /*kind*/)
+      : bus(with_port(config, port), cycle, std::make_unique<Link>(with_port(config, port))) {
     bus.start();
   }
 

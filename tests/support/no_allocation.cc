@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -9,11 +10,19 @@ namespace {
 thread_local bool guarded = false;
 thread_local long allocations = 0;
 
+std::atomic<bool> memory_is_short = false;
+std::atomic<long> refusals = 0;
+thread_local bool has_memory = false;
+
 void* counted_or_null(std::size_t size) noexcept {
   if (guarded) ++allocations;
   return std::malloc(size == 0 ? 1 : size);
 }
 void* counted(std::size_t size) {
+  if (memory_is_short && !has_memory) {
+    ++refusals;
+    throw std::bad_alloc();
+  }
   if (void* memory = counted_or_null(size)) return memory;
   throw std::bad_alloc();
 }
@@ -58,6 +67,21 @@ NoAllocation::~NoAllocation() {
 
 long NoAllocation::count() {
   return allocations;
+}
+
+NoMemoryElsewhere::NoMemoryElsewhere() {
+  refusals = 0;
+  has_memory = true;
+  memory_is_short = true;
+}
+
+NoMemoryElsewhere::~NoMemoryElsewhere() {
+  memory_is_short = false;
+  has_memory = false;
+}
+
+long NoMemoryElsewhere::count() {
+  return refusals;
 }
 
 }  // namespace stanok::testing

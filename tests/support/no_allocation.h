@@ -1,4 +1,5 @@
 // NoAllocation: while a guard lives, every heap allocation of this thread fails the test.
+// NoMemoryElsewhere: while it lives, every heap allocation of every other thread throws.
 #pragma once
 
 namespace stanok::testing {
@@ -11,6 +12,16 @@ class NoAllocation {
   NoAllocation& operator=(const NoAllocation&) = delete;
 
   [[nodiscard]] static long count();  // allocations since the guard began
+};
+
+class NoMemoryElsewhere {
+ public:
+  NoMemoryElsewhere();
+  ~NoMemoryElsewhere();
+  NoMemoryElsewhere(const NoMemoryElsewhere&) = delete;
+  NoMemoryElsewhere& operator=(const NoMemoryElsewhere&) = delete;
+
+  [[nodiscard]] static long count();  // allocations refused since it began
 };
 
 }  // namespace stanok::testing
