@@ -43,7 +43,8 @@ constexpr auto alarm_rows = std::to_array<CatalogueRow>({
      "see the sensor, the spindle drive and its bus; process status shows the power",
      "resume: the feed stays the smallest one until force control is ordered again"},
     {"A4011", "a power that does not follow the feed", Reaction::feed_hold,
-     "see whether the sensor of the spindle drive is stuck, and whether the tool still cuts",
+     "see whether the sensor of the spindle drive is stuck or drifts, and whether the tool still "
+     "cuts; process status shows power and force",
      "resume: the feed stays the smallest one until force control is ordered again"},
     {"A9001", "a fault of stanok itself while it prepared a program", Reaction::program_abort,
      "report it: the text of the alarm, the program and the machine file",

@@ -33,6 +33,10 @@ const Keys<ProcessFile>& process_keys() {
        not_negative},
       {"air_part", at<&F::control, &C::air_part>, optional, "",
        "with less than this part of the power wanted the tool is in the air", from(0.01, 0.9)},
+      {"power_answer", at<&F::control, &C::power_answer_s>, optional, "s",
+       "in which the power answers a change of the feed in the cut, beyond half a revolution and "
+       "three lags; else the sensor is stuck",
+       from(0.0, 10.0)},
       {"idle_settle", at<&F::control, &C::idle_settle_s>, optional, "s",
        "time at speed before the idle power is taken", not_negative},
       {"idle_capture", at<&F::control, &C::idle_capture_s>, optional, "s",

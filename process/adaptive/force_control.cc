@@ -170,9 +170,12 @@ void ForceControl::watch_sensors(const motion::CutState& cut) RT_SAFE {
   const PowerTrust trust =
       watch_.look({.cycle_s = cut.cycle_s,
                    .power_w = cut.power_w,
+                   .power_idle_w = status_.power_idle_w,
                    .feed_per_rev = turns_per_s > 0.0 ? cut.path_speed / turns_per_s : 0.0,
+                   .speed_radius = computing_.omega * computing_.radius_mm,
                    .revolution_s = turns_per_s > 0.0 ? 1.0 / turns_per_s : 0.0,
-                   .cuts = cuts_});
+                   .cuts = cuts_,
+                   .is_at_minimum = feed_asked_ <= status_.feed_min_per_s});
   if (trust == PowerTrust::good) return;
   status_.state = ForceState::fault;
   const bool is_slow = config_.on_sensor_fault == SensorFault::feed_min;

@@ -18,6 +18,7 @@ struct ForceControlConfig {
   double idle_coulomb_part = 0.5;  // of the idle power at speed that grows with n; the rest: n^2
   double power_min_w = 0.0;        // below it the power says nothing of the force
   double air_part = 0.1;           // of N_z: with less power the tool is in the air
+  double power_answer_s = 0.3;     // to a change of the feed, beyond chip and lag
   SensorFault on_sensor_fault = SensorFault::hold;
 
   // Feed regulator, block 14.

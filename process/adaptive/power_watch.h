@@ -1,8 +1,18 @@
 // PowerWatch: whether the power that the sensor of block 8 gives can be trusted.
 //
-// Lost: not a number. Stuck: the feed per revolution has changed by a tenth in the cut, long enough
-// for the sensor to show it, and the value has not changed by a bit. A steady feed gives a steady
-// power and proves nothing. Real-time.
+// Lost: not a number. Stuck: the feed has changed, and the power has not answered as
+// N_d - N_x ~ w R h^y demands. Whether a power lives is not read from its bits, which a dead sensor
+// may flicker or drift, but from its answer: it has gone at least half the way that the change of
+// the feed demands, or it has moved by itself, as it does when the cut changes. Where the feed has
+// risen by 14 % without an answer it rises no further (`is_suspicious`): either the sensor is dead,
+// or the cut became lighter just as fast, as on a taper; then the power falls as soon as the feed
+// stands. It is given a while for that. After three such trials in vain, of which only the first
+// takes so much feed, or after two in which the power only flickered, the sensor is stuck. A feed
+// that falls is never kept from falling, and is judged where it has come to rest.
+//
+// What is compared is smoothed alike, and the feed is delayed by the chip and the lag of the
+// sensor. The more the power is noisy the more the feed must have changed. In the air, where
+// nothing answers, nothing is judged. Real-time.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -17,23 +27,77 @@ class PowerWatch {
   explicit PowerWatch(const ForceControlConfig& config) : config_(config) {}
 
   void reset() RT_SAFE { *this = PowerWatch(config_); }
-  // `feed_per_rev`: that the path goes at, mm.
+  // `feed_per_rev`: that the path goes at, mm. `speed_radius`: w R, on which the power depends,
+  // too.
   struct Inputs {
     double cycle_s = 0.001;
     double power_w = 0.0;
+    double power_idle_w = 0.0;
     double feed_per_rev = 0.0;
+    double speed_radius = 1.0;
     double revolution_s = 0.1;
     bool cuts = false;
+    bool is_at_minimum = false;  // the feed is S_min
   };
   [[nodiscard]] PowerTrust look(const Inputs& inputs) RT_SAFE;
   // The feed has changed, and the power not yet: no reason for more of it.
-  [[nodiscard]] bool is_suspicious() const RT_SAFE { return suspicion_s_ > 0.0; }
+  [[nodiscard]] bool is_suspicious() const RT_SAFE { return trial_.is_on; }
 
  private:
+  // What the cut was like when the power was last seen to live.
+  struct Reference {
+    double feed = 0.0;      // mm/rev
+    double smooth_w = 0.0;  // of the cut
+    double demand = 0.0;    // w R h^y as the sensor shows it
+    double left_s = 0.0;    // since the feed has left it
+  };
+  struct Trial {
+    bool is_on = false;
+    double time_s = 0.0;
+    double due_s = 0.0;
+    double feed_least = 0.0;
+    double weight = 0.0;   // in trials
+    double least_w = 0.0;  // smoothed, since it began
+    double most_w = 0.0;
+  };
+
+  void learn_count(double power_w) RT_SAFE;
+  void smooth(const Inputs& inputs) RT_SAFE;
+  void refer(const Inputs& inputs) RT_SAFE;
+  [[nodiscard]] bool lives() const RT_SAFE;
+  [[nodiscard]] bool is_unanswered(const Inputs& inputs) const RT_SAFE;
+  [[nodiscard]] bool falls_slowly(const Inputs& inputs) const RT_SAFE;
+  [[nodiscard]] bool is_within_flicker(double power_w, double of_w) const RT_SAFE;
+  [[nodiscard]] double change_in_noise() const RT_SAFE;
+  [[nodiscard]] double change_of_life() const RT_SAFE;
+  [[nodiscard]] double change_judged() const RT_SAFE;
+  [[nodiscard]] bool only_flickers(const Inputs& inputs) const RT_SAFE;
+  [[nodiscard]] double rise_per_s(const Inputs& inputs) const RT_SAFE;
+  [[nodiscard]] double weight(const Inputs& inputs) const RT_SAFE;
+  void begin_trial(const Inputs& inputs) RT_SAFE;
+  [[nodiscard]] PowerTrust go_on_with_trial(const Inputs& inputs) RT_SAFE;
+
   ForceControlConfig config_;
-  double power_w_ = 0.0;
-  double feed_ = 0.0;         // when the power changed last
-  double suspicion_s_ = 0.0;  // since the feed has left that one behind
+  double seen_w_ = 0.0;   // the power of the cycle before
+  double count_w_ = 0.0;  // the smallest step that the sensor was seen to make
+  double step_w_ = 0.0;   // the usual one
+  bool has_seen_ = false;
+
+  double cutting_s_ = 0.0;
+  double chip_ = 0.0;      // w R h^y behind the chip,
+  double lagging_ = 0.0;   // and the sensor,
+  double demand_ = 0.0;    // smoothed
+  double smooth_w_ = 0.0;  // power of the cut
+
+  Reference reference_;
+  double steady_w_ = 0.0;     // about which the power may only flicker
+  double steady_feed_ = 0.0;  // when it last did more
+  double steady_s_ = 0.0;     // since then
+  Trial trial_;
+  int trials_ = 0;           // in vain, one after the other
+  double chain_feed_ = 0.0;  // before the first of them
+  double chain_s_ = 0.0;     // since the feed has left that
+  double rate_per_s_ = 0.0;  // at which the feed rose, of the ln of its demand
 };
 
 }  // namespace stanok::process

@@ -76,7 +76,9 @@ class CutBench {
     since_sample_s_ += cut.cycle_s;
     if (since_sample_s_ < scene_.sample_s) return;
     since_sample_s_ = 0.0;
-    if (sensor_lives) cut.power_w = std::round(idle_w() + lagging_w_);
+    if (!sensor_lives) return;
+    const double power_w = idle_w() + lagging_w_;
+    cut.power_w = sensor ? sensor(power_w) : std::round(power_w);
   }
 
   [[nodiscard]] double idle_w() const {
@@ -104,6 +106,7 @@ class CutBench {
   double hardness_hb = 200.0;
   double radius_now_mm = 0.0;  // 0: as the scene has it
   bool sensor_lives = true;
+  std::function<double(double)> sensor;  // what it makes of the power, W; else whole watts
   double time_s = 0.0;
   double feed = 0.0;
   double force_n = 0.0;
