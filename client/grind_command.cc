@@ -132,9 +132,10 @@ int run_program(const GrindOptions& options) {
   const DesignRequest& request = input->request;
   const process::InfeedLaw& law = input->control->law;
   write_program(options.program, options, request, law);
-  print_findings(
-      process::verify_cycle(request.process, law, request.simulation, request.limits).findings);
-  return 0;
+  const process::Findings findings =
+      process::verify_cycle(request.process, law, request.simulation, request.limits).findings;
+  print_findings(findings);
+  return process::has_errors(findings) ? exit_failed : 0;
 }
 
 int run_study_command(const GrindOptions& options) {

@@ -120,11 +120,11 @@ std::string comparison_text(const process::CycleDesign& design) {
 std::string verification_text(const Verification& verification) {
   std::string text = fmt::format(
       "Q/D         at most {:.4f} at X {:.4f} mm, {:.4f} behind the plunge-in\n"
-      "residual    {:.2f} um at most, {:.2f} um on the average\n"
+      "residual    {:.2f} um at most, {:.2f} um on the average, {:.2f} um out of round\n"
       "force       {:.1f} N at most\n",
       verification.boundary.ratio, verification.boundary.x_mm, verification.boundary_settled.ratio,
       verification.run.residual_mm * um_per_mm, verification.run.residual_mean_mm * um_per_mm,
-      verification.run.force_max_n);
+      verification.run.out_of_roundness_mm() * um_per_mm, verification.run.force_max_n);
   for (const process::SizeError& error : verification.size_errors) {
     text += fmt::format("stiffness   x {:g}: radius {:+.2f} um", error.factor,
                         error.error_mm * um_per_mm);
@@ -180,6 +180,7 @@ ordered_json to_json(const GrindReport& report) {
           {"q_over_burn_line", peak_json(verification.burn)},
           {"residual_mm", verification.run.residual_mm},
           {"residual_mean_mm", verification.run.residual_mean_mm},
+          {"out_of_roundness_mm", verification.run.out_of_roundness_mm()},
           {"wear_mm", verification.run.wear_mm},
           {"force_max_n", verification.run.force_max_n},
           {"damping_ratio", process::damping_ratio(request.process)},

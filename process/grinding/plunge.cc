@@ -31,6 +31,9 @@ class Surface {
   [[nodiscard]] double residual_max_mm() const {
     return allowance_mm_ - *std::min_element(depth_mm_.begin(), depth_mm_.end());
   }
+  [[nodiscard]] double residual_min_mm() const {
+    return allowance_mm_ - *std::max_element(depth_mm_.begin(), depth_mm_.end());
+  }
   [[nodiscard]] double residual_mean_mm() const {
     double sum = 0.0;
     for (const double depth : depth_mm_) sum += depth;
@@ -66,6 +69,7 @@ class Plunge {
       advance(static_cast<double>(step) * step_s_);
     }
     run_.residual_mm = surface_.residual_max_mm();
+    run_.residual_min_mm = surface_.residual_min_mm();
     run_.residual_mean_mm = surface_.residual_mean_mm();
     return std::move(run_);
   }

@@ -46,11 +46,15 @@ struct PlungeRun {
   double time_s = 0.0;                   // of the whole cycle, spark-out included
   std::optional<double> size_reached_s;  // when nothing was left anywhere on the circumference
   double residual_mm = 0.0;              // the most that is left anywhere, at the end
+  double residual_min_mm = 0.0;          // the least
   double residual_mean_mm = 0.0;         // on the average over the circumference
   double wear_mm = 0.0;                  // of the wheel
   double volume_mm2 = 0.0;               // integral of Q over the angle: area of what was taken
   int contact_losses = 0;  // how often the wheel left the part while fed, behind the plunge-in
   double force_max_n = 0.0;
+
+  // Of the radius over the circumference: the step of the spiral that the last layer is.
+  [[nodiscard]] double out_of_roundness_mm() const { return residual_mm - residual_min_mm; }
 };
 
 // Runs the law from the touch. With `goes_on` the run ends when the size is reached, else with the

@@ -173,6 +173,22 @@ std::vector<Step> begun_steps(std::vector<Step> steps, double end_mm) {
   return steps;
 }
 
+// The end for a wheel that stands there: what the spring gives back in the spark-out is not fed. At
+// the end the removal is steady, so that the size moves with the last X.
+double end_for_spark_out(const GrindingProcess& process, const std::vector<Step>& steps,
+                         double end_mm, double quantum_mm, PlungeOptions simulation) {
+  constexpr int rounds = 4;
+  simulation.at_end = InfeedWay::AtEnd::stands;
+  for (int round = 0; round < rounds; ++round) {
+    const InfeedLaw law = law_of_steps(begun_steps(steps, end_mm), end_mm);
+    const double left_mm = simulate_plunge(process, law, simulation).residual_mm;
+    const double quanta = std::ceil(left_mm / quantum_mm);
+    if (quanta == 0.0) break;
+    end_mm -= quanta * quantum_mm;
+  }
+  return end_mm;
+}
+
 int points_worth_it(const QuasiSteadyLaw& law) {
   double time_s = steps_time_s(law, {});
   for (int points = 1; points <= points_chosen_max; ++points) {
@@ -232,7 +248,12 @@ Staircase design_staircase(const GrindingProcess& process, double allowance_mm,
       if (other.time_s() < best.time_s()) best = std::move(other);
     }
   }
-  const double end_mm = tuning.end_mm(best);
+  double end_mm = tuning.end_mm(best);
+  if (simulation.spark_out_revolutions > 0.0 && best.run.size_reached_s) {
+    const double quantum_mm = std::pow(10.0, -decimals);
+    end_mm =
+        rounded(end_for_spark_out(process, best.steps, end_mm, quantum_mm, simulation), decimals);
+  }
   return {law_of_steps(begun_steps(best.steps, end_mm), end_mm),
           best.run.size_reached_s.has_value()};
 }

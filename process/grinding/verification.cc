@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "process/grinding/number_text.h"
 #include "process/grinding/stability.h"
@@ -65,6 +67,12 @@ void judge_deflection(const Verification& verification, const VerificationLimits
 void judge_end(const Verification& verification, const VerificationLimits& limits,
                Findings& findings) {
   const PlungeRun& run = verification.run;
+  if (run.residual_mm < -limits.undersize_max_mm) {
+    findings.push_back(
+        {"E9108", "the part is undersize: its highest place lies " +
+                      rounded_text(-run.residual_mm * 1000.0, 2) + " um below size, " +
+                      rounded_text(limits.undersize_max_mm * 1000.0, 2) + " um are permitted"});
+  }
   if (run.residual_mm <= limits.residual_max_mm) return;
   findings.push_back(
       {"E9106", "the size is not reached: " + rounded_text(run.residual_mm * 1000.0, 2) +
@@ -73,11 +81,54 @@ void judge_end(const Verification& verification, const VerificationLimits& limit
 
 void judge_stability(const GrindingProcess& process, const PlungeRun& run, Findings& findings) {
   const double margin = stability_margin(process);
-  if (margin >= 1.0 || run.contact_losses == 0) return;
+  if (margin >= 1.0) return;
+  if (run.contact_losses == 0) {
+    findings.push_back({"E9109", "the cut is not stable: the stability margin is " +
+                                     rounded_text(margin, 3) +
+                                     "; below 1 waves grow from turn to turn"});
+    return;
+  }
   findings.push_back({"E9105", "the cut chatters: the wheel leaves the part " +
                                    std::to_string(run.contact_losses) +
                                    " times; the system has only " + rounded_text(margin, 3) +
                                    " of the stiffness and damping that hold the thinnest layer"});
+}
+
+// How long the wheel has to stand until the step of the spiral is as low as that; none: not within
+// the longest spark-out that is usual.
+std::optional<int> spark_out_needed(const GrindingProcess& process, const InfeedLaw& law,
+                                    const PlungeOptions& simulation, double roundness_mm) {
+  constexpr int revolutions_max = 40;
+  PlungeOptions options = simulation;
+  for (int revolutions = 1; revolutions <= revolutions_max; ++revolutions) {
+    options.spark_out_revolutions = revolutions;
+    if (simulate_plunge(process, law, options).out_of_roundness_mm() <= roundness_mm)
+      return revolutions;
+  }
+  return std::nullopt;
+}
+
+// Where no roundness is asked for, a step beyond the tolerance of the size is told all the same.
+void judge_roundness(const GrindingProcess& process, const InfeedLaw& law,
+                     const PlungeOptions& simulation, const VerificationLimits& limits,
+                     Verification& verification) {
+  constexpr double reserve = 1.05;
+  const bool is_asked_for = limits.roundness_max_mm > 0.0;
+  const double permitted_mm = is_asked_for
+                                  ? limits.roundness_max_mm
+                                  : reserve * (limits.residual_max_mm + limits.undersize_max_mm);
+  const double step_mm = verification.run.out_of_roundness_mm();
+  if (step_mm <= permitted_mm) return;
+  const auto needed = spark_out_needed(process, law, simulation, permitted_mm);
+  const std::string remedy =
+      needed ? "it takes " + std::to_string(*needed) + " revolutions (" +
+                   rounded_text(*needed * revolution_s(process), 2) + " s) of spark-out, not " +
+                   number_text(simulation.spark_out_revolutions)
+             : std::string("no spark-out removes that: take a lower last feed");
+  verification.findings.push_back(
+      {is_asked_for ? "E9110" : "W912",
+       "the cycle ends " + rounded_text(step_mm * 1000.0, 2) + " um out of round, " +
+           rounded_text(permitted_mm * 1000.0, 2) + " um are permitted: " + remedy});
 }
 
 SizeError size_error(const GrindingProcess& process, const InfeedLaw& law,
@@ -109,6 +160,7 @@ Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
   judge_burn(verification.burn, limits, verification.findings);
   judge_deflection(verification, limits, verification.findings);
   judge_end(verification, limits, verification.findings);
+  judge_roundness(process, law, options, limits, verification);
   for (const double factor : stiffness_factors) {
     verification.size_errors.push_back(
         size_error(process, law, options, factor, verification.run.residual_mm));

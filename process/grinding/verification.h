@@ -2,7 +2,9 @@
 //
 // Three faults are told apart. Above the burn line L(H) the surface burns. Above Q_max, but below
 // L, the system is bent by more than is permitted: of no consequence while the removal builds up
-// (plunge-in), a fault later. And what is left at the end makes the part oversize.
+// (plunge-in), a fault later. The size of the highest place at the end has a tolerance to both
+// sides. The last layer is a spiral as high as the feed of a revolution: what of it the spark-out
+// must leave is the roundness that is asked for.
 #pragma once
 
 #include <optional>
@@ -17,7 +19,9 @@ namespace stanok::process {
 struct VerificationLimits {
   // How far above the burn line and Q_max the removal may come: they are an experiment's.
   double burn_margin = 0.05;
-  double residual_max_mm = 0.001;  // left at the end
+  double residual_max_mm = 0.001;   // left at the end: upper tolerance of the radius
+  double undersize_max_mm = 0.001;  // taken too much: lower tolerance
+  double roundness_max_mm = 0.0;    // out of round at the end; 0: nothing is asked for
 };
 
 // A greatest ratio along the cycle, and where it is.

@@ -81,6 +81,18 @@ TEST_F(Grind, CallsABurnABurn) {
   EXPECT_THAT(errors(), HasSubstr("E9103"));
 }
 
+TEST_F(Grind, TellsAnUndersizePartAsTextAsJsonAndByItsExitCode) {
+  const std::string deep = control_file_with("-0.0048 0.0040", "-0.0600 0.0040");
+  EXPECT_EQ(run("grind verify " + deep), 1);
+  EXPECT_THAT(errors(), HasSubstr("error[E9108]: the part is undersize"));
+  EXPECT_THAT(output(), HasSubstr("failed"));
+  EXPECT_EQ(run("grind verify --json " + deep), 1);
+  EXPECT_EQ(json()["ok"], false);
+  EXPECT_LT(json()["residual_mm"], -0.050);
+  EXPECT_NEAR(json()["out_of_roundness_mm"], 0.0040 * 0.5, 0.00005);
+  EXPECT_EQ(json()["findings"].back()["code"], "E9108");
+}
+
 TEST_F(Grind, RefusesAWrongControlFileWithPlaceAndRange) {
   const std::string wrong = control_file_with("25000000.0", "25000.0");
   EXPECT_EQ(run("grind verify " + wrong), 1);
@@ -252,8 +264,9 @@ TEST_F(Grind, ProgramEndsWhereTheGaugeFindsTheSize) {
 
 TEST_F(Grind, SaysOfAProgramThatItBurns) {
   const std::string burning = control_file_with("-0.0048 0.0040", "-0.0048 0.0080");
-  EXPECT_EQ(run("grind program " + burning + " -o " + path("p.nc") + " --machine " + grinder), 0);
+  EXPECT_EQ(run("grind program " + burning + " -o " + path("p.nc") + " --machine " + grinder), 1);
   EXPECT_THAT(errors(), HasSubstr("E9103"));
+  EXPECT_TRUE(fs::exists(path("p.nc"))) << "written all the same";
 }
 
 TEST_F(Grind, RefusesAMachineThatCannotGrindSo) {

@@ -99,6 +99,21 @@ TEST(CycleDesign, ReportsAWheelThatWearsAsFastAsItIsFed) {
   EXPECT_EQ(refusal(worn).code, "E9106");
 }
 
+// What the spring gives back while the wheel stands is not fed: the part comes to size with each
+// spark-out, within the decimal of the table, 0.1 um.
+TEST(CycleDesign, ComesToSizeWithAnySparkOut) {
+  for (const double revolutions : {0.0, 1.0, 3.0, 8.0}) {
+    DesignRequest sparked = request();
+    sparked.comparison = Comparison::none;
+    sparked.simulation.spark_out_revolutions = revolutions;
+    const auto design = design_cycle(sparked);
+    ASSERT_TRUE(design.has_value());
+    EXPECT_FALSE(has_errors(design->verification.findings)) << revolutions;
+    EXPECT_LE(design->verification.run.residual_mm, 1e-5) << revolutions;
+    EXPECT_GT(design->verification.run.residual_mm, -2e-4) << revolutions;
+  }
+}
+
 TEST(CycleDesign, RefusesALeastFeedAboveTheGreatest) {
   DesignRequest wrong = request();
   wrong.feeds.min_mm_per_s = 0.5;  // the greatest is the usual one, 1.3 x 0.0313

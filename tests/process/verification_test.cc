@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/process/petrakov.h"
 
@@ -79,6 +81,88 @@ TEST(Verification, HearsTheChatterOfASystemWithoutDamping) {
   process.damping_n_s_per_m = 2.0 * 0.05 * std::sqrt(25e6 * 32.0);
   const Verification result = verify_cycle(process, petrakov::table(), {}, {});
   EXPECT_THAT(codes(result.findings), ::testing::Contains("E9105"));
+}
+
+// 50 um further than the paper's last X: all of it is taken too much, but for 0.36 um that are left
+// there. At the end of the cycle the feed is steady, so that nothing else changes.
+TEST(Verification, FindsAnUndersizePart) {
+  InfeedLaw law = petrakov::table();
+  law.back().x_mm -= 0.050;
+  const Verification result = verified(law);
+  EXPECT_THAT(codes(result.findings), ::testing::Contains("E9108"));
+  EXPECT_TRUE(has_errors(result.findings));
+  EXPECT_NEAR(result.run.residual_mm, 0.00036 - 0.050, 0.0001);
+  EXPECT_THAT(codes(verified(law, {.undersize_max_mm = 0.060}).findings),
+              ::testing::Not(::testing::Contains("E9108")));
+}
+
+TEST(Verification, HoldsTheSizeToItsToleranceOnBothSides) {
+  for (const double offset_mm : {-0.0030, -0.0005, 0.0, 0.0005, 0.0030}) {
+    InfeedLaw law = petrakov::table();
+    law.back().x_mm += offset_mm;
+    const std::vector<std::string> found = codes(verified(law).findings);
+    EXPECT_EQ(std::ranges::count(found, "E9108"), offset_mm < -0.001 ? 1 : 0) << offset_mm;
+    EXPECT_EQ(std::ranges::count(found, "E9106"), offset_mm > 0.001 ? 1 : 0) << offset_mm;
+  }
+}
+
+// zeta for which 2 C zeta (1 + zeta) is 0.9 of the stiffness of the cut at Q_end,
+// k = alpha C_p B (Q_end V)^alpha / a with a = Q_end (R + R_w) / (R R_w) and V = 2 pi R n / 1000.
+TEST(Verification, FindsAStabilityMarginBelowOne) {
+  const double layer_mm = 0.050 * 230.0 / (30.0 * 200.0);
+  const double speed = 2.0 * std::numbers::pi * 30.0 * 120.0 / 1000.0;
+  const double cut = 0.56 * 3.6 * 20.0 * std::pow(0.050 * speed, 0.56) / layer_mm;
+  for (const double margin : {0.9, 1.1}) {
+    const double zeta = 0.5 * (std::sqrt(1.0 + 2.0 * margin * cut / 25000.0) - 1.0);
+    GrindingProcess process = petrakov::sheet();
+    process.damping_n_s_per_m = 2.0 * zeta * std::sqrt(25e6 * 32.0);
+    const std::vector<std::string> found =
+        codes(verify_cycle(process, petrakov::table(), {}, {}).findings);
+    const bool is_told =
+        std::ranges::count(found, "E9109") + std::ranges::count(found, "E9105") == 1;
+    EXPECT_EQ(is_told, margin < 1.0) << margin;
+  }
+}
+
+// 0.0048 mm/s leave a step of 2.4 um, more than the 2 um between the limits of the size.
+TEST(Verification, TellsAGreatStepAlsoWhereNoRoundnessIsAskedFor) {
+  InfeedLaw law = petrakov::table();
+  law[10].feed_mm_per_s = law[11].feed_mm_per_s = 0.0048;
+  EXPECT_THAT(codes(verified(law).findings), ::testing::Contains("W912"));
+  EXPECT_THAT(codes(verified(petrakov::table()).findings),
+              ::testing::Not(::testing::Contains("W912")));
+}
+
+// The step of the spiral without spark-out: the infeed of a revolution, 0.0040 mm/s times 0.5 s.
+// With it C y_n = c (y_{n-1} - y_n)^alpha, solved here by bisection, tells the layer of each
+// revolution and so how many there must be.
+TEST(Verification, FindsASparkOutTooShortForTheRoundness) {
+  const Verification without = verified(petrakov::table(), {.roundness_max_mm = 0.0010});
+  EXPECT_THAT(codes(without.findings), ::testing::Contains("E9110"));
+  EXPECT_NEAR(without.run.out_of_roundness_mm(), 0.0040 * 0.5, 0.00005);
+
+  const double speed = 2.0 * std::numbers::pi * 30.0 * 120.0 / 1000.0;
+  const double c = 3.6 * 20.0 * std::pow(speed * 30.0 * 200.0 / 230.0, 0.56);
+  double y_mm = c * std::pow(0.0020, 0.56) / 25000.0;
+  int needed = 0;
+  for (double layer_mm = 0.0020; layer_mm > 0.0003; ++needed) {
+    double low = 0.0;
+    double high = y_mm;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (25000.0 * (y_mm - middle) > c * std::pow(middle, 0.56) ? low : high) = middle;
+    }
+    layer_mm = low;
+    y_mm -= layer_mm;
+  }
+  const VerificationLimits limits{.undersize_max_mm = 0.01, .roundness_max_mm = 0.0003};
+  for (const int revolutions : {needed - 1, needed + 1}) {
+    const Verification result =
+        verify_cycle(petrakov::sheet(), petrakov::table(),
+                     {.spark_out_revolutions = static_cast<double>(revolutions)}, limits);
+    EXPECT_EQ(std::ranges::count(codes(result.findings), "E9110"), revolutions < needed ? 1 : 0)
+        << revolutions << " of " << needed << ": " << result.run.out_of_roundness_mm();
+  }
 }
 
 // At the end the deflection P/C is 3.16 um; half the stiffness doubles it, one and a half leaves
