@@ -357,6 +357,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "the feed stays S_min; lower it if the process allows that"},
     {"W710", "a program that is not included", Reaction::warning,
      "#include it, so that it is checked when this program is loaded", "nothing needs to be done"},
+    {"W720", "a recording that is not whole", Reaction::warning,
+     "see what keeps the recorder from its work: a slow disk, a computer with too much to do; log "
+     "status counts the losses",
+     "motion is not touched; stanok log verify repeats the log up to the named cycle"},
     {"W810", "a feed above what the axes can do", Reaction::warning,
      "see the text for the block and the limit; the path runs as fast as the axes can",
      "nothing needs to be done"},

@@ -6,6 +6,7 @@
 
 #include "channels/channel.h"
 #include "channels/coordinator.h"
+#include "channels/input_book.h"
 #include "channels/motion_config.h"
 #include "channels/preparation.h"
 
@@ -104,7 +105,7 @@ struct Machine::Parts {
         outputs_to_inputs(options.outputs_to_inputs),
         sensors(machine.spindles.size()),
         events(events_max),
-        inputs(inputs_max),
+        inputs(inputs_max, events),
         replies(replies_max),
         stop_replies(replies_max) {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
@@ -139,13 +140,13 @@ struct Machine::Parts {
       if (!changed.is_on(k)) continue;
       record.method = k;
       record.value = next.is_on(k) ? 1.0 : 0.0;
-      static_cast<void>(inputs.push(record));
+      inputs.note(record);
     }
     for (std::size_t k = 0; k < next.analog.size(); ++k) {
       if (next.analog[k] == signals_in.analog[k]) continue;
       record.method = Signals::digital_count + static_cast<std::int32_t>(k);
       record.value = next.analog[k];
-      static_cast<void>(inputs.push(record));
+      inputs.note(record);
     }
     signals_in = next;
   }
@@ -168,7 +169,7 @@ struct Machine::Parts {
     record.method = static_cast<std::int32_t>(spindle);
     record.number = quantity;
     record.value = given;
-    static_cast<void>(inputs.push(record));
+    inputs.note(record);
   }
 
   const MachineConfig& config;
@@ -180,7 +181,7 @@ struct Machine::Parts {
   Signals signals_out;
   ReportBook reports;
   Ring<Event> events;
-  Ring<InputRecord> inputs;
+  InputBook inputs;
   Ring<OperatorReply> replies;
   Ring<OperatorReply> stop_replies;
   std::vector<std::unique_ptr<Seat>> seats;
@@ -233,7 +234,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     record.value = event.value;
     record.value_2 = event.value_2;
     record.text = event.text;
-    static_cast<void>(parts.inputs.push(record));
+    parts.inputs.note(record);
     parts.coordinator->take(event);
   }
   parts.take_signals(inputs.signals);
@@ -277,7 +278,13 @@ Ring<Event>& Machine::events() {
   return parts_->events;
 }
 Ring<InputRecord>& Machine::input_records() {
-  return parts_->inputs;
+  return parts_->inputs.records();
+}
+void Machine::record(const InputRecord& input) RT_SAFE {
+  parts_->inputs.note(input);
+}
+std::uint64_t Machine::inputs_lost() const RT_SAFE {
+  return parts_->inputs.lost();
 }
 Ring<OperatorReply>& Machine::replies() {
   return parts_->replies;

@@ -109,6 +109,11 @@ class Machine {
   [[nodiscard]] Ring<OperatorReply>& replies();
   [[nodiscard]] Ring<OperatorReply>& stop_replies();  // of events with stop_id_mark
 
+  // An input that the machine does not see, for the record only; the cycle's thread.
+  void record(const InputRecord& input) RT_SAFE;
+  // Input records that found no place so far; any thread.
+  [[nodiscard]] std::uint64_t inputs_lost() const RT_SAFE;
+
   // Reports gathered by the preparations and the caller of `collect`; any thread.
   [[nodiscard]] std::vector<RunReport> runs() const;
   [[nodiscard]] std::vector<AlarmReport> alarms() const;

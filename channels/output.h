@@ -234,7 +234,8 @@ enum class InputKind : std::uint8_t {
   feedback,
   sensor,
   overrun,
-  spindle_sensor
+  spindle_sensor,
+  lost  // input records are missing: channels/input_book.h
 };
 
 struct InputRecord {
@@ -243,7 +244,8 @@ struct InputRecord {
   std::int32_t channel = 0;  // 0: the machine
   // operator_event: channels::OperatorAction; arrival: sequence number of the item; sensor: number
   // of the input, analog ones counted on behind the digital ones; spindle_sensor: index of the
-  // spindle in the machine, and `number` is 0 power, 1 vibration, 2 its frequency.
+  // spindle in the machine, and `number` is 0 power, 1 vibration, 2 its frequency. lost: `value` is
+  // how many were lost up to this cycle, 0 where the loss begins.
   std::int32_t method = 0;
   std::int32_t number = 0;  // of an operator event as well, as value_2
   double value = 0.0;

@@ -110,7 +110,9 @@ int plot(const LogOptions& options) {
 nlohmann::json replay_json(const runtime::ReplayResult& result) {
   nlohmann::json json{{"ok", result.is_same()},        {"cycles", result.cycles},
                       {"setpoints", result.setpoints}, {"complete", result.is_complete},
-                      {"remarks", result.remarks},     {"difference", nullptr}};
+                      {"remarks", result.remarks},     {"lost_from_cycle", nullptr},
+                      {"difference", nullptr}};
+  if (result.lost_cycle) json["lost_from_cycle"] = *result.lost_cycle;
   if (result.difference) {
     const runtime::SetpointDifference& first = *result.difference;
     json["difference"] = {{"cycle", first.cycle},       {"channel", first.channel},
@@ -118,6 +120,12 @@ nlohmann::json replay_json(const runtime::ReplayResult& result) {
                           {"repeated", first.repeated}, {"ulps", first.units_in_last_place}};
   }
   return json;
+}
+
+int exit_code_of(const runtime::ReplayResult& result) {
+  if (result.difference) return exit_failed;
+  if (result.lost_cycle) return exit_log_with_losses;
+  return result.is_complete ? 0 : exit_failed;
 }
 
 int verify(const LogOptions& options) {
@@ -139,7 +147,7 @@ int verify(const LogOptions& options) {
     write_data(fmt::format("{} set-points of {} cycles are the same, bit for bit\n",
                            result.setpoints, result.cycles));
   }
-  return result.is_same() ? 0 : exit_failed;
+  return exit_code_of(result);
 }
 
 int play(const LogOptions& options) {

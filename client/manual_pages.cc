@@ -27,6 +27,7 @@ constexpr auto exit_codes = std::to_array<Row>({
     {"5", "not permitted for this role"},
     {"6", "an error of a program: codes E and U"},
     {"7", "a fault of the machine: codes A"},
+    {"8", "log verify: the same up to a cycle from which on records were lost (W720)"},
     {"130", "interrupted"},
 });
 

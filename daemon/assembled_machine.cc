@@ -26,7 +26,7 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
                                    std::filesystem::path program_root,
                                    std::vector<std::filesystem::path> program_roots)
     : assembly_(assembly),
-      inputs_(assembly.machine().input_records()),
+      machine_(assembly.machine()),
       replies_(assembly.machine().replies()),
       recorder_(recorder),
       program_root_(std::move(program_root)),
@@ -68,8 +68,7 @@ void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
   record.cycle = cycles_;
   record.kind = channels::InputKind::overrun;
   record.value = static_cast<double>(periods);
-  // A full ring loses the note, not the overrun: the loop counts it.
-  static_cast<void>(inputs_.push(record));
+  machine_.record(record);
 }
 
 void AssembledMachine::on_output(const channels::CycleOutput& output) {

@@ -71,6 +71,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] LoopFigures loop_figures() override;
   [[nodiscard]] RealTimeRights real_time_rights() override;
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
+  [[nodiscard]] std::uint64_t inputs_lost() override { return machine_.inputs_lost(); }
   [[nodiscard]] std::string drive_choice() override;
   [[nodiscard]] drives::BusStatus drive_status() override { return assembly_.drive_status(); }
   [[nodiscard]] bool reset_drive(const std::string& drive) override {
@@ -93,7 +94,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   void refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE;
 
   runtime::Assembly& assembly_;
-  Ring<channels::InputRecord>& inputs_;
+  channels::Machine& machine_;  // of the assembly
   Ring<channels::OperatorReply>& replies_;
   Recorder& recorder_;
   std::filesystem::path program_root_;

@@ -106,7 +106,8 @@ json log_status(RunningMachine& machine) {
             {"events", status.log_events},
             {"error", text(status.log_error)}}},
           {"flight", text(status.flight_file)},
-          {"outputs_lost", machine.outputs_lost()}};
+          {"outputs_lost", machine.outputs_lost()},
+          {"inputs_lost", machine.inputs_lost()}};
 }
 
 json program_list(const fs::path& root, std::size_t files_max) {

@@ -74,7 +74,9 @@ class RunningMachine {
 
   [[nodiscard]] virtual LoopFigures loop_figures() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
+  // Outputs and inputs of cycles that the recorder was too late for.
   [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;
+  [[nodiscard]] virtual std::uint64_t inputs_lost() = 0;
   // "ideal", "embedded", "real".
   [[nodiscard]] virtual std::string drive_choice() = 0;
   [[nodiscard]] virtual drives::BusStatus drive_status() = 0;

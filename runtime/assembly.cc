@@ -11,6 +11,7 @@
 #include "plant/machine_drives.h"
 #include "plant/modbus_server.h"
 #include "runtime/force_controls.h"
+#include "runtime/output_book.h"
 #include "runtime/program_files.h"
 
 namespace stanok::runtime {
@@ -35,7 +36,7 @@ struct Assembly::Parts {
                                   std::to_string(axes_of_machine_max) + " axes");
     }
     if (options.output_capacity > 0) {
-      outputs = std::make_unique<Ring<channels::CycleOutput>>(options.output_capacity);
+      outputs = std::make_unique<OutputBook>(options.output_capacity, machine.events());
     }
     make_bus();
     find_spindle_drives();
@@ -281,8 +282,7 @@ struct Assembly::Parts {
   ForceControls force_controls;
   channels::Machine machine;
   std::unique_ptr<ProcessPlant> process_plant;
-  std::unique_ptr<Ring<channels::CycleOutput>> outputs;
-  std::atomic<std::uint64_t> outputs_lost{0};  // counted in the cycle, read by operators
+  std::unique_ptr<OutputBook> outputs;
   std::size_t axis_count;
   std::size_t drive_count = 0;  // axes, then spindles with a drive
   std::vector<drives::AxisDriveConfig> bus_drives;
@@ -347,7 +347,7 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
     parts.write_drives();
     parts.write_signals();
   }
-  if (parts.outputs && !parts.outputs->push(parts.output)) ++parts.outputs_lost;
+  if (parts.outputs) parts.outputs->note(parts.output);
   return parts.output;
 }
 
@@ -365,11 +365,11 @@ std::vector<recording::ProgramRead> Assembly::program_reads() {
 }
 
 Ring<channels::CycleOutput>& Assembly::outputs() {
-  return *parts_->outputs;
+  return parts_->outputs->outputs();
 }
 
 std::uint64_t Assembly::outputs_lost() const RT_SAFE {
-  return parts_->outputs_lost;
+  return parts_->outputs ? parts_->outputs->lost() : 0;
 }
 
 DriveChoice Assembly::drives() const {

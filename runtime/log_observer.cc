@@ -18,7 +18,10 @@ LogObserver::LogObserver(const config::MachineFile& file, const RunSetup& setup,
 std::string LogObserver::close() {
   static_cast<void>(writer_->flush());
   const auto& error = writer_->status().error;
-  return error ? error->text : std::string();
+  if (error) return error->text;
+  if (lost_cycle_ == 0) return {};
+  return "W720 the log lacks inputs from cycle " + std::to_string(lost_cycle_) +
+         " on: too many came in one cycle; it can be repeated up to there only";
 }
 
 }  // namespace stanok::runtime

@@ -22,14 +22,18 @@ class LogObserver final : public CycleObserver {
     stream_->program_read(read, cycle);
   }
   void observe(const channels::Event& event) override { stream_->event(event); }
-  void observe(const channels::InputRecord& input) override { stream_->input(input); }
+  void observe(const channels::InputRecord& input) override {
+    stream_->input(input);
+    if (input.kind == channels::InputKind::lost && lost_cycle_ == 0) lost_cycle_ = input.cycle;
+  }
 
-  // Empty, or why the log ends early.
+  // Empty, or why the log ends early or cannot be repeated.
   [[nodiscard]] std::string close();
 
  private:
   std::unique_ptr<recording::LogWriter> writer_;
   std::unique_ptr<recording::MessageStream> stream_;
+  std::int64_t lost_cycle_ = 0;  // from this one on inputs are missing; 0: none is
 };
 
 }  // namespace stanok::runtime

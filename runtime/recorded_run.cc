@@ -55,11 +55,19 @@ void sort_by_cycle(std::vector<Record>& records) {
   std::ranges::stable_sort(records, {}, &Record::cycle);
 }
 
+void take(const channels::InputRecord& input, RecordedRun& run) {
+  if (input.kind != channels::InputKind::lost) {
+    run.inputs.push_back(input);
+  } else {
+    run.lost_cycle = std::min(run.lost_cycle.value_or(input.cycle), input.cycle);
+  }
+}
+
 void take(const recording::LogEvent& event, Texts& texts, RecordedRun& run) {
   const std::string_view topic = recording::topic_of(event.channel);
   if (topic == name_of(Topic::input)) {
     if (const auto message = decode<input_t>(event.bytes))
-      run.inputs.push_back(recording::from_input(*message));
+      take(recording::from_input(*message), run);
   } else if (topic == name_of(Topic::arrival)) {
     if (const auto message = decode<arrival_t>(event.bytes))
       run.arrivals.push_back({message->cycle, message->channel, recording::from_arrival(*message)});

@@ -62,6 +62,7 @@ struct RecordedRun {
   std::vector<Feedback> feedback;
   std::vector<Arrival> arrivals;
   std::optional<std::int64_t> first_cycle;  // with a set-point
+  std::optional<std::int64_t> lost_cycle;   // from this one on inputs are missing
 };
 
 // Throws std::runtime_error when the log cannot be read, or lacks what a run begins with.

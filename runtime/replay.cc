@@ -287,19 +287,25 @@ class Verification {
         continue;
       const auto recorded = recording::decode<setpoint_t>(event->bytes);
       if (!recorded) continue;
-      if (recorded->cycle > cycle_ + 1) {
-        result.is_complete = false;
-        result.remarks.push_back("set-points are missing from cycle " + std::to_string(cycle_ + 1) +
-                                 " on; nothing behind them can be verified");
-        return;
-      }
+      if (run_.lost_cycle && recorded->cycle >= *run_.lost_cycle)
+        return end_at_loss("inputs", *run_.lost_cycle, result);
+      if (recorded->cycle > cycle_ + 1) return end_at_loss("set-points", cycle_ + 1, result);
       if (recorded->cycle > cycle_) advance(result, reader->bytes_read());
       compare(*recorded, result);
       if (result.difference) return;
     }
+    if (run_.lost_cycle) end_at_loss("inputs", *run_.lost_cycle, result);
   }
 
  private:
+  static void end_at_loss(const std::string& what, std::int64_t cycle, ReplayResult& result) {
+    result.is_complete = false;
+    result.lost_cycle = cycle;
+    result.remarks.push_back("W720 " + what + " are missing from cycle " + std::to_string(cycle) +
+                             " on, the recorder fell behind; nothing from there on can be "
+                             "repeated");
+  }
+
   void advance(ReplayResult& result, std::int64_t bytes) {
     output_ = &repetition_.cycle();
     cycle_ = output_->cycle;

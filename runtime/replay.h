@@ -28,8 +28,9 @@ struct ReplayResult {
   std::int64_t cycles = 0;     // repeated
   std::int64_t setpoints = 0;  // compared
   std::optional<SetpointDifference> difference;
-  std::vector<std::string> remarks;  // another build, damage, where the log ends
-  bool is_complete = true;           // the log has neither damage nor a gap
+  std::optional<std::int64_t> lost_cycle;  // W720: from this one on it cannot be repeated
+  std::vector<std::string> remarks;        // another build, damage, where the log ends
+  bool is_complete = true;                 // the log has neither damage nor a gap
 
   [[nodiscard]] bool is_same() const { return !difference && is_complete; }
 };

@@ -132,6 +132,12 @@ TEST(Publisher, ThatFallsBehindLosesOutputsAndNothingElse) {
   EXPECT_GE(assembly.outputs_lost(), static_cast<std::uint64_t>(cycles - 2 * kept));
   EXPECT_EQ(assembly.outputs_lost() + assembly.outputs().size(),
             static_cast<std::uint64_t>(cycles));
+  std::vector<channels::Event> losses;
+  for (channels::Event event; assembly.machine().events().pop(event);) {
+    if (event.code.view() == "W720") losses.push_back(event);
+  }
+  ASSERT_EQ(losses.size(), 1U) << "told once";
+  EXPECT_EQ(losses[0].cycle, kept + 1);
 }
 
 }  // namespace

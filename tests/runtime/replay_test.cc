@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include "recording/channel_names.h"
@@ -13,6 +14,7 @@
 #include "recording/encode.h"
 #include "recording/log_contents.h"
 #include "recording/log_reader.h"
+#include "recording/message_stream.h"
 #include "runtime/assembly.h"
 #include "runtime/log_observer.h"
 #include "tests/config/temporary_files.h"
@@ -22,6 +24,7 @@ namespace stanok::runtime {
 namespace {
 
 using channels::OperatorAction;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 const std::filesystem::path source_tree = stanok::testing::source_folder();
@@ -91,6 +94,11 @@ class RecordedByChance {
   [[nodiscard]] bool moved() const { return moved_; }
   [[nodiscard]] std::filesystem::path path() const { return files_.folder() / "run.lcm"; }
   void close() { EXPECT_EQ(log_.close(), ""); }
+  [[nodiscard]] std::string closing_word() { return log_.close(); }
+  // Cycles whose outputs do not get to the log.
+  void lose_outputs(int cycles) {
+    for (int n = 0; n < cycles; ++n) static_cast<void>(assembly_.cycle({}));
+  }
 
  private:
   std::mt19937_64 random_;
@@ -106,7 +114,8 @@ class RecordedByChance {
 // A copy of a log in which every message of one type went through `change`.
 template <class Message, class Change>
 std::filesystem::path changed(const std::filesystem::path& log, recording::Topic topic,
-                              const Change& change) {
+                              const Change& change,
+                              const std::function<void(recording::MessageStream&)>& go_on = {}) {
   const std::filesystem::path copy = log.string() + ".copy";
   auto reader = recording::LogReader::open(log);
   auto writer = recording::LogWriter::open(copy);
@@ -118,6 +127,12 @@ std::filesystem::path changed(const std::filesystem::path& log, recording::Topic
       message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
     }
     (*writer)->send(std::string(event->channel), event->utime, bytes);
+  }
+  if (go_on) {
+    recording::LogDescription machine;
+    machine.machine = "mill3";
+    recording::MessageStream stream(machine, {writer->get()});
+    go_on(stream);
   }
   EXPECT_TRUE((*writer)->flush());
   return copy;
@@ -279,6 +294,56 @@ TEST(Replay, OfALogThatWasCutGoesToTheCut) {
   EXPECT_LT(result.setpoints, 1500);
   ASSERT_FALSE(result.remarks.empty());
   EXPECT_THAT(result.remarks.back(), HasSubstr("cut"));
+}
+
+// More inputs in one cycle than the ring of the recorder holds: the same up to there, and no word
+// of a difference.
+TEST(Replay, OfALogThatLacksInputsGoesToTheLoss) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 8);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(1000);
+  for (int n = 0; n < 5000; ++n) run.ask(OperatorAction::override_feed, 1, "", 0.5 + 0.0001 * n);
+  run.run(1000);
+  EXPECT_THAT(run.closing_word(), HasSubstr("W720"));
+  EXPECT_TRUE(run.moved());
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_FALSE(result.is_same());
+  EXPECT_EQ(result.lost_cycle, 1001);
+  EXPECT_EQ(result.cycles, 1000);
+  EXPECT_THAT(result.remarks, Contains(HasSubstr("W720")));
+}
+
+// The same of a log whose last record says so.
+TEST(Replay, OfALogThatEndsWithALossSaysSo) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 9);
+  run.run(100);
+  run.close();
+  const auto copy = changed<log_meta_t>(
+      run.path(), recording::Topic::log_meta, [](log_meta_t&) {},
+      [](recording::MessageStream& stream) {
+        channels::InputRecord loss;
+        loss.cycle = 101;
+        loss.kind = channels::InputKind::lost;
+        stream.input(loss);
+      });
+  const ReplayResult result = replay(copy, {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_EQ(result.lost_cycle, 101);
+  EXPECT_EQ(result.cycles, 100);
+}
+
+TEST(Replay, OfALogThatLacksSetPointsGoesToTheGap) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 10);
+  run.run(60);
+  run.lose_outputs(5);
+  run.run(40);
+  run.close();
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_EQ(result.lost_cycle, 61);
+  EXPECT_EQ(result.cycles, 60);
 }
 
 // Inputs that no machine of this description can have had: told, and nothing worse.
