@@ -10,6 +10,7 @@ inline constexpr int exit_usage = 2;
 inline constexpr int exit_no_connection = 3;
 inline constexpr int exit_until_reached = 4;
 inline constexpr int exit_log_with_losses = 8;
+inline constexpr int exit_log_was_cut = 9;
 inline constexpr int exit_interrupted = 130;
 
 }  // namespace stanok::client

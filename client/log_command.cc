@@ -73,7 +73,7 @@ int print_contents(const LogOptions& options) {
   } else {
     write_data(text_of(contents, Terminal(STDOUT_FILENO)));
   }
-  return contents.is_sound() ? 0 : exit_failed;
+  return contents.is_sound() && !contents.is_cut() ? 0 : exit_failed;
 }
 
 int export_csv(const LogOptions& options) {
@@ -107,10 +107,28 @@ int plot(const LogOptions& options) {
   return 0;
 }
 
+const char* verdict_of(const runtime::ReplayResult& result) {
+  if (result.difference) return "differs";
+  if (result.is_damaged) return "damaged";
+  if (result.lost_cycle) return "records_lost";
+  return result.is_cut ? "cut" : "same";
+}
+
+int exit_code_of(const runtime::ReplayResult& result) {
+  if (result.difference || result.is_damaged) return exit_failed;
+  if (result.lost_cycle) return exit_log_with_losses;
+  return result.is_cut ? exit_log_was_cut : 0;
+}
+
 nlohmann::json replay_json(const runtime::ReplayResult& result) {
-  nlohmann::json json{{"ok", result.is_same()},        {"cycles", result.cycles},
-                      {"setpoints", result.setpoints}, {"complete", result.is_complete},
-                      {"remarks", result.remarks},     {"lost_from_cycle", nullptr},
+  nlohmann::json json{{"ok", result.is_same()},
+                      {"verdict", verdict_of(result)},
+                      {"cycles", result.cycles},
+                      {"setpoints", result.setpoints},
+                      {"complete", result.is_complete()},
+                      {"covered", result.has_checks},
+                      {"remarks", result.remarks},
+                      {"lost_from_cycle", nullptr},
                       {"difference", nullptr}};
   if (result.lost_cycle) json["lost_from_cycle"] = *result.lost_cycle;
   if (result.difference) {
@@ -120,12 +138,6 @@ nlohmann::json replay_json(const runtime::ReplayResult& result) {
                           {"repeated", first.repeated}, {"ulps", first.units_in_last_place}};
   }
   return json;
-}
-
-int exit_code_of(const runtime::ReplayResult& result) {
-  if (result.difference) return exit_failed;
-  if (result.lost_cycle) return exit_log_with_losses;
-  return result.is_complete ? 0 : exit_failed;
 }
 
 int verify(const LogOptions& options) {

@@ -36,11 +36,59 @@ std::string description_text(const LogDescription& log) {
 }
 
 std::string damage_text(const Damage& damage) {
-  return damage.kind == DamageKind::cut
-             ? fmt::format("the file is cut: {} bytes from byte {} are no event", damage.bytes,
-                           damage.offset)
-             : fmt::format("damaged: {} bytes from byte {} were skipped", damage.bytes,
-                           damage.offset);
+  switch (damage.kind) {
+    case DamageKind::cut:
+      return fmt::format("the file is cut: {} bytes from byte {} are no event", damage.bytes,
+                         damage.offset);
+    case DamageKind::unreadable:
+      return fmt::format("damaged: {} bytes from byte {} were skipped", damage.bytes,
+                         damage.offset);
+    case DamageKind::altered:
+      return fmt::format("damaged: among {} bytes from byte {} are some that are not as written",
+                         damage.bytes, damage.offset);
+  }
+  return {};
+}
+
+const char* name_of(DamageKind kind) {
+  switch (kind) {
+    case DamageKind::cut:
+      return "cut";
+    case DamageKind::unreadable:
+      return "unreadable";
+    case DamageKind::altered:
+      return "altered";
+  }
+  return "";
+}
+
+// "unknown": of a log without checks.
+const char* name_of(const recording::LogCoverage& coverage) {
+  if (!coverage.has_checks) return "unknown";
+  switch (coverage.end) {
+    case recording::LogEnd::complete:
+      return "complete";
+    case recording::LogEnd::next_piece:
+      return "next_piece";
+    case recording::LogEnd::goes_on:
+      return "missing";
+  }
+  return "";
+}
+
+std::string end_text(const recording::LogCoverage& coverage) {
+  if (!coverage.has_checks)
+    return "recorded without check sums, as by stanok 0.1.0: changed bytes are not noticed\n";
+  switch (coverage.end) {
+    case recording::LogEnd::complete:
+      return "";
+    case recording::LogEnd::next_piece:
+      return "the recording goes on in its next piece\n";
+    case recording::LogEnd::goes_on:
+      return "no trailer: the recording was cut (power failure, kill, full disk) or still goes "
+             "on\n";
+  }
+  return "";
 }
 
 std::string fault_text(const LogContents& contents, const Terminal& terminal) {
@@ -59,7 +107,8 @@ std::string fault_text(const LogContents& contents, const Terminal& terminal) {
       text += terminal.coloured(line, Colour::yellow) + "\n";
     }
   }
-  return text.empty() ? "no damage, nothing missing\n" : text;
+  if (text.empty()) text = "no damage, nothing missing\n";
+  return text + end_text(contents.coverage);
 }
 
 }  // namespace
@@ -82,7 +131,9 @@ std::string text_of(const LogContents& contents, const Terminal& terminal) {
 
 nlohmann::ordered_json to_json(const LogContents& contents) {
   nlohmann::ordered_json json;
-  json["ok"] = contents.is_sound();
+  json["ok"] = contents.is_sound() && !contents.is_cut();
+  json["covered"] = contents.coverage.has_checks;
+  json["end"] = name_of(contents.coverage);
   json["events"] = contents.events;
   json["bytes"] = contents.bytes;
   json["utime_first"] = contents.utime_first;
@@ -114,9 +165,8 @@ nlohmann::ordered_json to_json(const LogContents& contents) {
   }
   json["damage"] = nlohmann::ordered_json::array();
   for (const Damage& damage : contents.damage) {
-    json["damage"].push_back({{"kind", damage.kind == DamageKind::cut ? "cut" : "unreadable"},
-                              {"offset", damage.offset},
-                              {"bytes", damage.bytes}});
+    json["damage"].push_back(
+        {{"kind", name_of(damage.kind)}, {"offset", damage.offset}, {"bytes", damage.bytes}});
   }
   return json;
 }

@@ -28,6 +28,7 @@ constexpr auto exit_codes = std::to_array<Row>({
     {"6", "an error of a program: codes E and U"},
     {"7", "a fault of the machine: codes A"},
     {"8", "log verify: the same up to a cycle from which on records were lost (W720)"},
+    {"9", "log verify: the same, but the recording was cut: its log ends without a trailer"},
     {"130", "interrupted"},
 });
 

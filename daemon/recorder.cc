@@ -205,6 +205,7 @@ std::optional<fs::path> Recorder::stop_log() {
 void Recorder::turn_log() {
   const std::lock_guard lock(mutex_);
   log_turns_ = false;
+  if (auto* log = log_.writer()) static_cast<void>(log->finish());
   tell_error_of_log();
   log_.turn_to(std::move(next_log_), utime());
   has_told_error_ = false;

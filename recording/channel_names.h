@@ -31,16 +31,17 @@ enum class Topic {
   workpiece,
   tool,
   path,
-  log_meta
+  log_meta,
+  log_check
 };
-inline constexpr std::size_t topic_count = 15;
+inline constexpr std::size_t topic_count = 16;
 
 class ChannelNames {
  public:
   explicit ChannelNames(std::string_view machine);
 
   // `channel` 1..channels_max, or 0 for what belongs to the machine: STANOK_<MACHINE>_EVENT.
-  // LOG_META always belongs to the machine.
+  // LOG_META and LOG_CHECK always belong to the machine.
   [[nodiscard]] const std::string& name(int channel, Topic topic) const;
 
  private:

@@ -8,6 +8,15 @@
 
 namespace stanok::recording {
 
+// The cycle that every message of ours has behind its fingerprint and utime; 0 of none of ours.
+[[nodiscard]] inline std::int64_t cycle_of(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t offset = 16;
+  if (bytes.size() < offset + sizeof(std::uint64_t)) return 0;
+  std::uint64_t cycle = 0;
+  for (const std::uint8_t byte : bytes.subspan(offset, sizeof cycle)) cycle = cycle << 8U | byte;
+  return static_cast<std::int64_t>(cycle);
+}
+
 // Nothing when the bytes are not exactly one message of that type.
 template <class Message>
 [[nodiscard]] std::optional<Message> decode(std::span<const std::uint8_t> bytes) {

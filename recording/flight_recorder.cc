@@ -52,7 +52,7 @@ Expected<std::int64_t, LogError> FlightRecorder::write(const std::filesystem::pa
       begin = entry.end;
     }
   }
-  static_cast<void>((*writer)->flush());
+  static_cast<void>((*writer)->finish());
   const LogStatus& status = (*writer)->status();
   if (status.error) return Unexpected<LogError>(*status.error);
   return status.events;

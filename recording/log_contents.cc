@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stanok_messages/log_check_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
 #include <string_view>
 
@@ -52,6 +53,7 @@ const MessageType* type_on(std::string_view channel_name) {
                                 type_of<arrival_t>(Topic::arrival),
                                 type_of<feedback_t>(Topic::feedback),
                                 type_of<log_meta_t>(Topic::log_meta),
+                                type_of<log_check_t>(Topic::log_check),
                                 type_of<program_read_t>(Topic::program_read),
                                 type_of<path_t>(Topic::path)};
   const auto type = std::find_if(types.begin(), types.end(), [&](const MessageType& t) {
@@ -102,7 +104,26 @@ class Count {
   std::map<const ChannelContents*, std::int64_t> next_seq_;
 };
 
+// Faults of what could be read but for its check sum; what could not be read is told already.
+void add_faults(LogContents& contents) {
+  const std::vector<Damage> read = contents.damage;
+  for (const Damage& fault : contents.coverage.faults) {
+    const bool is_told = std::ranges::any_of(read, [&](const Damage& damage) {
+      return damage.offset < fault.offset + fault.bytes &&
+             fault.offset < damage.offset + damage.bytes;
+    });
+    if (!is_told) contents.damage.push_back(fault);
+  }
+  std::ranges::sort(contents.damage, {}, &Damage::offset);
+}
+
 }  // namespace
+
+bool LogContents::is_cut() const {
+  const bool ends_within = std::ranges::any_of(
+      damage, [](const Damage& place) { return place.kind == DamageKind::cut; });
+  return ends_within || (coverage.has_checks && coverage.end == LogEnd::goes_on);
+}
 
 bool LogContents::is_sound() const {
   return damage.empty() && std::all_of(channels.begin(), channels.end(), [](const auto& entry) {
@@ -115,9 +136,15 @@ Expected<LogContents, LogError> read_contents(const std::filesystem::path& file)
   if (!reader) return Unexpected<LogError>(reader.error());
   LogContents contents;
   Count count(contents);
-  while (const auto event = reader->next()) count.add(*event);
+  CheckReading checks;
+  while (const auto event = reader->next()) {
+    count.add(*event);
+    checks.take(*event);
+  }
   contents.bytes = reader->bytes_read();
   contents.damage = reader->damage();
+  contents.coverage = checks.coverage(contents.bytes);
+  add_faults(contents);
   return contents;
 }
 

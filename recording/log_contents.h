@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/expected.h"
+#include "recording/log_check.h"
 #include "recording/log_description.h"
 #include "recording/log_reader.h"
 
@@ -36,9 +37,12 @@ struct LogContents {
   std::int64_t utime_first = 0;
   std::int64_t utime_last = 0;
   std::vector<Damage> damage;
+  LogCoverage coverage;
 
   // Nothing is damaged, cut or undecodable. Messages may be missing: lost before they were written.
   [[nodiscard]] bool is_sound() const;
+  // The file ends within an event, or lacks the trailer that it should have.
+  [[nodiscard]] bool is_cut() const;
 };
 
 [[nodiscard]] Expected<LogContents, LogError> read_contents(const std::filesystem::path& file);

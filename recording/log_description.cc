@@ -4,19 +4,23 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stanok_messages/log_check_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
 #include <utility>
 
+#include "base/assert.h"
 #include "recording/encode_inputs.h"
 
 namespace stanok::recording {
 namespace {
 
+constexpr std::size_t types_in_meta = std::extent_v<decltype(log_meta_t::type_name)>;
 constexpr std::size_t channels_in_meta = std::extent_v<decltype(log_meta_t::channel_id)>;
 constexpr std::size_t axes_in_meta = std::extent_v<decltype(log_meta_t::axis_name), 1>;
 
 template <class Message>
 void add_type(log_meta_t& meta) {
+  STANOK_ASSERT(meta.type_count < static_cast<std::int32_t>(types_in_meta));
   const auto index = static_cast<std::size_t>(meta.type_count++);
   put_text(Message::getTypeName(), meta.type_name[index]);
   meta.type_fingerprint[index] = Message::getHash();
@@ -95,6 +99,7 @@ log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp) {
   add_type<tool_t>(meta);
   add_type<path_t>(meta);
   add_type<log_meta_t>(meta);
+  add_type<log_check_t>(meta);
   const std::size_t count = std::min(description.channels.size(), channels_in_meta);
   meta.channel_count = static_cast<std::int32_t>(count);
   for (std::size_t i = 0; i < count; ++i) put_axes(description.channels[i], i, meta);

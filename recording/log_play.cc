@@ -4,6 +4,8 @@
 #include <string>
 #include <thread>
 
+#include "recording/channel_names.h"
+
 namespace stanok::recording {
 
 Expected<PlayResult, LogError> play(const std::filesystem::path& file, double speed,
@@ -15,6 +17,7 @@ Expected<PlayResult, LogError> play(const std::filesystem::path& file, double sp
   PlayResult result;
   std::int64_t first_utime = 0;
   while (const auto event = reader->next()) {
+    if (topic_of(event->channel) == name_of(Topic::log_check)) continue;  // of the file alone
     if (interrupted()) break;
     if (result.messages == 0) first_utime = event->utime;
     result.recorded_s = static_cast<double>(event->utime - first_utime) * 1e-6;

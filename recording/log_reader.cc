@@ -8,9 +8,7 @@
 namespace stanok::recording {
 namespace {
 
-constexpr std::uint32_t sync_word = 0xEDA1DA01;
 constexpr std::size_t sync_bytes = 4;
-constexpr std::size_t header_bytes = 28;  // sync word, number, time, two lengths
 constexpr std::size_t read_bytes = std::size_t{1} << 20;
 constexpr std::size_t name_bytes_max = 63;                     // LCM's limit
 constexpr std::size_t data_bytes_max = std::size_t{16} << 20;  // our largest message has 4 kB
@@ -41,12 +39,15 @@ std::optional<LogEvent> LogReader::next() {
       skip_damage();
       continue;
     }
-    const std::uint8_t* name = window_.data() + at_ + header_bytes;
+    const std::uint8_t* name = window_.data() + at_ + event_header_bytes;
     LogEvent event{.number = header->number,
                    .utime = header->utime,
                    .channel = {reinterpret_cast<const char*>(name), header->channel_bytes},
-                   .bytes = {name + header->channel_bytes, header->data_bytes}};
-    at_ += header_bytes + header->channel_bytes + header->data_bytes;
+                   .bytes = {name + header->channel_bytes, header->data_bytes},
+                   .whole = {name - event_header_bytes,
+                             event_header_bytes + header->channel_bytes + header->data_bytes},
+                   .offset = bytes_read()};
+    at_ += event.whole.size();
     return event;
   }
   return std::nullopt;
@@ -70,11 +71,11 @@ bool LogReader::available(std::size_t count) {
 }
 
 bool LogReader::is_sync_word(std::size_t offset) const {
-  return big_endian(window_.data() + at_ + offset, sync_bytes) == sync_word;
+  return big_endian(window_.data() + at_ + offset, sync_bytes) == event_sync_word;
 }
 
 std::optional<LogReader::Header> LogReader::header_at(std::size_t offset) {
-  if (!available(offset + header_bytes) || !is_sync_word(offset)) return std::nullopt;
+  if (!available(offset + event_header_bytes) || !is_sync_word(offset)) return std::nullopt;
   const std::uint8_t* bytes = window_.data() + at_ + offset;
   const Header header{.number = static_cast<std::int64_t>(big_endian(bytes + 4, 8)),
                       .utime = static_cast<std::int64_t>(big_endian(bytes + 12, 8)),
@@ -86,7 +87,7 @@ std::optional<LogReader::Header> LogReader::header_at(std::size_t offset) {
 }
 
 bool LogReader::is_whole(const Header& header) {
-  const std::size_t size = header_bytes + header.channel_bytes + header.data_bytes;
+  const std::size_t size = event_header_bytes + header.channel_bytes + header.data_bytes;
   if (!available(size)) return false;
   if (!available(size + 1)) return true;
   if (available(size + sync_bytes) && is_sync_word(size)) return true;
@@ -100,8 +101,8 @@ void LogReader::skip_damage() {
   const std::int64_t begin = bytes_read();
   do {
     ++at_;
-  } while (available(header_bytes) && !header_at(0));
-  const bool is_cut = !available(header_bytes);
+  } while (available(event_header_bytes) && !header_at(0));
+  const bool is_cut = !available(event_header_bytes);
   if (is_cut) at_ = window_.size();
   const DamageKind kind = is_cut ? DamageKind::cut : DamageKind::unreadable;
   const bool adjoins = !damage_.empty() && damage_.back().offset + damage_.back().bytes == begin;

@@ -26,11 +26,17 @@ struct LogEvent {
   std::int64_t utime = 0;   // us
   std::string_view channel;
   std::span<const std::uint8_t> bytes;
+  std::span<const std::uint8_t> whole{};  // with its header
+  std::int64_t offset = 0;                // of its first byte in the file
 };
+
+inline constexpr std::uint32_t event_sync_word = 0xEDA1DA01;
+inline constexpr std::size_t event_header_bytes = 28;  // sync word, number, time, two lengths
 
 enum class DamageKind {
   unreadable,  // bytes that are no event, events after them
-  cut          // the file ends within an event, or within what is none
+  cut,         // the file ends within an event, or within what is none
+  altered      // events that are not as they were written (log_check.h)
 };
 
 struct Damage {

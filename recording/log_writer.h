@@ -2,7 +2,9 @@
 //
 // The event's time is the message's utime. Writes go through one large buffer; when the file cannot
 // be written any more (disk full), the writer stops, keeps the reason in its status and ignores the
-// rest: motion goes on. A new piece begins with the prologue, so that it stands alone.
+// rest: motion goes on. A new piece begins with the prologue, so that it stands alone. Check events
+// (log_check.h) cover every byte: behind the first message, about every 64 kB between two cycles,
+// at each flush, and the trailer at the end.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +21,9 @@
 
 namespace stanok::recording {
 
+// Of one file, as its last check event says.
+enum class LogEnd : std::int8_t { goes_on, complete, next_piece };
+
 struct LogError {
   int system_error = 0;  // errno
   std::string text;      // "cannot write run.lcm: No space left on device"
@@ -28,8 +33,8 @@ struct LogError {
 LogError log_error(const std::string& what, int error);
 
 struct LogStatus {
-  std::int64_t events = 0;
-  std::int64_t bytes = 0;  // over all pieces
+  std::int64_t events = 0;  // messages; check events are not counted
+  std::int64_t bytes = 0;   // over all pieces
   int pieces = 0;
   std::optional<LogError> error;  // set: nothing is written any more
 };
@@ -45,20 +50,26 @@ class LogWriter : public MessageSink {
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
 
+  // Checks of another file, as of a log that is copied, are left out.
   void send(const std::string& channel, std::int64_t utime,
             std::span<const std::uint8_t> bytes) override;
 
-  // Hands what is buffered to the operating system. False: see status().error.
+  // Hands what is buffered to the operating system, with a check. False: see status().error.
   bool flush();
+  // Ends the log with its trailer, as the destructor does. What is sent behind it is ignored.
+  bool finish();
   [[nodiscard]] const LogStatus& status() const { return status_; }
 
  private:
   struct Piece;
   LogWriter(std::filesystem::path file, std::int64_t size_max_bytes);
   bool begin_piece();
-  bool end_piece();
+  bool end_piece(LogEnd end);
   void begin_next_piece(std::int64_t utime);
   void write(const std::string& channel, std::int64_t utime, std::span<const std::uint8_t> bytes);
+  void write_event(const std::string& channel, std::int64_t utime,
+                   std::span<const std::uint8_t> bytes);
+  void write_check(LogEnd end);
   void fail(const char* what);
 
   std::filesystem::path file_;
@@ -67,6 +78,10 @@ class LogWriter : public MessageSink {
   std::int64_t piece_bytes_ = 0;  // behind its prologue
   Prologue prologue_;
   LogStatus status_;
+  std::string check_channel_;
+  std::int64_t utime_ = 0;  // of the latest message, like its cycle
+  std::int64_t cycle_ = 0;
+  bool is_finished_ = false;
 };
 
 // The name of piece `number` of a log, from 1.

@@ -16,7 +16,7 @@ LogObserver::LogObserver(const config::MachineFile& file, const RunSetup& setup,
 }
 
 std::string LogObserver::close() {
-  static_cast<void>(writer_->flush());
+  static_cast<void>(writer_->finish());
   const auto& error = writer_->status().error;
   if (error) return error->text;
   if (lost_cycle_ == 0) return {};

@@ -85,6 +85,18 @@ void take(const recording::LogEvent& event, Texts& texts, RecordedRun& run) {
   }
 }
 
+std::string why_it_is_no_run(const recording::LogContents& contents) {
+  if (!contents.coverage.faults.empty()) {
+    return "the log is damaged at byte " + std::to_string(contents.coverage.faults.front().offset) +
+           ", where the machine and the setup of its run stand; nothing of it can be repeated";
+  }
+  if (contents.is_cut())
+    return "the log is cut before the machine and the setup of its run are complete; nothing of it "
+           "can be repeated";
+  return "the log does not begin with the machine and the setup of its run; it is a later part of "
+         "a recording, or of another version";
+}
+
 void take_texts(Texts& texts, RecordedRun& run) {
   std::vector<config::SourceFile> sources;
   std::string tables;
@@ -107,11 +119,7 @@ void take_texts(Texts& texts, RecordedRun& run) {
         break;
     }
   }
-  if (sources.empty() || !has_setup) {
-    throw std::runtime_error(
-        "the log does not begin with the machine and the setup of its run; it is a later part of a "
-        "recording, or of another version");
-  }
+  if (sources.empty() || !has_setup) throw std::runtime_error(why_it_is_no_run(run.contents));
   run.machine = config::read_machine_sources(std::move(sources));
   channels::MachineConfig& machine = run.machine.machine;
   machine.tables =
@@ -150,6 +158,10 @@ Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> RecordedFiles::rea
   return std::shared_ptr<const lang::SourceText>(std::move(source));
 }
 
+std::int64_t usable_bytes(const recording::LogContents& contents) {
+  return contents.coverage.has_checks ? contents.coverage.sound_bytes : contents.bytes;
+}
+
 std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log) {
   auto contents = recording::read_contents(log);
   if (!contents) throw std::runtime_error(contents.error().text);
@@ -158,7 +170,9 @@ std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log) {
   auto run = std::make_unique<RecordedRun>();
   run->contents = std::move(*contents);
   Texts texts;
-  while (const auto event = reader->next()) take(*event, texts, *run);
+  const std::int64_t end = usable_bytes(run->contents);
+  for (auto event = reader->next(); event && event->offset < end; event = reader->next())
+    take(*event, texts, *run);
   take_texts(texts, *run);
   if (run->first_cycle.value_or(0) > first_cycle_of_a_machine) {
     throw std::runtime_error("the log begins at cycle " + std::to_string(*run->first_cycle) +

@@ -65,7 +65,11 @@ struct RecordedRun {
   std::optional<std::int64_t> lost_cycle;   // from this one on inputs are missing
 };
 
-// Throws std::runtime_error when the log cannot be read, or lacks what a run begins with.
+// Where the part of a log ends whose bytes are as they were written; of one without checks its end.
+[[nodiscard]] std::int64_t usable_bytes(const recording::LogContents& contents);
+
+// Of the usable bytes. Throws std::runtime_error when the log cannot be read, or lacks what a run
+// begins with.
 [[nodiscard]] std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log);
 
 }  // namespace stanok::runtime

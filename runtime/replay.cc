@@ -256,6 +256,28 @@ const channels::ChannelOutput* channel_of(const channels::CycleOutput& output, i
   return nullptr;
 }
 
+// Whether the log is as it was written, and whole.
+void remark_on_bytes(const recording::LogContents& contents, ReplayResult& result) {
+  const recording::LogCoverage& coverage = contents.coverage;
+  result.has_checks = coverage.has_checks;
+  result.is_cut = contents.is_cut();
+  for (const recording::Damage& damage : contents.damage) {
+    if (damage.kind == recording::DamageKind::cut) continue;
+    result.is_damaged = true;
+    result.remarks.push_back("the log is damaged: the bytes " + std::to_string(damage.offset) +
+                             " to " + std::to_string(damage.offset + damage.bytes - 1) +
+                             " are not as they were written");
+  }
+  if (!coverage.has_checks) {
+    result.remarks.emplace_back(
+        "recorded without check sums, as by stanok 0.1.0: only what is compared is covered, "
+        "set-points and through them the inputs; other bytes of the log may have changed "
+        "unnoticed");
+  }
+  if (coverage.end == recording::LogEnd::next_piece)
+    result.remarks.emplace_back("the recording goes on in its next piece, which is not verified");
+}
+
 void remark_on(const RecordedRun& run, ReplayResult& result) {
   const auto& description = run.contents.description;
   if (description && !description->build.starts_with(this_build())) {
@@ -264,12 +286,23 @@ void remark_on(const RecordedRun& run, ReplayResult& result) {
   }
   if (description && description->libm != recording::this_libm())
     result.remarks.push_back("recorded with another C library: " + description->libm);
-  for (const recording::Damage& damage : run.contents.damage) {
-    result.is_complete = false;
-    result.remarks.push_back(std::string(damage.kind == recording::DamageKind::cut
-                                             ? "the log is cut at byte "
-                                             : "the log is damaged at byte ") +
-                             std::to_string(damage.offset));
+  remark_on_bytes(run.contents, result);
+}
+
+// When all that can be has been compared.
+void remark_on_end(const RecordedRun& run, ReplayResult& result) {
+  const std::string sound =
+      result.lost_cycle || result.difference
+          ? std::string()
+          : ", everything up to cycle " + std::to_string(result.cycles) + " is sound";
+  if (result.is_cut && run.contents.coverage.has_checks) {
+    result.remarks.push_back(
+        "the log ends without its trailer: the recording was cut (power failure, kill, full disk) "
+        "or still goes on" +
+        sound);
+  } else if (result.is_cut) {
+    result.remarks.push_back("the log is cut at byte " +
+                             std::to_string(run.contents.damage.back().offset) + sound);
   }
 }
 
@@ -282,7 +315,8 @@ class Verification {
   void verify(const std::filesystem::path& log, ReplayResult& result) {
     auto reader = recording::LogReader::open(log);
     if (!reader) throw std::runtime_error(reader.error().text);
-    while (const auto event = reader->next()) {
+    const std::int64_t end = usable_bytes(run_.contents);
+    for (auto event = reader->next(); event && event->offset < end; event = reader->next()) {
       if (recording::topic_of(event->channel) != recording::name_of(recording::Topic::setpoint))
         continue;
       const auto recorded = recording::decode<setpoint_t>(event->bytes);
@@ -299,7 +333,6 @@ class Verification {
 
  private:
   static void end_at_loss(const std::string& what, std::int64_t cycle, ReplayResult& result) {
-    result.is_complete = false;
     result.lost_cycle = cycle;
     result.remarks.push_back("W720 " + what + " are missing from cycle " + std::to_string(cycle) +
                              " on, the recorder fell behind; nothing from there on can be "
@@ -347,6 +380,7 @@ ReplayResult replay(const std::filesystem::path& log, const std::function<void(d
   ReplayResult result;
   remark_on(*run, result);
   Verification(*run, progress).verify(log, result);
+  remark_on_end(*run, result);
   return result;
 }
 

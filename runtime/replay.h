@@ -1,5 +1,5 @@
 // Replay: a recorded run once more, from its inputs, on the virtual clock; every set-point is
-// compared with the recorded one, bit for bit (docs/replay.md).
+// compared with the recorded one, bit for bit, and every byte with its check sum (docs/replay.md).
 //
 // The log brings its own machine file, programs, setup and all inputs with their cycles; nothing is
 // read from disk but the log.
@@ -29,10 +29,14 @@ struct ReplayResult {
   std::int64_t setpoints = 0;  // compared
   std::optional<SetpointDifference> difference;
   std::optional<std::int64_t> lost_cycle;  // W720: from this one on it cannot be repeated
+  bool is_damaged = false;                 // bytes are not as they were written
+  bool is_cut = false;                     // it ends within an event or without its trailer
+  bool has_checks = false;                 // every byte is covered; else the set-points only
   std::vector<std::string> remarks;        // another build, damage, where the log ends
-  bool is_complete = true;                 // the log has neither damage nor a gap
 
-  [[nodiscard]] bool is_same() const { return !difference && is_complete; }
+  // The log has neither damage nor a gap, and its end.
+  [[nodiscard]] bool is_complete() const { return !lost_cycle && !is_damaged && !is_cut; }
+  [[nodiscard]] bool is_same() const { return !difference && is_complete(); }
 };
 
 // `progress` is told the part done, 0 to 1, now and then. Throws std::runtime_error when the log

@@ -77,6 +77,7 @@ TEST(LogPieces, BeginWithTheTexts) {
     auto reader = LogReader::open(piece_name(file, piece));
     ASSERT_TRUE(reader);
     EXPECT_EQ(topic_of(reader->next()->channel), name_of(Topic::log_meta));
+    EXPECT_EQ(topic_of(reader->next()->channel), name_of(Topic::log_check));
     const auto chunk = decode<program_chunk_t>(reader->next()->bytes);
     ASSERT_TRUE(chunk);
     EXPECT_EQ(text_of(chunk->name), "part.nc");
