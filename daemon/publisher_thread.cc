@@ -8,11 +8,12 @@ namespace {
 
 constexpr auto empty_pause = std::chrono::milliseconds(1);
 
-// What arrives meanwhile stays for the next time, so that the work of one call is bounded.
+// The oldest `count`. What arrives meanwhile stays for the next time, so that the work of one call
+// is bounded.
 template <class Record>
-std::size_t drain_ring(Ring<Record>& ring, const std::vector<CycleListener*>& listeners,
+std::size_t drain_ring(Ring<Record>& ring, std::size_t count,
+                       const std::vector<CycleListener*>& listeners,
                        void (CycleListener::*told)(const Record&)) {
-  const std::size_t count = ring.size();
   for (std::size_t k = 0; k < count; ++k) {
     for (CycleListener* listener : listeners) (listener->*told)(ring.front());
     ring.pop_front();
@@ -23,15 +24,17 @@ std::size_t drain_ring(Ring<Record>& ring, const std::vector<CycleListener*>& li
 }  // namespace
 
 std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& listeners) {
+  // Counted first: what led to these outputs is in the other rings by now, and goes before them.
+  const std::size_t outputs = rings.outputs.size();
   if (rings.program_reads) {
     for (const recording::ProgramRead& read : rings.program_reads()) {
       for (CycleListener* listener : listeners) listener->on_program_read(read);
     }
   }
-  return drain_ring(rings.outputs, listeners, &CycleListener::on_output) +
-         drain_ring(rings.inputs, listeners, &CycleListener::on_input) +
-         drain_ring(rings.events, listeners, &CycleListener::on_event) +
-         drain_ring(rings.replies, listeners, &CycleListener::on_reply);
+  return drain_ring(rings.inputs, rings.inputs.size(), listeners, &CycleListener::on_input) +
+         drain_ring(rings.outputs, outputs, listeners, &CycleListener::on_output) +
+         drain_ring(rings.events, rings.events.size(), listeners, &CycleListener::on_event) +
+         drain_ring(rings.replies, rings.replies.size(), listeners, &CycleListener::on_reply);
 }
 
 PublisherThread::PublisherThread(const CycleRings& rings, std::vector<CycleListener*> listeners,

@@ -96,6 +96,45 @@ TEST(Drain, HandsEverythingToEveryListenerInOrder) {
   EXPECT_EQ(drain(rings.all(), {&first}), 0U);
 }
 
+class Order final : public CycleListener {
+ public:
+  void on_output(const channels::CycleOutput& output) override {
+    seen.push_back("output " + std::to_string(output.cycle));
+  }
+  void on_input(const channels::InputRecord& input) override {
+    seen.push_back("input " + std::to_string(input.cycle));
+  }
+  void on_program_read(const recording::ProgramRead& read) override { seen.push_back(read.name); }
+
+  std::vector<std::string> seen;
+};
+
+// While the publisher asks for the texts, another cycle is over that may have seen a newer one.
+TEST(Drain, HandsInputsAndTextsOnBeforeTheOutputsTheyLedTo) {
+  Rings rings;
+  Order order;
+  const auto output = std::make_unique<channels::CycleOutput>();
+  const auto cycle = [&](std::int64_t number) {
+    channels::InputRecord input;
+    input.cycle = number;
+    output->cycle = number;
+    ASSERT_TRUE(rings.inputs.push(input));
+    ASSERT_TRUE(rings.outputs.push(*output));
+  };
+  std::int64_t next = 1;
+  CycleRings all = rings.all();
+  all.program_reads = [&] {
+    const recording::ProgramRead read{.name = "text " + std::to_string(next)};
+    cycle(++next);
+    return std::vector{read};
+  };
+  cycle(1);
+  drain(all, {&order});
+  drain(all, {&order});
+  EXPECT_EQ(order.seen, (std::vector<std::string>{"text 1", "input 1", "input 2", "output 1",
+                                                  "text 2", "input 3", "output 2"}));
+}
+
 TEST(PublisherThread, HandsOverWhatIsLeftBeforeItEnds) {
   Rings rings;
   Notebook book;
