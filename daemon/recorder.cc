@@ -3,10 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <ctime>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "base/catalogue.h"
@@ -23,7 +22,6 @@ constexpr std::int64_t reopen_periods = 10;  // what is closed or gone is tried 
 constexpr std::int64_t bytes_per_mb = 1'000'000;
 constexpr std::int64_t us_per_s = 1'000'000;
 constexpr std::int64_t flight_after_us = 2'000'000;  // what a fault leads to belongs to it
-constexpr std::size_t flights_max = 10;              // files; older ones are removed
 
 std::int64_t wall_clock_us() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -32,17 +30,6 @@ std::int64_t wall_clock_us() {
 
 std::string flight_name(const std::string& machine) {
   return machine + "-flight";
-}
-
-// Names of one kind sort by time.
-void keep_newest(const fs::path& directory, const std::string& name) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(directory, error)) {
-    if (entry.path().filename().string().starts_with(name + "-")) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  for (std::size_t k = 0; k + flights_max < files.size(); ++k) fs::remove(files[k], error);
 }
 
 bool stops_the_machine(const channels::Event& event) {
@@ -71,6 +58,8 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
     flight_ = std::make_unique<recording::FlightRecorder>(
         static_cast<std::int64_t>(file.recorder.flight_s * us_per_s));
     sinks.push_back(flight_.get());
+    flight_files_ = std::make_unique<FlightFiles>(directory_, flight_name(machine_),
+                                                  [this](const auto& made) { note_flight(made); });
   }
   auto description = runtime::description_of(file, std::string(protocol::version), build);
   description.utime_start = wall_clock_us();
@@ -86,7 +75,10 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
 }
 
 Recorder::~Recorder() {
-  if (flight_due_cycle_ > 0) write_flight();
+  while (flight_due_cycle_ > 0) {
+    write_flight();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 std::int64_t Recorder::utime() const {
@@ -164,15 +156,14 @@ void Recorder::on_event(const channels::Event& event) {
     flight_due_cycle_ = event.cycle + flight_after_us / cycle_us_;
 }
 
+// Again in the next cycle while the file before is still being written.
 void Recorder::write_flight() {
+  if (!flight_files_->is_idle()) return;
+  flight_files_->write(flight_->recording());
   flight_due_cycle_ = 0;
-  const fs::path file = log_file_name(directory_, flight_name(machine_));
-  std::error_code error;
-  fs::create_directories(directory_, error);
-  const auto written = flight_->write(file);
-  if (!written) return spdlog::error("the flight recorder: {}", written.error().text);
-  keep_newest(directory_, flight_name(machine_));
-  spdlog::warn("a fault has stopped the machine: its last seconds are in {}", file.string());
+}
+
+void Recorder::note_flight(const fs::path& file) {
   const std::lock_guard lock(mutex_);
   status_.flight_file = file;
 }
@@ -240,20 +231,6 @@ RecordingStatus Recorder::status() const {
   RecordingStatus status = status_;
   status.workpieces_allowed = workpieces_allowed_;
   return status;
-}
-
-fs::path log_file_name(const fs::path& directory, const std::string& name) {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &utc);
-  const std::string stem = name + "-" + text.data();
-  fs::path file = directory / (stem + ".lcm");
-  std::error_code error;
-  for (int n = 2; fs::exists(file, error); ++n)
-    file = directory / (stem + "-" + std::to_string(n) + ".lcm");
-  return file;
 }
 
 }  // namespace stanok::daemon

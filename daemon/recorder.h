@@ -15,6 +15,7 @@
 
 #include "base/expected.h"
 #include "config/machine_file.h"
+#include "daemon/flight_files.h"
 #include "daemon/publisher_thread.h"
 #include "daemon/running_machine.h"
 #include "recording/flight_recorder.h"
@@ -61,6 +62,7 @@ class Recorder final : public CycleListener {
   void turn_log();
   void take_new_paths();
   void write_flight();
+  void note_flight(const std::filesystem::path& file);
   void open_bus_again();
   void look_after_folder();
   void refresh_status();
@@ -88,10 +90,7 @@ class Recorder final : public CycleListener {
   std::unique_ptr<recording::LogWriter> next_log_;
   std::vector<recording::PathPreview> new_paths_;
   RecordingStatus status_;
+  std::unique_ptr<FlightFiles> flight_files_;  // last: its thread writes into the status
 };
-
-// DIR/NAME-YYYYMMDD-HHMMSS.lcm in UTC; of one that exists the next free one with -2, -3, ...
-[[nodiscard]] std::filesystem::path log_file_name(const std::filesystem::path& directory,
-                                                  const std::string& name);
 
 }  // namespace stanok::daemon

@@ -95,8 +95,13 @@ class Count {
     }
     const auto [next, is_first] = next_seq_.try_emplace(&channel, heading->stamp.seq);
     if (is_first) channel.cycle_first = heading->stamp.cycle;
+    const std::int64_t lost = heading->stamp.seq - next->second;
+    // A set-point comes every cycle: what the recorder was too late for has no number.
+    const bool comes_every_cycle = type.topic == Topic::setpoint && !is_first;
+    const std::int64_t never_sent =
+        comes_every_cycle ? heading->stamp.cycle - channel.cycle_last - 1 : 0;
     channel.cycle_last = heading->stamp.cycle;
-    channel.missing += std::max<std::int64_t>(0, heading->stamp.seq - next->second);
+    channel.missing += std::max({std::int64_t{0}, lost, never_sent});
     next->second = heading->stamp.seq + 1;
   }
 

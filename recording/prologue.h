@@ -1,8 +1,9 @@
 // Prologue: the messages without which a piece of a log cannot be read, so that each piece stands
-// alone: the latest LOG_META, and every text that was sent and who read it.
+// alone: the latest LOG_META, and every text that was sent and who read it. A copy shares them.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,8 +25,8 @@ class Prologue {
     std::string channel;
     std::vector<std::uint8_t> bytes;
   };
-  Kept meta_;
-  std::vector<Kept> texts_;
+  std::shared_ptr<const Kept> meta_;
+  std::vector<std::shared_ptr<const Kept>> texts_;
 };
 
 }  // namespace stanok::recording

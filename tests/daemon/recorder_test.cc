@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "recording/log_contents.h"
 #include "tests/daemon/fake_machine.h"
@@ -40,6 +41,11 @@ class RecorderTest : public ::testing::Test {
         found.push_back(entry.path());
     }
     return found;
+  }
+
+  // The file that the latest fault leaves behind is written beside the cycles.
+  void wait_for_flight(const std::string& before = "") {
+    while (recorder.status().flight_file == before) std::this_thread::yield();
   }
 
   TemporaryDirectory folder;
@@ -128,6 +134,7 @@ TEST_F(RecorderTest, WritesWhatLedToAFaultAndWhatFollowed) {
   run(1990);
   EXPECT_THAT(files("flight"), ::testing::IsEmpty()) << "what follows belongs to it";
   run(20);
+  wait_for_flight();
   const auto written = files("flight");
   ASSERT_EQ(written.size(), 1u);
   EXPECT_EQ(recorder.status().flight_file, written.front().string());
@@ -139,10 +146,26 @@ TEST_F(RecorderTest, WritesWhatLedToAFaultAndWhatFollowed) {
 
 TEST_F(RecorderTest, KeepsTheNewestTenFlights) {
   for (int fault = 0; fault < 13; ++fault) {
+    const std::string before = recorder.status().flight_file;
     raise("A1001");
     run(2100);
+    wait_for_flight(before);
   }
   EXPECT_EQ(files("flight").size(), 10u);
+}
+
+// Also of a fault that came just before the end.
+TEST_F(RecorderTest, WritesTheFlightOfAFaultBeforeItEnds) {
+  {
+    Recorder short_lived(file, "a compiler",
+                         {.lcm_url = {}, .log_directory = folder.path() / "log"});
+    output.cycle = 1;
+    short_lived.on_output(output);
+    channels::Event event;
+    event.code = FixedText<8>("A1001");
+    short_lived.on_event(event);
+  }
+  EXPECT_EQ(files("flight").size(), 1U);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(FlightRecorder, KeepsItsSpanAndAtMostASecondMore) {
   MessageStream stream(small_machine(), {&flight});
   for (int cycle = 0; cycle < 12'345; ++cycle) stream.cycle(output_of(cycle));
   const auto file = test_file("lcm");
-  const auto written = flight.write(file);
+  const auto written = flight.recording().write(file);
   ASSERT_TRUE(written);
   const auto contents = read_contents(file);
   ASSERT_TRUE(contents);
@@ -39,9 +39,36 @@ TEST(FlightRecorder, NeedsNoMoreMemoryLater) {
   EXPECT_LT(flight.bytes(), 2 * early);
 }
 
+// Messages of the set-points of a file: first and last cycle, and that none is missing between.
+void expect_cycles(const std::filesystem::path& file, std::int64_t first, std::int64_t last) {
+  const auto contents = read_contents(file);
+  ASSERT_TRUE(contents);
+  EXPECT_TRUE(contents->coverage.is_complete());
+  const auto& kept = contents->channels.at(setpoint_channel);
+  EXPECT_EQ(kept.cycle_first, first);
+  EXPECT_EQ(kept.cycle_last, last);
+  EXPECT_EQ(kept.messages, last - first + 1);
+}
+
+// A recording is of its moment, however late it is written; the recorder loses nothing meanwhile.
+TEST(FlightRecorder, GoesOnWhileARecordingIsBeingWritten) {
+  FlightRecorder flight(2'000'000);
+  MessageStream stream(small_machine(), {&flight});
+  for (int cycle = 0; cycle < 1500; ++cycle) stream.cycle(output_of(cycle));
+  const FlightRecording early = flight.recording();
+  for (int cycle = 1500; cycle < 5000; ++cycle) stream.cycle(output_of(cycle));
+  const FlightRecording late = flight.recording();
+  for (int cycle = 5000; cycle < 9000; ++cycle) stream.cycle(output_of(cycle));
+  const auto file = test_file("lcm");
+  ASSERT_TRUE(early.write(file));
+  expect_cycles(file, 0, 1499);
+  ASSERT_TRUE(late.write(file));
+  expect_cycles(file, 2500, 4999);
+}
+
 TEST(FlightRecorder, SaysWhyItsFileCannotBeMade) {
-  const FlightRecorder flight(1'000'000);
-  const auto written = flight.write("/nowhere/flight.lcm");
+  FlightRecorder flight(1'000'000);
+  const auto written = flight.recording().write("/nowhere/flight.lcm");
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().text.find("/nowhere/flight.lcm"), std::string::npos);
 }

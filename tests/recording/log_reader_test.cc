@@ -143,5 +143,21 @@ TEST(LogReader, SaysWhyAFileCannotBeOpened) {
   EXPECT_EQ(log.error().system_error, ENOENT);
 }
 
+// Outputs that the recorder was too late for have no running number.
+TEST(LogWithAGap, MissesTheSetPointsOfCyclesThatNeverCame) {
+  const auto file = test_file("lcm");
+  {
+    auto writer = LogWriter::open(file);
+    ASSERT_TRUE(writer);
+    MessageStream stream(small_machine(), {writer->get()});
+    for (int cycle = 100; cycle < 300; ++cycle) {
+      if (cycle < 150 || cycle >= 167) stream.cycle(output_of(cycle));
+    }
+  }
+  const auto contents = read_contents(file);
+  ASSERT_TRUE(contents);
+  EXPECT_EQ(contents->channels.at(setpoint_channel).missing, 17);
+}
+
 }  // namespace
 }  // namespace stanok::recording
