@@ -1,0 +1,189 @@
+// Logs that are cut, damaged, or lack what their recorder was too late for: repeated as far as they
+// are sound, and never reported as different.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "recording/log_check.h"
+#include "runtime/replay.h"
+#include "tests/runtime/recorded_by_chance.h"
+
+namespace stanok::runtime {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+// The log without its check events.
+std::filesystem::path without_checks(const std::filesystem::path& log) {
+  const std::filesystem::path copy = log.string() + ".old";
+  std::ofstream file(copy, std::ios::binary);
+  const auto put = [&](const auto& bytes) {
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  };
+  auto reader = recording::LogReader::open(log);
+  std::int64_t number = 0;
+  while (const auto event = reader->next()) {
+    if (recording::topic_of(event->channel) == recording::name_of(recording::Topic::log_check))
+      continue;
+    put(recording::event_header(number++, event->utime, event->channel.size(),
+                                event->bytes.size()));
+    put(event->channel);
+    put(event->bytes);
+  }
+  return copy;
+}
+
+// What `log verify` makes of a file.
+struct Judgement {
+  bool is_same = false;
+  bool differs = false;
+  std::int64_t cycles = 0;
+};
+
+Judgement judgement_of(const std::filesystem::path& log) {
+  try {
+    const ReplayResult result = replay(log, {});
+    return {result.is_same(), result.difference.has_value(), result.cycles};
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+// Up to the cut everything is verified; the log as a whole is not.
+TEST(Replay, OfALogThatWasCutGoesToTheCut) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 4);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(1500);
+  run.close();
+  std::filesystem::resize_file(run.path(), std::filesystem::file_size(run.path()) / 2 + 11);
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_TRUE(result.is_cut);
+  EXPECT_EQ(result.cycles, result.setpoints);
+  EXPECT_GT(result.setpoints, 500);
+  EXPECT_LT(result.setpoints, 1500);
+  ASSERT_FALSE(result.remarks.empty());
+  EXPECT_THAT(result.remarks.back(),
+              HasSubstr("everything up to cycle " + std::to_string(result.cycles) + " is sound"));
+}
+
+// Cut between two events, as far as the machine is known: never a difference, never whole.
+TEST(Replay, OfALogThatWasCutBetweenEventsSaysSo) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 12);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(300);
+  run.close();
+  std::vector<std::int64_t> begins;
+  auto reader = recording::LogReader::open(run.path());
+  while (const auto event = reader->next()) begins.push_back(event->offset);
+  int repeated = 0;
+  for (std::size_t k = begins.size(); k-- > 0; k -= std::min<std::size_t>(k, 6)) {
+    std::filesystem::resize_file(run.path(), static_cast<std::uintmax_t>(begins[k]));
+    const Judgement judgement = judgement_of(run.path());
+    EXPECT_FALSE(judgement.is_same) << "cut before event " << k;
+    EXPECT_FALSE(judgement.differs) << "cut before event " << k;
+    repeated += judgement.cycles > 0 ? 1 : 0;
+  }
+  EXPECT_GT(repeated, 10);
+}
+
+// Any byte: nothing of what is damaged is used, so that no difference is told that there was not.
+TEST(Replay, NoticesAnyByteThatChanges) {
+  RecordedByChance run("mill3.toml", DriveChoice::simulated, 13);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(200);
+  run.close();
+  EXPECT_TRUE(judgement_of(run.path()).is_same);
+  std::fstream file(run.path(), std::ios::binary | std::ios::in | std::ios::out);
+  const auto size = static_cast<int>(std::filesystem::file_size(run.path()));
+  for (int n = 0; n < 200; ++n) {
+    const int offset = run.chance(size);
+    const auto put = [&](char byte) {
+      file.seekp(offset);
+      file.put(byte);
+      file.flush();
+    };
+    file.seekg(offset);
+    const char before = static_cast<char>(file.get());
+    put(static_cast<char>(before ^ 1 << n % 8));
+    const Judgement judgement = judgement_of(run.path());
+    EXPECT_FALSE(judgement.is_same) << "byte " << offset;
+    EXPECT_FALSE(judgement.differs) << "byte " << offset;
+    put(before);
+  }
+  EXPECT_TRUE(judgement_of(run.path()).is_same);
+}
+
+// As stanok 0.1.0 made them.
+TEST(Replay, OfALogWithoutCheckSumsSaysWhatIsNotCovered) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 14);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(500);
+  run.close();
+  const ReplayResult result = replay(without_checks(run.path()), {});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_FALSE(result.has_checks);
+  EXPECT_EQ(result.cycles, 500);
+  EXPECT_THAT(result.remarks, Contains(HasSubstr("without check sums")));
+}
+
+// More inputs in one cycle than the ring of the recorder holds: the same up to there, and no word
+// of a difference.
+TEST(Replay, OfALogThatLacksInputsGoesToTheLoss) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 8);
+  run.program("contour.nc", contour);
+  run.ask(OperatorAction::program_run, 1, "contour.nc");
+  run.run(1000);
+  for (int n = 0; n < 5000; ++n) run.ask(OperatorAction::override_feed, 1, "", 0.5 + 0.0001 * n);
+  run.run(1000);
+  EXPECT_THAT(run.closing_word(), HasSubstr("W720"));
+  EXPECT_TRUE(run.moved());
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_FALSE(result.is_same());
+  EXPECT_EQ(result.lost_cycle, 1001);
+  EXPECT_EQ(result.cycles, 1000);
+  EXPECT_THAT(result.remarks, Contains(HasSubstr("W720")));
+}
+
+// The same of a log whose last record says so.
+TEST(Replay, OfALogThatEndsWithALossSaysSo) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 9);
+  run.run(100);
+  run.close();
+  const auto copy = changed<log_meta_t>(
+      run.path(), recording::Topic::log_meta, [](log_meta_t&) {},
+      [](recording::MessageStream& stream) {
+        channels::InputRecord loss;
+        loss.cycle = 101;
+        loss.kind = channels::InputKind::lost;
+        stream.input(loss);
+      });
+  const ReplayResult result = replay(copy, {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_EQ(result.lost_cycle, 101);
+  EXPECT_EQ(result.cycles, 100);
+}
+
+TEST(Replay, OfALogThatLacksSetPointsGoesToTheGap) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, 10);
+  run.run(60);
+  run.lose_outputs(5);
+  run.run(40);
+  run.close();
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_FALSE(result.difference);
+  EXPECT_EQ(result.lost_cycle, 61);
+  EXPECT_EQ(result.cycles, 60);
+}
+
+}  // namespace
+}  // namespace stanok::runtime

@@ -1,0 +1,144 @@
+// Recorded runs for tests of their repetition, and copies of their logs in which something differs.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "recording/channel_names.h"
+#include "recording/decode.h"
+#include "recording/log_reader.h"
+#include "recording/message_stream.h"
+#include "runtime/assembly.h"
+#include "runtime/log_observer.h"
+#include "tests/config/temporary_files.h"
+#include "tests/support/project_folders.h"
+
+namespace stanok::runtime {
+
+using channels::OperatorAction;
+
+inline const std::filesystem::path source_tree = stanok::testing::source_folder();
+
+inline config::MachineFile started_at(const channels::AxisRow& starts, config::MachineFile file) {
+  for (channels::AxisConfig& axis : file.machine.axes) {
+    const auto start = starts.find(axis.name);
+    if (start != starts.end()) axis.start = start->second;
+  }
+  return file;
+}
+
+// A run whose preparations come only as far as chance lets them, as threads do.
+class RecordedByChance {
+ public:
+  // `starts`: where axes stand at first that do not stand as in the machine file.
+  RecordedByChance(const std::string& machine, DriveChoice drives, std::uint64_t seed,
+                   const channels::AxisRow& starts = {})
+      : random_(seed),
+        assembly_({.file = started_at(starts, config::read_machine_file(source_tree / "config" /
+                                                                        "machines" / machine)),
+                   .drives = drives,
+                   .program_roots = {files_.folder(), source_tree / "programs" / "examples"},
+                   .machine = setup_.options,
+                   .output_capacity = 0}),
+        log_(assembly_.file(), setup_, path().string(), "test") {}
+
+  void program(const std::string& name, const std::string& text) { files_.write(name, text); }
+
+  void ask(OperatorAction action, int channel, const std::string& text = "", double value = 0.0,
+           double value_2 = 0.0) {
+    channels::OperatorEvent event;
+    event.action = action;
+    event.channel = channel;
+    event.text = FixedText<256>(text);
+    event.value = value;
+    event.value_2 = value_2;
+    ask(event);
+  }
+  void ask(channels::OperatorEvent event) {
+    event.id = ++last_id_;
+    events_.push_back(event);
+  }
+
+  void run(int cycles) {
+    const int channels = static_cast<int>(assembly_.file().machine.channels.size());
+    for (int n = 0; n < cycles; ++n) {
+      for (int k = 0; k < channels; ++k) {
+        for (int steps = chance(4); steps > 0; --steps)
+          static_cast<void>(assembly_.machine().prepare(k));
+      }
+      const channels::CycleOutput& output = assembly_.cycle(events_);
+      events_.clear();
+      for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
+      channels::InputRecord input;
+      while (assembly_.machine().input_records().pop(input)) log_.observe(input);
+      log_.observe(output);
+      channels::Event event;
+      while (assembly_.machine().events().pop(event)) log_.observe(event);
+      channels::OperatorReply reply;
+      while (assembly_.machine().replies().pop(reply)) {
+      }
+      moved_ = moved_ || output.channels[0].path_speed > 1.0;
+    }
+  }
+
+  [[nodiscard]] int chance(int count) {
+    return static_cast<int>(random_() % static_cast<std::uint64_t>(count));
+  }
+  [[nodiscard]] bool moved() const { return moved_; }
+  [[nodiscard]] std::filesystem::path path() const { return files_.folder() / "run.lcm"; }
+  void close() { EXPECT_EQ(log_.close(), ""); }
+  [[nodiscard]] std::string closing_word() { return log_.close(); }
+  // Cycles whose outputs do not get to the log.
+  void lose_outputs(int cycles) {
+    for (int n = 0; n < cycles; ++n) static_cast<void>(assembly_.cycle({}));
+  }
+
+ private:
+  std::mt19937_64 random_;
+  config::TemporaryFiles files_;
+  RunSetup setup_{.options = {.on_at_start = true}};
+  Assembly assembly_;
+  LogObserver log_;
+  std::vector<channels::OperatorEvent> events_;
+  std::uint64_t last_id_ = 0;
+  bool moved_ = false;
+};
+
+// A copy of a log in which every message of one type went through `change`.
+template <class Message, class Change>
+std::filesystem::path changed(const std::filesystem::path& log, recording::Topic topic,
+                              const Change& change,
+                              const std::function<void(recording::MessageStream&)>& go_on = {}) {
+  const std::filesystem::path copy = log.string() + ".copy";
+  auto reader = recording::LogReader::open(log);
+  auto writer = recording::LogWriter::open(copy);
+  while (const auto event = reader->next()) {
+    std::vector<std::uint8_t> bytes(event->bytes.begin(), event->bytes.end());
+    if (recording::topic_of(event->channel) == recording::name_of(topic)) {
+      Message message = *recording::decode<Message>(event->bytes);
+      change(message);
+      message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    }
+    (*writer)->send(std::string(event->channel), event->utime, bytes);
+  }
+  if (go_on) {
+    recording::LogDescription machine;
+    machine.machine = "mill3";
+    recording::MessageStream stream(machine, {writer->get()});
+    go_on(stream);
+  }
+  EXPECT_TRUE((*writer)->flush());
+  return copy;
+}
+
+inline constexpr const char* contour =
+    "#1=0\nG64 P0.05\nM3 S1000\nwhile (#1 < 60) {\n"
+    "G1 X[40*cos[#1*12]] Y[40*sin[#1*12]] F6000\n#1=[#1+1]\n}\nM5\nG0 X0 Y0\nM30\n";
+
+}  // namespace stanok::runtime
