@@ -13,8 +13,9 @@ using recording::DamageKind;
 using recording::LogContents;
 using recording::LogDescription;
 
-double seconds(std::int64_t utime) {
-  return static_cast<double>(utime) * 1e-6;
+// Of any two times, as a damaged log may have them.
+double seconds_between(std::int64_t first_utime, std::int64_t utime) {
+  return (static_cast<double>(utime) - static_cast<double>(first_utime)) * 1e-6;
 }
 
 std::string axes_text(const recording::ChannelDescription& channel) {
@@ -117,14 +118,14 @@ std::string text_of(const LogContents& contents, const Terminal& terminal) {
   std::string text = contents.description ? description_text(*contents.description)
                                           : "the log does not describe its machine\n";
   text += fmt::format("span     {:.3f} s, {} events, {} bytes\n\n",
-                      seconds(contents.utime_last - contents.utime_first), contents.events,
+                      seconds_between(contents.utime_first, contents.utime_last), contents.events,
                       contents.bytes);
   TextTable table({"LCM channel", "type", "messages", "bytes", "from [s]", "to [s]"});
   for (const auto& [name, channel] : contents.channels) {
-    table.add_row({name, channel.type, std::to_string(channel.messages),
-                   std::to_string(channel.bytes),
-                   fmt::format("{:.3f}", seconds(channel.utime_first - contents.utime_first)),
-                   fmt::format("{:.3f}", seconds(channel.utime_last - contents.utime_first))});
+    table.add_row(
+        {name, channel.type, std::to_string(channel.messages), std::to_string(channel.bytes),
+         fmt::format("{:.3f}", seconds_between(contents.utime_first, channel.utime_first)),
+         fmt::format("{:.3f}", seconds_between(contents.utime_first, channel.utime_last))});
   }
   return text + table.text(terminal) + "\n" + fault_text(contents, terminal);
 }

@@ -17,6 +17,12 @@ std::uint8_t* put_big_endian(std::uint64_t value, std::size_t count, std::uint8_
   return place;
 }
 
+// Also of the numbers of a forged log.
+std::int64_t sum_of_any(std::int64_t one, std::int64_t other) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(one) +
+                                   static_cast<std::uint64_t>(other));
+}
+
 }  // namespace
 
 std::uint32_t check_sum(std::uint32_t of_parts_before, std::span<const std::uint8_t> part) {
@@ -59,8 +65,7 @@ void CheckReading::compare(const LogEvent& event) {
   if (!is_as_written) coverage_.faults.push_back({DamageKind::altered, begin_, end - begin_});
   if (coverage_.faults.empty()) coverage_.sound_bytes = end;
   next_.reset();
-  if (is_as_written)
-    next_ = {check->begin + size + static_cast<std::int64_t>(check_sum_bytes), check->seq + 1};
+  if (is_as_written) next_ = {sum_of_any(check->begin, end - begin_), sum_of_any(check->seq, 1)};
   begin_ = end;
   sum_ = 0;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stanok_messages/log_check_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
 #include <string_view>
@@ -62,6 +63,19 @@ const MessageType* type_on(std::string_view channel_name) {
   return type == types.end() ? nullptr : &*type;
 }
 
+// Whole numbers between both, without them; none when the second is not above the first. Of numbers
+// of a damaged log, which may be any.
+std::uint64_t count_between(std::int64_t first, std::int64_t second) {
+  if (second <= first) return 0;
+  return static_cast<std::uint64_t>(second) - static_cast<std::uint64_t>(first) - 1;
+}
+
+std::int64_t sum_of(std::int64_t count, std::uint64_t more) {
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  return more > static_cast<std::uint64_t>(most - count) ? most
+                                                         : count + static_cast<std::int64_t>(more);
+}
+
 // Counts events; keeps the running number that each channel must go on with.
 class Count {
  public:
@@ -93,20 +107,20 @@ class Count {
     if (type.topic == Topic::setpoint) {
       contents_.setpoint_channels.try_emplace(heading->channel, event.channel);
     }
-    const auto [next, is_first] = next_seq_.try_emplace(&channel, heading->stamp.seq);
+    const auto [last, is_first] = last_seq_.try_emplace(&channel, heading->stamp.seq);
     if (is_first) channel.cycle_first = heading->stamp.cycle;
-    const std::int64_t lost = heading->stamp.seq - next->second;
     // A set-point comes every cycle: what the recorder was too late for has no number.
     const bool comes_every_cycle = type.topic == Topic::setpoint && !is_first;
-    const std::int64_t never_sent =
-        comes_every_cycle ? heading->stamp.cycle - channel.cycle_last - 1 : 0;
+    const std::uint64_t never_sent =
+        comes_every_cycle ? count_between(channel.cycle_last, heading->stamp.cycle) : 0;
+    const std::uint64_t lost = count_between(last->second, heading->stamp.seq);
+    channel.missing = sum_of(channel.missing, std::max(never_sent, lost));
     channel.cycle_last = heading->stamp.cycle;
-    channel.missing += std::max({std::int64_t{0}, lost, never_sent});
-    next->second = heading->stamp.seq + 1;
+    last->second = heading->stamp.seq;
   }
 
   LogContents& contents_;
-  std::map<const ChannelContents*, std::int64_t> next_seq_;
+  std::map<const ChannelContents*, std::int64_t> last_seq_;
 };
 
 // Faults of what could be read but for its check sum; what could not be read is told already.

@@ -20,7 +20,8 @@ Expected<PlayResult, LogError> play(const std::filesystem::path& file, double sp
     if (topic_of(event->channel) == name_of(Topic::log_check)) continue;  // of the file alone
     if (interrupted()) break;
     if (result.messages == 0) first_utime = event->utime;
-    result.recorded_s = static_cast<double>(event->utime - first_utime) * 1e-6;
+    result.recorded_s =
+        (static_cast<double>(event->utime) - static_cast<double>(first_utime)) * 1e-6;
     if (speed > 0.0) {
       std::this_thread::sleep_until(start +
                                     std::chrono::duration_cast<Clock::duration>(
