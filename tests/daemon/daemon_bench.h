@@ -111,6 +111,10 @@ class DaemonBench {
   }
   [[nodiscard]] const std::filesystem::path& folder() const { return here_.path(); }
   [[nodiscard]] bool is_idle() { return assembly_.machine().is_idle(); }
+  // A fault of one simulated drive, or `none` when it works again.
+  void fail(std::string_view drive, plant::FaultKind fault) {
+    ASSERT_TRUE(assembly_.inject_fault(drive, fault));
+  }
   [[nodiscard]] bool shutdown_asked() const { return shutdown_asked_; }
 
  private:
