@@ -19,15 +19,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t flights_max = 10;  // files; older ones are removed
 
-// Names of one kind sort by time.
+// By the time of writing: of one second the names do not sort by time.
 void keep_newest(const fs::path& directory, const std::string& name) {
-  std::vector<fs::path> files;
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error)) {
-    if (entry.path().filename().string().starts_with(name + "-")) files.push_back(entry.path());
+    if (!entry.path().filename().string().starts_with(name + "-")) continue;
+    std::error_code gone;
+    files.emplace_back(fs::last_write_time(entry.path(), gone), entry.path());
   }
   std::sort(files.begin(), files.end());
-  for (std::size_t k = 0; k + flights_max < files.size(); ++k) fs::remove(files[k], error);
+  for (std::size_t k = 0; k + flights_max < files.size(); ++k) fs::remove(files[k].second, error);
 }
 
 }  // namespace
