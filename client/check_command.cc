@@ -16,6 +16,7 @@
 #include "client/law_report.h"
 #include "client/noun_command.h"
 #include "client/output.h"
+#include "client/progress_line.h"
 #include "config/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
@@ -81,35 +82,15 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
           std::move(result.laws)};
 }
 
-// Shows on a terminal which program is at hand, and takes it away before anything else is printed.
-class Progress {
- public:
-  Progress(std::size_t all, bool wanted) : all_(all), wanted_(wanted) {}
-
-  void show(std::size_t done, const std::string& file) const {
-    if (!wanted_) return;
-    constexpr std::size_t columns = 79;
-    write_message(clear_line + progress_bar(done, all_, file, columns));
-  }
-  void clear() const {
-    if (wanted_) write_message(clear_line);
-  }
-
- private:
-  static constexpr const char* clear_line = "\r\033[K";  // ECMA-48 EL: to the end of the line
-
-  std::size_t all_;
-  bool wanted_;
-};
-
 std::vector<CheckedProgram> check_all(const std::vector<Candidate>& candidates,
                                       const JobOptions& job) {
+  constexpr std::size_t bar_columns = 79;
   const auto machine = machine_file_of(job);
-  const Terminal errors(STDERR_FILENO);
-  const Progress progress(candidates.size(), errors.is_terminal() && candidates.size() > 1);
+  ProgressLine progress;
   std::vector<CheckedProgram> programs;
   for (const Candidate& candidate : candidates) {
-    progress.show(programs.size(), candidate.path);
+    if (candidates.size() > 1)
+      progress.show(progress_bar(programs.size(), candidates.size(), candidate.path, bar_columns));
     programs.push_back(checked(candidate, job, machine.machine));
     progress.clear();
     if (job.json) continue;

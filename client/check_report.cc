@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "client/diagnostic_output.h"
+#include "client/screen_text.h"
 #include "client/text_table.h"
 
 namespace stanok::client {
@@ -91,7 +92,7 @@ std::string progress_bar(std::size_t done, std::size_t all, const std::string& f
   const std::string bar = std::string(filled, '=') + std::string(bar_width - filled, ' ');
   std::string text = fmt::format("[{}]  {} of {}  ", bar, done, all);
   const std::size_t room = columns > text.size() ? columns - text.size() : 0;
-  if (width(file) <= room) return text + file;
+  if (screen_columns(file) <= room) return text + file;
   constexpr std::string_view cut = "...";
   if (room <= cut.size()) return text;
   // The end of a path says more than its beginning; a cut character is no character.

@@ -36,7 +36,7 @@ void write_text(const std::string& path, const std::string& text) {
   if (!stream) throw std::runtime_error("cannot write " + path + "; check folder and permissions");
 }
 
-void show_iterations(DesignRequest& request, const ProgressLine& progress) {
+void show_iterations(DesignRequest& request, ProgressLine& progress) {
   request.optimiser.on_iteration = [&progress](const process::Iteration& iteration) {
     std::array<char, 80> text{};
     std::snprintf(text.data(), text.size(), "iteration %d: error %.2f %%, at most %.2f %%",
@@ -98,7 +98,7 @@ int refused(const GrindOptions& options, const process::Findings& findings) {
 int run_design(const GrindOptions& options) {
   auto input = read_input(options);
   if (!input) return exit_failed;
-  const ProgressLine progress;
+  ProgressLine progress;
   show_iterations(input->request, progress);
   const auto design = process::design_cycle(input->request);
   progress.clear();
@@ -119,7 +119,7 @@ int run_verify(const GrindOptions& options) {
   if (!input) return exit_failed;
   if (!options.out.empty()) write_text(options.out, process::control_text(*input->control));
   input->request.simulation.time_max_s = verified_time_max_s;
-  const ProgressLine progress;
+  ProgressLine progress;
   show_iterations(input->request, progress);
   const CycleDesign design = process::assessed_cycle(input->request, input->control->law);
   progress.clear();
@@ -155,7 +155,7 @@ int run_study_command(const GrindOptions& options) {
   }
   auto input = read_input(options);
   if (!input) return exit_failed;
-  const ProgressLine progress;
+  ProgressLine progress;
   const auto show = [&](std::size_t done) {
     constexpr std::size_t columns = 79;
     progress.show(progress_bar(done, static_cast<std::size_t>(size), "designs", columns));

@@ -1,5 +1,5 @@
 // One line on standard error that goes away before anything else is printed; nothing where that is
-// no terminal.
+// no terminal, or one that cannot erase.
 #pragma once
 
 #include <unistd.h>
@@ -7,20 +7,33 @@
 #include <string>
 
 #include "client/output.h"
+#include "client/screen_text.h"
 #include "client/terminal.h"
 
 namespace stanok::client {
 
+// What to print so that the text stands on the line at hand, cut to a terminal of so many columns.
+// ECMA-48 EL: erase to the end of the line.
+[[nodiscard]] inline std::string progress_text(const std::string& text, std::size_t columns) {
+  return "\r\033[K" + cut_to_columns(text, columns > 1 ? columns - 1 : 1);
+}
+
 class ProgressLine {
  public:
-  void show(const std::string& text) const {
-    if (!terminal_.is_terminal()) return;
-    write_message("\r\033[K" + text);  // ECMA-48 EL: erase to the end of the line
+  [[nodiscard]] bool is_wanted() const { return terminal_.is_terminal(); }
+  void show(const std::string& text) {
+    if (!is_wanted()) return;
+    write_message(progress_text(text, terminal_.size().columns));
+    is_shown_ = true;
   }
-  void clear() const { show(""); }
+  void clear() {
+    if (is_shown_) write_message("\r\033[K");
+    is_shown_ = false;
+  }
 
  private:
   Terminal terminal_{STDERR_FILENO};
+  bool is_shown_ = false;
 };
 
 }  // namespace stanok::client

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "client/screen_text.h"
 #include "client/text_table.h"
 #include "protocol/json_text.h"
 
@@ -80,13 +81,13 @@ std::string object_text(const json& object, std::string_view left_out, const Ter
   std::string text;
   std::size_t widest = 0;
   const auto names = members_in_order(object);
-  for (const std::string& name : names) widest = std::max(widest, width(name));
+  for (const std::string& name : names) widest = std::max(widest, screen_columns(name));
   for (const std::string& name : names) {
     if (name == left_out) continue;
     const std::string cell = cell_text(object[name]);
     const Colour colour = name == "state" ? state_colour(cell) : Colour::plain;
-    text += name + std::string(widest - width(name), ' ') + "  " + terminal.coloured(cell, colour) +
-            "\n";
+    text += name + std::string(widest - screen_columns(name), ' ') + "  " +
+            terminal.coloured(cell, colour) + "\n";
   }
   return text;
 }
@@ -113,7 +114,7 @@ Colour state_colour(const std::string& state) {
 
 std::string cell_text(const json& value) {
   if (value.is_null() || value.empty()) return "-";
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) return one_line(value.get<std::string>());
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_integer()) return protocol::json_text(value);
   if (value.is_number()) return number_text(value.get<double>());

@@ -1,6 +1,5 @@
 #include "client/run_progress.h"
 
-#include "client/output.h"
 #include "client/result_text.h"
 
 namespace stanok::client {
@@ -9,7 +8,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double shown_rate_hz = 5.0;
-constexpr const char* erase_line = "\r\033[K";  // ECMA-48 EL
 
 }  // namespace
 
@@ -25,22 +23,13 @@ void RunProgress::follow(OperatorClient& client) {
     if (method != "status") return;
     state_.merge_patch(parameters.value("state", json::object()));
     const auto channels = state_.value("channels", json::object());
-    if (const auto channel = channels.find(channel_); channel != channels.end()) show(*channel);
+    if (const auto channel = channels.find(channel_); channel != channels.end())
+      line_.show(progress_line(*channel));
   });
   const json wanted = {{"topics", {"channels"}}, {"rate_hz", shown_rate_hz}};
   // Without a subscription there is no progress line; the command itself goes on.
   static_cast<void>(
       client.call("subscribe", wanted, OperatorClient::Clock::now() + std::chrono::seconds(5)));
-}
-
-void RunProgress::show(const json& channel) {
-  write_message(erase_line + progress_line(channel));
-  is_shown_ = true;
-}
-
-void RunProgress::clear() {
-  if (is_shown_) write_message(erase_line);
-  is_shown_ = false;
 }
 
 std::string progress_line(const json& channel) {

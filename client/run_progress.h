@@ -5,6 +5,7 @@
 #include <string>
 
 #include "client/operator_client.h"
+#include "client/progress_line.h"
 
 namespace stanok::client {
 
@@ -15,14 +16,12 @@ class RunProgress {
 
   // Subscribes and shows what comes, until `clear`.
   void follow(OperatorClient& client);
-  void clear();
+  void clear() { line_.clear(); }
 
  private:
-  void show(const nlohmann::json& channel);
-
   std::string channel_;  // as in the status: "1"
   nlohmann::json state_ = nlohmann::json::object();
-  bool is_shown_ = false;
+  ProgressLine line_;
 };
 
 // "channel 1  Active  part.nc:120  X 1.0000  Y 2.0000  feed 25.0 mm/s"

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@
 #include "client/job_options.h"
 #include "client/operator_events_file.h"
 #include "client/output.h"
+#include "client/progress_line.h"
 #include "client/sensor_file.h"
 #include "client/workpiece_observer.h"
 #include "config/machine_file.h"
@@ -40,31 +42,40 @@ struct SimulateOptions {
   bool drives = false;
 };
 
-// Progress on a terminal: machine time against wall time, at most four times a second.
+// Progress on a terminal, four times a second: machine time, and where the programs are.
 class SimulationProgress final : public runtime::CycleObserver {
  public:
-  explicit SimulationProgress(double cycle_s)
-      : cycle_s_(cycle_s), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~SimulationProgress() override {
-    if (printed_) write_message("\r\033[K");
-  }
+  SimulationProgress(double cycle_s, ProgressLine& line) : cycle_s_(cycle_s), line_(line) {}
+  ~SimulationProgress() override { line_.clear(); }
+
   void observe(const channels::CycleOutput& output) override {
-    constexpr std::int64_t interval = 1 << 16;  // cycles
-    if (!shown_ || output.cycle % interval != 0) return;
-    printed_ = true;
-    std::string line =
-        fmt::format("\rmachine time {:.0f} s", static_cast<double>(output.cycle) * cycle_s_);
-    for (int k = 0; k < output.channel_count; ++k) {
-      const auto& channel = output.channels[static_cast<std::size_t>(k)];
-      if (channel.running) line += fmt::format("  ch {} line {}", channel.id, channel.tag.line);
-    }
-    write_message(line + "\033[K");
+    constexpr std::int64_t cycles_between_looks = 256;
+    if (!line_.is_wanted() || output.cycle % cycles_between_looks != 0) return;
+    const auto now = Clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds(250);
+    line_.show(text(output, std::chrono::duration<double>(now - begin_).count()));
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] std::string text(const channels::CycleOutput& output, double wall_s) const {
+    std::string text = fmt::format("machine time {:.0f} s in {:.0f} s",
+                                   static_cast<double>(output.cycle) * cycle_s_, wall_s);
+    for (int k = 0; k < output.channel_count; ++k) {
+      const auto& channel = output.channels[static_cast<std::size_t>(k)];
+      if (channel.running)
+        text +=
+            fmt::format("  channel {} {}:{}", channel.id, channel.program.view(), channel.tag.line);
+    }
+    return text;
+  }
+
   double cycle_s_;
-  bool shown_;
-  bool printed_ = false;
+  ProgressLine& line_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point next_ = begin_ + std::chrono::seconds(1);  // what is over by then needs none
 };
 
 nlohmann::ordered_json axis_values(const std::vector<std::string>& words,
@@ -159,16 +170,23 @@ void print_summary(const runtime::SimulationResult& result) {
 // axes cannot follow, of sensors. Faults are reported at the end, with their places.
 class EventLines final : public runtime::CycleObserver {
  public:
+  explicit EventLines(ProgressLine& progress) : progress_(progress) {}
   void observe(const channels::CycleOutput& /*output*/) override {}
   void observe(const channels::Event& event) override {
     const std::string code(event.code.view());
     if (!code.empty() && code.front() != 'W') return;
     const std::string kind = code.empty() ? "message" : "warning[" + code + "]";
     const std::string line = event.tag.line > 0 ? " line " + std::to_string(event.tag.line) : "";
-    write_message(fmt::format("{}{}: channel {}{}: {}\n",
-                              isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", kind, event.channel,
-                              line, event.text.view()));
+    progress_.clear();
+    write_message(
+        fmt::format("{}: channel {}{}: {}\n",
+                    terminal_.coloured(kind, code.empty() ? Colour::plain : Colour::yellow),
+                    event.channel, line, event.text.view()));
   }
+
+ private:
+  ProgressLine& progress_;
+  Terminal terminal_{STDERR_FILENO};
 };
 
 int outcome(const runtime::SimulationResult& result) {
@@ -211,14 +229,16 @@ runtime::SimulationOptions simulation_options(const SimulateOptions& given) {
 
 // Who looks at the cycles of a run.
 struct Observers {
+  ProgressLine progress;
   std::vector<std::unique_ptr<runtime::CycleObserver>> lines_and_traces;
   std::unique_ptr<runtime::LogObserver> log;      // none: no log is written
   std::unique_ptr<WorkpieceObserver> workpieces;  // none: nothing is asked of them
 
   Observers(const SimulateOptions& given, const runtime::SimulationOptions& options) {
     const channels::MachineConfig& machine = options.file.machine;
-    lines_and_traces.push_back(std::make_unique<SimulationProgress>(machine.cycle_us * 1e-6));
-    lines_and_traces.push_back(std::make_unique<EventLines>());
+    lines_and_traces.push_back(
+        std::make_unique<SimulationProgress>(machine.cycle_us * 1e-6, progress));
+    lines_and_traces.push_back(std::make_unique<EventLines>(progress));
     for (const std::string& text : given.tip_traces) {
       const auto [channel, file] = channel_assignment(text, "--tip-trace");
       lines_and_traces.push_back(std::make_unique<runtime::TipTrace>(machine, channel, file));

@@ -1,5 +1,6 @@
 #include "client/terminal.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -32,8 +33,17 @@ std::string_view variable(const char* name) {
 }  // namespace
 
 Terminal::Terminal(int descriptor)
-    : is_terminal_(isatty(descriptor) == 1),
+    : descriptor_(descriptor),
+      is_terminal_(isatty(descriptor) == 1),
       has_colour_(is_terminal_ && variable("NO_COLOR").empty() && variable("TERM") != "dumb") {}
+
+TerminalSize Terminal::size() const {
+  winsize window{};
+  const bool is_known =
+      descriptor_ >= 0 && ioctl(descriptor_, TIOCGWINSZ, &window) == 0 && window.ws_col > 0;
+  if (!is_known) return size_;
+  return {window.ws_col, window.ws_row > 0 ? window.ws_row : size_.lines};
+}
 
 std::string Terminal::coloured(std::string_view text, Colour colour) const {
   if (!has_colour_ || colour == Colour::plain) return std::string(text);

@@ -1,8 +1,10 @@
-// What the standard streams are connected to, and colours for those that can show them.
+// What the standard streams are connected to, how large it is, and colours for those that can show
+// them.
 //
 // Colours only on a terminal, and never with NO_COLOR set (no-color.org) or TERM=dumb.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,20 +12,30 @@ namespace stanok::client {
 
 enum class Colour { plain, red, green, yellow, bold };
 
+struct TerminalSize {
+  std::size_t columns = 80;
+  std::size_t lines = 24;
+};
+
 class Terminal {
  public:
   // For the file descriptor of a standard stream.
   explicit Terminal(int descriptor);
-  Terminal(bool is_terminal, bool has_colour)
-      : is_terminal_(is_terminal), has_colour_(has_colour) {}
+  Terminal(bool is_terminal, bool has_colour, TerminalSize size = {})
+      : is_terminal_(is_terminal), has_colour_(has_colour), size_(size) {}
 
   [[nodiscard]] bool is_terminal() const { return is_terminal_; }
+  // As it is now: a window may be made larger or smaller at any time. 80 x 24 where it is not
+  // known.
+  [[nodiscard]] TerminalSize size() const;
   // The text, wrapped in the colour's escape sequence where that is shown.
   [[nodiscard]] std::string coloured(std::string_view text, Colour colour) const;
 
  private:
+  int descriptor_ = -1;  // -1: none, the size is fixed
   bool is_terminal_;
   bool has_colour_;
+  TerminalSize size_;
 };
 
 }  // namespace stanok::client

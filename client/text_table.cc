@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/utf8.h"
+#include "client/screen_text.h"
 
 namespace stanok::client {
 namespace {
@@ -15,22 +15,18 @@ bool is_number(const std::string& text) {
 }
 
 std::string padded(const std::string& cell, std::size_t columns) {
-  const std::string blanks(columns - std::min(columns, width(cell)), ' ');
+  const std::string blanks(columns - std::min(columns, screen_columns(cell)), ' ');
   return is_number(cell) ? blanks + cell : cell + blanks;
 }
 
 }  // namespace
-
-std::size_t width(const std::string& text) {
-  return character_count(text);
-}
 
 TextTable::TextTable(std::vector<std::string> headings) {
   rows_.push_back(std::move(headings));
 }
 
 void TextTable::add_row(std::vector<std::string> cells) {
-  for (std::string& cell : cells) cell = valid_utf8(cell);
+  for (std::string& cell : cells) cell = one_line(cell);
   cells.resize(rows_.front().size());
   rows_.push_back(std::move(cells));
 }
@@ -38,7 +34,8 @@ void TextTable::add_row(std::vector<std::string> cells) {
 std::string TextTable::text(const Terminal& terminal) const {
   std::vector<std::size_t> widths(rows_.front().size(), 0);
   for (const auto& row : rows_) {
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width(row[k]));
+    for (std::size_t k = 0; k < row.size(); ++k)
+      widths[k] = std::max(widths[k], screen_columns(row[k]));
   }
   std::string text;
   for (const auto& row : rows_) {

@@ -20,7 +20,4 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;  // the first one are the headings
 };
 
-// Columns a UTF-8 text takes: its code points.
-[[nodiscard]] std::size_t width(const std::string& text);
-
 }  // namespace stanok::client

@@ -1,7 +1,5 @@
 #include "client/watch_view.h"
 
-#include <algorithm>
-
 #include "client/overview_text.h"
 #include "client/result_text.h"
 #include "client/run_progress.h"
@@ -26,28 +24,26 @@ std::string WatchView::shown(const std::string& method, const json& parameters) 
     return protocol::json_text(json{{"method", method}, {"params", parameters}}) + "\n";
   }
   if (method == "event") {
-    lines_drawn_ = 0;  // the event stays above what is drawn next
-    return event_line(parameters);
+    const std::string line = event_line(parameters);
+    return terminal_.is_terminal() ? picture_.told_above(line) : line;
   }
   if (method != "status") return "";
-  state_.merge_patch(parameters.value("state", json::object()));
+  json news = parameters.value("state", json::object());
+  // In a patch null takes a member away, in a whole state it is a value (RFC 7396).
+  if (parameters.value("full", false)) {
+    state_ = std::move(news);
+  } else {
+    state_.merge_patch(news);
+  }
   return status_text();
 }
 
 std::string WatchView::status_text() {
+  if (terminal_.is_terminal()) return picture_.drawn(drawn());
   std::string text;
-  if (!terminal_.is_terminal()) {
-    for (const json& channel : state_.value("channels", json::object())) {
-      text += progress_line(channel) + "\n";
-    }
-    return text;
-  }
-  text = drawn();
-  // ECMA-48: CPL moves up to the first line drawn before, ED erases from there.
-  const std::string back =
-      lines_drawn_ == 0 ? "" : "\033[" + std::to_string(lines_drawn_) + "F\033[J";
-  lines_drawn_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  return back + text;
+  for (const json& channel : state_.value("channels", json::object()))
+    text += progress_line(channel) + "\n";
+  return text;
 }
 
 std::string WatchView::drawn() const {

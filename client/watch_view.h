@@ -1,13 +1,14 @@
 // WatchView: what `watch`, `channel watch` and `subscribe` show of the notifications.
 //
-// On a terminal the status is drawn in place; into a pipe goes one line per change, with --json one
-// notification per line as it came.
+// On a terminal the status is drawn in place, and what happens stands above it; into a pipe goes
+// one line per change, with --json one notification per line as it came.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "client/operator_commands.h"
+#include "client/picture_in_place.h"
 #include "client/terminal.h"
 
 namespace stanok::client {
@@ -16,7 +17,7 @@ class WatchView {
  public:
   // An overview has one row per channel; else all that is known is shown.
   WatchView(OutputForm form, const Terminal& terminal, bool is_overview = false)
-      : form_(form), is_overview_(is_overview), terminal_(terminal) {}
+      : form_(form), is_overview_(is_overview), terminal_(terminal), picture_(terminal) {}
 
   // The text to print for one notification; "" when it changes nothing that is shown.
   [[nodiscard]] std::string shown(const std::string& method, const nlohmann::json& parameters);
@@ -29,7 +30,7 @@ class WatchView {
   bool is_overview_;
   Terminal terminal_;
   nlohmann::json state_ = nlohmann::json::object();
-  std::size_t lines_drawn_ = 0;
+  PictureInPlace picture_;
 };
 
 }  // namespace stanok::client

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "client/diagnostic_output.h"
+#include "client/screen_text.h"
 #include "client/text_table.h"
 
 namespace stanok::client {
@@ -43,7 +44,7 @@ TEST(CheckReport, ShowsProgressWithinTheColumnsOfTheTerminal) {
   const std::string path = std::string(100, 'x') + "/\xD0\xA4lange.nc";
   for (std::size_t columns = 20; columns < 120; ++columns) {
     const std::string text = progress_bar(3, 4, path, columns);
-    EXPECT_LE(width(text), std::max<std::size_t>(columns, 32)) << columns;
+    EXPECT_LE(screen_columns(text), std::max<std::size_t>(columns, 32)) << columns;
     EXPECT_TRUE(columns < 60 || text.ends_with("lange.nc")) << text;
   }
 }

@@ -1,4 +1,5 @@
 // What people see: tables, objects, watch view, completion, explanations.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/catalogue.h"
@@ -9,6 +10,7 @@
 #include "client/run_progress.h"
 #include "client/text_table.h"
 #include "client/watch_view.h"
+#include "tests/client/fake_screen.h"
 
 namespace stanok::client {
 namespace {
@@ -64,15 +66,9 @@ TEST(WatchView, PrintsOneLinePerChangeIntoAPipe) {
   EXPECT_EQ(second, "channel 1  Running  a.nc:4  X 1  25 mm/s\n");
 }
 
-TEST(WatchView, DrawsInPlaceOnATerminal) {
-  WatchView view(OutputForm::people, Terminal(true, false));
-  const json status = {{"state", {{"channels", {{"1", {{"id", 1}}}}}}}};
-  EXPECT_EQ(view.shown("status", status).find("\033["), std::string::npos);
-  EXPECT_TRUE(view.shown("status", status).starts_with("\033[2F\033[J")) << "two lines up";
-}
-
 TEST(WatchView, ShowsAllChannelsInAnOverview) {
-  WatchView view(OutputForm::people, Terminal(true, false), true);
+  WatchView view(OutputForm::people, Terminal(true, false, {100, 24}), true);
+  FakeScreen screen(100, 24);
   const json work = {{"id", 1},
                      {"name", "work"},
                      {"state", "Active"},
@@ -92,12 +88,14 @@ TEST(WatchView, ShowsAllChannelsInAnOverview) {
       {"program_status", "Canceled"},
       {"remaining_s", 3849.0},
       {"alarm", {{"code", "E5101"}, {"text", "X is too far"}, {"file", "b.nc"}, {"line", 7}}}};
-  EXPECT_EQ(
-      view.shown("status", {{"state", {{"channels", {{"1", work}, {"2", master}}}}}}),
-      "channel  name    state        status    program  mm/s  feed %  left     position\n"
-      "      1  work    Active       Running   a.nc:12    25      80  4:09     X 1.5000  Y -2\n"
-      "      2  master  Interrupted  Canceled  -        -     -       1:04:09  -\n"
-      "channel 2  b.nc:7: E5101 X is too far\n");
+  screen.write(view.shown("status", {{"state", {{"channels", {{"1", work}, {"2", master}}}}}}));
+  EXPECT_THAT(
+      screen.lines(),
+      ::testing::ElementsAre(
+          "channel  name    state        status    program  mm/s  feed %  left     position",
+          "      1  work    Active       Running   a.nc:12    25      80  4:09     X 1.5000  Y -2",
+          "      2  master  Interrupted  Canceled  -        -     -       1:04:09  -",
+          "channel 2  b.nc:7: E5101 X is too far"));
 }
 
 TEST(WatchView, PassesNotificationsOnAsJson) {

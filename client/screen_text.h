@@ -1,0 +1,27 @@
+// Text as it stands on a screen: columns it takes, lines that fit, parts that are cut off.
+//
+// A character takes the columns that wcwidth gives it: 2 for a wide one, 0 for an accent that goes
+// on the character before. Colours (ECMA-48, Select Graphic Rendition) take none. Text is UTF-8.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stanok::client {
+
+[[nodiscard]] std::size_t screen_columns(std::string_view text);
+
+// The text on one line: line ends and tabs are blanks, other control characters U+FFFD, so that
+// what a program or file says cannot move the cursor.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+// The lines of a text, each broken where it takes more columns: at a blank where there is one, and
+// further lines are indented. At least 1 column; one character stands on a line in any case.
+[[nodiscard]] std::vector<std::string> broken_lines(std::string_view text, std::size_t columns);
+
+// As much of the beginning as fits, with "..." where something was left out. No colours.
+[[nodiscard]] std::string cut_to_columns(std::string_view text, std::size_t columns);
+
+}  // namespace stanok::client
