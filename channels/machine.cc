@@ -78,13 +78,15 @@ struct Seat {
   Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
        const lang::Files& files, LiveTables& tables, SharedVariables& shared, CycleBooks books)
       : schemes(make_schemes(config)),
-        preparation(machine, config, schemes, files, {tables, shared, link, *books.reports},
-                    options.gives_up),
+        block_book(lang::default_codes(config.kind)),
+        preparation(machine, config, schemes, files,
+                    {tables, shared, link, *books.reports, block_book}, options.gives_up),
         channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,
                 config.scheme, link, books) {}
 
   SchemeSet schemes;
   ChannelLink link;
+  BlockBook block_book;
   Preparation preparation;
   Channel channel;
 };
@@ -300,6 +302,15 @@ std::vector<AlarmReport> Machine::alarms() const {
 }
 std::optional<SearchReport> Machine::search(int channel) const {
   return parts_->reports.search(channel);
+}
+
+BlockReport Machine::block(int channel, const motion::BlockTag& tag, bool running) const {
+  const auto& channels = parts_->config.channels;
+  const auto at = std::find_if(channels.begin(), channels.end(),
+                               [&](const ChannelConfig& config) { return config.id == channel; });
+  if (at == channels.end()) return {};
+  return parts_->seats[static_cast<std::size_t>(at - channels.begin())]->block_book.at(tag,
+                                                                                       running);
 }
 
 std::vector<AlarmReport> Machine::load_diagnostics() const {

@@ -15,6 +15,7 @@
 
 #include "base/diagnostic.h"
 #include "base/ring.h"
+#include "channels/block_book.h"
 #include "channels/machine_config.h"
 #include "channels/operator_event.h"
 #include "channels/output.h"
@@ -121,6 +122,8 @@ class Machine {
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics() const;
   // Where the next run of the channel with this id begins; nothing: at the first block.
   [[nodiscard]] std::optional<SearchReport> search(int channel) const;
+  // The block at hand of a channel, as its output tells it; any thread.
+  [[nodiscard]] BlockReport block(int channel, const motion::BlockTag& tag, bool running) const;
   [[nodiscard]] TablesConfig tables() const;
 
  private:

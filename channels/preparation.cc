@@ -42,6 +42,7 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
       shared_(books.shared),
       link_(books.link),
       reports_(books.reports),
+      block_book_(books.blocks),
       live_(books.tables),
       is_unwanted_([this, gives_up = std::move(gives_up)] {
         return link_.resets_wanted.load(std::memory_order_relaxed) != resets_obeyed_ ||
@@ -172,6 +173,7 @@ Diagnostics Preparation::declare_shared(const lang::Program& program) {
 
 void Preparation::start(const Notice& notice) {
   run_ = notice.run;
+  block_book_.begin_run(run_);
   entry_.clear();
   blocks_executed_ = 0;
   feed_is_warned_of_ = false;
@@ -240,6 +242,8 @@ void Preparation::reset() {
   search_.reset();
   reports_.tell_search(config_.id, std::nullopt);
   interpreter_.reset();
+  tell_codes();
+  block_book_.tell_codes({blocks_executed_, lang::default_codes(config_.kind)});
   blocks_.reset_process();
   forget_path();
   ++resets_obeyed_;
@@ -258,6 +262,11 @@ void Preparation::forget_path() {
   pending_riders_.clear();
 }
 
+void Preparation::tell_codes() {
+  for (const lang::CodeChange& change : interpreter_.take_code_changes())
+    block_book_.tell_codes(change);
+}
+
 Progress Preparation::interpret() {
   if (search_ && search_->stage != ProgramSearch::Stage::found) return search_on();
   Progress progress = Progress::computing;
@@ -266,6 +275,7 @@ Progress Preparation::interpret() {
     switch (next_command()) {
       case lang::Step::command:
         blocks_executed_ = std::max(blocks_executed_, command_.block);
+        tell_codes();
         take(command_);
         break;
       case lang::Step::working:
@@ -275,6 +285,7 @@ Progress Preparation::interpret() {
         return Progress::worked;
       case lang::Step::stopped:
       case lang::Step::ended:
+        tell_codes();
         task_ = Task::idle;
         return Progress::worked;
       case lang::Step::failed: {

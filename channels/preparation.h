@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "channels/block_book.h"
 #include "channels/block_preparation.h"
 #include "channels/channel_link.h"
 #include "channels/live_tables.h"
@@ -37,6 +38,7 @@ struct PreparationBooks {
   SharedVariables& shared;
   ChannelLink& link;
   ReportBook& reports;
+  BlockBook& blocks;  // of the channel alone
 };
 
 class Preparation {
@@ -90,6 +92,7 @@ class Preparation {
   // Program.
   [[nodiscard]] Progress interpret();
   void take(const lang::Command& command);
+  void tell_codes();
   void take_state(const lang::Command& command);
   void add_move(const lang::Command& command, const lang::Move& move);
   void add_curve(const lang::Command& command, const lang::SplineMove& spline);
@@ -123,6 +126,7 @@ class Preparation {
   SharedVariables& shared_;
   ChannelLink& link_;
   ReportBook& reports_;
+  BlockBook& block_book_;
   const LiveTables& live_;
   lang::Interruption is_unwanted_;  // what is being compiled
   std::uint32_t resets_obeyed_ = 0;

@@ -131,6 +131,7 @@ void Preparation::add_curve(const lang::Command& command, const lang::SplineMove
 // False when the block cannot be reached; the run has failed then.
 bool Preparation::add_block(const lang::Command& command, const motion::PathBlock& block) {
   chain_open_ = true;
+  block_book_.tell_end(block.tag, block.end);
   if (const auto unreachable = builder_.add(block)) {
     fail_at_block(command, unreachable_pose(*unreachable, config_));
     return false;
@@ -145,6 +146,7 @@ void Preparation::add_thread(const lang::Command& command, const lang::Synchrono
   const motion::Point start = blocks_.position_W();
   const auto line = blocks_.thread_line(move.line, tag_of(command));
   if (!line) return fail_at_block(command, line.error());
+  block_book_.tell_end(line->tag, line->end);
   if (const auto refusal = threads_.add(move, *line, start, blocks_.geometry()))
     return fail_at_block(command, *refusal);
   has_given_ = true;

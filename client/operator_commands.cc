@@ -1,6 +1,7 @@
 #include "client/operator_commands.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -31,6 +32,7 @@ constexpr double whole_number_max = 1e9;
 struct GivenOptions {
   std::map<std::string, std::vector<std::string>> values;  // by parameter
   bool wait = false;
+  bool every_channel = false;
   bool json = false;
   std::string socket;
   double timeout_s = 0.0;
@@ -118,6 +120,13 @@ json value_of(const Parameter& parameter, const std::vector<std::string>& words)
   return nullptr;
 }
 
+// What makes sense for every channel at once: it stops, or clears what has stopped.
+bool can_be_called_for_all(const Method& method) {
+  constexpr auto names = std::to_array<std::string_view>(
+      {"program.hold", "program.stop", "program.reset", "alarm.ack"});
+  return std::find(names.begin(), names.end(), method.name) != names.end();
+}
+
 bool is_wait(const Parameter& parameter) {
   return parameter.name == "wait";
 }
@@ -132,6 +141,7 @@ OperatorCall call_of(const Method& method, const GivenOptions& given) {
   call.method = &method;
   call.socket = given.socket;
   call.timeout_s = given.timeout_s;
+  if (given.every_channel) call.called_for = CalledFor::every_channel;
   call.form = given.json ? OutputForm::json : OutputForm::people;
   for (const Parameter& parameter : method.parameters) {
     const auto words = given.values.find(std::string(parameter.name));
@@ -184,6 +194,9 @@ void add_method(CLI::App& app, const Method& method,
   const auto given = std::make_shared<GivenOptions>();
   given->wait = waits_unless_told_otherwise(method);
   for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
+  if (can_be_called_for_all(method))
+    command->add_flag("--all", given->every_channel, "every channel of the machine")
+        ->excludes("--channel");
   add_common_options(*command, *given);
   command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });
 }
@@ -198,7 +211,19 @@ void add_watch(CLI::App& app, const std::function<void(const OperatorCall&)>& on
     const Method& method = *protocol::find_method("subscribe");
     given->values["topics"] = {"channels", "events"};
     OperatorCall call = call_of(method, *given);
-    call.is_overview = true;
+    call.view = OperatorView::overview;
+    on_call(call);
+  });
+}
+
+void add_status(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
+  CLI::App* command = app.add_subcommand(
+      "status", "the machine and all channels: program, codes, feed, spindles, tool, axes");
+  const auto given = std::make_shared<GivenOptions>();
+  add_common_options(*command, *given);
+  command->callback([given, on_call] {
+    OperatorCall call = call_of(*protocol::find_method("machine.status"), *given);
+    call.view = OperatorView::status;
     on_call(call);
   });
 }
@@ -208,6 +233,7 @@ void add_watch(CLI::App& app, const std::function<void(const OperatorCall&)>& on
 void add_operator_commands(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
   for (const Method& method : protocol::methods()) add_method(app, method, on_call);
   add_watch(app, on_call);
+  add_status(app, on_call);
 }
 
 }  // namespace stanok::client

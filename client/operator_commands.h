@@ -15,6 +15,12 @@ namespace stanok::client {
 
 enum class OutputForm { people, json };
 
+// What is shown of a machine: the answer as it is; `stanok watch`: the channels on a few lines;
+// `stanok status`: the machine and all channels, once.
+enum class OperatorView { answer, overview, status };
+// `--all`: once for each channel of the machine.
+enum class CalledFor { one_channel, every_channel };
+
 // One operator command as given on the command line.
 struct OperatorCall {
   const protocol::Method* method = nullptr;
@@ -22,7 +28,8 @@ struct OperatorCall {
   std::string socket;      // empty: chosen by choose_socket
   double timeout_s = 0.0;  // 0: the usual time of the method
   OutputForm form = OutputForm::people;
-  bool is_overview = false;  // `stanok watch`: the channels on a few lines
+  OperatorView view = OperatorView::answer;
+  CalledFor called_for = CalledFor::one_channel;
 };
 
 // `on_call` is called while the command line is parsed, with checked parameters. A value that does

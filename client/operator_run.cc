@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/catalogue.h"
+#include "client/channel_text.h"
 #include "client/interrupts.h"
 #include "client/operator_client.h"
 #include "client/output.h"
@@ -61,7 +62,9 @@ void show_failure(const Failure& failure, OutputForm form) {
 }
 
 void show_result(const OperatorCall& call, const json& result) {
-  if (call.form == OutputForm::json) {
+  if (call.form == OutputForm::json && call.method->name == "channel.status") {
+    write_json(in_machine_order(result));
+  } else if (call.form == OutputForm::json) {
     write_json(result);
   } else {
     write_data(result_text(call.method->name, result, Terminal(STDOUT_FILENO)));
@@ -69,7 +72,7 @@ void show_result(const OperatorCall& call, const json& result) {
 }
 
 int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Deadline deadline) {
-  WatchView view(call.form, Terminal(STDOUT_FILENO), call.is_overview);
+  WatchView view(call.form, Terminal(STDOUT_FILENO), call.view);
   client.on_notification([&](const std::string& method, const json& parameters) {
     write_data_now(view.shown(method, parameters));
   });
@@ -82,6 +85,38 @@ int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Dead
   return exit_code(protocol::FailureKind::timed_out);
 }
 
+// The machine and every channel, once.
+int tell_status(OperatorClient& client, const OperatorCall& call,
+                OperatorClient::Deadline deadline) {
+  const auto machine = client.call("machine.status", json::object(), deadline);
+  if (!machine) {
+    show_failure(machine.error(), call.form);
+    return exit_code(machine.error().kind);
+  }
+  nlohmann::ordered_json all{{"machine", *machine}, {"channels", json::array()}};
+  const Terminal terminal(STDOUT_FILENO);
+  std::string text =
+      machine->value("name", "") + ": " + (machine->value("on", false) ? "on" : "off") +
+      ", drives " + machine->value("drives", "") + ", cycle " +
+      cell_text(machine->value("cycle_us", json())) + " us, overruns " +
+      cell_text(machine->value("rt", json::object()).value("overruns", json())) + "\n";
+  for (const json& one : machine->value("channels", json::array())) {
+    const auto status = client.call("channel.status", {{"channel", one.value("id", 0)}}, deadline);
+    if (!status) {
+      show_failure(status.error(), call.form);
+      return exit_code(status.error().kind);
+    }
+    all["channels"].push_back(in_machine_order(*status));
+    text += "\n" + channel_text(*status, terminal);
+  }
+  if (call.form == OutputForm::json) {
+    write_json(all);
+  } else {
+    write_data(text);
+  }
+  return 0;
+}
+
 // A channel that was taken is held as long as this command lasts.
 bool holds_channel(const OperatorCall& call) {
   return call.method->name == "channel.control" && call.parameters.value("on", 1.0) != 0.0;
@@ -89,6 +124,31 @@ bool holds_channel(const OperatorCall& call) {
 
 bool is_leased(const OperatorCall& call) {
   return call.method->name == "jog" && call.parameters.value("increment", 0.0) == 0.0;
+}
+
+// Every channel is asked, whatever another one answered; the exit code is that of the first
+// refusal.
+int call_for_all(OperatorClient& client, const OperatorCall& call,
+                 OperatorClient::Deadline deadline) {
+  int code = 0;
+  json results = json::array();
+  for (const json& channel : client.hello().value("channels", json::array())) {
+    json parameters = call.parameters;
+    parameters["channel"] = channel.value("id", 0);
+    const auto result = client.call(std::string(call.method->name), parameters, deadline);
+    if (result) {
+      results.push_back({{"channel", parameters["channel"]}, {"result", *result}});
+      continue;
+    }
+    results.push_back({{"channel", parameters["channel"]}, {"error", to_json(result.error())}});
+    if (call.form == OutputForm::people) {
+      write_message("channel " + cell_text(parameters["channel"]) + ": ");
+      show_failure(result.error(), call.form);
+    }
+    if (code == 0) code = exit_code(result.error().kind);
+  }
+  if (call.form == OutputForm::json) write_json(results);
+  return code;
 }
 
 // A continuous jog lasts as long as this command: to its time, or until it is interrupted. Whatever
@@ -114,7 +174,9 @@ int run_operator_call(const OperatorCall& call) {
   OperatorClient client(choose_socket(call.socket));
   catch_interrupts();
   const auto deadline = deadline_of(call);
-  if (is_watching(call)) return watch(client, call, deadline);
+  if (call.view != OperatorView::status && is_watching(call)) return watch(client, call, deadline);
+  if (call.view == OperatorView::status) return tell_status(client, call, deadline);
+  if (call.called_for == CalledFor::every_channel) return call_for_all(client, call, deadline);
   if (is_leased(call)) {
     const bool has_end = call.timeout_s > 0.0;
     return keep_jogging(client, call, has_end ? deadline : std::nullopt);

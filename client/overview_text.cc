@@ -1,11 +1,11 @@
 #include "client/overview_text.h"
 
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "client/channel_text.h"
 #include "client/result_text.h"
 #include "client/text_table.h"
 
@@ -18,27 +18,17 @@ json member(const json& object, const char* name) {
   return object.value(name, json());
 }
 
-// "1:04:09", "4:09".
-std::string duration_text(const json& seconds) {
-  if (!seconds.is_number()) return "-";
-  constexpr long minute = 60;
-  const long s = std::lround(seconds.get<double>());
-  const long hours = s / (minute * minute);
-  std::array<char, 32> text{};
-  if (hours > 0) {
-    std::snprintf(text.data(), text.size(), "%ld:%02ld:%02ld", hours, s / minute % minute,
-                  s % minute);
-  } else {
-    std::snprintf(text.data(), text.size(), "%ld:%02ld", s / minute, s % minute);
-  }
-  return text.data();
-}
-
 std::string program_text(const json& channel) {
   const json program = member(channel, "program");
   if (program.is_null()) return "-";
   const json line = member(channel, "line");
   return cell_text(program) + (line.is_number() && line != 0 ? ":" + cell_text(line) : "");
+}
+
+// Of mm/s, as programs write feeds.
+std::string minute_text(const json& speed_mm_s) {
+  constexpr double s_per_min = 60.0;
+  return speed_mm_s.is_number() ? fmt::format("{:.0f}", speed_mm_s.get<double>() * s_per_min) : "-";
 }
 
 std::vector<std::string> row_of(const json& channel) {
@@ -48,10 +38,10 @@ std::vector<std::string> row_of(const json& channel) {
           cell_text(member(channel, "state")),
           cell_text(member(channel, "program_status")),
           program_text(channel),
-          cell_text(member(channel, "speed_mm_s")),
+          minute_text(member(channel, "speed_mm_s")),
           cell_text(member(override_percent, "feed")),
           duration_text(member(channel, "remaining_s")),
-          cell_text(member(channel, "position"))};
+          position_text(channel)};
 }
 
 std::string alarm_line(const json& channel, const Terminal& terminal) {
@@ -69,9 +59,9 @@ std::string alarm_line(const json& channel, const Terminal& terminal) {
 
 std::string overview_text(const json& channels, const Terminal& terminal) {
   TextTable table(
-      {"channel", "name", "state", "status", "program", "mm/s", "feed %", "left", "position"});
+      {"channel", "name", "state", "status", "program", "mm/min", "feed %", "left", "position"});
   std::string alarms;
-  for (const json& channel : channels) {
+  for (const json& channel : channels_in_order(channels)) {
     table.add_row(row_of(channel));
     alarms += alarm_line(channel, terminal);
   }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "client/channel_text.h"
 #include "client/screen_text.h"
 #include "client/text_table.h"
 #include "protocol/json_text.h"
@@ -63,7 +64,7 @@ std::string number_text(double value) {
     return std::to_string(static_cast<long>(value));
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4f", value);
-  return text.data();
+  return text.data() == std::string_view("-0.0000") ? "0" : text.data();
 }
 
 std::vector<std::string> members_in_order(const json& object) {
@@ -104,6 +105,25 @@ std::string list_text(const ListView& view, const json& list, const Terminal& te
   return table.text(terminal);
 }
 
+// A row for each work offset, a column for each axis in the order of the machine file, and R, the
+// rotation, where one has it.
+std::string offsets_text(const json& result, const Terminal& terminal) {
+  std::vector<std::string> axes = result.value("axes", std::vector<std::string>{});
+  const json offsets = result.value("offsets", json::object());
+  const bool is_turned = std::any_of(offsets.begin(), offsets.end(),
+                                     [](const json& row) { return row.contains("R"); });
+  if (is_turned) axes.emplace_back("R");
+  std::vector<std::string> headings{"offset"};
+  headings.insert(headings.end(), axes.begin(), axes.end());
+  TextTable table(headings);
+  for (const auto& [name, row] : offsets.items()) {
+    std::vector<std::string> cells{name};
+    for (const std::string& axis : axes) cells.push_back(number_text(row.value(axis, 0.0)));
+    table.add_row(std::move(cells));
+  }
+  return table.text(terminal);
+}
+
 }  // namespace
 
 Colour state_colour(const std::string& state) {
@@ -131,6 +151,8 @@ std::string cell_text(const json& value) {
 
 std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {
   if (result == json{{"accepted", true}}) return "";
+  if (method == "channel.status") return channel_text(result, terminal);
+  if (method == "offset.list") return offsets_text(result, terminal);
   if (method == "tool.save") return result.value("tables", "");
   const auto& views = list_views();
   const auto view = std::find_if(views.begin(), views.end(),

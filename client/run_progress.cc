@@ -1,5 +1,8 @@
 #include "client/run_progress.h"
 
+#include <fmt/format.h>
+
+#include "client/channel_text.h"
 #include "client/result_text.h"
 
 namespace stanok::client {
@@ -35,12 +38,14 @@ void RunProgress::follow(OperatorClient& client) {
 std::string progress_line(const json& channel) {
   const std::string program = cell_text(channel.value("program", json()));
   const std::string line = cell_text(channel.value("line", json()));
+  constexpr double s_per_min = 60.0;
+  const json speed = channel.value("speed_mm_s", json());
+  const double speed_mm_s = speed.is_number() ? speed.get<double>() : 0.0;
   const json remaining = channel.value("remaining_s", json());
   return "channel " + cell_text(channel.value("id", json())) + "  " +
          cell_text(channel.value("program_status", json())) + "  " + program + ":" + line + "  " +
-         cell_text(channel.value("position", json::object())) + "  " +
-         cell_text(channel.value("speed_mm_s", json())) + " mm/s" +
-         (remaining.is_null() ? "" : "  " + cell_text(remaining) + " s left");
+         position_text(channel) + "  " + fmt::format("{:.0f} mm/min", speed_mm_s * s_per_min) +
+         (remaining.is_null() ? "" : "  " + duration_text(remaining) + " left");
 }
 
 }  // namespace stanok::client

@@ -24,7 +24,7 @@ class RunProgress {
   ProgressLine line_;
 };
 
-// "channel 1  Active  part.nc:120  X 1.0000  Y 2.0000  feed 25.0 mm/s"
+// "channel 1  Active  part.nc:120  X 1.5000  Y 2  1500 mm/min"
 [[nodiscard]] std::string progress_line(const nlohmann::json& channel);
 
 }  // namespace stanok::client

@@ -1,5 +1,6 @@
 #include "client/watch_view.h"
 
+#include "client/channel_text.h"
 #include "client/overview_text.h"
 #include "client/result_text.h"
 #include "client/run_progress.h"
@@ -41,20 +42,20 @@ std::string WatchView::shown(const std::string& method, const json& parameters) 
 std::string WatchView::status_text() {
   if (terminal_.is_terminal()) return picture_.drawn(drawn());
   std::string text;
-  for (const json& channel : state_.value("channels", json::object()))
+  for (const json& channel : channels_in_order(state_.value("channels", json::object())))
     text += progress_line(channel) + "\n";
   return text;
 }
 
 std::string WatchView::drawn() const {
   const json channels = state_.value("channels", json::object());
-  if (is_overview_) return overview_text(channels, terminal_);
+  if (view_ == OperatorView::overview) return overview_text(channels, terminal_);
   std::string text;
   for (const auto& [topic, members] : state_.items()) {
     if (topic != "channels") text += result_text(topic, members, terminal_) + "\n";
   }
-  for (const json& channel : channels)
-    text += result_text("channel.status", channel, terminal_) + "\n";
+  for (const json& channel : channels_in_order(channels))
+    text += channel_text(channel, terminal_) + "\n";
   return text;
 }
 

@@ -16,8 +16,8 @@ namespace stanok::client {
 class WatchView {
  public:
   // An overview has one row per channel; else all that is known is shown.
-  WatchView(OutputForm form, const Terminal& terminal, bool is_overview = false)
-      : form_(form), is_overview_(is_overview), terminal_(terminal), picture_(terminal) {}
+  WatchView(OutputForm form, const Terminal& terminal, OperatorView view = OperatorView::answer)
+      : form_(form), view_(view), terminal_(terminal), picture_(terminal) {}
 
   // The text to print for one notification; "" when it changes nothing that is shown.
   [[nodiscard]] std::string shown(const std::string& method, const nlohmann::json& parameters);
@@ -27,7 +27,7 @@ class WatchView {
   [[nodiscard]] std::string drawn() const;
 
   OutputForm form_;
-  bool is_overview_;
+  OperatorView view_;
   Terminal terminal_;
   nlohmann::json state_ = nlohmann::json::object();
   PictureInPlace picture_;

@@ -1,6 +1,8 @@
 #include "daemon/inventory.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <system_error>
 #include <vector>
 
@@ -62,7 +64,16 @@ json tables_text(RunningMachine& machine) {
 }
 
 json offset_list(RunningMachine& machine) {
-  return {{"offsets", machine.tables().offsets}};
+  constexpr auto of_every_machine = std::to_array<const char*>(
+      {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
+  std::map<std::string, channels::AxisRow> offsets = machine.tables().offsets;
+  for (const char* name : of_every_machine) offsets.try_emplace(name);
+  json axes = json::array();
+  for (const channels::AxisConfig& axis : machine.file().machine.axes) {
+    axes.push_back(axis.name);
+    for (auto& [name, row] : offsets) row.try_emplace(axis.name, 0.0);
+  }
+  return {{"axes", std::move(axes)}, {"offsets", std::move(offsets)}};
 }
 
 json workpiece_status(RunningMachine& machine) {

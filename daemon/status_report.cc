@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/catalogue.h"
+#include "daemon/channel_figures.h"
 #include "daemon/process_status.h"
 
 namespace stanok::daemon {
@@ -12,6 +13,8 @@ namespace {
 using channels::ChannelOutput;
 using channels::ChannelState;
 using nlohmann::json;
+
+constexpr double s_per_min = 60.0;
 
 // OPC 40501, channel state machine.
 const char* channel_state_word(ChannelState state) {
@@ -123,13 +126,26 @@ bool is_verified(const channels::AxisConfig& config, const ChannelOutput& output
          (feedback.enabled || apart <= config.following_error_max);
 }
 
+// Of the scheme with this number, bit k: axis k of the channel takes part; all do where there is
+// none.
+unsigned participants_of(const channels::ChannelConfig& config, int scheme) {
+  const auto at = std::find_if(config.schemes.begin(), config.schemes.end(),
+                               [&](const auto& one) { return one.id == scheme; });
+  if (at == config.schemes.end()) return ~0U;
+  unsigned axes = 0;
+  for (const int axis : at->axes) axes |= 1U << static_cast<unsigned>(axis);
+  return axes;
+}
+
 json axes_json(const channels::MachineConfig& machine, const channels::ChannelConfig& config,
                const ChannelOutput& output) {
   json axes = json::object();
+  const unsigned participants = participants_of(config, output.scheme);
   for (std::size_t k = 0; k < config.axes.size(); ++k) {
     const channels::AxisConfig& axis = machine.axes[static_cast<std::size_t>(config.axes[k])];
     axes[axis.name] = {{"position", output.axes[k].position},
                        {"verified", is_verified(axis, output, k)},
+                       {"takes_part", (participants >> k & 1U) != 0},
                        {"enabled", output.drives[k].enabled},
                        {"brake", output.drives[k].brake_closed}};
   }
@@ -226,23 +242,25 @@ json StatusReport::channel_list() const {
 
 json StatusReport::channel(int id) const {
   return channel(config_of(machine_.file().machine, id), output_of(machine_.newest_output(), id),
-                 machine_.alarms(), machine_.runs());
+                 books());
 }
 
 json StatusReport::channels() const {
   const auto output = machine_.newest_output();
-  const auto alarms = machine_.alarms();
-  const auto runs = machine_.runs();
+  const Books of_machine = books();
   json all = json::object();
   for (const auto& config : machine_.file().machine.channels) {
-    all[std::to_string(config.id)] = channel(config, output_of(output, config.id), alarms, runs);
+    all[std::to_string(config.id)] = channel(config, output_of(output, config.id), of_machine);
   }
   return all;
 }
 
+StatusReport::Books StatusReport::books() const {
+  return {machine_.alarms(), machine_.runs(), machine_.tables(), machine_.drive_status()};
+}
+
 json StatusReport::channel(const channels::ChannelConfig& config, const ChannelOutput& output,
-                           const std::vector<channels::AlarmReport>& alarms,
-                           const std::vector<channels::RunReport>& runs) const {
+                           const Books& books) const {
   const auto notes_at = notes_.find(config.id);
   const ChannelNotes notes = notes_at == notes_.end() ? ChannelNotes{} : notes_at->second;
   json position = json::object();
@@ -251,26 +269,37 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
   const Outlook outlook = machine_.outlook(config.id);
   json alarm = nullptr;
   if (output.state == ChannelState::alarm) {
-    const auto last = std::find_if(alarms.rbegin(), alarms.rend(),
+    const auto last = std::find_if(books.alarms.rbegin(), books.alarms.rend(),
                                    [&](const auto& report) { return report.channel == config.id; });
-    if (last != alarms.rend()) alarm = alarm_json(*last);
+    if (last != books.alarms.rend()) alarm = alarm_json(*last);
   }
+  const channels::BlockReport block = machine_.block(output);
   return {{"id", config.id},
           {"name", config.name},
+          {"words", words_of(config)},
+          {"axis_names", axis_names(machine_.file().machine, config)},
           {"state", channel_state_word(output.state)},
           {"program_status", program_status_word(output)},
           {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
           {"controlled_by", text_or_null(notes.controlled_by)},
           {"alarm", std::move(alarm)},
-          {"program", text_or_null(program_of(output, runs, notes.program))},
+          {"program", text_or_null(program_of(output, books.runs, notes.program))},
           {"run", output.run},
           {"line", output.tag.line},
           {"block", output.tag.block},
           {"scheme", output.scheme},
           {"position", std::move(position)},
+          {"to_go", distance_to_go(config, output, block)},
           {"axes", axes_json(machine_.file().machine, config, output)},
           {"feed_mm_s", output.feed_commanded},
           {"speed_mm_s", output.path_speed},
+          {"feed_mm_min", output.feed_commanded * s_per_min},
+          {"feed_mm_rev", output.process.feed_mm_per_rev},
+          {"speed_mm_min", output.path_speed * s_per_min},
+          {"g_codes", lang::names_of(block.codes, 'G')},
+          {"m_codes", lang::names_of(block.codes, 'M')},
+          {"tool", tool_at_work(output.tool, books.tables)},
+          {"spindles", spindles_of(config, output, books.bus)},
           {"override",
            {{"feed", output.feed_override * 100.0},
             {"rapid", notes.rapid_override_percent},

@@ -34,10 +34,17 @@ class StatusReport {
   [[nodiscard]] nlohmann::json program_history(int channel) const;
 
  private:
+  // What the machine has beside its newest output.
+  struct Books {
+    std::vector<channels::AlarmReport> alarms;
+    std::vector<channels::RunReport> runs;
+    channels::TablesConfig tables;
+    drives::BusStatus bus;
+  };
+  [[nodiscard]] Books books() const;
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
                                        const channels::ChannelOutput& output,
-                                       const std::vector<channels::AlarmReport>& alarms,
-                                       const std::vector<channels::RunReport>& runs) const;
+                                       const Books& books) const;
   [[nodiscard]] nlohmann::json alarm_rows(int channel, bool standing_only) const;
   [[nodiscard]] bool stands(const channels::AlarmReport& alarm, std::size_t index,
                             const channels::CycleOutput& output) const;

@@ -152,6 +152,10 @@ std::uint64_t Interpreter::blocks() const {
   return state_->run.blocks();
 }
 
+std::vector<CodeChange> Interpreter::take_code_changes() {
+  return state_->run.take_code_changes();
+}
+
 void Interpreter::set_block_skip(std::uint16_t levels) {
   state_->run.set_block_skip(levels);
 }

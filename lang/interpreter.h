@@ -13,6 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
+#include "lang/active_codes.h"
 #include "lang/block_search.h"
 #include "lang/command.h"
 #include "lang/environment.h"
@@ -134,6 +135,9 @@ class Interpreter {
 
   // ISO blocks executed in this run.
   [[nodiscard]] std::uint64_t blocks() const;
+
+  // Changes of the active codes since the last call, for status displays.
+  [[nodiscard]] std::vector<CodeChange> take_code_changes();
 
   // Bit n: blocks that begin with /n are skipped (1 also for / alone). To be called before start
   // and at sync points only.

@@ -125,6 +125,7 @@ bool ProgramRun::run_plain_line(Command& command) {
   if (!compensation_.engaged() && execute_simple_move(block, *move)) {
     command.origin = origin;
     command.block = block_;
+    code_changes_.note(block_, modal_.codes);
     return true;
   }
   const auto offset = static_cast<std::size_t>(start - file().source.text().data());
@@ -145,6 +146,7 @@ void ProgramRun::execute(const Span& block_span, const std::vector<IsoWord>* pla
     if (!block.fault) return call_macro(*macro);
   } else {
     execute_block(block);
+    code_changes_.note(block_, modal_.codes);
   }
   if (block.awaits_position && !block.fault) {
     rest_ = {block_span, places, block.actions_done};
@@ -192,6 +194,7 @@ void ProgramRun::end_program(ProgramEndKind kind) {
       kind == ProgramEndKind::end_of_text || kind == ProgramEndKind::restart;
   if (is_line_ && ends_like_text) return queue_.emit(ProgramEnd{ProgramEndKind::end_of_line});
   line_state_lasts_ = false;
+  code_changes_.note(block_, default_codes(channel_.kind));
   if (modal_.feed_law.kind != FeedLaw::Kind::off) queue_.emit(FeedLawChange{});
   if (modal_.spindle_running) queue_.emit(SpindleCommand{.spindle = -1});
   if (modal_.mist || modal_.flood) queue_.emit(CoolantCommand{});

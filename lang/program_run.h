@@ -14,6 +14,7 @@
 
 #include "lang/actions.h"
 #include "lang/active_block.h"
+#include "lang/active_codes.h"
 #include "lang/block_search.h"
 #include "lang/builtin.h"
 #include "lang/channel_dialect.h"
@@ -53,6 +54,7 @@ class ProgramRun : private ContourSource, private Parameters {
   [[nodiscard]] const Diagnostic& error() const { return error_; }
   [[nodiscard]] Origin origin() const;
   [[nodiscard]] std::uint64_t blocks() const { return block_; }
+  [[nodiscard]] std::vector<CodeChange> take_code_changes() { return code_changes_.take(); }
   [[nodiscard]] std::uint64_t steps() const {
     return instructions_ + std::uint64_t{limits::steps_of_block} * block_;
   }
@@ -291,6 +293,7 @@ class ProgramRun : private ContourSource, private Parameters {
   bool is_line_ = false;           // an operator's
   bool line_state_lasts_ = false;  // the modal state is that of the line before
   ModalState modal_;
+  CodeChanges code_changes_;
   CommandQueue queue_;
   CompensationStage compensation_;
   ProbeResult probe_;

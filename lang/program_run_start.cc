@@ -91,6 +91,7 @@ void ProgramRun::continue_modal_state(const AxisValues& position_B) {
 
 void ProgramRun::begin() {
   queue_.set_origin({}, 0);
+  code_changes_.note(0, modal_.codes);
   queue_.emit(frame_of(modal_));
   queue_.emit(modal_.length);
   phase_ = Phase::running;

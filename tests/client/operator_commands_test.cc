@@ -153,7 +153,23 @@ TEST(CommandLine, WatchSubscribesToAllChannels) {
   ASSERT_TRUE(call);
   EXPECT_EQ(call->method->name, "subscribe");
   EXPECT_EQ(call->parameters, json::parse(R"({"topics":["channels","events"]})"));
-  EXPECT_TRUE(call->is_overview);
+  EXPECT_EQ(call->view, OperatorView::overview);
+}
+
+TEST(CommandLine, StatusShowsTheMachineAndAllChannels) {
+  const auto call = call_for("status --json");
+  ASSERT_TRUE(call);
+  EXPECT_EQ(call->method->name, "machine.status");
+  EXPECT_EQ(call->view, OperatorView::status);
+}
+
+TEST(CommandLine, StopsAndResetsAllChannels) {
+  for (const char* line : {"program hold", "program stop", "program reset", "alarm ack"}) {
+    EXPECT_EQ(call_for(line)->called_for, CalledFor::one_channel) << line;
+    EXPECT_EQ(call_for(std::string(line) + " --all")->called_for, CalledFor::every_channel) << line;
+    EXPECT_FALSE(call_for(std::string(line) + " --all --channel 1")) << line;
+  }
+  EXPECT_FALSE(call_for("program start --all"));
 }
 
 struct MisspeltCase {

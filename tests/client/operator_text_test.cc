@@ -44,9 +44,9 @@ TEST(ResultText, ShowsAListAsATable) {
 TEST(ResultText, ShowsAnObjectLineByLineAndColoursTheState) {
   const json result = {
       {"state", "Active"}, {"id", 1}, {"alarm", nullptr}, {"position", {{"X", 1.25}, {"Y", -3.0}}}};
-  EXPECT_EQ(result_text("channel.status", result, pipe_end),
+  EXPECT_EQ(result_text("process.status", result, pipe_end),
             "id        1\nstate     Active\nalarm     -\nposition  X 1.2500  Y -3\n");
-  EXPECT_NE(result_text("channel.status", result, colour_terminal).find("\033[32mActive\033[0m"),
+  EXPECT_NE(result_text("process.status", result, colour_terminal).find("\033[32mActive\033[0m"),
             std::string::npos);
 }
 
@@ -60,14 +60,14 @@ TEST(WatchView, PrintsOneLinePerChangeIntoAPipe) {
                         {"line", 3}, {"position", {{"X", 1.0}}},    {"speed_mm_s", 25.0}};
   const std::string first =
       view.shown("status", {{"full", true}, {"state", {{"channels", {{"1", channel}}}}}});
-  EXPECT_EQ(first, "channel 1  Running  a.nc:3  X 1  25 mm/s\n");
+  EXPECT_EQ(first, "channel 1  Running  a.nc:3  X 1  1500 mm/min\n");
   const std::string second =
       view.shown("status", {{"full", false}, {"state", {{"channels", {{"1", {{"line", 4}}}}}}}});
-  EXPECT_EQ(second, "channel 1  Running  a.nc:4  X 1  25 mm/s\n");
+  EXPECT_EQ(second, "channel 1  Running  a.nc:4  X 1  1500 mm/min\n");
 }
 
 TEST(WatchView, ShowsAllChannelsInAnOverview) {
-  WatchView view(OutputForm::people, Terminal(true, false, {100, 24}), true);
+  WatchView view(OutputForm::people, Terminal(true, false, {100, 24}), OperatorView::overview);
   FakeScreen screen(100, 24);
   const json work = {{"id", 1},
                      {"name", "work"},
@@ -92,9 +92,10 @@ TEST(WatchView, ShowsAllChannelsInAnOverview) {
   EXPECT_THAT(
       screen.lines(),
       ::testing::ElementsAre(
-          "channel  name    state        status    program  mm/s  feed %  left     position",
-          "      1  work    Active       Running   a.nc:12    25      80  4:09     X 1.5000  Y -2",
-          "      2  master  Interrupted  Canceled  -        -     -       1:04:09  -",
+          "channel  name    state        status    program  mm/min  feed %  left     position",
+          "      1  work    Active       Running   a.nc:12    1500      80  4:09     X 1.5000  Y "
+          "-2",
+          "      2  master  Interrupted  Canceled  -        -       -       1:04:09  -",
           "channel 2  b.nc:7: E5101 X is too far"));
 }
 

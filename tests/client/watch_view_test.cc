@@ -33,8 +33,8 @@ json status_of(const json& channels) {
 }
 
 // What stands on a screen where only this was ever printed.
-std::vector<std::string> only(const json& status, const Terminal& terminal, bool is_overview) {
-  WatchView view(OutputForm::people, terminal, is_overview);
+std::vector<std::string> only(const json& status, const Terminal& terminal, OperatorView kind) {
+  WatchView view(OutputForm::people, terminal, kind);
   FakeScreen screen(terminal.size().columns, terminal.size().lines);
   screen.write(view.shown("status", status));
   return screen.lines();
@@ -42,8 +42,8 @@ std::vector<std::string> only(const json& status, const Terminal& terminal, bool
 
 TEST(WatchOnATerminal, LeavesNothingOfALongerPictureBehind) {
   const Terminal terminal(true, true, {80, 24});
-  for (const bool is_overview : {false, true}) {
-    WatchView view(OutputForm::people, terminal, is_overview);
+  for (const OperatorView kind : {OperatorView::answer, OperatorView::overview}) {
+    WatchView view(OutputForm::people, terminal, kind);
     FakeScreen screen(80, 24);
     const json alarm = {{"code", "E5101"}, {"text", "X is too far"}, {"line", 7}};
     const json long_one =
@@ -51,22 +51,22 @@ TEST(WatchOnATerminal, LeavesNothingOfALongerPictureBehind) {
     const json short_one = status_of({{"1", channel_of(1, 1.75, nullptr)}});
     screen.write(view.shown("status", long_one));
     screen.write(view.shown("status", short_one));
-    EXPECT_EQ(screen.lines(), only(short_one, terminal, is_overview));
+    EXPECT_EQ(screen.lines(), only(short_one, terminal, kind));
   }
 }
 
 TEST(WatchOnATerminal, DrawsAMovingChannelInPlaceAtEveryWidth) {
   for (std::size_t columns = 1; columns <= 200; ++columns) {
     const Terminal terminal(true, true, {columns, 100});
-    for (const bool is_overview : {false, true}) {
-      WatchView view(OutputForm::people, terminal, is_overview);
+    for (const OperatorView kind : {OperatorView::answer, OperatorView::overview}) {
+      WatchView view(OutputForm::people, terminal, kind);
       FakeScreen screen(columns, 100);
       json status;
       for (int k = 0; k < 5; ++k) {
         status = status_of({{"1", channel_of(1, 1000.0 / (k + 1), nullptr)}});
         screen.write(view.shown("status", status));
       }
-      ASSERT_EQ(screen.lines(), only(status, terminal, is_overview)) << columns << " columns";
+      ASSERT_EQ(screen.lines(), only(status, terminal, kind)) << columns << " columns";
       ASSERT_EQ(screen.wraps(), 0) << columns << " columns";
       ASSERT_TRUE(screen.scrolled().empty() || columns < 10) << columns << " columns";
     }
@@ -86,7 +86,7 @@ TEST(WatchOnATerminal, TellsWhatHappensAboveThePicture) {
   screen.write(view.shown("status", status));
   std::vector<std::string> expected = {"cycle 12  channel 1  A2001  the drive",
                                        "  of X says fault 7, and nothing more"};
-  const auto picture = only(status, terminal, false);
+  const auto picture = only(status, terminal, OperatorView::answer);
   expected.insert(expected.end(), picture.begin(), picture.end());
   EXPECT_EQ(screen.lines(), expected);
 }
@@ -126,7 +126,7 @@ TEST(WatchOnATerminal, KeepsItsPlaceThroughRandomPictures) {
 
 TEST(WatchOnATerminal, TakesNoOrdersFromATextOfAProgram) {
   const Terminal terminal(true, false, {80, 24});
-  WatchView view(OutputForm::people, terminal, true);
+  WatchView view(OutputForm::people, terminal, OperatorView::overview);
   FakeScreen screen(80, 24);
   screen.write(view.shown("event", {{"text", "\033[2Ja\nb\tc\x7F\xC2\x9B"}}));
   EXPECT_EQ(screen.lines().front(), "cycle -  channel -  \uFFFD[2Ja b c\uFFFD\uFFFD");
