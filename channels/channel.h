@@ -255,6 +255,7 @@ class Channel {
   void apply_feed_demand(motion::FeedControl& control) const RT_SAFE;
   void tell_force_event(motion::ForceEvent event) RT_SAFE;
   // Axes moved by hand (channel_manual.cc).
+  [[nodiscard]] bool is_parked(int axis) const RT_SAFE;  // by the active scheme
   void move_by_hand() RT_SAFE;
   void watch_limit_switches() RT_SAFE;
   enum class Steps { of_axes, of_numbers };

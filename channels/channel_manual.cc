@@ -16,10 +16,16 @@ int Channel::axis_named(std::string_view name) const RT_SAFE {
 std::string_view Channel::jog(const Jog& jog) RT_SAFE {
   const auto k = static_cast<std::size_t>(jog.axis);
   if (running_ || resetting_) return "E6003";
-  if (!powered_ || !drives_[k].enabled) return "E6006";
+  if (!powered_) return "E6006";
+  if (!drives_[k].enabled) return is_parked(jog.axis) ? "E6058" : "E6006";
   if (!owns(jog.axis) || is_spindle_now(jog.axis)) return "E6052";
   if (!feedback_[k].valid || !feedback_[k].enabled) return "E6008";
   return manual_.jog(jog, path_.axes[k].value, feedback_[k]);
+}
+
+bool Channel::is_parked(int axis) const RT_SAFE {
+  const kinematics::Scheme* const scheme = find_scheme(scheme_);
+  return scheme != nullptr && (scheme->participants() >> axis & 1U) == 0;
 }
 
 // Those that look for a mark, and that this channel moves now.

@@ -9,6 +9,9 @@ namespace {
 std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6006") return "the machine or the drive of the axis is off";
   if (code == "E6008") return "the drive of the axis does not hold it";
+  if (code == "E6058")
+    return "the scheme of the channel parks the axis: its brake is closed, its drive off; select a "
+           "scheme with it";
   if (code == "E6056") return "axes of the channel are being moved by hand";
   if (code == "E6057") return "the axis stands on the limit switch at this end; jog it back";
   if (code == "E6053") return "the axis would leave its travel";

@@ -56,7 +56,8 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
   double to = from + (up ? way : -way);
   if (!drive.referenced) {
     speed = std::min(speed, unreferenced_part * limits.velocity_max);
-  } else if (to < limits.position_min || to > limits.position_max) {
+  } else if (up ? to > limits.position_max : to < limits.position_min) {
+    // The end behind the axis does not count: from outside the way in is free.
     const double end = up ? limits.position_max : limits.position_min;
     const bool outward = up ? from >= end : from <= end;
     if (jog.increment > 0.0 || outward) return "E6053";

@@ -203,6 +203,34 @@ void check_homing(const toml::table& table, const AxisConfig& axis, const Scope&
   }
 }
 
+// Way in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is half
+// of it.
+double stopping_way(double velocity, const motion::AxisLimits& limits) {
+  const double a = limits.acceleration_max;
+  const double j = limits.jerk_max;
+  const double time = velocity * j >= a * a ? velocity / a + a / j : 2.0 * std::sqrt(velocity / j);
+  return 0.5 * velocity * time;
+}
+
+// Behind the mark, where the search meets it slowly; a limit switch is left again, fast and at
+// least as far as the axis takes to stop.
+void check_homing_end(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
+  const HomingConfig& homing = axis.homing;
+  const bool leaves_switch = homing.mark == channels::HomingMark::limit_switch;
+  const double speed = leaves_switch ? std::abs(homing.velocity) : homing.velocity_slow;
+  const double way = stopping_way(speed, axis.limits);
+  const bool goes_up = (homing.velocity > 0.0) != leaves_switch;
+  const double end = homing.position + (goes_up ? way : -way);
+  const bool is_known = homing.order > 0 && homing.velocity != 0.0 && std::isfinite(way) &&
+                        std::abs(homing.velocity) <= axis.limits.velocity_max;
+  if (!is_known) return;  // or a fault already
+  if (end >= axis.limits.position_min && end <= axis.limits.position_max) return;
+  scope.fault(place_of(table, "position"),
+              "E7011 the homing ends at " + number_text(end) + ", outside of the travel from " +
+                  number_text(axis.limits.position_min) + " to " +
+                  number_text(axis.limits.position_max) + ": no program could start there");
+}
+
 void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope) {
   constexpr double slow_usual = 0.1;  // of the velocity of the search
   HomingFile file;
@@ -213,6 +241,7 @@ void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope)
   if (!table.contains("velocity_slow"))
     axis.homing.velocity_slow = slow_usual * std::abs(axis.homing.velocity);
   check_homing(table, axis, scope);
+  check_homing_end(table, axis, scope);
 }
 
 void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& scope) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -32,13 +33,15 @@ inline std::string machine_text(const std::vector<AxisPlace>& axes) {
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const AxisPlace& axis = axes[k];
     const auto number = [](double value) { return std::to_string(value); };
+    // A switch beyond the travel is never met.
+    const double mark =
+        std::clamp(axis.velocity > 0.0 ? axis.home_from : axis.home_to, -99.0, 99.0);
     text +=
         std::string("[[axis]]\nname = \"") + names[k] +
         "\"\nkind = \"linear\"\nmin = -100\nmax = 100\nvelocity_max = 200\n"
         "acceleration_max = 1000\njerk_max = 20000\nstart = " +
         number(axis.start) + "\n[axis.homing]\norder = " + std::to_string(axis.order) +
-        "\nvelocity = " + number(axis.velocity) +
-        "\nposition = " + number(axis.velocity > 0.0 ? axis.home_from : axis.home_to) +
+        "\nvelocity = " + number(axis.velocity) + "\nposition = " + number(mark) +
         "\n[axis.plant]\nencoder = \"incremental\"\nhome_switch_from = " + number(axis.home_from) +
         "\nhome_switch_to = " + number(axis.home_to) +
         "\nlimit_switch_negative = -105\nlimit_switch_positive = 105\n";

@@ -202,6 +202,19 @@ TEST(Jogging, KeepsTheTravelOfAnAxisWithReference) {
   EXPECT_NE(bench.output().state, channels::ChannelState::alarm);
 }
 
+TEST(Jogging, OfAParkedAxisSaysThatItIsParked) {
+  DriveBench bench([](const std::filesystem::path&) {
+    return config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
+                                     "config" / "machines" / "e7106mf4.toml");
+  });
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok") << bench.text();
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "B", 5.0, 1.0)), "E6058");
+  EXPECT_NE(bench.text().find("parks the axis"), std::string::npos) << bench.text();
+  ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::machine_off)), "ok");
+  bench.run(1.0);
+  EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "B", 5.0, 1.0)), "E6006");
+}
+
 TEST(Jogging, IsRefusedWhereItMakesNoSense) {
   DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 0.0)), "E6054");

@@ -1,0 +1,69 @@
+// Jogs of a single axis by their travel: from inside, and from outside of it.
+#include "channels/manual_motion.h"
+
+#include <gtest/gtest.h>
+
+namespace stanok::channels {
+namespace {
+
+class JogFrom : public ::testing::Test {
+ protected:
+  JogFrom() {
+    ManualAxis axis;
+    axis.limits = {.position_min = -100.0,
+                   .position_max = 100.0,
+                   .velocity_max = 200.0,
+                   .acceleration_max = 1000.0,
+                   .jerk_max = 20000.0};
+    manual.set_up({&axis, 1}, 0.001);
+    drive.valid = true;
+    drive.referenced = true;
+  }
+
+  std::string_view jog(double from, double velocity, double increment = 0.0) {
+    return manual.jog({.axis = 0, .velocity = velocity, .increment = increment}, from, drive);
+  }
+  // Where the axis comes to rest.
+  double end(double from) {
+    std::array<kinematics::Jet, 1> position{from};
+    for (int cycle = 0; cycle < 100000 && manual.is_active(); ++cycle)
+      manual.advance({&drive, 1}, position);
+    return position[0].value;
+  }
+
+  ManualMotion manual;
+  AxisFeedback drive;
+};
+
+TEST_F(JogFrom, OutsideIsFreeInwardsByAnIncrementThatStaysOutside) {
+  EXPECT_EQ(jog(-103.0, 10.0, 1.0), "");
+  EXPECT_EQ(end(-103.0), -102.0);
+  EXPECT_EQ(jog(105.0, -10.0, 1.0), "");
+  EXPECT_EQ(end(105.0), 104.0);
+}
+
+TEST_F(JogFrom, OutsideIsFreeInwardsByAnIncrementIntoTheTravel) {
+  EXPECT_EQ(jog(-103.0, 10.0, 50.0), "");
+  EXPECT_EQ(end(-103.0), -53.0);
+}
+
+TEST_F(JogFrom, OutsideEndsAtTheOtherEndOfTheTravelAtMost) {
+  EXPECT_EQ(jog(-103.0, 10.0, 204.0), "E6053");
+  EXPECT_EQ(jog(-103.0, 10.0), "");
+}
+
+TEST_F(JogFrom, OutsideIsRefusedOutwards) {
+  EXPECT_EQ(jog(-103.0, -10.0, 1.0), "E6053");
+  EXPECT_EQ(jog(-103.0, -10.0), "E6053");
+  EXPECT_EQ(jog(103.0, 10.0, 1.0), "E6053");
+  EXPECT_EQ(jog(103.0, 10.0), "E6053");
+}
+
+TEST_F(JogFrom, TheEndOfTheTravelGoesInwardsOnly) {
+  EXPECT_EQ(jog(100.0, 10.0), "E6053");
+  EXPECT_EQ(jog(100.0, -10.0, 5.0), "");
+  EXPECT_EQ(end(100.0), 95.0);
+}
+
+}  // namespace
+}  // namespace stanok::channels
