@@ -346,6 +346,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "add the second line with %, or remove the first", "nothing needs to be done"},
     {"W211", "a program without an end", Reaction::warning, "end it with M30",
      "nothing needs to be done"},
+    {"W213", "more errors than are shown", Reaction::warning,
+     "correct those that are shown; check then shows the others", "nothing needs to be done"},
     {"W410", "a dwell that looks like milliseconds", Reaction::warning, "G4 P is in seconds",
      "nothing needs to be done"},
     {"W604", "the sensor of an automatic feed law gives no value", Reaction::warning,

@@ -152,6 +152,7 @@ std::vector<std::string_view> Compiler::known_names() const {
 }
 
 void Compiler::report_unknown(std::string_view name, const Span& span, std::string_view what) {
+  if (reporter_.is_spoilt(name)) return;
   Diagnostic& diagnostic = reporter_.error(
       "E3001", span, "unknown " + std::string(what) + " `" + std::string(name) + "`",
       "not declared here");

@@ -136,6 +136,10 @@ const Diagnostic& Interpreter::error() const {
   return state_->run.error();
 }
 
+Passed Interpreter::pass_fault() {
+  return state_->run.pass_fault();
+}
+
 Origin Interpreter::origin() const {
   return state_->run.origin();
 }

@@ -84,6 +84,10 @@ enum class Step {
   failed,   // the program ended with an error; see error()
 };
 
+// What is known behind a faulty block that was passed: nothing, it cannot be passed; where the axes
+// are to be; the run may go on, but not where they are.
+enum class Passed { no, known_position, unknown_position };
+
 class Interpreter {
  public:
   Interpreter(const ChannelDescription& channel, Tables& tables, const Files& files);
@@ -122,6 +126,10 @@ class Interpreter {
 
   // After Step::failed: why, with place and call stack.
   [[nodiscard]] const Diagnostic& error() const;
+
+  // After Step::failed by a block: the run goes on behind it, as if it had done what its words say
+  // as far as that is clear. For those who look for all faults of a program; nothing may move.
+  [[nodiscard]] Passed pass_fault();
 
   // Line of the statement at hand, for status displays.
   [[nodiscard]] Origin origin() const;

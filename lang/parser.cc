@@ -127,6 +127,7 @@ void Parser::parse_statement(StatementList& list) {
   const char c = scanner_.character();
   if (c == ';')
     return scanner_.at_line_start() ? scanner_.skip_line_comment() : scanner_.advance(1);
+  if (c == '}' && headless_braces_ > 0) return close_headless();
   if (c == '}' && inside_braces()) return;
   if (c == '}') {
     reporter_.error("E2003", scanner_.here(), "`}` without `{`", "nothing to close");
@@ -266,11 +267,23 @@ Parser::MaybeStatement Parser::refuse_type(const std::string& name) {
   const Token token = scanner_.take(LineEnds::significant);
   reporter_.error("E3001", token.span, "unknown type `" + name + "`", "not a type")
       .help.push_back("write `" + std::string(type_of_other_languages(name)) + "`");
+  const Token declared = scanner_.peek(LineEnds::significant);
+  if (declared.kind == TokenKind::name) reporter_.spoil(declared.text, declared.span.offset);
   return std::nullopt;
 }
 
 // To the next place where a statement can begin.
 void Parser::recover(std::size_t start) {
+  const std::string word = folded(source_.text().substr(start, 6));
+  for (const std::string_view keyword : {"for", "while", "if", "switch"}) {
+    if (word.starts_with(keyword) && !is_name_part(word.c_str()[keyword.size()]))
+      return recover_from_header(start);
+  }
+  const std::string_view rest = source_.text().substr(start);
+  const bool opens = rest.substr(0, rest.find_first_of("\r\n")).find('{') != std::string_view::npos;
+  const bool is_declaration =
+      type_of_keyword(word.substr(0, word.find_first_of(" \t"))).has_value();
+  if (opens && is_declaration) return recover_from_header(start);
   if (scanner_.offset() == start) scanner_.advance(1);
   while (!scanner_.at_line_end()) {
     if (scanner_.character() == '}' && inside_braces()) return;
@@ -278,6 +291,25 @@ void Parser::recover(std::size_t start) {
     scanner_.advance(1);
     if (done) return;
   }
+}
+
+// Behind the line of a `for`, `while`, `if` or `switch`: parts of its header are no statements. The
+// braces that it opens are closed by lines that are.
+void Parser::recover_from_header(std::size_t start) {
+  while (!scanner_.at_line_end()) scanner_.advance(1);
+  for (const char c : source_.text().substr(start, scanner_.offset() - start)) {
+    if (c == '{') ++headless_braces_;
+    if (c == '}' && headless_braces_ > 0) --headless_braces_;
+  }
+}
+
+// The brace, and an `else` behind it.
+void Parser::close_headless() {
+  --headless_braces_;
+  scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  const std::size_t start = scanner_.offset();
+  if (folded(scanner_.name_ahead()) == "else") recover_from_header(start);
 }
 
 void Parser::keep_faulty(StatementList& list, std::size_t start, std::uint32_t line) {

@@ -57,6 +57,9 @@ class Parser {
   int take_block_skip();
   void take_block_number();
   void recover(std::size_t start);
+  void recover_from_header(std::size_t start);
+  void close_headless();
+  [[nodiscard]] MaybeStatement spoilt(const Declaration& declaration);
   void keep_faulty(StatementList& list, std::size_t start, std::uint32_t line);
   bool inside_braces() const { return brace_depth_ > 0; }
   bool expect(std::string_view symbol, std::string_view after);
@@ -209,7 +212,8 @@ class Parser {
   std::set<std::string> functions_;
   LineEnds line_ends_ = LineEnds::blank;  // of the expression at hand
   int brace_depth_ = 0;
-  int o_depth_ = 0;  // O-lines that are open
+  int headless_braces_ = 0;  // open ones of statements whose header is at fault
+  int o_depth_ = 0;          // O-lines that are open
   int else_if_depth_ = 0;
   int nesting_ = 0;                 // of the expression at hand, itself counted
   int operator_count_ = 0;          // in it

@@ -76,6 +76,7 @@ bool Parser::check_declared_name(const Token& name) {
   }
   const std::string_view reason = reason_against(name.text);
   if (reason.empty()) return true;
+  reporter_.spoil(name.text, name.span.offset);
   reporter_.error("E3003", name.span, "`" + std::string(name.text) + "` cannot be declared",
                   std::string(reason));
   return false;
@@ -106,10 +107,13 @@ Parser::MaybeStatement Parser::parse_declaration_or_function() {
   const std::uint32_t line = scanner_.line();
   scanner_.take(LineEnds::blank);
   if (!declaration.constant && !declaration.shared && scanner_.peek(LineEnds::blank).is("(")) {
-    return parse_function(*type, name);
+    auto function = parse_function(*type, name);
+    if (!function) reporter_.spoil(name.text, name.span.offset);
+    return function;
   }
   scanner_.move_to(offset, line);
   if (*type == Type::none) {
+    reporter_.spoil(name.text, name.span.offset);
     reporter_.error("E3004", token.span, "a variable cannot be `void`", "not a type of values");
     return std::nullopt;
   }
@@ -122,15 +126,22 @@ Parser::MaybeStatement Parser::parse_items(Declaration declaration) {
   do {
     if (!check_length(start, line)) return std::nullopt;
     const Token name = scanner_.take(LineEnds::blank);
-    if (!check_declared_name(name)) return std::nullopt;
+    if (!check_declared_name(name)) return spoilt(declaration);
     DeclaredItem item;
     item.name = name.text;
     item.span = name.span;
-    if (!parse_dimensions(item) || !parse_initial(item)) return std::nullopt;
     declaration.items.push_back(std::move(item));
+    DeclaredItem& declared = declaration.items.back();
+    if (!parse_dimensions(declared) || !parse_initial(declared)) return spoilt(declaration);
   } while (accept(","));
-  if (!expect(";", "the declaration")) return std::nullopt;
+  if (!expect(";", "the declaration")) return spoilt(declaration);
   return statement_of(std::move(declaration));
+}
+
+// The names of a declaration at fault are not told again where they are used.
+Parser::MaybeStatement Parser::spoilt(const Declaration& declaration) {
+  for (const DeclaredItem& item : declaration.items) reporter_.spoil(item.name, item.span.offset);
+  return std::nullopt;
 }
 
 bool Parser::parse_dimensions(DeclaredItem& item) {

@@ -273,6 +273,7 @@ Parser::MaybeStatement Parser::parse_simple() {
     return statement_of(CallStatement{std::move(*target)});
   }
   if (target->node != Node::name && target->node != Node::element) {
+    if (reporter_.is_spoilt(name.text)) return std::nullopt;
     reporter_.error("E2001", target->span, "expected an assignment or a call",
                     "not a variable or function");
     return std::nullopt;

@@ -369,6 +369,7 @@ void ProgramRun::fail_block(BlockFault fault, const Span& block_span,
   diagnostic.notes = std::move(fault.notes);
   diagnostic.help = std::move(fault.help);
   fail_with(std::move(diagnostic));
+  faulty_line_ = block_span.line;
 }
 
 // The block at fault may be one before the block at hand.
@@ -387,6 +388,7 @@ void ProgramRun::fail_with(Diagnostic diagnostic) {
   if (diagnostic.stack.empty()) diagnostic.stack = call_stack();
   error_ = std::move(diagnostic);
   queue_.clear();
+  faulty_line_ = 0;
   phase_ = Phase::failed;
 }
 

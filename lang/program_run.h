@@ -47,6 +47,7 @@ class ProgramRun : private ContourSource, private Parameters {
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
   void forget_lines() { line_state_lasts_ = false; }
+  [[nodiscard]] Passed pass_fault();
   [[nodiscard]] Step next(Command& command);
   void answer(const Answer& answer);
   void set_block_skip(std::uint16_t levels) { block_skip_ = levels; }
@@ -140,6 +141,7 @@ class ProgramRun : private ContourSource, private Parameters {
   Step deliver(CommandQueue& queue, Command& command);
   bool compensate();
   void fail_compensation(CompensationFault fault);
+  [[nodiscard]] Passed adopt_words(ActiveBlock& block);
   bool run_plain_line(Command& command);
   // Executes words_; `places` nullptr: found in the text when they are needed.
   void execute(const Span& block_span, const std::vector<IsoWord>* places, int actions_done = 0);
@@ -294,6 +296,7 @@ class ProgramRun : private ContourSource, private Parameters {
   bool line_state_lasts_ = false;  // the modal state is that of the line before
   ModalState modal_;
   CodeChanges code_changes_;
+  std::uint32_t faulty_line_ = 0;  // of the block whose fault ended the run; 0: another fault did
   CommandQueue queue_;
   CompensationStage compensation_;
   ProbeResult probe_;

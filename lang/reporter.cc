@@ -71,7 +71,10 @@ Diagnostic& Reporter::error(std::string_view code, const Span& span, std::string
   ++error_count_;
   last_error_ = {std::string(code), span, message, label};
   const Severity severity = is_soft(span.offset) ? Severity::warning : Severity::error;
-  if (!keeps(severity)) return overflow_ = {};
+  if (!keeps(severity)) {
+    if (severity == Severity::error) ++errors_dropped_;
+    return overflow_ = {};
+  }
   Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
   diagnostic.severity = severity;
   return keep(std::move(diagnostic));
@@ -102,6 +105,15 @@ Diagnostic& Reporter::keep(Diagnostic diagnostic) {
   return diagnostics_.back();
 }
 
+Diagnostic more_errors(const Source& source, std::size_t count) {
+  const auto line = static_cast<std::uint32_t>(source.line_count());
+  Diagnostic diagnostic = diagnostic_at(source, "W213", span_of_line(source, line),
+                                        std::to_string(count) + " more errors are not shown", {});
+  diagnostic.severity = Severity::warning;
+  diagnostic.source_line.clear();
+  return diagnostic;
+}
+
 Diagnostics Reporter::take() {
   std::multimap<std::pair<int, int>, Diagnostic> by_place;
   for (Diagnostic& diagnostic : diagnostics_) {
@@ -111,6 +123,7 @@ Diagnostics Reporter::take() {
   diagnostics_.clear();
   Diagnostics ordered;
   for (auto& [place, diagnostic] : by_place) ordered.push_back(std::move(diagnostic));
+  if (errors_dropped_ > 0) ordered.push_back(more_errors(source_, errors_dropped_));
   return ordered;
 }
 

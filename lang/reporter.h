@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,15 @@ class Reporter {
   void soften_from(std::size_t offset) { soft_offset_ = std::min(soft_offset_, offset); }
   [[nodiscard]] bool is_soft(std::size_t offset) const { return offset >= soft_offset_; }
 
+  // A name whose declaration at `offset` is at fault: that it is not known is not told again. What
+  // is only a warning there leaves the uses to be errors.
+  void spoil(std::string_view name, std::size_t offset) {
+    if (!is_soft(offset)) spoilt_.insert(folded(name));
+  }
+  [[nodiscard]] bool is_spoilt(std::string_view name) const {
+    return spoilt_.contains(folded(name));
+  }
+
   // Number of errors reported so far, softened ones included.
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   // The last error as it was reported first, for text that is an error only when reached.
@@ -59,17 +69,22 @@ class Reporter {
 
   const Source& source_;
   Diagnostics diagnostics_;
+  std::set<std::string> spoilt_;
   Fault last_error_;
   Diagnostic overflow_;  // takes what comes after the hundredth error
   std::size_t error_count_ = 0;
   std::size_t errors_kept_ = 0;
   std::size_t warnings_kept_ = 0;
+  std::size_t errors_dropped_ = 0;
   std::size_t soft_offset_ = std::numeric_limits<std::size_t>::max();
 };
 
 // A diagnostic at `span` of `source`, with the source line for the picture.
 [[nodiscard]] Diagnostic diagnostic_at(const Source& source, std::string_view code,
                                        const Span& span, std::string message, std::string label);
+
+// The warning W213 at the end of the text: so many errors are not shown.
+[[nodiscard]] Diagnostic more_errors(const Source& source, std::size_t count);
 
 // What stands on a line of `source`, without blanks before it.
 [[nodiscard]] Span span_of_line(const Source& source, std::uint32_t line);

@@ -12,11 +12,13 @@
 #include "channels/motion_config.h"
 #include "channels/scheme_switch.h"
 #include "lang/limits.h"
+#include "runtime/blanked_files.h"
 
 namespace stanok::runtime {
 namespace {
 
-constexpr std::size_t diagnostics_max = 100;  // per program, as at load
+constexpr std::size_t diagnostics_max = 100;              // per program, as at load
+constexpr std::uint64_t steps_behind_errors = 1'000'000;  // of a text whose faulty lines are blank
 
 const channels::ChannelConfig& channel_with_id(const channels::MachineConfig& machine, int id) {
   const auto found = std::find_if(machine.channels.begin(), machine.channels.end(),
@@ -84,9 +86,11 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
 }
 
 DryRunResult DryRun::run(const std::string& program, Reachability reachability,
-                         const RecordSink& record, const RequestSink& request) {
+                         const RecordSink& record, const RequestSink& request, BlockFaults faults) {
   DryRunResult result;
   if (!load(program, result.diagnostics)) return result;
+  result.loaded = true;
+  faults_ = faults;
   interpreter_.start(program_, blocks_.position_B());
   go_on(reachability, record, request, result);
   result.laws = std::move(laws_);
@@ -147,10 +151,28 @@ void DryRun::go_on(Reachability reachability, const RecordSink& record, const Re
         watch_feed(result.diagnostics);
         return;
       case lang::Step::failed:
-        result.diagnostics.push_back(interpreter_.error());
-        return;
+        if (!passes_fault(result.diagnostics)) return;
+        break;
     }
   }
+  Diagnostic warning;
+  warning.code = "W213";
+  warning.severity = Severity::warning;
+  warning.message =
+      "there may be more errors: the check ends at " + std::to_string(diagnostics_max);
+  lang::put_at_block(*program_, interpreter_.origin(), warning);
+  result.diagnostics.push_back(std::move(warning));
+}
+
+// Whether the run goes on behind the fault that stopped it.
+bool DryRun::passes_fault(Diagnostics& diagnostics) {
+  const Diagnostic& fault = interpreter_.error();
+  if (sieve_.is_new(fault) && sieve_.lets_through(fault)) diagnostics.push_back(fault);
+  if (faults_ == BlockFaults::end_the_run || !sieve_.may_pass()) return false;
+  sieve_.pass();
+  const lang::Passed passed = interpreter_.pass_fault();
+  if (passed == lang::Passed::unknown_position) sieve_.lose_position();
+  return passed != lang::Passed::no;
 }
 
 DryRunResult DryRun::run_from(const std::string& program, const Beginning& beginning,
@@ -322,10 +344,9 @@ void DryRun::skip(const lang::Command& command, Diagnostic diagnostic, Diagnosti
   builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
-void DryRun::refuse(const lang::Command& command, Diagnostic diagnostic,
-                    Diagnostics& diagnostics) const {
+void DryRun::refuse(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics) {
   lang::put_at_block(*program_, command.origin, diagnostic);
-  diagnostics.push_back(std::move(diagnostic));
+  if (sieve_.lets_through(diagnostic)) diagnostics.push_back(std::move(diagnostic));
 }
 
 // The spindle has `steady_speed` where the block begins.
@@ -452,6 +473,7 @@ class Check {
     if (!visited_.insert({channel, scheme, program}).second) return;
     std::map<int, int> schemes;
     DryRun dry_run(machine_, channel, scheme, files_);
+    const auto collected = BlockFaults::are_collected;
     auto result = dry_run.run(
         program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
         [&](const lang::Request& request, const lang::Command&) {
@@ -462,7 +484,9 @@ class Check {
           if (!dispatches) return;
           const auto active = schemes.find(request.channel);
           follow(request.channel, active == schemes.end() ? -1 : active->second, request.text);
-        });
+        },
+        collected);
+    if (!result.loaded) look_behind(result.diagnostics, channel, scheme, program);
     for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
     found.blocks += result.blocks;
     found.laws.insert(found.laws.end(), result.laws.begin(), result.laws.end());
@@ -471,6 +495,33 @@ class Check {
   DryRunResult found;
 
  private:
+  // A text with errors is not a program, but its other lines may have faults of their own: they are
+  // followed with what is at fault blank. What is missing then may make further errors, and they
+  // are blanked, too, and not told; nor is what depends on blocks that are missing.
+  void look_behind(Diagnostics& diagnostics, int channel, int scheme, const std::string& program) {
+    constexpr int rounds_max = 10;
+    channels::MachineConfig machine = machine_;
+    machine.program_bounds.steps = std::min(machine.program_bounds.steps, steps_behind_errors);
+    BlankedFiles blanked(files_);
+    Diagnostics errors = diagnostics;
+    for (int round = 0; round < rounds_max && blanked.blank(errors); ++round) {
+      DryRun dry_run(machine, channel, scheme, blanked);
+      auto result = dry_run.run(
+          program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
+          [](const lang::Request&, const lang::Command&) {}, BlockFaults::are_collected);
+      errors = std::move(result.diagnostics);
+      if (!result.loaded) continue;
+      for (Diagnostic& fault : errors) {
+        const bool is_of_a_block = fault.code.starts_with("E4") || fault.code.starts_with("E51");
+        const bool is_sure = FaultSieve::is_of_its_block(fault) ||
+                             (is_of_a_block && !blanked.may_miss_before(fault.place));
+        if (fault.severity == Severity::error && is_sure && !blanked.is_blank(fault.place))
+          diagnostics.push_back(std::move(fault));
+      }
+      return;
+    }
+  }
+
   void keep(Diagnostic&& diagnostic) {
     const bool known = std::any_of(
         found.diagnostics.begin(), found.diagnostics.end(), [&](const Diagnostic& other) {
@@ -493,6 +544,7 @@ DryRunResult check_program(const channels::MachineConfig& machine, int channel, 
                            const std::string& program, const lang::Files& files) {
   Check check(machine, files);
   check.follow(channel, scheme, program);
+  sort_by_place(check.found.diagnostics);
   return std::move(check.found);
 }
 

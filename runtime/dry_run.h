@@ -19,6 +19,7 @@
 #include "lang/block_search.h"
 #include "lang/interpreter.h"
 #include "motion/feed_laws/law_estimate.h"
+#include "runtime/fault_sieve.h"
 
 namespace stanok::runtime {
 
@@ -41,6 +42,7 @@ struct LawBlock {
 
 struct DryRunResult {
   Diagnostics diagnostics;  // errors, and warnings of the load
+  bool loaded = false;
   std::uint64_t blocks = 0;
   std::vector<LawBlock> laws;  // of a checked run, in their order
 };
@@ -55,6 +57,8 @@ struct Beginning {
 using SearchSink = std::function<void(const lang::SearchState& state, const lang::Origin& target)>;
 
 enum class Reachability { unchecked, checked };  // every pose against the axis limits
+// What a fault of a block does: it ends the run, or the run goes on to find the next one.
+enum class BlockFaults { end_the_run, are_collected };
 
 class DryRun {
  public:
@@ -63,7 +67,8 @@ class DryRun {
   DryRun(const channels::MachineConfig& machine, int channel, int scheme, const lang::Files& files);
 
   [[nodiscard]] DryRunResult run(const std::string& program, Reachability reachability,
-                                 const RecordSink& record, const RequestSink& request);
+                                 const RecordSink& record, const RequestSink& request,
+                                 BlockFaults faults = BlockFaults::end_the_run);
 
   // The same from a block on (block search); `found` is called before the first record.
   [[nodiscard]] DryRunResult run_from(const std::string& program, const Beginning& beginning,
@@ -75,6 +80,7 @@ class DryRun {
   [[nodiscard]] bool load(const std::string& program, Diagnostics& diagnostics);
   void go_on(Reachability reachability, const RecordSink& record, const RequestSink& request,
              DryRunResult& result);
+  [[nodiscard]] bool passes_fault(Diagnostics& diagnostics);
   [[nodiscard]] bool may_go_on(const lang::Command& command, const motion::Point& before,
                                Diagnostics& diagnostics);
   [[nodiscard]] std::optional<Diagnostic> search(const lang::StopPlace& place,
@@ -92,7 +98,7 @@ class DryRun {
                   Reachability reachability, const RecordSink& record, Diagnostics& diagnostics);
   [[nodiscard]] bool follow(const motion::PathBlock& block, const lang::Command& command,
                             Diagnostics& diagnostics);
-  void refuse(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics) const;
+  void refuse(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics);
   void skip(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics);
   void watch_feed(Diagnostics& diagnostics);
   void estimate_law(const motion::PathBlock& block, double steady_speed);
@@ -120,6 +126,8 @@ class DryRun {
   const kinematics::Scheme* scheme_ = nullptr;
   bool feed_is_warned_of_ = false;  // once a program
   std::vector<LawBlock> laws_;
+  BlockFaults faults_ = BlockFaults::end_the_run;
+  FaultSieve sieve_;
 };
 
 // Everything that can be known of a program before a run: follows #kinematics, channel_run and

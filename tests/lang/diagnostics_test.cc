@@ -170,6 +170,14 @@ TEST_F(DiagnosticsTest, LimitTheNumberOfFiles) {
   EXPECT_EQ(error.place.line, 256);
 }
 
+TEST_F(DiagnosticsTest, CountTheErrorsThatAreNotShown) {
+  const auto errors = load_errors(repeated("?\n", 130) + "M30\n");
+  EXPECT_EQ(errors.size(), 100U);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings.back().code, "W213");
+  EXPECT_EQ(warnings.back().message, "30 more errors are not shown");
+}
+
 TEST_F(DiagnosticsTest, KeepTheMotionBeforeTheFaultyBlock) {
   run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
   EXPECT_EQ(error.code, "E5021");
