@@ -12,8 +12,14 @@ namespace stanok::client {
 void add_completion_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("completion", "completion script for a shell");
   const auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
-  command->callback([shell, &app] { write_data(bash_completion(app)); });
+  command->add_option("SHELL", *shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  command->callback([shell, &app] {
+    write_data(*shell == "zsh"    ? zsh_completion(app)
+               : *shell == "fish" ? fish_completion(app)
+                                  : bash_completion(app));
+  });
 }
 
 void add_manual_command(CLI::App& app) {

@@ -18,10 +18,16 @@ install(FILES ${CMAKE_SOURCE_DIR}/packaging/stanok.sysusers
 
 # Shell completion comes from the command table of the program itself.
 install(CODE "
-  set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/bash-completion/completions\")
-  file(MAKE_DIRECTORY \"\${folder}\")
-  execute_process(COMMAND $<TARGET_FILE:stanok> completion bash OUTPUT_FILE \"\${folder}/stanok\"
-                  COMMAND_ERROR_IS_FATAL ANY)")
+  set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\")
+  foreach(file bash:bash-completion/completions/stanok zsh:zsh/vendor-completions/_stanok
+               fish:fish/vendor_completions.d/stanok.fish)
+    string(REGEX MATCH \"^[a-z]+\" shell \"\${file}\")
+    string(REGEX REPLACE \"^[a-z]+:\" \"\${folder}/\" path \"\${file}\")
+    get_filename_component(parent \"\${path}\" DIRECTORY)
+    file(MAKE_DIRECTORY \"\${parent}\")
+    execute_process(COMMAND $<TARGET_FILE:stanok> completion \${shell} OUTPUT_FILE \"\${path}\"
+                    COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()")
 
 # So do its manual pages; those of the other two are written by hand, tests/manual_test.sh compares their options.
 install(CODE "

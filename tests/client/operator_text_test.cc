@@ -113,7 +113,7 @@ TEST(BashCompletion, KnowsEveryNounVerbAndOption) {
   for (const auto& method : protocol::methods()) {
     std::string path(method.name);
     std::replace(path.begin(), path.end(), '.', ' ');
-    EXPECT_NE(script.find("\"" + path + "\") words=\""), std::string::npos) << path;
+    EXPECT_NE(script.find("\"" + path + "\") offered=\""), std::string::npos) << path;
   }
   EXPECT_NE(script.find("--channel"), std::string::npos);
 }
