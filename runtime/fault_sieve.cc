@@ -42,8 +42,8 @@ bool FaultSieve::is_new(const Diagnostic& diagnostic) {
   return places_.insert({diagnostic.code, place.file, place.line, place.column}).second;
 }
 
-void sort_by_place(Diagnostics& diagnostics) {
-  std::map<std::string, std::size_t> files;
+void sort_by_place(Diagnostics& diagnostics, const std::string& program) {
+  std::map<std::string, std::size_t> files{{program, 0}};
   for (const Diagnostic& diagnostic : diagnostics)
     files.emplace(diagnostic.place.file, files.size());
   const auto place = [&](const Diagnostic& diagnostic) {

@@ -36,7 +36,8 @@ class FaultSieve {
   std::set<std::string> told_;  // codes that depend on the blocks before
 };
 
-// The diagnostics in the order of their places, files in the order in which they come up first.
-void sort_by_place(Diagnostics& diagnostics);
+// The diagnostics in the order of their places: those of `program` first, then files in the order
+// in which they come up.
+void sort_by_place(Diagnostics& diagnostics, const std::string& program);
 
 }  // namespace stanok::runtime

@@ -94,7 +94,7 @@ DryRunResult check_program(const channels::MachineConfig& machine, int channel, 
                            const std::string& program, const lang::Files& files) {
   Check check(machine, files);
   check.follow(channel, scheme, program);
-  sort_by_place(check.found.diagnostics);
+  sort_by_place(check.found.diagnostics, program);
   return std::move(check.found);
 }
 
