@@ -129,7 +129,7 @@ int run(const CheckOptions& options) {
   } else if (folders) {
     write_data(summary_table(programs, Terminal(STDOUT_FILENO)));
   } else if (all.empty()) {
-    write_data("no errors\n");
+    write_data(Terminal(STDOUT_FILENO).coloured("no errors", Colour::green) + "\n");
   }
   return exit_code;
 }
@@ -146,9 +146,10 @@ int check_machine(const std::string& path, bool as_json) {
     write_json(json);
     return 0;
   }
-  write_data(fmt::format("{}: {} axes, {} channels, cycle {} us: no errors\n", file.machine.name,
+  write_data(fmt::format("{}: {} axes, {} channels, cycle {} us: {}\n", file.machine.name,
                          file.machine.axes.size(), file.machine.channels.size(),
-                         file.machine.cycle_us));
+                         file.machine.cycle_us,
+                         Terminal(STDOUT_FILENO).coloured("no errors", Colour::green)));
   return 0;
 }
 

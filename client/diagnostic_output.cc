@@ -1,5 +1,7 @@
 #include "client/diagnostic_output.h"
 
+#include <unistd.h>
+
 #include "client/output.h"
 
 namespace stanok::client {
@@ -40,8 +42,18 @@ nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
   return json;
 }
 
+std::string coloured_text(const Diagnostic& diagnostic, const Terminal& terminal) {
+  const std::string text = to_text(diagnostic);
+  const std::size_t head = text.find(']') == std::string::npos ? 0 : text.find(']') + 1;
+  const Colour colour = diagnostic.severity == Severity::error     ? Colour::red
+                        : diagnostic.severity == Severity::warning ? Colour::yellow
+                                                                   : Colour::bold;
+  return terminal.coloured(text.substr(0, head), head == 0 ? Colour::plain : colour) +
+         text.substr(head);
+}
+
 void print(const Diagnostic& diagnostic) {
-  write_message(to_text(diagnostic));
+  write_message(coloured_text(diagnostic, Terminal(STDERR_FILENO)));
 }
 
 int exit_code_of(const Diagnostic& diagnostic) {

@@ -183,7 +183,8 @@ int run_operator_call(const OperatorCall& call) {
   }
   const Terminal terminal(STDERR_FILENO);
   RunProgress progress(call.parameters.value("channel", 0.0), client.hello());
-  if (waits_for_the_end(call) && terminal.is_terminal()) progress.follow(client);
+  const bool takes_time = waits_for_the_end(call) || call.method->name == "home";
+  if (takes_time && terminal.is_terminal()) progress.follow(client);
   const auto result = client.call(std::string(call.method->name), call.parameters, deadline);
   progress.clear();
   if (!result) {

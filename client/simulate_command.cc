@@ -151,11 +151,13 @@ nlohmann::ordered_json result_json(const runtime::SimulationResult& result,
 }
 
 void print_summary(const runtime::SimulationResult& result) {
+  const Terminal terminal(STDOUT_FILENO);
   for (const channels::RunReport& run : result.runs) {
-    write_data(fmt::format("channel {}  {:28} {:8} blocks  {:10.3f} s  {:12.3f} mm  {}\n",
-                           run.channel, valid_utf8(run.program), run.blocks,
-                           static_cast<double>(run.end_cycle - run.start_cycle) * result.cycle_s,
-                           run.path_mm, run.ok ? "ok" : "failed"));
+    write_data(fmt::format(
+        "channel {}  {:28} {:8} blocks  {:10.3f} s  {:12.3f} mm  {}\n", run.channel,
+        valid_utf8(run.program), run.blocks,
+        static_cast<double>(run.end_cycle - run.start_cycle) * result.cycle_s, run.path_mm,
+        terminal.coloured(run.ok ? "ok" : "failed", run.ok ? Colour::green : Colour::red)));
   }
   write_data(
       fmt::format("machine time {:.3f} s in {:.2f} s ({:.0f} times real time), cycle p50 {:.1f} us "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "client/result_text.h"
 #include "client/screen_text.h"
 
 namespace stanok::client {
@@ -41,7 +42,8 @@ std::string TextTable::text(const Terminal& terminal) const {
   for (const auto& row : rows_) {
     std::string line;
     for (std::size_t k = 0; k < row.size(); ++k) {
-      line += (k == 0 ? "" : "  ") + padded(row[k], widths[k]);
+      line +=
+          (k == 0 ? "" : "  ") + terminal.coloured(padded(row[k], widths[k]), state_colour(row[k]));
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += (&row == &rows_.front() ? terminal.coloured(line, Colour::bold) : line) + "\n";

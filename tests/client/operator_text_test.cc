@@ -4,6 +4,7 @@
 
 #include "base/catalogue.h"
 #include "client/completion.h"
+#include "client/diagnostic_output.h"
 #include "client/explain_command.h"
 #include "client/operator_commands.h"
 #include "client/result_text.h"
@@ -48,6 +49,24 @@ TEST(ResultText, ShowsAnObjectLineByLineAndColoursTheState) {
             "id        1\nstate     Active\nalarm     -\nposition  X 1.2500  Y -3\n");
   EXPECT_NE(result_text("process.status", result, colour_terminal).find("\033[32mActive\033[0m"),
             std::string::npos);
+}
+
+TEST(TextTable, ColoursStatesWhereTheTerminalShowsIt) {
+  TextTable table({"id", "state"});
+  table.add_row({"1", "Active"});
+  EXPECT_EQ(table.text(colour_terminal), "\033[1mid  state\033[0m\n 1  \033[32mActive\033[0m\n");
+  EXPECT_EQ(table.text(pipe_end), "id  state\n 1  Active\n");
+}
+
+TEST(DiagnosticOutput, ColoursSeverityAndCode) {
+  Diagnostic diagnostic;
+  diagnostic.code = "E4003";
+  diagnostic.message = "nothing uses Q";
+  EXPECT_EQ(coloured_text(diagnostic, colour_terminal),
+            "\033[31merror[E4003]\033[0m: nothing uses Q\n");
+  EXPECT_EQ(coloured_text(diagnostic, pipe_end), "error[E4003]: nothing uses Q\n");
+  diagnostic.severity = Severity::warning;
+  EXPECT_EQ(coloured_text(diagnostic, colour_terminal).find("\033[33mwarning[E4003]\033[0m"), 0U);
 }
 
 TEST(ResultText, IsSilentWhenThereIsNothingToTell) {
