@@ -4,6 +4,7 @@
 
 #include "protocol/json_text.h"
 #include "protocol/method_table.h"
+#include "protocol/result_shapes.h"
 
 namespace stanok::protocol {
 namespace {
@@ -52,7 +53,7 @@ json method_json(const Method& method) {
   return {{"name", method.name},
           {"summary", method.help},
           {"params", std::move(parameters)},
-          {"result", {{"name", "result"}, {"schema", json::object()}}},
+          {"result", {{"name", "result"}, {"schema", result_schema(method.name)}}},
           {"x-role", role_name(method.role)}};
 }
 

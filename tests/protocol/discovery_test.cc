@@ -31,6 +31,9 @@ TEST(Discovery, ListsEveryMethodWithRoleAndParameters) {
     EXPECT_EQ(document["methods"][i]["name"], methods()[i].name);
     EXPECT_EQ(document["methods"][i]["x-role"], role_name(methods()[i].role));
     EXPECT_EQ(document["methods"][i]["params"].size(), methods()[i].parameters.size());
+    const auto& schema = document["methods"][i]["result"]["schema"];
+    EXPECT_EQ(schema["type"], "object") << methods()[i].name;
+    EXPECT_EQ(schema.dump().find("\"$"), std::string::npos) << "a shape that there is not";
   }
 }
 
