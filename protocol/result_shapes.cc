@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "protocol/json_rpc.h"
+
 namespace stanok::protocol {
 namespace {
 
@@ -134,7 +136,7 @@ json schema_of_type(std::string type) {
   if (type.ends_with('?')) return or_null(schema_of_type(type.substr(0, type.size() - 1)));
   if (type == "any") return json::object();
   if (type.starts_with('$'))
-    return schema_of(json::parse(shape_of(named_shapes, type.substr(1), "\"any\"")));
+    return schema_of(json_from_text(shape_of(named_shapes, type.substr(1), "\"any\"")));
   return {{"type", type}};
 }
 
@@ -165,7 +167,7 @@ json schema_of(const json& shape) {
 
 json result_schema(std::string_view method) {
   constexpr std::string_view only_accepted = R"({"accepted":"boolean"})";
-  return schema_of(json::parse(shape_of(result_shapes, method, only_accepted)));
+  return schema_of(json_from_text(shape_of(result_shapes, method, only_accepted)));
 }
 
 }  // namespace stanok::protocol
