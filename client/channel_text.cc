@@ -239,13 +239,13 @@ std::vector<json> channels_in_order(const json& channels) {
 }
 
 nlohmann::ordered_json in_machine_order(const json& status) {
-  nlohmann::ordered_json ordered = nlohmann::ordered_json::parse(status.dump());
+  nlohmann::ordered_json ordered(status);
   const auto reorder = [&](const char* what, const char* order) {
     const json values = member(status, what);
     if (!values.is_object()) return;
     auto& target = ordered[what] = nlohmann::ordered_json::object();
     for (const std::string& name : names_in_order(member(status, order), values))
-      target[name] = nlohmann::ordered_json::parse(values[name].dump());
+      target[name] = nlohmann::ordered_json(values[name]);
   };
   reorder("position", "words");
   reorder("to_go", "words");

@@ -37,13 +37,14 @@ void RunProgress::follow(OperatorClient& client) {
 
 std::string progress_line(const json& channel) {
   const std::string program = cell_text(channel.value("program", json()));
-  const std::string line = cell_text(channel.value("line", json()));
+  const json at = channel.value("line", json());
+  const std::string line = at.is_number() && at != 0 ? ":" + cell_text(at) : "";
   constexpr double s_per_min = 60.0;
   const json speed = channel.value("speed_mm_s", json());
   const double speed_mm_s = speed.is_number() ? speed.get<double>() : 0.0;
   const json remaining = channel.value("remaining_s", json());
   return "channel " + cell_text(channel.value("id", json())) + "  " +
-         cell_text(channel.value("program_status", json())) + "  " + program + ":" + line + "  " +
+         cell_text(channel.value("program_status", json())) + "  " + program + line + "  " +
          position_text(channel) + "  " + fmt::format("{:.0f} mm/min", speed_mm_s * s_per_min) +
          (remaining.is_null() ? "" : "  " + duration_text(remaining) + " left");
 }
