@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The commands of docs/first-job.md, run as they stand.
+# The commands of docs/tutorial/first-job.md, run as they stand.
 #
 # usage: first_job_test.sh FOLDER_OF_PROGRAMS SOURCE_FOLDER
 set -euo pipefail
@@ -19,7 +19,7 @@ trap finish EXIT
 {
   echo 'set -euo pipefail'
   # shellcheck disable=SC2016
-  sed -n '/^```sh$/,/^```$/p' "$source/docs/first-job.md" | sed '/^```/d'
+  sed -n '/^```sh$/,/^```$/p' "$source/docs/tutorial/first-job.md" | sed '/^```/d'
 } >"$folder/walk.sh"
 for machine in "$source"/config/machines/*.toml; do patient_machine "$machine" "$folder" >/dev/null; done
 export PATH="$programs:$PATH" MACHINES="$folder/machine"

@@ -1,6 +1,6 @@
-// docs/language.md and docs/programming.md say the truth: their examples load or are rejected, the
-// tables of codes, functions and system variables are those of the interpreter. After a change of
-// one of them write these parts anew with
+// docs/language.md and docs/tutorial/programming.md say the truth: their examples load or are
+// rejected, the tables of codes, functions and system variables are those of the interpreter. After
+// a change of one of them write these parts anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/lang_tests --gtest_filter='LanguageDocument.*'
 #include <cstdlib>
 #include <fstream>
@@ -269,7 +269,7 @@ TEST_F(LanguageDocument, HasTheTablesOfTheInterpreter) {
 
 // The guide shows the text of errors: what it prints is what the program before it gives.
 TEST_F(LanguageDocument, GuideHasExamplesThatRunAndTheErrorsOfThoseThatDoNot) {
-  const std::string guide = stanok::testing::source_folder() + "/docs/programming.md";
+  const std::string guide = stanok::testing::source_folder() + "/docs/tutorial/programming.md";
   const std::string text = read_document(guide);
   const auto list = examples(guide);
   EXPECT_GT(list.size(), 15u);
