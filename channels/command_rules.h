@@ -1,9 +1,9 @@
 // Command rules: what an operator may ask of a channel in which situation, and with which code the
 // others are refused: one table.
 //
-// The coordinator asks it when a command arrives, docs/operator.md prints it, and a test drives a
-// daemon through every cell of it. A command that is admitted may still fail for reasons of its
-// own: an axis that does not exist or is not homed, drives that are not ready.
+// The coordinator asks it when a command arrives, docs/operator/at-the-machine.md prints it, and a
+// test drives a daemon through every cell of it. A command that is admitted may still fail for
+// reasons of its own: an axis that does not exist or is not homed, drives that are not ready.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ inline constexpr std::array situations = {
 // What the codes of the table say of a channel: " is running or held".
 [[nodiscard]] std::string_view claim_of_refusal(std::string_view code) RT_SAFE;
 
-// What is refused while another session has a channel to itself (docs/operator.md).
+// What is refused while another session has a channel to itself (docs/operator/at-the-machine.md).
 enum class ControlScope : std::uint8_t {
   nothing,       // stops pass always
   channel,       // what concerns that channel

@@ -2,7 +2,7 @@
 //
 // Asked for by an operator, it is carried out twice: at once, to tell what it comes to, and again
 // when the program is started, from where the axes stand then. Between both the operator may do
-// what he likes. (docs/operator.md, "Beginning in the middle")
+// what he likes. (docs/operator/at-the-machine.md, "Beginning in the middle")
 #pragma once
 
 #include <cstdint>

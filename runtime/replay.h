@@ -1,5 +1,6 @@
 // Replay: a recorded run once more, from its inputs, on the virtual clock; every set-point is
-// compared with the recorded one, bit for bit, and every byte with its check sum (docs/replay.md).
+// compared with the recorded one, bit for bit, and every byte with its check sum
+// (docs/operator/replay.md).
 //
 // The log brings its own machine file, programs, setup and all inputs with their cycles; nothing is
 // read from disk but the log.

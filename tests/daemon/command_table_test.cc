@@ -1,6 +1,6 @@
 // Every command in every situation of a channel, as the table of channels/command_rules.h says:
-// what a daemon answers, and what docs/operator.md prints. After a change of either table write the
-// document anew with
+// what a daemon answers, and what docs/operator/at-the-machine.md prints. After a change of either
+// table write the document anew with
 //   STANOK_WRITE_DOCS=1 build/release/tests/daemon_tests --gtest_filter='CommandTableDocument.*'
 #include <gtest/gtest.h>
 
@@ -224,7 +224,7 @@ std::string file_text(const std::string& path) {
 }
 
 TEST(CommandTableDocument, IsWhatTheManualPrints) {
-  const std::string path = stanok::testing::source_folder() + "/docs/operator.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/operator/at-the-machine.md";
   const std::string begin_mark =
       "<!-- commands: written by a test, see tests/daemon/command_table_test.cc -->\n";
   const std::string end_mark = "<!-- end of commands -->";
@@ -240,7 +240,7 @@ TEST(CommandTableDocument, IsWhatTheManualPrints) {
     manual = file_text(path);
   }
   EXPECT_EQ(manual.substr(begin, manual.find(end_mark) - begin), wanted)
-      << "docs/operator.md: write the table anew as described in this file";
+      << "docs/operator/at-the-machine.md: write the table anew as described in this file";
 }
 
 }  // namespace
