@@ -300,7 +300,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "what was asked for may still be under way, and goes on: look at stanok channel status",
      "give more time with --timeout, or do not wait"},
     {"E9101", "a control file of a grinding cycle that cannot be read", Reaction::warning,
-     "see the text for the place and what is expected there; docs/grinding.md has the form",
+     "see the text for the place and what is expected there; docs/programmer/grinding.md has the "
+     "form",
      "correct the file and call the command again"},
     {"E9102", "a number of a grinding process outside its range", Reaction::warning,
      "see the text for the range; most often a unit was mistaken",

@@ -1,4 +1,4 @@
-# Pictures of docs/feed-laws.md from the tip traces of two example programs; see there for the command.
+# Pictures of docs/programmer/feed-laws.md from the tip traces of two example programs; see there for the command.
 set datafile separator ','
 set terminal svg size 900,420 font 'DejaVu Sans,12' background '#ffffff'
 set border 3 lc rgb '#5c6b73'

@@ -1,5 +1,5 @@
 // What a plunge grinding cycle costs: one simulation, the continuous law, the staircase, all of a
-// design. The process is the example of docs/grinding.md.
+// design. The process is the example of docs/programmer/grinding.md.
 #include <benchmark/benchmark.h>
 
 #include "process/grinding/cycle_design.h"

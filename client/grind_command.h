@@ -1,5 +1,5 @@
 // `stanok grind design|verify|program|study`: plunge grinding cycles from the sheet of a process to
-// a control file, a part program and a picture (docs/grinding.md).
+// a control file, a part program and a picture (docs/programmer/grinding.md).
 #pragma once
 
 #include <CLI/CLI.hpp>

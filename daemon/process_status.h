@@ -1,5 +1,5 @@
 // What `process.status` tells of a channel: the feed law at hand, what operators and sensors make
-// of the feed, and S, S_0, n and v (docs/feed-laws.md).
+// of the feed, and S, S_0, n and v (docs/programmer/feed-laws.md).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

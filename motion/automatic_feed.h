@@ -4,8 +4,8 @@
 // one and up again in steps along the path, until the vibration is gone. The linear law follows a
 // feedback, as the power of the spindle: along each step of path the feed falls by one increment
 // while the signal is too high and rises again while it is low. Both only take away from the
-// programmed feed. Source: the paper of docs/feed-laws.md, table of modules ("formed automatically
-// by the level of vibration", "with a feedback"). Real-time.
+// programmed feed. Source: the paper of docs/programmer/feed-laws.md, table of modules ("formed
+// automatically by the level of vibration", "with a feedback"). Real-time.
 #pragma once
 
 #include <cstdint>

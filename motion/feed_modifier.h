@@ -3,8 +3,9 @@
 // The channel tells the modifier once a cycle what path, spindle and sensors do; it answers with
 // the feed of the set-points to come. It acts on working feeds of linear axes only: rapid moves,
 // threads and blocks of rotary axes alone run as they are programmed. The limits of the axes,
-// override, hold and the laws of blocks act on what it asks for (docs/adaptive-control.md,
-// "Order"). Owner: whoever assembles the machine; called in the real-time cycle.
+// override, hold and the laws of blocks act on what it asks for
+// (docs/programmer/adaptive-control.md, "Order"). Owner: whoever assembles the machine; called in
+// the real-time cycle.
 #pragma once
 
 #include <cstdint>

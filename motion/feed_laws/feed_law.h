@@ -4,7 +4,7 @@
 // at the end of each stands an *increment*. Stretches have closed forms, so that any increment lies
 // exactly where the law says, whatever came before. The laws are those of I. A. Kashtalyan,
 // V. K. Sheleg, B. Orukari, "Discrete control of cutting processes on NC lathes"
-// (docs/feed-laws.md).
+// (docs/programmer/feed-laws.md).
 #pragma once
 
 #include <cstdint>

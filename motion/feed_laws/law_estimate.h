@@ -3,7 +3,7 @@
 //
 // Closed forms are those of the paper named in feed_law.h, in its numbering. It integrates sums of
 // n terms from 1 to n; corrected, the terms 0 to n - 1 are integrated from -1/2 to n - 1/2, which
-// is the midpoint rule (docs/feed-laws.md compares them).
+// is the midpoint rule (docs/programmer/feed-laws.md compares them).
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 //
 // Power sensor 8 and vibration sensor 16 come in with CutState, block 1 with orders and the
 // programmed feed, block 3 takes the demand. Docs and the table of blocks:
-// docs/adaptive-control.md. One object per channel. Real-time; allocates nothing.
+// docs/programmer/adaptive-control.md. One object per channel. Real-time; allocates nothing.
 #pragma once
 
 #include "motion/feed_modifier.h"

@@ -35,7 +35,7 @@ class Boundary {
 //
 // The wheel goes at most d(H) = D(H)/R_eq deeper in a revolution, with H at its end, the least D of
 // that revolution; so the number of revolutions is at least the integral of dH / d(H) from 0 to the
-// allowance, in closed form (docs/grinding.md, "The least time").
+// allowance, in closed form (docs/programmer/grinding.md, "The least time").
 [[nodiscard]] double least_time_s(const GrindingProcess& process, double allowance_mm);
 
 // What two or more numbers of the sheet say together: the critical allowance beyond the whole one,

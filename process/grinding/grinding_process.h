@@ -4,7 +4,7 @@
 // Fields are in the units of the technologist's sheet and of the control file: mm, rev/min, and SI
 // for the elastic system (N/m, kg, N s/m). Everything that is computed from them is in mm, s, N.
 // Source: Yu. V. Petrakov, Programming of plunge cylindrical grinding on CNC machines (2014), whose
-// equations (3) to (7) are lost in print; docs/grinding.md derives them again.
+// equations (3) to (7) are lost in print; docs/programmer/grinding.md derives them again.
 #pragma once
 
 #include <span>

@@ -8,7 +8,7 @@
 // y is integrated with the average acceleration (Newmark, 1959, beta = 1/4, gamma = 1/2), stable
 // for any step; the force at the end of the step belongs to the y at its end, so that each step
 // solves one monotone scalar equation. The surface is a ring of a whole number of steps: the delay
-// is exact. Source: docs/grinding.md, "The model".
+// is exact. Source: docs/programmer/grinding.md, "The model".
 #pragma once
 
 #include <functional>

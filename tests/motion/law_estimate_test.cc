@@ -1,5 +1,5 @@
 // Estimates of feed laws against sums that are added up here, and against the table of printed and
-// corrected formulas in docs/feed-laws.md.
+// corrected formulas in docs/programmer/feed-laws.md.
 #include "motion/feed_laws/law_estimate.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The whole control on a cut: what it must hold (docs/adaptive-control.md, "Measured").
+// The whole control on a cut: what it must hold (docs/programmer/adaptive-control.md, "Measured").
 #include "process/adaptive/force_control.h"
 
 #include <gmock/gmock.h>
@@ -67,7 +67,7 @@ void PrintTo(const Disturbance& disturbance, std::ostream* out) {
 
 class ForceAfter : public ::testing::TestWithParam<Disturbance> {};
 
-// A figure of docs/adaptive-control.md, in the report of the test.
+// A figure of docs/programmer/adaptive-control.md, in the report of the test.
 void report(const char* figure, double value) {
   ::testing::Test::RecordProperty(figure, std::to_string(value));
 }

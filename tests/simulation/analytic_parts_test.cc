@@ -1,5 +1,5 @@
 // Removed volume and deviation of the surface against formulas, at three resolutions; the table of
-// docs/workpiece.md.
+// docs/programmer/workpiece.md.
 #include "tests/simulation/analytic_parts.h"
 
 #include <fmt/format.h>
@@ -110,7 +110,7 @@ std::string table_of_documents() {
 
 // With STANOK_WRITE_DOCS set it is written anew.
 TEST(WorkpieceDocument, HasTheTableOfAnalyticParts) {
-  const std::string path = stanok::testing::source_folder() + "/docs/workpiece.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/programmer/workpiece.md";
   std::stringstream buffer;
   buffer << std::ifstream(path).rdbuf();
   std::string document = buffer.str();
