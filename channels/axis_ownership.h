@@ -3,7 +3,7 @@
 // An axis belongs to the channel that claimed it last, with a scheme of which it is part or that
 // parks it; nobody else writes its set-points. It can be claimed while it takes no part in the
 // scheme of its owner, or while its owner runs no program and the axis stands
-// (docs/kinematics.md, "Axes of several channels").
+// (docs/integrator/kinematics.md, "Axes of several channels").
 #pragma once
 
 #include <array>

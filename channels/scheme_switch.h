@@ -1,9 +1,9 @@
 // The plan of a switch of kinematics: which axes move where, are parked and join, in order. Pure
 // functions.
 //
-// Order (docs/kinematics.md, "Switching"): axes that must still move are released; retract moves;
-// parking moves, each followed by its brake and power-off; then release of the axes that join. The
-// transformation is exchanged after the plan.
+// Order (docs/integrator/kinematics.md, "Switching"): axes that must still move are released;
+// retract moves; parking moves, each followed by its brake and power-off; then release of the axes
+// that join. The transformation is exchanged after the plan.
 #pragma once
 
 #include <string>

@@ -52,7 +52,7 @@ const std::vector<RotaryKey>& rotary_keys() {
 const Keys<SchemeFile>& scheme_keys() {
   static const Keys<SchemeFile> keys = {
       {"type", at<&SchemeFile::scheme, &SchemeConfig::type>, required, "",
-       "kind of transformation (docs/kinematics.md)", known_types()},
+       "kind of transformation (docs/integrator/kinematics.md)", known_types()},
       {"axes", at<&SchemeFile::axes>, required, "",
        "axes that take part, by the channel's words or the machine's names"},
       {"zero", at<&SchemeFile::zero>, optional, "mm, deg",

@@ -3,7 +3,7 @@
 // Wake-up k is due at start + k periods, whatever happened before; latenesses do not add up. A
 // cycle that is not done when the next one is due is an overrun: the wake-ups that have passed are
 // counted and left out, never made up for in a burst. What a cycle does is the affair of
-// CyclicWork, which allocates, locks and waits for nothing (docs/realtime.md).
+// CyclicWork, which allocates, locks and waits for nothing (docs/integrator/realtime.md).
 #pragma once
 
 #include <atomic>

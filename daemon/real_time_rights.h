@@ -1,7 +1,7 @@
 // Real-time rights of a thread: FIFO scheduling, locked memory, a stack that is already there.
 //
 // What the system does not grant is no failure: the daemon runs without, says so once and shows it
-// in its status (docs/realtime.md, "Rights").
+// in its status (docs/integrator/realtime.md, "Rights").
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ enum class RequestStyle : std::uint8_t { write_and_read, write_multiple, write_s
 // What a drive follows: a position, a velocity, or only the command to run.
 enum class DriveKind : std::uint8_t { position, velocity, on_off };
 
-// One drive on the bus (docs/drives.md).
+// One drive on the bus (docs/integrator/drives.md).
 struct AxisDriveConfig {
   std::string axis;
   int spindle = 0;  // number of the spindle that it turns; 0: it moves an axis

@@ -3,7 +3,7 @@
 //
 // A field says address, width, order of words, and how increments become units: increments =
 // value * scale + offset. A drive that lacks a quantity has no field for it. The standard map is
-// docs/drives.md#registers; the maps of other drives come from the machine file.
+// docs/integrator/drives.md#registers; the maps of other drives come from the machine file.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // Signals of programs on the bus: inputs and outputs of I/O modules and drives, digital and analog.
 //
 // M62 to M68 write outputs, $in[n], $ain[n] and M66 read inputs; a [[signal]] of the machine file
-// says where one of them is on the bus (docs/drives.md#signals).
+// says where one of them is on the bus (docs/integrator/drives.md#signals).
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 //   forward  p = table.reach_back(X + head.reach(nose_to_tip) - c)
 // PointMode::axes rides on the linear axes as cartesian.h does, M = B + zero - nose_to_tip. Rotary
 // axes: M = B + zero in both modes: `zero` is the reading at which an angle counts as 0. A derived
-// type only lays down its geometry. Derivation and pictures: docs/kinematics.md.
+// type only lays down its geometry. Derivation and pictures: docs/integrator/kinematics.md.
 #pragma once
 
 #include <string_view>

@@ -1,9 +1,10 @@
 // A kinematic scheme: the map between the programmed point and the machine axes.
 //
 // It stands between two levels of abstraction: it knows nothing of the type of path above it and
-// nothing of drives below it (seed of the architecture: docs/kinematics.md). Frames: B base of the
-// scheme (zero at the scheme's `zero`, turning with the table), M machine axes, W workpiece (work
-// offset, rotation). Axis values stand in the order of the channel's axes, mm and deg.
+// nothing of drives below it (seed of the architecture: docs/integrator/kinematics.md). Frames: B
+// base of the scheme (zero at the scheme's `zero`, turning with the table), M machine axes, W
+// workpiece (work offset, rotation). Axis values stand in the order of the channel's axes, mm and
+// deg.
 #pragma once
 
 #include <array>

@@ -2,8 +2,8 @@
 //
 // x'' = w^2 (p - x) + 2 d w (k v - x') - f sign x', with f the dry friction per mass. For a demand
 // that moves at constant velocity the step is the exact solution, whatever its length
-// (docs/drives.md#plant); only the velocity limit and the instant at which dry friction holds the
-// axis depend on the step.
+// (docs/integrator/drives.md#plant); only the velocity limit and the instant at which dry friction
+// holds the axis depend on the step.
 #pragma once
 
 #include "plant/motor.h"

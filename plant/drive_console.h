@@ -1,6 +1,6 @@
 // What a person types into stanok-drives while it serves: faults and the load of the process.
 //
-//   fault X stuck            every fault of docs/drives.md#faults; none: it works again
+//   fault X stuck            every fault of docs/integrator/drives.md#faults; none: it works again
 //   load S1 1500 12.5 85     power of the process in W, vibration in um and Hz
 #pragma once
 

@@ -7,7 +7,7 @@
 
 namespace stanok::plant {
 
-// The numbers are the values of the panel's registers (docs/drives.md#faults).
+// The numbers are the values of the panel's registers (docs/integrator/drives.md#faults).
 enum class FaultKind : std::uint16_t {
   none = 0,
   off = 1,           // without power: no answer; the axis runs out into its brake

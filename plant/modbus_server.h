@@ -1,8 +1,8 @@
 // The simulated drives as a Modbus server, TCP or RTU, with its own thread.
 //
-// One unit id per drive, and unit 247 as the panel for fault injection (docs/drives.md). Sockets
-// are polled here, requests are answered by libmodbus. Any number of clients; one that does not
-// read its answers is dropped. An exception in the thread, as when memory ends, hangs up on all
+// One unit id per drive, and unit 247 as the panel for fault injection (docs/integrator/drives.md).
+// Sockets are polled here, requests are answered by libmodbus. Any number of clients; one that does
+// not read its answers is dropped. An exception in the thread, as when memory ends, hangs up on all
 // clients; the thread goes on.
 #pragma once
 

@@ -12,7 +12,8 @@
 
 namespace stanok::plant {
 
-// A feed axis: x'' = w^2 (p - x) + 2 d w (k v - x'), with demand p, v (docs/drives.md#plant).
+// A feed axis: x'' = w^2 (p - x) + 2 d w (k v - x'), with demand p, v
+// (docs/integrator/drives.md#plant).
 struct AxisPlantConfig {
   double bandwidth_hz = 40.0;            // w = 2 pi bandwidth
   double damping = 0.8;                  // d
@@ -28,7 +29,7 @@ struct AxisPlantConfig {
 };
 
 // A feed axis whose position loop is closed in the cycle: v'' = w^2 (U - v) - 2 d w v' for the
-// motor, and a load on a spring that swings at the resonance (docs/drives.md#plant).
+// motor, and a load on a spring that swings at the resonance (docs/integrator/drives.md#plant).
 struct VelocityLoopConfig {
   double bandwidth_hz = 150.0;  // w = 2 pi bandwidth
   double damping = 0.7;         // d
@@ -94,8 +95,8 @@ inline constexpr int spindle_unit_base = 200;
 inline constexpr int fault_panel_unit = 247;
 
 // Seconds of silence after which a drive trips whose watchdog the machine file does not say: twice
-// the time-out of its bus, which must end first (docs/drives.md), and never less than half a
-// second.
+// the time-out of its bus, which must end first (docs/integrator/drives.md), and never less than
+// half a second.
 [[nodiscard]] double watchdog_of(const drives::BusConfig& bus);
 
 // Simulated drives of all axes of a bus, starting at `start` (empty: all at 0).

@@ -4,7 +4,7 @@
 // With the velocity v of the motor, the position y of the load and the stretch e of the spring:
 //   v'' = w^2 (U - v) - 2 d w v'     e' = v - y'     y'' = r^2 e + 2 h r e'
 // The position is that of the load, as a linear scale reads it. U is constant within a step, and
-// the step is the exact solution, whatever its length (docs/drives.md#plant).
+// the step is the exact solution, whatever its length (docs/integrator/drives.md#plant).
 #pragma once
 
 #include <array>

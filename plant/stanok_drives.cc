@@ -1,7 +1,8 @@
 // stanok-drives: the simulated drives and spindles of a machine as a Modbus server.
 //
 // Reads the machine file, serves until SIGINT or SIGTERM. Prints where it serves and which unit is
-// which; takes faults and loads from standard input. Registers and faults: docs/drives.md.
+// which; takes faults and loads from standard input. Registers and faults:
+// docs/integrator/drives.md.
 #include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>

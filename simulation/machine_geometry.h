@@ -1,11 +1,12 @@
 // Where a tool stands over the workpiece, from the readings of the machine's axes.
 //
-// Frames (docs/kinematics.md): B base of a kinematic scheme, K blank. A workpiece stays on the
-// table or bed on which it was announced: it belongs to the base of the scheme that was active
-// then, its *home*. When another scheme drives the machine, the way goes over the *upright point*:
-// where X, Y and Z would read with the heads upright and no tool, the tip at the same place. All
-// schemes of a channel share it, since they share the slides. Tools count with the length of the
-// tool table, so that it does not matter which length, offset or point mode the program has chosen.
+// Frames (docs/integrator/kinematics.md): B base of a kinematic scheme, K blank. A workpiece stays
+// on the table or bed on which it was announced: it belongs to the base of the scheme that was
+// active then, its *home*. When another scheme drives the machine, the way goes over the *upright
+// point*: where X, Y and Z would read with the heads upright and no tool, the tip at the same
+// place. All schemes of a channel share it, since they share the slides. Tools count with the
+// length of the tool table, so that it does not matter which length, offset or point mode the
+// program has chosen.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// The register maps of docs/drives.md are read by the strict reader, and mean what the text says.
+// The register maps of docs/integrator/drives.md are read by the strict reader, and mean what the
+// text says.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,7 +17,7 @@ using drives::Function;
 
 // All TOML of the document, in its order, with the rest of a machine around it.
 std::string machine_of_the_document() {
-  std::ifstream stream(stanok::testing::source_folder() + "/docs/drives.md");
+  std::ifstream stream(stanok::testing::source_folder() + "/docs/integrator/drives.md");
   const std::string document{std::istreambuf_iterator<char>(stream),
                              std::istreambuf_iterator<char>()};
   std::string text =

@@ -1,4 +1,5 @@
-// The register blocks word by word, as docs/drives.md#registers gives them, and as other maps do.
+// The register blocks word by word, as docs/integrator/drives.md#registers gives them, and as other
+// maps do.
 #include "drives/modbus/drive_registers.h"
 
 #include <gtest/gtest.h>

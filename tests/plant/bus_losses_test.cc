@@ -1,7 +1,8 @@
 // A whole bus of moving axes whose requests get lost on the way: contact is kept while one in five
 // is lost, and every answer that comes is used.
 //
-// STANOK_BUS_ANSWERS and STANOK_BUS_TIMEOUT_MS make a measurement of it (docs/drives.md#losses).
+// STANOK_BUS_ANSWERS and STANOK_BUS_TIMEOUT_MS make a measurement of it
+// (docs/integrator/drives.md#losses).
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -100,7 +100,7 @@ TEST(ToolMount, PointsAlongItsLongestPart) {
 }
 
 // A lathe's spindle as an axis turns the part under a standing tool: seen from the part, the tool
-// goes round it (docs/kinematics.md, polar_face).
+// goes round it (docs/integrator/kinematics.md, polar_face).
 TEST(MachineGeometry, TurnsThePartOfALathe) {
   ChannelGeometry geometry = two_schemes();
   geometry.turning_axis = 4;

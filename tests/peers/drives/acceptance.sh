@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The drive side against peers that know nothing of stanok: mbpoll and pymodbus as clients of
 # stanok-drives over TCP and over a serial line, and stanokd against a pymodbus server that has the
-# register maps of docs/drives.md.
+# register maps of docs/integrator/drives.md.
 #
 # usage: acceptance.sh STANOK_DRIVES STANOKD STANOK SOURCE_FOLDER
 # Exit code 77 (skipped) where mbpoll or pymodbus is not installed.
@@ -124,13 +124,13 @@ print("round trip in us:", status["round_trip_us"], "exchanges:", status["exchan
   wait "$daemon" || fail "the daemon ended with an error: $(cat "$folder/stanokd.txt")"
 }
 
-"$python" "$here/machine.py" "$source/docs/drives.md" "$folder" >/dev/null
+"$python" "$here/machine.py" "$source/docs/integrator/drives.md" "$folder" >/dev/null
 "$python" "$here/server.py" "$folder/ready" >"$folder/tcp_peer.txt" 2>&1 &
 started+=($!)
 until_true 10 test -s "$folder/ready" || fail "no pymodbus server: $(cat "$folder/tcp_peer.txt")"
 sed -i "s/^port = .*/port = $(cat "$folder/ready")/" "$folder/machine.toml"
 run_on_peer tcp_peer
-echo "stanokd: drives a pymodbus server with the maps of docs/drives.md over TCP"
+echo "stanokd: drives a pymodbus server with the maps of docs/integrator/drives.md over TCP"
 
 "$python" "$here/cable.py" "$folder/daemon_end" "$folder/peer_end" &
 started+=($!)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A pymodbus client of stanok-drives: switches a drive on and moves it, by the registers of
-docs/drives.md alone.
+docs/integrator/drives.md alone.
 
 usage: client.py tcp PORT | rtu DEVICE
 """

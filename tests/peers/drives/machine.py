@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the machine whose drives are the worked examples of docs/drives.md.
+"""Writes the machine whose drives are the worked examples of docs/integrator/drives.md.
 
 usage: machine.py DRIVES.md FOLDER      writes FOLDER/machine.toml
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A pymodbus server with the three drives and the I/O module of docs/drives.md.
+"""A pymodbus server with the three drives and the I/O module of docs/integrator/drives.md.
 
 The drives follow at once: what is written comes back as actual values. The servo (unit 1) runs the
 states of CiA 402, the stepper (2) and the inverter (11) their own words. Says on standard output
