@@ -1,5 +1,5 @@
-// The figures of docs/motion.md on codes and the position regulator: numbers as CSV into a folder,
-// and the tables of the document on the standard output.
+// The figures of docs/developer/motion.md on codes and the position regulator: numbers as CSV into
+// a folder, and the tables of the document on the standard output.
 //
 //   contour_feed_figures FOLDER
 //   gnuplot -e "data='FOLDER'; pictures='docs/pictures'" benchmarks/contour_feed_figures.gnuplot

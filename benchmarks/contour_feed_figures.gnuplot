@@ -1,4 +1,4 @@
-# Pictures of docs/motion.md from the CSV files of contour_feed_figures; see there for the command.
+# Pictures of docs/developer/motion.md from the CSV files of contour_feed_figures; see there for the command.
 set datafile separator ','
 set terminal svg size 900,460 font 'DejaVu Sans,12' background '#ffffff'
 set border 3 lc rgb '#5c6b73'

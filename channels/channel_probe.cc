@@ -1,7 +1,7 @@
 // Probing moves: the path ends where the probe changes.
 //
 // Where that is comes from the drives, in the cycle that sees the change: the place is known to
-// the way of one poll of the bus at the feed of the move (docs/motion.md#probing).
+// the way of one poll of the bus at the feed of the move (docs/developer/motion.md#probing).
 #include "channels/channel.h"
 
 namespace stanok::channels {

@@ -42,7 +42,7 @@ enum class HoldCause : std::uint8_t {
 [[nodiscard]] std::string_view text_of(HoldCause cause);
 
 // Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
-// integer codes of docs/motion.md#codes.
+// integer codes of docs/developer/motion.md#codes.
 struct AxisSetpoint {
   double position = 0.0;
   double velocity = 0.0;
@@ -226,8 +226,8 @@ struct CycleOutput {
 
 static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_copyable_v<Event>);
 
-// One input that changed the outcome, with the cycle at which it took effect (docs/architecture.md,
-// "Determinism").
+// One input that changed the outcome, with the cycle at which it took effect
+// (docs/developer/architecture.md, "Determinism").
 enum class InputKind : std::uint8_t {
   operator_event,
   arrival,

@@ -3,7 +3,7 @@
 // ds/du = |dP/du| over the axes of the metric. It is integrated by Gauss-Legendre with eight nodes:
 // for quintics on intervals of at most 1/16 in u, for arcs whose radius changes from the start.
 // u(s) starts from a cubic Hermite interpolation of the stored knots and is mended by third-order
-// Newton steps until the arc length agrees to rounding. docs/motion.md#path.
+// Newton steps until the arc length agrees to rounding. docs/developer/motion.md#path.
 #pragma once
 
 #include "base/rt_safe.h"

@@ -3,7 +3,7 @@
 // Position and velocity are coded apart: the position in whole discretes, as the measuring system
 // counts them; the velocity kmv times finer, so that what is derived from it is worth deriving.
 // Source: V. Kombarov, V. Sorokin, stability of contour feed (2013), eqs. (11) to (14), with
-// rounding to the nearest integer; docs/motion.md#codes.
+// rounding to the nearest integer; docs/developer/motion.md#codes.
 #pragma once
 
 #include <cstdint>

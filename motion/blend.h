@@ -4,7 +4,7 @@
 // the outgoing piece L after it, with their tangents and curvatures, in all axes together. Its
 // shape has control points at L, beta L and gamma L from the corner; between two lines its largest
 // deviation is exactly L (1 + 5 beta + 10 gamma) / 32 * |t_out - t_in|, reached at the corner.
-// Derivation and choice of beta and gamma: docs/motion.md#blends.
+// Derivation and choice of beta and gamma: docs/developer/motion.md#blends.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 namespace stanok::motion {
 
 // The fastest shape for a profile that passes the sharpest point at constant speed under a limit of
-// jerk: least q''' for a given deviation and reach (docs/motion.md#blends).
+// jerk: least q''' for a given deviation and reach (docs/developer/motion.md#blends).
 inline constexpr double blend_beta = 0.6;
 inline constexpr double blend_gamma = 0.15;
 
@@ -33,7 +33,7 @@ struct Blend {
 
 // The distance r from the corner of two straight pieces at which the point corner - r t_in + r
 // t_out still keeps `tolerance`, against the corner and against either leg
-// (docs/motion.md#overlap).
+// (docs/developer/motion.md#overlap).
 [[nodiscard]] double corner_reach(const Piece& incoming, const Piece& outgoing,
                                   const Tolerance& tolerance, const MotionConfig& config);
 

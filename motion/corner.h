@@ -1,7 +1,7 @@
 // What becomes of the join between two blocks: passed as it is, blended, or a stop.
 //
 // Which of the last two is faster depends on the limits: a blend saves the full stop but must be
-// passed slowly over its whole length. docs/motion.md#blends.
+// passed slowly over its whole length. docs/developer/motion.md#blends.
 #pragma once
 
 #include "motion/corner_overlap.h"

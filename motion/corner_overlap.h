@@ -4,7 +4,8 @@
 // The first leg comes to rest at the corner and the second one starts there from rest. When the
 // second begins `tau` before the first has ended, the axes move by the sum of both during tau: they
 // cut the corner without standing, with continuous velocity and acceleration. Speeds, accelerations
-// and jerks are sums too, and are checked axis by axis. Derivation: docs/motion.md#overlap.
+// and jerks are sums too, and are checked axis by axis. Derivation:
+// docs/developer/motion.md#overlap.
 #pragma once
 
 #include <optional>

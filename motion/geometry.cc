@@ -1,7 +1,8 @@
 // Lines, arcs and quintics by the chain rule through u(s) (motion/geometry.h).
 //
 // P is the point as a function of the parameter u, P1..P3 its derivatives by u, and u(s) a jet of
-// the path length: u' = 1/|P1|, and further by differentiating |P1|^2 (docs/motion.md#path).
+// the path length: u' = 1/|P1|, and further by differentiating |P1|^2
+// (docs/developer/motion.md#path).
 #include "motion/geometry.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ void along_time(const JetPoint& point_s, double v, double a, double j, int axis_
                 JetPoint& point_t) RT_SAFE;
 
 // The fastest path speed that the piece allows on its own, with room left for tangential
-// acceleration and jerk (docs/motion.md#bounds).
+// acceleration and jerk (docs/developer/motion.md#bounds).
 struct PieceLimits {
   double v = 0.0;  // mm/s
   double a = 0.0;  // mm/s^2, tangential, for any speed up to v

@@ -4,9 +4,9 @@
 // fraction of a cycle that a chain leaves over is carried into the next one, and a chain that may
 // overlap the end of the one before begins within it: the axes then move by the sum of both. Under
 // hold, resume and override a bounded one-dimensional profile is planned in the cycle on the same
-// path (docs/motion.md#override); the path is never left, the limits are kept, and there is always
-// a way to rest. A chain that a spindle leads has no phases: there the spindle is followed
-// (motion/synchronous_run.h), whatever the overrides are.
+// path (docs/developer/motion.md#override); the path is never left, the limits are kept, and there
+// is always a way to rest. A chain that a spindle leads has no phases: there the spindle is
+// followed (motion/synchronous_run.h), whatever the overrides are.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // LookAhead: pieces of a chain in, committed jerk-limited profile out.
 //
 // How far it commits depends on content only: a chunk is committed when at least 1000 later blocks
-// and the stopping distance are known, or the chain ends (docs/motion.md#commit); commits end where
-// a = 0. Owner: the channel's preparation.
+// and the stopping distance are known, or the chain ends (docs/developer/motion.md#commit); commits
+// end where a = 0. Owner: the channel's preparation.
 #pragma once
 
 #include <cstdint>

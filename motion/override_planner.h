@@ -3,7 +3,8 @@
 // Every cycle it tries to go on for one more cycle as asked, and accepts that only if from there a
 // way to rest exists that keeps the limits of every piece it touches. The way found is kept: when a
 // later wish is refused it is simply followed. So there is always a way to rest, and limits are
-// kept without looking farther than the braking distance (docs/motion.md#override). Real-time.
+// kept without looking farther than the braking distance (docs/developer/motion.md#override).
+// Real-time.
 #pragma once
 
 #include <array>

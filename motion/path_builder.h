@@ -3,7 +3,7 @@
 // Corners (line-line, line-arc, arc-arc, tangent joins with a step of curvature too) are replaced
 // by quintic blends in all axes together, so that rotary axes stay synchronous; the deviation from
 // the programmed path never exceeds the block's tolerance. Where a blend is not possible or not
-// allowed the chain stops. docs/motion.md#blends. Owner: the channel's preparation.
+// allowed the chain stops. docs/developer/motion.md#blends. Owner: the channel's preparation.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,7 @@
 //
 // Lines and arcs whose transform only shifts and turns have closed forms. All others are sampled
 // over their parameter; what may lie between samples is bounded by second differences, and sampling
-// is refined until that margin is small. docs/motion.md#bounds.
+// is refined until that margin is small. docs/developer/motion.md#bounds.
 #pragma once
 
 #include <optional>

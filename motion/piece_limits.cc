@@ -1,5 +1,5 @@
 // How a piece's allowance is shared between its curvature, tangential acceleration and jerk
-// (motion/geometry.h, docs/motion.md#bounds).
+// (motion/geometry.h, docs/developer/motion.md#bounds).
 #include <algorithm>
 #include <cmath>
 

@@ -5,8 +5,8 @@
 //
 // e is the following error at the start of a cycle; V, A and J are what the set-point will do in
 // that cycle. Source: V. Kombarov, V. Sorokin, stability of contour feed (2013), eq. (16), and
-// eqs. (1) to (4) for the rates that differences of integer positions give. docs/motion.md
-// derives the gains. Units: mm or deg, s.
+// eqs. (1) to (4) for the rates that differences of integer positions give.
+// docs/developer/motion.md derives the gains. Units: mm or deg, s.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 // A *ramp* changes the speed from v0 to v1 with a = 0 at both ends. With dv = |v1 - v0| it lasts
 //   T = 2 sqrt(dv / J)        while the peak acceleration sqrt(dv J) stays below A, else
 //   T = A / J + dv / A,
-// and, being symmetric in time, covers D = (v0 + v1) / 2 * T (docs/motion.md#profile).
+// and, being symmetric in time, covers D = (v0 + v1) / 2 * T (docs/developer/motion.md#profile).
 // Units: mm (or deg) and s. Everything here is pure and RT_SAFE.
 #pragma once
 

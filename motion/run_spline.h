@@ -3,7 +3,7 @@
 // Span i lies between the knots i and i + 1. The control point around knot m belongs to the knots
 // m - 1 to m + 1, whose mean is its Greville abscissa; its correction needs the control points
 // around m - 1 and m + 1. So span i, with the control points around the knots i - 1 to i + 2,
-// depends on the knots i - 3 to i + 4. docs/motion.md#runs.
+// depends on the knots i - 3 to i + 4. docs/developer/motion.md#runs.
 #pragma once
 
 #include <algorithm>

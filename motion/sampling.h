@@ -2,7 +2,7 @@
 //
 // Between three neighbouring samples a smooth function exceeds the largest of them by at most
 // |second difference| / 8, to second order; half as much again covers the higher orders once the
-// margin itself is small. docs/motion.md#bounds.
+// margin itself is small. docs/developer/motion.md#bounds.
 #pragma once
 
 #include <algorithm>

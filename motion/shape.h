@@ -29,7 +29,7 @@ struct Contact {
 
 // The quintic that leaves `from` and enters `to` with their tangents and curvatures. `reach` is the
 // distance L from the corner at which both lie; control points stand at L, beta L and gamma L
-// (docs/motion.md#blends).
+// (docs/developer/motion.md#blends).
 [[nodiscard]] Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& to,
                                 double reach);
 

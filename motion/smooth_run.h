@@ -3,10 +3,10 @@
 //
 // The spline is a quasi-interpolant of the programmed way over its length: control points lie on
 // it at the Greville abscissae of the knots, less the second difference that makes quadratics exact
-// (docs/motion.md#runs). It is local, needs no solution of equations and is straight where the way
-// is. Knots stand as far apart as the tolerance allows: every stretch between two knots or corners
-// is compared with its block by the control points of the difference, which bound it, and knots are
-// put in until all are within tolerance. Owner: the channel's preparation.
+// (docs/developer/motion.md#runs). It is local, needs no solution of equations and is straight
+// where the way is. Knots stand as far apart as the tolerance allows: every stretch between two
+// knots or corners is compared with its block by the control points of the difference, which bound
+// it, and knots are put in until all are within tolerance. Owner: the channel's preparation.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,8 @@
 // Key points are states with a = 0 at piece boundaries. Between two of them the speed ramps up, is
 // held, and ramps down. Where that is too fast for a piece, the slowest such piece becomes a
 // plateau between two new key points, and both sides are planned again; where no room is left to
-// reach the plateau with a = 0, a stair is put below the limits instead (docs/motion.md#profile).
+// reach the plateau with a = 0, a stair is put below the limits instead
+// (docs/developer/motion.md#profile).
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 //
 // A stair leads from a key point outward, forwards or backwards along the path, to a higher speed
 // at a boundary farther out: some length at the key point's speed, then one ramp. It is placed so
-// that no piece on its way is passed too fast (docs/motion.md#profile).
+// that no piece on its way is passed too fast (docs/developer/motion.md#profile).
 #include <algorithm>
 
 #include "motion/speed_plan.h"

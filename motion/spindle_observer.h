@@ -6,8 +6,8 @@
 // fading-memory polynomial filter of degree 3 (N. Morrison, Introduction to Sequential Smoothing
 // and Prediction, 1969, section 13.4), whose four poles lie together at
 // exp(-bandwidth * interval). The error of what is beside the command is its fourth derivative by
-// time over bandwidth^4 (docs/motion.md#threads). Angles may come in every cycle or more seldom;
-// whole turns are counted. Real-time.
+// time over bandwidth^4 (docs/developer/motion.md#threads). Angles may come in every cycle or more
+// seldom; whole turns are counted. Real-time.
 #pragma once
 
 #include <cstddef>

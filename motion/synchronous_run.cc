@@ -68,7 +68,7 @@ double jerk_to_follow(int encoder_pulses, double cycle_s) {
 }
 
 // Gains that lay the three poles of the sampled loop together at exp(-bandwidth * cycle), for a
-// jerk that is constant within a cycle (docs/motion.md#threads).
+// jerk that is constant within a cycle (docs/developer/motion.md#threads).
 SynchronousRun::SynchronousRun(double cycle_s) : cycle_s_(cycle_s) {
   const double T = cycle_s;
   const double p = 1.0 - std::exp(-bandwidth * T);

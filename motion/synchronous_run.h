@@ -8,7 +8,7 @@
 // gives the jerk of each cycle from the predicted angle and its derivatives; what the axes allow
 // bounds it, and there is always a way to rest within the chain. Run-out: such a way, to the very
 // end. A tap stops the spindle for the bottom, turns it back and follows it to where it began
-// (docs/motion.md#threads). Real-time.
+// (docs/developer/motion.md#threads). Real-time.
 #pragma once
 
 #include <array>

@@ -6,8 +6,8 @@
 //   q = q0 + h (d1 u + (d2 - d1) u^3 / 6)        0 <= u <= 1, before the corner, mirrored behind
 //   it,
 // which leaves the programmed corner by h |d2 - d1| / 6. An axis whose share of the lead is the
-// same in both blocks goes on evenly: so does Z where a taper begins (docs/motion.md#threads).
-// Owner: the channel's preparation.
+// same in both blocks goes on evenly: so does Z where a taper begins
+// (docs/developer/motion.md#threads). Owner: the channel's preparation.
 #pragma once
 
 #include <optional>

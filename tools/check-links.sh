@@ -46,7 +46,7 @@ while read -r document; do
   done < <(links_of "$document")
 done < <(tracked_files '*.md')
 
-# Comments of the code name documents too: docs/motion.md#blends must exist.
+# Comments of the code name documents too: docs/developer/motion.md#blends must exist.
 while IFS=: read -r file line target; do
   check_link "$file:$line" . "$file" "$target"
 done < <(tracked_files '*.h' '*.cc' '*.toml' '*.txt' '*.cmake' | tr '\n' '\0' |

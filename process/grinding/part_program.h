@@ -4,7 +4,7 @@
 // The program's X is the X of the control file: G52 puts its zero to the radius of the finished
 // part, so that a block reads as a row of the table, `G1 X0.2602 F2.4`. Blocks of one straight line
 // join without a stop; a fall of the feed ends at its place and a rise begins there
-// (docs/motion.md).
+// (docs/developer/motion.md).
 #pragma once
 
 #include <string>

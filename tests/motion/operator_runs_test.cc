@@ -162,7 +162,7 @@ class Run {
   }
 
  private:
-  // What exact path mode leaves to joins (docs/motion.md), and rounding.
+  // What exact path mode leaves to joins (docs/developer/motion.md), and rounding.
   static constexpr double exact_path = 2e-9;
 
   [[nodiscard]] std::size_t axis_count() const {

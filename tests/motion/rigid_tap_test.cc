@@ -1,4 +1,5 @@
-// Rigid taps: in, back on the same helix, and the spindle as before (docs/motion.md#threads).
+// Rigid taps: in, back on the same helix, and the spindle as before
+// (docs/developer/motion.md#threads).
 #include <gtest/gtest.h>
 
 #include <algorithm>

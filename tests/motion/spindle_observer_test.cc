@@ -1,4 +1,4 @@
-// What the observer makes of the angles of an encoder (docs/motion.md#threads).
+// What the observer makes of the angles of an encoder (docs/developer/motion.md#threads).
 #include "motion/spindle_observer.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Threads: the path follows the measured angle of a spindle (docs/motion.md#threads).
+// Threads: the path follows the measured angle of a spindle (docs/developer/motion.md#threads).
 //
 // What it must come to follows from the formula of the spindle itself: s = lead * (turns - turns at
 // the start), the start being at the start angle.

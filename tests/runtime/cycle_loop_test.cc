@@ -29,7 +29,7 @@ config::MachineFile mill(const motion::RegulatorGains& gains, int poll_ms) {
   return file;
 }
 
-// The gains that invert the simulated drives of the machine file (docs/motion.md).
+// The gains that invert the simulated drives of the machine file (docs/developer/motion.md).
 motion::RegulatorGains inverting(double kp) {
   const config::SimulationConfig drive;
   const double w = 2.0 * std::numbers::pi * drive.servo_frequency_hz;

@@ -1,5 +1,5 @@
 // A circle, followed by two simulated servo axes under position regulators: interpolator, regulator
-// and drive, cycle by cycle. For tests and for the figures of docs/motion.md.
+// and drive, cycle by cycle. For tests and for the figures of docs/developer/motion.md.
 //
 // At every cycle instant the positions are measured in whole discretes, the regulators ask for
 // their velocities, and the drives move for one cycle.
