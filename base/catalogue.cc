@@ -183,7 +183,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E6032", "a value that the channel could not give", end, "see the text",
      "correct the program and start it again"},
     {"E6033", "a command that the machine cannot execute", end,
-     "see docs/language.md for what is there", "correct the program and load it again"},
+     "see docs/reference/language.md for what is there", "correct the program and load it again"},
     {"E6040", "a block to search for that is not there", end,
      "name a line, block number or offset of the program", "search again"},
     {"E6041", "a block search that ended before its target", end,

@@ -2,7 +2,8 @@
 // remedy.
 //
 // Values, never exceptions; a load collects all of them. Text and JSON of `stanok check`, the
-// operator protocol and the logs are made from the same fields (docs/language.md, "Diagnostics").
+// operator protocol and the logs are made from the same fields (docs/reference/language.md,
+// "Diagnostics").
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 //
 // Without calculation the run begins at the place with the default modal state. With calculation
 // all before it is interpreted and nothing of it is executed; what an operator has to know of it
-// is collected in a SearchState. (docs/language.md, "Block search")
+// is collected in a SearchState. (docs/reference/language.md, "Block search")
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 //
 // A table has a row for every way to write a law: the addresses it must have and those it may have.
 // What fits no row is answered with the address that is missing or too many. Source of the laws and
-// their addresses: seed 000; docs/language.md, "Feed laws".
+// their addresses: seed 000; docs/reference/language.md, "Feed laws".
 #pragma once
 
 #include <array>

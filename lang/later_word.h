@@ -1,5 +1,5 @@
 // What belongs to the language but not to this release, and what works instead: for the help of
-// E2090 and the table of docs/language.md ("Not in this release").
+// E2090 and the table of docs/reference/language.md ("Not in this release").
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // How much a program may hold: every limit of the language in one place, so that the checks and
-// docs/language.md ("Limits") agree. What has no row here has no limit but the memory of the
-// machine.
+// docs/reference/language.md ("Limits") agree. What has no row here has no limit but the memory of
+// the machine.
 #pragma once
 
 #include <cstddef>

@@ -2,9 +2,9 @@
 // meanings named, never executed with the wrong one.
 //
 // Sources: operator's manuals of Fanuc lathes (code systems A, B, C) and machining centres, of
-// Haas lathes and mills, and the G-code reference of LinuxCNC; docs/language.md, "Where conventions
-// differ", names what cannot be told apart. Codes whose own words have two meanings check them
-// where they are executed.
+// Haas lathes and mills, and the G-code reference of LinuxCNC; docs/reference/language.md, "Where
+// conventions differ", names what cannot be told apart. Codes whose own words have two meanings
+// check them where they are executed.
 #pragma once
 
 #include <optional>

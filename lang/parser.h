@@ -1,7 +1,8 @@
 // Makes the tree of a program text; every error is reported, and reading goes on behind it.
 //
-// The kind of a statement follows from its first characters (docs/language.md, "Statements").
-// Functions that return nothing have reported why; the statement they belong to is then skipped.
+// The kind of a statement follows from its first characters (docs/reference/language.md,
+// "Statements"). Functions that return nothing have reported why; the statement they belong to is
+// then skipped.
 #pragma once
 
 #include <functional>

@@ -52,7 +52,7 @@ std::optional<double> ProgramRun::spindle_speed(double id) const {
   return modal_.speeds_rev_per_min[static_cast<std::size_t>(found - known.begin())];
 }
 
-// Active code of modal group n of docs/language.md.
+// Active code of modal group n of docs/reference/language.md.
 std::optional<double> ProgramRun::modal_code_of_group(double index) const {
   if (!is_integer(index) || index < 1.0 || index > 17.0) return std::nullopt;
   const auto group = static_cast<std::size_t>(std::lround(index)) - 1;

@@ -1,6 +1,6 @@
 // Feed laws: which addresses make a law, what their values must be, how long a law lasts. Expected
-// laws follow from the definitions of the addresses (docs/language.md, "Feed laws"), worked out
-// here by hand.
+// laws follow from the definitions of the addresses (docs/reference/language.md, "Feed laws"),
+// worked out here by hand.
 #include <gmock/gmock.h>
 
 #include <random>

@@ -1,6 +1,6 @@
-// docs/language.md and docs/tutorial/programming.md say the truth: their examples load or are
-// rejected, the tables of codes, functions and system variables are those of the interpreter. After
-// a change of one of them write these parts anew with
+// docs/reference/language.md and docs/tutorial/programming.md say the truth: their examples load or
+// are rejected, the tables of codes, functions and system variables are those of the interpreter.
+// After a change of one of them write these parts anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/lang_tests --gtest_filter='LanguageDocument.*'
 #include <cstdlib>
 #include <fstream>
@@ -17,7 +17,7 @@
 namespace stanok::lang::testing {
 namespace {
 
-const std::string path = stanok::testing::source_folder() + "/docs/language.md";
+const std::string path = stanok::testing::source_folder() + "/docs/reference/language.md";
 
 // A part between its two marks is written by this test.
 struct WrittenPart {
