@@ -263,7 +263,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "find the loop that does nothing but compute, or raise program_steps_max of the machine file",
      "correct the program and load it again"},
     {"E9001", "not a request", Reaction::warning,
-     "send one JSON-RPC 2.0 request per line, at most 1 MiB (docs/protocol.md)",
+     "send one JSON-RPC 2.0 request per line, at most 1 MiB (docs/reference/protocol.md)",
      "send the request again"},
     {"E9002", "unknown method", Reaction::warning, "rpc.discover lists all methods",
      "send the request again"},

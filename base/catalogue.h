@@ -1,8 +1,8 @@
 // The catalogue of all diagnostic and alarm codes: one row each, data only.
 //
 // E program errors, U user errors (terminate), W warnings, A machine alarms. `stanok explain`,
-// docs/alarms.md and the operator protocol are made from these rows (base/catalogue.cc). A code
-// never changes its meaning.
+// docs/reference/alarms.md and the operator protocol are made from these rows (base/catalogue.cc).
+// A code never changes its meaning.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace stanok {
 
-// What the runtime does when the code is raised (docs/alarms.md).
+// What the runtime does when the code is raised (docs/reference/alarms.md).
 enum class Reaction {
   warning = 1,        // nothing stops
   program_end = 2,    // the program ends after the prepared blocks

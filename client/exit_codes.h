@@ -1,4 +1,4 @@
-// Exit codes of every command (docs/operating.md, "Exit codes").
+// Exit codes of every command (docs/reference/command-line.md, "Exit codes").
 //
 // 6 and 7 follow from the code of a diagnostic: exit_code_of in client/diagnostic_output.h.
 #pragma once

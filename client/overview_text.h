@@ -8,8 +8,8 @@
 
 namespace stanok::client {
 
-// `channels` as in a status notification (docs/protocol.md): a table with one row per channel, and
-// below it the alarms that stand.
+// `channels` as in a status notification (docs/reference/protocol.md): a table with one row per
+// channel, and below it the alarms that stand.
 [[nodiscard]] std::string overview_text(const nlohmann::json& channels, const Terminal& terminal);
 
 }  // namespace stanok::client

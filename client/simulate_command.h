@@ -5,7 +5,8 @@
 
 namespace stanok::client {
 
-// Adds the subcommand; `exit_code` receives the outcome (docs/operating.md, "Exit codes").
+// Adds the subcommand; `exit_code` receives the outcome (docs/reference/command-line.md, "Exit
+// codes").
 void add_simulate_command(CLI::App& app, int& exit_code);
 
 }  // namespace stanok::client

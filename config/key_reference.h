@@ -1,4 +1,4 @@
-// The tables of docs/configuration.md, made from the key tables that read the files.
+// The tables of docs/reference/configuration.md, made from the key tables that read the files.
 #pragma once
 
 #include <string>

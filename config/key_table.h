@@ -9,7 +9,7 @@
 // The type of the member is the kind of the key, its initial value the default. read_table fills a
 // struct from a TOML table, strictly: unknown keys, missing keys, wrong kinds and values outside
 // the range become faults, and reading goes on. describe() gives the same rows to
-// docs/configuration.md.
+// docs/reference/configuration.md.
 #pragma once
 
 #include <toml++/toml.h>

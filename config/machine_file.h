@@ -2,7 +2,8 @@
 //
 // read_machine_file is strict: an unknown or missing key, a wrong kind or a value that contradicts
 // another is an error with its place and remedy, and all errors of the file and the files it names
-// are shown at once. Paths in it are relative to the machine file. All keys: docs/configuration.md.
+// are shown at once. Paths in it are relative to the machine file. All keys:
+// docs/reference/configuration.md.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // What the machine is made of, as JSON: drives, tools, offsets, programs, recorder
-// (docs/protocol.md, "Results").
+// (docs/reference/protocol.md, "Results").
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // StatusReport: the state of the machine as JSON, as the methods that only look answer it.
 //
-// The members are those of docs/protocol.md, "Results". States carry the words of OPC 40501
-// (channel state) and OPC 40502 (program status). Belongs to the operator server's thread.
+// The members are those of docs/reference/protocol.md, "Results". States carry the words of OPC
+// 40501 (channel state) and OPC 40502 (program status). Belongs to the operator server's thread.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The command table as documents: OpenRPC for programs, Markdown for docs/protocol.md.
+// The command table as documents: OpenRPC for programs, Markdown for docs/reference/protocol.md.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,7 +13,7 @@ inline constexpr int api_version = 1;
 // Answer of `rpc.discover`, after the OpenRPC specification 1.2 (open-rpc.org).
 [[nodiscard]] nlohmann::json discovery_document(std::string_view version);
 
-// The tables of docs/protocol.md, "Methods".
+// The tables of docs/reference/protocol.md, "Methods".
 [[nodiscard]] std::string methods_markdown();
 
 }  // namespace stanok::protocol

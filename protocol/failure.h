@@ -37,7 +37,7 @@ struct Failure {
 [[nodiscard]] int rpc_code(FailureKind kind);
 // The kind of a JSON-RPC error code; codes of other makers count as `internal`.
 [[nodiscard]] FailureKind kind_of_rpc_code(int code);
-// Exit code of a command that failed so (docs/operating.md, "Exit codes").
+// Exit code of a command that failed so (docs/reference/command-line.md, "Exit codes").
 [[nodiscard]] int exit_code(FailureKind kind);
 
 // A machine fault for codes A, a program error for all others.

@@ -2,8 +2,8 @@
 // line of help.
 //
 // JSON-RPC dispatch, `rpc.discover`, the subcommands of `stanok`, shell completion and the list in
-// docs/protocol.md are all made from these rows. A method is called `noun.verb`; a noun without
-// verbs is its own method.
+// docs/reference/protocol.md are all made from these rows. A method is called `noun.verb`; a noun
+// without verbs is its own method.
 #pragma once
 
 #include <cstdint>

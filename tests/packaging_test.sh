@@ -25,7 +25,8 @@ usr=$folder/unpacked/usr
 for file in bin/stanok bin/stanokd bin/stanok-drives lib/systemd/system/stanokd@.service lib/sysusers.d/stanok.conf \
   share/bash-completion/completions/stanok share/zsh/vendor-completions/_stanok \
   share/fish/vendor_completions.d/stanok.fish share/man/man1/stanok.1 share/man/man1/stanok-program.1 \
-  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/doc/stanok/README.md share/doc/stanok/docs/integrator/install.md share/doc/stanok/copyright; do
+  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 \
+  share/doc/stanok/README.md share/doc/stanok/docs/integrator/install.md share/doc/stanok/copyright; do
   [[ -s $usr/$file ]] || fail "the package lacks usr/$file"
 done
 [[ $(stat -c %a "$usr/bin/stanokd") == 755 ]] || fail "stanokd cannot be executed by everyone"

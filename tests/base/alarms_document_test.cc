@@ -1,4 +1,5 @@
-// docs/alarms.md is the catalogue as a document. After a change of the catalogue write it anew with
+// docs/reference/alarms.md is the catalogue as a document. After a change of the catalogue write it
+// anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/base_tests --gtest_filter='AlarmsDocument.*'
 #include <gtest/gtest.h>
 
@@ -15,12 +16,12 @@ namespace stanok {
 namespace {
 
 const std::filesystem::path document =
-    std::filesystem::path(stanok::testing::source_folder()) / "docs" / "alarms.md";
+    std::filesystem::path(stanok::testing::source_folder()) / "docs/reference/alarms.md";
 
 constexpr std::string_view introduction =
     R"(# Codes of errors, warnings and alarms
 
-Made from [base/catalogue.cc](../base/catalogue.cc) and [base/catalogue_language.h](../base/catalogue_language.h);
+Made from [base/catalogue.cc](../../base/catalogue.cc) and [base/catalogue_language.h](../../base/catalogue_language.h);
 `stanok explain CODE` prints one row. E: error of a program or command, W: warning, A: alarm of the machine, U1000 to U9999: `terminate` in a program, with its own
 text. A code never changes its meaning.
 

@@ -78,7 +78,7 @@ std::string without_marks(const std::string& text) {
 }
 
 TEST_F(ManualPages, TellTheExitCodesOfTheDocument) {
-  std::ifstream file(stanok::testing::source_folder() + "/docs/operating.md");
+  std::ifstream file(stanok::testing::source_folder() + "/docs/reference/command-line.md");
   std::stringstream document;
   document << file.rdbuf();
   const std::string main_page = without_marks(page("stanok"));

@@ -399,7 +399,7 @@ TEST(TablesFile, NamesOfWorkOffsets) {
 }
 
 std::string configuration_document() {
-  std::ifstream stream(stanok::testing::source_folder() + "/docs/configuration.md");
+  std::ifstream stream(stanok::testing::source_folder() + "/docs/reference/configuration.md");
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
@@ -419,7 +419,7 @@ TEST(TablesFile, ReferencePointsAreThoseOfChannelsOfTheMachine) {
   }
 }
 
-// docs/configuration.md holds the tables that the readers are made of, word for word.
+// docs/reference/configuration.md holds the tables that the readers are made of, word for word.
 TEST(MachineFile, AutomaticFeedLawsOfAChannelHaveTheirFigures) {
   const TemporaryFiles files;
   const MachineFile file = read_machine_file(files.write(
@@ -448,7 +448,7 @@ TEST(KeyReference, StandsInTheDocumentation) {
   const std::string document = configuration_document();
   for (const KeySection& section : key_sections()) {
     EXPECT_NE(document.find(to_markdown(section)), std::string::npos)
-        << "docs/configuration.md lacks this table, or has another one:\n"
+        << "docs/reference/configuration.md lacks this table, or has another one:\n"
         << to_markdown(section);
   }
 }

@@ -1,5 +1,5 @@
-// The table as documents: complete, and the same as the one printed in docs/protocol.md. After a
-// change of the table write it there anew with
+// The table as documents: complete, and the same as the one printed in docs/reference/protocol.md.
+// After a change of the table write it there anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/protocol_tests --gtest_filter='Discovery.*'
 #include "protocol/discovery.h"
 
@@ -39,7 +39,7 @@ TEST(Discovery, ListsEveryMethodWithRoleAndParameters) {
 
 // All that stands between its two marks is the table, and nothing else of an older one.
 TEST(Discovery, IsWhatTheManualPrints) {
-  const std::string path = stanok::testing::source_folder() + "/docs/protocol.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/reference/protocol.md";
   const std::string begin_mark =
       "<!-- methods: written by a test, see tests/protocol/discovery_test.cc -->\n";
   const std::string end_mark = "<!-- end of methods -->";
@@ -55,7 +55,7 @@ TEST(Discovery, IsWhatTheManualPrints) {
     manual = file_text(path);
   }
   EXPECT_EQ(manual.substr(begin, manual.find(end_mark) - begin), wanted)
-      << "docs/protocol.md: write the table anew as described in this file";
+      << "docs/reference/protocol.md: write the table anew as described in this file";
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST(Failures, OfStrangersAreReadWithoutTrust) {
   }
 }
 
-// The exit codes of docs/operating.md, in words there.
+// The exit codes of docs/reference/command-line.md, in words there.
 TEST(Failures, HaveTheExitCodesOfTheManual) {
   EXPECT_EQ(exit_code(FailureKind::refused), 1);
   EXPECT_EQ(exit_code(FailureKind::invalid_parameters), 2);

@@ -1,5 +1,5 @@
-// docs/messages.md lists every field of every message as messages/*.lcm defines it. To write it
-// anew:
+// docs/reference/messages.md lists every field of every message as messages/*.lcm defines it. To
+// write it anew:
 //   STANOK_WRITE_DOCS=1 build/dev/tests/recording_tests --gtest_filter='MessagesDocument.*'
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(MessagesDocument, ListsEveryFieldOfEveryMessage) {
   for (const fs::path& definition : definitions) wanted += section_of(definition, undescribed);
   EXPECT_EQ(undescribed, std::vector<std::string>{});
 
-  const std::string path = stanok::testing::source_folder() + "/docs/messages.md";
+  const std::string path = stanok::testing::source_folder() + "/docs/reference/messages.md";
   const std::string begin_mark =
       "<!-- fields: written by a test, see tests/recording/messages_document_test.cc -->\n";
   const std::string end_mark = "<!-- end of fields -->";
@@ -89,7 +89,7 @@ TEST(MessagesDocument, ListsEveryFieldOfEveryMessage) {
   }
   const std::size_t text = begin + begin_mark.size();
   EXPECT_EQ(manual.substr(text, manual.find(end_mark) - text), wanted)
-      << "docs/messages.md: write the tables anew as described in this file";
+      << "docs/reference/messages.md: write the tables anew as described in this file";
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ class DriveFaultReactions : public ::testing::TestWithParam<Reaction> {
     ASSERT_TRUE(sees_fault());
   }
 
-  // As docs/operating.md tells: reset, machine on, home what lost its place, start again.
+  // As docs/reference/command-line.md tells: reset, machine on, home what lost its place, start
+  // again.
   void recover() {
     EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::program_reset)), "ok") << bench.text();
     EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::machine_on)), "ok") << bench.text();
