@@ -2,7 +2,8 @@
 // a folder, and the tables of the document on the standard output.
 //
 //   contour_feed_figures FOLDER
-//   gnuplot -e "data='FOLDER'; pictures='docs/pictures'" benchmarks/contour_feed_figures.gnuplot
+//   gnuplot -e "data='FOLDER'; pictures='docs/developer/pictures'"
+//   benchmarks/contour_feed_figures.gnuplot
 //
 // increments.csv and velocity_codes.csv are figures 3 and 6 of V. Kombarov, V. Sorokin, stability
 // of contour feed (2013); following.csv and demand.csv compare eq. (2) with eq. (16) on the

@@ -49,7 +49,7 @@ done < <(tracked_files '*.md')
 # Comments of the code name documents too: docs/developer/motion.md#blends must exist.
 while IFS=: read -r file line target; do
   check_link "$file:$line" . "$file" "$target"
-done < <(tracked_files '*.h' '*.cc' '*.toml' '*.txt' '*.cmake' | tr '\n' '\0' |
+done < <(tracked_files '*.h' '*.cc' '*.toml' '*.txt' '*.cmake' '*.sh' '*.py' '*.nc' '*.gnuplot' 'start' 'test' | tr '\n' '\0' |
   xargs -0 -r grep -onHE 'docs/[a-z0-9/_-]+\.md(#[a-z0-9_-]+)?' || true)
 
 echo "$count links checked, $broken broken"
