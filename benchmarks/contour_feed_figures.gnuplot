@@ -7,7 +7,7 @@ set grid lc rgb '#dde3e7' lw 1
 blue = '#1f4e79'; red = '#c8553d'; green = '#3a7d44'; gold = '#b8860b'; violet = '#7a5c99'
 
 set output pictures.'/feed-increments.svg'
-set multiplot layout 1,2 title 'Speed error of position increments, 1 kHz, 1000 discretes per mm'
+set multiplot layout 1,2 title 'Speed error of position increments, 1 kHz, 1000 increments per mm'
 set xlabel 'feed, mm/min'
 set ylabel 'error, %'
 set key top right
@@ -24,7 +24,7 @@ plot data.'/increments.csv' skip 1 using 1:3 with lines lc rgb red notitle, \
 unset multiplot
 
 set output pictures.'/feed-kmv.svg'
-set title 'Error of the contour speed by the velocity code, circle R20, 1 kHz, 1000 discretes per mm'
+set title 'Error of the contour speed by the velocity code, circle R20, 1 kHz, 1000 increments per mm'
 set xlabel 'kmv'
 set ylabel 'largest error, %'
 set logscale xy
@@ -57,7 +57,7 @@ plot for [n=0:3] law(n) using 1:3 with linespoints pt 7 ps 0.6 lw 2 \
      law(3) using 1:4 with linespoints pt 6 ps 0.6 lw 2 dt 2 lc rgb red \
        title 'all, by differences'
 
-set output pictures.'/regulator-demand.svg'
+set output pictures.'/controller-demand.svg'
 set title 'Velocity demand U of one axis with kv, ka and kr, circle R20, F6000'
 unset logscale
 set format xy '%g'
