@@ -1,9 +1,9 @@
 // Channel: one channel's part of the real-time cycle. Items and path in, set-points out; allocates
 // nothing.
 //
-// States after docs/reference/language.md ("Channels"): idle, ready, running, held, alarm. The
-// coordinator asks it for effects (start, hold, reset, switch) between cycles' halves; requests of
-// the channel's own program are taken by the coordinator through `request()`.
+// States after docs/reference/language.md#kinematics-and-channels: idle, ready, running, held,
+// alarm. The coordinator asks it for effects (start, hold, reset, switch) between cycles' halves;
+// requests of the channel's own program are taken by the coordinator through `request()`.
 #pragma once
 
 #include <array>

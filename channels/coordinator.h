@@ -3,7 +3,8 @@
 //
 // An errand is one such wish on its way: a request of a program (channel_run, channel_wait,
 // #kinematics, ...) or an operator's event. It is stepped once a cycle until it is done. Decisions
-// depend on the cycle only, never on thread timing (docs/developer/architecture.md, "Determinism").
+// depend on the cycle only, never on thread timing
+// (docs/developer/architecture.md#time-and-determinism).
 #pragma once
 
 #include <array>

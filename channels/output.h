@@ -227,7 +227,7 @@ struct CycleOutput {
 static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_copyable_v<Event>);
 
 // One input that changed the outcome, with the cycle at which it took effect
-// (docs/developer/architecture.md, "Determinism").
+// (docs/developer/architecture.md#time-and-determinism).
 enum class InputKind : std::uint8_t {
   operator_event,
   arrival,

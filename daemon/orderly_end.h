@@ -1,8 +1,8 @@
 // OrderlyEnd: how the daemon ends: feed hold of all channels, then drives off, then the end.
 //
 // Begun by a signal or system.shutdown. A machine that does not come to rest in time does
-// not keep the daemon alive: the drives' watchdogs stop the axes (docs/reference/command-line.md,
-// "E-stop").
+// not keep the daemon alive: the drives' watchdogs stop the axes
+// (docs/integrator/drives.md#supervision).
 #pragma once
 
 #include <chrono>

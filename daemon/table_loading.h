@@ -13,7 +13,7 @@
 namespace stanok::daemon {
 
 // The commands that make the machine's tables those of `text`, in the form of the tables file
-// (docs/reference/configuration.md, "Tools and work offsets"); `name` stands for the text in
+// (docs/reference/configuration.md#tables-file); `name` stands for the text in
 // messages. All of it is refused for one fault: E9014, or E9015 for what is fixed when the daemon
 // starts.
 [[nodiscard]] Expected<std::vector<channels::OperatorEvent>, protocol::Failure> commands_to_load(

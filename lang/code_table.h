@@ -13,7 +13,7 @@ namespace stanok::lang {
 
 struct ActiveBlock;
 
-// Modal groups in the order of their numbers (docs/reference/language.md, "G and M codes"):
+// Modal groups in the order of their numbers (docs/reference/language.md#codes):
 // `motion` is 1, `polar` 17. One code of a group at a time; non-modal codes have no group.
 enum class Group : std::uint8_t {
   motion,

@@ -123,7 +123,7 @@ struct SourceText {
 // The error E8004: `name` has `bytes`, or makes a program of so many; `bytes_max` are allowed.
 [[nodiscard]] Diagnostic too_large(std::string_view name, std::size_t bytes, std::size_t bytes_max);
 
-// Finds and reads program files (docs/reference/language.md, "File names").
+// Finds and reads program files (docs/reference/language.md#files-and-numbered-programs).
 class Files {
  public:
   virtual ~Files() = default;

@@ -12,7 +12,7 @@ namespace {
 
 using enum LawAddress;
 
-// The smallest step of feed (seed 000): mm/min in G94, mm/rev in G95.
+// The smallest step of feed: mm/min in G94, mm/rev in G95.
 constexpr double feed_step_per_minute = 0.1;
 constexpr double feed_step_per_revolution = 0.001;
 

@@ -2,7 +2,8 @@
 //
 // A table has a row for every way to write a law: the addresses it must have and those it may have.
 // What fits no row is answered with the address that is missing or too many. Source of the laws and
-// their addresses: seed 000; docs/reference/language.md, "Feed laws".
+// their addresses: docs/programmer/feed-laws.md; how programs state them:
+// docs/reference/language.md#feed-laws.
 #pragma once
 
 #include <array>

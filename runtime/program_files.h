@@ -1,5 +1,5 @@
 // ProgramFiles: finds and reads program texts beneath a list of root folders
-// (docs/reference/language.md, "File names").
+// (docs/reference/language.md#files-and-numbered-programs).
 //
 // Names are relative and stay beneath the root that they are found in, through symbolic links too
 // (openat2, RESOLVE_BENEATH). A text is read once and whole; only regular files are read. Any

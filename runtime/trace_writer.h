@@ -1,5 +1,5 @@
 // Traces: one CSV row per cycle, every number with 17 digits, for judges and plots
-// (docs/reference/messages.md, "Traces").
+// (docs/reference/command-line.md#without-a-daemon).
 //
 // The tip trace follows the programmed point in the workpiece system, a file per program run, from
 // the last cycle at rest before the first move to the first one at rest after the last; the axis
