@@ -81,7 +81,7 @@ class LiveTables {
                                     Writer writer = Writer::program) RT_SAFE;
 
  private:
-  struct ToolRow {
+  struct ToolPlace {
     ToolEdge fixed;           // number, edge, name, kind, shape
     bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
     std::atomic<bool> exists{true};  // false: a free place
@@ -89,8 +89,8 @@ class LiveTables {
   };
 
   // A tool that exists; a free place too.
-  [[nodiscard]] const ToolRow* find(int number, int edge) const RT_SAFE;
-  [[nodiscard]] const ToolRow* find_place(int number, int edge) const RT_SAFE;
+  [[nodiscard]] const ToolPlace* find(int number, int edge) const RT_SAFE;
+  [[nodiscard]] const ToolPlace* find_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
     return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
   }
@@ -106,7 +106,7 @@ class LiveTables {
   bool unnamed_tools_ = true;
   std::unique_ptr<std::atomic<double>[]> offsets_;
   std::unique_ptr<std::atomic<double>[]> reference_points_;
-  std::unique_ptr<ToolRow[]> tools_;  // ascending by number and edge
+  std::unique_ptr<ToolPlace[]> tools_;  // ascending by number and edge
   std::size_t tool_count_ = 0;
 };
 
