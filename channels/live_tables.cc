@@ -16,7 +16,9 @@ std::array<double, tool_values> values_of(const ToolEdge& tool) {
           tool.angle_front, tool.angle_back};
 }
 
-ToolEdge with_values(ToolEdge tool, const std::array<std::atomic<double>, tool_values>& values) {
+// `Tool`: ToolEdge or ToolRow.
+template <class Tool>
+void take_values(const std::array<std::atomic<double>, tool_values>& values, Tool& tool) RT_SAFE {
   tool.length = values[0];
   tool.length_y = values[1];
   tool.length_x = values[2];
@@ -27,7 +29,6 @@ ToolEdge with_values(ToolEdge tool, const std::array<std::atomic<double>, tool_v
   tool.orientation = static_cast<int>(values[7].load());
   tool.angle_front = values[8];
   tool.angle_back = values[9];
-  return tool;
 }
 
 bool is_in_range(ToolValue value, double to) RT_SAFE {
@@ -113,6 +114,7 @@ LiveTables::LiveTables(const MachineConfig& machine)
   for (auto& [key, row] : rows) {
     ToolPlace& made = tools_[tool_count_++];
     made.fixed = row.first;
+    made.row = row_of(row.first);
     made.is_default = row.second;
     made.exists = !row.second || unnamed_tools_ || made.fixed.number == 0;
     const auto values = values_of(made.fixed);
@@ -222,14 +224,25 @@ bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writ
 std::optional<ToolEdge> LiveTables::tool(int number, int edge) const {
   const ToolPlace* row = find(number, edge);
   if (row == nullptr) return std::nullopt;
-  return with_values(row->fixed, row->values);
+  ToolEdge tool = row->fixed;
+  take_values(row->values, tool);
+  return tool;
+}
+
+ToolRow LiveTables::row(int number, int edge) const RT_SAFE {
+  const ToolPlace* const place = number == 0 ? nullptr : find(number, edge);
+  if (place == nullptr) return {};
+  ToolRow row = place->row;
+  take_values(place->values, row);
+  return row;
 }
 
 TablesConfig LiveTables::snapshot() const {
   TablesConfig tables;
   for (std::size_t k = 0; k < tool_count_; ++k) {
     const ToolPlace& row = tools_[k];
-    const ToolEdge now = with_values(row.fixed, row.values);
+    ToolEdge now = row.fixed;
+    take_values(row.values, now);
     const bool filled = !unnamed_tools_ && row.fixed.number != 0 && row.exists;
     if (!row.is_default || filled || values_of(now) != values_of(row.fixed))
       tables.tools.push_back(now);

@@ -19,6 +19,7 @@
 #include "base/rt_safe.h"
 #include "channels/item.h"
 #include "channels/machine_config.h"
+#include "channels/tool_row.h"
 #include "kinematics/scheme.h"
 #include "lang/environment.h"
 
@@ -75,6 +76,8 @@ class LiveTables {
   // `axis` of the calls above by the name of the machine's axis, "R": the rotation; -1: none.
   [[nodiscard]] int column(std::string_view axis) const RT_SAFE;
   [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
+  // Number 0 where there is no such tool, and of tool 0, which is none.
+  [[nodiscard]] ToolRow row(int number, int edge) const RT_SAFE;
   // A tool is there, or an operator's value would make one.
   [[nodiscard]] bool has_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
@@ -83,6 +86,7 @@ class LiveTables {
  private:
   struct ToolPlace {
     ToolEdge fixed;           // number, edge, name, kind, shape
+    ToolRow row;              // of the same
     bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
     std::atomic<bool> exists{true};  // false: a free place
     std::array<std::atomic<double>, tool_values> values{};
