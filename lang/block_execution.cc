@@ -36,14 +36,10 @@ char first_letter(LetterSet set) {
   return 0;
 }
 
-bool has_code(const BlockWords& words, CodeNumber g) {
-  return std::find(words.g.begin(), words.g.end(), g) != words.g.end();
-}
-
 // The word that holds the time of G4. X and U are axis words elsewhere, F and S feed and speed:
 // they are G4's only when nothing else in the block can want them.
 char dwell_word(const BlockWords& words, const BlockCodes& codes) {
-  if (!has_code(words, 40)) return 0;
+  if (!words.g.has(40)) return 0;
   if (words.has('P')) return 'P';
   if (codes.axis_user != nullptr) return 0;
   for (const char letter : {'X', 'U', 'F', 'S'}) {
@@ -103,8 +99,8 @@ bool any_named_axis(const BlockWords& words) {
 // Units and diameter mode set in a block hold for its own words too.
 void apply_units(ActiveBlock& block, const BlockCodes& codes) {
   const bool lathe = block.channel.kind == ChannelKind::lathe;
-  if (!lathe && has_code(block.words, 700)) block.set_modal(Group::units, 200);
-  if (!lathe && has_code(block.words, 710)) block.set_modal(Group::units, 210);
+  if (!lathe && block.words.g.has(700)) block.set_modal(Group::units, 200);
+  if (!lathe && block.words.g.has(710)) block.set_modal(Group::units, 210);
   for (int i = 0; i < codes.count; ++i) {
     const Code& row = *codes.rows[static_cast<std::size_t>(i)];
     const bool early = row.group == Group::units || row.group == Group::diameter;
@@ -300,11 +296,11 @@ bool dwells_suspiciously_long(const BlockWords& words) {
            (words.whole & letter_bit(letter)) != 0;
   };
   constexpr std::array<CodeNumber, 6> dwelling_cycles{740, 820, 840, 860, 880, 890};
-  if (has_code(words, 40)) {
+  if (words.g.has(40)) {
     return looks_like_milliseconds(words.has('P') ? 'P' : words.has('X') ? 'X' : 'U');
   }
   const bool cycle = std::any_of(dwelling_cycles.begin(), dwelling_cycles.end(),
-                                 [&](CodeNumber code) { return has_code(words, code); });
+                                 [&](CodeNumber code) { return words.g.has(code); });
   return cycle && looks_like_milliseconds('P');
 }
 

@@ -2,6 +2,7 @@
 // one for plain lines, the compiled one for all others) hand to its execution.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -42,6 +43,9 @@ struct CodeList {
 
   [[nodiscard]] const CodeNumber* begin() const { return numbers.data(); }
   [[nodiscard]] const CodeNumber* end() const { return numbers.data() + count; }
+  [[nodiscard]] bool has(CodeNumber number) const {
+    return std::find(begin(), end(), number) != end();
+  }
 };
 
 // A word with more than one letter or with an index: X2=50, H1=2, S_n=0.1.

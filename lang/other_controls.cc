@@ -40,10 +40,6 @@ constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
      "the cycle is `G79`; to move, write `G0` or `G1` into the block"},
 };
 
-bool has_code(const BlockWords& words, CodeNumber g) {
-  return std::find(words.g.begin(), words.g.end(), g) != words.g.end();
-}
-
 BlockFault two_meanings(WordName word, std::string message, std::string_view meaning,
                         std::string_view remedy) {
   BlockFault fault = fault_at("E4016", std::move(word), std::move(message), "meant for what?");
@@ -60,7 +56,7 @@ bool confirms_absolute(const BlockMeaning& block) {
 std::optional<BlockFault> axis_words_of_another_code(const BlockMeaning& block) {
   if (!block.has_axis_words || block.codes.axis_user != nullptr) return std::nullopt;
   for (const TakesAxisWordsElsewhere& row : takes_axis_words) {
-    if (!has_code(block.words, row.code)) continue;
+    if (!block.words.g.has(row.code)) continue;
     if (row.channels == Channels::lathes && block.kind != ChannelKind::lathe) continue;
     if (row.code == 900 && !confirms_absolute(block)) continue;
     return two_meanings(code_word(row.code),
@@ -73,7 +69,7 @@ std::optional<BlockFault> axis_words_of_another_code(const BlockMeaning& block) 
 std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
   const bool lathe = block.kind == ChannelKind::lathe;
   for (const CodeNumber code : {CodeNumber{500}, CodeNumber{920}}) {
-    if (!has_code(block.words, code)) continue;
+    if (!block.words.g.has(code)) continue;
     const bool indexed = std::any_of(
         block.words.named.begin(), block.words.named.end(),
         [](const NamedWord& word) { return spindle_of_indexed_speed(word).has_value(); });
@@ -89,7 +85,7 @@ std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
 std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
   if (block.kind != ChannelKind::lathe) return std::nullopt;
   for (const CodeNumber code : {CodeNumber{980}, CodeNumber{990}}) {
-    if (!has_code(block.words, code)) continue;
+    if (!block.words.g.has(code)) continue;
     return two_meanings(
         code_word(code), "`" + code_text('G', code) + "` means nothing on a lathe channel",
         code == 980 ? "in code system A of Fanuc lathes it is the feed per minute, elsewhere a "
@@ -98,7 +94,7 @@ std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
                       "return level of drilling cycles",
         code == 980 ? "the feed per minute is `G94`" : "the feed per revolution is `G95`");
   }
-  if (has_code(block.words, 920) && block.has_axis_words && block.words.has('F')) {
+  if (block.words.g.has(920) && block.has_axis_words && block.words.has('F')) {
     return two_meanings({'F', -1, {}}, "`G92` with axis words and F on a lathe channel",
                         "in code system A of Fanuc lathes it is a thread cycle, here it sets the "
                         "coordinates of the point",
