@@ -20,7 +20,7 @@
 #include "channels/item.h"
 #include "channels/machine_config.h"
 #include "kinematics/scheme.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::channels {
 

@@ -10,7 +10,7 @@
 
 #include "base/fixed_text.h"
 #include "kinematics/scheme.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/automatic_feed.h"
 #include "motion/feed_interruption.h"
 #include "motion/feed_modifier.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lang/block_search.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/path.h"
 
 namespace stanok::client {

@@ -11,7 +11,7 @@
 #include "lang/block_words.h"
 #include "lang/channel_words.h"
 #include "lang/command_queue.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "lang/modal_state.h"
 #include "lang/probe_result.h"
 #include "lang/state_stack.h"

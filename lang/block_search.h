@@ -16,7 +16,7 @@
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

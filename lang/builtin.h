@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "lang/tree.h"
 #include "lang/value.h"
 

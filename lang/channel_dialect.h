@@ -9,7 +9,7 @@
 
 #include "base/expected.h"
 #include "lang/code_table.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::lang {
 

@@ -7,8 +7,8 @@
 
 #include "lang/block_words.h"
 #include "lang/channel_dialect.h"
-#include "lang/command.h"
-#include "lang/environment.h"
+#include "lang/contract/command.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::lang {
 

@@ -12,7 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "lang/block_words.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "lang/interpreter.h"
 #include "lang/source.h"
 #include "lang/tree.h"

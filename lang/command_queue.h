@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

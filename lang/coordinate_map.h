@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

@@ -15,7 +15,7 @@
 #include "base/expected.h"
 #include "lang/active_block.h"
 #include "lang/block_words.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

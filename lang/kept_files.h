@@ -1,7 +1,7 @@
 // KeptFiles: the texts of a loaded program as they were read for it, everything else from disk.
 #pragma once
 
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "lang/program.h"
 
 namespace stanok::lang {

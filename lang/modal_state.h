@@ -12,9 +12,9 @@
 
 #include "base/diagnostic.h"
 #include "lang/code_table.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
+#include "lang/contract/environment.h"
 #include "lang/coordinate_map.h"
-#include "lang/environment.h"
 #include "lang/work_frame.h"
 
 namespace stanok::lang {

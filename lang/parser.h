@@ -13,7 +13,7 @@
 
 #include "lang/channel_words.h"
 #include "lang/compile_watch.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "lang/named_parameter.h"
 #include "lang/reporter.h"
 #include "lang/scanner.h"

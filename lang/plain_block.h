@@ -9,7 +9,7 @@
 
 #include "lang/block_words.h"
 #include "lang/channel_words.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "lang/text_value.h"
 
 namespace stanok::lang {

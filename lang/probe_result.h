@@ -1,7 +1,7 @@
 // What the last probing of a channel (G38) found; kept from program to program, until power-off.
 #pragma once
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

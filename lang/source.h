@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "base/diagnostic.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::lang {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lang/active_block.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "lang/plain_block.h"
 #include "lang/reporter.h"
 #include "lang/source.h"

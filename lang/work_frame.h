@@ -7,7 +7,7 @@
 #include <array>
 
 #include "base/rotation.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::lang {
 

@@ -1,5 +1,5 @@
 // Active codes by block, as displays show them.
-#include "lang/active_codes.h"
+#include "lang/contract/active_codes.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "lang/active_codes.h"
+#include "lang/contract/active_codes.h"
 
 #include <algorithm>
 #include <utility>

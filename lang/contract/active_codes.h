@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lang/code_table.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::lang {
 

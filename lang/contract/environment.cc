@@ -1,4 +1,4 @@
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::lang {
 namespace {
