@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lang/actions.h"
-#include "lang/number.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

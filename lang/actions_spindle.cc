@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lang/actions.h"
-#include "lang/number.h"
-#include "lang/source.h"
+#include "lang/text/number.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

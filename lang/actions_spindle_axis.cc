@@ -7,7 +7,7 @@
 
 #include "lang/actions.h"
 #include "lang/block_execution.h"
-#include "lang/number.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

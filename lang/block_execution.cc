@@ -7,9 +7,9 @@
 #include "lang/actions.h"
 #include "lang/feed_law_words.h"
 #include "lang/macro_arguments.h"
-#include "lang/number.h"
 #include "lang/other_controls.h"
-#include "lang/source.h"
+#include "lang/text/number.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/overloaded.h"
-#include "lang/block_number.h"
 #include "lang/program.h"
-#include "lang/reporter.h"
+#include "lang/text/block_number.h"
+#include "lang/text/reporter.h"
 
 namespace stanok::lang {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "base/angle.h"
 #include "base/utf8.h"
-#include "lang/limits.h"
-#include "lang/number.h"
-#include "lang/source.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

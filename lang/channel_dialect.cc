@@ -7,7 +7,7 @@
 #include "lang/actions.h"
 #include "lang/feed_law_words.h"
 #include "lang/named_address.h"
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

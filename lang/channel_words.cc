@@ -1,7 +1,7 @@
 #include "lang/channel_words.h"
 
 #include "lang/modal_state.h"
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 

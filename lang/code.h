@@ -14,7 +14,7 @@
 #include "lang/block_words.h"
 #include "lang/contract/command.h"
 #include "lang/interpreter.h"
-#include "lang/source.h"
+#include "lang/text/source.h"
 #include "lang/tree.h"
 
 namespace stanok::lang {

@@ -13,9 +13,9 @@
 #include "lang/builtin.h"
 #include "lang/channel_words.h"
 #include "lang/code.h"
-#include "lang/compile_watch.h"
 #include "lang/program.h"
-#include "lang/reporter.h"
+#include "lang/text/compile_watch.h"
+#include "lang/text/reporter.h"
 #include "lang/tree.h"
 
 namespace stanok::lang {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lang/compiler.h"
-#include "lang/number.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,6 +1,6 @@
 // Declarations of shared variables. They live in the machine; a program only names them.
 #include "lang/compiler.h"
-#include "lang/number.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

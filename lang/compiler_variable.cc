@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "lang/compiler.h"
-#include "lang/limits.h"
-#include "lang/number.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "lang/actions.h"
 #include "lang/feed_law_words.h"
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

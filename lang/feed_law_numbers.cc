@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

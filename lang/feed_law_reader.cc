@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lang/actions.h"
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

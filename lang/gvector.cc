@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lang/feed_law_numbers.h"
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

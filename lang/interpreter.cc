@@ -3,10 +3,10 @@
 #include <new>
 #include <utility>
 
-#include "lang/compile_watch.h"
 #include "lang/kept_files.h"
 #include "lang/loader.h"
 #include "lang/program_run.h"
+#include "lang/text/compile_watch.h"
 
 namespace stanok::lang {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lang/limits.h"
-#include "lang/number.h"
 #include "lang/parser.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "lang/compile_watch.h"
 #include "lang/compiler.h"
 #include "lang/interpreter.h"
 #include "lang/program.h"
-#include "lang/reporter.h"
+#include "lang/text/compile_watch.h"
+#include "lang/text/reporter.h"
 #include "lang/tree.h"
 
 namespace stanok::lang {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

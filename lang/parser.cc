@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "lang/limits.h"
 #include "lang/predefined_parameter.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "lang/channel_words.h"
-#include "lang/compile_watch.h"
 #include "lang/contract/environment.h"
 #include "lang/named_parameter.h"
-#include "lang/reporter.h"
 #include "lang/scanner.h"
+#include "lang/text/compile_watch.h"
+#include "lang/text/reporter.h"
 #include "lang/tree.h"
 
 namespace stanok::lang {

@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "lang/bracket_operator.h"
-#include "lang/number.h"
 #include "lang/parser.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

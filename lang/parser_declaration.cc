@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "lang/builtin.h"
-#include "lang/limits.h"
 #include "lang/named_address.h"
 #include "lang/parser.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

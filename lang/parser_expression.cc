@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "lang/builtin.h"
-#include "lang/limits.h"
 #include "lang/parser.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

@@ -3,10 +3,10 @@
 
 #include "lang/feed_law_words.h"
 #include "lang/later_word.h"
-#include "lang/limits.h"
 #include "lang/named_address.h"
-#include "lang/number.h"
 #include "lang/parser.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <utility>
 
-#include "lang/limits.h"
 #include "lang/parser.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "lang/block_execution.h"
-#include "lang/limits.h"
-#include "lang/number.h"
-#include "lang/source.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 namespace {

@@ -8,7 +8,7 @@
 #include "lang/block_execution.h"
 #include "lang/macro_arguments.h"
 #include "lang/parser.h"
-#include "lang/reporter.h"
+#include "lang/text/reporter.h"
 
 namespace stanok::lang {
 namespace {

@@ -23,11 +23,11 @@
 #include "lang/contract/active_codes.h"
 #include "lang/gvector.h"
 #include "lang/interpreter.h"
-#include "lang/limits.h"
 #include "lang/modal_state.h"
 #include "lang/predefined_parameter.h"
 #include "lang/program.h"
 #include "lang/radius_compensation.h"
+#include "lang/text/limits.h"
 #include "lang/value.h"
 
 namespace stanok::lang {

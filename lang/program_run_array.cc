@@ -2,9 +2,9 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/limits.h"
-#include "lang/number.h"
 #include "lang/program_run.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 bool ProgramRun::execute_array(const Instruction& instruction) {

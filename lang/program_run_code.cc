@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "lang/limits.h"
-#include "lang/number.h"
 #include "lang/program_run.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

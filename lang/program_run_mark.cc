@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/number.h"
 #include "lang/program_run.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 

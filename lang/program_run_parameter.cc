@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "lang/number.h"
 #include "lang/point_parameter.h"
 #include "lang/program_run.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {

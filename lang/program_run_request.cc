@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/number.h"
 #include "lang/program_run.h"
-#include "lang/reporter.h"
+#include "lang/text/number.h"
+#include "lang/text/reporter.h"
 
 namespace stanok::lang {
 namespace {

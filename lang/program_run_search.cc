@@ -3,7 +3,7 @@
 
 #include "lang/block_search.h"
 #include "lang/program_run.h"
-#include "lang/reporter.h"
+#include "lang/text/reporter.h"
 
 namespace stanok::lang {
 

@@ -4,8 +4,8 @@
 
 #include "lang/gvector.h"
 #include "lang/modal_restore.h"
-#include "lang/number.h"
 #include "lang/program_run.h"
+#include "lang/text/number.h"
 
 namespace stanok::lang {
 

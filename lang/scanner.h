@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "lang/reporter.h"
-#include "lang/source.h"
+#include "lang/text/reporter.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 

@@ -6,8 +6,8 @@
 
 #include "lang/bracket_operator.h"
 #include "lang/builtin.h"
-#include "lang/limits.h"
-#include "lang/number.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
 #include "lang/value.h"
 
 namespace stanok::lang {

@@ -13,8 +13,8 @@
 #include "lang/active_block.h"
 #include "lang/contract/command.h"
 #include "lang/plain_block.h"
-#include "lang/reporter.h"
-#include "lang/source.h"
+#include "lang/text/reporter.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 

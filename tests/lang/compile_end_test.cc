@@ -2,7 +2,7 @@
 // large, compilations that are interrupted; and runs that compute without end.
 #include <algorithm>
 
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

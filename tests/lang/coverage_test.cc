@@ -12,7 +12,7 @@
 
 #include "base/catalogue.h"
 #include "lang/code_table.h"
-#include "lang/source.h"
+#include "lang/text/source.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::lang::testing {

@@ -10,7 +10,7 @@
 #include "lang/code_table.h"
 #include "lang/feed_law_words.h"
 #include "lang/later_word.h"
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 #include "tests/lang/program_support.h"
 #include "tests/support/project_folders.h"
 

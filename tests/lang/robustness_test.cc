@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "lang/number.h"
+#include "lang/text/number.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

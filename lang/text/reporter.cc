@@ -1,11 +1,11 @@
-#include "lang/reporter.h"
+#include "lang/text/reporter.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
 
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

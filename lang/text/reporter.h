@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 

@@ -1,6 +1,6 @@
-#include "lang/compile_watch.h"
+#include "lang/text/compile_watch.h"
 
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 
 namespace stanok::lang {
 namespace {

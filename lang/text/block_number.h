@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lang/source.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang {
 
