@@ -5,7 +5,7 @@
 #include <initializer_list>
 
 #include "lang/active_block.h"
-#include "lang/code_table.h"
+#include "lang/words/code_table.h"
 
 namespace stanok::lang {
 

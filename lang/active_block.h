@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/block_words.h"
-#include "lang/channel_words.h"
 #include "lang/command_queue.h"
 #include "lang/contract/environment.h"
 #include "lang/modal_state.h"
 #include "lang/probe_result.h"
 #include "lang/state_stack.h"
+#include "lang/words/block_words.h"
+#include "lang/words/channel_words.h"
 
 namespace stanok::lang {
 

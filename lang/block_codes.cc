@@ -4,7 +4,7 @@
 
 #include "lang/actions.h"
 #include "lang/block_execution.h"
-#include "lang/later_word.h"
+#include "lang/words/later_word.h"
 
 namespace stanok::lang {
 namespace {

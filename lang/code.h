@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/block_words.h"
 #include "lang/contract/command.h"
 #include "lang/interpreter.h"
 #include "lang/text/source.h"
 #include "lang/tree.h"
+#include "lang/words/block_words.h"
 
 namespace stanok::lang {
 

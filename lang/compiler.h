@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "lang/builtin.h"
-#include "lang/channel_words.h"
 #include "lang/code.h"
 #include "lang/program.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
 #include "lang/tree.h"
+#include "lang/words/channel_words.h"
 
 namespace stanok::lang {
 

@@ -14,8 +14,8 @@
 
 #include "base/expected.h"
 #include "lang/active_block.h"
-#include "lang/block_words.h"
 #include "lang/contract/command.h"
+#include "lang/words/block_words.h"
 
 namespace stanok::lang {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "lang/active_block.h"
-#include "lang/channel_dialect.h"
+#include "lang/words/channel_dialect.h"
 
 namespace stanok::lang {
 

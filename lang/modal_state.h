@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/code_table.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
 #include "lang/coordinate_map.h"
+#include "lang/words/code_table.h"
 #include "lang/work_frame.h"
 
 namespace stanok::lang {

@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/channel_words.h"
 #include "lang/contract/environment.h"
 #include "lang/named_parameter.h"
 #include "lang/scanner.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
 #include "lang/tree.h"
+#include "lang/words/channel_words.h"
 
 namespace stanok::lang {
 

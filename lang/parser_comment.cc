@@ -1,6 +1,6 @@
 // Comments in ISO blocks: most say nothing, (MSG,...), (DEBUG,...) and (PRINT,...) become messages.
-#include "lang/later_word.h"
 #include "lang/parser.h"
+#include "lang/words/later_word.h"
 
 namespace stanok::lang {
 namespace {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "lang/builtin.h"
-#include "lang/named_address.h"
 #include "lang/parser.h"
 #include "lang/text/limits.h"
+#include "lang/words/named_address.h"
 
 namespace stanok::lang {
 namespace {

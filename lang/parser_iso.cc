@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include "lang/feed_law_words.h"
-#include "lang/later_word.h"
-#include "lang/named_address.h"
 #include "lang/parser.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
+#include "lang/words/later_word.h"
+#include "lang/words/named_address.h"
 
 namespace stanok::lang {
 

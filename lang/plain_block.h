@@ -7,10 +7,10 @@
 // this reader never has to explain an error of the text.
 #pragma once
 
-#include "lang/block_words.h"
-#include "lang/channel_words.h"
 #include "lang/contract/environment.h"
 #include "lang/text_value.h"
+#include "lang/words/block_words.h"
+#include "lang/words/channel_words.h"
 
 namespace stanok::lang {
 

@@ -16,8 +16,6 @@
 #include "lang/active_block.h"
 #include "lang/block_search.h"
 #include "lang/builtin.h"
-#include "lang/channel_dialect.h"
-#include "lang/channel_words.h"
 #include "lang/code.h"
 #include "lang/command_queue.h"
 #include "lang/contract/active_codes.h"
@@ -29,6 +27,8 @@
 #include "lang/radius_compensation.h"
 #include "lang/text/limits.h"
 #include "lang/value.h"
+#include "lang/words/channel_dialect.h"
+#include "lang/words/channel_words.h"
 
 namespace stanok::lang {
 

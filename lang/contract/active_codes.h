@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/code_table.h"
 #include "lang/contract/environment.h"
+#include "lang/words/code_table.h"
 
 namespace stanok::lang {
 

@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "base/catalogue.h"
-#include "lang/code_table.h"
 #include "lang/text/source.h"
+#include "lang/words/code_table.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::lang::testing {

@@ -7,7 +7,7 @@
 
 #include "lang/feed_law_numbers.h"
 #include "lang/feed_law_words.h"
-#include "lang/named_address.h"
+#include "lang/words/named_address.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

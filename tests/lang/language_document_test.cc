@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "lang/builtin.h"
-#include "lang/code_table.h"
 #include "lang/feed_law_words.h"
-#include "lang/later_word.h"
 #include "lang/text/limits.h"
+#include "lang/words/code_table.h"
+#include "lang/words/later_word.h"
 #include "tests/lang/program_support.h"
 #include "tests/support/project_folders.h"
 

@@ -1,8 +1,8 @@
 // Subprograms and macros: lookup over files, macro arguments, user codes of the machine file.
 #include <random>
 
-#include "lang/channel_dialect.h"
 #include "lang/macro_arguments.h"
+#include "lang/words/channel_dialect.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

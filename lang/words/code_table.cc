@@ -1,4 +1,4 @@
-#include "lang/code_table.h"
+#include "lang/words/code_table.h"
 
 #include <array>
 #include <cstdlib>

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "lang/block_words.h"
+#include "lang/words/block_words.h"
 
 namespace stanok::lang {
 

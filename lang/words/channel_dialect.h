@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/expected.h"
-#include "lang/code_table.h"
 #include "lang/contract/environment.h"
+#include "lang/words/code_table.h"
 
 namespace stanok::lang {
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "lang/block_words.h"
-#include "lang/channel_dialect.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
+#include "lang/words/block_words.h"
+#include "lang/words/channel_dialect.h"
 
 namespace stanok::lang {
 

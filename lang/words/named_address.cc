@@ -1,4 +1,4 @@
-#include "lang/named_address.h"
+#include "lang/words/named_address.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "lang/channel_dialect.h"
+#include "lang/words/channel_dialect.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 
 #include "lang/actions.h"
 #include "lang/feed_law_words.h"
-#include "lang/named_address.h"
 #include "lang/text/source.h"
+#include "lang/words/named_address.h"
 
 namespace stanok::lang {
 namespace {

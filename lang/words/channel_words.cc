@@ -1,4 +1,4 @@
-#include "lang/channel_words.h"
+#include "lang/words/channel_words.h"
 
 #include "lang/modal_state.h"
 #include "lang/text/source.h"

@@ -1,4 +1,4 @@
-#include "lang/later_word.h"
+#include "lang/words/later_word.h"
 
 #include <algorithm>
 #include <array>
