@@ -5,7 +5,7 @@
 // feed, F waits behind it and is in force again when the law ends otherwise than by F.
 #include "lang/actions.h"
 #include "lang/block_execution.h"
-#include "lang/feed_law_reader.h"
+#include "lang/feed_law/feed_law_reader.h"
 
 namespace stanok::lang {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lang/actions.h"
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/macro_arguments.h"
 #include "lang/other_controls.h"
 #include "lang/text/number.h"

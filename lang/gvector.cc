@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "lang/feed_law_numbers.h"
+#include "lang/feed_law/feed_law_numbers.h"
 #include "lang/text/source.h"
 
 namespace stanok::lang {

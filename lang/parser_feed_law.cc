@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/parser.h"
 
 namespace stanok::lang {

@@ -1,7 +1,7 @@
 // ISO blocks: words and parameter settings.
 #include <algorithm>
 
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/parser.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"

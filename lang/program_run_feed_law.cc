@@ -1,7 +1,7 @@
 // #feedlaw (off) and #feedlaw (curve, ways, feeds, speeds); the other laws are blocks.
 #include <utility>
 
-#include "lang/feed_law_curve.h"
+#include "lang/feed_law/feed_law_curve.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "lang/actions.h"
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/text/source.h"
 #include "lang/words/named_address.h"
 

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "lang/feed_law_numbers.h"
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_numbers.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/words/named_address.h"
 #include "tests/lang/program_support.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "lang/builtin.h"
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/text/limits.h"
 #include "lang/words/code_table.h"
 #include "lang/words/later_word.h"

@@ -1,10 +1,10 @@
-#include "lang/feed_law_curve.h"
+#include "lang/feed_law/feed_law_curve.h"
 
 #include <string>
 #include <utility>
 
 #include "lang/actions.h"
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 #include "lang/text/limits.h"
 
 namespace stanok::lang {

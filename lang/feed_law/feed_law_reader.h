@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lang/active_block.h"
-#include "lang/feed_law_words.h"
+#include "lang/feed_law/feed_law_words.h"
 
 namespace stanok::lang {
 

@@ -1,4 +1,4 @@
-#include "lang/feed_law_numbers.h"
+#include "lang/feed_law/feed_law_numbers.h"
 
 #include <algorithm>
 #include <cmath>
