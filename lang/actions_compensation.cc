@@ -1,7 +1,7 @@
 // Actions of tool radius compensation, and what it forbids while it is active.
 //
 // Source of the restrictions: the interpreter of LinuxCNC; the compensation itself is
-// lang/radius_compensation.h.
+// lang/block/radius_compensation.h.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string>
 
+#include "lang/block/turned_contour.h"
 #include "lang/block_execution.h"
-#include "lang/turned_contour.h"
 
 namespace stanok::lang {
 namespace {

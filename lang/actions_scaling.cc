@@ -1,7 +1,7 @@
 // Actions of scaling and mirror: G50, G51, G50.1, G51.1. They change what the words of later blocks
-// mean (lang/coordinate_map.h), not where the axes stand.
+// mean (lang/block/coordinate_map.h), not where the axes stand.
 #include "lang/actions.h"
-#include "lang/other_controls.h"
+#include "lang/block/other_controls.h"
 
 namespace stanok::lang {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lang/actions.h"
-#include "lang/tool_value.h"
+#include "lang/block/tool_value.h"
 
 namespace stanok::lang {
 namespace {

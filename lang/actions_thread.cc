@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lang/actions.h"
-#include "lang/other_controls.h"
+#include "lang/block/other_controls.h"
 
 namespace stanok::lang {
 namespace {

@@ -14,8 +14,8 @@
 #include <numbers>
 #include <vector>
 
+#include "lang/block/other_controls.h"
 #include "lang/cycle_moves.h"
-#include "lang/other_controls.h"
 
 namespace stanok::lang {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "lang/actions.h"
+#include "lang/block/macro_arguments.h"
+#include "lang/block/other_controls.h"
 #include "lang/feed_law/feed_law_words.h"
-#include "lang/macro_arguments.h"
-#include "lang/other_controls.h"
 #include "lang/text/number.h"
 #include "lang/text/source.h"
 

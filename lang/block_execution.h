@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/words/code_table.h"
 
 namespace stanok::lang {

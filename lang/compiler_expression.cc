@@ -1,8 +1,8 @@
 // Code of expressions, with their types.
 #include <utility>
 
+#include "lang/block/predefined_parameter.h"
 #include "lang/compiler.h"
-#include "lang/predefined_parameter.h"
 
 namespace stanok::lang {
 namespace {

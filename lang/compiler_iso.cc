@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/block/predefined_parameter.h"
 #include "lang/block_execution.h"
 #include "lang/compiler.h"
-#include "lang/predefined_parameter.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,7 +1,7 @@
 // Brings a channel back to a modal state that was saved, without motion and without a tool change.
 #pragma once
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 
 namespace stanok::lang {
 

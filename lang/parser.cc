@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "lang/predefined_parameter.h"
+#include "lang/block/predefined_parameter.h"
 #include "lang/text/limits.h"
 
 namespace stanok::lang {

@@ -5,8 +5,8 @@
 
 #include "base/assert.h"
 #include "lang/actions.h"
+#include "lang/block/macro_arguments.h"
 #include "lang/block_execution.h"
-#include "lang/macro_arguments.h"
 #include "lang/parser.h"
 #include "lang/text/reporter.h"
 

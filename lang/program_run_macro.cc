@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/macro_arguments.h"
+#include "lang/block/macro_arguments.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "lang/point_parameter.h"
+#include "lang/block/point_parameter.h"
 #include "lang/program_run.h"
 #include "lang/text/number.h"
 

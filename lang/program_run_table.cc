@@ -2,9 +2,9 @@
 #include <cmath>
 #include <utility>
 
+#include "lang/block/tool_value.h"
 #include "lang/program_run.h"
 #include "lang/text/number.h"
-#include "lang/tool_value.h"
 
 namespace stanok::lang {
 // Table, page and axis; an axis the channel has not is -1.

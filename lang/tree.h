@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/contract/command.h"
 #include "lang/plain_block.h"
 #include "lang/text/reporter.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/modal_state.h"
+#include "lang/block/modal_state.h"
 
 namespace stanok::lang {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/value.h"
 
 namespace stanok::lang {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/feed_law/feed_law_words.h"
 
 namespace stanok::lang {

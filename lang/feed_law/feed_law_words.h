@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "base/expected.h"
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/contract/command.h"
 #include "lang/words/block_words.h"
 

@@ -1,5 +1,6 @@
 // What a control that a code is known from understands differently is refused, and its neighbours
-// that mean the same everywhere are not. Sources of the other meanings: lang/other_controls.h.
+// that mean the same everywhere are not. Sources of the other meanings:
+// lang/block/other_controls.h.
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

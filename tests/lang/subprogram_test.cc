@@ -1,7 +1,7 @@
 // Subprograms and macros: lookup over files, macro arguments, user codes of the machine file.
 #include <random>
 
-#include "lang/macro_arguments.h"
+#include "lang/block/macro_arguments.h"
 #include "lang/words/channel_dialect.h"
 #include "tests/lang/program_support.h"
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 
 namespace stanok::lang {
 

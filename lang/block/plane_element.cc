@@ -1,4 +1,4 @@
-#include "lang/plane_element.h"
+#include "lang/block/plane_element.h"
 
 #include <algorithm>
 #include <array>

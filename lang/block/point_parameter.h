@@ -1,12 +1,12 @@
 // Numbered parameters of points: #5061 to #5070 what probing found, #5161 (G28), #5181 (G30), #5191
 // (G30 P3) and #5201 (G30 P4) the reference points, nine axes each.
 //
-// Units and axes as in lang/predefined_parameter.h.
+// Units and axes as in lang/block/predefined_parameter.h.
 #pragma once
 
 #include <optional>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 
 namespace stanok::lang {
 

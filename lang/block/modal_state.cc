@@ -1,4 +1,4 @@
-#include "lang/modal_state.h"
+#include "lang/block/modal_state.h"
 
 #include <cmath>
 #include <string>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/words/channel_dialect.h"
 
 namespace stanok::lang {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lang/modal_state.h"
+#include "lang/block/modal_state.h"
 
 namespace stanok::lang {
 

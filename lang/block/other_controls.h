@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "lang/active_block.h"
+#include "lang/block/active_block.h"
 #include "lang/block_execution.h"
 
 namespace stanok::lang {

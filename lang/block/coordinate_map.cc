@@ -1,4 +1,4 @@
-#include "lang/coordinate_map.h"
+#include "lang/block/coordinate_map.h"
 
 #include <algorithm>
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/command_queue.h"
+#include "lang/block/command_queue.h"
+#include "lang/block/modal_state.h"
+#include "lang/block/probe_result.h"
+#include "lang/block/state_stack.h"
 #include "lang/contract/environment.h"
-#include "lang/modal_state.h"
-#include "lang/probe_result.h"
-#include "lang/state_stack.h"
 #include "lang/words/block_words.h"
 #include "lang/words/channel_words.h"
 

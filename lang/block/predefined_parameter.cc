@@ -1,9 +1,9 @@
-#include "lang/predefined_parameter.h"
+#include "lang/block/predefined_parameter.h"
 
 #include <algorithm>
 #include <array>
 
-#include "lang/point_parameter.h"
+#include "lang/block/point_parameter.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,4 +1,4 @@
-#include "lang/radius_compensation.h"
+#include "lang/block/radius_compensation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,9 +19,9 @@
 #include <optional>
 #include <vector>
 
-#include "lang/active_block.h"
-#include "lang/command_queue.h"
-#include "lang/plane_element.h"
+#include "lang/block/active_block.h"
+#include "lang/block/command_queue.h"
+#include "lang/block/plane_element.h"
 
 namespace stanok::lang {
 

@@ -1,4 +1,4 @@
-#include "lang/work_frame.h"
+#include "lang/block/work_frame.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,4 +1,4 @@
-#include "lang/macro_arguments.h"
+#include "lang/block/macro_arguments.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "lang/other_controls.h"
+#include "lang/block/other_controls.h"
 
 #include <algorithm>
 #include <string>

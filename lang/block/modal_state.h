@@ -3,7 +3,7 @@
 // A value: copied to be saved, replaced to be reset. Frames: the position is kept in the active
 // workpiece system W, so that a programmed coordinate stays what was programmed to the last bit;
 // p_B = rotation * p_W + offset, see frame(). Between the words of a program and W stand scaling
-// and mirror (lang/coordinate_map.h).
+// and mirror (lang/block/coordinate_map.h).
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "lang/block/coordinate_map.h"
+#include "lang/block/work_frame.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
-#include "lang/coordinate_map.h"
 #include "lang/words/code_table.h"
-#include "lang/work_frame.h"
 
 namespace stanok::lang {
 

@@ -1,6 +1,6 @@
-#include "lang/point_parameter.h"
+#include "lang/block/point_parameter.h"
 
-#include "lang/predefined_parameter.h"
+#include "lang/block/predefined_parameter.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,10 +1,10 @@
-#include "lang/turned_contour.h"
+#include "lang/block/turned_contour.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "lang/plane_element.h"
+#include "lang/block/plane_element.h"
 
 namespace stanok::lang {
 namespace {
