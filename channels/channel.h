@@ -17,7 +17,7 @@
 #include "channels/output.h"
 #include "channels/spindle.h"
 #include "channels/stepper.h"
-#include "lang/builtin.h"
+#include "lang/tree/builtin.h"
 #include "motion/automatic_feed.h"
 #include "motion/feed_modifier.h"
 #include "motion/interpolator.h"

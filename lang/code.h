@@ -14,7 +14,7 @@
 #include "lang/contract/command.h"
 #include "lang/interpreter.h"
 #include "lang/text/source.h"
-#include "lang/tree.h"
+#include "lang/tree/tree.h"
 #include "lang/words/block_words.h"
 
 namespace stanok::lang {

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/builtin.h"
 #include "lang/code.h"
 #include "lang/program.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
-#include "lang/tree.h"
+#include "lang/tree/builtin.h"
+#include "lang/tree/tree.h"
 #include "lang/words/channel_words.h"
 
 namespace stanok::lang {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lang/parser.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

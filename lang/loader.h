@@ -15,7 +15,7 @@
 #include "lang/program.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
-#include "lang/tree.h"
+#include "lang/tree/tree.h"
 
 namespace stanok::lang {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "lang/loader.h"
-#include "lang/parser.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "lang/code.h"
 #include "lang/interpreter.h"
-#include "lang/named_parameter.h"
+#include "lang/tree/named_parameter.h"
 
 namespace stanok::lang {
 

@@ -7,8 +7,8 @@
 #include "lang/actions.h"
 #include "lang/block/macro_arguments.h"
 #include "lang/block_execution.h"
-#include "lang/parser.h"
 #include "lang/text/reporter.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

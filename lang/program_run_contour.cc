@@ -2,10 +2,10 @@
 // plain lines.
 #include <optional>
 
-#include "lang/plain_block.h"
 #include "lang/program_run.h"
 #include "lang/text/block_number.h"
 #include "lang/text/number.h"
+#include "lang/tree/plain_block.h"
 
 namespace stanok::lang {
 

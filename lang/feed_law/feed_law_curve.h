@@ -6,7 +6,7 @@
 #include <span>
 
 #include "lang/block/active_block.h"
-#include "lang/value.h"
+#include "lang/tree/value.h"
 
 namespace stanok::lang {
 

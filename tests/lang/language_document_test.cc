@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "lang/builtin.h"
 #include "lang/feed_law/feed_law_words.h"
 #include "lang/text/limits.h"
+#include "lang/tree/builtin.h"
 #include "lang/words/code_table.h"
 #include "lang/words/later_word.h"
 #include "tests/lang/program_support.h"

@@ -2,7 +2,7 @@
 #include <array>
 #include <new>
 
-#include "lang/value.h"
+#include "lang/tree/value.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

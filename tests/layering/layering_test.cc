@@ -97,7 +97,7 @@ TEST(Layering, TheArrowsHaveNoWayBack) {
 TEST(Layering, ABreachIsFoundAndNamed) {
   const Layers layers{
       {"base", {"base"}}, {"lang", {"base", "lang"}}, {"motion", {"base", "motion"}}};
-  const SourceFile file{"lang/parser.cc", "lang", {}};
+  const SourceFile file{"lang/tree/parser.cc", "lang", {}};
   EXPECT_EQ(complaint(layers, file, "base/ring.h"), "");
   EXPECT_THAT(complaint(layers, file, "motion/path.h"),
               ::testing::StartsWith("'lang' must not include 'motion'; it may include base, lang"));

@@ -12,9 +12,9 @@
 
 #include "lang/block/active_block.h"
 #include "lang/contract/command.h"
-#include "lang/plain_block.h"
 #include "lang/text/reporter.h"
 #include "lang/text/source.h"
+#include "lang/tree/plain_block.h"
 
 namespace stanok::lang {
 

@@ -1,14 +1,14 @@
-#include "lang/text_value.h"
+#include "lang/tree/text_value.h"
 
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "lang/bracket_operator.h"
-#include "lang/builtin.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
-#include "lang/value.h"
+#include "lang/tree/bracket_operator.h"
+#include "lang/tree/builtin.h"
+#include "lang/tree/value.h"
 
 namespace stanok::lang {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "lang/contract/command.h"
-#include "lang/tree.h"
-#include "lang/value.h"
+#include "lang/tree/tree.h"
+#include "lang/tree/value.h"
 
 namespace stanok::lang {
 

@@ -1,4 +1,4 @@
-#include "lang/builtin.h"
+#include "lang/tree/builtin.h"
 
 #include <fast_float/fast_float.h>
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <numbers>
 
-#include "lang/builtin.h"
+#include "lang/tree/builtin.h"
 
 namespace stanok::lang {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
-#include "lang/builtin.h"
-#include "lang/parser.h"
 #include "lang/text/limits.h"
+#include "lang/tree/builtin.h"
+#include "lang/tree/parser.h"
 #include "lang/words/named_address.h"
 
 namespace stanok::lang {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lang/feed_law/feed_law_words.h"
-#include "lang/parser.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

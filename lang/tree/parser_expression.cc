@@ -2,9 +2,9 @@
 #include <array>
 #include <utility>
 
-#include "lang/builtin.h"
-#include "lang/parser.h"
 #include "lang/text/limits.h"
+#include "lang/tree/builtin.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "lang/tree.h"
+#include "lang/tree/tree.h"
 
 namespace stanok::lang {
 

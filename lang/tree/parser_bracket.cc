@@ -1,9 +1,9 @@
 // Values of the RS274 kind: numbers, #parameters, [expressions] and function[argument].
 #include <utility>
 
-#include "lang/bracket_operator.h"
-#include "lang/parser.h"
 #include "lang/text/number.h"
+#include "lang/tree/bracket_operator.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,5 +1,5 @@
 // Comments in ISO blocks: most say nothing, (MSG,...), (DEBUG,...) and (PRINT,...) become messages.
-#include "lang/parser.h"
+#include "lang/tree/parser.h"
 #include "lang/words/later_word.h"
 
 namespace stanok::lang {

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "lang/parser.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

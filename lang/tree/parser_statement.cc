@@ -2,8 +2,8 @@
 #include <array>
 #include <utility>
 
-#include "lang/parser.h"
 #include "lang/text/limits.h"
+#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "lang/contract/environment.h"
-#include "lang/named_parameter.h"
-#include "lang/scanner.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
-#include "lang/tree.h"
+#include "lang/tree/named_parameter.h"
+#include "lang/tree/scanner.h"
+#include "lang/tree/tree.h"
 #include "lang/words/channel_words.h"
 
 namespace stanok::lang {

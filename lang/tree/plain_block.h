@@ -8,7 +8,7 @@
 #pragma once
 
 #include "lang/contract/environment.h"
-#include "lang/text_value.h"
+#include "lang/tree/text_value.h"
 #include "lang/words/block_words.h"
 #include "lang/words/channel_words.h"
 

@@ -1,4 +1,4 @@
-#include "lang/plain_block.h"
+#include "lang/tree/plain_block.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "lang/tree.h"
+#include "lang/tree/tree.h"
 
 namespace stanok::lang {
 

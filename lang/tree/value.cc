@@ -1,4 +1,4 @@
-#include "lang/value.h"
+#include "lang/tree/value.h"
 
 #include <cmath>
 

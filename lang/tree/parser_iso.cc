@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "lang/feed_law/feed_law_words.h"
-#include "lang/parser.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
+#include "lang/tree/parser.h"
 #include "lang/words/later_word.h"
 #include "lang/words/named_address.h"
 

@@ -1,4 +1,4 @@
-#include "lang/parser.h"
+#include "lang/tree/parser.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 // straight from the text of a line: what lets blocks with such values be executed like those with
 // plain numbers, without tree and code.
 //
-// The grammar is that of lang/parser_bracket.cc. What is rare or wrong (comments inside brackets,
-// EXISTS, syntax errors) is refused here and left to the parser, so that this reader has to explain
-// no text, only computations without a result.
+// The grammar is that of lang/tree/parser_bracket.cc. What is rare or wrong (comments inside
+// brackets, EXISTS, syntax errors) is refused here and left to the parser, so that this reader has
+// to explain no text, only computations without a result.
 #pragma once
 
 #include <cstdint>

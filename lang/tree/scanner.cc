@@ -1,4 +1,4 @@
-#include "lang/scanner.h"
+#include "lang/tree/scanner.h"
 
 #include <fast_float/fast_float.h>
 
