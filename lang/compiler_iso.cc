@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/actions/block_execution.h"
 #include "lang/block/predefined_parameter.h"
-#include "lang/block_execution.h"
 #include "lang/compiler.h"
 
 namespace stanok::lang {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
 #include "lang/block/macro_arguments.h"
-#include "lang/block_execution.h"
 #include "lang/text/reporter.h"
 #include "lang/tree/parser.h"
 

@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/gvector.h"
 #include "lang/block/active_block.h"
 #include "lang/block/command_queue.h"
 #include "lang/block/modal_state.h"
@@ -21,7 +22,6 @@
 #include "lang/block_search.h"
 #include "lang/code.h"
 #include "lang/contract/active_codes.h"
-#include "lang/gvector.h"
 #include "lang/interpreter.h"
 #include "lang/program.h"
 #include "lang/text/limits.h"

@@ -2,8 +2,8 @@
 // does not draw others after it.
 #include <algorithm>
 
-#include "lang/actions.h"
-#include "lang/block_execution.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {

@@ -1,7 +1,7 @@
 // How a run begins: a program with the default modal state, a line with that of the line before.
 #include <utility>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 #include "lang/program_run.h"
 
 namespace stanok::lang {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/gvector.h"
-#include "lang/modal_restore.h"
+#include "lang/actions/gvector.h"
+#include "lang/actions/modal_restore.h"
 #include "lang/program_run.h"
 #include "lang/text/number.h"
 

@@ -1,6 +1,6 @@
 // The axis words of a block: their values in mm and deg (radius), as programmed.
-#include "lang/actions.h"
-#include "lang/block_execution.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
 
 namespace stanok::lang {
 namespace {

@@ -2,8 +2,8 @@
 // which one takes the axis words.
 #include <algorithm>
 
-#include "lang/actions.h"
-#include "lang/block_execution.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
 #include "lang/words/later_word.h"
 
 namespace stanok::lang {

@@ -2,8 +2,8 @@
 // order of effects, and the codes that have an F or S of their own.
 #include <algorithm>
 
-#include "lang/actions.h"
-#include "lang/block_execution.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
 
 namespace stanok::lang {
 namespace {

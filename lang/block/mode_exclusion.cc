@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "base/assert.h"
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 
 namespace stanok::lang {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 
 namespace stanok::lang {
 namespace {

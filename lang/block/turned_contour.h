@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/cycle_moves.h"
+#include "lang/actions/cycle_moves.h"
 
 namespace stanok::lang {
 

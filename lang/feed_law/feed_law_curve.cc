@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 #include "lang/feed_law/feed_law_words.h"
 #include "lang/text/limits.h"
 

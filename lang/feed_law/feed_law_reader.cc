@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 #include "lang/text/limits.h"
 
 namespace stanok::lang {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lang/block_execution.h"
+#include "lang/actions/block_execution.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/text/source.h"

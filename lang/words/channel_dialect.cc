@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 #include "lang/feed_law/feed_law_words.h"
 #include "lang/text/source.h"
 #include "lang/words/named_address.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "lang/actions.h"
+#include "lang/actions/actions.h"
 
 namespace stanok::lang {
 namespace {

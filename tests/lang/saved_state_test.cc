@@ -1,7 +1,7 @@
 // The modal state saved and restored: M70 to M73, save_gvector, restore_gvector.
 #include <random>
 
-#include "lang/gvector.h"
+#include "lang/actions/gvector.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {
