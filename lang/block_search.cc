@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
-#include "lang/program.h"
+#include "lang/program/program.h"
 #include "lang/text/block_number.h"
 #include "lang/text/reporter.h"
 

@@ -3,8 +3,8 @@
 #include <new>
 #include <utility>
 
-#include "lang/kept_files.h"
-#include "lang/loader.h"
+#include "lang/program/kept_files.h"
+#include "lang/program/loader.h"
 #include "lang/program_run.h"
 #include "lang/text/compile_watch.h"
 

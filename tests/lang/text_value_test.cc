@@ -2,7 +2,7 @@
 // blocks, plain and with a `/* */` behind them, which only the compiler reads.
 #include <random>
 
-#include "lang/program.h"
+#include "lang/program/program.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {

@@ -1,4 +1,4 @@
-#include "lang/loader.h"
+#include "lang/program/loader.h"
 
 #include <algorithm>
 #include <cmath>

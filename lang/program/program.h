@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/code.h"
 #include "lang/interpreter.h"
+#include "lang/program/code.h"
 #include "lang/tree/named_parameter.h"
 
 namespace stanok::lang {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lang/contract/environment.h"
-#include "lang/program.h"
+#include "lang/program/program.h"
 
 namespace stanok::lang {
 

@@ -2,7 +2,7 @@
 #include <set>
 #include <utility>
 
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 
 namespace stanok::lang {
 namespace {

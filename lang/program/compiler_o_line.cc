@@ -1,7 +1,7 @@
 // Code of subprograms, calls and counted loops of O-lines.
 #include <utility>
 
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 
 namespace stanok::lang {
 

@@ -1,5 +1,5 @@
 // Declarations of shared variables. They live in the machine; a program only names them.
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {

@@ -1,7 +1,7 @@
 // Code of declarations and assignments; scopes and names.
 #include <utility>
 
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 

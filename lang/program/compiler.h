@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/code.h"
-#include "lang/program.h"
+#include "lang/program/code.h"
+#include "lang/program/program.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
 #include "lang/tree/builtin.h"

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "lang/block/predefined_parameter.h"
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 
 namespace stanok::lang {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "lang/actions/block_execution.h"
 #include "lang/block/predefined_parameter.h"
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 
 namespace stanok::lang {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {

@@ -1,7 +1,7 @@
 // One line of an operator as a program of its own that includes the loaded program.
 #include <algorithm>
 
-#include "lang/loader.h"
+#include "lang/program/loader.h"
 #include "lang/tree/parser.h"
 
 namespace stanok::lang {

@@ -1,4 +1,4 @@
-#include "lang/kept_files.h"
+#include "lang/program/kept_files.h"
 
 namespace stanok::lang {
 

@@ -1,4 +1,4 @@
-#include "lang/compiler.h"
+#include "lang/program/compiler.h"
 
 #include <utility>
 
