@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/interpreter.h"
 #include "lang/program/code.h"
+#include "lang/run/interpreter.h"
 #include "lang/tree/named_parameter.h"
 
 namespace stanok::lang {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 
 namespace stanok::lang {
 

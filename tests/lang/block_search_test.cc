@@ -1,5 +1,5 @@
 // Block search: where a target stands, what is collected on the way, what ends a search.
-#include "lang/block_search.h"
+#include "lang/run/block_search.h"
 
 #include <gmock/gmock.h>
 

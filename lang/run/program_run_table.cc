@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lang/block/tool_value.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {

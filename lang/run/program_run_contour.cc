@@ -2,7 +2,7 @@
 // plain lines.
 #include <optional>
 
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/block_number.h"
 #include "lang/text/number.h"
 #include "lang/tree/plain_block.h"

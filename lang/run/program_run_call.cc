@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 

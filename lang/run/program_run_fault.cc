@@ -4,7 +4,7 @@
 
 #include "lang/actions/actions.h"
 #include "lang/actions/block_execution.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 namespace {

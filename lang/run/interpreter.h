@@ -13,10 +13,10 @@
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
-#include "lang/block_search.h"
 #include "lang/contract/active_codes.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
+#include "lang/run/block_search.h"
 
 namespace stanok::lang {
 

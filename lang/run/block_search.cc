@@ -1,4 +1,4 @@
-#include "lang/block_search.h"
+#include "lang/run/block_search.h"
 
 #include <algorithm>
 #include <charconv>

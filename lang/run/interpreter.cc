@@ -1,11 +1,11 @@
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 
 #include <new>
 #include <utility>
 
 #include "lang/program/kept_files.h"
 #include "lang/program/loader.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/compile_watch.h"
 
 namespace stanok::lang {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "lang/actions/actions.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/number.h"
 #include "lang/text/reporter.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/assert.h"
 #include "lang/block/point_parameter.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {

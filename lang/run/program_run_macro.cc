@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lang/block/macro_arguments.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 

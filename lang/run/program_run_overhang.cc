@@ -1,7 +1,7 @@
 // #tool_overhang: checked at once, in force when the axes stand.
 #include <cmath>
 
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "lang/feed_law/feed_law_curve.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 

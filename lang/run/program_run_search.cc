@@ -1,8 +1,8 @@
 // Block search: where a run stops before a line, or begins at it.
 #include <algorithm>
 
-#include "lang/block_search.h"
-#include "lang/program_run.h"
+#include "lang/run/block_search.h"
+#include "lang/run/program_run.h"
 #include "lang/text/reporter.h"
 
 namespace stanok::lang {

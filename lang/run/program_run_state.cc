@@ -4,7 +4,7 @@
 
 #include "lang/actions/gvector.h"
 #include "lang/actions/modal_restore.h"
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {

@@ -1,7 +1,7 @@
 // #adaptive: the orders of a program to force control, in units of the machine.
 #include <algorithm>
 
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 namespace {

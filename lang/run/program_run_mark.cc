@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {

@@ -1,7 +1,7 @@
 // #workpiece and #workpiece_pos: for displays and simulation; they do not act on motion.
 //
 // Sizes, zero and position are program units; the resolution of the display is in mm.
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 namespace stanok::lang {
 namespace {

@@ -1,4 +1,4 @@
-#include "lang/program_run.h"
+#include "lang/run/program_run.h"
 
 #include <algorithm>
 #include <utility>
