@@ -13,16 +13,11 @@
 #include "base/diagnostic.h"
 #include "lang/block/coordinate_map.h"
 #include "lang/block/work_frame.h"
+#include "lang/contract/active_codes.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
-#include "lang/words/code_table.h"
 
 namespace stanok::lang {
-
-// Axis k of the channel, as a set.
-[[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) {
-  return static_cast<AxisSet>(1U << axis);
-}
 
 // Coordinates closer than this (mm or deg) are the same: far below any axis resolution, far above
 // the rounding of sums of offsets.
@@ -107,7 +102,7 @@ struct ProgrammedCurve {
 
 struct ModalState {
   // The active code of each group in tenths (G1 = 10), and the line that set it; 0 = default.
-  std::array<CodeNumber, group_count> codes{};
+  ActiveCodes codes{};
   std::array<std::uint32_t, group_count> lines{};
 
   // F as programmed, and with lengths in mm. Not known at start and after a change of feed mode.

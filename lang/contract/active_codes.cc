@@ -3,12 +3,37 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/block/modal_state.h"
-
 namespace stanok::lang {
 
 ActiveCodes default_codes(ChannelKind kind) {
-  return default_modal_state(kind).codes;
+  const bool lathe = kind == ChannelKind::lathe;
+  ActiveCodes codes{};
+  const auto set = [&codes](Group group, CodeNumber number) {
+    codes[static_cast<std::size_t>(group)] = number;
+  };
+  set(Group::motion, 0);
+  set(Group::plane, lathe || kind == ChannelKind::grind ? 180 : 170);
+  set(Group::distance, 900);
+  set(Group::arc_distance, 911);
+  set(Group::feed_mode, lathe ? 950 : 940);
+  set(Group::units, 210);
+  set(Group::radius_compensation, 400);
+  set(Group::length, 490);
+  set(Group::transformation, 131);
+  set(Group::return_level, 980);
+  set(Group::scaling, 500);
+  set(Group::mirror, 501);
+  set(Group::work_offset, 540);
+  set(Group::path_mode, 640);
+  set(Group::spindle_mode, 970);
+  set(Group::diameter, lathe ? 70 : 80);
+  set(Group::rotation, 690);
+  set(Group::polar, 150);
+  set(Group::spindle, 50);
+  set(Group::mist, 90);
+  set(Group::flood, 90);
+  set(Group::override_control, 480);
+  return codes;
 }
 
 std::vector<std::string> names_of(const ActiveCodes& codes, char letter) {

@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "lang/contract/code_number.h"
 #include "lang/contract/environment.h"
-#include "lang/words/code_table.h"
+#include "lang/contract/modal_group.h"
 
 namespace stanok::lang {
 
 // By Group, in tenths; 0 in a group of M codes: none.
 using ActiveCodes = std::array<CodeNumber, group_count>;
 
+// At the start of a program, after M2, M30 and reset.
 [[nodiscard]] ActiveCodes default_codes(ChannelKind kind);
 
 // "G1", "G17", ... for the letter G; "M3", "M8" for M, where M9 stands for both kinds of coolant.

@@ -27,6 +27,9 @@ using AxisValues = std::array<double, axes_max>;
 
 // Bit k stands for axis k of the channel.
 using AxisSet = std::uint16_t;
+[[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) {
+  return static_cast<AxisSet>(1U << axis);
+}
 
 enum class Plane : std::uint8_t { xy, zx, yz };                                   // G17, G18, G19
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };  // G94, G95, G93

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/contract/code_number.h"
+
 namespace stanok::lang {
 
 // Bit k stands for the k-th letter, A = 0.
@@ -26,14 +28,8 @@ using LetterSet = std::uint32_t;
   return set;
 }
 
-// Number of a G or M code in tenths: G1 = 10, G43.4 = 434.
-using CodeNumber = std::int16_t;
-
 // Stands for G=expr and M=expr until the value is known.
 inline constexpr CodeNumber code_computed_later = -1;
-
-// "G43.4" of ('G', 434).
-[[nodiscard]] std::string code_text(char letter, int number);
 
 // The codes of one letter in a block, in the order written.
 struct CodeList {

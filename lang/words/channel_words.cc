@@ -1,6 +1,5 @@
 #include "lang/words/channel_words.h"
 
-#include "lang/block/modal_state.h"
 #include "lang/text/source.h"
 
 namespace stanok::lang {

@@ -1,7 +1,6 @@
 #include "lang/words/code_table.h"
 
 #include <array>
-#include <cstdlib>
 
 #include "lang/actions/actions.h"
 
@@ -271,12 +270,6 @@ const Code* find_code(char letter, CodeNumber number) {
 bool changes_program_flow(const Code& code) {
   const bool macro_call = code.letter == 'G' && code.number == 650;
   return macro_call || code.group == Group::subprogram || code.action == end_program;
-}
-
-std::string code_text(char letter, int number) {
-  std::string text = letter + std::to_string(number / 10);
-  if (number % 10 != 0) text += "." + std::to_string(std::abs(number % 10));
-  return text;
 }
 
 }  // namespace stanok::lang
