@@ -12,7 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "lang/contract/command.h"
-#include "lang/run/interpreter.h"
+#include "lang/program/compile.h"
 #include "lang/text/source.h"
 #include "lang/tree/tree.h"
 #include "lang/words/block_words.h"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "lang/program/compile.h"
 #include "lang/program/compiler.h"
 #include "lang/program/program.h"
-#include "lang/run/interpreter.h"
 #include "lang/text/compile_watch.h"
 #include "lang/text/reporter.h"
 #include "lang/tree/tree.h"

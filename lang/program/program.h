@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lang/program/code.h"
-#include "lang/run/interpreter.h"
+#include "lang/program/compile.h"
 #include "lang/tree/named_parameter.h"
 
 namespace stanok::lang {

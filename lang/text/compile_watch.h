@@ -2,18 +2,21 @@
 // more memory than a machine has.
 //
 // The parser calls it at each statement and each plain line, the compiler at each statement. It
-// ends them by an exception, which interpreter.cc turns into an error of the program: what was
+// ends them by an exception, which compile() turns into an error of the program: what was
 // made of it so far is dropped.
 #pragma once
 
 #include <cstddef>
 #include <exception>
-#include <string>
+#include <functional>
+#include <utility>
 
 #include "base/diagnostic.h"
-#include "lang/run/interpreter.h"
 
 namespace stanok::lang {
+
+// Asked again and again while a program is compiled; true ends that.
+using Interruption = std::function<bool()>;
 
 class CompileEnd : public std::exception {
  public:
