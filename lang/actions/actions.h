@@ -2,14 +2,19 @@
 // commands they give. One function serves a family of codes and is told which of them it is.
 #pragma once
 
-#include <initializer_list>
+#include <optional>
+#include <string>
 
 #include "lang/block/active_block.h"
+#include "lang/block/axis_words.h"
+#include "lang/block/block_codes.h"
+#include "lang/block/feed_law_rules.h"
+#include "lang/block/mode_exclusion.h"
+#include "lang/feed_law/feed_law_reader.h"
 #include "lang/words/code_table.h"
+#include "lang/words/named_address.h"
 
 namespace stanok::lang {
-
-struct BlockCodes;
 
 // Feed, speed, tool and machine functions (actions_machine.cc)
 void take_feed(ActiveBlock& block, CodeNumber);
@@ -44,11 +49,8 @@ void only_modal(ActiveBlock& block, CodeNumber code);
 
 // Feed laws (actions_feed_law.cc)
 void take_feed_law(ActiveBlock& block, CodeNumber);  // S_n, dS, dl, ...
-[[nodiscard]] bool has_feed_law(const BlockWords& words);
-// Why the block cannot have the law that its words say, nothing when it can or says none; `moves`:
-// it is one of a motion, or has axis words for another code.
-[[nodiscard]] std::optional<BlockFault> check_feed_law(const BlockWords& words,
-                                                       const BlockCodes& codes, bool moves);
+// What the values of a law in this block depend on.
+[[nodiscard]] LawSurroundings law_surroundings(const ActiveBlock& block);
 // What the surroundings of a law must be; false, with the block failed at `word`, when they are
 // not. `what`: "`n_n` = 500".
 [[nodiscard]] bool allows_feed_law(ActiveBlock& block, const WordName& word);
@@ -71,8 +73,6 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code);  // G96 G97
 void limit_speed(ActiveBlock& block);                           // G92 S
 // The spindle that $ names, 0 (master) without; fails the block when there is none.
 [[nodiscard]] std::optional<int> named_spindle(ActiveBlock& block);
-// The spindle that S2= means; nothing when the word is none.
-[[nodiscard]] std::optional<int> spindle_of_indexed_speed(const NamedWord& word);
 [[nodiscard]] double speed_of_spindle(const ActiveBlock& block, int spindle);
 [[nodiscard]] bool spindle_turns(const ActiveBlock& block, int spindle);
 [[nodiscard]] bool spindle_has_position(const ActiveBlock& block, int spindle);
@@ -188,33 +188,10 @@ void bore_or_thread(ActiveBlock& block, CodeNumber code);  // G76: by the kind o
 
 // Parts of a motion shared by its kinds.
 
-// Modes in which some codes have no meaning (mode_exclusion.cc).
-enum class Exclusion : std::uint8_t {
-  radius_compensation,  // G41, G42
-  tip_control,          // G43.4
-  transformation,       // G12.1, G7.1
-  drilling_cycle,
-  inverse_time,  // G93
-  rotation,      // G68
-};
-struct ActiveMode {
-  std::string_view name;  // "the tool tip is controlled"
-  std::string_view remedy;
-  Note set_by;
-};
-// The first of `modes` that is active.
-[[nodiscard]] std::optional<ActiveMode> active_mode(const ModalState& modal,
-                                                    std::initializer_list<Exclusion> modes);
 // False, with the block failed, when axis words are programmed that are not `allowed`.
 [[nodiscard]] bool only_axes(ActiveBlock& block, CodeNumber code, AxisSet allowed);
-// Fails the block when one of `modes` is active. True when it failed.
-[[nodiscard]] bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
-                                    std::initializer_list<Exclusion> exclusions, char letter = 'G');
-
 // The ends of the programmed axes, absolute in W (M under G53); others stay where they are.
 void resolve_ends(const ActiveBlock& block, Move& move);
-// Whether an axis is programmed in mm: all that are not rotary, and C on the polar face.
-[[nodiscard]] bool is_length(const ActiveBlock& block, std::size_t axis);
 // Feed and path mode; fails the block when a feed is missing.
 void resolve_feed(ActiveBlock& block, Move& move);
 // The same, in a block without a feed law of its own.

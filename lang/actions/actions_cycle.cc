@@ -19,7 +19,7 @@ constexpr double moves_max = 100000.0;
 
 bool is_cycle(CodeNumber code) {
   const Code* const row = find_code('G', code);
-  return row != nullptr && (row->action == drill_hole || code == 760);
+  return row != nullptr && (row->action == CodeAction::drill_hole || code == 760);
 }
 
 bool needs_dwell(CodeNumber code) {

@@ -13,12 +13,6 @@ namespace {
 // Words that make an arc or curve of a block without axis words.
 constexpr LetterSet curve_words = letters_of("IJKR");
 
-bool takes_feed_law(const Code& code) {
-  const bool straight = code.action == move_straight && code.number == 10;
-  return straight || code.action == move_in_arc || code.action == move_in_cubic ||
-         code.action == move_in_quadratic;
-}
-
 bool is_curve(CodeNumber motion) {
   return motion == 20 || motion == 30 || motion == 50 || motion == 51;
 }
@@ -42,23 +36,15 @@ bool path_has_length(const ActiveBlock& block) {
          (block.programmed & block.channel_words.linear_axes()) != 0;
 }
 
-WordName first_law_word(const BlockWords& words) {
-  for (const NamedWord& word : words.named) {
-    if (is_law_address(word.name)) return {0, -1, word.name};
-  }
-  return {};
-}
-
-BlockFault no_place(const BlockWords& words, const std::string& where, std::string label) {
-  BlockFault fault =
-      fault_at("E4333", first_law_word(words), "a feed law " + where, std::move(label));
-  fault.help.emplace_back(
-      "program it with G1, G2, G3, G5 or G5.1, or before, in a block without axis words");
-  return fault;
-}
-
 bool feed_is_known(const ModalState& modal) {
   return (modal.feed_known || modal.feed_behind_law) && modal.feed_programmed > 0.0;
+}
+
+// The address with which the speeds of a form begin; nothing: it leaves the spindle alone.
+std::optional<LawAddress> first_speed_of(const LawForm& form) {
+  if (form.speed == FeedLaw::Speed::unchanged) return std::nullopt;
+  return form.speed == FeedLaw::Speed::rev_per_min ? LawAddress::speed_first
+                                                   : LawAddress::cutting_first;
 }
 
 // What a law needs around it, beside its own values.
@@ -66,7 +52,8 @@ bool check_surroundings(ActiveBlock& block, const LawForm& form, LawScope scope)
   const WordName word = first_law_word(block.words);
   if (!allows_feed_law(block, word)) return false;
   if (scope == LawScope::block && !path_has_length(block)) {
-    block.fault = no_place(block.words, "for a motion of rotary axes alone", "no path in mm");
+    block.fault =
+        law_without_path(block.words, "for a motion of rotary axes alone", "no path in mm");
   } else if (form.kind == FeedLaw::Kind::interrupted && !feed_is_known(block.modal)) {
     block
         .fail("E4342", word, "the interrupted law without a feed",
@@ -78,22 +65,6 @@ bool check_surroundings(ActiveBlock& block, const LawForm& form, LawScope scope)
 
 }  // namespace
 
-std::optional<BlockFault> check_feed_law(const BlockWords& words, const BlockCodes& codes,
-                                         bool moves) {
-  if (words.named.empty()) return std::nullopt;
-  const LawWords law = law_words_of(words);
-  if (law.empty()) return std::nullopt;
-  if (auto form = form_of(law); !form) return std::move(form).error();
-  const Code* const user = codes.axis_user;
-  if (!moves || user == nullptr || takes_feed_law(*user)) return std::nullopt;
-  const std::string name = "`" + code_text(user->letter, user->number) + "`";
-  return no_place(words, "in a block of " + name, name + " takes no law");
-}
-
-bool has_feed_law(const BlockWords& words) {
-  return !words.named.empty() && !law_words_of(words).empty();
-}
-
 void take_feed_law(ActiveBlock& block, CodeNumber) {
   const LawWords words = law_words_of(block.words);
   const auto form = form_of(words);
@@ -103,11 +74,23 @@ void take_feed_law(ActiveBlock& block, CodeNumber) {
   }
   const LawScope scope = block_moves(block) ? LawScope::block : LawScope::modal;
   if (!check_surroundings(block, **form, scope)) return;
-  auto law = read_feed_law(block, **form, words, scope);
-  if (!law) return;
+  auto law = read_feed_law(law_surroundings(block), **form, words, scope);
+  if (!law) {
+    block.fault = std::move(law).error();
+    return;
+  }
+  if (const auto speed = first_speed_of(**form);
+      speed && !spindle_takes_law(block, word_name(*speed), word_text(words, *speed))) {
+    return;
+  }
   if (scope == LawScope::modal) return set_feed_law(block, std::move(*law));
   block.law_feed = law->gives_feed() ? law->feed_first : block.modal.feed_mm;
   block.queue.emit(FeedLawChange{std::move(*law), true});
+}
+
+LawSurroundings law_surroundings(const ActiveBlock& block) {
+  return {block.modal.feed_mode(), block.length_unit(), block.modal.inches() ? m_per_foot : 1.0,
+          block.channel.finest_resolution_mm};
 }
 
 bool allows_feed_law(ActiveBlock& block, const WordName& word) {

@@ -49,10 +49,6 @@ void use_machine_coordinates(ActiveBlock& block, CodeNumber) {
   block.machine_coordinates = true;
 }
 
-bool is_length(const ActiveBlock& block, std::size_t axis) {
-  return !block.channel.axes[axis].rotary || block.modal.face_axis() == static_cast<int>(axis);
-}
-
 void resolve_ends(const ActiveBlock& block, Move& move) {
   const CoordinateMap& map = block.modal.map;
   const bool mapped = map.active() && !block.machine_coordinates;

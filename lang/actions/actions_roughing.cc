@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lang/actions/block_execution.h"
+#include "lang/actions/cycle_moves.h"
 #include "lang/block/turned_contour.h"
 
 namespace stanok::lang {

@@ -85,16 +85,6 @@ bool speeds_differ(const ActiveBlock& block) {
 
 }  // namespace
 
-std::optional<int> spindle_of_indexed_speed(const NamedWord& word) {
-  if (word.name.size() < 2 || upper_case(word.name[0]) != 'S') return std::nullopt;
-  int spindle = 0;
-  for (const char digit : std::string_view(word.name).substr(1)) {
-    if (!is_digit(digit)) return std::nullopt;
-    spindle = 10 * spindle + (digit - '0');
-  }
-  return spindle;
-}
-
 std::optional<int> named_spindle(ActiveBlock& block) {
   return checked(block, block.words.spindle_named ? block.words.spindle : 0, {});
 }

@@ -73,13 +73,13 @@ void give_back(ActiveBlock& block, std::size_t axis) {
 }  // namespace
 
 bool is_word_of_spindle_axis(const BlockCodes& codes, const NamedWord& word) {
-  const auto taken_by = [&](Action action) {
+  const auto taken_by = [&](CodeAction action) {
     return std::any_of(codes.rows.begin(), codes.rows.begin() + codes.count,
                        [&](const Code* row) { return row->action == action; });
   };
-  const bool to_axis = taken_by(make_axis_of_spindle);
+  const bool to_axis = taken_by(CodeAction::make_axis_of_spindle);
   if (word.name == word_of_axis) return to_axis;
-  return word.name == word_of_spindle && (to_axis || taken_by(make_spindle_of_axis));
+  return word.name == word_of_spindle && (to_axis || taken_by(CodeAction::make_spindle_of_axis));
 }
 
 bool is_spindle_now(const ActiveBlock& block, std::size_t axis) {

@@ -6,13 +6,9 @@
 #include <optional>
 
 #include "lang/actions/actions.h"
+#include "lang/block/turned_contour.h"
 
 namespace stanok::lang {
-
-struct TurningPoint {
-  double x = 0.0;  // radius
-  double z = 0.0;
-};
 
 class CycleMoves {
  public:

@@ -13,37 +13,11 @@
 #include "lang/block/probe_result.h"
 #include "lang/block/state_stack.h"
 #include "lang/contract/environment.h"
+#include "lang/words/block_fault.h"
 #include "lang/words/block_words.h"
 #include "lang/words/channel_words.h"
 
 namespace stanok::lang {
-
-// Which word of a block is meant: a code, a letter, or (letter 0) the block as a whole.
-struct WordName {
-  char letter = 0;
-  int code = -1;     // G and M: number in tenths
-  std::string name;  // named or indexed word
-};
-
-// The name of a G code as a word of the block; number in tenths.
-[[nodiscard]] inline WordName code_word(CodeNumber code) {
-  return {'G', code, {}};
-}
-
-// Why a block cannot be executed; its reader adds the place.
-struct BlockFault {
-  std::string_view code;
-  WordName word;
-  std::string message;
-  std::string label;
-  std::vector<Note> notes;
-  std::vector<std::string> help;
-};
-
-[[nodiscard]] inline BlockFault fault_at(std::string_view code, WordName word, std::string message,
-                                         std::string label) {
-  return {code, std::move(word), std::move(message), std::move(label), {}, {}};
-}
 
 // What a block does to the flow of the program after its own effects.
 enum class Flow : std::uint8_t {

@@ -1,6 +1,4 @@
-// The axis words of a block: their values in mm and deg (radius), as programmed.
-#include "lang/actions/actions.h"
-#include "lang/actions/block_execution.h"
+#include "lang/block/axis_words.h"
 
 namespace stanok::lang {
 namespace {
@@ -17,6 +15,10 @@ bool take_axis_value(ActiveBlock& block, std::size_t axis, double value) {
 }
 
 }  // namespace
+
+bool is_length(const ActiveBlock& block, std::size_t axis) {
+  return !block.channel.axes[axis].rotary || block.modal.face_axis() == static_cast<int>(axis);
+}
 
 void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
   const LetterSet letters =

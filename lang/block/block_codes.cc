@@ -1,9 +1,7 @@
-// The rows of the codes of a block: which exist and are available here, which exclude each other,
-// which one takes the axis words.
+#include "lang/block/block_codes.h"
+
 #include <algorithm>
 
-#include "lang/actions/actions.h"
-#include "lang/actions/block_execution.h"
 #include "lang/words/later_word.h"
 
 namespace stanok::lang {
@@ -60,7 +58,7 @@ const Code high_speed_by_p{'G',
                            AxisWords::unused,
                            letters_of("P"),
                            Availability::everywhere,
-                           accept_high_speed,
+                           CodeAction::accept_high_speed,
                            "look-ahead switch"};
 const Code high_speed_by_q{'G',
                            51,
@@ -70,7 +68,7 @@ const Code high_speed_by_q{'G',
                            AxisWords::unused,
                            letters_of("Q"),
                            Availability::everywhere,
-                           accept_high_speed,
+                           CodeAction::accept_high_speed,
                            "look-ahead switch"};
 
 const Code* row_of(char letter, CodeNumber number, const BlockWords& words) {
@@ -92,7 +90,7 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   if (row == nullptr) {
     return fault_at("E4004", word, "unknown code `" + name + "`", "no such code");
   }
-  if (row->action == nullptr) {
+  if (row->action == CodeAction::unsupported) {
     BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
                                 std::string(row->title));
     if (const LaterWord* later = find_later_word(name)) fault.help.emplace_back(later->instead);

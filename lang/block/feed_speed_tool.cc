@@ -2,24 +2,27 @@
 // order of effects, and the codes that have an F or S of their own.
 #include <algorithm>
 
-#include "lang/actions/actions.h"
-#include "lang/actions/block_execution.h"
+#include "lang/block/block_codes.h"
+#include "lang/block/feed_law_rules.h"
+#include "lang/words/named_address.h"
 
 namespace stanok::lang {
 namespace {
 
-constexpr Code word_row(char letter, Phase phase, Availability availability, Action action,
+constexpr Code word_row(char letter, Phase phase, Availability availability, CodeAction action,
                         std::string_view title) {
   return {letter, 0, Group::none, 0, phase, AxisWords::unused, 0, availability, action, title};
 }
 
-constexpr Code feed_word = word_row('F', Phase::feed, Availability::everywhere, take_feed, "feed");
+constexpr Code feed_word =
+    word_row('F', Phase::feed, Availability::everywhere, CodeAction::take_feed, "feed");
 constexpr Code speed_word =
-    word_row('S', Phase::speed, Availability::not_master, take_speed, "spindle speed");
+    word_row('S', Phase::speed, Availability::not_master, CodeAction::take_speed, "spindle speed");
 // Behind the spindle of its block, which a law may need, and before the motion.
-constexpr Code law_words =
-    word_row(0, Phase::motion_modifier, Availability::not_master, take_feed_law, "feed law");
-constexpr Code tool_word = word_row('T', Phase::tool, Availability::not_master, take_tool, "tool");
+constexpr Code law_words = word_row(0, Phase::motion_modifier, Availability::not_master,
+                                    CodeAction::take_feed_law, "feed law");
+constexpr Code tool_word =
+    word_row('T', Phase::tool, Availability::not_master, CodeAction::take_tool, "tool");
 
 // G76 has F of its own on lathe channels only.
 bool takes_word(const Code& code, char letter, ChannelKind kind) {

@@ -1,9 +1,9 @@
-// Modes in which a code has no meaning: one place that says so, with the line that set the mode.
+#include "lang/block/mode_exclusion.h"
+
 #include <algorithm>
 #include <iterator>
 
 #include "base/assert.h"
-#include "lang/actions/actions.h"
 
 namespace stanok::lang {
 namespace {

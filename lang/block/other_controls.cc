@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "lang/actions/actions.h"
+#include "lang/words/named_address.h"
 
 namespace stanok::lang {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-#include "lang/actions/block_execution.h"
 #include "lang/block/active_block.h"
+#include "lang/block/block_codes.h"
 
 namespace stanok::lang {
 

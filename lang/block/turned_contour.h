@@ -8,9 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "lang/actions/cycle_moves.h"
-
 namespace stanok::lang {
+
+// X and Z in W, mm.
+struct TurningPoint {
+  double x = 0.0;  // radius
+  double z = 0.0;
+};
 
 // A programmed move of the contour, absolute in W.
 struct PlaneMove {

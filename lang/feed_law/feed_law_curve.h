@@ -2,22 +2,21 @@
 // path.
 #pragma once
 
-#include <optional>
 #include <span>
 
-#include "lang/block/active_block.h"
-#include "lang/tree/value.h"
+#include "lang/feed_law/feed_law_reader.h"
 
 namespace stanok::lang {
 
 // In program units, as the arrays of #feedlaw (curve, ...) have them.
 struct CurveArrays {
-  std::span<const Value> ways;  // ascending from 0
-  std::span<const Value> feeds;
-  std::span<const Value> speeds;  // rev/min; empty: the law leaves the spindle alone
+  std::span<const double> ways;  // ascending from 0
+  std::span<const double> feeds;
+  std::span<const double> speeds;  // rev/min; empty: the law leaves the spindle alone
 };
 
-// The law in mm; nothing, with the block failed, when the arrays are no curve.
-[[nodiscard]] std::optional<FeedLaw> read_feed_curve(ActiveBlock& block, const CurveArrays& arrays);
+// The law in mm, or why the arrays are no curve.
+[[nodiscard]] Expected<FeedLaw, BlockFault> read_feed_curve(const LawSurroundings& around,
+                                                            const CurveArrays& arrays);
 
 }  // namespace stanok::lang

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
-#include "lang/actions/actions.h"
 #include "lang/text/limits.h"
 
 namespace stanok::lang {
@@ -29,13 +29,14 @@ struct Grid {
 
 class LawReader {
  public:
-  LawReader(ActiveBlock& block, const LawForm& form, const LawWords& words, LawScope scope)
-      : block_(block), form_(form), words_(words), scope_(scope) {}
+  LawReader(const LawSurroundings& around, const LawForm& form, const LawWords& words,
+            LawScope scope)
+      : around_(around), form_(form), words_(words), scope_(scope) {}
 
-  std::optional<FeedLaw> read() {
+  Expected<FeedLaw, BlockFault> read() {
     law_.kind = form_.kind;
     law_.speed = form_.speed;
-    law_.feed_mode = block_.modal.feed_mode();
+    law_.feed_mode = around_.feed_mode;
     if (form_.kind == FeedLaw::Kind::linear) read_linear();
     if (form_.kind == FeedLaw::Kind::modulated) read_modulated();
     if (form_.kind == FeedLaw::Kind::interrupted) {
@@ -46,7 +47,7 @@ class LawReader {
     if (form_.speed == FeedLaw::Speed::m_per_min) {
       read_speed(cutting_first, cutting_last, cutting_step);
     }
-    if (block_.failed()) return std::nullopt;
+    if (failed()) return Unexpected<BlockFault>(std::move(*fault_));
     return std::move(law_);
   }
 
@@ -58,7 +59,7 @@ class LawReader {
     law_.falls = words_.value(way_step) < 0.0;
     if (!words_.has(feed_last)) return;
     law_.feed_last = feed(feed_last);
-    if (block_.failed()) return;
+    if (failed()) return;
     law_.falls = law_.feed_last < law_.feed_first;
     words_.has(way_step) ? check_direction() : check_way_step_follows();
     if (law_.feed_last == law_.feed_first) law_.feed_step = 0.0;
@@ -96,7 +97,7 @@ class LawReader {
     law_.feed_first = feed(feed_min);
     law_.feed_step = step_of_feed();
     law_.way_step_mm = length(way_step);
-    if (block_.failed()) return;
+    if (failed()) return;
     words_.has(steps) ? read_step_count() : read_largest_feed();
     law_.feed_last = law_.feed_first + law_.steps * law_.feed_step;
   }
@@ -113,7 +114,7 @@ class LawReader {
 
   void read_largest_feed() {
     const double largest = feed(feed_max);
-    if (block_.failed()) return;
+    if (failed()) return;
     if (largest <= law_.feed_first) {
       fail("E4338", feed_max, text(feed_max) + " must be above " + text(feed_min),
            "the law starts at `Smin` and rises",
@@ -128,7 +129,7 @@ class LawReader {
            "too many steps", "write a larger `dS`");
     } else if (std::abs(count - std::round(count)) > multiple_tolerance) {
       const double nearest =
-          (law_.feed_first + std::round(count) * law_.feed_step) / block_.length_unit();
+          (law_.feed_first + std::round(count) * law_.feed_step) / around_.length_unit;
       fail("E4336", feed_max,
            text(feed_max) + " lies " + law_number_text(count) + " steps of " + text(feed_step) +
                " above " + text(feed_min),
@@ -140,8 +141,8 @@ class LawReader {
 
   // n_n n_k dn or v_n v_k dv; the last one is given or the step.
   void read_speed(LawAddress first, LawAddress last, LawAddress step) {
-    const bool feet = form_.speed == FeedLaw::Speed::m_per_min && block_.modal.inches();
-    const double unit = feet ? m_per_foot : 1.0;
+    const bool cuts = form_.speed == FeedLaw::Speed::m_per_min;
+    const double unit = cuts ? around_.cutting_speed_unit : 1.0;
     law_.speed_first = positive(first) * unit;
     if (words_.has(last)) law_.speed_last = positive(last) * unit;
     if (words_.has(step)) law_.speed_step = words_.value(step) * unit;
@@ -155,9 +156,6 @@ class LawReader {
            "give the step `" + std::string(name_of(step)) +
                "`, or program the law in the block of the motion");
     }
-    if (!block_.failed()) {
-      static_cast<void>(spindle_takes_law(block_, word_name(first), text(first)));
-    }
   }
 
   double step_of_feed() {
@@ -169,7 +167,7 @@ class LawReader {
     return step;
   }
 
-  double feed(LawAddress address) { return positive(address) * block_.length_unit(); }
+  double feed(LawAddress address) { return positive(address) * around_.length_unit; }
 
   // A length above zero, a multiple of the discrete.
   double length(LawAddress address) {
@@ -180,11 +178,11 @@ class LawReader {
   // 0 when there is none.
   double signed_length(LawAddress address) {
     if (!words_.has(address)) return 0.0;
-    const double value = words_.value(address) * block_.length_unit();
+    const double value = words_.value(address) * around_.length_unit;
     if (value == 0.0) {
       fail("E4335", address, text(address) + " must not be 0", "no length", "give a length");
     }
-    check_grid(address, std::abs(value), {block_.channel.finest_resolution_mm, "mm"});
+    check_grid(address, std::abs(value), {around_.resolution_mm, "mm"});
     return value;
   }
 
@@ -197,7 +195,7 @@ class LawReader {
   }
 
   void check_grid(LawAddress address, double value, const Grid& grid) {
-    if (block_.failed() || grid.step <= 0.0) return;
+    if (failed() || grid.step <= 0.0) return;
     const double ratio = value / grid.step;
     const double nearest = std::max(std::round(ratio), 1.0);
     if (std::abs(ratio - nearest) <= multiple_tolerance) return;
@@ -207,7 +205,7 @@ class LawReader {
          text(address) + " is no multiple of " + law_number_text(grid.step) + " " + unit,
          law_number_text(value) + " " + unit,
          "the nearest is `" + std::string(name_of(address)) + "=" +
-             law_number_text(sign * nearest * grid.step / block_.length_unit()) + "`");
+             law_number_text(sign * nearest * grid.step / around_.length_unit) + "`");
   }
 
   [[nodiscard]] std::string text(LawAddress address) const { return word_text(words_, address); }
@@ -215,23 +213,25 @@ class LawReader {
   // The first reason stands, with its remedy.
   void fail(std::string_view code, LawAddress address, std::string message, std::string label,
             std::string remedy) {
-    if (block_.failed()) return;
-    block_.fail(code, word_name(address), std::move(message), std::move(label))
-        .help.push_back(std::move(remedy));
+    if (failed()) return;
+    fault_ = fault_at(code, word_name(address), std::move(message), std::move(label));
+    fault_->help.push_back(std::move(remedy));
   }
+  [[nodiscard]] bool failed() const { return fault_.has_value(); }
 
-  ActiveBlock& block_;
+  const LawSurroundings& around_;
   const LawForm& form_;
   const LawWords& words_;
   LawScope scope_;
   FeedLaw law_;
+  std::optional<BlockFault> fault_;
 };
 
 }  // namespace
 
-std::optional<FeedLaw> read_feed_law(ActiveBlock& block, const LawForm& form, const LawWords& words,
-                                     LawScope scope) {
-  return LawReader(block, form, words, scope).read();
+Expected<FeedLaw, BlockFault> read_feed_law(const LawSurroundings& around, const LawForm& form,
+                                            const LawWords& words, LawScope scope) {
+  return LawReader(around, form, words, scope).read();
 }
 
 }  // namespace stanok::lang

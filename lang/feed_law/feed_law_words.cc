@@ -11,11 +11,6 @@ using enum LawAddress;
 using Kind = FeedLaw::Kind;
 using Speed = FeedLaw::Speed;
 
-constexpr auto names =
-    std::to_array<std::string_view>({"S_n", "S_k", "dS", "dl", "Smin", "Smax", "n_s", "L_A", "L_B",
-                                     "n_n", "n_k", "dn", "v_n", "v_k", "dv"});
-static_assert(names.size() == law_address_count);
-
 constexpr LawAddressSet bit(LawAddress address) {
   return static_cast<LawAddressSet>(1U << static_cast<unsigned>(address));
 }
@@ -144,22 +139,13 @@ BlockFault excess_address(const LawForm& form, const LawWords& words, LawAddress
 
 }  // namespace
 
-std::string_view name_of(LawAddress address) {
-  return names[static_cast<std::size_t>(address)];
-}
-
-bool is_law_address(std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 LawWords law_words_of(const BlockWords& words) {
   LawWords law;
   for (const NamedWord& word : words.named) {
-    const auto* const found = std::find(names.begin(), names.end(), word.name);
-    if (found == names.end()) continue;
-    const auto address = static_cast<std::size_t>(found - names.begin());
-    law.set |= bit(static_cast<LawAddress>(address));
-    law.values[address] = word.value;
+    const auto address = find_law_address(word.name);
+    if (!address) continue;
+    law.set |= bit(*address);
+    law.values[static_cast<std::size_t>(*address)] = word.value;
   }
   return law;
 }

@@ -13,35 +13,12 @@
 #include <string_view>
 
 #include "base/expected.h"
-#include "lang/block/active_block.h"
 #include "lang/contract/command.h"
+#include "lang/words/block_fault.h"
 #include "lang/words/block_words.h"
+#include "lang/words/law_address.h"
 
 namespace stanok::lang {
-
-enum class LawAddress : std::uint8_t {
-  feed_first,     // S_n
-  feed_last,      // S_k
-  feed_step,      // dS
-  way_step,       // dl, its sign is the direction of the feed
-  feed_min,       // Smin
-  feed_max,       // Smax
-  steps,          // n_s
-  stand,          // L_A
-  cut,            // L_B
-  speed_first,    // n_n
-  speed_last,     // n_k
-  speed_step,     // dn
-  cutting_first,  // v_n
-  cutting_last,   // v_k
-  cutting_step,   // dv
-};
-inline constexpr std::size_t law_address_count = 15;
-
-// As programs write it: "S_n".
-[[nodiscard]] std::string_view name_of(LawAddress address);
-// Whether a named word belongs to feed laws; `name` as registered.
-[[nodiscard]] bool is_law_address(std::string_view name);
 
 // Bit k stands for the k-th address.
 using LawAddressSet = std::uint16_t;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lang/actions/block_execution.h"
+#include "lang/block/block_check.h"
 #include "lang/block/predefined_parameter.h"
 #include "lang/program/compiler.h"
 

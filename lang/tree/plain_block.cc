@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lang/actions/block_execution.h"
+#include "lang/block/block_check.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/text/source.h"
@@ -164,11 +164,12 @@ bool is_plain_block(const BlockWords& words, const ChannelWords* channel,
   if (macro_of(words, dialect) || (words.letters & dialect.alias_letters()) != 0) return false;
   for (const CodeNumber number : words.g) {
     const Code* const code = find_code('G', number);
-    if (code == nullptr || code->action == nullptr) return false;
+    if (code == nullptr || code->action == CodeAction::unsupported) return false;
   }
   for (const CodeNumber number : words.m) {
     const Code* const code = find_code('M', number);
-    if (code == nullptr || code->action == nullptr || changes_program_flow(*code)) return false;
+    if (code == nullptr || code->action == CodeAction::unsupported || changes_program_flow(*code))
+      return false;
   }
   return !dwells_suspiciously_long(words) && !check_block(words, channel, dialect);
 }

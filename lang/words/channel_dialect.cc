@@ -4,9 +4,8 @@
 #include <array>
 #include <charconv>
 
-#include "lang/actions/actions.h"
-#include "lang/feed_law/feed_law_words.h"
 #include "lang/text/source.h"
+#include "lang/words/law_address.h"
 #include "lang/words/named_address.h"
 
 namespace stanok::lang {
@@ -44,7 +43,7 @@ Code row_of(const UserCode& output) {
   row.number = static_cast<CodeNumber>(output.number);
   row.phase = phase_of(output.kind);
   row.words = letters_of("PQ");
-  row.action = send_machine_function;
+  row.action = CodeAction::send_machine_function;
   row.title = "function of the machine";
   return row;
 }

@@ -2,12 +2,11 @@
 
 #include <array>
 
-#include "lang/actions/actions.h"
-
 namespace stanok::lang {
 namespace {
 
 using enum Group;
+using enum CodeAction;
 using P = Phase;
 constexpr auto no_axes = AxisWords::unused;
 constexpr auto axes = AxisWords::optional;
@@ -16,17 +15,17 @@ constexpr auto everywhere = Availability::everywhere;
 constexpr auto not_master = Availability::not_master;
 constexpr auto mill_only = Availability::mill_only;
 constexpr auto lathe_only = Availability::lathe_only;
-constexpr Action later = nullptr;  // known, but not supported in this release
+constexpr CodeAction later = unsupported;
 
 constexpr Code g(CodeNumber number, Group group, Phase phase, AxisWords axis_words,
-                 std::string_view words, Availability availability, Action action,
+                 std::string_view words, Availability availability, CodeAction action,
                  std::string_view title) {
   return {'G',          number, group, group_bit(group), phase, axis_words, letters_of(words),
           availability, action, title};
 }
 
 constexpr Code m(CodeNumber number, Group group, Phase phase, std::string_view words,
-                 Availability availability, Action action, std::string_view title) {
+                 Availability availability, CodeAction action, std::string_view title) {
   return {'M',          number, group, group_bit(group), phase, no_axes, letters_of(words),
           availability, action, title};
 }
@@ -269,7 +268,7 @@ const Code* find_code(char letter, CodeNumber number) {
 
 bool changes_program_flow(const Code& code) {
   const bool macro_call = code.letter == 'G' && code.number == 650;
-  return macro_call || code.group == Group::subprogram || code.action == end_program;
+  return macro_call || code.group == Group::subprogram || code.action == CodeAction::end_program;
 }
 
 }  // namespace stanok::lang

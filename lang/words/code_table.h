@@ -1,5 +1,6 @@
 // The table of G and M codes: group, order, words and action of each. It drives the checks of a
-// block, its execution, the documentation and the tests; a new code is one row and one action.
+// block, its execution, the documentation and the tests; a new code is one row and one action
+// (code_action.h).
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,9 @@
 
 #include "lang/contract/modal_group.h"
 #include "lang/words/block_words.h"
+#include "lang/words/code_action.h"
 
 namespace stanok::lang {
-
-struct ActiveBlock;
 
 // The order in which the parts of a block take effect, whatever the order of its words.
 enum class Phase : std::uint8_t {
@@ -59,8 +59,6 @@ enum class Availability : std::uint8_t {
   lathe_only,
 };
 
-using Action = void (*)(ActiveBlock&, CodeNumber);
-
 struct Code {
   char letter = 'G';
   CodeNumber number = 0;
@@ -70,7 +68,7 @@ struct Code {
   AxisWords axes = AxisWords::unused;
   LetterSet words = 0;  // beside the axis words; F, S and T are always allowed
   Availability availability = Availability::everywhere;
-  Action action = nullptr;  // nullptr: known, but not supported in this release
+  CodeAction action = CodeAction::unsupported;
   std::string_view title;
 };
 

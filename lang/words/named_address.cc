@@ -24,4 +24,14 @@ std::string_view find_named_address(std::string_view name) {
   return {};
 }
 
+std::optional<int> spindle_of_indexed_speed(const NamedWord& word) {
+  if (word.name.size() < 2 || upper_case(word.name[0]) != 'S') return std::nullopt;
+  int spindle = 0;
+  for (const char digit : std::string_view(word.name).substr(1)) {
+    if (!is_digit(digit)) return std::nullopt;
+    spindle = 10 * spindle + (digit - '0');
+  }
+  return spindle;
+}
+
 }  // namespace stanok::lang

@@ -55,7 +55,7 @@ std::string code_table_text() {
   std::string text = "\n| code | meaning | group | words |\n|---|---|---|---|\n";
   for (const Code& code : code_table()) {
     const std::string name = code_text(code.letter, code.number);
-    const bool later = code.action == nullptr;
+    const bool later = code.action == CodeAction::unsupported;
     std::string words = letters_in(code.words);
     if (code.axes != AxisWords::unused) words = "axes" + (words.empty() ? "" : " " + words);
     text += "| " + (later ? "*" + name + "*" : name) + " | " + std::string(code.title) + " | " +
