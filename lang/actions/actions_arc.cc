@@ -74,7 +74,7 @@ std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
 }
 
 bool is_on_cylinder(const ActiveBlock& block) {
-  if (block.modal.code(Group::transformation) != 71) return false;
+  if (block.modal.code(Group::transformation) != g(7, 1)) return false;
   return (block.programmed & axis_bit(static_cast<std::size_t>(block.modal.transformed_axis))) != 0;
 }
 
@@ -129,7 +129,7 @@ bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber co
 }
 
 std::optional<Point> centre_from_words(ActiveBlock& block, const ArcPlane& plane, const Point& p0) {
-  if (block.modal.code(Group::arc_distance) == 901) {
+  if (block.modal.code(Group::arc_distance) == g(90, 1)) {
     for (const char letter : {plane.first_centre, plane.second_centre}) {
       if (block.has(letter)) continue;
       block
@@ -206,7 +206,7 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
                : block.modal.face_axis() >= 0 ? Plane::xy
                                               : block.modal.plane();
   const bool mirrored = plane->first_gain * plane->second_gain < 0.0;
-  move.counter_clockwise = (code == 30) != mirrored;
+  move.counter_clockwise = (code == g(3)) != mirrored;
   resolve_ends(block, move);
   const Point p0 = plane->point(block.modal.position_W);
   const Point p1 = plane->point(move.end);

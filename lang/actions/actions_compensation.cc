@@ -79,8 +79,9 @@ bool mirrors(const ActiveBlock& block) {
 
 // Codes that only confirm what is active change nothing.
 bool confirms(const ActiveBlock& block, const Code& code) {
-  const bool has_value = code.number == 541 || code.number == 680 || code.group == Group::length;
-  const bool off = code.number == 490;
+  const bool has_value =
+      code.number == g(54, 1) || code.number == g(68) || code.group == Group::length;
+  const bool off = code.number == g(49);
   return code.group != Group::none && block.modal.code(code.group) == code.number &&
          (!has_value || off);
 }
@@ -105,8 +106,8 @@ bool changes_coordinates(const Code& code) {
 bool is_forbidden(const ActiveBlock& block, const Code& code) {
   const bool changes_tool = code.phase == Phase::tool_change;
   const bool other_motion = code.axes != AxisWords::unused && code.letter == 'G' &&
-                            (code.group != Group::motion || code.number > 30);
-  const bool machine_coordinates = code.letter == 'G' && code.number == 530;
+                            (code.group != Group::motion || code.number > g(3));
+  const bool machine_coordinates = code.letter == 'G' && code.number == g(53);
   return changes_tool || other_motion || machine_coordinates ||
          (changes_coordinates(code) && !confirms(block, code));
 }
@@ -118,7 +119,7 @@ struct Activity {
 };
 
 void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
-  const bool again = code.group == Group::radius_compensation && code.number != 400;
+  const bool again = code.group == Group::radius_compensation && code.number != g(40);
   if (again && !active.before) return;
   const bool now = code.phase < Phase::radius_compensation ? active.before : active.after;
   if (!again && (!now || !is_forbidden(block, code))) return;
@@ -136,7 +137,7 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   if (!active.before && !codes.has(Group::radius_compensation)) return;
   for (int i = 0; i < codes.count; ++i) {
     const Code& code = *codes.rows[static_cast<std::size_t>(i)];
-    if (code.group == Group::radius_compensation) active.after = code.number != 400;
+    if (code.group == Group::radius_compensation) active.after = code.number != g(40);
   }
   for (int i = 0; i < codes.count && !block.failed(); ++i) {
     refuse(block, *codes.rows[static_cast<std::size_t>(i)], active);
@@ -154,15 +155,16 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
 
 void select_compensation(ActiveBlock& block, CodeNumber code) {
   RadiusCompensation& selected = block.modal.compensation;
-  if (code == 400) {
+  if (code == g(40)) {
     selected = {};
     return;
   }
-  const auto tool =
-      code == 411 || code == 421 ? programmed_tool(block, code) : compensated_tool(block, code);
+  const auto tool = code == g(41, 1) || code == g(42, 1) ? programmed_tool(block, code)
+                                                         : compensated_tool(block, code);
   if (!tool || !has_plane(block, code)) return;
   // A negative radius in the tool table and a mirrored plane mean the other side.
-  const bool left = ((code == 410 || code == 411) == (tool->radius_mm >= 0.0)) != mirrors(block);
+  const bool left =
+      ((code == g(41) || code == g(41, 1)) == (tool->radius_mm >= 0.0)) != mirrors(block);
   selected.side = left ? RadiusCompensation::Side::left : RadiusCompensation::Side::right;
   selected.radius_mm = std::abs(tool->radius_mm);
   selected.plane = block.modal.plane();

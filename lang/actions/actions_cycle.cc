@@ -19,19 +19,19 @@ constexpr double moves_max = 100000.0;
 
 bool is_cycle(CodeNumber code) {
   const Code* const row = find_code('G', code);
-  return row != nullptr && (row->action == CodeAction::drill_hole || code == 760);
+  return row != nullptr && (row->action == CodeAction::drill_hole || code == g(76));
 }
 
 bool needs_dwell(CodeNumber code) {
-  return code == 820 || code == 860 || code == 890;
+  return code == g(82) || code == g(86) || code == g(89);
 }
 
 bool taps(CodeNumber code) {
-  return code == 740 || code == 840;
+  return code == g(74) || code == g(84);
 }
 
 bool pecks(CodeNumber code) {
-  return code == 730 || code == 830;
+  return code == g(73) || code == g(83);
 }
 
 // Channel axis along which the tool goes; fails the block when the channel has none.
@@ -80,10 +80,10 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
   } else if (needs_dwell(code) && cycle.dwell_s < 0.0) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
-  } else if (code == 760 && cycle.peck <= 0.0) {
+  } else if (code == g(76) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the way from the edge",
                "no Q");
-  } else if ((code == 860 || code == 760) && !block.modal.spindle_running) {
+  } else if ((code == g(86) || code == g(76)) && !block.modal.spindle_running) {
     block.fail("E4064", code_word(code), name + " while the spindle stands", "no M3 or M4 before");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
     block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
@@ -107,7 +107,7 @@ std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
 
 // Of the words of G76 some belong to the thread cycle of lathe channels.
 bool uses_its_words(ActiveBlock& block, CodeNumber code) {
-  if (code != 760) return true;
+  if (code != g(76)) return true;
   for (const char letter : {'E', 'H', 'I', 'J', 'K'}) {
     if (!block.has(letter)) continue;
     block.fail("E4003", {letter, -1, {}},
@@ -122,7 +122,7 @@ void make_hole(Hole& hole, CodeNumber code) {
     hole.peck(code);
   } else if (taps(code)) {
     hole.tap(code);
-  } else if (code == 760) {
+  } else if (code == g(76)) {
     hole.bore_finely();
   } else {
     hole.bore_out(code);

@@ -14,7 +14,7 @@ namespace {
 constexpr LetterSet curve_words = letters_of("IJKR");
 
 bool is_curve(CodeNumber motion) {
-  return motion == 20 || motion == 30 || motion == 50 || motion == 51;
+  return motion == g(2) || motion == g(3) || motion == g(5) || motion == g(5, 1);
 }
 
 CodeNumber motion_of(const ActiveBlock& block) {
@@ -104,7 +104,7 @@ bool allows_feed_law(ActiveBlock& block, const WordName& word) {
 
 bool spindle_takes_law(ActiveBlock& block, const WordName& word, const std::string& what) {
   if (refuse_spindle_that_is_axis(block, 0, word)) return false;
-  if (block.modal.code(Group::spindle_mode) == 960) {
+  if (block.modal.code(Group::spindle_mode) == g(96)) {
     BlockFault& fault =
         block.fail("E4344", word, what + " while G96 holds the cutting speed constant",
                    "who gives the speed?");

@@ -8,7 +8,7 @@ namespace {
 
 // Index of the work offset that a code selects: 1 = G54 ... 9 = G59.3.
 int offset_number(CodeNumber code) {
-  return code <= 590 ? (code - 540) / 10 + 1 : 6 + (code - 590);
+  return code <= g(59) ? (code - g(54)) / 10 + 1 : 6 + (code - g(59));
 }
 
 }  // namespace
@@ -59,9 +59,9 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved) {
 
 void select_work_offset(ActiveBlock& block, CodeNumber code) {
   int number = offset_number(code);
-  if (code == 541) {
+  if (code == g(54, 1)) {
     if (!block.has('P')) {
-      block.fail("E4007", {'G', 541, {}}, "`G54.1` needs P", "no P");
+      block.fail("E4007", {'G', g(54, 1), {}}, "`G54.1` needs P", "no P");
       return;
     }
     const auto page = block.integer('P', 1, 300);
@@ -110,20 +110,20 @@ AxisValues shift_to_words(const ActiveBlock& block) {
 // G92 X..: the point where the axes stand is called X.. from here on.
 void shift_axes(ActiveBlock& block, CodeNumber code) {
   const WorkFrame before = block.modal.frame();
-  if (code == 920) {
+  if (code == g(92)) {
     if (block.has('S')) limit_speed(block);
     if (block.programmed == 0) {
-      if (!block.has('S')) block.fail("E4007", {'G', 920, {}}, "`G92` needs an axis word", "");
+      if (!block.has('S')) block.fail("E4007", {'G', g(92), {}}, "`G92` needs an axis word", "");
       return;
     }
     block.modal.axis_shift = shift_to_words(block);
     block.modal.axis_shift_active = true;
   } else {
-    if (code == 921) block.modal.axis_shift = {};
-    block.modal.axis_shift_active = code != 922;
+    if (code == g(92, 1)) block.modal.axis_shift = {};
+    block.modal.axis_shift_active = code != g(92, 2);
   }
   publish_frame(block, before);
-  for (std::size_t i = 0; code == 920 && i < block.channel.axes.size(); ++i) {
+  for (std::size_t i = 0; code == g(92) && i < block.channel.axes.size(); ++i) {
     if (is_programmed(block, i)) {
       block.modal.position_W[i] = block.modal.map.to_work(i, block.values[i]);
     }

@@ -61,7 +61,7 @@ Offset offset_of(const ActiveBlock& block, const LengthSource& source, CodeNumbe
   if (source.tool == 0 || !tool) return base;
   Offset offset = base;
   for (std::size_t k = 0; k < offset.size(); ++k) {
-    offset[k] += code == 440 ? -tool->length_mm[k] : tool->length_mm[k];
+    offset[k] += code == g(44) ? -tool->length_mm[k] : tool->length_mm[k];
   }
   return offset;
 }
@@ -89,26 +89,26 @@ void use_tool_offset(ActiveBlock& block, int tool, int edge) {
   if (known) {
     length.mode = LengthMode::length;
     length.tool = tool;
-    length.offset_mm = offset_of(block, {tool, edge}, 430, {});
+    length.offset_mm = offset_of(block, {tool, edge}, g(43), {});
   }
   change_length(block, length);
-  block.set_modal(Group::length, known ? 430 : 490);
+  block.set_modal(Group::length, known ? g(43) : g(49));
 }
 
 void compensate_length(ActiveBlock& block, CodeNumber code) {
-  if (code == 490) return change_length(block, ToolLength{});
-  if (code == 431) return set_by_axis_words(block);
-  if (code == 432 && !block.has('H')) {
-    block.fail("E4007", {'G', 432, {}}, "`G43.2` needs H, the tool to be added", "no H");
+  if (code == g(49)) return change_length(block, ToolLength{});
+  if (code == g(43, 1)) return set_by_axis_words(block);
+  if (code == g(43, 2) && !block.has('H')) {
+    block.fail("E4007", {'G', g(43, 2), {}}, "`G43.2` needs H, the tool to be added", "no H");
     return;
   }
   const auto source = length_source(block);
   if (!source) return;
   ModalState& modal = block.modal;
-  modal.length_base_mm = code == 432 ? modal.length.offset_mm : Offset{};
+  modal.length_base_mm = code == g(43, 2) ? modal.length.offset_mm : Offset{};
   modal.length_edge = source->edge;
   ToolLength length;
-  length.mode = code == 434 ? LengthMode::tip : LengthMode::length;
+  length.mode = code == g(43, 4) ? LengthMode::tip : LengthMode::length;
   length.tool = source->tool != 0 ? source->tool : modal.tool_active;
   length.offset_mm = offset_of(block, *source, code, modal.length_base_mm);
   change_length(block, length);
@@ -123,7 +123,7 @@ void restore_length(ActiveBlock& block, const ToolLength& saved) {
 void read_tool_length_again(ActiveBlock& block) {
   const ModalState& modal = block.modal;
   const CodeNumber code = modal.code(Group::length);
-  if (modal.length.mode == LengthMode::off || code == 431) return;
+  if (modal.length.mode == LengthMode::off || code == g(43, 1)) return;
   if (!block.tables.tool_edge(modal.length.tool, modal.length_edge)) return;
   ToolLength length = modal.length;
   length.offset_mm = offset_of(block, {length.tool, modal.length_edge}, code, modal.length_base_mm);

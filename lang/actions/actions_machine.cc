@@ -81,7 +81,7 @@ void take_tool(ActiveBlock& block, CodeNumber) {
 
 void change_tool(ActiveBlock& block, CodeNumber) {
   if (block.modal.tool_prepared < 0) {
-    block.fail("E4051", {'M', 60, {}}, "`M6` without a tool", "no T was programmed before")
+    block.fail("E4051", {'M', m(6), {}}, "`M6` without a tool", "no T was programmed before")
         .help.push_back("name the tool first, e.g. `T1 M6`");
     return;
   }
@@ -91,7 +91,7 @@ void change_tool(ActiveBlock& block, CodeNumber) {
 // M61: the tool in the spindle is called Q; nothing moves.
 void set_tool_number(ActiveBlock& block, CodeNumber) {
   if (!block.has('Q')) {
-    block.fail("E4007", {'M', 610, {}}, "`M61` needs Q, the number of the tool", "no Q");
+    block.fail("E4007", {'M', m(61), {}}, "`M61` needs Q, the number of the tool", "no Q");
     return;
   }
   const auto tool = block.integer('Q', 0, 99999999);
@@ -116,7 +116,7 @@ void select_feed_mode(ActiveBlock& block, CodeNumber code) {
 
 void select_path_mode(ActiveBlock& block, CodeNumber code) {
   PathControl path;
-  if (code == 640) {
+  if (code == g(64)) {
     path.mode = PathMode::continuous;
     if (block.has('P')) path.tolerance_mm = block.length('P');
     if (block.has('Q')) path.straightening_mm = block.length('Q');
@@ -126,14 +126,14 @@ void select_path_mode(ActiveBlock& block, CodeNumber code) {
       return;
     }
   } else {
-    path.mode = code == 611 ? PathMode::exact_stop : PathMode::exact_path;
+    path.mode = code == g(61, 1) ? PathMode::exact_stop : PathMode::exact_path;
   }
   block.modal.path = path;
 }
 
 void dwell(ActiveBlock& block, CodeNumber) {
   if (block.dwell_word == 0) {
-    block.fail("E4007", {'G', 40, {}}, "`G4` needs a time", "no P, X, U, F or S")
+    block.fail("E4007", {'G', g(4), {}}, "`G4` needs a time", "no P, X, U, F or S")
         .help.push_back("give seconds, e.g. `G4 P0.5`");
     return;
   }
@@ -163,9 +163,9 @@ bool check_dwell(ActiveBlock& block, char letter, double seconds) {
 }
 
 void switch_coolant(ActiveBlock& block, CodeNumber code) {
-  if (code == 70) block.modal.mist = true;
-  if (code == 80) block.modal.flood = true;
-  if (code == 90) {
+  if (code == m(7)) block.modal.mist = true;
+  if (code == m(8)) block.modal.flood = true;
+  if (code == m(9)) {
     block.modal.mist = false;
     block.modal.flood = false;
     block.set_modal(Group::flood, code);
@@ -174,7 +174,7 @@ void switch_coolant(ActiveBlock& block, CodeNumber code) {
 }
 
 void switch_overrides(ActiveBlock& block, CodeNumber code) {
-  const bool enabled = code == 480;
+  const bool enabled = code == m(48);
   block.modal.feed_override = enabled;
   block.modal.spindle_override = enabled;
   block.queue.emit(override_control_of(block.modal));
@@ -183,9 +183,9 @@ void switch_overrides(ActiveBlock& block, CodeNumber code) {
 // The operator may move the axes while the program stands: the position is read again afterwards.
 // Radius compensation needs the blocks behind M0 and M1.
 void stop_program(ActiveBlock& block, CodeNumber code) {
-  const StopKind kind = code == 0    ? StopKind::program_stop
-                        : code == 10 ? StopKind::optional_stop
-                                     : StopKind::pallet_stop;
+  const StopKind kind = code == m(0)   ? StopKind::program_stop
+                        : code == m(1) ? StopKind::optional_stop
+                                       : StopKind::pallet_stop;
   block.queue.emit(ProgramStop{kind});
   const bool goes_on = block.modal.compensation.on() && kind != StopKind::pallet_stop;
   if (!goes_on) block.queue.emit(Request{});
@@ -193,7 +193,7 @@ void stop_program(ActiveBlock& block, CodeNumber code) {
 
 void end_program(ActiveBlock& block, CodeNumber code) {
   block.flow = Flow::end_of_program;
-  block.end_kind = code == 20 ? ProgramEndKind::end : ProgramEndKind::end_and_rewind;
+  block.end_kind = code == m(2) ? ProgramEndKind::end : ProgramEndKind::end_and_rewind;
 }
 
 void call_program(ActiveBlock& block, CodeNumber code) {

@@ -13,14 +13,14 @@ double shortest_way(double programmed, double position, double modulo) {
 }
 
 void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
-  const WordName word{'G', 530, {}};
-  if (excluded_by_mode(block, 530, {Exclusion::transformation})) return;
+  const WordName word{'G', g(53), {}};
+  if (excluded_by_mode(block, g(53), {Exclusion::transformation})) return;
   if (block.modal.length.mode == LengthMode::tip) {
     BlockFault& fault =
         block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "");
     fault.notes.push_back(block.modal.origin_of(Group::length));
     fault.help.push_back("switch it off with `G49` before");
-  } else if (code > 10) {
+  } else if (code > g(1)) {
     block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
   } else if (block.modal.incremental() || block.incremental != 0) {
     block.fail("E4042", word, "`G53` needs absolute programming (G90)", "")
@@ -120,7 +120,7 @@ void advance_position(ActiveBlock& block, const Move& move) {
 void move_straight(ActiveBlock& block, CodeNumber code) {
   if (block.programmed == 0) return;
   Move move;
-  move.kind = code == 0 ? MoveKind::rapid : MoveKind::line;
+  move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
   resolve_feed(block, move);
   if (block.failed()) return;

@@ -25,8 +25,8 @@ void probe(ActiveBlock& block, CodeNumber code) {
   }
   ProbeMove move;
   move.line.kind = MoveKind::line;
-  move.until_contact = code == 382 || code == 383;
-  move.alarm_when_missed = code == 382 || code == 384;
+  move.until_contact = code == g(38, 2) || code == g(38, 3);
+  move.alarm_when_missed = code == g(38, 2) || code == g(38, 4);
   resolve_ends(block, move.line);
   if (longest_way(block.modal.position_W, move.line.end) < probing_way_min) {
     block.fail("E4321", {'G', code, {}}, "probing needs a way to go",

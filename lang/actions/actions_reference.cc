@@ -11,7 +11,7 @@ namespace {
 
 // 1 for G28, P of G30 (2 without it); fails the block when there is no such point.
 std::optional<int> point_number(ActiveBlock& block, CodeNumber code) {
-  if (code < 300) return 1;
+  if (code < g(30)) return 1;
   if (!block.has('P')) return 2;
   return block.integer('P', 2, reference_point_count);
 }

@@ -33,7 +33,7 @@ Vector axis_of(ActiveBlock& block) {
   for (std::size_t k = 0; k < 3; ++k)
     axis[k] = block.has(letters[k]) ? block.value(letters[k]) : 0.0;
   if (axis == Vector{}) {
-    block.fail("E4305", {'G', 680, {}}, "the axis of `G68` has no direction",
+    block.fail("E4305", {'G', g(68), {}}, "the axis of `G68` has no direction",
                "I, J and K are zero");
   }
   return axis;
@@ -47,13 +47,13 @@ bool check_axes(ActiveBlock& block) {
     if (!about_axis && k == normal_of(block.modal.plane())) continue;
     const int axis = block.modal.geometry[k];
     if (axis < 0) {
-      block.fail("E4306", {'G', 680, {}},
+      block.fail("E4306", {'G', g(68), {}},
                  std::string("`G68` turns ") + "XYZ"[k] + ", which the channel does not have", "");
       return false;
     }
     turning = static_cast<AxisSet>(turning | axis_bit(static_cast<std::size_t>(axis)));
   }
-  return only_axes(block, 680, turning);
+  return only_axes(block, g(68), turning);
 }
 
 Vector centre_of(const ActiveBlock& block) {

@@ -78,7 +78,7 @@ void collect_moves(ActiveBlock& block, CodeNumber code, CommandQueue& queue,
 std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Contour& contour) {
   ModalState modal = block.modal;
   modal.compensation = {};
-  modal.set(Group::radius_compensation, 400, block.line);
+  modal.set(Group::radius_compensation, g(40), block.line);
   CommandQueue queue;
   std::vector<PlaneMove> moves;
   for (const Contour::Block& one : contour.blocks) {
@@ -88,7 +88,7 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
     ActiveBlock inner(one.words, around, one.origin.line);
     execute_block(inner);
     modal.compensation = {};
-    modal.set(Group::radius_compensation, 400, block.line);
+    modal.set(Group::radius_compensation, g(40), block.line);
     if (inner.awaits_position) {
       fail_contour(block, code, "tip control changes in line " + std::to_string(one.origin.line));
     } else if (inner.fault) {
@@ -103,7 +103,7 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
 }
 
 void take_settings(ActiveBlock& block, CodeNumber code) {
-  const bool turning = code == 710;
+  const bool turning = code == g(71);
   RoughingSettings& settings = turning ? block.modal.turning_roughing : block.modal.facing_roughing;
   const char depth = turning ? 'U' : 'W';
   if (block.has(depth)) settings.depth = block.length(depth);
@@ -196,7 +196,7 @@ class Roughing {
 };
 
 void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour& contour) {
-  const bool turning = code == 710;
+  const bool turning = code == g(71);
   const RoughingSettings& settings =
       turning ? block.modal.turning_roughing : block.modal.facing_roughing;
   const std::vector<PlaneMove> list = moves_of(block, code, contour);
@@ -225,15 +225,15 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
   auto moves = CycleMoves::of(block, code);
   if (!moves) return;
   const bool only_settings = !block.has('P') && !block.has('Q');
-  refuse_words(block, !only_settings ? "R" : code == 710 ? "W" : "U");
+  refuse_words(block, !only_settings ? "R" : code == g(71) ? "W" : "U");
   if (block.failed()) return;
   if (only_settings) return take_settings(block, code);
   const RoughingSettings& settings =
-      code == 710 ? block.modal.turning_roughing : block.modal.facing_roughing;
+      code == g(71) ? block.modal.turning_roughing : block.modal.facing_roughing;
   if (settings.depth <= 0.0) {
     block.fail("E4007", {'G', code, {}}, "no depth of cut is known", "no block with it before")
-        .help.push_back(code == 710 ? "write a block `G71 U2 R0.5` before"
-                                    : "write a block `G72 W2 R0.5` before");
+        .help.push_back(code == g(71) ? "write a block `G71 U2 R0.5` before"
+                                      : "write a block `G72 W2 R0.5` before");
     return;
   }
   const auto contour = find_contour(block, code);
@@ -251,7 +251,7 @@ void finish_contour(ActiveBlock& block, CodeNumber code) {
   if (!contour) return;
   for (const Contour::Block& one : contour->blocks) {
     const bool nested = std::any_of(one.words.g.begin(), one.words.g.end(), [](CodeNumber number) {
-      return number == 700 || number == 710 || number == 720;
+      return number == g(70) || number == g(71) || number == g(72);
     });
     if (nested) return fail_contour(block, code, "a contour cannot hold a contour cycle");
   }

@@ -19,7 +19,7 @@ AxisSet geometry_set(const ModalState& modal) {
 bool check_factor_words(ActiveBlock& block) {
   const bool each = block.has('I') || block.has('J') || block.has('K');
   if (!each && !block.has('P')) {
-    block.fail("E4007", {'G', 510, {}}, "`G51` needs P, or I J K, the factors", "no factor");
+    block.fail("E4007", {'G', g(51), {}}, "`G51` needs P, or I J K, the factors", "no factor");
     return false;
   }
   if (each && block.has('P')) {

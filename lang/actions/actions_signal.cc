@@ -30,18 +30,18 @@ void switch_override(ActiveBlock& block, CodeNumber code) {
     if (!given) return;
     enabled = *given == 1;
   }
-  if (code == 500) block.modal.feed_override = enabled;
-  if (code == 510) block.modal.spindle_override = enabled;
-  if (code == 520) block.modal.adaptive_feed = enabled;
-  if (code == 530) block.modal.feed_stop = enabled;
+  if (code == m(50)) block.modal.feed_override = enabled;
+  if (code == m(51)) block.modal.spindle_override = enabled;
+  if (code == m(52)) block.modal.adaptive_feed = enabled;
+  if (code == m(53)) block.modal.feed_stop = enabled;
   block.queue.emit(override_control_of(block.modal));
 }
 
 void switch_output(ActiveBlock& block, CodeNumber code) {
   const auto number = signal(block, code, 'P', digital_max);
   if (!number) return;
-  const bool on = code == 620 || code == 640;
-  const bool with_motion = code == 620 || code == 630;
+  const bool on = code == m(62) || code == m(64);
+  const bool with_motion = code == m(62) || code == m(63);
   block.queue.emit(OutputCommand{false, with_motion, *number, on ? 1.0 : 0.0});
 }
 
@@ -49,7 +49,7 @@ void set_analog_output(ActiveBlock& block, CodeNumber code) {
   const auto number = signal(block, code, 'E', analog_max);
   if (!number) return;
   block.queue.emit(
-      OutputCommand{true, code == 670, *number, block.has('Q') ? block.value('Q') : 0.0});
+      OutputCommand{true, code == m(67), *number, block.has('Q') ? block.value('Q') : 0.0});
 }
 
 // L: 0 at once, 1 rise, 2 fall, 3 on, 4 off. The result is #5399.

@@ -33,7 +33,7 @@ std::optional<int> checked(ActiveBlock& block, int spindle, const WordName& word
 }
 
 bool is_cutting_speed_of(const ActiveBlock& block, int spindle) {
-  return block.modal.code(Group::spindle_mode) == 960 && spindle != -1 &&
+  return block.modal.code(Group::spindle_mode) == g(96) && spindle != -1 &&
          index_of(block, spindle) == index_of(block, block.modal.cutting_spindle);
 }
 
@@ -140,12 +140,12 @@ void take_speed(ActiveBlock& block, CodeNumber) {
 void switch_spindle(ActiveBlock& block, CodeNumber code) {
   const auto spindle = named_spindle(block);
   if (!spindle) return;
-  const bool stops = code == 50;
+  const bool stops = code == m(5);
   if (!stops && refuse_spindle_that_is_axis(block, *spindle, {'M', code, {}})) return;
   turn_spindle(block, *spindle,
-               code == 30   ? SpindleAction::clockwise
-               : code == 40 ? SpindleAction::counter_clockwise
-                            : SpindleAction::stop);
+               code == m(3)   ? SpindleAction::clockwise
+               : code == m(4) ? SpindleAction::counter_clockwise
+                              : SpindleAction::stop);
 }
 
 void orient_spindle(ActiveBlock& block, CodeNumber code) {
@@ -178,8 +178,8 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
   const auto spindle = named_spindle(block);
   if (!spindle) return;
   ModalState& modal = block.modal;
-  if (code == 970) {
-    if (modal.code(Group::spindle_mode) != 960) return;
+  if (code == g(97)) {
+    if (modal.code(Group::spindle_mode) != g(96)) return;
     block.queue.emit(CuttingSpeedMode{modal.cutting_spindle});
     return;
   }
@@ -198,7 +198,7 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
     block.fail("E4022", {modal.speed_limit_rev_per_min < 0.0 ? 'D' : 'S', -1, {}},
                "a speed must not be negative", "negative speed");
   } else if (modal.cutting_speed_m_per_min == 0.0) {
-    block.fail("E4054", {'G', 960, {}}, "`G96` without a cutting speed", "no S")
+    block.fail("E4054", {'G', g(96), {}}, "`G96` without a cutting speed", "no S")
         .help.push_back("give m/min (G20: ft/min), e.g. `G96 S180 D2500`");
   } else {
     send_cutting_speed(block);
@@ -213,14 +213,14 @@ void restore_spindle_mode(ActiveBlock& block, const ModalState& saved) {
                     modal.cutting_speed_m_per_min == saved.cutting_speed_m_per_min &&
                     modal.speed_limit_rev_per_min == saved.speed_limit_rev_per_min;
   if (same) return;
-  if (code != 960 && modal.code(Group::spindle_mode) == 960) {
+  if (code != g(96) && modal.code(Group::spindle_mode) == g(96)) {
     block.queue.emit(CuttingSpeedMode{modal.cutting_spindle});
   }
   modal.cutting_spindle = saved.cutting_spindle;
   modal.cutting_speed_m_per_min = saved.cutting_speed_m_per_min;
   modal.speed_limit_rev_per_min = saved.speed_limit_rev_per_min;
   block.set_modal(Group::spindle_mode, code);
-  if (code == 960) send_cutting_speed(block);
+  if (code == g(96)) send_cutting_speed(block);
 }
 
 // G50 S and G92 S on a lathe channel: the limit of G96.
@@ -231,7 +231,7 @@ void limit_speed(ActiveBlock& block) {
     return;
   }
   block.modal.speed_limit_rev_per_min = limit;
-  if (block.modal.code(Group::spindle_mode) == 960) send_cutting_speed(block);
+  if (block.modal.code(Group::spindle_mode) == g(96)) send_cutting_speed(block);
 }
 
 }  // namespace stanok::lang

@@ -182,17 +182,17 @@ void end_nurbs(ActiveBlock& block, CodeNumber code) {
 
 // G5 P10000/P0 and G5.1 Q1/Q0 switch look-ahead of other controls; here it is always on.
 void accept_high_speed(ActiveBlock& block, CodeNumber code) {
-  const char letter = code == 50 ? 'P' : 'Q';
-  const double on = code == 50 ? 10000.0 : 1.0;
+  const char letter = code == g(5) ? 'P' : 'Q';
+  const double on = code == g(5) ? 10000.0 : 1.0;
   const double value = block.has(letter) ? block.value(letter) : -1.0;
   if (value == 0.0 || value == on) return;
   if (!block.has(letter)) {
-    fail_missing(block, code, code == 50 ? "X, Y, I, J, P and Q" : "X, Y, I and J");
+    fail_missing(block, code, code == g(5) ? "X, Y, I, J, P and Q" : "X, Y, I and J");
     return;
   }
   block.fail("E4008", {letter, -1, {}},
-             code == 50 ? "`G5` without axis words takes P10000 or P0"
-                        : "`G5.1` without axis words takes Q1 or Q0",
+             code == g(5) ? "`G5` without axis words takes P10000 or P0"
+                          : "`G5.1` without axis words takes Q1 or Q0",
              "out of range");
 }
 

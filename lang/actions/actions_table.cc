@@ -15,7 +15,7 @@ namespace {
 constexpr int work_offset_max = 309;
 constexpr int fixture_offset = 9;  // G59.3, the system of L11
 
-const WordName g10{'G', 100, {}};
+const WordName g10{'G', g(10), {}};
 
 struct ToolTableWord {
   char letter;
@@ -109,7 +109,7 @@ void write_work_offset(ActiveBlock& block) {
 // In a turned system a coordinate along one of its axes lies along several axes of the base: each
 // of them whose offset changes is written.
 void write_work_offset_here(ActiveBlock& block) {
-  if (excluded_by_mode(block, 100, {Exclusion::transformation})) return;
+  if (excluded_by_mode(block, g(10), {Exclusion::transformation})) return;
   const auto page = table_page(block);
   if (!page) return;
   ModalState there = block.modal;
@@ -130,7 +130,7 @@ bool check_lengths(ActiveBlock& block) {
     if (axis >= 0)
       lengths = static_cast<AxisSet>(lengths | axis_bit(static_cast<std::size_t>(axis)));
   }
-  return only_axes(block, 100, lengths);
+  return only_axes(block, g(10), lengths);
 }
 
 // R, I, J and Q, which mean the same in L1, L10 and L11.
@@ -177,7 +177,7 @@ void write_tool_length_here(ActiveBlock& block, bool in_fixture) {
     fault.help.emplace_back("write the length with `G10 L1 P1 Z120.5`, the radius with `L1` and R");
     return;
   }
-  if (excluded_by_mode(block, 100, {Exclusion::tip_control, Exclusion::transformation})) return;
+  if (excluded_by_mode(block, g(10), {Exclusion::tip_control, Exclusion::transformation})) return;
   const auto tool = table_tool(block);
   if (!tool || !check_lengths(block)) return;
   WorkFrame frame = block.modal.frame();

@@ -32,21 +32,21 @@ Travel travel_of(const ActiveBlock& block, const Move& move) {
 // Lead along the path; fails the block without one.
 double lead_of(ActiveBlock& block, const Move& move, CodeNumber code) {
   const std::string name = "`" + code_text('G', code) + "`";
-  if (block.has('K') && block.has('F') && code != 331) {
+  if (block.has('K') && block.has('F') && code != g(33, 1)) {
     block
         .fail("E4066", {'F', -1, {}}, name + " has K and F, which both are the lead",
               "one too many")
         .help.push_back("keep K, the lead along the path, or F, that along the longer axis");
     return 0.0;
   }
-  const char letter = block.has('K') || code == 331 ? 'K' : 'F';
+  const char letter = block.has('K') || code == g(33, 1) ? 'K' : 'F';
   const double lead = block.has(letter) ? block.length(letter) : 0.0;
   if (lead <= 0.0) {
     block
         .fail("E4066", {block.has(letter) ? letter : 'G', block.has(letter) ? -1 : code, {}},
               name + " needs a positive lead in its block", "no lead")
-        .help.push_back(code == 331 ? "add the lead per revolution, e.g. `K1.5`"
-                                    : "add the lead per revolution, e.g. `K1.5` or `F1.5`");
+        .help.push_back(code == g(33, 1) ? "add the lead per revolution, e.g. `K1.5`"
+                                         : "add the lead per revolution, e.g. `K1.5` or `F1.5`");
     return 0.0;
   }
   const Travel travel = travel_of(block, move);

@@ -72,8 +72,8 @@ void select_cylinder(ActiveBlock& block, CodeNumber code) {
     return;
   }
   if (radius == 0.0) {
-    cancel_transformation(block, 131);
-    block.set_modal(Group::transformation, 131);
+    cancel_transformation(block, g(13, 1));
+    block.set_modal(Group::transformation, g(13, 1));
     block.kept_groups |= group_bit(Group::transformation);
     return;
   }

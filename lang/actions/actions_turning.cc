@@ -17,7 +17,7 @@ void take_turning_words(ActiveBlock& block, const CycleMoves& moves, CodeNumber 
   cycle.has_x = cycle.has_x || moves.names_x();
   cycle.has_z = cycle.has_z || moves.names_z();
   if (block.has('R')) cycle.taper = block.length('R');
-  if (code == 780 && block.has('F')) cycle.lead = block.length('F');
+  if (code == g(78) && block.has('F')) cycle.lead = block.length('F');
 }
 
 void check_turning(ActiveBlock& block, CodeNumber code) {
@@ -25,7 +25,7 @@ void check_turning(ActiveBlock& block, CodeNumber code) {
   const std::string name = "`" + code_text('G', code) + "`";
   if (!cycle.has_x || !cycle.has_z) {
     block.fail("E4007", {'G', code, {}}, name + " needs X and Z", cycle.has_x ? "no Z" : "no X");
-  } else if (code == 780 && cycle.lead <= 0.0) {
+  } else if (code == g(78) && cycle.lead <= 0.0) {
     block
         .fail("E4066", {block.has('F') ? 'F' : 'G', block.has('F') ? -1 : code, {}},
               name + " needs a positive lead", "no lead")
@@ -42,11 +42,11 @@ void turn_once(ActiveBlock& block, CodeNumber code) {
   if (!spindle) return;
   take_turning_words(block, *moves, code);
   check_turning(block, code);
-  if (code == 780) check_spindle_turns(block, *spindle, code);
+  if (code == g(78)) check_spindle_turns(block, *spindle, code);
   if (block.failed()) return;
   const TurningCycle& cycle = block.modal.turning;
   const TurningPoint start = moves->position();
-  if (code == 790) {
+  if (code == g(79)) {
     moves->rapid({start.x, cycle.z + cycle.taper});
     moves->feed({cycle.x, cycle.z});
     moves->feed({cycle.x, start.z});
@@ -54,7 +54,7 @@ void turn_once(ActiveBlock& block, CodeNumber code) {
     return;
   }
   moves->rapid({cycle.x + cycle.taper, start.z});
-  if (code == 780) {
+  if (code == g(78)) {
     moves->thread({cycle.x, cycle.z}, cycle.lead, *spindle);
     moves->rapid({start.x, cycle.z});
   } else {

@@ -17,8 +17,8 @@ constexpr LetterSet arc_words = letters_of("IJKR");
 // Units and diameter mode set in a block hold for its own words too.
 void apply_units(ActiveBlock& block, const BlockCodes& codes) {
   const bool lathe = block.channel.kind == ChannelKind::lathe;
-  if (!lathe && block.words.g.has(700)) block.set_modal(Group::units, 200);
-  if (!lathe && block.words.g.has(710)) block.set_modal(Group::units, 210);
+  if (!lathe && block.words.g.has(g(70))) block.set_modal(Group::units, g(20));
+  if (!lathe && block.words.g.has(g(71))) block.set_modal(Group::units, g(21));
   for (int i = 0; i < codes.count; ++i) {
     const Code& row = *codes.rows[static_cast<std::size_t>(i)];
     const bool early = row.group == Group::units || row.group == Group::diameter;
@@ -43,7 +43,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
     return;
   }
   const CodeNumber number = block.modal.code(Group::motion);
-  const bool arc = number == 20 || number == 30;
+  const bool arc = number == g(2) || number == g(3);
   const bool moves = block.programmed != 0 || (arc && (free_words & arc_words) != 0);
   if (!moves) return;
   const Code* const motion = find_code('G', number);
@@ -207,22 +207,22 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   const BlockWords& words = block.words;
   CodeNumber motion = block.modal.code(Group::motion);
   if (words.m.count != 0 || words.g.count > 1) return false;
-  if (motion == 52) return false;  // inside a NURBS curve
+  if (motion == g(5, 2)) return false;  // inside a NURBS curve
   if (words.g.count == 1) motion = words.g.numbers[0];
-  if (motion != 0 && motion != 10) return false;
+  if (motion != g(0) && motion != g(1)) return false;
   const LetterSet axes = words.letters & block.channel_words.letters();
   if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
   if (words.has('F')) {
     if (words.value('F') <= 0.0 || block.modal.feed_law.kind != FeedLaw::Kind::off) return false;
     set_feed(block);
-  } else if (motion == 10 && (!block.modal.feed_known || block.modal.feed_programmed <= 0.0)) {
+  } else if (motion == g(1) && (!block.modal.feed_known || block.modal.feed_programmed <= 0.0)) {
     return false;
   }
   collect_axis_words(block);
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return false;
   move = {};
-  move.kind = motion == 0 ? MoveKind::rapid : MoveKind::line;
+  move.kind = motion == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
   resolve_modal_feed(block, move);
   if (block.failed()) return false;

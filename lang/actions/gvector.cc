@@ -237,23 +237,23 @@ bool read_section(std::string_view text, SavedState& saved) {
 
 // Modes follow from codes, codes of coolant from its state.
 void complete(ModalState& state) {
-  state.set(Group::mist, state.mist ? 70 : 90, 0);
-  state.set(Group::flood, state.flood ? 80 : 90, 0);
+  state.set(Group::mist, state.mist ? m(7) : m(9), 0);
+  state.set(Group::flood, state.flood ? m(8) : m(9), 0);
   const CodeNumber path = state.code(Group::path_mode);
-  state.path.mode = path == 640   ? PathMode::continuous
-                    : path == 611 ? PathMode::exact_stop
-                                  : PathMode::exact_path;
+  state.path.mode = path == g(64)      ? PathMode::continuous
+                    : path == g(61, 1) ? PathMode::exact_stop
+                                       : PathMode::exact_path;
   const CodeNumber length = state.code(Group::length);
-  state.length.mode = length == 490   ? LengthMode::off
-                      : length == 434 ? LengthMode::tip
-                                      : LengthMode::length;
-  if (state.code(Group::rotation) == 680) {
+  state.length.mode = length == g(49)      ? LengthMode::off
+                      : length == g(43, 4) ? LengthMode::tip
+                                           : LengthMode::length;
+  if (state.code(Group::rotation) == g(68)) {
     state.rotation.rotation = Rotation::about(state.rotation.axis, state.rotation.angle_deg);
   }
 }
 
 bool is_plausible(const ModalState& state) {
-  const bool turned = state.code(Group::rotation) == 680;
+  const bool turned = state.code(Group::rotation) == g(68);
   if (turned && state.rotation.axis == std::array<double, 3>{}) return false;
   return state.overhang_axis >= -1 && state.overhang_axis < axes_max;
 }

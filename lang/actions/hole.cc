@@ -20,8 +20,8 @@ SpindleAction reversed(SpindleAction turning) {
 }
 
 SpindleAction turning_of(const ModalState& modal) {
-  return modal.code(Group::spindle) == 40 ? SpindleAction::counter_clockwise
-                                          : SpindleAction::clockwise;
+  return modal.code(Group::spindle) == m(4) ? SpindleAction::counter_clockwise
+                                            : SpindleAction::clockwise;
 }
 
 // K is the lead, on Fanuc controls a number of holes: what F of the same block contradicts, and
@@ -109,7 +109,7 @@ void Hole::approach(const Move& positioning) {
 
 void Hole::retract() {
   const DrillingCycle& cycle = block_.modal.cycle;
-  const bool to_initial = block_.modal.code(Group::return_level) == 980;
+  const bool to_initial = block_.modal.code(Group::return_level) == g(98);
   const double level =
       to_initial ? std::max(cycle.initial_level, cycle.retract_level) : cycle.retract_level;
   if (level != block_.modal.position_W[axis_]) rapid(level);
@@ -124,7 +124,7 @@ void Hole::peck(CodeNumber code) {
     if (depth < cycle.bottom + move_min_mm) depth = cycle.bottom;
     feed(depth);
     if (depth <= cycle.bottom) return retract();
-    if (code == 730) {
+    if (code == g(73)) {
       rapid(depth + peck_lift_mm);
     } else {
       rapid(cycle.retract_level);
@@ -137,9 +137,9 @@ void Hole::bore_out(CodeNumber code) {
   const DrillingCycle& cycle = block_.modal.cycle;
   feed(cycle.bottom);
   if (block_.failed()) return;
-  if (code == 820 || code == 860 || code == 890) dwell();
-  if (code == 850 || code == 890) feed(cycle.retract_level);
-  if (code != 860) return retract();
+  if (code == g(82) || code == g(86) || code == g(89)) dwell();
+  if (code == g(85) || code == g(89)) feed(cycle.retract_level);
+  if (code != g(86)) return retract();
   SpindleCommand spindle;
   block_.queue.emit(spindle);
   retract();
@@ -154,10 +154,10 @@ void Hole::tap(CodeNumber code) {
   const double lead_mm = lead_of(block_, *spindle, code);
   if (block_.failed()) return;
   const SpindleAction turning =
-      code == 840 ? SpindleAction::clockwise : SpindleAction::counter_clockwise;
+      code == g(84) ? SpindleAction::clockwise : SpindleAction::counter_clockwise;
   if (!spindle_turns(block_, *spindle) || turning_of(block_.modal) != turning) {
     turn_spindle(block_, *spindle, turning);
-    block_.set_modal(Group::spindle, code == 840 ? 30 : 40);
+    block_.set_modal(Group::spindle, code == g(84) ? m(3) : m(4));
   }
   if (spindle_has_position(block_, *spindle)) {
     tap_rigidly(*spindle, lead_mm);

@@ -45,7 +45,7 @@ void restore_spindle(ActiveBlock& block, const ModalState& saved) {
   modal.speeds_rev_per_min[0] = saved.speed_rev_per_min;
   SpindleCommand command;
   command.speed_rev_per_min = saved.speed_rev_per_min;
-  const bool cutting = saved.code(Group::spindle_mode) == 960 && saved.spindle_running;
+  const bool cutting = saved.code(Group::spindle_mode) == g(96) && saved.spindle_running;
   if (other_speed) {
     command.action = SpindleAction::set_speed;
     block.queue.emit(command);
@@ -53,7 +53,7 @@ void restore_spindle(ActiveBlock& block, const ModalState& saved) {
   const CodeNumber code = saved.code(Group::spindle);
   if (modal.code(Group::spindle) == code && modal.spindle_running == saved.spindle_running) return;
   command.action = !saved.spindle_running ? SpindleAction::stop
-                   : code == 40           ? SpindleAction::counter_clockwise
+                   : code == m(4)         ? SpindleAction::counter_clockwise
                                           : SpindleAction::clockwise;
   constexpr std::uint16_t master = 1;
   const std::uint16_t others = modal.running_spindles & static_cast<std::uint16_t>(~master);

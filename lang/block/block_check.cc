@@ -41,7 +41,7 @@ char first_letter(LetterSet set) {
 }
 
 char dwell_word(const BlockWords& words, const BlockCodes& codes) {
-  if (!words.g.has(40)) return 0;
+  if (!words.g.has(g(4))) return 0;
   if (words.has('P')) return 'P';
   if (codes.axis_user != nullptr) return 0;
   for (const char letter : {'X', 'U', 'F', 'S'}) {
@@ -129,8 +129,8 @@ bool dwells_suspiciously_long(const BlockWords& words) {
     return words.has(letter) && words.value(letter) >= 100.0 &&
            (words.whole & letter_bit(letter)) != 0;
   };
-  constexpr std::array<CodeNumber, 6> dwelling_cycles{740, 820, 840, 860, 880, 890};
-  if (words.g.has(40)) {
+  constexpr std::array<CodeNumber, 6> dwelling_cycles{g(74), g(82), g(84), g(86), g(88), g(89)};
+  if (words.g.has(g(4))) {
     return looks_like_milliseconds(words.has('P') ? 'P' : words.has('X') ? 'X' : 'U');
   }
   const bool cycle = std::any_of(dwelling_cycles.begin(), dwelling_cycles.end(),

@@ -14,15 +14,15 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
     return fault_at("E4009", word, "`" + name + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
-  const bool other_on_lathe = code.letter == 'G' && (code.number == 730 || code.number == 740);
+  const bool other_on_lathe = code.letter == 'G' && (code.number == g(73) || code.number == g(74));
   if (kind == ChannelKind::lathe && other_on_lathe) {
     return fault_at("E2090", word, "`" + name + "` is not supported in this release",
-                    code.number == 730 ? "pattern repeating" : "face pecking cycle");
+                    code.number == g(73) ? "pattern repeating" : "face pecking cycle");
   }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
     BlockFault fault =
         fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
-    if (code.number == 840) fault.help.emplace_back("tap with `G33.1`, e.g. `G33.1 Z-12 K1.25`");
+    if (code.number == g(84)) fault.help.emplace_back("tap with `G33.1`, e.g. `G33.1 Z-12 K1.25`");
     return fault;
   }
   if (kind != ChannelKind::lathe && code.availability == Availability::lathe_only) {
@@ -34,8 +34,8 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
 // G80 beside G0 to G3 is customary and says nothing more: they end a cycle as well. True when `row`
 // is such a G80; one that came before is taken out.
 bool only_ends_cycle(BlockCodes& codes, const Code& row) {
-  constexpr CodeNumber end_of_cycle = 800;
-  constexpr CodeNumber last_plain_motion = 30;
+  constexpr CodeNumber end_of_cycle = g(80);
+  constexpr CodeNumber last_plain_motion = g(3);
   for (int i = 0; i < codes.count; ++i) {
     auto* const place = codes.rows.begin() + i;
     if ((*place)->group != Group::motion || row.group != Group::motion) continue;
@@ -51,7 +51,7 @@ bool only_ends_cycle(BlockCodes& codes, const Code& row) {
 
 // G5 and G5.1 without axis words are no curves.
 const Code high_speed_by_p{'G',
-                           50,
+                           g(5),
                            Group::none,
                            0,
                            Phase::path_mode,
@@ -61,7 +61,7 @@ const Code high_speed_by_p{'G',
                            CodeAction::accept_high_speed,
                            "look-ahead switch"};
 const Code high_speed_by_q{'G',
-                           51,
+                           g(5, 1),
                            Group::none,
                            0,
                            Phase::path_mode,
@@ -74,8 +74,8 @@ const Code high_speed_by_q{'G',
 const Code* row_of(char letter, CodeNumber number, const BlockWords& words) {
   const bool switch_only =
       words.named.empty() && (words.letters & (customary_axis_letters | letters_of("IJ"))) == 0;
-  if (letter == 'G' && number == 50 && switch_only && !words.has('Q')) return &high_speed_by_p;
-  if (letter == 'G' && number == 51 && switch_only) return &high_speed_by_q;
+  if (letter == 'G' && number == g(5) && switch_only && !words.has('Q')) return &high_speed_by_p;
+  if (letter == 'G' && number == g(5, 1) && switch_only) return &high_speed_by_q;
   return find_code(letter, number);
 }
 

@@ -9,7 +9,7 @@ namespace stanok::lang {
 namespace {
 
 bool takes_feed_law(const Code& code) {
-  const bool straight = code.action == CodeAction::move_straight && code.number == 10;
+  const bool straight = code.action == CodeAction::move_straight && code.number == g(1);
   return straight || code.action == CodeAction::move_in_arc ||
          code.action == CodeAction::move_in_cubic || code.action == CodeAction::move_in_quadratic;
 }

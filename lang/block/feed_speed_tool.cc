@@ -27,7 +27,7 @@ constexpr Code tool_word =
 // G76 has F of its own on lathe channels only.
 bool takes_word(const Code& code, char letter, ChannelKind kind) {
   const bool own = code.letter == 'G' && (code.words & letter_bit(letter)) != 0;
-  return own && (kind == ChannelKind::lathe || code.number != 760);
+  return own && (kind == ChannelKind::lathe || code.number != g(76));
 }
 
 bool is_taken(const ActiveBlock& block, const BlockCodes& codes, char letter) {
@@ -56,7 +56,7 @@ void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes) {
 }
 
 bool names_spindle(const BlockCodes& codes) {
-  constexpr std::array<CodeNumber, 7> threads{320, 330, 331, 740, 760, 780, 840};
+  constexpr std::array<CodeNumber, 7> threads{g(32), g(33), g(33, 1), g(74), g(76), g(78), g(84)};
   if (codes.has(Group::spindle) || codes.has(Group::spindle_mode)) return true;
   const auto first = codes.rows.begin();
   return std::any_of(first, first + codes.count, [&](const Code* code) {

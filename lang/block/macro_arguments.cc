@@ -35,7 +35,7 @@ std::optional<BlockFault> check_macro_block(const BlockWords& words, const Macro
                       "unused word", {}, {}};
   }
   if (call && !words.has('P')) {
-    return BlockFault{"E4007", {'G', 650, {}}, "`G65` needs the number of a program", "no P", {},
+    return BlockFault{"E4007", {'G', g(65), {}}, "`G65` needs the number of a program", "no P", {},
                       {}};
   }
   return std::nullopt;

@@ -19,9 +19,9 @@ Note ModalState::origin_of(Group group) const {
 
 Plane ModalState::plane() const {
   switch (code(Group::plane)) {
-    case 180:
+    case g(18):
       return Plane::zx;
-    case 190:
+    case g(19):
       return Plane::yz;
     default:
       return Plane::xy;
@@ -30,9 +30,9 @@ Plane ModalState::plane() const {
 
 FeedMode ModalState::feed_mode() const {
   switch (code(Group::feed_mode)) {
-    case 930:
+    case g(93):
       return FeedMode::inverse_time;
-    case 950:
+    case g(95):
       return FeedMode::per_revolution;
     default:
       return FeedMode::per_minute;

@@ -172,14 +172,14 @@ struct ModalState {
   // "G17 is active since line 4"
   [[nodiscard]] Note origin_of(Group group) const;
 
-  [[nodiscard]] bool incremental() const { return code(Group::distance) == 910; }
-  [[nodiscard]] bool inches() const { return code(Group::units) == 200; }
-  [[nodiscard]] bool diameters() const { return code(Group::diameter) == 70; }
+  [[nodiscard]] bool incremental() const { return code(Group::distance) == g(91); }
+  [[nodiscard]] bool inches() const { return code(Group::units) == g(20); }
+  [[nodiscard]] bool diameters() const { return code(Group::diameter) == g(7); }
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] FeedMode feed_mode() const;
   // The rotary axis that is programmed in mm (G12.1), or -1.
   [[nodiscard]] int face_axis() const {
-    return code(Group::transformation) == 121 ? transformed_axis : -1;
+    return code(Group::transformation) == g(12, 1) ? transformed_axis : -1;
   }
   // Everything between W and B:
   // p_B = work offset - overhang + its rotation * (G52 + G92 + G68 * p_W).

@@ -33,19 +33,19 @@ constexpr ExcludedMode modes[] = {
 bool is_active(const ModalState& modal, Exclusion exclusion) {
   switch (exclusion) {
     case Exclusion::radius_compensation:
-      return modal.code(Group::radius_compensation) != 400;
+      return modal.code(Group::radius_compensation) != g(40);
     case Exclusion::tip_control:
       return modal.length.mode == LengthMode::tip;
     case Exclusion::transformation:
-      return modal.code(Group::transformation) != 131;
+      return modal.code(Group::transformation) != g(13, 1);
     case Exclusion::drilling_cycle: {
       const CodeNumber code = modal.code(Group::motion);
-      return code == 730 || code == 740 || code == 760 || (code > 800 && code <= 890);
+      return code == g(73) || code == g(74) || code == g(76) || (code > g(80) && code <= g(89));
     }
     case Exclusion::inverse_time:
       return modal.feed_mode() == FeedMode::inverse_time;
     case Exclusion::rotation:
-      return modal.code(Group::rotation) != 690;
+      return modal.code(Group::rotation) != g(69);
   }
   return false;
 }

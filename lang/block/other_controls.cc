@@ -20,23 +20,23 @@ struct TakesAxisWordsElsewhere {
 };
 
 constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
-    {200, Channels::lathes, "in code system C of Fanuc lathes it is a turning cycle",
+    {g(20), Channels::lathes, "in code system C of Fanuc lathes it is a turning cycle",
      "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
-    {210, Channels::lathes, "in code system C of Fanuc lathes it is a thread cycle",
+    {g(21), Channels::lathes, "in code system C of Fanuc lathes it is a thread cycle",
      "the cycle is `G78`; to move, write `G0` or `G1` into the block"},
-    {281, Channels::all, "on other controls it goes there",
+    {g(28, 1), Channels::all, "on other controls it goes there",
      "the way to a reference point is `G28`; to move, write `G0` or `G1` into the block"},
-    {301, Channels::all, "on Fanuc controls it goes to a floating reference point",
+    {g(30, 1), Channels::all, "on Fanuc controls it goes to a floating reference point",
      "the way to a reference point is `G30`; to move, write `G0` or `G1` into the block"},
-    {500, Channels::lathes, "in code system A of Fanuc lathes it sets the coordinates",
+    {g(50), Channels::lathes, "in code system A of Fanuc lathes it sets the coordinates",
      "set them with `G92`; to move, write `G0` or `G1` into the block"},
-    {600, Channels::all, "on Fanuc mills it is a positioning from one side",
+    {g(60), Channels::all, "on Fanuc mills it is a positioning from one side",
      "write `G0` or `G1` into the block"},
-    {900, Channels::lathes, "in code system A of Fanuc lathes it is a turning cycle",
+    {g(90), Channels::lathes, "in code system A of Fanuc lathes it is a turning cycle",
      "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
-    {921, Channels::all, "on Fanuc controls it sets the coordinates",
+    {g(92, 1), Channels::all, "on Fanuc controls it sets the coordinates",
      "set them with `G92`; to move, write `G0` or `G1` into the block"},
-    {940, Channels::lathes, "in code system A of Fanuc lathes it is a facing cycle",
+    {g(94), Channels::lathes, "in code system A of Fanuc lathes it is a facing cycle",
      "the cycle is `G79`; to move, write `G0` or `G1` into the block"},
 };
 
@@ -58,7 +58,7 @@ std::optional<BlockFault> axis_words_of_another_code(const BlockMeaning& block) 
   for (const TakesAxisWordsElsewhere& row : takes_axis_words) {
     if (!block.words.g.has(row.code)) continue;
     if (row.channels == Channels::lathes && block.kind != ChannelKind::lathe) continue;
-    if (row.code == 900 && !confirms_absolute(block)) continue;
+    if (row.code == g(90) && !confirms_absolute(block)) continue;
     return two_meanings(code_word(row.code),
                         "`" + code_text('G', row.code) + "` with axis words and no motion code",
                         row.meaning, row.remedy);
@@ -68,7 +68,7 @@ std::optional<BlockFault> axis_words_of_another_code(const BlockMeaning& block) 
 
 std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
   const bool lathe = block.kind == ChannelKind::lathe;
-  for (const CodeNumber code : {CodeNumber{500}, CodeNumber{920}}) {
+  for (const CodeNumber code : {g(50), g(92)}) {
     if (!block.words.g.has(code)) continue;
     const bool indexed = std::any_of(
         block.words.named.begin(), block.words.named.end(),
@@ -84,17 +84,18 @@ std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
 
 std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
   if (block.kind != ChannelKind::lathe) return std::nullopt;
-  for (const CodeNumber code : {CodeNumber{980}, CodeNumber{990}}) {
+  for (const CodeNumber code : {g(98), g(99)}) {
     if (!block.words.g.has(code)) continue;
     return two_meanings(
         code_word(code), "`" + code_text('G', code) + "` means nothing on a lathe channel",
-        code == 980 ? "in code system A of Fanuc lathes it is the feed per minute, elsewhere a "
-                      "return level of drilling cycles"
-                    : "in code system A of Fanuc lathes it is the feed per revolution, elsewhere a "
-                      "return level of drilling cycles",
-        code == 980 ? "the feed per minute is `G94`" : "the feed per revolution is `G95`");
+        code == g(98)
+            ? "in code system A of Fanuc lathes it is the feed per minute, elsewhere a "
+              "return level of drilling cycles"
+            : "in code system A of Fanuc lathes it is the feed per revolution, elsewhere a "
+              "return level of drilling cycles",
+        code == g(98) ? "the feed per minute is `G94`" : "the feed per revolution is `G95`");
   }
-  if (block.words.g.has(920) && block.has_axis_words && block.words.has('F')) {
+  if (block.words.g.has(g(92)) && block.has_axis_words && block.words.has('F')) {
     return two_meanings({'F', -1, {}}, "`G92` with axis words and F on a lathe channel",
                         "in code system A of Fanuc lathes it is a thread cycle, here it sets the "
                         "coordinates of the point",

@@ -60,7 +60,7 @@ double spindle_runs(const ParameterView& view) {
 
 double spindle_runs_clockwise(const ParameterView& view) {
   const ModalState& modal = modal_of(view);
-  return modal.spindle_running && modal.code(Group::spindle) == 30 ? 1.0 : 0.0;
+  return modal.spindle_running && modal.code(Group::spindle) == m(3) ? 1.0 : 0.0;
 }
 
 double active_tool(const ParameterView& view) {
@@ -86,24 +86,24 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_plane", code_of<Group::plane>},
     {"_ccomp", code_of<Group::radius_compensation>},
     {"_coord_system", code_of<Group::work_offset>},
-    {"_metric", has_code<Group::units, 210>},
-    {"_imperial", has_code<Group::units, 200>},
-    {"_absolute", has_code<Group::distance, 900>},
-    {"_incremental", has_code<Group::distance, 910>},
-    {"_ijk_absolute_mode", has_code<Group::arc_distance, 901>},
-    {"_inverse_time", has_code<Group::feed_mode, 930>},
-    {"_units_per_minute", has_code<Group::feed_mode, 940>},
-    {"_units_per_rev", has_code<Group::feed_mode, 950>},
+    {"_metric", has_code<Group::units, g(21)>},
+    {"_imperial", has_code<Group::units, g(20)>},
+    {"_absolute", has_code<Group::distance, g(90)>},
+    {"_incremental", has_code<Group::distance, g(91)>},
+    {"_ijk_absolute_mode", has_code<Group::arc_distance, g(90, 1)>},
+    {"_inverse_time", has_code<Group::feed_mode, g(93)>},
+    {"_units_per_minute", has_code<Group::feed_mode, g(94)>},
+    {"_units_per_rev", has_code<Group::feed_mode, g(95)>},
     {"_tool_offset",
      [](const ParameterView& view) {
        return modal_of(view).length.mode == LengthMode::off ? 0.0 : 1.0;
      }},
-    {"_retract_r_plane", has_code<Group::return_level, 990>},
-    {"_retract_old_z", has_code<Group::return_level, 980>},
-    {"_spindle_rpm_mode", has_code<Group::spindle_mode, 970>},
-    {"_spindle_css_mode", has_code<Group::spindle_mode, 960>},
-    {"_lathe_diameter_mode", has_code<Group::diameter, 70>},
-    {"_lathe_radius_mode", has_code<Group::diameter, 80>},
+    {"_retract_r_plane", has_code<Group::return_level, g(99)>},
+    {"_retract_old_z", has_code<Group::return_level, g(98)>},
+    {"_spindle_rpm_mode", has_code<Group::spindle_mode, g(97)>},
+    {"_spindle_css_mode", has_code<Group::spindle_mode, g(96)>},
+    {"_lathe_diameter_mode", has_code<Group::diameter, g(7)>},
+    {"_lathe_radius_mode", has_code<Group::diameter, g(8)>},
     {"_spindle_on", spindle_runs},
     {"_spindle_cw", spindle_runs_clockwise},
     {"_mist", flag<&ModalState::mist>},

@@ -55,9 +55,9 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   std::optional<NamedProgram> program;
   const IsoWord* number = nullptr;
   for (const IsoWord& word : block.words) {
-    const bool call = word.name.letter == 'M' && word.name.code == 980;
-    const bool file_call = word.name.letter == 'M' && word.name.code == 1980;
-    const bool macro = word.name.letter == 'G' && word.name.code == 650;
+    const bool call = word.name.letter == 'M' && word.name.code == m(98);
+    const bool file_call = word.name.letter == 'M' && word.name.code == m(198);
+    const bool macro = word.name.letter == 'G' && word.name.code == g(65);
     if (call || file_call || macro) program = NamedProgram{0, file_call};
     if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;
   }

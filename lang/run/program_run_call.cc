@@ -148,11 +148,11 @@ std::optional<ProgramRun::NumberedProgramPlace> ProgramRun::named_program(CodeNu
     fail("E3010", "P and L of a subprogram call are whole numbers", "not a whole number");
     return std::nullopt;
   }
-  const bool only_files = code == 1980;
+  const bool only_files = code == m(198);
   int program = static_cast<int>(std::lround(number));
   int count = static_cast<int>(std::lround(repeats));
   auto place = find_numbered(program, only_files);
-  const bool counts = code == 980 && program >= numbers_per_repeat && !words_.has('L');
+  const bool counts = code == m(98) && program >= numbers_per_repeat && !words_.has('L');
   if (!place && counts && phase_ != Phase::failed) {
     count = program / numbers_per_repeat;
     program %= numbers_per_repeat;

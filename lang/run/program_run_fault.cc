@@ -10,7 +10,7 @@ namespace stanok::lang {
 namespace {
 
 constexpr bool is_straight_or_arc(CodeNumber motion) {
-  return motion == 0 || motion == 10 || motion == 20 || motion == 30;
+  return motion == g(0) || motion == g(1) || motion == g(2) || motion == g(3);
 }
 
 // Codes of the block other than motions that use its axis words leave its end open.

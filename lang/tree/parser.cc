@@ -38,7 +38,7 @@ bool is_simple(const Statement& statement) {
 bool ends_program(const IsoBlock& block) {
   return std::any_of(block.words.begin(), block.words.end(), [](const IsoWord& word) {
     const int code = word.name.code;
-    return word.name.letter == 'M' && (code == 20 || code == 300 || code == 990);
+    return word.name.letter == 'M' && (code == m(2) || code == m(30) || code == m(99));
   });
 }
 

@@ -208,7 +208,7 @@ bool Parser::apply_aliases(IsoBlock& block) {
     const char kind = code.name.letter;
     if ((kind != 'G' && kind != 'M') || code.name.code < 0) return false;
     const Code* const row = find_code(kind, static_cast<CodeNumber>(code.name.code));
-    const bool macro_call = kind == 'G' && code.name.code == 650;
+    const bool macro_call = kind == 'G' && code.name.code == g(65);
     return macro_call || dialect_.macro(kind, code.name.code) != nullptr ||
            (row != nullptr && (row->words & letter_bit(letter)) != 0);
   };

@@ -12,13 +12,14 @@ namespace stanok::lang {
 namespace {
 
 // M100 to M899 belong to the machine builder.
-constexpr int output_first = 1000;
-constexpr int output_last = 8990;
+constexpr int output_first = m(100);
+constexpr int output_last = m(899);
 
-// Codes whose meaning the machine file cannot change, in tenths.
-constexpr auto fixed_g =
-    std::to_array<int>({0, 10, 20, 30, 170, 180, 190, 200, 210, 400, 530, 650, 900, 910});
-constexpr auto fixed_m = std::to_array<int>({0, 10, 20, 300, 980, 990, 9020, 9030});
+// Codes whose meaning the machine file cannot change.
+constexpr auto fixed_g = std::to_array<int>(
+    {g(0), g(1), g(2), g(3), g(17), g(18), g(19), g(20), g(21), g(40), g(53), g(65), g(90), g(91)});
+constexpr auto fixed_m =
+    std::to_array<int>({m(0), m(1), m(2), m(30), m(98), m(99), m(902), m(903)});
 
 // Letters that codes of every channel take (E only few of them, which then have it in their
 // blocks), and the axes of every drawing.
@@ -115,7 +116,7 @@ std::string_view ChannelDialect::alias(char letter) const {
 
 std::optional<MacroCode> macro_of(const BlockWords& words, const ChannelDialect& dialect) {
   for (const CodeNumber number : words.g) {
-    if (number == 650) return MacroCode{};
+    if (number == g(65)) return MacroCode{};
     if (const UserCode* const code = dialect.macro('G', number)) {
       return MacroCode{'G', number, code};
     }

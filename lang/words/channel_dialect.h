@@ -39,7 +39,7 @@ class ChannelDialect {
 // The code that takes every other word of its block as an argument: G65, or a user code.
 struct MacroCode {
   char letter = 'G';
-  int number = 650;
+  int number = g(65);
   const UserCode* user_code = nullptr;  // nullptr: G65
 };
 [[nodiscard]] std::optional<MacroCode> macro_of(const BlockWords& words,

@@ -267,7 +267,7 @@ const Code* find_code(char letter, CodeNumber number) {
 }
 
 bool changes_program_flow(const Code& code) {
-  const bool macro_call = code.letter == 'G' && code.number == 650;
+  const bool macro_call = code.letter == 'G' && code.number == g(65);
   return macro_call || code.group == Group::subprogram || code.action == CodeAction::end_program;
 }
 
