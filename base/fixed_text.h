@@ -26,6 +26,7 @@ struct FixedText {
     return {characters.data(), static_cast<std::size_t>(end - characters.begin())};
   }
   [[nodiscard]] constexpr bool empty() const RT_SAFE { return characters[0] == '\0'; }
+  friend constexpr bool operator==(const FixedText&, const FixedText&) = default;
 
   // Behind what is there, as far as it fits.
   constexpr FixedText& append(std::string_view text) RT_SAFE {

@@ -20,7 +20,12 @@ std::string_view first_line(std::string_view text) RT_SAFE {
 Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figures,
                  const std::map<int, std::unique_ptr<const kinematics::Scheme>>& schemes,
                  int scheme, ChannelLink& link, CycleBooks books)
-    : motion_(motion), figures_(figures), link_(link), books_(books), interpolator_(motion) {
+    : motion_(motion),
+      figures_(figures),
+      link_(link),
+      books_(books),
+      interpolator_(motion),
+      marks_(link.riders, *books.outputs) {
   for (const auto& [id, made] : schemes)
     schemes_.at(static_cast<std::size_t>(scheme_count_++)) = {id, made.get()};
   for (int k = 0; k < figures_.spindle_count; ++k) {
@@ -59,7 +64,7 @@ void Channel::select_scheme(int scheme) {
 
 void Channel::advance(std::int64_t cycle) RT_SAFE {
   cycle_ = cycle;
-  has_passed_mark_ = false;
+  marks_.begin_cycle();
   if (resetting_) continue_reset();
   work_items();
   take_step();
@@ -72,13 +77,33 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   turn_spindles();
   control_force();
   stop_at_step();
-  work_riders();
+  work_marks();
   show_remarks(cycle);
   name_program();
   if (power_off_wanted_ && !resetting_ && is_standing()) {
     power(false);
     power_off_wanted_ = false;
   }
+}
+
+void Channel::work_marks() RT_SAFE {
+  if (resetting_) return;
+  const auto missed = marks_.advance({.path = path_.tag,
+                                      .stands_at_gate = path_.at_gate,
+                                      .closed_block = stepper_.closed_from_block(),
+                                      .riders_before_item = riders_before_item()});
+  if (missed) fail_run("E6024", "the path came too fast to the mark to stop there", *missed);
+}
+
+// Of an item that waits for nothing but riders; 0: there is none.
+std::uint64_t Channel::riders_before_item() const RT_SAFE {
+  if (link_.items.empty() || activity_ != Activity::none || !interpolator_.at_rest()) return 0;
+  const Item& next = link_.items.front();
+  return path_.chunks_done >= next.after_chunk ? next.after_rider : 0;
+}
+
+std::uint64_t Channel::closed_from_block() const RT_SAFE {
+  return std::min(stepper_.closed_from_block(), marks_.closed_from_block());
 }
 
 // Chunks that may be entered now: those before the next item, and none while an item is at work.
@@ -94,7 +119,7 @@ void Channel::move() RT_SAFE {
   motion::FeedControl control = control_;
   if (!overrides_.feed_enabled) control.feed_override = 1.0;
   control.hold = control.hold || probe_.ends_path;
-  find_gates();
+  marks_.find_gates();
   control.law_part = form_feed();
   apply_feed_demand(control);
   control.closed_from_block = closed_from_block();
@@ -156,7 +181,8 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.moving = path_.state == motion::PathState::moving || manual_.is_active();
   output.running = running_;
   output.run = run_;
-  output.waiting = (activity_ != Activity::none && activity_ != Activity::frame) || at_soft_mark_;
+  output.waiting =
+      (activity_ != Activity::none && activity_ != Activity::frame) || marks_.is_waiting();
   output.hold_cause = state_ == ChannelState::held ? hold_cause_ : HoldCause::none;
   output.scheme = scheme_;
   output.tag = running_ ? tag_at_hand() : motion::BlockTag{};

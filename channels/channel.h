@@ -14,10 +14,10 @@
 #include "channels/channel_link.h"
 #include "channels/command_rules.h"
 #include "channels/machine.h"
+#include "channels/mark_worker.h"
 #include "channels/output.h"
 #include "channels/spindle.h"
 #include "channels/stepper.h"
-#include "lang/tree/builtin.h"
 #include "motion/automatic_feed.h"
 #include "motion/feed_modifier.h"
 #include "motion/interpolator.h"
@@ -195,18 +195,8 @@ class Channel {
   // The first axis that stands on a limit switch; -1: none.
   [[nodiscard]] int axis_on_limit_switch() const RT_SAFE;
 
-  // Marks (channel_riders.cc).
-  [[nodiscard]] bool is_mark_set(int mark) const RT_SAFE {
-    return marks_[static_cast<std::size_t>(mark)];
-  }
-  // The next soft mark on the path, or nullptr; whether the channel stands there, and the one that
-  // it left behind in this cycle.
-  [[nodiscard]] const Rider* soft_mark() const RT_SAFE { return soft_mark_at(gate_); }
-  [[nodiscard]] bool is_at_soft_mark() const RT_SAFE { return at_soft_mark_; }
-  [[nodiscard]] const Rider* passed_mark() const RT_SAFE {
-    return has_passed_mark_ ? &passed_mark_ : nullptr;
-  }
-  void open_soft_mark() RT_SAFE { soft_mark_open_ = true; }
+  [[nodiscard]] const MarkWorker& marks() const RT_SAFE { return marks_; }
+  void open_soft_mark() RT_SAFE { marks_.open(); }
 
  private:
   enum class Activity : std::uint8_t { none, frame, dwell, spindle, brakes, request, stop };
@@ -273,15 +263,9 @@ class Channel {
   void make_regulators();
   void adopt_positions() RT_SAFE;
   void demand_velocities() RT_SAFE;
-  void work_riders() RT_SAFE;
-  [[nodiscard]] bool rider_is_due() const RT_SAFE;
-  [[nodiscard]] bool pass_soft_mark(const Rider& mark, bool passed) RT_SAFE;
-  void execute(const Rider& rider) RT_SAFE;
-  void find_gates() RT_SAFE;
-  [[nodiscard]] const Rider* soft_mark_at(std::uint64_t number) const RT_SAFE;
+  void work_marks() RT_SAFE;
+  [[nodiscard]] std::uint64_t riders_before_item() const RT_SAFE;
   [[nodiscard]] std::uint64_t closed_from_block() const RT_SAFE;
-  [[nodiscard]] bool is_at_mark_gate() const RT_SAFE;
-  void forget_riders() RT_SAFE;
   [[nodiscard]] std::uint64_t chunk_limit(std::uint64_t available) const RT_SAFE;
   void show_remarks(std::int64_t cycle) RT_SAFE;
   void name_program() RT_SAFE;
@@ -390,13 +374,7 @@ class Channel {
   ShortText text_;
   ChannelAlarm last_alarm_;
 
-  std::array<bool, lang::mark_max + 1> marks_{};
-  std::uint64_t gate_ = 0;  // number of the rider that is the next soft mark, or of the next rider
-  std::uint64_t gate_behind_ = 0;  // the same for the soft mark behind that one
-  bool at_soft_mark_ = false;
-  bool soft_mark_open_ = false;  // all partners are there
-  bool has_passed_mark_ = false;
-  Rider passed_mark_;
+  MarkWorker marks_;
 };
 
 }  // namespace stanok::channels

@@ -43,7 +43,7 @@ void Channel::begin_run(Job job) RT_SAFE {
   run_ok_ = false;
   was_reset_ = false;
   if (job == Job::program) {
-    marks_ = {};
+    marks_.clear_marks();
     open_position_loops();
     restart_automatic_feeds();
   }
@@ -192,7 +192,7 @@ void Channel::forget_arrivals() RT_SAFE {
               .riders = Arrivals::everything,
               .remarks = Arrivals::everything});
   interpolator_.drop_path(link_.path);
-  forget_riders();
+  marks_.forget_riders();
   link_.remarks.pop_front(link_.remarks.size());
   forgotten_ = link_.shown();
   forgotten_.items = items;

@@ -378,7 +378,7 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
     case RequestKind::channel_state:
       return success(static_cast<double>(target.state()));
     case RequestKind::mark_state:
-      return success(target.is_mark_set(errand.number) ? 1.0 : 0.0);
+      return success(target.marks().is_set(errand.number) ? 1.0 : 0.0);
     default:
       return refusal("E2090", "not supported in this release");
   }

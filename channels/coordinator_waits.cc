@@ -46,7 +46,7 @@ void Coordinator::work_marks() RT_SAFE {
   for (int k = 0; k < channel_count_; ++k) {
     const Errand& errand = errands_[static_cast<std::size_t>(k)];
     const bool waits = errand.active && errand.kind == lang::RequestKind::mark_wait;
-    if (!waits && !channel(k).is_at_soft_mark()) rendezvous_.leave(k);
+    if (!waits && !channel(k).marks().is_waiting()) rendezvous_.leave(k);
     if (waits) arrive_at_mark(k);
     arrive_at_soft_mark(k);
   }
@@ -68,14 +68,14 @@ void Coordinator::arrive_at_mark(int index) RT_SAFE {
 // A channel is at a soft mark when it stands there, or in the cycle in which it passes it.
 void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
   Channel& arriving = channel(index);
-  const Rider* passed = arriving.passed_mark();
+  const Rider* passed = arriving.marks().passed_mark();
   if ((released_ & channel_bit(index)) != 0) {
-    if (passed != nullptr || !arriving.is_at_soft_mark()) released_ &= ~channel_bit(index);
+    if (passed != nullptr || !arriving.marks().is_waiting()) released_ &= ~channel_bit(index);
     return;
   }
-  const Rider* mark = passed != nullptr            ? passed
-                      : arriving.is_at_soft_mark() ? arriving.soft_mark()
-                                                   : nullptr;
+  const Rider* mark = passed != nullptr               ? passed
+                      : arriving.marks().is_waiting() ? arriving.marks().soft_mark()
+                                                      : nullptr;
   if (mark == nullptr || rendezvous_.at(index).present) return;
   rendezvous_.arrive(index, mark->number, channels_with_ids(mark->channels), mark->tag);
   if (passed != nullptr) return;
@@ -89,15 +89,15 @@ void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
 void Coordinator::work_soft_mark(int index) RT_SAFE {
   Channel& coming = channel(index);
   const Rendezvous::Arrival arrival = rendezvous_.at(index);
-  if (coming.passed_mark() != nullptr && arrival.present) {
+  if (coming.marks().passed_mark() != nullptr && arrival.present) {
     if (!arrival.met) {
       coming.fail_run("E6021", "a partner left the mark while the channel came to it", arrival.tag);
     }
     return rendezvous_.leave(index);
   }
-  const Rider* mark = coming.soft_mark();
+  const Rider* mark = coming.marks().soft_mark();
   if (mark == nullptr || (released_ & channel_bit(index)) != 0) return;
-  if (!coming.is_at_soft_mark()) {
+  if (!coming.marks().is_waiting()) {
     const ChannelSet members = channels_with_ids(mark->channels);
     if (rendezvous_.missing(index, mark->number, members) == 0) coming.open_soft_mark();
     return;
@@ -182,7 +182,7 @@ void Coordinator::describe_wait(int index, int awaited, ReasonText& text) const 
 }
 
 bool Coordinator::is_waiting_for_channels(int index) const RT_SAFE {
-  if (channel(index).is_at_soft_mark()) return rendezvous_.at(index).present;
+  if (channel(index).marks().is_waiting()) return rendezvous_.at(index).present;
   const Errand& errand = errands_[static_cast<std::size_t>(index)];
   if (!errand.active || errand.stage == 0) return false;
   if (errand.kind == lang::RequestKind::mark_wait) return !rendezvous_.at(index).met;

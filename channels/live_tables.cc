@@ -16,7 +16,9 @@ std::array<double, tool_values> values_of(const ToolEdge& tool) {
           tool.angle_front, tool.angle_back};
 }
 
-ToolEdge with_values(ToolEdge tool, const std::array<std::atomic<double>, tool_values>& values) {
+// `Tool`: ToolEdge or ToolRow.
+template <class Tool>
+void take_values(const std::array<std::atomic<double>, tool_values>& values, Tool& tool) RT_SAFE {
   tool.length = values[0];
   tool.length_y = values[1];
   tool.length_x = values[2];
@@ -27,7 +29,6 @@ ToolEdge with_values(ToolEdge tool, const std::array<std::atomic<double>, tool_v
   tool.orientation = static_cast<int>(values[7].load());
   tool.angle_front = values[8];
   tool.angle_back = values[9];
-  return tool;
 }
 
 bool is_in_range(ToolValue value, double to) RT_SAFE {
@@ -109,10 +110,11 @@ LiveTables::LiveTables(const MachineConfig& machine)
     rows[{number, 1}] = {plain, true};
   }
   for (const ToolEdge& tool : machine.tables.tools) rows[{tool.number, tool.edge}] = {tool, false};
-  tools_ = std::make_unique<ToolRow[]>(rows.size());
+  tools_ = std::make_unique<ToolPlace[]>(rows.size());
   for (auto& [key, row] : rows) {
-    ToolRow& made = tools_[tool_count_++];
+    ToolPlace& made = tools_[tool_count_++];
     made.fixed = row.first;
+    made.row = row_of(row.first);
     made.is_default = row.second;
     made.exists = !row.second || unnamed_tools_ || made.fixed.number == 0;
     const auto values = values_of(made.fixed);
@@ -178,8 +180,8 @@ std::optional<double> LiveTables::offset(int number, const std::string& axis) co
   return offset(number, static_cast<int>(named - columns_.begin()));
 }
 
-const LiveTables::ToolRow* LiveTables::find(int number, int edge) const RT_SAFE {
-  const ToolRow* const row = find_place(number, edge);
+const LiveTables::ToolPlace* LiveTables::find(int number, int edge) const RT_SAFE {
+  const ToolPlace* const row = find_place(number, edge);
   return row != nullptr && row->exists.load(std::memory_order_acquire) ? row : nullptr;
 }
 
@@ -187,7 +189,7 @@ bool LiveTables::has_place(int number, int edge) const RT_SAFE {
   return find_place(number, edge) != nullptr;
 }
 
-const LiveTables::ToolRow* LiveTables::find_place(int number, int edge) const RT_SAFE {
+const LiveTables::ToolPlace* LiveTables::find_place(int number, int edge) const RT_SAFE {
   std::size_t first = 0;
   std::size_t count = tool_count_;
   while (first < count) {
@@ -197,12 +199,12 @@ const LiveTables::ToolRow* LiveTables::find_place(int number, int edge) const RT
     (before ? first : count) = before ? middle + 1 : middle;
   }
   if (first == tool_count_) return nullptr;
-  const ToolRow& row = tools_[first];
+  const ToolPlace& row = tools_[first];
   return row.fixed.number == number && row.fixed.edge == edge ? &row : nullptr;
 }
 
 std::optional<double> LiveTables::tool_value(int number, int edge, int value) const RT_SAFE {
-  const ToolRow* row = find(number, edge);
+  const ToolPlace* row = find(number, edge);
   if (row == nullptr || value < 1 || value > tool_values) return std::nullopt;
   return row->values[static_cast<std::size_t>(value - 1)].load(std::memory_order_relaxed);
 }
@@ -210,26 +212,37 @@ std::optional<double> LiveTables::tool_value(int number, int edge, int value) co
 bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writer writer) RT_SAFE {
   if (write_protected_ && writer == Writer::program) return false;
   const bool by_person = writer == Writer::person;
-  const ToolRow* const found = by_person ? find_place(number, edge) : find(number, edge);
+  const ToolPlace* const found = by_person ? find_place(number, edge) : find(number, edge);
   if (found == nullptr || value < 1 || value > tool_values) return false;
   if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
-  ToolRow& row = tools_[static_cast<std::size_t>(found - tools_.get())];
+  ToolPlace& row = tools_[static_cast<std::size_t>(found - tools_.get())];
   row.values[static_cast<std::size_t>(value - 1)].store(to, std::memory_order_relaxed);
   row.exists.store(true, std::memory_order_release);
   return true;
 }
 
 std::optional<ToolEdge> LiveTables::tool(int number, int edge) const {
-  const ToolRow* row = find(number, edge);
+  const ToolPlace* row = find(number, edge);
   if (row == nullptr) return std::nullopt;
-  return with_values(row->fixed, row->values);
+  ToolEdge tool = row->fixed;
+  take_values(row->values, tool);
+  return tool;
+}
+
+ToolRow LiveTables::row(int number, int edge) const RT_SAFE {
+  const ToolPlace* const place = number == 0 ? nullptr : find(number, edge);
+  if (place == nullptr) return {};
+  ToolRow row = place->row;
+  take_values(place->values, row);
+  return row;
 }
 
 TablesConfig LiveTables::snapshot() const {
   TablesConfig tables;
   for (std::size_t k = 0; k < tool_count_; ++k) {
-    const ToolRow& row = tools_[k];
-    const ToolEdge now = with_values(row.fixed, row.values);
+    const ToolPlace& row = tools_[k];
+    ToolEdge now = row.fixed;
+    take_values(row.values, now);
     const bool filled = !unnamed_tools_ && row.fixed.number != 0 && row.exists;
     if (!row.is_default || filled || values_of(now) != values_of(row.fixed))
       tables.tools.push_back(now);

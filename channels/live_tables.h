@@ -19,6 +19,7 @@
 #include "base/rt_safe.h"
 #include "channels/item.h"
 #include "channels/machine_config.h"
+#include "channels/tool_row.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 
@@ -75,22 +76,25 @@ class LiveTables {
   // `axis` of the calls above by the name of the machine's axis, "R": the rotation; -1: none.
   [[nodiscard]] int column(std::string_view axis) const RT_SAFE;
   [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
+  // Number 0 where there is no such tool, and of tool 0, which is none.
+  [[nodiscard]] ToolRow row(int number, int edge) const RT_SAFE;
   // A tool is there, or an operator's value would make one.
   [[nodiscard]] bool has_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
                                     Writer writer = Writer::program) RT_SAFE;
 
  private:
-  struct ToolRow {
+  struct ToolPlace {
     ToolEdge fixed;           // number, edge, name, kind, shape
+    ToolRow row;              // of the same
     bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
     std::atomic<bool> exists{true};  // false: a free place
     std::array<std::atomic<double>, tool_values> values{};
   };
 
   // A tool that exists; a free place too.
-  [[nodiscard]] const ToolRow* find(int number, int edge) const RT_SAFE;
-  [[nodiscard]] const ToolRow* find_place(int number, int edge) const RT_SAFE;
+  [[nodiscard]] const ToolPlace* find(int number, int edge) const RT_SAFE;
+  [[nodiscard]] const ToolPlace* find_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
     return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
   }
@@ -106,7 +110,7 @@ class LiveTables {
   bool unnamed_tools_ = true;
   std::unique_ptr<std::atomic<double>[]> offsets_;
   std::unique_ptr<std::atomic<double>[]> reference_points_;
-  std::unique_ptr<ToolRow[]> tools_;  // ascending by number and edge
+  std::unique_ptr<ToolPlace[]> tools_;  // ascending by number and edge
   std::size_t tool_count_ = 0;
 };
 

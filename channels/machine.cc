@@ -250,8 +250,11 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
   output.cycle = parts.cycle;
   output.signals = parts.signals_out;
   output.channel_count = static_cast<std::int32_t>(parts.seats.size());
-  for (std::size_t k = 0; k < parts.seats.size(); ++k)
-    parts.seats[k]->channel.fill(output.channels[k]);
+  for (std::size_t k = 0; k < parts.seats.size(); ++k) {
+    ChannelOutput& shown = output.channels[k];
+    parts.seats[k]->channel.fill(shown);
+    shown.tool_row = parts.tables.row(shown.tool.number, shown.tool.edge);
+  }
   parts.coordinator->show_owners(output);
 }
 

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "base/fixed_text.h"
+#include "channels/tool_row.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/command.h"
 #include "motion/automatic_feed.h"
@@ -199,6 +200,7 @@ struct ChannelOutput {
   ProcessOutput process;
   Workpiece workpiece;
   ToolAtWork tool;
+  ToolRow tool_row;            // of that tool, as the table has it in this cycle
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
   std::array<AxisSetpoint, motion::axes_max> axes{};
   std::array<DriveCommand, motion::axes_max> drives{};

@@ -103,7 +103,6 @@ class Preparation {
   void add_request(const lang::Command& command, const lang::Request& request);
   void add_output(const lang::Command& command, const lang::OutputCommand& output);
   void add_mark(const lang::Command& command, const lang::MarkCommand& mark);
-  void refuse(const lang::Command& command, std::string_view what);
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
 
   // Path and items, in program order.

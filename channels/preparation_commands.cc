@@ -229,14 +229,4 @@ void Preparation::add_mark(const lang::Command& command, const lang::MarkCommand
   push_rider(rider);
 }
 
-// What the language knows and the machine cannot do yet stops the program before it.
-void Preparation::refuse(const lang::Command& command, std::string_view what) {
-  const motion::BlockTag tag = tag_of(command);
-  Diagnostic diagnostic;
-  diagnostic.code = "E6033";
-  diagnostic.message = "the machine cannot execute " + std::string(what) + " in this release";
-  lang::put_at_block(*running_, command.origin, diagnostic);
-  fail(diagnostic, tag);
-}
-
 }  // namespace stanok::channels

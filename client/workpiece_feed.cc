@@ -10,24 +10,24 @@ using simulation::Vector;
 
 constexpr double standing_rev_per_min = 1.0;
 
-simulation::ToolRecord record_of(const channels::ToolEdge& edge) {
+simulation::ToolRecord record_of(const channels::ToolRow& row) {
   simulation::ToolRecord record;
   simulation::ToolShape& shape = record.shape;
-  shape.kind = simulation::tool_kind_named(edge.kind).value_or(simulation::ToolKind::flat);
-  shape.radius = edge.radius + edge.wear_radius;
-  shape.corner_radius = edge.corner_radius;
-  shape.flute_length = edge.flute_length;
-  shape.overhang = edge.overhang;
-  shape.shank_diameter = edge.shank_diameter;
-  shape.holder_diameter = edge.holder_diameter;
-  shape.holder_length = edge.holder_length;
-  shape.length = edge.length;
-  shape.point_angle = edge.point_angle;
-  shape.taper_angle = edge.taper_angle;
-  shape.orientation = edge.orientation;
-  shape.angle_front = edge.angle_front;
-  shape.angle_back = edge.angle_back;
-  record.mount.nose_to_tip = -Vector(edge.length_x, edge.length_y, edge.length + edge.wear_length);
+  shape.kind = simulation::tool_kind_named(row.kind.view()).value_or(simulation::ToolKind::flat);
+  shape.radius = row.radius + row.wear_radius;
+  shape.corner_radius = row.corner_radius;
+  shape.flute_length = row.flute_length;
+  shape.overhang = row.overhang;
+  shape.shank_diameter = row.shank_diameter;
+  shape.holder_diameter = row.holder_diameter;
+  shape.holder_length = row.holder_length;
+  shape.length = row.length;
+  shape.point_angle = row.point_angle;
+  shape.taper_angle = row.taper_angle;
+  shape.orientation = row.orientation;
+  shape.angle_front = row.angle_front;
+  shape.angle_back = row.angle_back;
+  record.mount.nose_to_tip = -Vector(row.length_x, row.length_y, row.length + row.wear_length);
   return record;
 }
 
@@ -78,7 +78,7 @@ simulation::ChannelGeometry geometry_of(const channels::MachineConfig& machine,
 simulation::ToolRecords tools_of(const channels::TablesConfig& tables) {
   simulation::ToolRecords records;
   for (const channels::ToolEdge& edge : tables.tools)
-    records[{edge.number, edge.edge}] = record_of(edge);
+    records[{edge.number, edge.edge}] = record_of(channels::row_of(edge));
   return records;
 }
 
@@ -151,6 +151,12 @@ ChannelFeed::ChannelFeed(const channels::MachineConfig& machine,
     : channel_(channel.id),
       follower_(geometry_of(machine, channel), tools_of(machine.tables), memory_max,
                 std::move(complain)) {}
+
+void ChannelFeed::hear_of_tool(const channels::ToolRow& row) {
+  if (row == tool_row_) return;
+  tool_row_ = row;
+  if (row.number != 0) follower_.change_tool(row.number, row.edge, record_of(row));
+}
 
 void ChannelFeed::hear(const WorkpieceNews& news, const simulation::Sample& now) {
   const std::uint32_t all = news.announcements - announcements_;

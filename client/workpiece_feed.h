@@ -43,6 +43,9 @@ class ChannelFeed {
   }
   // Before the sample in which they came; a blank comes before its place.
   void hear(const WorkpieceNews& news, const simulation::Sample& now);
+  // Before the sample in which it is at work so; what was known of it, from the table at the
+  // beginning of the run or later, is over.
+  void hear_of_tool(const channels::ToolRow& row);
   void follow(const simulation::Sample& sample) { follower_.follow(sample); }
 
   [[nodiscard]] int channel() const { return channel_; }
@@ -51,6 +54,7 @@ class ChannelFeed {
  private:
   int channel_;
   simulation::WorkpieceFollower follower_;
+  channels::ToolRow tool_row_;  // that was told last
   std::uint32_t announcements_ = 0;
   std::uint32_t shapes_ = 0;
 };

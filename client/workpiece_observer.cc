@@ -51,6 +51,7 @@ void WorkpieceObserver::observe(const channels::CycleOutput& output) {
     const channels::ChannelOutput& channel = output.channels[k];
     if (channel.axis_count == 0) continue;
     const simulation::Sample sample = sample_of(channel, time_s);
+    feeds_[k]->hear_of_tool(channel.tool_row);
     if (!feeds_[k]->has_heard(channel.workpiece.announcements))
       feeds_[k]->hear(news_of(channel.workpiece), sample);
     feeds_[k]->follow(sample);

@@ -10,6 +10,7 @@
 #include "recording/channel_names.h"
 #include "recording/decode.h"
 #include "recording/encode.h"
+#include "recording/encode_tool_row.h"
 
 namespace stanok::client {
 namespace {
@@ -51,6 +52,11 @@ void WorkpieceStream::take(std::string_view channel_name, std::span<const std::u
     const auto message = recording::decode<tool_t>(bytes);
     Followed* channel = message ? followed(message->channel) : nullptr;
     if (channel != nullptr) channel->tool = {message->number, message->edge};
+  } else if (on(Topic::tool_row)) {
+    const auto message = recording::decode<tool_row_t>(bytes);
+    const auto row = message ? recording::from_tool_row(*message) : std::nullopt;
+    Followed* channel = row ? followed(message->channel) : nullptr;
+    if (channel != nullptr) channel->feed->hear_of_tool(*row);
   } else if (on(Topic::process)) {
     const auto message = recording::decode<process_status_t>(bytes);
     Followed* channel = message ? followed(message->channel) : nullptr;

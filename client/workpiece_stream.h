@@ -1,7 +1,8 @@
 // WorkpieceStream: the virtual workpieces of a machine out of its LCM messages, recorded or live.
 //
-// Set-points lead the tools, TOOL says which, PROCESS whether the spindle turns, WORKPIECE what is
-// cut; program texts give names to the runs. Messages of other machines are left alone.
+// Set-points lead the tools, TOOL says which, TOOL_ROW how they are, PROCESS whether the spindle
+// turns, WORKPIECE what is cut; program texts give names to the runs. Messages of other machines
+// are left alone.
 #pragma once
 
 #include <map>

@@ -266,14 +266,6 @@ TablesConfig read_tables(const std::filesystem::path& file,
   return tables;
 }
 
-TablesConfig read_tables_file(const std::filesystem::path& file,
-                              const std::vector<std::string>& axis_names) {
-  FaultList faults;
-  TablesConfig tables = read_tables(file, axis_names, faults);
-  faults.throw_if_any();
-  return tables;
-}
-
 TablesConfig read_tables_text(const std::string& text, const std::filesystem::path& file,
                               const std::vector<std::string>& axis_names,
                               const TablesConfig& base) {

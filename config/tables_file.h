@@ -21,11 +21,7 @@ namespace stanok::config {
                                                  FaultList& faults,
                                                  const channels::TablesConfig& base = {});
 
-// The same on its own, for tables an operator loads. Throws ConfigError.
-[[nodiscard]] channels::TablesConfig read_tables_file(const std::filesystem::path& file,
-                                                      const std::vector<std::string>& axis_names);
-
-// The same from a text of that file. Throws ConfigError.
+// The same from a text of that file, for tables an operator loads. Throws ConfigError.
 [[nodiscard]] channels::TablesConfig read_tables_text(const std::string& text,
                                                       const std::filesystem::path& file,
                                                       const std::vector<std::string>& axis_names,

@@ -141,21 +141,6 @@ double arc_parameter(const Geometry& g, double s, double length) RT_SAFE {
 
 }  // namespace
 
-double parametric_speed(const Geometry& geometry, double u) RT_SAFE {
-  switch (geometry.kind) {
-    case PieceKind::quintic:
-      return quintic_speed(geometry, u);
-    case PieceKind::arc: {
-      const double change = geometry.radius_change;
-      return arc_speed(geometry, straight_squared(geometry) + change * change, u);
-    }
-    case PieceKind::line:
-    case PieceKind::even:
-      break;
-  }
-  return arc_length(geometry);
-}
-
 double arc_length(const Geometry& geometry) RT_SAFE {
   if (geometry.kind == PieceKind::quintic) return geometry.knots.back();
   if (geometry.kind == PieceKind::arc) {

@@ -11,9 +11,6 @@
 
 namespace stanok::motion {
 
-// ds/du at u. Lines have none of their own: their parameter is s / length.
-[[nodiscard]] double parametric_speed(const Geometry& geometry, double u) RT_SAFE;
-
 // Arc length of the whole piece; for a quintic from its knots.
 [[nodiscard]] double arc_length(const Geometry& geometry) RT_SAFE;
 

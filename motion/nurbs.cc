@@ -13,10 +13,9 @@ namespace {
 
 constexpr int halvings_max = 12;          // for the deviation
 constexpr int halvings_at_cusp_max = 40;  // until next to nothing is left
-// Of what has no direction, or turns it sharply, this much is left out: the path meets itself at a
-// corner there. Longer than a `standstill`, so that no block of its own comes of it.
+// What has no direction, or turns it sharply, within this way is passed on its chord: the path has
+// a corner there. Blocks as short as that do not move (a `standstill`, motion/block_metric.h).
 constexpr double unseen_way = 1e-9;  // mm
-constexpr double rounding = 1e-12;   // mm
 constexpr int speed_samples = 8;
 // The most by which the speed by the parameter may change within a stretch: where it grows out of
 // next to nothing the curve is bent sharply, and what limits the path there must not hold for all
@@ -128,35 +127,40 @@ class Stretcher {
     const CurvePoint from = span.at(x0);
     const CurvePoint to = span.at(x1);
     const bool has_cusp = changes_speed(span, x0, x1);
-    if (has_cusp && (halvings >= halvings_at_cusp_max || way(span, x0, x1) < unseen_way)) return;
+    if (has_cusp && (halvings >= halvings_at_cusp_max || way(span, x0, x1) < unseen_way))
+      return add(chord(from, to), number + x1);
     const CurveStretch made = between_states(from, to, x1 - x0);
     if (has_cusp || (halvings < halvings_max && deviates(span, made, x0, x1))) {
       const double middle = 0.5 * (x0 + x1);
       stretch(span, number, x0, middle, halvings + 1);
       return stretch(span, number, middle, x1, halvings + 1);
     }
-    made_.push_back(made);
-    made_.back().end = number + x1;
+    add(made, number + x1);
   }
 
-  // What was left out between stretches, before the first and behind the last is closed by its
-  // neighbours; parameters are shares of the curve.
-  std::vector<CurveStretch> finish(const std::array<double, 2>& start,
-                                   const std::array<double, 2>& end, double spans) {
-    std::array<double, 2> here = start;
-    for (CurveStretch& made : made_) {
-      move_start(made, here);
-      here = end_of(made);
-      made.end /= spans;
-    }
-    if (!made_.empty()) {
-      move_end(made_.back(), end);
-      made_.back().end = 1.0;
-    }
+  // All of them, their ends as shares of a curve of so many spans.
+  std::vector<CurveStretch> finish(double spans) {
+    for (CurveStretch& made : made_) made.end /= spans;
     return std::move(made_);
   }
 
  private:
+  // What has no length at all is passed with the stretch before it.
+  void add(const CurveStretch& made, double end) {
+    const bool moves = std::ranges::any_of(made.coefficients, [](const auto& of_axis) {
+      return std::any_of(of_axis.begin() + 1, of_axis.end(), [](double c) { return c != 0.0; });
+    });
+    if (moves) made_.push_back(made);
+    if (!made_.empty()) made_.back().end = end;
+  }
+
+  static CurveStretch chord(const CurvePoint& from, const CurvePoint& to) {
+    CurveStretch made;
+    for (std::size_t c = 0; c < 2; ++c)
+      made.coefficients[c] = {from.position[c], to.position[c] - from.position[c]};
+    return made;
+  }
+
   static CurveStretch between_states(const CurvePoint& from, const CurvePoint& to, double h) {
     CurveStretch made;
     for (std::size_t c = 0; c < 2; ++c) {
@@ -165,30 +169,6 @@ class Stretcher {
                           to.position[c], h * to.first[c], h * h * to.second[c]);
     }
     return made;
-  }
-
-  static std::array<double, 2> end_of(const CurveStretch& made) {
-    return {value_of(made.coefficients[0], 1.0), value_of(made.coefficients[1], 1.0)};
-  }
-
-  // One end goes to another place within `unseen_way`; both derivatives at both ends stay.
-  static void move_start(CurveStretch& made, const std::array<double, 2>& to) {
-    for (std::size_t c = 0; c < 2; ++c) {
-      const double by = to[c] - made.coefficients[c][0];
-      if (std::abs(by) < rounding) continue;
-      add(made.coefficients[c], quintic_between(by, 0.0, 0.0, 0.0, 0.0, 0.0));
-    }
-  }
-  static void move_end(CurveStretch& made, const std::array<double, 2>& to) {
-    const std::array<double, 2> end = end_of(made);
-    for (std::size_t c = 0; c < 2; ++c) {
-      const double by = to[c] - end[c];
-      if (std::abs(by) < rounding) continue;
-      add(made.coefficients[c], quintic_between(0.0, 0.0, 0.0, by, 0.0, 0.0));
-    }
-  }
-  static void add(std::array<double, 6>& coefficients, const std::array<double, 6>& more) {
-    for (std::size_t k = 0; k < more.size(); ++k) coefficients[k] += more[k];
   }
 
   // Between two samples the speed may be lower than at both, by what the second derivative allows.
@@ -248,7 +228,7 @@ std::vector<CurveStretch> stretches_of(const PlanarNurbs& curve, double deviatio
   Stretcher stretcher(deviation);
   for (std::size_t s = 0; s < spans; ++s)
     stretcher.stretch(Span(bezier_of(control, degree, s)), static_cast<double>(s), 0.0, 1.0, 0);
-  return stretcher.finish(curve.points.front(), curve.points.back(), static_cast<double>(spans));
+  return stretcher.finish(static_cast<double>(spans));
 }
 
 }  // namespace stanok::motion

@@ -38,9 +38,6 @@ class MeasuringSystem {
   [[nodiscard]] double index_position() const RT_SAFE { return index_position_; }
   [[nodiscard]] std::uint16_t index_count() const RT_SAFE { return index_count_; }
 
-  // Where the load is.
-  [[nodiscard]] double load_position() const RT_SAFE { return load_; }
-
  private:
   void latch_index(double from, double to) RT_SAFE;
 

@@ -30,18 +30,20 @@ enum class Topic {
   program_read,
   workpiece,
   tool,
+  tool_row,
   path,
   log_meta,
+  log_types,
   log_check
 };
-inline constexpr std::size_t topic_count = 16;
+inline constexpr std::size_t topic_count = 18;
 
 class ChannelNames {
  public:
   explicit ChannelNames(std::string_view machine);
 
   // `channel` 1..channels_max, or 0 for what belongs to the machine: STANOK_<MACHINE>_EVENT.
-  // LOG_META and LOG_CHECK always belong to the machine.
+  // LOG_META, LOG_TYPES and LOG_CHECK always belong to the machine.
   [[nodiscard]] const std::string& name(int channel, Topic topic) const;
 
  private:

@@ -287,14 +287,6 @@ channels::ChannelOutput from_setpoint(const setpoint_t& message) {
   return output;
 }
 
-channels::Event from_event(const event_t& message) {
-  return {.cycle = message.cycle,
-          .channel = message.channel,
-          .code = text_of(message.code),
-          .tag = tag_of(message),
-          .text = text_of(message.text)};
-}
-
 channels::InputRecord from_input(const input_t& message) {
   return {.cycle = message.cycle,
           .kind = static_cast<channels::InputKind>(message.kind),

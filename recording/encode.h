@@ -47,7 +47,6 @@ struct Stamp {
 
 // Second and third derivatives of the programmed point are not in the message: they come back as 0.
 [[nodiscard]] channels::ChannelOutput from_setpoint(const setpoint_t& message);
-[[nodiscard]] channels::Event from_event(const event_t& message);
 [[nodiscard]] channels::InputRecord from_input(const input_t& message);
 
 // Text of a byte array that ends with NUL or fills it, and the reverse; longer text is cut.

@@ -10,6 +10,7 @@
 #include "recording/channel_names.h"
 #include "recording/decode.h"
 #include "recording/encode_inputs.h"
+#include "recording/encode_tool_row.h"
 
 namespace stanok::recording {
 namespace {
@@ -51,9 +52,11 @@ const MessageType* type_on(std::string_view channel_name) {
                                 type_of<program_chunk_t>(Topic::program),
                                 type_of<workpiece_t>(Topic::workpiece),
                                 type_of<tool_t>(Topic::tool),
+                                type_of<tool_row_t>(Topic::tool_row),
                                 type_of<arrival_t>(Topic::arrival),
                                 type_of<feedback_t>(Topic::feedback),
                                 type_of<log_meta_t>(Topic::log_meta),
+                                type_of<log_types_t>(Topic::log_types),
                                 type_of<log_check_t>(Topic::log_check),
                                 type_of<program_read_t>(Topic::program_read),
                                 type_of<path_t>(Topic::path)};

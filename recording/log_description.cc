@@ -3,27 +3,48 @@
 #include <gnu/libc-version.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <stanok_messages/log_check_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
 #include <utility>
 
-#include "base/assert.h"
 #include "recording/encode_inputs.h"
+#include "recording/encode_tool_row.h"
 
 namespace stanok::recording {
 namespace {
 
-constexpr std::size_t types_in_meta = std::extent_v<decltype(log_meta_t::type_name)>;
 constexpr std::size_t channels_in_meta = std::extent_v<decltype(log_meta_t::channel_id)>;
 constexpr std::size_t axes_in_meta = std::extent_v<decltype(log_meta_t::axis_name), 1>;
 
+struct Type {
+  const char* name;
+  std::int64_t fingerprint;
+};
+
+template <class... Messages>
+std::array<Type, sizeof...(Messages)> types_of() {
+  return {Type{Messages::getTypeName(), Messages::getHash()}...};
+}
+
+// The first ones stand in log_meta_t, in this order since it was released; new ones come last.
+auto all_types() {
+  return types_of<setpoint_t, channel_state_t, drive_status_t, process_status_t, force_status_t,
+                  event_t, input_t, program_chunk_t, arrival_t, feedback_t, program_read_t,
+                  workpiece_t, tool_t, path_t, log_meta_t, log_check_t, log_types_t, tool_row_t>();
+}
+
+// As many as `message`, log_meta_t or log_types_t, has places for.
 template <class Message>
-void add_type(log_meta_t& meta) {
-  STANOK_ASSERT(meta.type_count < static_cast<std::int32_t>(types_in_meta));
-  const auto index = static_cast<std::size_t>(meta.type_count++);
-  put_text(Message::getTypeName(), meta.type_name[index]);
-  meta.type_fingerprint[index] = Message::getHash();
+void put_types(Message& message) {
+  const auto types = all_types();
+  const std::size_t count = std::min(types.size(), std::size(message.type_name));
+  message.type_count = static_cast<std::int32_t>(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    put_text(types[k].name, message.type_name[k]);
+    message.type_fingerprint[k] = types[k].fingerprint;
+  }
 }
 
 void put_axes(const ChannelDescription& channel, std::size_t index, log_meta_t& meta) {
@@ -84,26 +105,23 @@ log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp) {
   put_text(description.libm, meta.libm);
   put_text(description.machine, meta.machine);
   meta.config_hash = static_cast<std::int64_t>(description.config_hash);
-  add_type<setpoint_t>(meta);
-  add_type<channel_state_t>(meta);
-  add_type<drive_status_t>(meta);
-  add_type<process_status_t>(meta);
-  add_type<force_status_t>(meta);
-  add_type<event_t>(meta);
-  add_type<input_t>(meta);
-  add_type<program_chunk_t>(meta);
-  add_type<arrival_t>(meta);
-  add_type<feedback_t>(meta);
-  add_type<program_read_t>(meta);
-  add_type<workpiece_t>(meta);
-  add_type<tool_t>(meta);
-  add_type<path_t>(meta);
-  add_type<log_meta_t>(meta);
-  add_type<log_check_t>(meta);
+  put_types(meta);
   const std::size_t count = std::min(description.channels.size(), channels_in_meta);
   meta.channel_count = static_cast<std::int32_t>(count);
   for (std::size_t i = 0; i < count; ++i) put_axes(description.channels[i], i, meta);
   return meta;
+}
+
+log_types_t to_log_types(const Stamp& stamp) {
+  log_types_t message;
+  std::memset(&message, 0, sizeof message);
+  message.utime = stamp.utime;
+  message.cycle = stamp.cycle;
+  message.seq = stamp.seq;
+  put_types(message);
+  static_assert(std::tuple_size_v<decltype(all_types())> <=
+                std::extent_v<decltype(log_types_t::type_name)>);
+  return message;
 }
 
 LogDescription from_log_meta(const log_meta_t& message) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <stanok_messages/log_meta_t.hpp>
+#include <stanok_messages/log_types_t.hpp>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct LogDescription {
 
 [[nodiscard]] log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp);
 // utime_start is not in the message and comes back as 0.
+// All types that there are; log_meta_t has places for the first of them.
+[[nodiscard]] log_types_t to_log_types(const Stamp& stamp);
 [[nodiscard]] LogDescription from_log_meta(const log_meta_t& message);
 
 // "glibc 2.36": bit identity of two runs is promised for an equal one.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "recording/encode_tool_row.h"
 
 namespace stanok::recording {
 namespace {
@@ -41,7 +42,8 @@ MessageStream::MessageStream(LogDescription description, std::vector<MessageSink
     : description_(std::move(description)),
       names_(description_.machine),
       sinks_(std::move(sinks)),
-      buffer_(static_cast<std::size_t>(log_meta_t{}.getEncodedSize())),
+      buffer_(static_cast<std::size_t>(
+          std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize()))),
       meta_period_(cycles_in(meta_period_us, description_.cycle_us)),
       state_period_(cycles_in(state_period_us, description_.cycle_us)),
       path_period_(cycles_in(path_period_us, description_.cycle_us)),
@@ -76,6 +78,7 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
     process_when_due(output.cycle, channel);
     force_when_due(output.cycle, channel);
     tool_when_due(output.cycle, channel);
+    tool_row_when_due(output.cycle, channel);
     workpiece_when_due(output.cycle, channel);
     path_when_due(output.cycle, channel.id);
   }
@@ -120,6 +123,7 @@ void MessageStream::send_meta_when_due(std::int64_t cycle) {
   if (cycle < next_meta_cycle_) return;
   next_meta_cycle_ = cycle + meta_period_;
   send(to_log_meta(description_, next_stamp(cycle, 0, Topic::log_meta)), 0, Topic::log_meta);
+  send(to_log_types(next_stamp(cycle, 0, Topic::log_types)), 0, Topic::log_types);
 }
 
 void MessageStream::drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
@@ -171,6 +175,17 @@ void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOut
   if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + meta_period_) return;
   shown = {output.tool, cycle};
   send(to_tool(output, next_stamp(cycle, output.id, Topic::tool)), output.id, Topic::tool);
+}
+
+// A tool that goes leaves nothing to be told; when it comes back, its row is new again.
+void MessageStream::tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (output.axis_count == 0) return;
+  ShownToolRow& shown = tool_rows_[static_cast<std::size_t>(output.id)];
+  if (output.tool_row == shown.row && cycle < shown.cycle + meta_period_) return;
+  shown = {output.tool_row, cycle};
+  if (output.tool_row.number == 0) return;
+  send(to_tool_row(output.id, output.tool_row, next_stamp(cycle, output.id, Topic::tool_row)),
+       output.id, Topic::tool_row);
 }
 
 void MessageStream::path(PathPreview preview) {

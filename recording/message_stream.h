@@ -1,10 +1,11 @@
 // The stream of messages of one machine: what is sent when, numbered and stamped, to all sinks.
 //
-// LOG_META comes first and every 60 s of machine time; SETPOINT every cycle for every channel with
-// axes; STATE of every channel 20 times a second; WORKPIECE when a program announces one, TOOL when
-// another one is put to work, PATH when a preview is given, all every 60 s from then on; events,
-// inputs and texts as they come. Time stamps are cycle x cycle time, so that equal runs give equal
-// bytes. For one thread (publisher or `simulate`), never for the real-time cycle.
+// LOG_META and LOG_TYPES come first and every 60 s of machine time; SETPOINT every cycle for every
+// channel with axes; STATE of every channel 20 times a second; WORKPIECE when a program announces
+// one, TOOL when another one is put to work, TOOL_ROW then and when a value of it is written, PATH
+// when a preview is given, all every 60 s from then on; events, inputs and texts as they come. Time
+// stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread (publisher or
+// `simulate`), never for the real-time cycle.
 #pragma once
 
 #include <array>
@@ -66,6 +67,7 @@ class MessageStream {
   void inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output);
   void force_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void path_when_due(std::int64_t cycle, int channel);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   template <class Message>
@@ -86,6 +88,11 @@ class MessageStream {
     std::int64_t cycle = -1;  // of the latest message; -1: none yet
   };
   std::array<ShownTool, channels::channels_max + 1> tools_{};
+  struct ShownToolRow {
+    channels::ToolRow row;
+    std::int64_t cycle = 0;  // of the latest message
+  };
+  std::array<ShownToolRow, channels::channels_max + 1> tool_rows_{};
   bool workpieces_allowed_ = true;
   struct ShownPath {
     PathPreview preview;

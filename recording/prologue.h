@@ -1,5 +1,6 @@
 // Prologue: the messages without which a piece of a log cannot be read, so that each piece stands
-// alone: the latest LOG_META, and every text that was sent and who read it. A copy shares them.
+// alone: the latest LOG_META and LOG_TYPES, and every text that was sent and who read it. A copy
+// shares them.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,7 @@ class Prologue {
     std::vector<std::uint8_t> bytes;
   };
   std::shared_ptr<const Kept> meta_;
+  std::shared_ptr<const Kept> types_;
   std::vector<std::shared_ptr<const Kept>> texts_;
 };
 

@@ -399,8 +399,4 @@ bool Assembly::inject_fault(std::string_view drive, plant::FaultKind fault) {
   return true;
 }
 
-int Assembly::embedded_port() const {
-  return parts_->server ? parts_->server->port() : 0;
-}
-
 }  // namespace stanok::runtime

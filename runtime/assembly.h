@@ -80,8 +80,6 @@ class Assembly {
   [[nodiscard]] bool reset_drive(std::string_view drive);
   // Makes an embedded drive fail, or work again; from one thread. False: no such drive.
   [[nodiscard]] bool inject_fault(std::string_view drive, plant::FaultKind fault);
-  // Port of the simulated drives, 0 when they are not embedded.
-  [[nodiscard]] int embedded_port() const;
 
  private:
   struct Parts;

@@ -64,7 +64,6 @@ class CuttingReport {
   // Blocks that removed something, in the order of the run.
   [[nodiscard]] std::vector<BlockRemoval> blocks() const;
   [[nodiscard]] double removed_mm3() const { return removed_mm3_; }
-  [[nodiscard]] std::uint64_t blocks_swept() const { return blocks_.size(); }
 
  private:
   [[nodiscard]] BlockRemoval& block_of(const Origin& origin);

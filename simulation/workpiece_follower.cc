@@ -72,6 +72,19 @@ void WorkpieceFollower::place(const Placement& placement, const Sample& now) {
   latest_.reset();
 }
 
+void WorkpieceFollower::change_tool(int number, int edge, const ToolRecord& record) {
+  const bool is_at_work = latest_ && latest_->tool == number && latest_->edge == edge;
+  if (is_at_work) flush();
+  tools_[{number, edge}] = record;
+  ready_.erase({number, edge});
+  if (!is_at_work) return;
+  tool_ = nullptr;
+  begin_.reset();
+  if (workpiece_ == nullptr) return;
+  tool_ = tool_of(*latest_);
+  if (tool_ != nullptr) begin_ = station_of(*latest_);
+}
+
 const ToolRecord* WorkpieceFollower::record_of(const Sample& sample) const {
   const auto found = tools_.find({sample.tool, sample.edge});
   return found == tools_.end() ? nullptr : &found->second;
@@ -123,6 +136,12 @@ bool WorkpieceFollower::continues(const Sample& sample) const {
          latest_->spindle_turns == sample.spindle_turns && latest_->scheme == sample.scheme;
 }
 
+// Of the tool that is ready.
+WorkpieceFollower::Station WorkpieceFollower::station_of(const Sample& sample) const {
+  return {place_of(sample, *record_of(sample), tool_->insert.has_value()), sample.time_s,
+          sample.origin};
+}
+
 void WorkpieceFollower::follow(const Sample& sample) {
   if (workpiece_ == nullptr || !machine_.has_scheme(sample.scheme)) return;
   // The way to this sample is made under its own circumstances.
@@ -134,8 +153,7 @@ void WorkpieceFollower::follow(const Sample& sample) {
   if (latest_) workpiece_->add_time(sample.origin, sample.time_s - latest_->time_s);
   latest_ = sample;
   if (tool_ == nullptr) return begin_.reset();
-  const Station station{place_of(sample, *record_of(sample), tool_->insert.has_value()),
-                        sample.time_s, sample.origin};
+  const Station station = station_of(sample);
   if (!begin_) {
     begin_ = station;
     return;

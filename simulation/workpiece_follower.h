@@ -61,6 +61,9 @@ class WorkpieceFollower {
   void announce(const Announcement& announcement, const Sample& now);
   void place(const Placement& placement, const Sample& now);
 
+  // The row of a tool is so from the latest sample on, in the middle of a motion, too.
+  void change_tool(int number, int edge, const ToolRecord& record);
+
   void follow(const Sample& sample);
   // What was followed so far is cut.
   void flush();
@@ -87,6 +90,7 @@ class WorkpieceFollower {
   [[nodiscard]] ReadyTool prepared(const ToolRecord& record) const;
   [[nodiscard]] ToolPlace place_of(const Sample& sample, const ToolRecord& record,
                                    bool turning) const;
+  [[nodiscard]] Station station_of(const Sample& sample) const;
   [[nodiscard]] bool continues(const Sample& sample) const;
   [[nodiscard]] bool extends_motion(const Station& station) const;
   [[nodiscard]] bool lies_on_the_way(const ToolPlace& end) const;

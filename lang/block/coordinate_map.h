@@ -25,7 +25,6 @@ class CoordinateMap {
   [[nodiscard]] double to_program(std::size_t axis, double work) const {
     return (work - shift_[axis]) / gain_[axis];
   }
-  [[nodiscard]] bool is_mirrored(std::size_t axis) const { return gain_[axis] < 0.0; }
 
   // Everything it holds, as finite numbers, and back; false when they are no map.
   using Numbers = std::array<double, std::size_t{4} * axes_max>;

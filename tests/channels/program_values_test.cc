@@ -89,6 +89,35 @@ TEST(Tables, ToolValuesGoByNameOrNumber) {
   EXPECT_EQ(tables.tools[0].length, 80.0);
 }
 
+TEST(Tables, RowOfTheToolAtWorkIsShownFromTheCycleThatWritesIt) {
+  MachineConfig config = two_channel_machine();
+  ToolEdge tool;
+  tool.number = 3;
+  tool.kind = "bull";
+  tool.radius = 4.0;
+  tool.corner_radius = 0.5;
+  config.tables.tools = {tool};
+  MachineBench bench(std::move(config));
+  bench.program("p.nc",
+                "G1 X10 F6000\nT3 M6\nX20\nsettable_tool (3, 1, \"radius\", 2.5);\nX30\n"
+                "G10 L1 P3 Z33 R2\nX40\nT0 M6\nX50\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    if (!channel.moving) return;
+    const double x = channel.axes[0].position;
+    const ToolRow& row = channel.tool_row;
+    const bool is_there = x > 10.0 && x <= 40.0;
+    EXPECT_EQ(row.number, is_there ? 3 : 0) << x;
+    if (!is_there) return;
+    EXPECT_EQ(row.kind.view(), "bull");
+    EXPECT_EQ(row.corner_radius, 0.5);
+    EXPECT_EQ(row.radius, x <= 20.0 ? 4.0 : x <= 30.0 ? 2.5 : 2.0) << x;
+    EXPECT_EQ(row.length, x <= 30.0 ? 0.0 : 33.0) << x;
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+}
+
 TEST(Tables, WriteProtectionOfTheMachineFileHolds) {
   MachineConfig config = two_channel_machine();
   config.tables_write_protected = true;

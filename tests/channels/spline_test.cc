@@ -106,5 +106,22 @@ TEST(Spline, CuspsOfNanometresCostNoTime) {
   EXPECT_LT(moving, 1000);
 }
 
+// The curve passes its end by 0.16 nm and comes back: what turns it is a part of the nanometre that
+// is passed on its chord, nothing beside it is bent for that (336 s of machine time before).
+TEST(Spline, OvershootsOfLessThanANanometreCostNoTime) {
+  MachineBench bench;
+  int moving = 0;
+  bench.program(
+      "p.nc",
+      "G1 F7892\nG0 X-2.117 Y8.38\n"
+      "G5 I-0.000000000000636 J0 P[-0.000002179907/3] Q-0.000000000000636 X-2.1174 Y8.38\n"
+      "M30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) { moving += output.channels[0].moving ? 1 : 0; });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_EQ(bench.channel(1).axes[0].position, -2.1174);
+  EXPECT_LT(moving, 1000);
+}
+
 }  // namespace
 }  // namespace stanok::channels

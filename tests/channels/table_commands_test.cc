@@ -111,6 +111,11 @@ TEST_F(TableOfNamedTools, HasFreePlacesThatAnOperatorFills) {
   bench.run_to_end();
   EXPECT_EQ(bench.alarm_codes(), alarms);
   EXPECT_NEAR(bench.channel(1).axes[2].position, 12.0, 1e-9);
+  EXPECT_EQ(bench.channel(1).tool_row.length, 12.0);
+  EXPECT_EQ(set_tool(7, "radius", 3.0), "ok");
+  bench.cycle();
+  EXPECT_EQ(bench.channel(1).tool_row.number, 7);
+  EXPECT_EQ(bench.channel(1).tool_row.radius, 3.0);
 }
 
 TEST_F(TableCommands, ReferencePointsStandInTheTablesOfTheirChannel) {

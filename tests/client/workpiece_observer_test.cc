@@ -56,12 +56,14 @@ class WorkpieceRun : public ::testing::Test {
     return observer.json();
   }
 
-  // The JSON of the one workpiece in the log.
-  [[nodiscard]] nlohmann::ordered_json out_of_log() const {
+  // The JSON of the one workpiece in the log, without the messages on channels that end so.
+  [[nodiscard]] nlohmann::ordered_json out_of_log(const std::string& left_out = "none") const {
     const auto recorded = runtime::read_run(log_);
     WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, &recorded->files);
     auto reader = recording::LogReader::open(log_);
-    while (const auto event = reader->next()) stream.take(event->channel, event->bytes);
+    while (const auto event = reader->next()) {
+      if (!event->channel.ends_with(left_out)) stream.take(event->channel, event->bytes);
+    }
     const auto workpieces = stream.workpieces();
     EXPECT_EQ(workpieces.size(), 1U);
     EXPECT_EQ(workpieces.at(0).title, "part.nc");
@@ -243,6 +245,81 @@ M30
   ASSERT_EQ(workpieces.size(), 1U);
   EXPECT_NEAR(workpieces[0]["removed_mm3"], 80.0 * 12.0 + 60.0 * 12.0 - 36.0 * 2.0, 20.0);
   EXPECT_THAT(findings_of(workpieces[0]), IsEmpty());
+}
+
+// Slots of 2 x 60 across the block with the flat end mill of 6: one as the table of the machine has
+// it, then one after `change`, which is written while the tool is in the spindle.
+std::string two_slots(const std::string& change) {
+  return R"(G21 G90 G17 G40 G49 G80 G54
+#workpiece (0, 0.25, 0, 80, 60, 20, 40, 30, 20)
+T3 M6
+S9000 M3
+G0 X-20 Y-40
+G43 H3 Z50
+G0 Z-2
+G1 Y40 F1200
+G0 Z50
+)" + change +
+         R"(
+G43 H3 Z50
+G0 X20
+G0 Z-2
+G1 Y-40
+G0 Z50
+M30
+)";
+}
+
+double removed_by_slots(double first_width, double second_width) {
+  return (first_width + second_width) * 2.0 * 60.0;
+}
+
+constexpr double slots_within_mm3 = 10.0;  // of 1440: the cells at the walls
+
+TEST_F(WorkpieceRun, TheToolHasTheRadiusThatG10Gives) {
+  const auto live = run("e7106mf4.toml", two_slots("G10 L1 P3 R2"));
+  ASSERT_EQ(live.size(), 1U);
+  EXPECT_NEAR(live[0]["removed_mm3"], removed_by_slots(6.0, 4.0), slots_within_mm3);
+  const auto recorded = out_of_log();
+  EXPECT_DOUBLE_EQ(recorded["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
+  EXPECT_EQ(recorded["findings"], live[0]["findings"]);
+}
+
+// The lengths, too: with the old ones the cutter would stay 8 mm above the part.
+TEST_F(WorkpieceRun, TheToolHasTheLengthThatG10Gives) {
+  const auto live = run("e7106mf4.toml", two_slots("G10 L1 P3 Z90 R1.5"));
+  ASSERT_EQ(live.size(), 1U);
+  EXPECT_NEAR(live[0]["removed_mm3"], removed_by_slots(6.0, 3.0), slots_within_mm3);
+  EXPECT_DOUBLE_EQ(out_of_log()["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
+}
+
+TEST_F(WorkpieceRun, TheToolIsAsSettableToolHasMadeIt) {
+  const auto live = run("e7106mf4.toml", two_slots(R"(settable_tool (3, 1, "radius", 2.5);
+settable_tool (3, 1, "wear_radius", -0.5);
+settable_tool (3, 1, "wear_length", 1);)"));
+  ASSERT_EQ(live.size(), 1U);
+  EXPECT_NEAR(live[0]["removed_mm3"], removed_by_slots(6.0, 4.0), slots_within_mm3);
+  EXPECT_DOUBLE_EQ(out_of_log()["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
+}
+
+// Written before it comes to work, and a log of a version that did not tell of it.
+TEST_F(WorkpieceRun, AToolThatComesToWorkIsAsItWasSetBefore) {
+  const auto live = run("e7106mf4.toml", R"(G21 G90 G17 G40 G49 G80 G54
+G10 L1 P3 R2
+#workpiece (0, 0.25, 0, 80, 60, 20, 40, 30, 20)
+T3 M6
+S9000 M3
+G0 X-20 Y-40
+G43 H3 Z50
+G0 Z-2
+G1 Y40 F1200
+G0 Z50
+M30
+)");
+  ASSERT_EQ(live.size(), 1U);
+  EXPECT_NEAR(live[0]["removed_mm3"], 4.0 * 2.0 * 60.0, slots_within_mm3);
+  EXPECT_DOUBLE_EQ(out_of_log()["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
+  EXPECT_NEAR(out_of_log("_TOOL_ROW")["removed_mm3"], 6.0 * 2.0 * 60.0, slots_within_mm3);
 }
 
 }  // namespace

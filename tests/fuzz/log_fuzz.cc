@@ -12,11 +12,14 @@
 #include "stanok_messages/force_status_t.hpp"
 #include "stanok_messages/input_t.hpp"
 #include "stanok_messages/log_meta_t.hpp"
+#include "stanok_messages/log_types_t.hpp"
 #include "stanok_messages/path_t.hpp"
 #include "stanok_messages/process_status_t.hpp"
 #include "stanok_messages/program_chunk_t.hpp"
 #include "stanok_messages/program_read_t.hpp"
 #include "stanok_messages/setpoint_t.hpp"
+#include "stanok_messages/tool_row_t.hpp"
+#include "stanok_messages/tool_t.hpp"
 #include "stanok_messages/workpiece_t.hpp"
 #include "tests/fuzz/memory_file.h"
 
@@ -63,6 +66,9 @@ const Bytes& sound_log() {
     append_event<program_chunk_t>(made, "PROGRAM");
     append_event<program_read_t>(made, "PROGRAM_READ");
     append_event<workpiece_t>(made, "WORKPIECE");
+    append_event<tool_t>(made, "TOOL");
+    append_event<tool_row_t>(made, "TOOL_ROW");
+    append_event<log_types_t>(made, "LOG_TYPES");
     append_event<path_t>(made, "PATH");
     return made;
   }();

@@ -71,6 +71,7 @@ TEST_F(ModbusLoopback, StatusCountsExchangesAndRoundTrips) {
 TEST(TenDrives, AreExchangedWithInEveryPollWithoutAnError) {
   drives::BusConfig bus = bus_of(10);
   bus.poll_ms = 10;
+  bus.timeout_ms = 30000;  // the threads of the drives may have to wait for a processor
   ModbusServer server({}, drives_of(bus, {}));
   server.start();
   CycleSide cycle(bus, server.port());

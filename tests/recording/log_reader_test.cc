@@ -16,8 +16,8 @@ namespace {
 constexpr int recorded_cycles = 200;
 // Behind LOG_META, behind 64 and 128 kB, at the flush, and the trailer.
 constexpr std::int64_t checks = 5;
-// LOG_META, the tool, a set-point every cycle, the state and the process every 50 ms.
-constexpr std::int64_t events = 2 + recorded_cycles + 2 * (recorded_cycles / 50) + checks;
+// LOG_META, LOG_TYPES, the tool, a set-point every cycle, the state and the process every 50 ms.
+constexpr std::int64_t events = 3 + recorded_cycles + 2 * (recorded_cycles / 50) + checks;
 
 class LogReading : public ::testing::Test {
  protected:

@@ -1,19 +1,24 @@
 // Messages: there and back, the same bytes twice, names that LCM takes, a disk that is full, a bus.
 #include "recording/message_stream.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <filesystem>
 #include <lcm/lcm-cpp.hpp>
 #include <memory>
 #include <span>
 #include <string>
 
 #include "recording/decode.h"
+#include "recording/encode_tool_row.h"
 #include "recording/log_export.h"
 #include "recording/publisher.h"
 #include "tests/recording/recorded_log.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::recording {
 namespace {
@@ -116,6 +121,99 @@ TEST(MessageStream, SendsAWorkpieceWhenItIsAnnouncedAndEveryMinuteFromThenOn) {
     ASSERT_TRUE((*writer)->flush());
   }
   EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_WORKPIECE"), 4);
+}
+
+channels::ToolRow end_mill(double radius) {
+  channels::ToolRow row;
+  row.number = 3;
+  row.kind = FixedText<16>("flat");
+  row.length = 80.0;
+  row.radius = radius;
+  row.wear_radius = -0.02;
+  row.orientation = 0;
+  row.holder_length = 45.0;
+  row.point_angle = 118.0;
+  return row;
+}
+
+// When it comes, when a value changes, when it comes again, and each minute.
+TEST(MessageStream, SendsTheRowOfTheToolWhenItChangesAndEveryMinuteFromThenOn) {
+  const auto file = test_file("lcm");
+  {
+    auto writer = LogWriter::open(file);
+    ASSERT_TRUE(writer);
+    LogDescription slow_machine = small_machine();
+    slow_machine.cycle_us = 20'000;
+    MessageStream stream(slow_machine, {writer->get()});
+    const int minute = 60 * 50;
+    for (int cycle = 0; cycle <= 20 + minute; ++cycle) {
+      channels::CycleOutput output = output_of(cycle);
+      const bool is_there = cycle >= 5 && (cycle < 15 || cycle >= 20);
+      if (is_there) output.channels[0].tool_row = end_mill(cycle < 10 ? 3.0 : 2.5);
+      stream.cycle(output);
+    }
+    ASSERT_TRUE((*writer)->flush());
+  }
+  EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_TOOL_ROW"), 4);
+}
+
+TEST(Encode, GivesTheRowOfAToolBackToTheBit) {
+  const tool_row_t message =
+      to_tool_row(2, end_mill(0.1 + 0.2), {.utime = 5, .cycle = 4, .seq = 3});
+  EXPECT_EQ(message.channel, 2);
+  EXPECT_EQ(message.cycle, 4);
+  EXPECT_EQ(from_tool_row(message), end_mill(0.1 + 0.2));
+}
+
+TEST(Decode, TakesNoRowThatNoTableCanHave) {
+  const tool_row_t sound = to_tool_row(1, end_mill(3.0), {});
+  const auto is_taken = [&](const auto& change) {
+    tool_row_t message = sound;
+    change(message);
+    return from_tool_row(message).has_value();
+  };
+  EXPECT_TRUE(is_taken([](tool_row_t& /*message*/) {}));
+  EXPECT_FALSE(is_taken([](tool_row_t& message) { message.number = 0; }));
+  EXPECT_FALSE(is_taken([](tool_row_t& message) { message.edge = -1; }));
+  EXPECT_FALSE(is_taken([](tool_row_t& message) { message.orientation = 10; }));
+  EXPECT_FALSE(is_taken([](tool_row_t& message) { message.radius = -1.0; }));
+  EXPECT_FALSE(is_taken([](tool_row_t& message) { message.flute_length = 1e300; }));
+  EXPECT_FALSE(is_taken([](tool_row_t& message) { message.length = std::nan(""); }));
+}
+
+// LOG_META keeps the types that it was released with; its successor beside it has them all.
+TEST(LogTypes, HasEveryTypeThatThereIs) {
+  const log_types_t message = to_log_types({.utime = 5, .cycle = 4, .seq = 3});
+  std::vector<std::string> names;
+  for (int k = 0; k < message.type_count; ++k) {
+    names.emplace_back(text_of(message.type_name[k]));
+    EXPECT_NE(message.type_fingerprint[k], 0) << names.back();
+  }
+  std::vector<std::string> defined;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(stanok::testing::source_folder() + "/messages"))
+    if (entry.path().extension() == ".lcm") defined.push_back(entry.path().stem());
+  EXPECT_THAT(names, ::testing::UnorderedElementsAreArray(defined));
+
+  const log_meta_t meta = to_log_meta(small_machine(), {});
+  EXPECT_EQ(meta.type_count, 16);
+  EXPECT_EQ(text_of(meta.type_name[0]), "setpoint_t");
+  EXPECT_EQ(text_of(meta.type_name[15]), "log_check_t");
+}
+
+TEST(LogTypes, ComeWithLogMeta) {
+  const auto file = test_file("lcm");
+  record(file, 10);
+  auto reader = LogReader::open(file);
+  ASSERT_TRUE(reader);
+  std::vector<std::string> channels;
+  while (const auto event = reader->next()) {
+    if (topic_of(event->channel) != name_of(Topic::log_check))
+      channels.emplace_back(event->channel);
+  }
+  ASSERT_GE(channels.size(), 2U);
+  EXPECT_EQ(channels[0], "STANOK_MILL_LOG_META");
+  EXPECT_EQ(channels[1], "STANOK_MILL_LOG_TYPES");
 }
 
 TEST(Encode, TellsWhatTheDrivesReported) {

@@ -201,6 +201,55 @@ TEST_F(Following, TakesEulerAngles) {
   EXPECT_NEAR(removed(), 40.0 * 6.0 * 2.0, 10.0);
 }
 
+// Over the first half of the block with a radius of 3, then, without a stop, with 2 and 1 deeper.
+TEST_F(Following, ChangesTheToolInTheMiddleOfAMotion) {
+  follower.announce(block(), at(0.0, 0.0, 200.0, 1));
+  for (int x = -30; x <= 0; x += 10) follower.follow(at(50.0 + x, 60.0, 68.0, 1));
+  ToolRecord changed = tools().at({1, 1});
+  changed.shape.radius = 2.0;
+  changed.mount = mount(81.0);
+  follower.change_tool(1, 1, changed);
+  follower.change_tool(7, 1, changed);
+  for (int x = 10; x <= 30; x += 10) follower.follow(at(50.0 + x, 60.0, 68.0, 1));
+  follower.flush();
+  // Half a disk of the first reaches into the second half, part of it beside the narrow groove;
+  // half a disk of the second lies in the wide one, 1 deeper.
+  const double pi = std::numbers::pi;
+  const double in_both = 2.0 * std::sqrt(5.0) + 9.0 * std::asin(2.0 / 3.0);
+  const double upper = 20.0 * 6.0 + 4.5 * pi + 20.0 * 4.0 - in_both;
+  const double lower = 20.0 * 4.0 + 2.0 * pi;
+  EXPECT_NEAR(removed(), upper * 2.0 + lower * 1.0, 10.0);
+  EXPECT_THAT(complaints, IsEmpty());
+}
+
+// One that could not be seen, and one that can no longer be.
+TEST_F(Following, SeesAToolFromItsRowOn) {
+  follower.announce(block(), at(0.0, 0.0, 200.0, 1));
+  ToolRecord record = tools().at({1, 1});
+  const auto groove = [&](double y) {
+    for (const double x : {20.0, 80.0}) {
+      Sample sample = at(x, y, 68.0, 1);
+      sample.tool = 2;
+      follower.follow(sample);
+    }
+    Sample above = at(80.0, y, 200.0, 1);
+    above.tool = 2;
+    follower.follow(above);
+    follower.flush();
+  };
+  groove(52.0);
+  EXPECT_EQ(removed(), 0.0);
+  follower.change_tool(2, 1, record);
+  groove(60.0);
+  EXPECT_NEAR(removed(), 40.0 * 6.0 * 2.0, 10.0);
+  const double one_groove = removed();
+  record.shape.radius = 0.0;
+  follower.change_tool(2, 1, record);
+  groove(68.0);
+  EXPECT_EQ(removed(), one_groove);
+  EXPECT_THAT(complaints, ElementsAre("W925"));
+}
+
 TEST_F(Following, SaysWhatItCannotFollow) {
   follower.place({}, at(0.0, 0.0, 0.0, 7));
   EXPECT_THAT(complaints, ElementsAre("W926"));
