@@ -3,7 +3,7 @@
 // Parsers of trees (TOML, JSON) and the trees themselves go down the stack once for each level. The
 // depth is measured here in one pass without recursion, by the marks of the syntax outside of
 // strings and comments; a text that is no valid TOML or JSON may be measured wrongly only behind
-// the place where its parser gives up. Programs are bounded by lang/limits.h.
+// the place where its parser gives up. Programs are bounded by lang/text/limits.h.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <optional>
 
-#include "lang/active_codes.h"
+#include "lang/contract/active_codes.h"
 #include "motion/path.h"
 
 namespace stanok::channels {

@@ -13,7 +13,7 @@
 #include "channels/face_transformation.h"
 #include "channels/machine_config.h"
 #include "channels/process_preparation.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/path.h"
 
 namespace stanok::channels {

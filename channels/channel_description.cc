@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "channels/motion_config.h"
-#include "lang/channel_dialect.h"
+#include "lang/words/channel_dialect.h"
 
 namespace stanok::channels {
 namespace {

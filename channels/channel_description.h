@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "channels/machine_config.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::channels {
 

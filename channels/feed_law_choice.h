@@ -5,7 +5,7 @@
 
 #include "base/diagnostic.h"
 #include "base/expected.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/feed_laws/feed_law.h"
 
 namespace stanok::channels {

@@ -11,7 +11,7 @@
 
 #include "base/fixed_text.h"
 #include "channels/output.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/path.h"
 
 namespace stanok::channels {

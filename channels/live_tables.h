@@ -21,7 +21,7 @@
 #include "channels/machine_config.h"
 #include "channels/tool_row.h"
 #include "kinematics/scheme.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::channels {
 

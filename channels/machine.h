@@ -20,7 +20,7 @@
 #include "channels/operator_event.h"
 #include "channels/output.h"
 #include "channels/program_search.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::channels {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kinematics/scheme.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "motion/automatic_feed.h"
 #include "motion/path.h"
 #include "motion/position_regulator.h"

@@ -15,7 +15,7 @@
 #include "channels/axis_homing.h"
 #include "channels/machine_config.h"
 #include "channels/output.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "motion/axis_move.h"
 
 namespace stanok::channels {

@@ -17,7 +17,7 @@
 #include "base/rt_safe.h"
 #include "channels/item.h"
 #include "channels/output.h"
-#include "lang/builtin.h"
+#include "lang/tree/builtin.h"
 
 namespace stanok::channels {
 

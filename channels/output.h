@@ -11,7 +11,7 @@
 #include "base/fixed_text.h"
 #include "channels/tool_row.h"
 #include "kinematics/scheme.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/automatic_feed.h"
 #include "motion/feed_interruption.h"
 #include "motion/feed_modifier.h"

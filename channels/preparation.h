@@ -19,7 +19,7 @@
 #include "channels/report_book.h"
 #include "channels/shared_variables.h"
 #include "channels/thread_preparation.h"
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 #include "motion/feed_law_stage.h"
 #include "motion/look_ahead.h"
 #include "motion/path_builder.h"

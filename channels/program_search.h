@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/block_search.h"
+#include "lang/run/block_search.h"
 #include "motion/path.h"
 
 namespace stanok::kinematics {

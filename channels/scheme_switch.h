@@ -11,7 +11,7 @@
 
 #include "base/diagnostic.h"
 #include "channels/machine_config.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/path_builder.h"
 
 namespace stanok::channels {

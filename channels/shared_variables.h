@@ -14,7 +14,7 @@
 #include "base/diagnostic.h"
 #include "base/rt_safe.h"
 #include "channels/item.h"
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 
 namespace stanok::channels {
 

@@ -4,7 +4,7 @@
 
 #include "base/rt_safe.h"
 #include "channels/machine_config.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::channels {
 

@@ -12,7 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "channels/machine_config.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/thread_builder.h"
 
 namespace stanok::channels {

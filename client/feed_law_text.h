@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 
 namespace stanok::client {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lang/command.h"
+#include "lang/contract/command.h"
 #include "motion/path.h"
 
 namespace stanok::client {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/block_search.h"
-#include "lang/command.h"
+#include "lang/contract/command.h"
+#include "lang/run/block_search.h"
 #include "motion/path.h"
 
 namespace stanok::client {

@@ -6,7 +6,7 @@
 #include <stanok_messages/tool_t.hpp>
 #include <stanok_messages/workpiece_t.hpp>
 
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 #include "recording/channel_names.h"
 #include "recording/decode.h"
 #include "recording/encode.h"

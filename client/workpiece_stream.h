@@ -15,7 +15,7 @@
 
 #include "client/workpiece_feed.h"
 #include "client/workpiece_output.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::client {
 

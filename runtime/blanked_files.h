@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/diagnostic.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 
 namespace stanok::runtime {
 

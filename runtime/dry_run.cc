@@ -9,7 +9,7 @@
 #include "channels/feed_limit.h"
 #include "channels/motion_config.h"
 #include "channels/scheme_switch.h"
-#include "lang/limits.h"
+#include "lang/text/limits.h"
 
 namespace stanok::runtime {
 namespace {

@@ -16,8 +16,8 @@
 #include "channels/preparation.h"
 #include "channels/thread_preparation.h"
 #include "config/machine_file.h"
-#include "lang/block_search.h"
-#include "lang/interpreter.h"
+#include "lang/run/block_search.h"
+#include "lang/run/interpreter.h"
 #include "motion/feed_laws/law_estimate.h"
 #include "runtime/fault_sieve.h"
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "runtime/text_book.h"
 
 namespace stanok::runtime {

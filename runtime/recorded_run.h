@@ -14,7 +14,7 @@
 #include "channels/operator_event.h"
 #include "channels/output.h"
 #include "config/machine_file.h"
-#include "lang/environment.h"
+#include "lang/contract/environment.h"
 #include "recording/encode_inputs.h"
 #include "recording/log_contents.h"
 #include "runtime/run_setup.h"

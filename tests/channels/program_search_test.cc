@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "channels/machine.h"
-#include "lang/block_search.h"
+#include "lang/run/block_search.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 
 namespace stanok::lang::fuzz {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lang/scanner.h"
+#include "lang/tree/scanner.h"
 
 using namespace stanok::lang;
 

@@ -17,7 +17,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lang/source.h"
+#include "lang/text/source.h"
 #include "tests/lang/program_support.h"
 #include "tests/support/project_folders.h"
 

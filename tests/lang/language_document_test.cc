@@ -6,11 +6,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "lang/builtin.h"
-#include "lang/code_table.h"
-#include "lang/feed_law_words.h"
-#include "lang/later_word.h"
-#include "lang/limits.h"
+#include "lang/feed_law/feed_law_words.h"
+#include "lang/text/limits.h"
+#include "lang/tree/builtin.h"
+#include "lang/words/code_table.h"
+#include "lang/words/later_word.h"
 #include "tests/lang/program_support.h"
 #include "tests/support/project_folders.h"
 
@@ -55,7 +55,7 @@ std::string code_table_text() {
   std::string text = "\n| code | meaning | group | words |\n|---|---|---|---|\n";
   for (const Code& code : code_table()) {
     const std::string name = code_text(code.letter, code.number);
-    const bool later = code.action == nullptr;
+    const bool later = code.action == CodeAction::unsupported;
     std::string words = letters_in(code.words);
     if (code.axes != AxisWords::unused) words = "axes" + (words.empty() ? "" : " " + words);
     text += "| " + (later ? "*" + name + "*" : name) + " | " + std::string(code.title) + " | " +

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/interpreter.h"
+#include "lang/run/interpreter.h"
 
 namespace stanok::lang::testing {
 

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
+#include <set>
+#include <string>
 
 #include "base/catalogue.h"
 #include "tests/layering/repository.h"
@@ -14,6 +17,14 @@ namespace {
 
 constexpr std::size_t description_within = 15;  // lines
 constexpr std::size_t lines_max = 600;
+constexpr std::size_t files_max = 40;  // of a folder
+
+// Folders that hold more, with the number that they may have. It only falls: new sources go into a
+// folder in them.
+const std::map<std::string, std::size_t> crowded_folders{
+    {"channels", 85}, {"client", 98}, {"config", 44},    {"daemon", 78},
+    {"motion", 75},   {"plant", 42},  {"recording", 47}, {"tests/channels", 41},
+};
 
 bool is_code_of_the_runtime(const SourceFile& file) {
   return file.folder != "tests" && file.folder != "benchmarks" && file.path != "base/catalogue.cc";
@@ -45,6 +56,21 @@ TEST(HouseRules, EveryHeaderIsReadOnce) {
 TEST(HouseRules, NoFileIsLongerThanAReaderCanFollow) {
   for (const SourceFile& file : source_files(repository)) {
     EXPECT_LE(file.lines.size(), lines_max) << file.path;
+  }
+}
+
+TEST(HouseRules, NoFolderHoldsMoreFilesThanAReaderCanSurvey) {
+  std::map<std::string, std::size_t> files;
+  for (const SourceFile& file : source_files(repository)) {
+    ++files[file.path.substr(0, file.path.rfind('/'))];
+  }
+  for (const auto& [folder, count] : files) {
+    const auto crowded = crowded_folders.find(folder);
+    EXPECT_LE(count, crowded == crowded_folders.end() ? files_max : crowded->second)
+        << folder << ": divide it into folders of their own";
+  }
+  for (const auto& [folder, limit] : crowded_folders) {
+    EXPECT_GT(files[folder], files_max) << folder << " needs no exception any more";
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <regex>
 
@@ -31,9 +32,19 @@ std::optional<std::string> included_file(const std::string& line) {
   return std::nullopt;
 }
 
-std::string folder_of(const std::string& file) {
-  const std::string folder = file.substr(0, file.find('/'));
-  return folder == "stanok_messages" ? "messages" : folder;
+// The library to which a file belongs: its folder, or for a module the folder in its folder.
+std::string library_of(const Layers& layers, const std::string& file) {
+  const std::size_t first = file.find('/');
+  const std::string folder = file.substr(0, first);
+  if (folder == "stanok_messages") return "messages";
+  if (first == std::string::npos) return folder;
+  const std::string module = file.substr(0, file.find('/', first + 1));
+  return layers.contains(module) ? module : folder;
+}
+
+bool has_modules(const Layers& layers, const std::string& folder) {
+  return std::any_of(layers.begin(), layers.end(),
+                     [&](const auto& layer) { return layer.first.starts_with(folder + "/"); });
 }
 
 std::string listed(const std::set<std::string>& names) {
@@ -44,7 +55,8 @@ std::string listed(const std::set<std::string>& names) {
 
 // What is wrong with one #include, or nothing.
 std::string complaint(const Layers& layers, const SourceFile& file, const std::string& included) {
-  const std::string target = folder_of(included);
+  const std::string target = library_of(layers, included);
+  const std::string library = library_of(layers, file.path);
   if (included.find('/') == std::string::npos || included.starts_with(".")) {
     return "write includes from the root of the repository: \"folder/" + included + "\"";
   }
@@ -52,9 +64,9 @@ std::string complaint(const Layers& layers, const SourceFile& file, const std::s
     return "'" + target + "' is no folder of the top CMakeLists.txt";
   }
   if (leaves.contains(file.folder)) return "";
-  if (layers.at(file.folder).contains(target)) return "";
-  return "'" + file.folder + "' must not include '" + target + "'; it may include " +
-         listed(layers.at(file.folder)) + " (DEPENDS of stanok_library in the top CMakeLists.txt)";
+  if (layers.at(library).contains(target)) return "";
+  return "'" + library + "' must not include '" + target + "'; it may include " +
+         listed(layers.at(library)) + " (DEPENDS of stanok_library in the top CMakeLists.txt)";
 }
 
 TEST(Layering, EveryFolderOfSourcesIsALibraryOfTheBuild) {
@@ -66,6 +78,17 @@ TEST(Layering, EveryFolderOfSourcesIsALibraryOfTheBuild) {
     }
   }
   EXPECT_TRUE(strangers.empty()) << "without a stanok_library line: " << listed(strangers);
+}
+
+// What stood beside modules could include all of them, and be included by those above only.
+TEST(Layering, AFolderOfModulesHoldsNothingBesideThem) {
+  const Layers layers = read_layers(layering);
+  for (const SourceFile& file : source_files(repository)) {
+    const std::string library = library_of(layers, file.path);
+    EXPECT_FALSE(layers.contains(library) && has_modules(layers, library))
+        << file.path << " belongs into a module of " << library << ": "
+        << listed(layers.at(library));
+  }
 }
 
 TEST(Layering, EveryIncludeFollowsAnArrowOfTheBuild) {
@@ -97,7 +120,7 @@ TEST(Layering, TheArrowsHaveNoWayBack) {
 TEST(Layering, ABreachIsFoundAndNamed) {
   const Layers layers{
       {"base", {"base"}}, {"lang", {"base", "lang"}}, {"motion", {"base", "motion"}}};
-  const SourceFile file{"lang/parser.cc", "lang", {}};
+  const SourceFile file{"lang/tree/parser.cc", "lang", {}};
   EXPECT_EQ(complaint(layers, file, "base/ring.h"), "");
   EXPECT_THAT(complaint(layers, file, "motion/path.h"),
               ::testing::StartsWith("'lang' must not include 'motion'; it may include base, lang"));
@@ -107,10 +130,29 @@ TEST(Layering, ABreachIsFoundAndNamed) {
   EXPECT_NE(complaint(layers, file, "tests/support/source_tree.h"), "");
 }
 
+// A module is known by what it depends on, not by its folder: nothing climbs within a folder.
+TEST(Layering, AClimbBetweenModulesIsFoundAndNamed) {
+  const Layers layers{{"base", {"base"}},
+                      {"lang", {"base", "lang", "lang/text", "lang/words"}},
+                      {"lang/text", {"base", "lang/text"}},
+                      {"lang/words", {"base", "lang/text", "lang/words"}},
+                      {"motion", {"base", "motion"}}};
+  const SourceFile lower{"lang/text/source.cc", "lang", {}};
+  const SourceFile upper{"lang/words/code_table.cc", "lang", {}};
+  EXPECT_EQ(complaint(layers, upper, "lang/text/source.h"), "");
+  EXPECT_EQ(complaint(layers, upper, "lang/words/code_table.h"), "");
+  EXPECT_THAT(complaint(layers, lower, "lang/words/code_table.h"),
+              ::testing::StartsWith("'lang/text' must not include 'lang/words'"));
+  EXPECT_NE(complaint(layers, upper, "motion/path.h"), "");
+  EXPECT_TRUE(has_modules(layers, "lang"));
+  EXPECT_FALSE(has_modules(layers, "motion"));
+  EXPECT_EQ(library_of(layers, "lang/loose.h"), "lang");
+}
+
 TEST(Layering, GeneratedMessagesCountAsTheFolderOfTheirTypes) {
   EXPECT_EQ(included_file("#include <stanok_messages/setpoint_t.hpp>"),
             "stanok_messages/setpoint_t.hpp");
-  EXPECT_EQ(folder_of("stanok_messages/setpoint_t.hpp"), "messages");
+  EXPECT_EQ(library_of({}, "stanok_messages/setpoint_t.hpp"), "messages");
   EXPECT_EQ(included_file("#include <vector>"), std::nullopt);
 }
 

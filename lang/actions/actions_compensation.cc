@@ -1,0 +1,174 @@
+// Actions of tool radius compensation, and what it forbids while it is active.
+//
+// Source of the restrictions: the interpreter of LinuxCNC; the compensation itself is
+// lang/block/radius_compensation.h.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
+
+namespace stanok::lang {
+namespace {
+
+// Tool whose radius counts: D, or the active edge.
+std::optional<Tool> compensated_tool(ActiveBlock& block, CodeNumber code) {
+  int number = block.modal.tool_active;
+  int edge = std::max(block.modal.tool_edge, 1);
+  if (block.has('D')) {
+    const auto named = block.integer('D', 0, 99999999);
+    if (!named) return std::nullopt;
+    number = *named;
+    edge = 1;
+  }
+  if (number == 0) return Tool{};
+  auto tool = block.tables.tool_edge(number, edge);
+  if (!tool) {
+    const WordName word = block.has('D') ? WordName{'D', -1, {}} : WordName{'G', code, {}};
+    block.fail("E5021", word, "the tool table has no tool " + std::to_string(number),
+               "unknown tool");
+  }
+  return tool;
+}
+
+// G41.1, G42.1: D is the diameter, L the orientation.
+std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
+  Tool tool;
+  if (!block.has('D')) {
+    block.fail("E4007", {'G', code, {}},
+               "`" + code_text('G', code) + "` needs D, the diameter of the tool", "no D");
+    return std::nullopt;
+  }
+  tool.radius_mm = block.length('D') / 2.0;
+  if (tool.radius_mm < 0.0) {
+    block.fail("E4008", {'D', -1, {}}, "a diameter must not be negative", "negative");
+    return std::nullopt;
+  }
+  if (block.has('L')) {
+    const auto orientation = block.integer('L', 0, 9);
+    if (!orientation) return std::nullopt;
+    tool.orientation = *orientation;
+  }
+  return tool;
+}
+
+bool has_plane(ActiveBlock& block, CodeNumber code) {
+  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
+  for (const std::size_t coordinate : coordinates[static_cast<std::size_t>(block.modal.plane())]) {
+    if (block.channel_words.geometry_axis(coordinate) >= 0) continue;
+    block
+        .fail("E4036", {'G', code, {}}, "radius compensation in a plane whose axes are missing",
+              "the channel lacks an axis of the plane")
+        .notes.push_back(block.modal.origin_of(Group::plane));
+    return false;
+  }
+  return true;
+}
+
+// Whether the plane is mirrored: left becomes right.
+bool mirrors(const ActiveBlock& block) {
+  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
+  double gain = 1.0;
+  for (const std::size_t coordinate : coordinates[static_cast<std::size_t>(block.modal.plane())]) {
+    const int axis = block.channel_words.geometry_axis(coordinate);
+    gain *= block.modal.map.gain(static_cast<std::size_t>(axis));
+  }
+  return gain < 0.0;
+}
+
+// Codes that only confirm what is active change nothing.
+bool confirms(const ActiveBlock& block, const Code& code) {
+  const bool has_value =
+      code.number == g(54, 1) || code.number == g(68) || code.group == Group::length;
+  const bool off = code.number == g(49);
+  return code.group != Group::none && block.modal.code(code.group) == code.number &&
+         (!has_value || off);
+}
+
+bool changes_coordinates(const Code& code) {
+  switch (code.group) {
+    case Group::plane:
+    case Group::units:
+    case Group::length:
+    case Group::transformation:
+    case Group::scaling:
+    case Group::mirror:
+    case Group::work_offset:
+    case Group::rotation:
+    case Group::polar:
+      return true;
+    default:
+      return code.letter == 'G' && code.group == Group::none && code.phase == Phase::settings;
+  }
+}
+
+bool is_forbidden(const ActiveBlock& block, const Code& code) {
+  const bool changes_tool = code.phase == Phase::tool_change;
+  const bool other_motion = code.axes != AxisWords::unused && code.letter == 'G' &&
+                            (code.group != Group::motion || code.number > g(3));
+  const bool machine_coordinates = code.letter == 'G' && code.number == g(53);
+  return changes_tool || other_motion || machine_coordinates ||
+         (changes_coordinates(code) && !confirms(block, code));
+}
+
+// `before` the block, `after` the code of the block that selects compensation.
+struct Activity {
+  bool before = false;
+  bool after = false;
+};
+
+void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
+  const bool again = code.group == Group::radius_compensation && code.number != g(40);
+  if (again && !active.before) return;
+  const bool now = code.phase < Phase::radius_compensation ? active.before : active.after;
+  if (!again && (!now || !is_forbidden(block, code))) return;
+  BlockFault& fault = block.fail(
+      again ? "E4142" : "E4141", {code.letter, code.number, {}},
+      "`" + code_text(code.letter, code.number) + "` while radius compensation is active", "");
+  if (active.before) fault.notes.push_back(block.modal.origin_of(Group::radius_compensation));
+  fault.help.push_back("switch it off with `G40` before");
+}
+
+}  // namespace
+
+void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
+  Activity active{block.modal.compensation.on(), block.modal.compensation.on()};
+  if (!active.before && !codes.has(Group::radius_compensation)) return;
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& code = *codes.rows[static_cast<std::size_t>(i)];
+    if (code.group == Group::radius_compensation) active.after = code.number != g(40);
+  }
+  for (int i = 0; i < codes.count && !block.failed(); ++i) {
+    refuse(block, *codes.rows[static_cast<std::size_t>(i)], active);
+  }
+  if (active.before && block.has('T') && block.channel.kind == ChannelKind::lathe) {
+    block
+        .fail("E4141", {'T', -1, {}}, "a tool change while radius compensation is active",
+              "T changes the tool at once")
+        .notes.push_back(block.modal.origin_of(Group::radius_compensation));
+  }
+  if (block.failed() || codes.has(Group::motion)) return;
+  const Code* const motion = find_code('G', block.modal.code(Group::motion));
+  if (motion->axes != AxisWords::unused) refuse(block, *motion, active);
+}
+
+void select_compensation(ActiveBlock& block, CodeNumber code) {
+  RadiusCompensation& selected = block.modal.compensation;
+  if (code == g(40)) {
+    selected = {};
+    return;
+  }
+  const auto tool = code == g(41, 1) || code == g(42, 1) ? programmed_tool(block, code)
+                                                         : compensated_tool(block, code);
+  if (!tool || !has_plane(block, code)) return;
+  // A negative radius in the tool table and a mirrored plane mean the other side.
+  const bool left =
+      ((code == g(41) || code == g(41, 1)) == (tool->radius_mm >= 0.0)) != mirrors(block);
+  selected.side = left ? RadiusCompensation::Side::left : RadiusCompensation::Side::right;
+  selected.radius_mm = std::abs(tool->radius_mm);
+  selected.plane = block.modal.plane();
+  selected.orientation = std::clamp(tool->orientation, 0, 9);
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,164 @@
+// Actions of drilling and boring cycles: a hole per block, as moves.
+//
+// Symbols: the plane's third axis is the tool axis; R the level to which the tool goes at rapid, Z
+// the bottom, the initial level the tool's height before the first block of the sequence. In G91 R
+// counts from the initial level and Z from R. Levels, Q and P stay valid within the sequence.
+// Source: T. R. Kramer, F. M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3"
+// (NISTIR 6556, 2000), section 3.5.16.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lang/actions/hole.h"
+
+namespace stanok::lang {
+namespace {
+
+// Moves that one block may make; all of them are held at once.
+constexpr double moves_max = 100000.0;
+
+bool is_cycle(CodeNumber code) {
+  const Code* const row = find_code('G', code);
+  return row != nullptr && (row->action == CodeAction::drill_hole || code == g(76));
+}
+
+bool needs_dwell(CodeNumber code) {
+  return code == g(82) || code == g(86) || code == g(89);
+}
+
+bool taps(CodeNumber code) {
+  return code == g(74) || code == g(84);
+}
+
+bool pecks(CodeNumber code) {
+  return code == g(73) || code == g(83);
+}
+
+// Channel axis along which the tool goes; fails the block when the channel has none.
+std::optional<std::size_t> tool_axis(ActiveBlock& block, CodeNumber code) {
+  static constexpr std::array<std::size_t, 3> third{2, 1, 0};
+  const int axis =
+      block.channel_words.geometry_axis(third[static_cast<std::size_t>(block.modal.plane())]);
+  if (axis >= 0) return static_cast<std::size_t>(axis);
+  block.fail("E4036", code_word(code), "the channel lacks the tool axis of the cycle", "")
+      .notes.push_back(block.modal.origin_of(Group::plane));
+  return std::nullopt;
+}
+
+// Takes R, Z, Q and P of the block over into the sequence.
+void take_cycle_words(ActiveBlock& block, std::size_t axis) {
+  DrillingCycle& cycle = block.modal.cycle;
+  const CoordinateMap& map = block.modal.map;
+  const auto level = [&](double word, double from) {
+    return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
+  };
+  if (block.has('R')) {
+    cycle.retract_level = level(block.length('R'), cycle.initial_level);
+    cycle.has_retract_level = true;
+  }
+  if ((block.programmed & axis_bit(axis)) != 0) {
+    cycle.bottom = level(block.values[axis], cycle.retract_level);
+    cycle.has_bottom = true;
+  }
+  if (block.has('Q')) cycle.peck = block.length('Q');
+  if (block.has('P') && check_dwell(block, 'P', block.value('P'))) cycle.dwell_s = block.value('P');
+  if (block.has('K')) cycle.lead = block.length('K');
+}
+
+void check_cycle(ActiveBlock& block, CodeNumber code) {
+  const DrillingCycle& cycle = block.modal.cycle;
+  const std::string name = "`" + code_text('G', code) + "`";
+  if (!cycle.has_bottom || !cycle.has_retract_level) {
+    block
+        .fail("E4061", code_word(code), name + " needs the bottom of the hole and R",
+              cycle.has_bottom ? "no R" : "no bottom")
+        .help.push_back("write e.g. `" + code_text('G', code) + " Z-10 R2`");
+  } else if (cycle.retract_level < cycle.bottom) {
+    block.fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
+               "the level R lies below the bottom of the hole", "below the bottom");
+  } else if (pecks(code) && cycle.peck <= 0.0) {
+    block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
+  } else if (needs_dwell(code) && cycle.dwell_s < 0.0) {
+    block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
+  } else if (code == g(76) && cycle.peck <= 0.0) {
+    block.fail("E4063", code_word(code), name + " needs a positive Q, the way from the edge",
+               "no Q");
+  } else if ((code == g(86) || code == g(76)) && !block.modal.spindle_running) {
+    block.fail("E4064", code_word(code), name + " while the spindle stands", "no M3 or M4 before");
+  } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
+    block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
+        .notes.push_back(block.modal.origin_of(Group::feed_mode));
+  }
+}
+
+// Holes that the block makes: L, bounded together with the pecks of each.
+std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
+  const DrillingCycle& cycle = block.modal.cycle;
+  const double depth = cycle.retract_level - cycle.bottom;
+  const double moves = pecks(code) ? 3.0 * std::ceil(depth / cycle.peck) + 4.0 : 6.0;
+  if (moves > moves_max) {
+    block.fail("E4063", {block.has('Q') ? 'Q' : '\0', -1, {}}, "Q makes too many pecks",
+               "too small");
+    return std::nullopt;
+  }
+  if (!block.has('L')) return 1;
+  return block.integer('L', 0, static_cast<int>(moves_max / moves));
+}
+
+// Of the words of G76 some belong to the thread cycle of lathe channels.
+bool uses_its_words(ActiveBlock& block, CodeNumber code) {
+  if (code != g(76)) return true;
+  for (const char letter : {'E', 'H', 'I', 'J', 'K'}) {
+    if (!block.has(letter)) continue;
+    block.fail("E4003", {letter, -1, {}},
+               std::string("`G76` does not use `") + letter + "` on this channel", "unused word");
+    return false;
+  }
+  return true;
+}
+
+void make_hole(Hole& hole, CodeNumber code) {
+  if (pecks(code)) {
+    hole.peck(code);
+  } else if (taps(code)) {
+    hole.tap(code);
+  } else if (code == g(76)) {
+    hole.bore_finely();
+  } else {
+    hole.bore_out(code);
+  }
+}
+
+}  // namespace
+
+void bore_or_thread(ActiveBlock& block, CodeNumber code) {
+  if (block.channel.kind == ChannelKind::lathe) return cut_thread_in_passes(block, code);
+  drill_hole(block, code);
+}
+
+void drill_hole(ActiveBlock& block, CodeNumber code) {
+  const auto axis = tool_axis(block, code);
+  if (!axis || !uses_its_words(block, code)) return;
+  DrillingCycle& cycle = block.modal.cycle;
+  if (!is_cycle(block.modal.code(Group::motion))) {
+    cycle = {};
+    cycle.initial_level = block.modal.position_W[*axis];
+  }
+  if (block.programmed == 0) return;
+  take_cycle_words(block, *axis);
+  check_cycle(block, code);
+  if (block.failed()) return;
+  const auto repeats = repeats_of(block, code);
+  if (!repeats) return;
+  Hole hole(block, *axis);
+  for (int i = 0; i < *repeats && !block.failed(); ++i) {
+    Move positioning;
+    resolve_ends(block, positioning);
+    positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(*axis));
+    resolve_feed(block, positioning);
+    hole.approach(positioning);
+    make_hole(hole, code);
+  }
+}
+
+}  // namespace stanok::lang

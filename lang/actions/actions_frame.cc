@@ -1,0 +1,133 @@
+// Actions of work offsets and shifts of the coordinate system.
+#include <string>
+
+#include "lang/actions/actions.h"
+
+namespace stanok::lang {
+namespace {
+
+// Index of the work offset that a code selects: 1 = G54 ... 9 = G59.3.
+int offset_number(CodeNumber code) {
+  return code <= g(59) ? (code - g(54)) / 10 + 1 : 6 + (code - g(59));
+}
+
+}  // namespace
+
+FrameChange frame_of(const ModalState& modal) {
+  const WorkFrame frame = modal.frame();
+  return {modal.work_offset_number, frame.offset, frame.rotation};
+}
+
+void take_work_offset(ModalState& modal, const Tables& tables, int number) {
+  modal.work_offset_number = number;
+  modal.work_offset = tables.work_offset(number).value_or(modal.work_offset);
+  modal.work_offset_rotation =
+      Rotation::about({0.0, 0.0, 1.0}, tables.work_offset_rotation(number));
+}
+
+void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before) {
+  const bool changed = block.modal.frame() != before;
+  if (changed) block.modal.reexpress_position(before);
+  if (changed || block.modal.work_offset_number != work_offset_before) {
+    block.queue.emit(frame_of(block.modal));
+  }
+}
+
+void publish_frame(ActiveBlock& block, const WorkFrame& before) {
+  publish_frame(block, before, block.modal.work_offset_number);
+}
+
+void restore_work_offset(ActiveBlock& block, const ModalState& saved) {
+  const WorkFrame before = block.modal.frame();
+  const int number_before = block.modal.work_offset_number;
+  take_work_offset(block.modal, block.tables, saved.work_offset_number);
+  publish_frame(block, before, number_before);
+}
+
+void restore_shifts(ActiveBlock& block, const ModalState& saved) {
+  const WorkFrame before = block.modal.frame();
+  block.modal.local_shift = saved.local_shift;
+  block.modal.axis_shift = saved.axis_shift;
+  block.modal.axis_shift_active = saved.axis_shift_active;
+  block.modal.rotation = saved.rotation;
+  block.modal.map = saved.map;
+  for (const Group group : {Group::rotation, Group::scaling, Group::mirror}) {
+    if (block.modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
+  }
+  publish_frame(block, before);
+}
+
+void select_work_offset(ActiveBlock& block, CodeNumber code) {
+  int number = offset_number(code);
+  if (code == g(54, 1)) {
+    if (!block.has('P')) {
+      block.fail("E4007", {'G', g(54, 1), {}}, "`G54.1` needs P", "no P");
+      return;
+    }
+    const auto page = block.integer('P', 1, 300);
+    if (!page) return;
+    number = 9 + *page;
+  }
+  if (!block.tables.work_offset(number)) {
+    block.fail("E5001", {'G', code, {}},
+               "the machine has no work offset `" + code_text('G', code) + "`",
+               "unknown work offset");
+    return;
+  }
+  const WorkFrame before = block.modal.frame();
+  const int number_before = block.modal.work_offset_number;
+  take_work_offset(block.modal, block.tables, number);
+  publish_frame(block, before, number_before);
+}
+
+void shift_locally(ActiveBlock& block, CodeNumber) {
+  const WorkFrame before = block.modal.frame();
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if (is_programmed(block, i)) block.modal.local_shift[i] = block.values[i];
+  }
+  publish_frame(block, before);
+}
+
+namespace {
+
+// The shift with which the point where the axes stand is called as the axis words say.
+AxisValues shift_to_words(const ActiveBlock& block) {
+  const ModalState& modal = block.modal;
+  AxisValues distance_W{};
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if (!is_programmed(block, i)) continue;
+    distance_W[i] = modal.position_W[i] - modal.map.to_work(i, block.values[i]);
+  }
+  AxisValues shift = turned(modal.rotation.rotation, modal.geometry, distance_W);
+  for (std::size_t i = 0; modal.axis_shift_active && i < shift.size(); ++i) {
+    shift[i] += modal.axis_shift[i];
+  }
+  return shift;
+}
+
+}  // namespace
+
+// G92 X..: the point where the axes stand is called X.. from here on.
+void shift_axes(ActiveBlock& block, CodeNumber code) {
+  const WorkFrame before = block.modal.frame();
+  if (code == g(92)) {
+    if (block.has('S')) limit_speed(block);
+    if (block.programmed == 0) {
+      if (!block.has('S')) block.fail("E4007", {'G', g(92), {}}, "`G92` needs an axis word", "");
+      return;
+    }
+    block.modal.axis_shift = shift_to_words(block);
+    block.modal.axis_shift_active = true;
+  } else {
+    if (code == g(92, 1)) block.modal.axis_shift = {};
+    block.modal.axis_shift_active = code != g(92, 2);
+  }
+  publish_frame(block, before);
+  for (std::size_t i = 0; code == g(92) && i < block.channel.axes.size(); ++i) {
+    if (is_programmed(block, i)) {
+      block.modal.position_W[i] = block.modal.map.to_work(i, block.values[i]);
+    }
+  }
+}
+
+}  // namespace stanok::lang

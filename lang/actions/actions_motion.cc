@@ -1,0 +1,131 @@
+// Actions of straight motion, and the parts that all motions share.
+#include <cmath>
+
+#include "lang/actions/actions.h"
+
+namespace stanok::lang {
+namespace {
+
+// The angle equal to `programmed` by full turns that lies nearest to `position`.
+double shortest_way(double programmed, double position, double modulo) {
+  const double turns = std::round((position - programmed) / modulo);
+  return turns == 0.0 ? programmed : programmed + turns * modulo;
+}
+
+void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
+  const WordName word{'G', g(53), {}};
+  if (excluded_by_mode(block, g(53), {Exclusion::transformation})) return;
+  if (block.modal.length.mode == LengthMode::tip) {
+    BlockFault& fault =
+        block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "");
+    fault.notes.push_back(block.modal.origin_of(Group::length));
+    fault.help.push_back("switch it off with `G49` before");
+  } else if (code > g(1)) {
+    block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
+  } else if (block.modal.incremental() || block.incremental != 0) {
+    block.fail("E4042", word, "`G53` needs absolute programming (G90)", "")
+        .notes.push_back(block.modal.origin_of(Group::distance));
+  }
+}
+
+}  // namespace
+
+double length_along(const ActiveBlock& block, const AxisDescription& axis) {
+  if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
+  return block.modal.length.offset_mm[static_cast<std::size_t>(axis.geometry)];
+}
+
+void stop_at_block_end(ActiveBlock& block, CodeNumber) {
+  block.stop_at_end = true;
+}
+
+void use_machine_coordinates(ActiveBlock& block, CodeNumber) {
+  CodeNumber motion = block.modal.code(Group::motion);
+  for (const CodeNumber code : block.words.g) {
+    const Code* const row = find_code('G', code);
+    if (row != nullptr && row->group == Group::motion) motion = code;
+  }
+  check_machine_coordinates(block, motion);
+  block.machine_coordinates = true;
+}
+
+void resolve_ends(const ActiveBlock& block, Move& move) {
+  const CoordinateMap& map = block.modal.map;
+  const bool mapped = map.active() && !block.machine_coordinates;
+  move.words = block.programmed;
+  move.end = block.modal.position_W;
+  move.machine_coordinates = block.machine_coordinates;
+  move.stop_at_end = block.stop_at_end;
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if ((block.programmed & axis_bit(i)) == 0) continue;
+    const AxisDescription& axis = block.channel.axes[i];
+    const double value = block.values[i];
+    if (block.modal.incremental() || (block.incremental & axis_bit(i)) != 0) {
+      move.end[i] += mapped ? map.gain(i) * value : value;
+    } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates && !is_length(block, i)) {
+      move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);
+    } else {
+      move.end[i] = mapped ? map.to_work(i, value) : value;
+    }
+  }
+}
+
+void resolve_feed(ActiveBlock& block, Move& move) {
+  if (block.law_feed == 0.0 || move.kind == MoveKind::rapid) return resolve_modal_feed(block, move);
+  move.path = block.modal.path;
+  move.feed_mode = block.modal.feed_mode();
+  move.feed = block.law_feed;
+}
+
+void resolve_modal_feed(ActiveBlock& block, Move& move) {
+  const ModalState& modal = block.modal;
+  move.path = modal.path;
+  move.feed_mode = modal.feed_mode();
+  if (move.kind == MoveKind::rapid) return;
+  const bool linear = move.kind == MoveKind::arc || modal.transformed_axis >= 0 ||
+                      (move.words & block.channel_words.linear_axes()) != 0;
+  const bool inverse_time = move.feed_mode == FeedMode::inverse_time;
+  if (inverse_time && !block.has('F')) {
+    block.fail("E4023", {}, "a motion block in G93 needs its own F", "no F")
+        .notes.push_back(modal.origin_of(Group::feed_mode));
+    return;
+  }
+  move.feed = linear && !inverse_time ? modal.feed_mm : modal.feed_programmed;
+  if (!modal.feed_known || move.feed <= 0.0) {
+    if (modal.feed_law.gives_feed()) {
+      move.feed = modal.feed_law.feed_first;
+      return;
+    }
+    block
+        .fail("E4020", {}, modal.feed_known ? "motion at feed with F0" : "motion at feed without F",
+              "no feed")
+        .notes.push_back(modal.origin_of(Group::feed_mode));
+  }
+}
+
+void advance_position(ActiveBlock& block, const Move& move) {
+  if (!move.machine_coordinates) {
+    block.modal.position_W = move.end;
+    return;
+  }
+  const AxisValues zero = block.tables.scheme_zero();
+  AxisValues position_B = block.modal.frame().base_from_work(block.modal.position_W);
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if ((move.words & axis_bit(i)) == 0) continue;
+    position_B[i] = move.end[i] - zero[i] - length_along(block, block.channel.axes[i]);
+  }
+  block.modal.adopt_position(position_B);
+}
+
+void move_straight(ActiveBlock& block, CodeNumber code) {
+  if (block.programmed == 0) return;
+  Move move;
+  move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
+  resolve_ends(block, move);
+  resolve_feed(block, move);
+  if (block.failed()) return;
+  advance_position(block, move);
+  block.queue.emit(move);
+}
+
+}  // namespace stanok::lang

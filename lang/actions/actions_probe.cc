@@ -1,0 +1,46 @@
+// Action of probing, G38.2 to G38.5: a line that ends where the probe changes. The program waits
+// for what was found, which ProgramRun keeps for $probe and #5061.
+#include <algorithm>
+#include <cmath>
+
+#include "lang/actions/actions.h"
+
+namespace stanok::lang {
+namespace {
+
+// Shortest way in which a probe can change, mm or deg.
+constexpr double probing_way_min = 0.01;
+
+double longest_way(const AxisValues& from, const AxisValues& to) {
+  double way = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) way = std::max(way, std::abs(to[i] - from[i]));
+  return way;
+}
+
+}  // namespace
+
+void probe(ActiveBlock& block, CodeNumber code) {
+  if (excluded_by_mode(block, code, {Exclusion::radius_compensation, Exclusion::inverse_time})) {
+    return;
+  }
+  ProbeMove move;
+  move.line.kind = MoveKind::line;
+  move.until_contact = code == g(38, 2) || code == g(38, 3);
+  move.alarm_when_missed = code == g(38, 2) || code == g(38, 4);
+  resolve_ends(block, move.line);
+  if (longest_way(block.modal.position_W, move.line.end) < probing_way_min) {
+    block.fail("E4321", {'G', code, {}}, "probing needs a way to go",
+               "the end is where the axes stand");
+    return;
+  }
+  resolve_feed(block, move.line);
+  if (block.failed()) return;
+  advance_position(block, move.line);
+  block.queue.emit(move);
+  Request result;
+  result.kind = RequestKind::probe_result;
+  result.statement = move.alarm_when_missed;
+  block.queue.emit(result);
+}
+
+}  // namespace stanok::lang

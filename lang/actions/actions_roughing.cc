@@ -1,0 +1,263 @@
+// Actions of contour cycles of lathe channels: G71 rough turning, G72 rough facing, G70 finishing.
+//
+// G71 cuts along Z on levels of X, G72 along X on levels of Z, from the start point to the contour
+// with its allowance, with a last pass along it; the tool comes back to the start point. Between
+// two levels lies the depth of cut. Every pass is left at 45 degrees by the retract. On mill
+// channels G70 and G71 are inch and millimetre.
+#include <algorithm>
+#include <string>
+
+#include "lang/actions/block_execution.h"
+#include "lang/actions/cycle_moves.h"
+#include "lang/block/turned_contour.h"
+
+namespace stanok::lang {
+namespace {
+
+// Passes that one block may make; all of them are held at once.
+constexpr double levels_max = 10000.0;
+
+void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
+  block.fail("E4068", {'G', code, {}}, "the contour cannot be used: " + why, "");
+}
+
+// Words that the code does not have on this channel, or not in this form.
+void refuse_words(ActiveBlock& block, std::string_view refused) {
+  for (const char letter : refused) {
+    if (!block.has(letter)) continue;
+    block.fail("E4003", {letter, -1, {}},
+               std::string("nothing in this block uses `") + letter + "`", "unused word");
+  }
+}
+
+std::optional<Contour> find_contour(ActiveBlock& block, CodeNumber code) {
+  for (const char letter : {'P', 'Q'}) {
+    if (block.has(letter)) continue;
+    block.fail("E4007", {'G', code, {}},
+               "`" + code_text('G', code) + "` needs P and Q, the block numbers of the contour",
+               std::string("no ") + letter);
+    return std::nullopt;
+  }
+  const auto first = block.integer('P', 0, 99999999);
+  const auto last = block.integer('Q', 0, 99999999);
+  if (!first || !last) return std::nullopt;
+  Contour contour;
+  contour.problem = "a contour cannot hold a contour cycle";
+  if (block.contours != nullptr) contour = block.contours->contour(*first, *last);
+  if (contour.problem.empty() && !contour.blocks.empty()) return contour;
+  fail_contour(block, code, contour.problem.empty() ? "it has no moves" : contour.problem);
+  return std::nullopt;
+}
+
+// Takes the moves out of the commands of a contour block.
+void collect_moves(ActiveBlock& block, CodeNumber code, CommandQueue& queue,
+                   std::vector<PlaneMove>& moves) {
+  const auto x = static_cast<std::size_t>(block.channel_words.geometry_axis(0));
+  const auto z = static_cast<std::size_t>(block.channel_words.geometry_axis(2));
+  Command command;
+  while (!queue.empty()) {
+    queue.take(command);
+    const Move* const move = move_of(command.payload);
+    if (move == nullptr) continue;
+    const bool arc = move->kind == MoveKind::arc;
+    if (!std::holds_alternative<Move>(command.payload) || move->machine_coordinates ||
+        (arc && (move->plane != Plane::zx || move->turns != 1))) {
+      fail_contour(block, code,
+                   "only G0, G1 and arcs in ZX may be in it, see line " +
+                       std::to_string(command.origin.line));
+      return;
+    }
+    PlaneMove next{
+        {move->end[x], move->end[z]}, arc, {}, move->counter_clockwise, command.origin.line};
+    if (arc) next.centre = {move->centre[1], move->centre[0]};
+    moves.push_back(next);
+  }
+}
+
+// The moves of a contour, executed for themselves: the program's own state stays as it is.
+std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Contour& contour) {
+  ModalState modal = block.modal;
+  modal.compensation = {};
+  modal.set(Group::radius_compensation, g(40), block.line);
+  CommandQueue queue;
+  std::vector<PlaneMove> moves;
+  for (const Contour::Block& one : contour.blocks) {
+    const BlockSurroundings around{modal, block.channel_words, block.channel, block.tables,
+                                   queue, block.probe,         block.states,  nullptr};
+    queue.set_origin(one.origin, 0);
+    ActiveBlock inner(one.words, around, one.origin.line);
+    execute_block(inner);
+    modal.compensation = {};
+    modal.set(Group::radius_compensation, g(40), block.line);
+    if (inner.awaits_position) {
+      fail_contour(block, code, "tip control changes in line " + std::to_string(one.origin.line));
+    } else if (inner.fault) {
+      fail_contour(block, code,
+                   "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);
+    } else {
+      collect_moves(block, code, queue, moves);
+    }
+    if (block.failed()) return {};
+  }
+  return moves;
+}
+
+void take_settings(ActiveBlock& block, CodeNumber code) {
+  const bool turning = code == g(71);
+  RoughingSettings& settings = turning ? block.modal.turning_roughing : block.modal.facing_roughing;
+  const char depth = turning ? 'U' : 'W';
+  if (block.has(depth)) settings.depth = block.length(depth);
+  if (block.has('R')) settings.retract = block.length('R');
+  if (settings.depth > 0.0 && settings.retract >= 0.0) return;
+  const char letter = settings.depth > 0.0 ? 'R' : depth;
+  block.fail(block.has(letter) ? "E4008" : "E4007",
+             {block.has(letter) ? letter : 'G', block.has(letter) ? -1 : code, {}},
+             letter == 'R' ? "the retract must not be negative"
+                           : std::string("`") + letter + "`, the depth of cut, must be positive",
+             "");
+}
+
+class Roughing {
+ public:
+  Roughing(CycleMoves& moves, const TurnedContour& contour, const RoughingSettings& settings)
+      : moves_(moves),
+        contour_(contour),
+        settings_(settings),
+        clear_(std::min(contour.shallowest(), 0.0)) {}
+
+  void cut_levels() {
+    along_ = std::min(contour_.first_point().along, 0.0);
+    rapid({0.0, along_});
+    const double deepest = contour_.deepest();
+    double above = 0.0;
+    // A rest that rounding leaves is no level.
+    for (int n = 1; n * settings_.depth < deepest - 1e-9; ++n) {
+      const double depth = n * settings_.depth;
+      for (const TurnedStretch& stretch : contour_.stretches(depth)) cut(stretch, depth, above);
+      above = depth;
+    }
+  }
+
+  // Along the contour and back to the start point.
+  void follow(const std::vector<PlaneMove>& moves, TurningPoint allowance) {
+    const TurnedPoint first = contour_.first_point();
+    rapid({lifted_, along_});
+    rapid({first.depth, along_});
+    feed(first);
+    for (std::size_t k = 1; k < moves.size(); ++k) {
+      const TurningPoint end{moves[k].end.x + allowance.x, moves[k].end.z + allowance.z};
+      if (moves[k].arc) {
+        const TurningPoint& centre = moves[k].centre;
+        moves_.arc(end, {centre.x + allowance.x, centre.z + allowance.z},
+                   moves[k].counter_clockwise);
+      } else {
+        moves_.feed(end);
+      }
+    }
+    const TurningPoint end = moves.back().end;
+    along_ = contour_.turned({end.x + allowance.x, end.z + allowance.z}).along;
+    rapid({clear_, along_});
+    rapid({clear_, 0.0});
+    rapid({0.0, 0.0});
+  }
+
+ private:
+  void cut(const TurnedStretch& stretch, double depth, double above) {
+    const double begin = std::min(contour_.first_point().along, 0.0);
+    const double lifted = std::max(depth - settings_.retract, 0.0);
+    if (stretch.from_start) {
+      rapid({lifted_, along_});
+      rapid({depth, stretch.begin});
+    } else {
+      // Behind a shoulder: over it, and down where the level above is cut already.
+      rapid({clear_, along_});
+      rapid({clear_, stretch.begin});
+      rapid({above, stretch.begin});
+      feed({depth, stretch.begin});
+    }
+    feed({depth, stretch.end});
+    const double back = std::min(settings_.retract, stretch.end - stretch.begin);
+    feed({lifted, stretch.end - back});
+    lifted_ = stretch.from_start ? lifted : clear_;
+    rapid({lifted_, stretch.end - back});
+    rapid({lifted_, begin});
+    along_ = begin;
+  }
+
+  void rapid(TurnedPoint p) { moves_.rapid(contour_.point(p)); }
+  void feed(TurnedPoint p) { moves_.feed(contour_.point(p)); }
+
+  CycleMoves& moves_;
+  const TurnedContour& contour_;
+  const RoughingSettings& settings_;
+  double clear_;         // a level on which nothing is in the way
+  double lifted_ = 0.0;  // where the tool stands
+  double along_ = 0.0;
+};
+
+void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour& contour) {
+  const bool turning = code == g(71);
+  const RoughingSettings& settings =
+      turning ? block.modal.turning_roughing : block.modal.facing_roughing;
+  const std::vector<PlaneMove> list = moves_of(block, code, contour);
+  if (block.failed()) return;
+  const double across = block.modal.diameters() ? 0.5 : 1.0;
+  const TurningPoint allowance{block.has('U') ? across * block.length('U') : 0.0,
+                               block.has('W') ? block.length('W') : 0.0};
+  const TurnedContour turned(list, moves.position(), allowance, turning);
+  if (!turned.problem().empty()) {
+    return fail_contour(block, code,
+                        turned.problem() + ", see line " + std::to_string(turned.problem_line()));
+  }
+  if (turned.deepest() / settings.depth > levels_max) {
+    block.fail("E4063", {'G', code, {}}, "the depth of cut makes too many passes", "too small");
+    return;
+  }
+  Roughing roughing(moves, turned, settings);
+  roughing.cut_levels();
+  roughing.follow(list, allowance);
+}
+
+}  // namespace
+
+void rough_contour(ActiveBlock& block, CodeNumber code) {
+  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUW");
+  auto moves = CycleMoves::of(block, code);
+  if (!moves) return;
+  const bool only_settings = !block.has('P') && !block.has('Q');
+  refuse_words(block, !only_settings ? "R" : code == g(71) ? "W" : "U");
+  if (block.failed()) return;
+  if (only_settings) return take_settings(block, code);
+  const RoughingSettings& settings =
+      code == g(71) ? block.modal.turning_roughing : block.modal.facing_roughing;
+  if (settings.depth <= 0.0) {
+    block.fail("E4007", {'G', code, {}}, "no depth of cut is known", "no block with it before")
+        .help.push_back(code == g(71) ? "write a block `G71 U2 R0.5` before"
+                                      : "write a block `G72 W2 R0.5` before");
+    return;
+  }
+  const auto contour = find_contour(block, code);
+  if (!contour) return;
+  rough(block, code, *moves, *contour);
+  if (block.failed() || contour->blocks.front().origin.line <= block.line) return;
+  block.flow = Flow::behind_line;
+  block.flow_line = contour->blocks.back().origin.line;
+}
+
+// The blocks themselves are run, with all they do; then the tool comes back.
+void finish_contour(ActiveBlock& block, CodeNumber code) {
+  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUW");
+  const auto contour = find_contour(block, code);
+  if (!contour) return;
+  for (const Contour::Block& one : contour->blocks) {
+    const bool nested = std::any_of(one.words.g.begin(), one.words.g.end(), [](CodeNumber number) {
+      return number == g(70) || number == g(71) || number == g(72);
+    });
+    if (nested) return fail_contour(block, code, "a contour cannot hold a contour cycle");
+  }
+  block.flow = Flow::run_contour;
+  block.contour_line = contour->blocks.front().origin.line;
+  block.flow_line = contour->blocks.back().origin.line;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,220 @@
+// Action of G76 on lathe channels: a thread in many passes.
+//
+// Two forms. With K: Z end, P lead, I from the start diameter to the thread's peak (negative: an
+// outside thread), J first depth, K full depth, R degression (depth of pass n is J n^(1/R)), Q
+// angle at which the tool is fed in, H spring passes, E length of the tapers, L where they are (1
+// entry, 2 exit, 3 both). Without K: a block P Q R without axes (P: spring passes, run-out in
+// tenths of the lead and tool angle, two digits each; Q smallest cut; R last cut), then a block X Z
+// R P Q F (root and end of the thread, taper, depth, first depth, lead). All depths are radii,
+// program units. Sources: documentation of LinuxCNC, "G76"; of Fanuc lathe controls, multiple
+// threading cycle. The tool is fed in along the flank that leads: shallow passes begin farther
+// back.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "lang/actions/cycle_moves.h"
+#include "lang/block/other_controls.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr int passes_max = 1000;
+
+// What both forms come to.
+struct Thread {
+  double lead = 0.0;
+  TurningPoint peak_start;  // the crest of the thread
+  TurningPoint peak_end;
+  double inward = -1.0;         // direction of depth along X
+  double depth = 0.0;           // full, > 0
+  double infeed_tangent = 0.0;  // along Z per depth
+  double entry = 0.0;           // lengths along Z at full depth
+  double exit = 0.0;
+  std::vector<double> passes;  // depth of each
+  int spindle = 0;
+};
+
+double tangent_of_deg(double angle) {
+  return std::tan(angle * std::numbers::pi / 180.0);
+}
+
+void need(ActiveBlock& block, char letter, bool good, const std::string& what) {
+  if (good) return;
+  const bool present = block.has(letter);
+  block
+      .fail(present ? "E4008" : "E4007", {present ? letter : 'G', present ? -1 : 760, {}},
+            "`G76` needs " + what, present ? "out of range" : std::string("no ") + letter)
+      .help.push_back(
+          "write `G76 P Z I J K`, or the settings `G76 P Q R` and then `G76 X Z P Q F`");
+}
+
+// Lengths of a thread are far below this, in either unit; Fanuc controls count P and Q in
+// thousandths.
+constexpr double thread_depth_max = 20.0;
+
+// Words of the other forms of G76.
+void refuse_words_of_other_forms(ActiveBlock& block, std::string_view used) {
+  for (const char letter : std::string_view("EFHIJKLPQR")) {
+    if (!block.has(letter) || used.find(letter) != std::string_view::npos) continue;
+    block.fail("E4003", {letter, -1, {}},
+               std::string("this form of `G76` does not use `") + letter + "`", "unused word");
+    return;
+  }
+}
+
+// Depth n is first * n^exponent, then `last` once more and the spring passes.
+void add_passes(ActiveBlock& block, Thread& thread, double first, double exponent, double smallest,
+                int spring) {
+  double depth = 0.0;
+  for (int n = 1; depth < thread.depth; ++n) {
+    if (n > passes_max) {
+      block.fail("E4063", {'J', -1, {}}, "G76 makes more than 1000 passes", "too small");
+      return;
+    }
+    depth = std::max(first * std::pow(n, exponent), depth + smallest);
+    // A rest that rounding leaves is no pass.
+    if (depth > thread.depth - 1e-9) depth = thread.depth;
+    thread.passes.push_back(depth);
+  }
+  thread.passes.insert(thread.passes.end(), static_cast<std::size_t>(spring), thread.depth);
+}
+
+void cut_pass(CycleMoves& moves, const Thread& thread, TurningPoint start, double depth) {
+  const double along = thread.peak_end.z > thread.peak_start.z ? 1.0 : -1.0;
+  const double back = (thread.depth - depth) * thread.infeed_tangent;
+  const double z_start = start.z - along * back;
+  const double z_end = thread.peak_end.z;
+  const double slope =
+      (thread.peak_end.x - thread.peak_start.x) / (thread.peak_end.z - thread.peak_start.z);
+  const auto at = [&](double z, double below_peak) {
+    const double peak = thread.peak_start.x + slope * (z - thread.peak_start.z);
+    return TurningPoint{peak + thread.inward * below_peak, z};
+  };
+  const double part = depth / thread.depth;
+  const double entry = thread.entry * part;
+  const double exit = thread.exit * part;
+  moves.rapid({start.x, z_start});
+  moves.rapid(at(z_start, entry > 0.0 ? 0.0 : depth));
+  if (entry > 0.0) moves.thread(at(z_start + along * entry, depth), thread.lead, thread.spindle);
+  if (exit > 0.0) moves.thread(at(z_end - along * exit, depth), thread.lead, thread.spindle);
+  moves.thread(at(z_end, exit > 0.0 ? 0.0 : depth), thread.lead, thread.spindle);
+  moves.rapid({start.x, z_end});
+  moves.rapid(start);
+}
+
+void cut_passes(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
+  if (block.failed()) return;
+  const TurningPoint start = moves.position();
+  const double length = std::abs(thread.peak_end.z - thread.peak_start.z);
+  if (length <= thread.entry + thread.exit || length <= thread.depth * thread.infeed_tangent) {
+    block.fail("E4067", {'G', g(76), {}}, "the thread is shorter than its tapers", "no way left")
+        .help.push_back("take a longer thread, shorter tapers or a smaller infeed angle");
+    return;
+  }
+  for (const double depth : thread.passes) cut_pass(moves, thread, start, depth);
+}
+
+void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
+  refuse_words_of_other_forms(block, "EHIJKLPQR");
+  const double taper = block.has('E') ? block.length('E') : 0.0;
+  const double degression = block.has('R') ? block.value('R') : 1.0;
+  const double angle = block.has('Q') ? block.value('Q') : 0.0;
+  need(block, 'P', block.has('P') && block.value('P') > 0.0, "P, a positive lead");
+  need(block, 'I', block.has('I') && block.value('I') != 0.0, "I, the way to the thread's peak");
+  need(block, 'J', block.has('J') && block.value('J') > 0.0, "J, a positive first depth");
+  need(block, 'K', block.value('K') > 0.0, "K, a positive depth");
+  need(block, 'R', degression >= 1.0, "R of at least 1");
+  need(block, 'Q', angle >= 0.0 && angle < 80.0, "Q from 0 to below 80 degrees");
+  need(block, 'E', taper >= 0.0, "E of at least 0");
+  const auto spring = block.has('H') ? block.integer('H', 0, 99) : 0;
+  const auto ends = block.has('L') ? block.integer('L', 0, 3) : 0;
+  if (block.failed() || !spring || !ends) return;
+  const TurningPoint start = moves.position();
+  const double peak = start.x + block.length('I');
+  thread.lead = block.length('P');
+  thread.peak_start = {peak, start.z};
+  thread.peak_end = {peak, moves.programmed_end().z};
+  thread.inward = block.value('I') < 0.0 ? -1.0 : 1.0;
+  thread.depth = block.length('K');
+  thread.infeed_tangent = tangent_of_deg(angle);
+  thread.entry = (*ends & 1) != 0 ? taper : 0.0;
+  thread.exit = (*ends & 2) != 0 ? taper : 0.0;
+  add_passes(block, thread, block.length('J'), 1.0 / degression, 0.0, *spring);
+  cut_passes(block, moves, thread);
+}
+
+// First block of the other form: it stays valid for those that follow.
+void take_thread_settings(ActiveBlock& block) {
+  refuse_words_of_other_forms(block, "PQR");
+  refuse_thousandths(block, 'Q', thread_depth_max / 10.0, "a smallest cut");
+  if (block.failed()) return;
+  ThreadSettings& settings = block.modal.thread;
+  if (block.has('P')) {
+    const auto digits = block.integer('P', 0, 999999);
+    if (!digits) return;
+    settings.spring_passes = std::max(*digits / 10000, 1) - 1;
+    settings.run_out_tenths = *digits / 100 % 100;
+    settings.angle_deg = *digits % 100;
+  }
+  if (block.has('Q')) settings.smallest_cut = block.length('Q');
+  if (block.has('R')) settings.last_cut = block.length('R');
+  need(block, 'Q', settings.smallest_cut >= 0.0, "Q of at least 0");
+  need(block, 'R', settings.last_cut >= 0.0, "R of at least 0");
+}
+
+void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
+  const ThreadSettings& settings = block.modal.thread;
+  refuse_words_of_other_forms(block, "PQRF");
+  for (const char letter : {'P', 'Q'})
+    refuse_thousandths(block, letter, thread_depth_max, "a depth");
+  need(block, 'X', moves.names_x(), "X, the root of the thread");
+  need(block, 'P', block.has('P') && block.value('P') > 0.0, "P, a positive depth");
+  need(block, 'Q', block.has('Q') && block.value('Q') > 0.0, "Q, a positive first depth");
+  need(block, 'F', block.has('F') && block.value('F') > 0.0, "F, a positive lead");
+  if (block.failed()) return;
+  const TurningPoint start = moves.position();
+  const TurningPoint root = moves.programmed_end();
+  const double taper = block.has('R') ? block.length('R') : 0.0;
+  const double depth = block.length('P');
+  thread.inward = start.x > root.x ? -1.0 : 1.0;
+  thread.lead = block.length('F');
+  thread.depth = depth;
+  thread.peak_end = {root.x - thread.inward * depth, root.z};
+  thread.peak_start = {thread.peak_end.x + taper, start.z};
+  thread.infeed_tangent = tangent_of_deg(settings.angle_deg / 2.0);
+  thread.exit = settings.run_out_tenths * thread.lead / 10.0;
+  thread.depth = depth - settings.last_cut;
+  need(block, 'P', thread.depth > 0.0, "P larger than the last cut");
+  need(block, 'P', settings.smallest_cut < depth, "P larger than the smallest cut");
+  if (block.failed()) return;
+  add_passes(block, thread, block.length('Q'), 0.5, settings.smallest_cut, 0);
+  thread.depth = depth;
+  const int finishing = (settings.last_cut > 0.0 ? 1 : 0) + settings.spring_passes;
+  thread.passes.insert(thread.passes.end(), static_cast<std::size_t>(finishing), depth);
+  cut_passes(block, moves, thread);
+}
+
+}  // namespace
+
+void cut_thread_in_passes(ActiveBlock& block, CodeNumber code) {
+  auto moves = CycleMoves::of(block, code);
+  if (!moves) return;
+  const bool only_settings = !block.has('K') && block.programmed == 0;
+  if (only_settings) return take_thread_settings(block);
+  const auto spindle = named_spindle(block);
+  if (!spindle) return;
+  check_spindle_turns(block, *spindle, code);
+  need(block, 'Z', moves->names_z(), "Z, the end of the thread");
+  if (block.failed()) return;
+  Thread thread;
+  thread.spindle = *spindle;
+  if (block.has('K')) {
+    cut_with_full_depth(block, *moves, std::move(thread));
+  } else {
+    cut_with_root(block, *moves, std::move(thread));
+  }
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,85 @@
+// Actions of transformations: G12.1 polar face, G7.1 cylinder, G13.1 off.
+//
+// On the face the channel's C is programmed in mm, as the second axis of a plane with X; on the
+// cylinder it stays in deg, and the feed is that along the surface. Where the point stands in the
+// new coordinates is the channel's knowledge: the program waits for it.
+#include "lang/actions/actions.h"
+
+namespace stanok::lang {
+namespace {
+
+bool excludes_transformation(ActiveBlock& block, CodeNumber code) {
+  return excluded_by_mode(block, code,
+                          {Exclusion::radius_compensation, Exclusion::tip_control,
+                           Exclusion::drilling_cycle, Exclusion::rotation});
+}
+
+void change(ActiveBlock& block, const TransformationChange& transformation) {
+  block.modal.transformed_axis = transformation.rotary_axis;
+  block.modal.cylinder_radius_mm = transformation.radius_mm;
+  block.queue.emit(transformation);
+  block.queue.emit(Request{});
+  block.awaits_position = true;
+}
+
+std::optional<std::size_t> rotary_axis(ActiveBlock& block, CodeNumber code) {
+  const int axis = block.channel_words.axis_called("C");
+  if (axis >= 0 && block.channel.axes[static_cast<std::size_t>(axis)].rotary) {
+    const auto found = static_cast<std::size_t>(axis);
+    if (is_spindle_now(block, found)) {
+      refuse_axis_that_is_spindle(block, found);
+      return std::nullopt;
+    }
+    return found;
+  }
+  block.fail("E4306", {'G', code, {}},
+             "`" + code_text('G', code) + "` needs a rotary axis C in the channel", "");
+  return std::nullopt;
+}
+
+}  // namespace
+
+void cancel_transformation(ActiveBlock& block, CodeNumber code) {
+  if (block.modal.code(Group::transformation) == code || excludes_transformation(block, code))
+    return;
+  change(block, {});
+}
+
+void select_polar_face(ActiveBlock& block, CodeNumber code) {
+  if (excludes_transformation(block, code)) return;
+  if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
+  const auto axis = rotary_axis(block, code);
+  if (!axis) return;
+  if (block.modal.geometry[0] < 0) {
+    block.fail("E4306", {'G', code, {}}, "`G12.1` needs an axis X in the channel", "");
+    return;
+  }
+  change(block, {Transformation::polar_face, 0.0, static_cast<int>(*axis)});
+}
+
+// G7.1 Cn; C0 is G13.1.
+void select_cylinder(ActiveBlock& block, CodeNumber code) {
+  const auto axis = rotary_axis(block, code);
+  if (!axis || !only_axes(block, code, axis_bit(*axis))) return;
+  if (block.programmed == 0) {
+    block.fail("E4007", {'G', code, {}}, "`G7.1` needs C, the radius of the cylinder", "no C");
+    return;
+  }
+  const double radius = block.values[*axis] * block.length_unit();
+  if (radius < 0.0) {
+    block.fail("E4008", {'C', -1, {}}, "the radius of the cylinder must not be negative",
+               "negative");
+    return;
+  }
+  if (radius == 0.0) {
+    cancel_transformation(block, g(13, 1));
+    block.set_modal(Group::transformation, g(13, 1));
+    block.kept_groups |= group_bit(Group::transformation);
+    return;
+  }
+  if (excludes_transformation(block, code)) return;
+  if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
+  change(block, {Transformation::cylinder, radius, static_cast<int>(*axis)});
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,234 @@
+#include "lang/actions/block_execution.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lang/actions/action_table.h"
+#include "lang/actions/actions.h"
+#include "lang/block/block_check.h"
+#include "lang/block/other_controls.h"
+#include "lang/words/law_address.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr LetterSet arc_words = letters_of("IJKR");
+
+// Units and diameter mode set in a block hold for its own words too.
+void apply_units(ActiveBlock& block, const BlockCodes& codes) {
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  if (!lathe && block.words.g.has(g(70))) block.set_modal(Group::units, g(20));
+  if (!lathe && block.words.g.has(g(71))) block.set_modal(Group::units, g(21));
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    const bool early = row.group == Group::units || row.group == Group::diameter;
+    if (early && block.modal.code(row.group) != row.number) block.set_modal(row.group, row.number);
+  }
+}
+
+// The motion code of a block that has one.
+const Code& motion_row(const BlockCodes& codes) {
+  std::size_t i = 0;
+  while (codes.rows[i]->group != Group::motion) ++i;
+  return *codes.rows[i];
+}
+
+// The modally active motion takes the axis words that no code of the block claims.
+void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_words) {
+  if (codes.axis_user != nullptr) return;
+  if (codes.has(Group::motion) && block.programmed != 0) {
+    const Code& row = motion_row(codes);
+    block.fail("E4012", {row.letter, row.number, {}},
+               "`" + code_text(row.letter, row.number) + "` takes no axis words", "");
+    return;
+  }
+  const CodeNumber number = block.modal.code(Group::motion);
+  const bool arc = number == g(2) || number == g(3);
+  const bool moves = block.programmed != 0 || (arc && (free_words & arc_words) != 0);
+  if (!moves) return;
+  const Code* const motion = find_code('G', number);
+  if (motion->axes == AxisWords::unused) {
+    BlockFault& fault =
+        block.fail("E4012", {}, "axis words without a motion code", "no motion is active");
+    fault.notes.push_back(block.modal.origin_of(Group::motion));
+    return;
+  }
+  codes.rows[static_cast<std::size_t>(codes.count++)] = motion;
+  codes.words |= motion->words;
+  codes.axis_user = motion;
+}
+
+// Increments are ways to go: other codes than motions have no use for them.
+void check_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
+  if (block.incremental == 0 || codes.axis_user == nullptr) return;
+  const Code& user = *codes.axis_user;
+  const bool moves =
+      user.phase == Phase::motion || user.action == CodeAction::go_to_reference_point;
+  if (moves) return;
+  const char letter = first_letter(block.words.letters & block.channel_words.incremental_letters());
+  block.fail("E4302", {letter, -1, {}},
+             "`" + code_text('G', user.number) + "` cannot take the increment `" + letter + "`",
+             "not here");
+}
+
+// Between G5.2 and G5.3 there are control points, nothing else.
+void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
+  if (!block.modal.curve.open()) return;
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    if (row.action == CodeAction::collect_nurbs_point || row.action == CodeAction::end_nurbs)
+      continue;
+    BlockFault& fault =
+        block.fail("E4312", {row.letter, row.number, {}},
+                   "`" + code_text(row.letter, row.number) + "` inside a NURBS curve",
+                   "the curve is not ended");
+    fault.notes.push_back(block.modal.origin_of(Group::motion));
+    fault.help.emplace_back("end the curve with `G5.3` before");
+    return;
+  }
+}
+
+// A word has one meaning: two codes that use the same letter need a block each. F, S and T are not
+// in question, nor are axis words; functions of the machine builder share P and Q.
+void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
+  LetterSet taken = 0;
+  for (int i = 0; i < codes.count; ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    if (row.action == CodeAction::send_machine_function) continue;
+    const LetterSet wanted = row.words & block.words.letters & ~always_allowed;
+    if (const LetterSet both = taken & wanted; both != 0) {
+      const char letter = first_letter(both);
+      block
+          .fail("E4015", {letter, -1, {}},
+                std::string("`") + letter + "` would be taken by two codes of the block",
+                "meant for which?")
+          .help.push_back("program `" + code_text(row.letter, row.number) +
+                          "` in a block of its own");
+      return;
+    }
+    taken |= wanted;
+  }
+}
+
+void check_unused(ActiveBlock& block, const BlockCodes& codes) {
+  LetterSet allowed = codes.words | always_allowed | block.channel_words.letters() |
+                      block.channel_words.incremental_letters();
+  if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
+  const LetterSet unused = block.words.letters & ~allowed;
+  if (unused != 0) {
+    const BlockFault fault = unused_word(unused, &block.channel);
+    block.fail(fault.code, fault.word, fault.message, fault.label).notes = fault.notes;
+    return;
+  }
+  const bool turns_spindle = block.has('S') || names_spindle(codes);
+  if (block.words.spindle_named && !turns_spindle) {
+    block.fail("E4003", {}, "nothing in this block uses the spindle after `$`", "unused word");
+  }
+  for (const NamedWord& word : block.words.named) {
+    if (block.channel_words.axis_called(word.name) >= 0) continue;
+    if (spindle_of_indexed_speed(word) || is_word_of_spindle_axis(codes, word)) continue;
+    if (is_law_address(word.name)) continue;
+    block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
+               "unused word");
+  }
+}
+
+// In the order of their phases; codes of one phase stay as written.
+void sort_by_phase(BlockCodes& codes) {
+  const auto first = codes.rows.begin();
+  for (auto next = first; next != first + codes.count; ++next) {
+    const auto later = std::upper_bound(
+        first, next, *next, [](const Code* a, const Code* b) { return a->phase < b->phase; });
+    std::rotate(later, next, next + 1);
+  }
+}
+
+void run_actions(ActiveBlock& block, BlockCodes& codes) {
+  sort_by_phase(codes);
+  for (int i = block.actions_done; i < codes.count && !block.failed(); ++i) {
+    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+    function_of(row.action)(block, row.number);
+    const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
+    if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
+      block.set_modal(row.group, row.number);
+    }
+    block.actions_done = i + 1;
+    if (block.awaits_position && block.actions_done < codes.count) return;
+  }
+  block.awaits_position = false;
+}
+
+}  // namespace
+
+void execute_block(ActiveBlock& block) {
+  BlockCodes codes;
+  if (auto fault =
+          resolve_codes(block.words, &block.channel.kind, block.channel_words.dialect(), codes)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  if (auto fault = check_master(block.words, block.channel)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  block.dwell_word = dwell_word(block.words, codes);
+  refuse_while_compensated(block, codes);
+  if (block.failed()) return;
+  apply_units(block, codes);
+  collect_axis_words(block);
+  collect_incremental_words(block, codes);
+  refuse_axes_that_are_spindles(block);
+  if (block.failed()) return;
+  if (auto fault = missing_axes(codes, block.programmed != 0)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  if (auto fault = other_meaning(
+          {block.words, codes, block.channel.kind, block.programmed != 0, &block.modal})) {
+    block.fault = std::move(fault);
+    return;
+  }
+  add_modal_motion(block, codes, block.words.letters & ~codes.words);
+  if (block.failed()) return;
+  if (auto fault = check_feed_law(block.words, codes, block.programmed != 0)) {
+    block.fault = std::move(fault);
+    return;
+  }
+  check_unused(block, codes);
+  check_shared_words(block, codes);
+  check_incremental_words(block, codes);
+  check_open_curve(block, codes);
+  if (block.failed()) return;
+  add_feed_speed_tool(block, codes);
+  run_actions(block, codes);
+}
+
+bool execute_simple_move(ActiveBlock& block, Move& move) {
+  const BlockWords& words = block.words;
+  CodeNumber motion = block.modal.code(Group::motion);
+  if (words.m.count != 0 || words.g.count > 1) return false;
+  if (motion == g(5, 2)) return false;  // inside a NURBS curve
+  if (words.g.count == 1) motion = words.g.numbers[0];
+  if (motion != g(0) && motion != g(1)) return false;
+  const LetterSet axes = words.letters & block.channel_words.letters();
+  if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
+  if (words.has('F')) {
+    if (words.value('F') <= 0.0 || block.modal.feed_law.kind != FeedLaw::Kind::off) return false;
+    set_feed(block);
+  } else if (motion == g(1) && (!block.modal.feed_known || block.modal.feed_programmed <= 0.0)) {
+    return false;
+  }
+  collect_axis_words(block);
+  refuse_axes_that_are_spindles(block);
+  if (block.failed()) return false;
+  move = {};
+  move.kind = motion == g(0) ? MoveKind::rapid : MoveKind::line;
+  resolve_ends(block, move);
+  resolve_modal_feed(block, move);
+  if (block.failed()) return false;
+  advance_position(block, move);
+  if (block.modal.code(Group::motion) != motion) block.set_modal(Group::motion, motion);
+  return true;
+}
+
+}  // namespace stanok::lang

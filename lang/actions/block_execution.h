@@ -1,0 +1,20 @@
+// Executes one ISO block: the rules of a block that need its modal state, then its actions in their
+// fixed order.
+#pragma once
+
+#include "lang/block/active_block.h"
+#include "lang/contract/command.h"
+
+namespace stanok::lang {
+
+// Executes the block: its commands are in block.queue, the modal state is the one after it. On
+// failure block.fault is set and the modal state is of no use any more. A block that awaits the
+// position of the axes is executed in two parts (block.awaits_position).
+void execute_block(ActiveBlock& block);
+
+// The most frequent block straight into its command, past the queue: G0 or G1 (or neither) with
+// axis words and F. False, with the modal state as it was, when the block is not of this kind or
+// has a fault; execute_block then does or explains it.
+[[nodiscard]] bool execute_simple_move(ActiveBlock& block, Move& move);
+
+}  // namespace stanok::lang

@@ -1,0 +1,89 @@
+#include "lang/actions/cycle_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::lang {
+
+std::optional<CycleMoves> CycleMoves::of(ActiveBlock& block, CodeNumber code) {
+  const int x = block.channel_words.geometry_axis(0);
+  const int z = block.channel_words.geometry_axis(2);
+  if (x < 0 || z < 0) {
+    block.fail("E4036", {'G', code, {}}, "the channel lacks X or Z for a turning cycle", "");
+    return std::nullopt;
+  }
+  const auto both = axis_bit(static_cast<std::size_t>(x)) | axis_bit(static_cast<std::size_t>(z));
+  if ((block.programmed & ~both) != 0) {
+    block.fail("E4003", {'G', code, {}}, "turning cycles move X and Z only", "another axis");
+    return std::nullopt;
+  }
+  return CycleMoves(block, static_cast<std::size_t>(x), static_cast<std::size_t>(z));
+}
+
+TurningPoint CycleMoves::position() const {
+  return {block_.modal.position_W[x_], block_.modal.position_W[z_]};
+}
+
+TurningPoint CycleMoves::programmed_end() const {
+  Move move;
+  resolve_ends(block_, move);
+  return {move.end[x_], move.end[z_]};
+}
+
+bool CycleMoves::names_x() const {
+  return (block_.programmed & axis_bit(x_)) != 0;
+}
+
+bool CycleMoves::names_z() const {
+  return (block_.programmed & axis_bit(z_)) != 0;
+}
+
+Move CycleMoves::move_to(MoveKind kind, TurningPoint end) const {
+  const AxisValues& position = block_.modal.position_W;
+  Move move;
+  move.kind = kind;
+  move.end = position;
+  move.end[x_] = end.x;
+  move.end[z_] = end.z;
+  if (end.x != position[x_]) move.words = static_cast<AxisSet>(move.words | axis_bit(x_));
+  if (end.z != position[z_]) move.words = static_cast<AxisSet>(move.words | axis_bit(z_));
+  return move;
+}
+
+void CycleMoves::go(MoveKind kind, TurningPoint end) {
+  Move move = move_to(kind, end);
+  if (move.words == 0 || block_.failed()) return;
+  move.stop_at_end = block_.stop_at_end;
+  resolve_feed(block_, move);
+  if (block_.failed()) return;
+  advance_position(block_, move);
+  block_.queue.emit(move);
+}
+
+void CycleMoves::arc(TurningPoint end, TurningPoint centre, bool counter_clockwise) {
+  Move move = move_to(MoveKind::arc, end);
+  move.words = static_cast<AxisSet>(axis_bit(x_) | axis_bit(z_));
+  move.plane = Plane::zx;
+  move.centre = {centre.z, centre.x};
+  move.counter_clockwise = counter_clockwise;
+  resolve_feed(block_, move);
+  if (block_.failed()) return;
+  advance_position(block_, move);
+  block_.queue.emit(move);
+}
+
+void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle) {
+  const TurningPoint start = position();
+  const double x = std::abs(end.x - start.x);
+  const double z = std::abs(end.z - start.z);
+  SynchronousMove move;
+  move.line = move_to(MoveKind::line, end);
+  if (move.line.words == 0 || block_.failed()) return;
+  move.line.path = block_.modal.path;
+  move.spindle = spindle;
+  move.lead_mm_per_rev = lead_mm * std::hypot(x, z) / std::max(x, z);
+  advance_position(block_, move.line);
+  block_.queue.emit(move);
+}
+
+}  // namespace stanok::lang

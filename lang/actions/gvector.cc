@@ -1,0 +1,301 @@
+#include "lang/actions/gvector.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "lang/feed_law/feed_law_numbers.h"
+#include "lang/text/source.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr std::string_view version = "GV1";
+
+// Where a value stands in the modal state.
+using Member = std::variant<double ModalState::*, int ModalState::*, bool ModalState::*,
+                            AxisValues ModalState::*, double PathControl::*, int ToolLength::*,
+                            std::array<double, 3> ToolLength::*, double ProgrammedRotation::*,
+                            std::array<double, 3> ProgrammedRotation::*,
+                            CoordinateMap ModalState::*, FeedLaw ModalState::*>;
+
+struct Field {
+  StateParts part;
+  std::string_view name;
+  Member member;
+};
+
+const auto fields = std::to_array<Field>({
+    {state_modal, "work_offset", &ModalState::work_offset_number},
+    {state_modal, "tolerance", &PathControl::tolerance_mm},
+    {state_modal, "straightening", &PathControl::straightening_mm},
+    {state_modal, "feed_override", &ModalState::feed_override},
+    {state_modal, "spindle_override", &ModalState::spindle_override},
+    {state_feed, "known", &ModalState::feed_known},
+    {state_feed, "F", &ModalState::feed_programmed},
+    {state_feed, "mm", &ModalState::feed_mm},
+    {state_feed, "law", &ModalState::feed_law},
+    {state_feed, "behind_law", &ModalState::feed_behind_law},
+    {state_spindle, "S", &ModalState::speed_rev_per_min},
+    {state_spindle, "turns", &ModalState::spindle_running},
+    {state_spindle, "cutting_spindle", &ModalState::cutting_spindle},
+    {state_spindle, "cutting_speed", &ModalState::cutting_speed_m_per_min},
+    {state_spindle, "speed_limit", &ModalState::speed_limit_rev_per_min},
+    {state_tool, "T", &ModalState::tool_active},
+    {state_tool, "H", &ToolLength::tool},
+    {state_tool, "length", &ToolLength::offset_mm},
+    {state_tool, "overhang_axis", &ModalState::overhang_axis},
+    {state_tool, "overhang_shift", &ModalState::overhang_shift_mm},
+    {state_frames, "G52", &ModalState::local_shift},
+    {state_frames, "G92", &ModalState::axis_shift},
+    {state_frames, "shifted", &ModalState::axis_shift_active},
+    {state_frames, "turned_about", &ProgrammedRotation::axis},
+    {state_frames, "turned_by", &ProgrammedRotation::angle_deg},
+    {state_frames, "centre", &ProgrammedRotation::centre},
+    {state_frames, "map", &ModalState::map},
+    {state_coolant, "mist", &ModalState::mist},
+    {state_coolant, "flood", &ModalState::flood},
+});
+
+struct Section {
+  StateParts part;
+  std::string_view name;
+};
+constexpr auto sections = std::to_array<Section>({{state_modal, "modal"},
+                                                  {state_feed, "feed"},
+                                                  {state_spindle, "spindle"},
+                                                  {state_tool, "tool"},
+                                                  {state_frames, "frames"},
+                                                  {state_coolant, "coolant"}});
+
+// The part to which the code of a group belongs; 0: not saved.
+StateParts part_of(Group group) {
+  switch (group) {
+    case Group::spindle_mode:
+    case Group::spindle:
+      return state_spindle;
+    case Group::length:
+      return state_tool;
+    case Group::rotation:
+    case Group::scaling:
+    case Group::mirror:
+      return state_frames;
+    default:
+      return group < Group::stop || group == Group::override_control ? state_modal : 0;
+  }
+}
+
+std::uint32_t check_sum(std::string_view text) {
+  std::uint32_t sum = 0xFFFFFFFFU;
+  for (const char c : text) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1U ? 0xEDB88320U : 0U);
+  }
+  return ~sum;
+}
+
+std::string check_sum_text(std::string_view text) {
+  char digits[9];
+  std::snprintf(digits, sizeof digits, "%08x", check_sum(text));
+  return digits;
+}
+
+std::string number_text(double number) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
+  return {text, end};
+}
+
+std::string list_text(std::span<const double> numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ",") + number_text(number);
+  return text;
+}
+
+template <class Owner>
+Owner& owner(ModalState& state) {
+  if constexpr (std::is_same_v<Owner, PathControl>) {
+    return state.path;
+  } else if constexpr (std::is_same_v<Owner, ToolLength>) {
+    return state.length;
+  } else if constexpr (std::is_same_v<Owner, ProgrammedRotation>) {
+    return state.rotation;
+  } else {
+    return state;
+  }
+}
+
+std::string value_text(ModalState& state, const Member& member) {
+  return std::visit(
+      [&]<class Owner, class Type>(Type Owner::* at) -> std::string {
+        const Type& value = owner<Owner>(state).*at;
+        if constexpr (std::is_arithmetic_v<Type>) {
+          return number_text(static_cast<double>(value));
+        } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
+          return list_text(value.numbers());
+        } else if constexpr (std::is_same_v<Type, FeedLaw>) {
+          return list_text(numbers_of(value));
+        } else {
+          return list_text(value);
+        }
+      },
+      member);
+}
+
+// Exactly as many finite numbers as there are places, separated by commas.
+bool read_list(std::string_view text, std::span<double> numbers) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i != 0) {
+      if (at == end || *at != ',') return false;
+      ++at;
+    }
+    const auto [next, error] = fast_float::from_chars(at, end, numbers[i]);
+    if (error != std::errc() || !std::isfinite(numbers[i])) return false;
+    at = next;
+  }
+  return at == end;
+}
+
+bool read_value(std::string_view text, ModalState& state, const Member& member) {
+  return std::visit(
+      [&]<class Owner, class Type>(Type Owner::* at) {
+        Type& value = owner<Owner>(state).*at;
+        if constexpr (std::is_arithmetic_v<Type>) {
+          double number = 0.0;
+          if (!read_list(text, {&number, 1}) || std::abs(number) > 1e12) return false;
+          value = static_cast<Type>(number);
+          return static_cast<double>(value) == number;
+        } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
+          CoordinateMap::Numbers numbers{};
+          return read_list(text, numbers) && value.take(numbers);
+        } else if constexpr (std::is_same_v<Type, FeedLaw>) {
+          std::vector<double> numbers(
+              static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1);
+          const auto law = read_list(text, numbers) ? law_of_numbers(numbers) : std::nullopt;
+          if (law) value = *law;
+          return law.has_value();
+        } else {
+          return read_list(text, value);
+        }
+      },
+      member);
+}
+
+// "G43.4" into its group.
+bool read_code(std::string_view word, StateParts part, ModalState& state) {
+  double number = 0.0;
+  if (!read_list(word.substr(1), {&number, 1}) || number < 0.0 || number > 999.0) return false;
+  const auto tenths = static_cast<CodeNumber>(std::lround(number * 10.0));
+  const Code* const code = find_code(word[0], tenths);
+  if (code == nullptr) return false;
+  bool taken = false;
+  for (std::size_t i = 0; i < group_count; ++i) {
+    const auto group = static_cast<Group>(i);
+    if ((code->groups & group_bit(group)) == 0 || part_of(group) != part) continue;
+    state.set(group, tenths, 0);
+    taken = true;
+  }
+  return taken;
+}
+
+// "F=200" or "G17"
+bool read_word(std::string_view word, StateParts part, ModalState& state) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string_view::npos) return word.size() > 1 && read_code(word, part, state);
+  for (const Field& field : fields) {
+    if (field.part != part || field.name != word.substr(0, equals)) continue;
+    return read_value(word.substr(equals + 1), state, field.member);
+  }
+  return false;
+}
+
+// "feed F=200 mm=200"
+bool read_section(std::string_view text, SavedState& saved) {
+  const std::size_t name_end = text.find(' ');
+  const std::string_view name = text.substr(0, name_end);
+  for (const Section& section : sections) {
+    if (section.name != name || (saved.parts & section.part) != 0) continue;
+    saved.parts |= section.part;
+    for (std::size_t at = name_end; at < text.size();) {
+      const std::size_t end = std::min(text.find(' ', at + 1), text.size());
+      if (!read_word(text.substr(at + 1, end - at - 1), section.part, saved.state)) return false;
+      at = end;
+    }
+    return true;
+  }
+  return false;
+}
+
+// Modes follow from codes, codes of coolant from its state.
+void complete(ModalState& state) {
+  state.set(Group::mist, state.mist ? m(7) : m(9), 0);
+  state.set(Group::flood, state.flood ? m(8) : m(9), 0);
+  const CodeNumber path = state.code(Group::path_mode);
+  state.path.mode = path == g(64)      ? PathMode::continuous
+                    : path == g(61, 1) ? PathMode::exact_stop
+                                       : PathMode::exact_path;
+  const CodeNumber length = state.code(Group::length);
+  state.length.mode = length == g(49)      ? LengthMode::off
+                      : length == g(43, 4) ? LengthMode::tip
+                                           : LengthMode::length;
+  if (state.code(Group::rotation) == g(68)) {
+    state.rotation.rotation = Rotation::about(state.rotation.axis, state.rotation.angle_deg);
+  }
+}
+
+bool is_plausible(const ModalState& state) {
+  const bool turned = state.code(Group::rotation) == g(68);
+  if (turned && state.rotation.axis == std::array<double, 3>{}) return false;
+  return state.overhang_axis >= -1 && state.overhang_axis < axes_max;
+}
+
+}  // namespace
+
+std::string gvector_text(const ModalState& state, StateParts parts) {
+  ModalState values = state;
+  std::string text(version);
+  for (const Section& section : sections) {
+    if ((parts & section.part) == 0) continue;
+    text += ";" + std::string(section.name);
+    for (std::size_t i = 0; i < group_count; ++i) {
+      const auto group = static_cast<Group>(i);
+      const bool named = find_code(letter_of(group), state.code(group)) != nullptr;
+      if (part_of(group) == section.part && named) {
+        text += " " + code_text(letter_of(group), state.code(group));
+      }
+    }
+    for (const Field& field : fields) {
+      if (field.part != section.part) continue;
+      text += " " + std::string(field.name) + "=" + value_text(values, field.member);
+    }
+  }
+  return text + ";crc=" + check_sum_text(text);
+}
+
+std::optional<SavedState> read_gvector(std::string_view text) {
+  const std::size_t tail = text.rfind(";crc=");
+  if (tail == std::string_view::npos || !text.starts_with(version)) return std::nullopt;
+  const std::string_view body = text.substr(0, tail);
+  if (text.substr(tail + 5) != check_sum_text(body)) return std::nullopt;
+  SavedState saved{0, default_modal_state(ChannelKind::mill)};
+  for (std::size_t at = version.size(); at < body.size();) {
+    if (body[at] != ';') return std::nullopt;
+    const std::size_t end = std::min(body.find(';', at + 1), body.size());
+    if (!read_section(body.substr(at + 1, end - at - 1), saved)) return std::nullopt;
+    at = end;
+  }
+  if (!is_plausible(saved.state)) return std::nullopt;
+  complete(saved.state);
+  return saved;
+}
+
+}  // namespace stanok::lang

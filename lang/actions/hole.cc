@@ -1,0 +1,259 @@
+#include "lang/actions/hole.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stanok::lang {
+namespace {
+
+// How far G73 lifts to break the chip, and G83 stays off the last depth when it comes back; as in
+// the NIST interpreter.
+constexpr double peck_lift_mm = 0.254;
+
+// Shorter moves (mm) are rounding of sine and cosine.
+constexpr double move_min_mm = 1e-9;
+
+SpindleAction reversed(SpindleAction turning) {
+  return turning == SpindleAction::clockwise ? SpindleAction::counter_clockwise
+                                             : SpindleAction::clockwise;
+}
+
+SpindleAction turning_of(const ModalState& modal) {
+  return modal.code(Group::spindle) == m(4) ? SpindleAction::counter_clockwise
+                                            : SpindleAction::clockwise;
+}
+
+// K is the lead, on Fanuc controls a number of holes: what F of the same block contradicts, and
+// what can be no lead, is refused.
+bool is_lead(ActiveBlock& block, double speed) {
+  if (!block.has('K')) return true;
+  constexpr double tolerance = 0.01;  // of a feed that was rounded
+  const double lead = block.length('K');
+  const bool by_turn = block.modal.feed_mode() == FeedMode::per_revolution;
+  const double by_feed = by_turn ? block.modal.feed_mm : block.modal.feed_mm / speed;
+  const bool contradicted = block.has('F') && std::abs(by_feed - lead) > tolerance * std::abs(lead);
+  if (lead > 0.0 && !contradicted) return true;
+  BlockFault& fault =
+      block.fail("E4016", {'K', -1, {}},
+                 lead > 0.0 ? "`K`, the lead of the tap, and F contradict each other"
+                            : "`K`, the lead of the tap, must be positive",
+                 "meant for what?");
+  fault.notes.push_back({"on Fanuc controls K is a number of holes: here it is L", {}});
+  fault.help.emplace_back("keep K, the lead, or F, lead times speed");
+  return false;
+}
+
+// Lead of the tap: K, else F of G95, else F of G94 by the speed of the spindle.
+double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
+  const ModalState& modal = block.modal;
+  const double speed = speed_of_spindle(block, spindle);
+  if (speed <= 0.0) {
+    block.fail("E4064", {'G', code, {}}, "tapping without a spindle speed", "no S before")
+        .help.push_back("program S before, e.g. `S300 M3`");
+    return 0.0;
+  }
+  if (!is_lead(block, speed)) return 0.0;
+  double lead = modal.cycle.lead;
+  if (lead <= 0.0 && modal.feed_known) {
+    lead = modal.feed_mode() == FeedMode::per_revolution ? modal.feed_mm : modal.feed_mm / speed;
+  }
+  if (lead <= 0.0) {
+    block.fail("E4066", {'G', code, {}}, "tapping without a lead", "no F and no K")
+        .help.push_back("add the lead, e.g. `K1.5`, or F = lead times speed");
+  }
+  return lead;
+}
+
+}  // namespace
+
+void Hole::go(Move move, double level) {
+  move.words = axis_bit(axis_);
+  move.end = block_.modal.position_W;
+  move.end[axis_] = level;
+  move.stop_at_end = block_.stop_at_end;
+  move.path = block_.modal.path;
+  advance_position(block_, move);
+  block_.queue.emit(move);
+}
+
+void Hole::rapid(double level) {
+  Move move;
+  resolve_feed(block_, move);
+  go(move, level);
+}
+
+void Hole::feed(double level) {
+  Move move;
+  move.kind = MoveKind::line;
+  move.words = axis_bit(axis_);
+  resolve_feed(block_, move);
+  if (!block_.failed()) go(move, level);
+}
+
+void Hole::dwell() {
+  block_.queue.emit(Dwell{block_.modal.cycle.dwell_s});
+}
+
+void Hole::approach(const Move& positioning) {
+  const DrillingCycle& cycle = block_.modal.cycle;
+  if (block_.modal.position_W[axis_] < cycle.retract_level) rapid(cycle.retract_level);
+  if (positioning.words != 0) {
+    Move move = positioning;
+    move.end[axis_] = block_.modal.position_W[axis_];
+    advance_position(block_, move);
+    block_.queue.emit(move);
+  }
+  if (block_.modal.position_W[axis_] > cycle.retract_level) rapid(cycle.retract_level);
+}
+
+void Hole::retract() {
+  const DrillingCycle& cycle = block_.modal.cycle;
+  const bool to_initial = block_.modal.code(Group::return_level) == g(98);
+  const double level =
+      to_initial ? std::max(cycle.initial_level, cycle.retract_level) : cycle.retract_level;
+  if (level != block_.modal.position_W[axis_]) rapid(level);
+}
+
+void Hole::peck(CodeNumber code) {
+  const DrillingCycle& cycle = block_.modal.cycle;
+  double depth = cycle.retract_level;
+  while (!block_.failed()) {
+    depth -= cycle.peck;
+    // A rest that rounding leaves is no peck.
+    if (depth < cycle.bottom + move_min_mm) depth = cycle.bottom;
+    feed(depth);
+    if (depth <= cycle.bottom) return retract();
+    if (code == g(73)) {
+      rapid(depth + peck_lift_mm);
+    } else {
+      rapid(cycle.retract_level);
+      rapid(std::min(depth + peck_lift_mm, cycle.retract_level));
+    }
+  }
+}
+
+void Hole::bore_out(CodeNumber code) {
+  const DrillingCycle& cycle = block_.modal.cycle;
+  feed(cycle.bottom);
+  if (block_.failed()) return;
+  if (code == g(82) || code == g(86) || code == g(89)) dwell();
+  if (code == g(85) || code == g(89)) feed(cycle.retract_level);
+  if (code != g(86)) return retract();
+  SpindleCommand spindle;
+  block_.queue.emit(spindle);
+  retract();
+  spindle.action = turning_of(block_.modal);
+  spindle.speed_rev_per_min = block_.modal.speed_rev_per_min;
+  block_.queue.emit(spindle);
+}
+
+void Hole::tap(CodeNumber code) {
+  const auto spindle = named_spindle(block_);
+  if (!spindle) return;
+  const double lead_mm = lead_of(block_, *spindle, code);
+  if (block_.failed()) return;
+  const SpindleAction turning =
+      code == g(84) ? SpindleAction::clockwise : SpindleAction::counter_clockwise;
+  if (!spindle_turns(block_, *spindle) || turning_of(block_.modal) != turning) {
+    turn_spindle(block_, *spindle, turning);
+    block_.set_modal(Group::spindle, code == g(84) ? m(3) : m(4));
+  }
+  if (spindle_has_position(block_, *spindle)) {
+    tap_rigidly(*spindle, lead_mm);
+  } else {
+    tap_with_floating_chuck(*spindle, turning, lead_mm);
+  }
+  retract();
+}
+
+// The channel reverses the spindle at the bottom and comes back to where the move begins.
+void Hole::tap_rigidly(int spindle, double lead_mm) {
+  const DrillingCycle& cycle = block_.modal.cycle;
+  SynchronousMove move;
+  move.kind = SynchronousMove::Kind::rigid_tap;
+  move.line.kind = MoveKind::line;
+  move.line.words = axis_bit(axis_);
+  move.line.end = block_.modal.position_W;
+  move.line.end[axis_] = cycle.bottom;
+  move.line.path = block_.modal.path;
+  move.spindle = spindle;
+  move.lead_mm_per_rev = lead_mm;
+  move.dwell_s = std::max(cycle.dwell_s, 0.0);
+  block_.queue.emit(move);
+}
+
+// The chuck takes up what feed and spindle differ by; overrides would make that too much.
+void Hole::tap_with_floating_chuck(int spindle, SpindleAction turning, double lead_mm) {
+  const DrillingCycle& cycle = block_.modal.cycle;
+  const double speed = speed_of_spindle(block_, spindle);
+  Move move;
+  move.kind = MoveKind::line;
+  move.is_tap = true;
+  move.feed_mode = block_.modal.feed_mode();
+  move.feed = move.feed_mode == FeedMode::per_revolution ? lead_mm : lead_mm * speed;
+  SpindleCommand command{
+      .spindle = spindle, .action = reversed(turning), .speed_rev_per_min = speed};
+  OverrideControl off = override_control_of(block_.modal);
+  off.feed_enabled = false;
+  off.spindle_enabled = false;
+  block_.queue.emit(off);
+  go(move, cycle.bottom);
+  if (cycle.dwell_s > 0.0) dwell();
+  block_.queue.emit(command);
+  go(move, cycle.retract_level);
+  command.action = turning;
+  block_.queue.emit(command);
+  block_.queue.emit(override_control_of(block_.modal));
+}
+
+// Rapid by a vector in the plane.
+void Hole::shift(double first, double second) {
+  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
+  const auto& plane = coordinates[static_cast<std::size_t>(block_.modal.plane())];
+  const double by[] = {first, second};
+  Move move;
+  move.end = block_.modal.position_W;
+  move.path = block_.modal.path;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const int axis = block_.channel_words.geometry_axis(plane[k]);
+    if (axis < 0 || std::abs(by[k]) < move_min_mm) continue;
+    move.end[static_cast<std::size_t>(axis)] += by[k];
+    move.words = static_cast<AxisSet>(move.words | axis_bit(static_cast<std::size_t>(axis)));
+  }
+  advance_position(block_, move);
+  block_.queue.emit(move);
+}
+
+// The spindle stops at the angle of the last M19, and the tool goes away from its edge by Q: at
+// angle 0 the edge points along the first axis of the plane, angles run to the second one.
+void Hole::bore_finely() {
+  const ModalState& modal = block_.modal;
+  const double angle = modal.orient_angle_deg * std::numbers::pi / 180.0;
+  feed(modal.cycle.bottom);
+  if (block_.failed()) return;
+  if (modal.cycle.dwell_s > 0.0) dwell();
+  SpindleCommand spindle{.action = SpindleAction::orient,
+                         .speed_rev_per_min = modal.speed_rev_per_min,
+                         .angle_deg = modal.orient_angle_deg};
+  block_.queue.emit(spindle);
+  const AxisValues over_hole = modal.position_W;
+  shift(-modal.cycle.peck * std::cos(angle), -modal.cycle.peck * std::sin(angle));
+  retract();
+  Move back;
+  back.end = over_hole;
+  back.end[axis_] = modal.position_W[axis_];
+  back.path = modal.path;
+  for (std::size_t k = 0; k < back.end.size(); ++k) {
+    if (back.end[k] != modal.position_W[k]) {
+      back.words = static_cast<AxisSet>(back.words | axis_bit(k));
+    }
+  }
+  advance_position(block_, back);
+  block_.queue.emit(back);
+  spindle.action = turning_of(modal);
+  spindle.angle_deg = 0.0;
+  block_.queue.emit(spindle);
+}
+
+}  // namespace stanok::lang

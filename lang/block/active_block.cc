@@ -1,0 +1,27 @@
+#include "lang/block/active_block.h"
+
+#include <cmath>
+
+#include "lang/text/number.h"
+
+namespace stanok::lang {
+
+BlockFault& ActiveBlock::fail(std::string_view code, WordName word, std::string message,
+                              std::string label) {
+  if (!fault) fault = fault_at(code, std::move(word), std::move(message), std::move(label));
+  return *fault;
+}
+
+std::optional<int> ActiveBlock::integer(char letter, int smallest, int largest) {
+  const double number = value(letter);
+  if (is_integer(number) && number >= smallest - 0.5 && number <= largest + 0.5) {
+    return static_cast<int>(std::lround(number));
+  }
+  fail("E4008", {letter, -1, {}},
+       std::string("`") + letter + "` must be a whole number from " + std::to_string(smallest) +
+           " to " + std::to_string(largest),
+       "out of range");
+  return std::nullopt;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,115 @@
+// One ISO block while it is executed: what its actions read and change.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "lang/block/command_queue.h"
+#include "lang/block/modal_state.h"
+#include "lang/block/probe_result.h"
+#include "lang/block/state_stack.h"
+#include "lang/contract/environment.h"
+#include "lang/words/block_fault.h"
+#include "lang/words/block_words.h"
+#include "lang/words/channel_words.h"
+
+namespace stanok::lang {
+
+// What a block does to the flow of the program after its own effects.
+enum class Flow : std::uint8_t {
+  next,
+  end_of_program,
+  call_numbered,
+  return_from_subprogram,
+  behind_line,  // on behind `flow_line`
+  run_contour,  // the lines from `contour_line` to `flow_line`, then back to where the tool stands
+};
+
+// Blocks N first to N last of the text at hand, for cycles that refer to a contour.
+struct Contour {
+  struct Block {
+    BlockWords words;
+    Origin origin;
+  };
+  std::vector<Block> blocks;
+  std::string problem;  // why there is none
+};
+
+class ContourSource {
+ public:
+  virtual ~ContourSource() = default;
+  [[nodiscard]] virtual Contour contour(int first, int last) = 0;
+};
+
+// What lies around a block: its channel, and where its effects go.
+struct BlockSurroundings {
+  ModalState& modal;
+  const ChannelWords& channel_words;
+  const ChannelDescription& channel;
+  Tables& tables;
+  CommandQueue& queue;
+  ProbeResult& probe;
+  StateStack& states;
+  ContourSource* contours = nullptr;
+};
+
+struct ActiveBlock : BlockSurroundings {
+  ActiveBlock(const BlockWords& block_words, const BlockSurroundings& surroundings,
+              std::uint32_t block_line)
+      : BlockSurroundings(surroundings), words(block_words), line(block_line) {}
+
+  const BlockWords& words;
+  std::uint32_t line = 0;
+
+  // The axis words in mm and deg (radius), as programmed: neither G91 nor offsets are applied.
+  AxisSet programmed = 0;
+  AxisSet incremental = 0;  // those of them that are given from the position, whatever G90 says
+  AxisValues values{};
+
+  bool machine_coordinates = false;  // G53
+  bool stop_at_end = false;          // G9
+  char dwell_word = 0;               // the word that holds G4's time; 0 without G4
+  double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
+
+  // An action after which the position is known only when the axes stand (tip control, M902, G12.1)
+  // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions
+  // are done, and the block is to be executed again with this number when the position is known.
+  bool awaits_position = false;
+  int actions_done = 0;
+
+  GroupSet kept_groups = 0;  // of which the block's code does not become the active one
+
+  Flow flow = Flow::next;
+  CodeNumber flow_code = 0;  // M98 or M198
+  ProgramEndKind end_kind = ProgramEndKind::end;
+  std::uint32_t flow_line = 0;
+  std::uint32_t contour_line = 0;
+
+  std::optional<BlockFault> fault;
+
+  // Records why the block fails; the first reason stands. The result may be completed.
+  BlockFault& fail(std::string_view code, WordName word, std::string message,
+                   std::string label = {});
+  [[nodiscard]] bool failed() const { return fault.has_value(); }
+
+  [[nodiscard]] bool has(char letter) const { return words.has(letter); }
+  [[nodiscard]] double value(char letter) const { return words.value(letter); }
+  // mm per unit of programmed lengths
+  [[nodiscard]] double length_unit() const { return modal.inches() ? mm_per_inch : 1.0; }
+  // A length word in mm.
+  [[nodiscard]] double length(char letter) const { return value(letter) * length_unit(); }
+  // The integer in a word, within limits; fails the block otherwise.
+  [[nodiscard]] std::optional<int> integer(char letter, int smallest, int largest);
+  void set_modal(Group group, CodeNumber number) { modal.set(group, number, line); }
+};
+
+// The block has a word for this axis.
+[[nodiscard]] inline bool is_programmed(const ActiveBlock& block, std::size_t axis) {
+  return (block.programmed & axis_bit(axis)) != 0;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,54 @@
+#include "lang/block/axis_words.h"
+
+namespace stanok::lang {
+namespace {
+
+// Takes the value of an axis word, in mm and deg. False when the axis has one already.
+bool take_axis_value(ActiveBlock& block, std::size_t axis, double value) {
+  const AxisDescription& description = block.channel.axes[axis];
+  if (is_length(block, axis)) value *= block.length_unit();
+  if (block.modal.diameters() && description.geometry == 0) value *= 0.5;
+  const bool first = (block.programmed & axis_bit(axis)) == 0;
+  block.programmed = static_cast<AxisSet>(block.programmed | axis_bit(axis));
+  block.values[axis] = value;
+  return first;
+}
+
+}  // namespace
+
+bool is_length(const ActiveBlock& block, std::size_t axis) {
+  return !block.channel.axes[axis].rotary || block.modal.face_axis() == static_cast<int>(axis);
+}
+
+void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
+  const LetterSet letters =
+      block.words.letters & block.channel_words.incremental_letters() & ~codes.words;
+  for (const char letter : {'U', 'V', 'W'}) {
+    if ((letters & letter_bit(letter)) == 0 || block.dwell_word == letter) continue;
+    const std::size_t axis = block.channel_words.axis(letter_index(letter));
+    if (!take_axis_value(block, axis, block.value(letter))) {
+      block.fail("E4001", {letter, -1, {}},
+                 "axis `" + block.channel.axes[axis].word + "` is programmed twice",
+                 "the same axis, incremental");
+    }
+    block.incremental = static_cast<AxisSet>(block.incremental | axis_bit(axis));
+  }
+}
+
+void collect_axis_words(ActiveBlock& block) {
+  LetterSet letters = block.words.letters & block.channel_words.letters();
+  if (block.dwell_word != 0) letters &= ~letter_bit(block.dwell_word);
+  for (int i = 0; letters != 0; ++i, letters >>= 1) {
+    if ((letters & 1U) == 0) continue;
+    const double value = block.words.values[static_cast<std::size_t>(i)];
+    static_cast<void>(take_axis_value(block, block.channel_words.axis(i), value));
+  }
+  for (const NamedWord& word : block.words.named) {
+    const int axis = block.channel_words.axis_called(word.name);
+    if (axis >= 0) {
+      static_cast<void>(take_axis_value(block, static_cast<std::size_t>(axis), word.value));
+    }
+  }
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,15 @@
+// The axis words of a block: their values in mm and deg (radius), as programmed.
+#pragma once
+
+#include "lang/block/block_codes.h"
+
+namespace stanok::lang {
+
+// Takes the axis words out of the block: those of the axes' own names, then U, V
+// and W of a lathe channel, as far as no code of the block uses them otherwise.
+void collect_axis_words(ActiveBlock& block);
+void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes);
+// Whether an axis is programmed in mm: all that are not rotary, and C on the polar face.
+[[nodiscard]] bool is_length(const ActiveBlock& block, std::size_t axis);
+
+}  // namespace stanok::lang

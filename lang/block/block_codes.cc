@@ -1,0 +1,149 @@
+#include "lang/block/block_codes.h"
+
+#include <algorithm>
+
+#include "lang/words/later_word.h"
+
+namespace stanok::lang {
+namespace {
+
+std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
+  const std::string name = code_text(code.letter, code.number);
+  const WordName word{code.letter, code.number, {}};
+  if (kind == ChannelKind::master && code.availability != Availability::everywhere) {
+    return fault_at("E4009", word, "`" + name + "` on a master channel",
+                    "a master channel has no axes and no spindle");
+  }
+  const bool other_on_lathe = code.letter == 'G' && (code.number == g(73) || code.number == g(74));
+  if (kind == ChannelKind::lathe && other_on_lathe) {
+    return fault_at("E2090", word, "`" + name + "` is not supported in this release",
+                    code.number == g(73) ? "pattern repeating" : "face pecking cycle");
+  }
+  if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
+    BlockFault fault =
+        fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
+    if (code.number == g(84)) fault.help.emplace_back("tap with `G33.1`, e.g. `G33.1 Z-12 K1.25`");
+    return fault;
+  }
+  if (kind != ChannelKind::lathe && code.availability == Availability::lathe_only) {
+    return fault_at("E4009", word, "`" + name + "` exists on lathe channels only", "");
+  }
+  return std::nullopt;
+}
+
+// G80 beside G0 to G3 is customary and says nothing more: they end a cycle as well. True when `row`
+// is such a G80; one that came before is taken out.
+bool only_ends_cycle(BlockCodes& codes, const Code& row) {
+  constexpr CodeNumber end_of_cycle = g(80);
+  constexpr CodeNumber last_plain_motion = g(3);
+  for (int i = 0; i < codes.count; ++i) {
+    auto* const place = codes.rows.begin() + i;
+    if ((*place)->group != Group::motion || row.group != Group::motion) continue;
+    if (row.number == end_of_cycle) return (*place)->number <= last_plain_motion;
+    if ((*place)->number != end_of_cycle || row.number > last_plain_motion) return false;
+    std::copy(place + 1, codes.rows.begin() + codes.count, place);
+    --codes.count;
+    codes.groups &= ~group_bit(Group::motion);
+    return false;
+  }
+  return false;
+}
+
+// G5 and G5.1 without axis words are no curves.
+const Code high_speed_by_p{'G',
+                           g(5),
+                           Group::none,
+                           0,
+                           Phase::path_mode,
+                           AxisWords::unused,
+                           letters_of("P"),
+                           Availability::everywhere,
+                           CodeAction::accept_high_speed,
+                           "look-ahead switch"};
+const Code high_speed_by_q{'G',
+                           g(5, 1),
+                           Group::none,
+                           0,
+                           Phase::path_mode,
+                           AxisWords::unused,
+                           letters_of("Q"),
+                           Availability::everywhere,
+                           CodeAction::accept_high_speed,
+                           "look-ahead switch"};
+
+const Code* row_of(char letter, CodeNumber number, const BlockWords& words) {
+  const bool switch_only =
+      words.named.empty() && (words.letters & (customary_axis_letters | letters_of("IJ"))) == 0;
+  if (letter == 'G' && number == g(5) && switch_only && !words.has('Q')) return &high_speed_by_p;
+  if (letter == 'G' && number == g(5, 1) && switch_only) return &high_speed_by_q;
+  return find_code(letter, number);
+}
+
+std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
+                                   const BlockWords& words, const ChannelKind* kind,
+                                   const ChannelDialect& dialect) {
+  if (number == code_computed_later) return std::nullopt;
+  const Code* row = row_of(letter, number, words);
+  if (row == nullptr) row = dialect.output(letter, number);
+  const std::string name = code_text(letter, number);
+  const WordName word{letter, number, {}};
+  if (row == nullptr) {
+    return fault_at("E4004", word, "unknown code `" + name + "`", "no such code");
+  }
+  if (row->action == CodeAction::unsupported) {
+    BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
+                                std::string(row->title));
+    if (const LaterWord* later = find_later_word(name)) fault.help.emplace_back(later->instead);
+    return fault;
+  }
+  if (kind != nullptr) {
+    if (auto fault = unavailable(*row, *kind)) return fault;
+  }
+  if (only_ends_cycle(codes, *row)) return std::nullopt;
+  if ((codes.groups & row->groups) != 0) {
+    for (int i = 0; i < codes.count; ++i) {
+      const Code& other = *codes.rows[static_cast<std::size_t>(i)];
+      if ((other.groups & row->groups) == 0) continue;
+      return fault_at(
+          "E4002", word,
+          "`" + code_text(other.letter, other.number) + "` and `" + name + "` in one block",
+          "both belong to the same modal group");
+    }
+  }
+  codes.rows[static_cast<std::size_t>(codes.count++)] = row;
+  codes.groups |= row->groups;
+  codes.words |= row->words;
+  return std::nullopt;
+}
+
+// Rule: the axis words of a block belong to one code.
+std::optional<BlockFault> find_axis_user(BlockCodes& codes) {
+  for (int i = 0; i < codes.count; ++i) {
+    const Code* const row = codes.rows[static_cast<std::size_t>(i)];
+    if (row->axes == AxisWords::unused) continue;
+    if (codes.axis_user != nullptr) {
+      return fault_at("E4006", {row->letter, row->number, {}},
+                      "`" + code_text(codes.axis_user->letter, codes.axis_user->number) +
+                          "` and `" + code_text(row->letter, row->number) +
+                          "` both use the axis words",
+                      "only one code of a block can have them");
+    }
+    codes.axis_user = row;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKind* kind,
+                                        const ChannelDialect& dialect, BlockCodes& codes) {
+  for (const CodeNumber number : words.g) {
+    if (auto fault = add_code(codes, 'G', number, words, kind, dialect)) return fault;
+  }
+  for (const CodeNumber number : words.m) {
+    if (auto fault = add_code(codes, 'M', number, words, kind, dialect)) return fault;
+  }
+  return find_axis_user(codes);
+}
+
+}  // namespace stanok::lang

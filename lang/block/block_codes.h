@@ -1,0 +1,41 @@
+// The rows of the codes of a block: which exist and are available here, which exclude each other,
+// which one takes the axis words.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "lang/block/active_block.h"
+#include "lang/contract/environment.h"
+#include "lang/words/block_fault.h"
+#include "lang/words/block_words.h"
+#include "lang/words/channel_dialect.h"
+#include "lang/words/code_table.h"
+
+namespace stanok::lang {
+
+// The rows of all codes of a block and what they claim together.
+struct BlockCodes {
+  static constexpr int capacity = 2 * CodeList::capacity + 5;  // + F, law, S, T, modal motion
+  std::array<const Code*, capacity> rows{};
+  int count = 0;
+  GroupSet groups = 0;
+  LetterSet words = 0;
+  const Code* axis_user = nullptr;  // the code that takes the axis words
+
+  [[nodiscard]] bool has(Group group) const { return (groups & group_bit(group)) != 0; }
+};
+
+// The rows of all codes of a block and the one that takes its axis words, or why they do not go
+// together. `kind` nullptr: on any channel.
+[[nodiscard]] std::optional<BlockFault> resolve_codes(const BlockWords& words,
+                                                      const ChannelKind* kind,
+                                                      const ChannelDialect& dialect,
+                                                      BlockCodes& codes);
+
+// The rows of F, S and T, as far as no code of the block has them as its own (feed_speed_tool.cc).
+void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes);
+// Whether a code of the block can be meant for the spindle that `$` names.
+[[nodiscard]] bool names_spindle(const BlockCodes& codes);
+
+}  // namespace stanok::lang

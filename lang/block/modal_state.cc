@@ -1,0 +1,74 @@
+#include "lang/block/modal_state.h"
+
+#include <cmath>
+#include <string>
+
+namespace stanok::lang {
+ModalState default_modal_state(ChannelKind kind) {
+  ModalState state;
+  state.codes = default_codes(kind);
+  return state;
+}
+
+Note ModalState::origin_of(Group group) const {
+  const std::uint32_t line = lines[static_cast<std::size_t>(group)];
+  const std::string code_name = code_text(letter_of(group), code(group));
+  if (line == 0) return {code_name + " is active by default", {}};
+  return {code_name + " is active since line " + std::to_string(line), {}};
+}
+
+Plane ModalState::plane() const {
+  switch (code(Group::plane)) {
+    case g(18):
+      return Plane::zx;
+    case g(19):
+      return Plane::yz;
+    default:
+      return Plane::xy;
+  }
+}
+
+FeedMode ModalState::feed_mode() const {
+  switch (code(Group::feed_mode)) {
+    case g(93):
+      return FeedMode::inverse_time;
+    case g(95):
+      return FeedMode::per_revolution;
+    default:
+      return FeedMode::per_minute;
+  }
+}
+
+WorkFrame ModalState::frame() const {
+  AxisValues shift = local_shift;
+  for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
+  const auto turned_centre = rotation.rotation.turned(rotation.centre);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (geometry[k] < 0 || rotation.rotation.is_identity()) continue;
+    shift[static_cast<std::size_t>(geometry[k])] += rotation.centre[k] - turned_centre[k];
+  }
+  WorkFrame frame{turned(work_offset_rotation, geometry, shift),
+                  work_offset_rotation * rotation.rotation, geometry};
+  for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
+  if (overhang_axis >= 0)
+    frame.offset[static_cast<std::size_t>(overhang_axis)] -= overhang_shift_mm;
+  return frame;
+}
+
+void ModalState::reexpress_position(const WorkFrame& before) {
+  adopt_position(before.base_from_work(position_W));
+}
+
+void ModalState::adopt_position(const AxisValues& position_B) {
+  const AxisValues position = frame().work_from_base(position_B);
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    if (std::abs(position[i] - position_W[i]) > position_noise) position_W[i] = position[i];
+  }
+}
+
+void ModalState::shift_position(const AxisValues& distance_B) {
+  const AxisValues distance_W = turned_back(frame().rotation, geometry, distance_B);
+  for (std::size_t i = 0; i < distance_W.size(); ++i) position_W[i] += distance_W[i];
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,80 @@
+#include "lang/block/mode_exclusion.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/assert.h"
+
+namespace stanok::lang {
+namespace {
+
+struct ExcludedMode {
+  Exclusion exclusion;
+  Group group;
+  std::string_view name;
+  std::string_view remedy;
+};
+
+constexpr ExcludedMode modes[] = {
+    {Exclusion::radius_compensation, Group::radius_compensation, "radius compensation is active",
+     "switch it off with `G40` before"},
+    {Exclusion::tip_control, Group::length, "the tool tip is controlled",
+     "switch it off with `G49` before"},
+    {Exclusion::transformation, Group::transformation,
+     "a face or cylinder transformation is active", "switch it off with `G13.1` before"},
+    {Exclusion::drilling_cycle, Group::motion, "a drilling cycle is active",
+     "end it with `G80` before"},
+    {Exclusion::inverse_time, Group::feed_mode, "the feed is an inverse time",
+     "program `G94` or `G95` before"},
+    {Exclusion::rotation, Group::rotation, "the coordinate system is turned",
+     "end it with `G69` before"},
+};
+
+bool is_active(const ModalState& modal, Exclusion exclusion) {
+  switch (exclusion) {
+    case Exclusion::radius_compensation:
+      return modal.code(Group::radius_compensation) != g(40);
+    case Exclusion::tip_control:
+      return modal.length.mode == LengthMode::tip;
+    case Exclusion::transformation:
+      return modal.code(Group::transformation) != g(13, 1);
+    case Exclusion::drilling_cycle: {
+      const CodeNumber code = modal.code(Group::motion);
+      return code == g(73) || code == g(74) || code == g(76) || (code > g(80) && code <= g(89));
+    }
+    case Exclusion::inverse_time:
+      return modal.feed_mode() == FeedMode::inverse_time;
+    case Exclusion::rotation:
+      return modal.code(Group::rotation) != g(69);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<ActiveMode> active_mode(const ModalState& modal,
+                                      std::initializer_list<Exclusion> exclusions) {
+  for (const Exclusion exclusion : exclusions) {
+    if (!is_active(modal, exclusion)) continue;
+    const auto* const mode =
+        std::find_if(std::begin(modes), std::end(modes),
+                     [exclusion](const ExcludedMode& one) { return one.exclusion == exclusion; });
+    STANOK_ASSERT(mode != std::end(modes));
+    return ActiveMode{mode->name, mode->remedy, modal.origin_of(mode->group)};
+  }
+  return std::nullopt;
+}
+
+bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
+                      std::initializer_list<Exclusion> exclusions, char letter) {
+  const auto mode = active_mode(block.modal, exclusions);
+  if (!mode) return false;
+  BlockFault& fault = block.fail(
+      "E4301", {letter, code, {}},
+      "`" + code_text(letter, code) + "` while " + std::string(mode->name), "not in this mode");
+  fault.notes.push_back(mode->set_by);
+  fault.help.emplace_back(mode->remedy);
+  return true;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,126 @@
+#include "lang/block/other_controls.h"
+
+#include <algorithm>
+#include <string>
+
+#include "lang/words/named_address.h"
+
+namespace stanok::lang {
+namespace {
+
+enum class Channels : std::uint8_t { all, lathes };
+
+// A code without axis words of its own, which leaves those of its block to the active motion; on
+// another control it takes them.
+struct TakesAxisWordsElsewhere {
+  CodeNumber code;
+  Channels channels;
+  std::string_view meaning;  // there
+  std::string_view remedy;
+};
+
+constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
+    {g(20), Channels::lathes, "in code system C of Fanuc lathes it is a turning cycle",
+     "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
+    {g(21), Channels::lathes, "in code system C of Fanuc lathes it is a thread cycle",
+     "the cycle is `G78`; to move, write `G0` or `G1` into the block"},
+    {g(28, 1), Channels::all, "on other controls it goes there",
+     "the way to a reference point is `G28`; to move, write `G0` or `G1` into the block"},
+    {g(30, 1), Channels::all, "on Fanuc controls it goes to a floating reference point",
+     "the way to a reference point is `G30`; to move, write `G0` or `G1` into the block"},
+    {g(50), Channels::lathes, "in code system A of Fanuc lathes it sets the coordinates",
+     "set them with `G92`; to move, write `G0` or `G1` into the block"},
+    {g(60), Channels::all, "on Fanuc mills it is a positioning from one side",
+     "write `G0` or `G1` into the block"},
+    {g(90), Channels::lathes, "in code system A of Fanuc lathes it is a turning cycle",
+     "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
+    {g(92, 1), Channels::all, "on Fanuc controls it sets the coordinates",
+     "set them with `G92`; to move, write `G0` or `G1` into the block"},
+    {g(94), Channels::lathes, "in code system A of Fanuc lathes it is a facing cycle",
+     "the cycle is `G79`; to move, write `G0` or `G1` into the block"},
+};
+
+BlockFault two_meanings(WordName word, std::string message, std::string_view meaning,
+                        std::string_view remedy) {
+  BlockFault fault = fault_at("E4016", std::move(word), std::move(message), "meant for what?");
+  fault.notes.push_back({std::string(meaning), {}});
+  fault.help.emplace_back(remedy);
+  return fault;
+}
+
+// G90 behind G91 says something: there it is no cycle.
+bool confirms_absolute(const BlockMeaning& block) {
+  return block.modal != nullptr && !block.modal->incremental();
+}
+
+std::optional<BlockFault> axis_words_of_another_code(const BlockMeaning& block) {
+  if (!block.has_axis_words || block.codes.axis_user != nullptr) return std::nullopt;
+  for (const TakesAxisWordsElsewhere& row : takes_axis_words) {
+    if (!block.words.g.has(row.code)) continue;
+    if (row.channels == Channels::lathes && block.kind != ChannelKind::lathe) continue;
+    if (row.code == g(90) && !confirms_absolute(block)) continue;
+    return two_meanings(code_word(row.code),
+                        "`" + code_text('G', row.code) + "` with axis words and no motion code",
+                        row.meaning, row.remedy);
+  }
+  return std::nullopt;
+}
+
+std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
+  const bool lathe = block.kind == ChannelKind::lathe;
+  for (const CodeNumber code : {g(50), g(92)}) {
+    if (!block.words.g.has(code)) continue;
+    const bool indexed = std::any_of(
+        block.words.named.begin(), block.words.named.end(),
+        [](const NamedWord& word) { return spindle_of_indexed_speed(word).has_value(); });
+    if (!indexed && (lathe || !block.words.has('S'))) continue;
+    return two_meanings(code_word(code), "`" + code_text('G', code) + "` with a spindle speed",
+                        "on lathes it limits the speed of `G96`",
+                        lathe ? "limit the speed with `S` alone, e.g. `G92 S2500`"
+                              : "the limit is D of `G96`; set a speed in a block of its own");
+  }
+  return std::nullopt;
+}
+
+std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
+  if (block.kind != ChannelKind::lathe) return std::nullopt;
+  for (const CodeNumber code : {g(98), g(99)}) {
+    if (!block.words.g.has(code)) continue;
+    return two_meanings(
+        code_word(code), "`" + code_text('G', code) + "` means nothing on a lathe channel",
+        code == g(98)
+            ? "in code system A of Fanuc lathes it is the feed per minute, elsewhere a "
+              "return level of drilling cycles"
+            : "in code system A of Fanuc lathes it is the feed per revolution, elsewhere a "
+              "return level of drilling cycles",
+        code == g(98) ? "the feed per minute is `G94`" : "the feed per revolution is `G95`");
+  }
+  if (block.words.g.has(g(92)) && block.has_axis_words && block.words.has('F')) {
+    return two_meanings({'F', -1, {}}, "`G92` with axis words and F on a lathe channel",
+                        "in code system A of Fanuc lathes it is a thread cycle, here it sets the "
+                        "coordinates of the point",
+                        "the cycle is `G78`; to set coordinates, leave F out");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BlockFault> other_meaning(const BlockMeaning& block) {
+  if (auto fault = code_of_lathes(block)) return fault;
+  if (auto fault = speed_limit_of_a_lathe(block)) return fault;
+  return axis_words_of_another_code(block);
+}
+
+void refuse_thousandths(ActiveBlock& block, char letter, double largest, std::string_view what) {
+  const bool whole = (block.words.whole & letter_bit(letter)) != 0;
+  if (!block.has(letter) || !whole || block.value(letter) < largest) return;
+  std::string message = "`" + std::string(1, letter) + "` is ";
+  message.append(what).append(" of ");
+  message.append(std::to_string(static_cast<long long>(block.value(letter))));
+  BlockFault& fault = block.fail("E4016", {letter, -1, {}}, std::move(message), "thousandths?");
+  fault.notes.push_back({"Fanuc controls count this word in thousandths when it has no point", {}});
+  fault.help.emplace_back("write the number with its decimal point, in the units of the program");
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,218 @@
+#include "lang/block/predefined_parameter.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lang/block/point_parameter.h"
+
+namespace stanok::lang {
+namespace {
+
+// First numbers of the blocks, one parameter per axis.
+constexpr int axis_shift_first = 5211;   // G92
+constexpr int work_offset_first = 5221;  // G54; the next system 20 further on
+constexpr int work_offset_step = 20;
+constexpr int work_offset_rotation = 9;  // behind the axes of a system
+constexpr int work_offset_count = 9;     // G54 to G59.3
+constexpr int tool_offset_first = 5401;
+constexpr int position_first = 5420;
+
+const ModalState& modal_of(const ParameterView& view) {
+  return view.around.modal;
+}
+
+// The value of the axis called `letter`; 0 where the channel has none.
+double of_axis(const BlockSurroundings& around, char letter, const AxisValues& values) {
+  const int axis = around.channel_words.axis_called(std::string_view(&letter, 1));
+  if (axis < 0) return 0.0;
+  return as_programmed(around, static_cast<std::size_t>(axis),
+                       values[static_cast<std::size_t>(axis)]);
+}
+
+template <Group Which>
+double code_of(const ParameterView& view) {
+  return modal_of(view).code(Which);
+}
+
+template <Group Which, CodeNumber Number>
+double has_code(const ParameterView& view) {
+  return modal_of(view).code(Which) == Number ? 1.0 : 0.0;
+}
+
+template <bool ModalState::* Flag>
+double flag(const ParameterView& view) {
+  return modal_of(view).*Flag ? 1.0 : 0.0;
+}
+
+double position_of(const BlockSurroundings& around, char letter) {
+  const int axis = around.channel_words.axis_called(std::string_view(&letter, 1));
+  return axis < 0 ? 0.0 : programmed_position(around, static_cast<std::size_t>(axis));
+}
+
+template <char Letter>
+double position(const ParameterView& view) {
+  return position_of(view.around, Letter);
+}
+
+double spindle_runs(const ParameterView& view) {
+  return modal_of(view).spindle_running ? 1.0 : 0.0;
+}
+
+double spindle_runs_clockwise(const ParameterView& view) {
+  const ModalState& modal = modal_of(view);
+  return modal.spindle_running && modal.code(Group::spindle) == m(3) ? 1.0 : 0.0;
+}
+
+double active_tool(const ParameterView& view) {
+  return modal_of(view).tool_active;
+}
+
+double prepared_tool(const ParameterView& view) {
+  return std::max(modal_of(view).tool_prepared, 0);
+}
+
+// A program that is interpreted here is always meant for its machine.
+double always(const ParameterView&) {
+  return 1.0;
+}
+
+constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
+    {"_line", [](const ParameterView& view) { return static_cast<double>(view.line); }},
+    {"_call_level", [](const ParameterView& view) { return static_cast<double>(view.call_level); }},
+    {"_value", [](const ParameterView& view) { return view.value; }},
+    {"_value_returned", [](const ParameterView& view) { return view.value_returned ? 1.0 : 0.0; }},
+    {"_task", always},
+    {"_motion_mode", code_of<Group::motion>},
+    {"_plane", code_of<Group::plane>},
+    {"_ccomp", code_of<Group::radius_compensation>},
+    {"_coord_system", code_of<Group::work_offset>},
+    {"_metric", has_code<Group::units, g(21)>},
+    {"_imperial", has_code<Group::units, g(20)>},
+    {"_absolute", has_code<Group::distance, g(90)>},
+    {"_incremental", has_code<Group::distance, g(91)>},
+    {"_ijk_absolute_mode", has_code<Group::arc_distance, g(90, 1)>},
+    {"_inverse_time", has_code<Group::feed_mode, g(93)>},
+    {"_units_per_minute", has_code<Group::feed_mode, g(94)>},
+    {"_units_per_rev", has_code<Group::feed_mode, g(95)>},
+    {"_tool_offset",
+     [](const ParameterView& view) {
+       return modal_of(view).length.mode == LengthMode::off ? 0.0 : 1.0;
+     }},
+    {"_retract_r_plane", has_code<Group::return_level, g(99)>},
+    {"_retract_old_z", has_code<Group::return_level, g(98)>},
+    {"_spindle_rpm_mode", has_code<Group::spindle_mode, g(97)>},
+    {"_spindle_css_mode", has_code<Group::spindle_mode, g(96)>},
+    {"_lathe_diameter_mode", has_code<Group::diameter, g(7)>},
+    {"_lathe_radius_mode", has_code<Group::diameter, g(8)>},
+    {"_spindle_on", spindle_runs},
+    {"_spindle_cw", spindle_runs_clockwise},
+    {"_mist", flag<&ModalState::mist>},
+    {"_flood", flag<&ModalState::flood>},
+    {"_feed_override", flag<&ModalState::feed_override>},
+    {"_speed_override", flag<&ModalState::spindle_override>},
+    {"_feed", [](const ParameterView& view) { return modal_of(view).feed_programmed; }},
+    {"_rpm", [](const ParameterView& view) { return modal_of(view).speed_rev_per_min; }},
+    {"_x", position<'X'>},
+    {"_y", position<'Y'>},
+    {"_z", position<'Z'>},
+    {"_a", position<'A'>},
+    {"_b", position<'B'>},
+    {"_c", position<'C'>},
+    {"_u", position<'U'>},
+    {"_v", position<'V'>},
+    {"_w", position<'W'>},
+    {"_current_tool", active_tool},
+    {"_current_pocket", active_tool},
+    {"_selected_tool", prepared_tool},
+    {"_selected_pocket", prepared_tool},
+});
+
+// The letter of the axis whose value stands at `number` in a block of one parameter per axis.
+std::optional<char> letter_in_block(int number, int first) {
+  const int index = number - first;
+  if (index < 0 || index >= static_cast<int>(parameter_axes.size())) return std::nullopt;
+  return parameter_axes[static_cast<std::size_t>(index)];
+}
+
+std::optional<double> work_offset_parameter(int number, const BlockSurroundings& around) {
+  const int behind = number - work_offset_first;
+  if (behind < 0 || behind >= work_offset_count * work_offset_step) return std::nullopt;
+  const int system = behind / work_offset_step + 1;
+  if (behind % work_offset_step == work_offset_rotation) {
+    return around.tables.work_offset_rotation(system);
+  }
+  const auto letter = letter_in_block(behind % work_offset_step, 0);
+  if (!letter) return std::nullopt;
+  return of_axis(around, *letter, around.tables.work_offset(system).value_or(AxisValues{}));
+}
+
+std::optional<double> tool_offset_parameter(int number, const BlockSurroundings& around) {
+  const auto letter = letter_in_block(number, tool_offset_first);
+  if (!letter) return std::nullopt;
+  const auto coordinate = static_cast<std::size_t>(number - tool_offset_first);
+  if (coordinate >= around.modal.length.offset_mm.size()) return 0.0;
+  const double unit = around.modal.inches() ? mm_per_inch : 1.0;
+  return around.modal.length.offset_mm[coordinate] / unit;
+}
+
+double tool_diameter(const BlockSurroundings& around) {
+  const auto tool = around.tables.tool(around.modal.tool_active);
+  const double unit = around.modal.inches() ? mm_per_inch : 1.0;
+  return tool ? 2.0 * tool->radius_mm / unit : 0.0;
+}
+
+}  // namespace
+
+double as_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
+  return value / from_programmed(around, axis, 1.0);
+}
+
+double from_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
+  const AxisDescription& description = around.channel.axes[axis];
+  if (!description.rotary && around.modal.inches()) value *= mm_per_inch;
+  if (around.modal.diameters() && description.geometry == 0) value *= 0.5;
+  return value;
+}
+
+double programmed_position(const BlockSurroundings& around, std::size_t axis) {
+  return as_programmed(around, axis, around.modal.programmed_position(axis));
+}
+
+std::span<const PredefinedParameter> predefined_parameters() {
+  return parameter_rows;
+}
+
+const PredefinedParameter* find_predefined_parameter(std::string_view folded_name) {
+  const auto row =
+      std::find_if(parameter_rows.begin(), parameter_rows.end(),
+                   [&](const PredefinedParameter& one) { return one.name == folded_name; });
+  return row == parameter_rows.end() ? nullptr : &*row;
+}
+
+std::optional<double> machine_parameter(int number, const ParameterView& view) {
+  const BlockSurroundings& around = view.around;
+  const ModalState& modal = around.modal;
+  switch (number) {
+    case 5210:
+      return modal.axis_shift_active && modal.axis_shift != AxisValues{} ? 1.0 : 0.0;
+    case 5220:
+      return modal.work_offset_number;
+    case 5400:
+      return modal.tool_active;
+    case 5410:
+      return tool_diameter(around);
+    default:
+      break;
+  }
+  if (const auto letter = letter_in_block(number, axis_shift_first)) {
+    return of_axis(around, *letter, modal.axis_shift);
+  }
+  if (const auto letter = letter_in_block(number, position_first)) {
+    return position_of(around, *letter);
+  }
+  if (const auto point = point_parameter(number, around)) return point;
+  if (const auto offset = work_offset_parameter(number, around)) return offset;
+  return tool_offset_parameter(number, around);
+}
+
+}  // namespace stanok::lang

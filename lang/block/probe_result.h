@@ -1,0 +1,14 @@
+// What the last probing of a channel (G38) found; kept from program to program, until power-off.
+#pragma once
+
+#include "lang/contract/command.h"
+
+namespace stanok::lang {
+
+// In programmed coordinates of the system in which it was done, mm and deg.
+struct ProbeResult {
+  bool found = false;
+  AxisValues position{};
+};
+
+}  // namespace stanok::lang

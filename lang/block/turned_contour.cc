@@ -1,0 +1,142 @@
+#include "lang/block/turned_contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lang/block/plane_element.h"
+
+namespace stanok::lang {
+namespace {
+
+// Where `piece` comes to the level `depth`, which lies between those of its ends.
+double along_at(const TurnedPiece& piece, double depth) {
+  const double low = std::min(piece.start.along, piece.end.along);
+  const double high = std::max(piece.start.along, piece.end.along);
+  if (!piece.arc) {
+    const double part = (depth - piece.start.depth) / (piece.end.depth - piece.start.depth);
+    return std::clamp(piece.start.along + part * (piece.end.along - piece.start.along), low, high);
+  }
+  const double radius =
+      std::hypot(piece.start.depth - piece.centre.depth, piece.start.along - piece.centre.along);
+  const double up = depth - piece.centre.depth;
+  const double reach = std::sqrt(std::max((radius - up) * (radius + up), 0.0));
+  const bool before = (low + high) / 2.0 < piece.centre.along;
+  return std::clamp(piece.centre.along + (before ? -reach : reach), low, high);
+}
+
+TurningPoint sum(TurningPoint a, TurningPoint b) {
+  return {a.x + b.x, a.z + b.z};
+}
+
+// Points at which an arc is at a quarter of its circle: it is monotonic between them.
+std::vector<TurningPoint> quarters(const PlaneMove& move, TurningPoint start) {
+  const PlaneElement arc = arc_element({start.z, start.x}, {move.end.z, move.end.x},
+                                       {move.centre.z, move.centre.x}, move.counter_clockwise, 1);
+  const double radius = norm(arc.start - arc.centre);
+  const double from = std::atan2(start.x - move.centre.x, start.z - move.centre.z);
+  const double sign = move.counter_clockwise ? 1.0 : -1.0;
+  std::vector<TurningPoint> points;
+  int quarter = static_cast<int>(std::floor(sign * from / quarter_turn)) + 1;
+  for (; quarter * quarter_turn < sign * from + arc.sweep - same_point; ++quarter) {
+    if (quarter * quarter_turn < sign * from + same_point) continue;
+    const double angle = sign * quarter * quarter_turn;
+    points.push_back(
+        {move.centre.x + radius * std::sin(angle), move.centre.z + radius * std::cos(angle)});
+  }
+  points.push_back(move.end);
+  return points;
+}
+
+}  // namespace
+
+TurnedContour::TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint start,
+                             TurningPoint allowance, bool along_z)
+    : start_(start), along_z_(along_z) {
+  if (moves.size() < 2 || moves.front().arc) {
+    problem_ = "it must lead to the contour with G0 or G1, and have one more move";
+    problem_line_ = moves.empty() ? 0 : moves.front().line;
+    return;
+  }
+  const TurnedPoint first = turned(moves.front().end);
+  const TurnedPoint last = turned(moves.back().end);
+  const double extreme = std::abs(first.depth) >= std::abs(last.depth) ? first.depth : last.depth;
+  depth_sign_ = extreme < 0.0 ? -1.0 : 1.0;
+  along_sign_ = last.along < first.along ? -1.0 : 1.0;
+  TurningPoint at = moves.front().end;
+  for (std::size_t k = 1; k < moves.size() && problem_.empty(); ++k) {
+    add(moves[k], at, allowance);
+    at = moves[k].end;
+  }
+  if (problem_.empty() && pieces_.empty()) problem_ = "it has no length";
+}
+
+TurnedPoint TurnedContour::turned(TurningPoint p) const {
+  const double x = p.x - start_.x;
+  const double z = p.z - start_.z;
+  return {depth_sign_ * (along_z_ ? x : z), along_sign_ * (along_z_ ? z : x)};
+}
+
+TurningPoint TurnedContour::point(TurnedPoint p) const {
+  const double depth = depth_sign_ * p.depth;
+  const double along = along_sign_ * p.along;
+  return along_z_ ? TurningPoint{start_.x + depth, start_.z + along}
+                  : TurningPoint{start_.x + along, start_.z + depth};
+}
+
+void TurnedContour::add(const PlaneMove& move, TurningPoint start, TurningPoint allowance) {
+  TurningPoint from = start;
+  const std::vector<TurningPoint> ends =
+      move.arc ? quarters(move, start) : std::vector<TurningPoint>{move.end};
+  for (const TurningPoint& to : ends) {
+    add_piece({turned(sum(from, allowance)), turned(sum(to, allowance)), move.arc,
+               turned(sum(move.centre, allowance))},
+              move.line);
+    from = to;
+  }
+}
+
+void TurnedContour::add_piece(const TurnedPiece& piece, std::uint32_t line) {
+  const double along = piece.end.along - piece.start.along;
+  if (along < -same_point && problem_.empty()) {
+    problem_ = along_z_ ? "it goes back along Z" : "it goes back along X";
+    problem_line_ = line;
+  }
+  if (std::hypot(along, piece.end.depth - piece.start.depth) > same_point) pieces_.push_back(piece);
+}
+
+double TurnedContour::deepest() const {
+  double depth = pieces_.front().start.depth;
+  for (const TurnedPiece& piece : pieces_) depth = std::max(depth, piece.end.depth);
+  return depth;
+}
+
+double TurnedContour::shallowest() const {
+  double depth = pieces_.front().start.depth;
+  for (const TurnedPiece& piece : pieces_) depth = std::min(depth, piece.end.depth);
+  return depth;
+}
+
+std::vector<TurnedStretch> TurnedContour::stretches(double depth) const {
+  std::vector<TurnedStretch> list;
+  const TurnedPoint first = first_point();
+  TurnedStretch open{std::min(first.along, 0.0), 0.0, true};
+  bool is_open = first.depth >= depth;
+  const auto close = [&](double along) {
+    open.end = along;
+    if (open.end - open.begin > same_point) list.push_back(open);
+    is_open = false;
+  };
+  for (const TurnedPiece& piece : pieces_) {
+    const bool deep = piece.end.depth >= depth;
+    if (is_open && !deep) close(along_at(piece, depth));
+    if (!is_open && deep) {
+      open = {along_at(piece, depth), 0.0, false};
+      is_open = true;
+    }
+  }
+  if (is_open) close(pieces_.back().end.along);
+  return list;
+}
+
+}  // namespace stanok::lang

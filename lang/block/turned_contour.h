@@ -1,0 +1,77 @@
+// A contour to be turned, in the coordinates of its roughing: `depth` goes from the start point
+// into the material (along X for G71, along Z for G72), `along` is the direction of the passes.
+//
+// The contour is a chain of pieces that are monotonic in both; mm, from the start point.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stanok::lang {
+
+// X and Z in W, mm.
+struct TurningPoint {
+  double x = 0.0;  // radius
+  double z = 0.0;
+};
+
+// A programmed move of the contour, absolute in W.
+struct PlaneMove {
+  TurningPoint end;
+  bool arc = false;
+  TurningPoint centre;
+  bool counter_clockwise = false;
+  std::uint32_t line = 0;
+};
+
+struct TurnedPoint {
+  double depth = 0.0;
+  double along = 0.0;
+};
+
+struct TurnedPiece {
+  TurnedPoint start;
+  TurnedPoint end;
+  bool arc = false;
+  TurnedPoint centre;
+};
+
+// A stretch of a pass on one level that stays off the contour.
+struct TurnedStretch {
+  double begin = 0.0;
+  double end = 0.0;
+  bool from_start = false;  // no need to plunge
+};
+
+class TurnedContour {
+ public:
+  // `moves` in ZX from the start point; the first leads to the contour. `allowance` is added to
+  // every point. On failure problem() says why.
+  TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint start, TurningPoint allowance,
+                bool along_z);
+
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] std::uint32_t problem_line() const { return problem_line_; }
+
+  [[nodiscard]] TurningPoint point(TurnedPoint p) const;
+  [[nodiscard]] TurnedPoint turned(TurningPoint p) const;
+  [[nodiscard]] TurnedPoint first_point() const { return pieces_.front().start; }
+  [[nodiscard]] double deepest() const;
+  [[nodiscard]] double shallowest() const;
+  [[nodiscard]] std::vector<TurnedStretch> stretches(double depth) const;
+
+ private:
+  void add(const PlaneMove& move, TurningPoint start, TurningPoint allowance);
+  void add_piece(const TurnedPiece& piece, std::uint32_t line);
+
+  TurningPoint start_;
+  bool along_z_;
+  double depth_sign_ = 1.0;
+  double along_sign_ = 1.0;
+  std::vector<TurnedPiece> pieces_;
+  std::string problem_;
+  std::uint32_t problem_line_ = 0;
+};
+
+}  // namespace stanok::lang

@@ -1,0 +1,50 @@
+#include "lang/block/work_frame.h"
+
+namespace stanok::lang {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector geometry_of(const GeometryAxes& axes, const AxisValues& values) {
+  Vector vector{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (axes[k] >= 0) vector[k] = values[static_cast<std::size_t>(axes[k])];
+  }
+  return vector;
+}
+
+void set_geometry(const GeometryAxes& axes, const Vector& vector, AxisValues& values) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (axes[k] >= 0) values[static_cast<std::size_t>(axes[k])] = vector[k];
+  }
+}
+
+}  // namespace
+
+AxisValues turned(const Rotation& rotation, const GeometryAxes& axes, AxisValues values) {
+  if (!rotation.is_identity()) {
+    set_geometry(axes, rotation.turned(geometry_of(axes, values)), values);
+  }
+  return values;
+}
+
+AxisValues turned_back(const Rotation& rotation, const GeometryAxes& axes, AxisValues values) {
+  if (!rotation.is_identity()) {
+    set_geometry(axes, rotation.turned_back(geometry_of(axes, values)), values);
+  }
+  return values;
+}
+
+AxisValues WorkFrame::base_from_work(const AxisValues& point_W) const {
+  AxisValues point_B = turned(rotation, geometry, point_W);
+  for (std::size_t i = 0; i < point_B.size(); ++i) point_B[i] += offset[i];
+  return point_B;
+}
+
+AxisValues WorkFrame::work_from_base(const AxisValues& point_B) const {
+  AxisValues shifted = point_B;
+  for (std::size_t i = 0; i < shifted.size(); ++i) shifted[i] -= offset[i];
+  return turned_back(rotation, geometry, shifted);
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,71 @@
+#include "lang/contract/active_codes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace stanok::lang {
+
+ActiveCodes default_codes(ChannelKind kind) {
+  const bool lathe = kind == ChannelKind::lathe;
+  ActiveCodes codes{};
+  const auto set = [&codes](Group group, CodeNumber number) {
+    codes[static_cast<std::size_t>(group)] = number;
+  };
+  set(Group::motion, g(0));
+  set(Group::plane, lathe || kind == ChannelKind::grind ? g(18) : g(17));
+  set(Group::distance, g(90));
+  set(Group::arc_distance, g(91, 1));
+  set(Group::feed_mode, lathe ? g(95) : g(94));
+  set(Group::units, g(21));
+  set(Group::radius_compensation, g(40));
+  set(Group::length, g(49));
+  set(Group::transformation, g(13, 1));
+  set(Group::return_level, g(98));
+  set(Group::scaling, g(50));
+  set(Group::mirror, g(50, 1));
+  set(Group::work_offset, g(54));
+  set(Group::path_mode, g(64));
+  set(Group::spindle_mode, g(97));
+  set(Group::diameter, lathe ? g(7) : g(8));
+  set(Group::rotation, g(69));
+  set(Group::polar, g(15));
+  set(Group::spindle, m(5));
+  set(Group::mist, m(9));
+  set(Group::flood, m(9));
+  set(Group::override_control, m(48));
+  return codes;
+}
+
+std::vector<std::string> names_of(const ActiveCodes& codes, char letter) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    const auto group = static_cast<Group>(k);
+    const bool is_shown = letter_of(group) == letter && (letter == 'G' || codes[k] != 0);
+    if (!is_shown) continue;
+    std::string name = code_text(letter, codes[k]);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+  }
+  const auto coolant = std::find(names.begin(), names.end(), "M9");
+  const bool has_coolant = std::find(names.begin(), names.end(), "M7") != names.end() ||
+                           std::find(names.begin(), names.end(), "M8") != names.end();
+  if (coolant != names.end() && has_coolant) names.erase(coolant);
+  return names;
+}
+
+void CodeChanges::note(std::uint64_t block, const ActiveCodes& codes) {
+  if (codes == newest_) return;
+  newest_ = codes;
+  if (!changes_.empty() && changes_.back().block == block) {
+    changes_.back().codes = codes;
+    return;
+  }
+  if (changes_.size() == kept_max) changes_.erase(changes_.begin());
+  changes_.push_back({block, codes});
+}
+
+std::vector<CodeChange> CodeChanges::take() {
+  return std::exchange(changes_, {});
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,25 @@
+#include "lang/contract/environment.h"
+
+namespace stanok::lang {
+namespace {
+
+// In whole MiB, rounded up.
+std::string mebibytes(std::size_t bytes) {
+  constexpr std::size_t mebibyte = std::size_t{1} << 20;
+  return std::to_string((bytes + mebibyte - 1) / mebibyte) + " MiB";
+}
+
+}  // namespace
+
+Diagnostic too_large(std::string_view name, std::size_t bytes, std::size_t bytes_max) {
+  Diagnostic diagnostic;
+  diagnostic.code = "E8004";
+  diagnostic.message = std::string(name) + " makes a program of " + mebibytes(bytes) + ", and " +
+                       mebibytes(bytes_max) + " are the most";
+  diagnostic.help = {
+      "divide it into programs that run one behind the other, or raise "
+      "`program_size_max` in [machine] of the machine file"};
+  return diagnostic;
+}
+
+}  // namespace stanok::lang

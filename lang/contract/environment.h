@@ -1,0 +1,135 @@
+// What the interpreter needs to know of its channel: axes, tables, files. channels implements it.
+//
+// The interpreter reads through this interface only; it holds no machine state of its own beyond
+// the program's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/expected.h"
+#include "lang/contract/command.h"
+
+namespace stanok::lang {
+
+enum class ChannelKind { mill, lathe, grind, master };
+
+struct AxisDescription {
+  std::string word;  // how programs call it: "X", "B", "X2"
+  bool rotary = false;
+  double modulo_deg = 0.0;  // > 0: G90 takes the shortest way
+  int geometry = -1;        // 0, 1, 2: the channel's X, Y, Z of planes and arcs; -1: none
+  int spindle = 0;          // id of the spindle that becomes this axis with M902; 0: always an axis
+};
+
+// A G or M code to which the machine file gives a meaning.
+struct UserCode {
+  enum class Kind {
+    macro,               // calls a program; the words of the block are its arguments
+    output_before,       // MachineFunction before the motion of its block
+    output_after,        // ... behind it
+    output_with_motion,  // ... as the motion starts
+  };
+  char letter = 'G';
+  int number = 0;  // in tenths
+  Kind kind = Kind::macro;
+  bool waits = false;    // output: the program goes on when the axes stand
+  std::string program;   // macro: its file
+  std::string function;  // macro: a function of the file, folded; empty: the file itself
+};
+
+// A letter that stands for a named address: E for dS.
+struct AddressAlias {
+  char letter = 'E';
+  std::string address;
+};
+
+// How much a program may ask for; the machine file has the keys. What else is bounded: limits.h.
+struct ProgramBounds {
+  std::size_t bytes = std::size_t{256} << 20;  // of its text, with all files
+  std::uint64_t steps = 1'000'000'000;         // of a run, see Interpreter::renew_steps
+};
+
+// The fixed part of a channel, from the machine file.
+struct ChannelDescription {
+  int id = 1;
+  std::string name;
+  ChannelKind kind = ChannelKind::mill;
+  std::vector<AxisDescription> axes;
+  std::vector<int> spindles;                // ids; the first is the master spindle
+  std::vector<int> spindles_with_position;  // those of them that can follow or lead an axis
+  // What a T word does; nothing: as customary for the kind, that is true on lathe channels.
+  std::optional<bool> tool_word_changes_tool;
+  std::optional<bool> tool_word_has_edge;  // T0102: tool 1, edge 2
+  std::vector<int> channels;               // ids of all channels of the machine
+  std::vector<std::pair<int, int>>
+      schemes;  // (channel, scheme id) of all channels, for constant checks
+  bool has_force_control = false;
+  double arc_radius_tolerance_mm = 0.01;
+  double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
+  std::vector<UserCode> user_codes;
+  std::vector<AddressAlias> address_alias;
+  ProgramBounds bounds;
+};
+
+struct Tool {
+  int number = 0;
+  std::array<double, 3> length_mm{};  // X, Y, Z
+  double radius_mm = 0.0;
+  int orientation = 0;       // of a lathe tool's tip, 1 to 8; 0 and 9: the centre of its nose
+  double overhang_mm = 0.0;  // along the radial axis
+};
+
+inline constexpr int reference_point_count = 4;  // 1: G28, 2 to 4: G30 P
+
+// The tables of the machine as the program sees them at this moment.
+class Tables {
+ public:
+  virtual ~Tables() = default;
+  // Offset vector of a work offset (1 = G54 ...), per axis of the channel; nothing if it does not
+  // exist.
+  [[nodiscard]] virtual std::optional<AxisValues> work_offset(int number) const = 0;
+  // Rotation of a work offset in the XY plane, deg (G10 L2 R).
+  [[nodiscard]] virtual double work_offset_rotation(int) const { return 0.0; }
+  [[nodiscard]] virtual std::optional<Tool> tool(int number) const = 0;
+  // Edge from 1; edge 1 is what tool() returns.
+  [[nodiscard]] virtual std::optional<Tool> tool_edge(int number, int edge) const {
+    return edge == 1 ? tool(number) : std::nullopt;
+  }
+  // Position of the scheme's base B in M, per axis of the channel (G53 without tip transformation).
+  [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
+  // Axes of the channel that take part in its active scheme.
+  [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
+  // Reference point 1 (G28) to reference_point_count (G30 P4) in M, per axis of the channel.
+  [[nodiscard]] virtual AxisValues reference_point(int which) const = 0;
+  // Of G28.1 and its like; survives power-off.
+  virtual void store_reference_point(int which, const AxisValues& point_M) = 0;
+};
+
+// A program text as read once for a load; later changes on disk have no effect on a run.
+struct SourceText {
+  std::string name;  // as shown in diagnostics
+  std::string path;  // where it was found
+  std::string text;
+};
+
+// The error E8004: `name` has `bytes`, or makes a program of so many; `bytes_max` are allowed.
+[[nodiscard]] Diagnostic too_large(std::string_view name, std::size_t bytes, std::size_t bytes_max);
+
+// Finds and reads program files (docs/reference/language.md#files-and-numbered-programs).
+class Files {
+ public:
+  virtual ~Files() = default;
+  // `from` is the path of the text that names the file, empty for the operator. The error is E7xxx.
+  [[nodiscard]] virtual Expected<std::shared_ptr<const SourceText>, Diagnostic> read(
+      std::string_view name, std::string_view from) const = 0;
+};
+
+}  // namespace stanok::lang

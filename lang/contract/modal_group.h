@@ -1,0 +1,54 @@
+// The modal groups of G and M codes: one code of a group is in force at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace stanok::lang {
+
+// Modal groups in the order of their numbers (docs/reference/language.md, "G and M codes"):
+// `motion` is 1, `polar` 17. One code of a group at a time; non-modal codes have no group.
+enum class Group : std::uint8_t {
+  motion,
+  plane,
+  distance,
+  arc_distance,
+  feed_mode,
+  units,
+  radius_compensation,
+  length,
+  transformation,
+  return_level,
+  scaling,
+  work_offset,
+  path_mode,
+  spindle_mode,
+  diameter,
+  rotation,
+  polar,
+  mirror,
+  stop,
+  tool,
+  spindle,
+  spindle_axis,
+  mist,
+  flood,
+  override_control,
+  input_output,
+  state,
+  subprogram,
+  none,
+};
+
+// The letter that the codes of a group begin with.
+[[nodiscard]] constexpr char letter_of(Group group) {
+  return group < Group::stop ? 'G' : 'M';
+}
+inline constexpr std::size_t group_count = static_cast<std::size_t>(Group::none);
+
+using GroupSet = std::uint32_t;
+[[nodiscard]] constexpr GroupSet group_bit(Group group) {
+  return group == Group::none ? 0 : GroupSet{1} << static_cast<unsigned>(group);
+}
+
+}  // namespace stanok::lang

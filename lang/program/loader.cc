@@ -1,0 +1,343 @@
+#include "lang/program/loader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
+#include "lang/tree/parser.h"
+
+namespace stanok::lang {
+namespace {
+
+// Calls `visit` for every list of statements inside `statement`.
+template <class Visit>
+void for_each_body(const Statement& statement, Visit visit) {
+  if (const auto* compound = std::get_if<Compound>(&statement.kind)) visit(compound->body);
+  if (const auto* branch = std::get_if<If>(&statement.kind)) {
+    visit(branch->then_body);
+    visit(branch->else_body);
+  }
+  if (const auto* loop = std::get_if<While>(&statement.kind)) visit(loop->body);
+  if (const auto* loop = std::get_if<DoWhile>(&statement.kind)) visit(loop->body);
+  if (const auto* loop = std::get_if<For>(&statement.kind)) visit(loop->body);
+  if (const auto* choice = std::get_if<Switch>(&statement.kind)) {
+    for (const SwitchCase& one : choice->cases) visit(one.body);
+  }
+  if (const auto* function = std::get_if<FunctionDefinition>(&statement.kind)) {
+    visit(function->body);
+  }
+  if (const auto* loop = std::get_if<ORepeat>(&statement.kind)) visit(loop->body);
+  if (const auto* subprogram = std::get_if<OSubprogram>(&statement.kind)) visit(subprogram->body);
+}
+
+bool defines_subprogram(const StatementList& tree, const std::string& label) {
+  return std::any_of(tree.begin(), tree.end(), [&](const Statement& statement) {
+    const auto* subprogram = std::get_if<OSubprogram>(&statement.kind);
+    return subprogram != nullptr && subprogram->label.name == label;
+  });
+}
+
+bool defines_program(const StatementList& tree, int number) {
+  return std::any_of(tree.begin(), tree.end(), [&](const Statement& statement) {
+    const auto* program = std::get_if<NumberedProgram>(&statement.kind);
+    return program != nullptr && program->number == number;
+  });
+}
+
+// The program that M98, M198 or G65 of a block names by a plain number.
+struct NamedProgram {
+  int number = 0;
+  bool only_files = false;  // M198
+};
+std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
+  std::optional<NamedProgram> program;
+  const IsoWord* number = nullptr;
+  for (const IsoWord& word : block.words) {
+    const bool call = word.name.letter == 'M' && word.name.code == m(98);
+    const bool file_call = word.name.letter == 'M' && word.name.code == m(198);
+    const bool macro = word.name.letter == 'G' && word.name.code == g(65);
+    if (call || file_call || macro) program = NamedProgram{0, file_call};
+    if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;
+  }
+  if (!program || number == nullptr || !is_integer(number->value.number)) return std::nullopt;
+  program->number = static_cast<int>(std::lround(number->value.number));
+  return program;
+}
+
+std::vector<std::string> file_names_of_number(int number) {
+  const std::string digits = std::to_string(number);
+  const std::string padded = std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  return {"O" + padded + ".nc", digits + ".nc", "o" + digits + ".nc"};
+}
+
+std::vector<std::string> file_names_of_label(const OLabel& label) {
+  std::vector<std::string> names{label.written + ".ngc", label.written + ".nc"};
+  if (label.name != label.written) {
+    names.push_back(label.name + ".ngc");
+    names.push_back(label.name + ".nc");
+  }
+  return names;
+}
+
+}  // namespace
+
+Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostics& warnings,
+               const Interruption& interrupted)
+    : files_(files),
+      channel_(channel),
+      dialect_(channel),
+      warnings_(warnings),
+      watch_(interrupted),
+      program_(std::make_shared<Program>()) {}
+
+Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_view name) {
+  auto text = files_.read(name, {});
+  if (!text) return tl::unexpected(Diagnostics{text.error()});
+  if (auto refusal = refusal_of_file(**text)) return tl::unexpected(Diagnostics{*refusal});
+  add_file(std::move(*text));
+  find_all_files();
+  check_end(0);
+  compile_all();
+  return result();
+}
+
+void Loader::find_all_files() {
+  // Files found on the way are appended; each is parsed once. Whether a subprogram needs a file of
+  // its own is known when all included files are.
+  std::size_t parsed = 0;
+  for (std::size_t searched = 0; searched < loaded_.size(); ++searched) {
+    for (; parsed < loaded_.size(); ++parsed) {
+      const auto index = static_cast<FileIndex>(parsed);
+      parse(index);
+      follow_includes(index);
+      follow_calls(index, loaded_[parsed].tree);
+    }
+    follow_subprograms(static_cast<FileIndex>(searched), loaded_[searched].tree);
+  }
+}
+
+Loader::FileIndex Loader::add_file(std::shared_ptr<const SourceText> text) {
+  const auto known = index_by_path_.find(text->path);
+  if (known != index_by_path_.end()) return known->second;
+  bytes_ += text->text.size();
+  const auto index = static_cast<FileIndex>(loaded_.size());
+  index_by_path_.emplace(text->path, index);
+  program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text))));
+  LoadedFile file;
+  file.reporter = std::make_unique<Reporter>(program_->files.back()->source);
+  loaded_.push_back(std::move(file));
+  return index;
+}
+
+std::optional<Loader::FileIndex> Loader::find_file(std::string_view name, FileIndex from) {
+  const std::pair key(from, std::string(name));
+  const auto known = program_->file_by_name.find(key);
+  if (known != program_->file_by_name.end()) return known->second;
+  if (failures_.contains(key)) return std::nullopt;
+  auto text = files_.read(name, program_->files[from]->source.path());
+  if (!text) {
+    failures_.emplace(key, text.error());
+    return std::nullopt;
+  }
+  if (auto refusal = refusal_of_file(**text)) {
+    failures_.emplace(key, std::move(*refusal));
+    return std::nullopt;
+  }
+  const FileIndex index = add_file(std::move(*text));
+  program_->file_by_name.emplace(key, index);
+  return index;
+}
+
+std::optional<Diagnostic> Loader::refusal_of_file(const SourceText& text) const {
+  if (index_by_path_.contains(text.path)) return std::nullopt;
+  const std::size_t bytes_max = (channel_ != nullptr ? channel_->bounds : ProgramBounds{}).bytes;
+  const std::size_t bytes = bytes_ + text.text.size();
+  if (bytes > bytes_max) return too_large(text.name, bytes, bytes_max);
+  if (loaded_.size() < limits::files) return std::nullopt;
+  Diagnostic diagnostic;
+  diagnostic.code = "E8003";
+  diagnostic.message = "a program has at most 256 files";
+  return diagnostic;
+}
+
+void Loader::parse(FileIndex index) {
+  const Source& source = program_->files[index]->source;
+  Reporter& reporter = *loaded_[index].reporter;
+  if (source.lone_frame_mark().length != 0) {
+    reporter.warning("W210", source.lone_frame_mark(), "a frame mark without its second",
+                     "only one line with %");
+  }
+  ParserContext context;
+  context.channel = index == 0 ? channel_ : nullptr;
+  if (index == 0) context.functions = functions_of_line_;
+  context.dialect = &dialect_;
+  context.watch = &watch_;
+  context.named_parameters = &program_->named_parameters;
+  context.included_functions = [this, index](std::string_view name) {
+    const auto file = find_file(name, index);
+    return file ? defined_functions(program_->files[*file]->source) : std::set<std::string>{};
+  };
+  Parser parser(source, reporter, std::move(context));
+  StatementList tree = parser.parse_program();
+  loaded_[index].tree = std::move(tree);
+}
+
+void Loader::follow_includes(FileIndex index) {
+  for (const Statement& statement : loaded_[index].tree) {
+    if (const auto* include = std::get_if<IncludeDirective>(&statement.kind)) {
+      follow_include(index, statement, *include);
+    }
+  }
+}
+
+void Loader::follow_include(FileIndex index, const Statement& statement,
+                            const IncludeDirective& directive) {
+  const auto file = find_file(directive.file, index);
+  if (file) {
+    program_->files[index]->includes.push_back(*file);
+    Place& place = loaded_[*file].included_at;
+    if (place.line == 0) place = program_->files[index]->source.place(statement.span);
+    return;
+  }
+  const Diagnostic& failure = failures_.at({index, directive.file});
+  Diagnostic& diagnostic =
+      loaded_[index].reporter->error(failure.code, directive.file_span, failure.message,
+                                     failure.label.empty() ? "cannot be read" : failure.label);
+  diagnostic.notes = failure.notes;
+  diagnostic.help = failure.help;
+}
+
+void Loader::follow_calls(FileIndex index, const StatementList& list) {
+  for (const Statement& statement : list) {
+    if (const auto* call = std::get_if<CallStatement>(&statement.kind)) follow_call(index, *call);
+    for_each_body(statement, [&](const StatementList& body) { follow_calls(index, body); });
+  }
+}
+
+// call ("name"): the file belongs to the program; when it is missing, that is known only when the
+// call is reached.
+void Loader::follow_call(FileIndex index, const CallStatement& statement) {
+  const Expression& call = statement.call;
+  const bool names_file = folded(call.text) == "call" && call.children.size() == 1 &&
+                          call.children[0].node == Node::string;
+  if (!names_file) return;
+  const std::string& name = call.children[0].text;
+  if (program_->file_by_name.contains({index, name})) return;
+  const auto file = find_file(name, index);
+  loaded_[index].reporter->warning("W710", call.children[0].span,
+                                   file ? "\"" + name + "\" is called without being included"
+                                        : "\"" + name + "\" is not included and was not found",
+                                   "not included");
+}
+
+// O... call, M98, M198, G65: what neither this file nor an included one holds is a file of its own.
+void Loader::follow_subprograms(FileIndex index, const StatementList& list) {
+  for (const Statement& statement : list) {
+    if (const auto* call = std::get_if<OCall>(&statement.kind)) follow_o_call(index, *call);
+    if (const auto* block = std::get_if<IsoBlock>(&statement.kind)) {
+      follow_user_codes(index, *block);
+      const auto program = program_of_block(*block);
+      if (program && !follow_number(index, program->number, program->only_files)) {
+        follow_number(index, program->number % 10000, program->only_files);
+      }
+    }
+    for_each_body(statement, [&](const StatementList& body) { follow_subprograms(index, body); });
+  }
+}
+
+// The files of the machine file's macros that the block calls.
+void Loader::follow_user_codes(FileIndex index, const IsoBlock& block) {
+  for (const IsoWord& word : block.words) {
+    if (word.name.code < 0) continue;
+    const UserCode* const code = dialect_.macro(word.name.letter, word.name.code);
+    if (code == nullptr || program_->file_by_macro.contains(code->program)) continue;
+    if (const auto file = find_file(code->program, 0)) {
+      program_->file_by_macro.emplace(code->program, *file);
+      continue;
+    }
+    const Diagnostic& failure = failures_.at({0, code->program});
+    loaded_[index]
+        .reporter->error(failure.code, word.span, failure.message, "the macro of this code")
+        .notes.push_back(
+            {"the machine file names it for " + code_text(word.name.letter, word.name.code), {}});
+  }
+}
+
+void Loader::follow_o_call(FileIndex index, const OCall& call) {
+  const OLabel& label = call.label;
+  if (label.computed || program_->file_by_label.contains({index, label.name})) return;
+  const auto defines = [&](FileIndex file) {
+    return defines_subprogram(loaded_[file].tree, label.name);
+  };
+  const auto& includes = program_->files[index]->includes;
+  if (defines(index) || std::any_of(includes.begin(), includes.end(), defines)) return;
+  if (const auto file = first_file_of(file_names_of_label(label), index)) {
+    program_->file_by_label.emplace(std::pair(index, label.name), *file);
+  }
+}
+
+// Whether program `number` is known or was found.
+bool Loader::follow_number(FileIndex index, int number, bool only_files) {
+  const auto defines = [&](FileIndex file) { return defines_program(loaded_[file].tree, number); };
+  const auto& includes = program_->files[index]->includes;
+  if (!only_files && (defines(index) || std::any_of(includes.begin(), includes.end(), defines))) {
+    return true;
+  }
+  if (program_->file_by_number.contains({index, number})) return true;
+  const auto file = first_file_of(file_names_of_number(number), index);
+  if (file) program_->file_by_number.emplace(std::pair(index, number), *file);
+  return file.has_value();
+}
+
+std::optional<Loader::FileIndex> Loader::first_file_of(const std::vector<std::string>& names,
+                                                       FileIndex from) {
+  for (const std::string& name : names) {
+    if (const auto file = find_file(name, from)) return file;
+  }
+  return std::nullopt;
+}
+
+void Loader::check_end(FileIndex index) {
+  Reporter& reporter = *loaded_[index].reporter;
+  const bool ends = reporter.is_soft(std::numeric_limits<std::size_t>::max() - 1);
+  const StatementList& tree = loaded_[index].tree;
+  if (ends || reporter.error_count() != 0) return;
+  const Source& source = program_->files[index]->source;
+  const std::size_t offset = tree.empty() ? source.begin() : source.end();
+  reporter.warning("W211", {offset, 0, source.line_number(offset)},
+                   "the program ends without M2, M30 or M99", "it ends here like M30");
+}
+
+void Loader::compile_all() {
+  std::vector<FileNames> names(loaded_.size());
+  std::vector<std::unique_ptr<Compiler>> compilers;
+  for (std::size_t i = 0; i < loaded_.size(); ++i) {
+    const ChannelDescription* const channel = i == 0 ? channel_ : nullptr;
+    compilers.push_back(
+        std::make_unique<Compiler>(CompilerContext{*program_, static_cast<FileIndex>(i), channel,
+                                                   dialect_, names, *loaded_[i].reporter, watch_}));
+  }
+  // Included files stand behind those that include them, and their constants come first.
+  for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);
+  for (std::size_t i = 0; i < loaded_.size(); ++i) compilers[i]->compile(loaded_[i].tree);
+}
+
+Expected<std::shared_ptr<const Program>, Diagnostics> Loader::result() {
+  Diagnostics errors;
+  Diagnostics warnings;
+  for (LoadedFile& file : loaded_) {
+    for (Diagnostic& diagnostic : file.reporter->take()) {
+      if (file.included_at.line != 0)
+        diagnostic.notes.push_back({"included here", file.included_at});
+      const bool error = diagnostic.severity == Severity::error;
+      (error ? errors : warnings).push_back(std::move(diagnostic));
+    }
+  }
+  warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return program_;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,31 @@
+// A compiled program: the code of its file and of all files it includes or calls.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lang/program/code.h"
+#include "lang/program/compile.h"
+#include "lang/tree/named_parameter.h"
+
+namespace stanok::lang {
+
+class Program {
+ public:
+  std::vector<std::unique_ptr<CompiledFile>> files;  // 0 is the program itself
+  // (file that names, name as written) -> file; for includes and `call`
+  std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> file_by_name;
+  // (file that calls, label of an O-line) -> file found for it
+  std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> file_by_label;
+  // (file that calls, number of M98, G65, M198) -> file found for it
+  std::map<std::pair<std::uint16_t, int>, std::uint16_t> file_by_number;
+  // program of a user code, as the machine file names it -> file
+  std::map<std::string, std::uint16_t> file_by_macro;
+  NamedParameters named_parameters;
+  std::vector<ConstantDispatch> dispatches;
+};
+
+}  // namespace stanok::lang

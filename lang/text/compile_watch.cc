@@ -1,0 +1,28 @@
+#include "lang/text/compile_watch.h"
+
+#include "lang/text/limits.h"
+
+namespace stanok::lang {
+namespace {
+
+[[noreturn]] void end_with(std::string code, std::string message) {
+  Diagnostic reason;
+  reason.code = std::move(code);
+  reason.message = std::move(message);
+  throw CompileEnd(std::move(reason));
+}
+
+}  // namespace
+
+void CompileWatch::pass() const {
+  if (interrupted_ && interrupted_())
+    end_with("E6072", "the loading of the program was ended before its end");
+}
+
+void CompileWatch::count_statement() {
+  pass();
+  if (++statements_ > limits::statements)
+    end_with("E8002", "the program has more than 1000000 statements beside plain blocks");
+}
+
+}  // namespace stanok::lang

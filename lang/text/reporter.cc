@@ -1,0 +1,130 @@
+#include "lang/text/reporter.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "lang/text/limits.h"
+
+namespace stanok::lang {
+namespace {
+
+// Levenshtein distance, case-insensitive.
+std::size_t edits(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      const bool same = lower_case(from[i]) == lower_case(to[k]);
+      const std::size_t replaced = diagonal + (same ? 0 : 1);
+      diagonal = row[k + 1];
+      row[k + 1] = std::min({replaced, row[k] + 1, row[k + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+Diagnostic diagnostic_at(const Source& source, std::string_view code, const Span& span,
+                         std::string message, std::string label) {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.place = source.place(span);
+  diagnostic.message = std::move(message);
+  diagnostic.label = std::move(label);
+  diagnostic.source_line = source.line_at(span.offset);
+  return diagnostic;
+}
+
+Span span_of_line(const Source& source, std::uint32_t line) {
+  std::size_t offset = source.begin();
+  for (std::uint32_t at = source.begin_line(); at < line && offset < source.text().size(); ++at) {
+    offset += source.line_at(offset).size();
+    const std::string_view rest = source.text().substr(offset);
+    offset += rest.starts_with("\r\n") ? 2 : 1;
+  }
+  const std::string_view text = source.line_at(offset);
+  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+  return {offset + first, static_cast<std::uint32_t>(text.size() - first), line};
+}
+
+std::string_view nearest_name(std::string_view name,
+                              const std::vector<std::string_view>& candidates) {
+  std::string_view best;
+  std::size_t best_edits = name.size() <= 3 ? 2 : 3;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t count = edits(name, candidate);
+    if (count < best_edits) {
+      best = candidate;
+      best_edits = count;
+    }
+  }
+  return best;
+}
+
+Diagnostic& Reporter::error(std::string_view code, const Span& span, std::string message,
+                            std::string label) {
+  ++error_count_;
+  last_error_ = {std::string(code), span, message, label};
+  const Severity severity = is_soft(span.offset) ? Severity::warning : Severity::error;
+  if (!keeps(severity)) {
+    if (severity == Severity::error) ++errors_dropped_;
+    return overflow_ = {};
+  }
+  Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
+  diagnostic.severity = severity;
+  return keep(std::move(diagnostic));
+}
+
+Diagnostic& Reporter::warning(std::string_view code, const Span& span, std::string message,
+                              std::string label) {
+  if (!keeps(Severity::warning)) return overflow_ = {};
+  Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
+  diagnostic.severity = Severity::warning;
+  return keep(std::move(diagnostic));
+}
+
+void Reporter::add(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::error) ++error_count_;
+  keep(std::move(diagnostic));
+}
+
+bool Reporter::keeps(Severity severity) const {
+  return (severity == Severity::error ? errors_kept_ : warnings_kept_) < limits::diagnostics;
+}
+
+// Errors and warnings have their own limits: warnings never hide an error.
+Diagnostic& Reporter::keep(Diagnostic diagnostic) {
+  if (!keeps(diagnostic.severity)) return overflow_ = std::move(diagnostic);
+  ++(diagnostic.severity == Severity::error ? errors_kept_ : warnings_kept_);
+  diagnostics_.push_back(std::move(diagnostic));
+  return diagnostics_.back();
+}
+
+Diagnostic more_errors(const Source& source, std::size_t count) {
+  const auto line = static_cast<std::uint32_t>(source.line_count());
+  Diagnostic diagnostic = diagnostic_at(source, "W213", span_of_line(source, line),
+                                        std::to_string(count) + " more errors are not shown", {});
+  diagnostic.severity = Severity::warning;
+  diagnostic.source_line.clear();
+  return diagnostic;
+}
+
+Diagnostics Reporter::take() {
+  std::multimap<std::pair<int, int>, Diagnostic> by_place;
+  for (Diagnostic& diagnostic : diagnostics_) {
+    const std::pair place(diagnostic.place.line, diagnostic.place.column);
+    by_place.emplace(place, std::move(diagnostic));
+  }
+  diagnostics_.clear();
+  Diagnostics ordered;
+  for (auto& [place, diagnostic] : by_place) ordered.push_back(std::move(diagnostic));
+  if (errors_dropped_ > 0) ordered.push_back(more_errors(source_, errors_dropped_));
+  return ordered;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,144 @@
+#include "lang/text/source.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/utf8.h"
+
+namespace stanok::lang {
+namespace {
+
+std::size_t line_end_from(std::string_view text, std::size_t offset) {
+  while (offset < text.size() && !is_line_end(text[offset])) ++offset;
+  return offset;
+}
+
+// The offset after the line end that stands at `offset` (LF, CRLF or CR).
+std::size_t after_line_end(std::string_view text, std::size_t offset) {
+  if (offset >= text.size()) return text.size();
+  const bool pair = text[offset] == '\r' && offset + 1 < text.size() && text[offset + 1] == '\n';
+  return offset + (pair ? 2 : 1);
+}
+
+bool is_leader(char c) {
+  return c == '\0' || is_blank(c) || is_line_end(c);
+}
+
+int characters(std::string_view text) {
+  return static_cast<int>(character_count(text));
+}
+
+}  // namespace
+
+Span joined(const Span& first, const Span& last) {
+  const std::size_t end = std::max(first.offset + first.length, last.offset + last.length);
+  return {first.offset, static_cast<std::uint32_t>(end - first.offset), first.line};
+}
+
+const char* behind_line(const char* at, const char* end) {
+  while (at != end && !is_line_end(*at)) ++at;
+  if (at == end) return at;
+  return at + (end - at > 1 && at[0] == '\r' && at[1] == '\n' ? 2 : 1);
+}
+
+std::string folded(std::string_view name) {
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(), lower_case);
+  return text;
+}
+
+Source::Source(std::shared_ptr<const SourceText> text) : text_(std::move(text)) {
+  if (!is_utf8(text_->text)) {
+    auto repaired = std::make_shared<SourceText>(*text_);
+    repaired->text = valid_utf8(text_->text);
+    text_ = std::move(repaired);
+    is_repaired_ = true;
+  }
+  end_ = text_->text.size();
+  if (text_->text.starts_with("\xEF\xBB\xBF")) begin_ = 3;
+  find_frame();
+}
+
+// The frame: an optional line that begins with %, before any other text, and its partner.
+void Source::find_frame() {
+  const std::string_view whole = text();
+  std::size_t offset = begin_;
+  while (offset < whole.size() && is_leader(whole[offset])) ++offset;
+  const bool framed = offset < whole.size() && whole[offset] == '%';
+  const bool has_leader =
+      whole.substr(begin_, offset - begin_).find('\0') != std::string_view::npos;
+  if (framed) {
+    lone_frame_mark_ = {offset, 1, line_number(offset)};
+    begin_ = after_line_end(whole, line_end_from(whole, offset));
+  } else if (has_leader) {
+    begin_ = offset;
+  }
+  begin_line_ = line_number(begin_);
+  for (std::size_t at = begin_; at < whole.size();) {
+    const std::size_t line_end = line_end_from(whole, at);
+    while (at < line_end && is_blank(whole[at])) ++at;
+    if (at < line_end && whole[at] == '%') {
+      end_ = at;
+      lone_frame_mark_ = framed ? Span{} : Span{at, 1, line_number(at)};
+      return;
+    }
+    at = after_line_end(whole, line_end);
+  }
+}
+
+std::string_view Source::text(const Span& span) const {
+  return text().substr(span.offset, span.length);
+}
+
+std::string_view Source::line_at(std::size_t offset) const {
+  const std::string_view whole = text();
+  std::size_t start = std::min(offset, whole.size());
+  while (start > 0 && !is_line_end(whole[start - 1])) --start;
+  return whole.substr(start, line_end_from(whole, start) - start);
+}
+
+std::uint32_t Source::line_number(std::size_t offset) const {
+  const std::string_view whole = text();
+  std::uint32_t line = 1;
+  for (std::size_t at = line_end_from(whole, 0); at < offset && at < whole.size();) {
+    const std::size_t next = after_line_end(whole, at);
+    if (next > offset) break;
+    ++line;
+    at = line_end_from(whole, next);
+  }
+  return line;
+}
+
+std::size_t Source::line_count() const {
+  const std::string_view whole = text();
+  if (whole.empty()) return 0;
+  const std::size_t lines = line_number(whole.size());
+  return is_line_end(whole.back()) ? lines - 1 : lines;
+}
+
+Span Source::words_of_line(std::uint32_t line) const {
+  const std::string_view whole = text();
+  std::size_t start = 0;
+  for (std::uint32_t at = 1; at < line && start < whole.size(); ++at)
+    start = after_line_end(whole, line_end_from(whole, start));
+  std::size_t end = line_end_from(whole, start);
+  while (start < end && is_blank(whole[start])) ++start;
+  while (end > start && is_blank(whole[end - 1])) --end;
+  return {start, static_cast<std::uint32_t>(end - start), line};
+}
+
+Place Source::place(const Span& span) const {
+  const std::string_view line = line_at(span.offset);
+  const auto start = static_cast<std::size_t>(line.data() - text().data());
+  const std::size_t inside = std::min(span.offset - start, line.size());
+  const std::size_t length = std::min<std::size_t>(span.length, line.size() - inside);
+  Place place;
+  place.file = name();
+  place.line = static_cast<int>(span.line);
+  place.column = characters(line.substr(0, inside)) + 1;
+  place.end_line = place.line;
+  place.end_column = place.column + std::max(characters(line.substr(inside, length)), 1);
+  return place;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,260 @@
+#include "lang/tree/text_value.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
+#include "lang/tree/bracket_operator.h"
+#include "lang/tree/builtin.h"
+#include "lang/tree/value.h"
+
+namespace stanok::lang {
+namespace {
+
+// The longest names of operators (mod, xor) and functions (round) that are computed here.
+constexpr std::size_t name_length_max = 5;
+
+// A name of few letters, folded.
+class ShortName {
+ public:
+  explicit ShortName(std::string_view name) {
+    if (name.size() > letters_.size()) return;
+    for (const char c : name) letters_[size_++] = lower_case(c);
+  }
+  [[nodiscard]] std::string_view text() const { return {letters_.data(), size_}; }
+
+ private:
+  std::array<char, name_length_max> letters_{};
+  std::size_t size_ = 0;
+};
+
+struct Function {
+  std::string_view name;
+  const Builtin* row = nullptr;  // nullptr: does not compute a number from numbers
+};
+
+const Builtin* find_function(std::string_view folded_name) {
+  static const auto functions = [] {
+    std::array<Function, bracket_functions.size()> rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i] = {bracket_functions[i].first, find_builtin(bracket_functions[i].second)};
+    }
+    return rows;
+  }();
+  for (const Function& function : functions) {
+    if (function.name == folded_name) return function.row;
+  }
+  return nullptr;
+}
+
+constexpr const BracketOperator* plus_row = find_bracket_operator("+");
+constexpr const BracketOperator* minus_row = find_bracket_operator("-");
+constexpr const BracketOperator* times_row = find_bracket_operator("*");
+constexpr const BracketOperator* divided_row = find_bracket_operator("/");
+constexpr const BracketOperator* power_row = find_bracket_operator("**");
+
+// The operator at the beginning of `text`. Nothing for the end of the expression and for what only
+// begins like an operator: `//`, `/*`, `+=`, `--`.
+const BracketOperator* operator_of(std::string_view text) {
+  const char next = text.size() > 1 ? text[1] : '\0';
+  switch (text.empty() ? '\0' : text[0]) {
+    case '+':
+      return next == '+' || next == '=' ? nullptr : plus_row;
+    case '-':
+      return next == '-' || next == '=' ? nullptr : minus_row;
+    case '*':
+      if (next == '=') return nullptr;
+      return next == '*' ? power_row : times_row;
+    case '/':
+      return next == '/' || next == '*' || next == '=' ? nullptr : divided_row;
+    default:
+      break;
+  }
+  std::size_t length = 0;
+  while (length < text.size() && is_name_part(text[length])) ++length;
+  return length == 0 ? nullptr : find_bracket_operator(ShortName(text.substr(0, length)).text());
+}
+
+}  // namespace
+
+void TextValues::skip_blanks() {
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+}
+
+std::string_view TextValues::name_ahead() const {
+  const char* last = at_;
+  while (last != end_ && is_name_part(*last)) ++last;
+  return {at_, static_cast<std::size_t>(last - at_)};
+}
+
+TextValues::MaybeValue TextValues::fail(const char* first, ValueFault fault) {
+  fault_ = std::move(fault);
+  fault_text_ = {first, static_cast<std::size_t>(at_ - first)};
+  return std::nullopt;
+}
+
+TextValues::MaybeValue TextValues::read(const char*& at) {
+  at_ = at;
+  depth_ = 0;
+  operators_ = 0;
+  const MaybeValue result = value();
+  if (result) at = at_;
+  return result;
+}
+
+bool TextValues::read_setting(const char*& at) {
+  at_ = at + 1;
+  depth_ = 1;
+  operators_ = 0;
+  TextSetting setting;
+  if (character() == '<') {
+    if (!read_parameter_name()) return false;
+    setting.slot = parameters_.slot_to_set(name_);
+    if (!setting.slot) return false;
+  } else {
+    const MaybeValue number = unsigned_value();
+    if (!number) return false;
+    setting.number = *number;
+  }
+  setting.text = {at, static_cast<std::size_t>(at_ - at)};
+  skip_blanks();
+  if (character() != '=') return false;
+  ++at_;
+  skip_blanks();
+  depth_ = 0;
+  const MaybeValue result = value();
+  if (!result) return false;
+  setting.value = *result;
+  settings_.push_back(setting);
+  at = at_;
+  return true;
+}
+
+// [+|-] unsigned value
+TextValues::MaybeValue TextValues::value() {
+  if (depth_++ > limits::nesting) return std::nullopt;
+  const char sign = character();
+  MaybeValue result;
+  if (sign == '+' || sign == '-') {
+    ++at_;
+    skip_blanks();
+    result = value();
+    if (result && sign == '-') *result = -*result;
+  } else {
+    result = unsigned_value();
+  }
+  --depth_;
+  return result;
+}
+
+TextValues::MaybeValue TextValues::unsigned_value() {
+  const char c = character();
+  if (c == '#') return parameter();
+  if (c == '[') return bracket();
+  if (is_letter(c)) return function();
+  return is_digit(c) || c == '.' ? number() : std::nullopt;
+}
+
+TextValues::MaybeValue TextValues::number() {
+  double result = 0.0;
+  bool whole = false;
+  if (!read_number(at_, end_, result, whole) || !std::isfinite(result)) return std::nullopt;
+  return result;
+}
+
+// <name> into name_, blanks left out.
+bool TextValues::read_parameter_name() {
+  name_.clear();
+  for (++at_; at_ != end_ && *at_ != '>'; ++at_) {
+    if (is_line_end(*at_)) return false;
+    if (!is_blank(*at_)) name_ += lower_case(*at_);
+  }
+  if (at_ == end_ || name_.empty()) return false;
+  ++at_;
+  return true;
+}
+
+// #5, #<name>, ##5, #[...]
+TextValues::MaybeValue TextValues::parameter() {
+  if (depth_++ > limits::nesting) return std::nullopt;
+  const char* const first = at_++;
+  MaybeValue result;
+  if (character() == '<') {
+    if (!read_parameter_name()) return std::nullopt;
+    result = parameters_.named(name_, fault_);
+  } else {
+    const MaybeValue number = unsigned_value();
+    if (!number) return std::nullopt;
+    result = parameters_.numbered(*number, fault_);
+  }
+  --depth_;
+  if (!result) fault_text_ = {first, static_cast<std::size_t>(at_ - first)};
+  return result;
+}
+
+TextValues::MaybeValue TextValues::bracket() {
+  ++at_;
+  const MaybeValue result = binary(0);
+  if (!result) return std::nullopt;
+  skip_blanks();
+  if (character() != ']') return std::nullopt;
+  ++at_;
+  return result;
+}
+
+// An expression whose operators bind at least as strongly as `level`.
+TextValues::MaybeValue TextValues::binary(int level) {
+  skip_blanks();
+  const char* const first = at_;
+  MaybeValue left = value();
+  while (left) {
+    const char* const last = at_;
+    skip_blanks();
+    const BracketOperator* const found = operator_of({at_, static_cast<std::size_t>(end_ - at_)});
+    if (found == nullptr || found->level < level) {
+      at_ = last;
+      return left;
+    }
+    if (++operators_ > limits::operators) return std::nullopt;
+    at_ += found->name.size();
+    const MaybeValue right = binary(found->level + 1);
+    if (!right) return std::nullopt;
+    const bool unknown = std::isnan(*left) || std::isnan(*right);
+    ArithmeticFault fault{};
+    left = computed(found->operation, *left, *right, fault);
+    if (unknown) left = std::nan("");
+    if (!left) return fail(first, {fault.code, fault.message, {}});
+  }
+  return std::nullopt;
+}
+
+// SIN[...], ATAN[...]/[...]
+TextValues::MaybeValue TextValues::function() {
+  const char* const first = at_;
+  const std::string_view name = name_ahead();
+  const Builtin* const row = find_function(ShortName(name).text());
+  if (row == nullptr) return std::nullopt;
+  at_ += name.size();
+  std::array<Value, 2> arguments;
+  const std::size_t count = row->arguments.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    skip_blanks();
+    if (i != 0 && character() == '/') {
+      ++at_;
+      skip_blanks();
+    }
+    if (character() != '[') return std::nullopt;
+    const MaybeValue argument = bracket();
+    if (!argument) return std::nullopt;
+    arguments[i].number = *argument;
+  }
+  Value result;
+  if (std::isnan(arguments[0].number) || std::isnan(arguments[1].number)) return std::nan("");
+  if (row->evaluate({arguments.data(), count}, result)) return result.number;
+  return fail(first,
+              {"E3009", "invalid argument of `" + std::string(row->name) + "`", "no result"});
+}
+
+}  // namespace stanok::lang

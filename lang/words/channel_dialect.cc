@@ -1,0 +1,191 @@
+#include "lang/words/channel_dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "lang/text/source.h"
+#include "lang/words/law_address.h"
+#include "lang/words/named_address.h"
+
+namespace stanok::lang {
+namespace {
+
+// M100 to M899 belong to the machine builder.
+constexpr int output_first = m(100);
+constexpr int output_last = m(899);
+
+// Codes whose meaning the machine file cannot change.
+constexpr auto fixed_g = std::to_array<int>(
+    {g(0), g(1), g(2), g(3), g(17), g(18), g(19), g(20), g(21), g(40), g(53), g(65), g(90), g(91)});
+constexpr auto fixed_m =
+    std::to_array<int>({m(0), m(1), m(2), m(30), m(98), m(99), m(902), m(903)});
+
+// Letters that codes of every channel take (E only few of them, which then have it in their
+// blocks), and the axes of every drawing.
+constexpr LetterSet taken_letters = letters_of("DFGHIJKLMNOPQRSTUXYZ");
+
+bool is_fixed(char letter, int number) {
+  const auto has = [number](const auto& list) {
+    return std::find(list.begin(), list.end(), number) != list.end();
+  };
+  return letter == 'G' ? has(fixed_g) : has(fixed_m);
+}
+
+Phase phase_of(UserCode::Kind kind) {
+  if (kind == UserCode::Kind::output_after) return Phase::functions_after;
+  if (kind == UserCode::Kind::output_with_motion) return Phase::motion_modifier;
+  return Phase::functions_before;
+}
+
+Code row_of(const UserCode& output) {
+  Code row;
+  row.letter = 'M';
+  row.number = static_cast<CodeNumber>(output.number);
+  row.phase = phase_of(output.kind);
+  row.words = letters_of("PQ");
+  row.action = CodeAction::send_machine_function;
+  row.title = "function of the machine";
+  return row;
+}
+
+const UserCode* find_in(const std::vector<UserCode>& codes, char letter, int number) {
+  const auto found = std::find_if(codes.begin(), codes.end(), [&](const UserCode& code) {
+    return code.letter == letter && code.number == number;
+  });
+  return found == codes.end() ? nullptr : &*found;
+}
+
+// "G43.4" -> letter and number in tenths.
+bool read_code_name(std::string_view name, UserCode& code) {
+  if (name.size() < 2 || (name[0] != 'G' && name[0] != 'M')) return false;
+  code.letter = name[0];
+  int whole = 0;
+  const char* const end = name.data() + name.size();
+  auto [at, error] = std::from_chars(name.data() + 1, end, whole);
+  if (error != std::errc() || whole < 0 || whole > 3000) return false;
+  code.number = whole * 10;
+  if (at != end && *at == '.' && end - at == 2 && is_digit(at[1])) {
+    code.number += at[1] - '0';
+    at += 2;
+  }
+  return at == end;
+}
+
+std::optional<UserCode::Kind> output_kind(std::string_view word) {
+  if (word == "before") return UserCode::Kind::output_before;
+  if (word == "after") return UserCode::Kind::output_after;
+  if (word == "with_motion") return UserCode::Kind::output_with_motion;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ChannelDialect::ChannelDialect(const ChannelDescription* channel) {
+  if (channel == nullptr) return;
+  for (const UserCode& code : channel->user_codes) {
+    const bool macro = code.kind == UserCode::Kind::macro;
+    (macro ? macros_ : outputs_).push_back(code);
+    if (!macro) output_rows_.push_back(row_of(code));
+  }
+  aliases_ = channel->address_alias;
+  for (const AddressAlias& alias : aliases_) alias_letters_ |= letter_bit(alias.letter);
+}
+
+const UserCode* ChannelDialect::macro(char letter, int number) const {
+  return find_in(macros_, letter, number);
+}
+
+const Code* ChannelDialect::output(char letter, int number) const {
+  const UserCode* const code = find_in(outputs_, letter, number);
+  return code == nullptr ? nullptr
+                         : &output_rows_[static_cast<std::size_t>(code - outputs_.data())];
+}
+
+bool ChannelDialect::output_waits(int number) const {
+  const UserCode* const code = find_in(outputs_, 'M', number);
+  return code != nullptr && code->waits;
+}
+
+std::string_view ChannelDialect::alias(char letter) const {
+  for (const AddressAlias& alias : aliases_) {
+    if (alias.letter == letter) return alias.address;
+  }
+  return {};
+}
+
+std::optional<MacroCode> macro_of(const BlockWords& words, const ChannelDialect& dialect) {
+  for (const CodeNumber number : words.g) {
+    if (number == g(65)) return MacroCode{};
+    if (const UserCode* const code = dialect.macro('G', number)) {
+      return MacroCode{'G', number, code};
+    }
+  }
+  for (const CodeNumber number : words.m) {
+    if (const UserCode* const code = dialect.macro('M', number)) {
+      return MacroCode{'M', number, code};
+    }
+  }
+  return std::nullopt;
+}
+
+Expected<UserCode, std::string> read_user_code(std::string_view code, std::string_view meaning) {
+  UserCode made;
+  const std::string name(code);
+  if (!read_code_name(code, made)) {
+    return tl::unexpected("'" + name + "' is no G or M code; write it as in G200");
+  }
+  if (is_fixed(made.letter, made.number)) {
+    return tl::unexpected("'" + name + "' cannot be given another meaning; use a free code");
+  }
+  const std::size_t blank = meaning.find(' ');
+  if (const auto kind = output_kind(meaning.substr(0, blank))) {
+    made.kind = *kind;
+    made.waits = blank != std::string_view::npos;
+    const bool ours = made.letter == 'M' && made.number >= output_first &&
+                      made.number <= output_last && made.number % 10 == 0;
+    if (!ours) return tl::unexpected("'" + name + "' is no output; M100 to M899 can be one");
+    if (made.waits && meaning.substr(blank + 1) != "wait") {
+      return tl::unexpected("'" + std::string(meaning) + "' is no kind of output; behind '" +
+                            std::string(meaning.substr(0, blank)) + "' only 'wait' may follow");
+    }
+    return made;
+  }
+  const std::size_t colon = meaning.find(':');
+  made.program = meaning.substr(0, colon);
+  if (colon != std::string_view::npos) made.function = folded(meaning.substr(colon + 1));
+  if (made.program.find('.') == std::string::npos) {
+    return tl::unexpected("'" + std::string(meaning) +
+                          "' is neither a program file nor before, after or with_motion");
+  }
+  return made;
+}
+
+Expected<AddressAlias, std::string> read_address_alias(std::string_view letter,
+                                                       std::string_view address, ChannelKind kind,
+                                                       std::span<const std::string> axis_words) {
+  const std::string name = "'" + std::string(letter) + "'";
+  const auto is_axis = [&](std::string_view word) {
+    return std::ranges::find(axis_words, word) != axis_words.end();
+  };
+  if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
+    return tl::unexpected(name + " is no single capital letter");
+  }
+  if (is_axis(letter)) {
+    return tl::unexpected(name + " is an axis of the channel; use a letter that is free");
+  }
+  const LetterSet taken =
+      kind == ChannelKind::lathe ? taken_letters | letters_of("UVW") : taken_letters;
+  if ((taken & letter_bit(letter[0])) != 0) {
+    return tl::unexpected(name + " has a meaning in every program; A, B, C and E can be free" +
+                          (kind == ChannelKind::lathe ? "" : ", V and W too"));
+  }
+  const std::string_view known = find_named_address(address);
+  if (is_law_address(known)) return AddressAlias{letter[0], std::string(known)};
+  if (address.size() > 1 && is_axis(address)) return AddressAlias{letter[0], std::string(address)};
+  return tl::unexpected("'" + std::string(address) +
+                        "' is no named address; use one of a feed law, as dS, or an axis word of "
+                        "more than one character");
+}
+
+}  // namespace stanok::lang

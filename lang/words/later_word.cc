@@ -1,0 +1,45 @@
+#include "lang/words/later_word.h"
+
+#include <algorithm>
+#include <array>
+
+namespace stanok::lang {
+namespace {
+
+constexpr auto later_rows = std::to_array<LaterWord>({
+    {"G2.4", "an arc over a point, clockwise", "use G2 with centre or radius"},
+    {"G3.4", "an arc over a point, counter-clockwise", "use G3 with centre or radius"},
+    {"G6.2", "a curve with knots", "use G5.2 and G5.3, a curve without"},
+    {"G16", "polar words", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
+    {"G17.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
+    {"G18.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
+    {"G19.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
+    {"G27", "check of the reference point", "use `G53 G0` and compare `$pos_mcs[X]`"},
+    {"G31", "a move up to a signal", "use G38.3"},
+    {"G34", "a thread of variable lead", "use G33, section by section"},
+    {"G37", "measurement of a tool", "use G38.2 and `settable_tool`"},
+    {"G43.5", "tip control by a tool vector", "use G43.4 and program the rotary axes"},
+    {"G53.1", "alignment of the tool", "program the rotary axes"},
+    {"G68.2", "a tilted plane", "use G68 with I, J, K, or a tilted scheme with `#kinematics`"},
+    {"G75", "a grooving cycle", "use a loop of G1"},
+    {"G87", "boring from behind", "use G1 with M19"},
+    {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
+    {"@", "a polar radius", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
+    {"^", "a polar angle", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
+    {",", "a chamfer or rounding of a corner", "write the chamfer as G1, the rounding as G2 or G3"},
+    {"(LOG,...)", "a line of a log file", "use `log (text);`"},
+});
+
+}  // namespace
+
+std::span<const LaterWord> later_words() {
+  return later_rows;
+}
+
+const LaterWord* find_later_word(std::string_view word) {
+  const auto row = std::find_if(later_rows.begin(), later_rows.end(),
+                                [word](const LaterWord& one) { return one.word == word; });
+  return row == later_rows.end() ? nullptr : &*row;
+}
+
+}  // namespace stanok::lang
