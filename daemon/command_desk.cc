@@ -132,7 +132,9 @@ void CommandDesk::tick(SteadyTime now) {
   watch_cycle(now);
 }
 
-// An ended run is looked at once more at the next tick: its alarm is told right behind its end.
+// An ended run is looked at once more at the next tick: its alarm is told right behind its end. It
+// counts as ended when the outputs that have been handed on have come so far: who hears of the end
+// finds the axes at it, however late the publisher is.
 void CommandDesk::answer_ended_runs() {
   const auto runs = machine_.runs();
   std::vector<AwaitedRun> still_awaited;
@@ -140,7 +142,8 @@ void CommandDesk::answer_ended_runs() {
     const auto run = std::find_if(runs.rbegin(), runs.rend(), [&](const auto& report) {
       return report.channel == awaited.channel && report.run == awaited.run;
     });
-    const bool has_ended = run != runs.rend() && run->ended;
+    const bool has_ended =
+        run != runs.rend() && run->ended && machine_.newest_output().cycle >= run->end_cycle;
     if (has_ended && awaited.seen_ended) {
       awaited.answer(outcome_of(*run, machine_.alarms(), machine_.file().machine.cycle_us * 1e-6));
       continue;

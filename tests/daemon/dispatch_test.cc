@@ -292,8 +292,13 @@ class WaitForTheEnd : public DispatchTest {
     machine.run_reports[0].ok = ok;
     machine.run_reports[0].blocks = 7;
     machine.run_reports[0].end_cycle = 3500;
+    machine.output.cycle = 3499;
     tick(20ms);
     tick(30ms);
+    EXPECT_FALSE(slot->has_value()) << "the axes are not yet seen at the end";
+    machine.output.cycle = 3500;
+    tick(40ms);
+    tick(50ms);
     ASSERT_TRUE(slot->has_value());
   }
   std::shared_ptr<std::optional<Outcome>> slot;
