@@ -28,10 +28,12 @@ wchar_t code_point(std::string_view character) {
   return static_cast<wchar_t>(point);
 }
 
-// wcwidth asks the locale; C.UTF-8 is part of the C library.
+// wcwidth asks the locale; C.UTF-8 is part of the C library. It is not asked for before a character
+// needs it: where LOCPATH names a folder without it the C library loses the memory of the attempt.
 std::size_t columns_of(std::string_view character) {
+  if (character.size() == 1) return 1;
   static const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
-  if (character.size() == 1 || utf8 == nullptr) return 1;
+  if (utf8 == nullptr) return 1;
   const locale_t before = uselocale(utf8);
   const int columns = wcwidth(code_point(character));
   uselocale(before);
