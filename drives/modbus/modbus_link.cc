@@ -1,12 +1,20 @@
 // Connections of libmodbus and what its error numbers mean.
 #include "drives/modbus/modbus_link.h"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
 #include <cerrno>
+#include <utility>
 
 #include "base/assert.h"
 
 namespace stanok::drives {
 namespace {
+
+// Devices answer within a second or not at all.
+constexpr std::chrono::seconds late_at_most{1};
 
 modbus_t* new_context(const BusConfig& config) {
   STANOK_ASSERT(config.kind != BusKind::none);
@@ -33,10 +41,20 @@ ExchangeError error_of(int error_number) {
   return error_number > EMBXGTAR ? ExchangeError::mangled : ExchangeError::disconnected;
 }
 
+// Reads and forgets what arrives within the time. False: nothing did.
+bool discard(int descriptor, std::chrono::milliseconds time) {
+  pollfd line{.fd = descriptor, .events = POLLIN, .revents = 0};
+  std::array<char, MODBUS_RTU_MAX_ADU_LENGTH> bytes{};
+  return poll(&line, 1, static_cast<int>(time.count())) > 0 &&
+         read(descriptor, bytes.data(), bytes.size()) > 0;
+}
+
 }  // namespace
 
 ModbusLink::ModbusLink(const BusConfig& config)
-    : context_(new_context(config)), endpoint_(endpoint_of(config)) {
+    : context_(new_context(config)),
+      endpoint_(endpoint_of(config)),
+      is_serial_(config.kind == BusKind::modbus_rtu) {
   if (context_ == nullptr) {
     return;  // libmodbus refused the device or address: a link that never connects
   }
@@ -63,7 +81,21 @@ void ModbusLink::connect() {
   close();
   connected_ = context_ != nullptr && modbus_connect(context_.get()) == 0;
   if (connected_) {
+    if (std::exchange(answer_is_behind_, false)) discard_late_answer();
     modbus_flush(context_.get());
+  }
+}
+
+// Until the line has been silent; no longer than other drives can do without it.
+void ModbusLink::discard_late_answer() {
+  using std::chrono::milliseconds;
+  constexpr milliseconds awaited{20};
+  constexpr milliseconds silence{5};  // above 3.5 characters at 9,600 baud
+  constexpr int frames = 2;
+  const int descriptor = modbus_get_socket(context_.get());
+  if (!discard(descriptor, awaited)) return;
+  for (int bytes = 0; bytes < frames * MODBUS_RTU_MAX_ADU_LENGTH; ++bytes) {
+    if (!discard(descriptor, silence)) return;
   }
 }
 
@@ -92,11 +124,24 @@ std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const Requ
 
 // By errno, which libmodbus set or left at 0.
 ExchangeError ModbusLink::give_up() {
-  const ExchangeError error = errno == 0 ? ExchangeError::mangled : error_of(errno);
+  const int error_number = errno;
+  answer_is_behind_ = is_answer_of_before(error_number);
+  const ExchangeError error = answer_is_behind_   ? ExchangeError::timeout
+                              : error_number == 0 ? ExchangeError::mangled
+                                                  : error_of(error_number);
+  if (error == ExchangeError::timeout && !answer_is_behind_) {
+    late_until_ = std::chrono::steady_clock::now() + late_at_most;
+  }
   if (error != ExchangeError::exception) {
     close();
   }
   return error;
+}
+
+// The answer to the present request is then on its way.
+bool ModbusLink::is_answer_of_before(int error_number) const {
+  return is_serial_ && error_number == EMBBADSLAVE &&
+         std::chrono::steady_clock::now() < late_until_;
 }
 
 std::optional<ExchangeError> ModbusLink::exchange(SignalBlock& block) {

@@ -1,7 +1,10 @@
 // One Modbus connection, TCP or RTU, over libmodbus: connect, exchange, close.
 //
 // After any error but a Modbus exception the connection is closed, because a late answer would be
-// taken for the answer to the next request. Belongs to one thread.
+// taken for the answer to the next request. A serial line goes on carrying it: frames of RTU have
+// no transaction number, so what arrives behind a time-out may belong to an earlier request. Where
+// its sender shows that, it counts as a time-out, and the line is listened to until it is silent
+// before the next request. Belongs to one thread.
 #pragma once
 
 #include <modbus/modbus.h>
@@ -50,12 +53,17 @@ class ModbusLink {
   [[nodiscard]] bool carry_out(const Request& request, std::span<std::uint16_t> image);
   [[nodiscard]] int carry_out(SignalBlock& block);
   [[nodiscard]] ExchangeError give_up();
+  [[nodiscard]] bool is_answer_of_before(int error_number) const;
+  void discard_late_answer();
 
   struct Free {
     void operator()(modbus_t* context) const { modbus_free(context); }
   };
   std::unique_ptr<modbus_t, Free> context_;
   std::string endpoint_;
+  bool is_serial_;
+  std::chrono::steady_clock::time_point late_until_{};  // an answer of before may arrive until then
+  bool answer_is_behind_ = false;                       // to a request that met a late one
   bool connected_ = false;
 };
 
