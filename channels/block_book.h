@@ -7,19 +7,12 @@
 
 #include <deque>
 #include <mutex>
-#include <optional>
 
+#include "channels/reports.h"
 #include "lang/contract/active_codes.h"
 #include "motion/path.h"
 
 namespace stanok::channels {
-
-struct BlockReport {
-  lang::ActiveCodes codes{};
-  // Of the block at hand or the latest one before it that moves, in the workpiece system of that
-  // block; nothing: none does, or no program runs.
-  std::optional<motion::Point> end_W;
-};
 
 class BlockBook {
  public:

@@ -13,7 +13,6 @@
 #include "channels/channel_figures.h"
 #include "channels/channel_link.h"
 #include "channels/command_rules.h"
-#include "channels/machine.h"
 #include "channels/mark_worker.h"
 #include "channels/output.h"
 #include "channels/spindle.h"

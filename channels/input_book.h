@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "base/ring.h"
+#include "channels/input_record.h"
 #include "channels/output.h"
 
 namespace stanok::channels {

@@ -13,13 +13,13 @@
 #include <span>
 #include <vector>
 
-#include "base/diagnostic.h"
 #include "base/ring.h"
-#include "channels/block_book.h"
+#include "channels/input_record.h"
 #include "channels/machine_config.h"
 #include "channels/operator_event.h"
 #include "channels/output.h"
-#include "channels/program_search.h"
+#include "channels/progress.h"
+#include "channels/reports.h"
 #include "lang/contract/environment.h"
 
 namespace stanok::channels {
@@ -33,35 +33,6 @@ struct CycleInputs {
   // made.
   std::span<const Arrivals> arrivals{};
 };
-
-// One finished (or running) program run of a channel, for reports.
-struct RunReport {
-  int channel = 0;
-  std::uint32_t run = 0;
-  std::string program;
-  std::vector<std::string> files;  // 0 the program itself, then what it includes and calls
-  bool ok = false;
-  bool ended = false;
-  std::uint64_t blocks = 0;
-  std::int64_t start_cycle = 0;
-  std::int64_t end_cycle = 0;
-  double path_mm = 0.0;  // feed and rapid
-  std::uint32_t lookahead_max_blocks = 0;
-  motion::Point end_W{};  // channel axis order
-  motion::Point end_M{};
-  int axis_count = 0;
-};
-
-// An alarm of a channel, with its diagnostic when a program is to blame.
-struct AlarmReport {
-  int channel = 0;
-  std::int64_t cycle = 0;
-  Diagnostic diagnostic;
-};
-
-// blocked: waits for the cycle. computing: it might go on for ever, nothing of what was done is for
-// the cycle; a clock that waits for the preparations goes on after a while.
-enum class Progress { worked, computing, blocked };
 
 struct MachineOptions {
   bool on_at_start = false;  // drives enabled from the first cycle (simulate)

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "lang/run/block_search.h"
@@ -31,16 +30,6 @@ struct ProgramSearch {
   lang::SearchCollector collector;
   motion::Point axes_M{};                      // where the axes stand
   const kinematics::Scheme* scheme = nullptr;  // at the place reached so far
-};
-
-// What a search came to, for people. Positions in the order of the words, workpiece system.
-struct SearchReport {
-  std::string file;
-  std::uint32_t line = 0;
-  std::vector<std::string> words;
-  std::vector<double> position;   // programmed at the target; empty: not calculated
-  std::vector<double> stands_at;  // the axes now, in the same system
-  lang::SearchState state;
 };
 
 // Commands that bring the machine, apart from its axes, into the state of a search, in their order.

@@ -10,8 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/fixed_text.h"
 #include "base/ring.h"
-#include "channels/machine.h"
+#include "channels/reports.h"
 
 namespace stanok::channels {
 

@@ -1,0 +1,59 @@
+// What a machine tells people of the runs, alarms, searches and blocks of its channels. Made
+// outside of the cycle.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "lang/contract/active_codes.h"
+#include "lang/run/block_search.h"
+#include "motion/path.h"
+
+namespace stanok::channels {
+
+// One finished (or running) program run of a channel, for reports.
+struct RunReport {
+  int channel = 0;
+  std::uint32_t run = 0;
+  std::string program;
+  std::vector<std::string> files;  // 0 the program itself, then what it includes and calls
+  bool ok = false;
+  bool ended = false;
+  std::uint64_t blocks = 0;
+  std::int64_t start_cycle = 0;
+  std::int64_t end_cycle = 0;
+  double path_mm = 0.0;  // feed and rapid
+  std::uint32_t lookahead_max_blocks = 0;
+  motion::Point end_W{};  // channel axis order
+  motion::Point end_M{};
+  int axis_count = 0;
+};
+
+// An alarm of a channel, with its diagnostic when a program is to blame.
+struct AlarmReport {
+  int channel = 0;
+  std::int64_t cycle = 0;
+  Diagnostic diagnostic;
+};
+
+// What a search came to, for people. Positions in the order of the words, workpiece system.
+struct SearchReport {
+  std::string file;
+  std::uint32_t line = 0;
+  std::vector<std::string> words;
+  std::vector<double> position;   // programmed at the target; empty: not calculated
+  std::vector<double> stands_at;  // the axes now, in the same system
+  lang::SearchState state;
+};
+
+struct BlockReport {
+  lang::ActiveCodes codes{};
+  // Of the block at hand or the latest one before it that moves, in the workpiece system of that
+  // block; nothing: none does, or no program runs.
+  std::optional<motion::Point> end_W;
+};
+
+}  // namespace stanok::channels
