@@ -13,7 +13,7 @@
 #include <limits>
 
 #include "base/system_error.h"
-#include "channels/operator_action.h"
+#include "channels/contract/operator_action.h"
 #include "client/interrupts.h"
 #include "protocol/json_rpc.h"
 #include "protocol/method_table.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "channels/operator_action.h"
+#include "channels/contract/operator_action.h"
 #include "protocol/json_rpc.h"
 #include "protocol/machine_request.h"
 

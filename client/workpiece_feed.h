@@ -5,7 +5,7 @@
 #include <stanok_messages/setpoint_t.hpp>
 #include <stanok_messages/workpiece_t.hpp>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 #include "config/machine_file.h"
 #include "simulation/workpiece_follower.h"
 

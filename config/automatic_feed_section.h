@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "config/key_table.h"
 
 namespace stanok::config {

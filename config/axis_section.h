@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "config/key_table.h"
 #include "config/machine_file.h"
 #include "drives/bus_config.h"

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <set>
 
-#include "channels/channel_description.h"
-#include "channels/motion_config.h"
-#include "channels/output.h"
+#include "channels/contract/channel_description.h"
+#include "channels/contract/motion_config.h"
+#include "channels/contract/output.h"
 #include "config/automatic_feed_section.h"
 #include "config/axis_section.h"
 #include "config/scheme_file.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "config/config_error.h"
 #include "drives/bus_config.h"
 #include "process/adaptive/force_control_config.h"

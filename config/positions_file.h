@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 
 namespace stanok::config {
 

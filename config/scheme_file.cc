@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "channels/motion_config.h"
+#include "channels/contract/motion_config.h"
 #include "config/scheme_keys.h"
 
 namespace stanok::config {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "config/key_table.h"
 #include "kinematics/scheme.h"
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <sstream>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 
 namespace stanok::config {
 namespace {

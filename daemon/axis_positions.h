@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "channels/machine_config.h"
-#include "channels/output.h"
+#include "channels/contract/machine_config.h"
+#include "channels/contract/output.h"
 
 namespace stanok::daemon {
 

@@ -1,6 +1,6 @@
 #include "daemon/channel_control.h"
 
-#include "channels/command_rules.h"
+#include "channels/contract/command_rules.h"
 #include "daemon/dispatch.h"
 
 namespace stanok::daemon {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "channels/operator_event.h"
+#include "channels/contract/operator_event.h"
 #include "protocol/failure.h"
 
 namespace stanok::daemon {

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "channels/block_book.h"
-#include "channels/machine_config.h"
-#include "channels/output.h"
+#include "channels/contract/machine_config.h"
+#include "channels/contract/output.h"
+#include "channels/stores/block_book.h"
 #include "drives/bus.h"
 
 namespace stanok::daemon {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/expected.h"
-#include "channels/operator_event.h"
+#include "channels/contract/operator_event.h"
 #include "daemon/channel_notes.h"
 #include "daemon/running_machine.h"
 #include "protocol/failure.h"

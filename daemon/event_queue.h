@@ -11,9 +11,9 @@
 #include <span>
 
 #include "base/ring.h"
-#include "channels/operator_action.h"
-#include "channels/operator_event.h"
-#include "channels/output.h"
+#include "channels/contract/operator_action.h"
+#include "channels/contract/operator_event.h"
+#include "channels/contract/output.h"
 
 namespace stanok::daemon {
 

@@ -19,7 +19,7 @@
 #include <thread>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "recording/path_preview.h"
 

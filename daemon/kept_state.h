@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "channels/machine_config.h"
-#include "channels/output.h"
+#include "channels/contract/machine_config.h"
+#include "channels/contract/output.h"
 #include "daemon/running_machine.h"
 #include "daemon/state_keeper.h"
 

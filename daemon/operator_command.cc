@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "channels/operator_action.h"
+#include "channels/contract/operator_action.h"
 #include "protocol/machine_request.h"
 
 namespace stanok::daemon {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/expected.h"
-#include "channels/operator_event.h"
+#include "channels/contract/operator_event.h"
 #include "config/machine_file.h"
 #include "protocol/json_rpc.h"
 

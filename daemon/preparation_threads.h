@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 
 namespace stanok::daemon {
 

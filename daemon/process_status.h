@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 
 namespace stanok::daemon {
 

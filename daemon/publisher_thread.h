@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/ring.h"
-#include "channels/operator_event.h"
-#include "channels/output.h"
+#include "channels/contract/operator_event.h"
+#include "channels/contract/output.h"
 #include "recording/encode_inputs.h"
 
 namespace stanok::daemon {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/expected.h"
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "daemon/foresight.h"
 #include "daemon/real_time_loop.h"

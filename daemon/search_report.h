@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "channels/program_search.h"
+#include "channels/preparation/program_search.h"
 
 namespace stanok::daemon {
 

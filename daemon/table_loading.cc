@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "channels/live_tables.h"
+#include "channels/stores/live_tables.h"
 #include "config/config_error.h"
 #include "config/tables_file.h"
 #include "daemon/inventory.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 
 namespace stanok::recording {
 

@@ -16,8 +16,8 @@
 #include <stanok_messages/workpiece_t.hpp>
 #include <string_view>
 
-#include "channels/machine.h"
-#include "channels/output.h"
+#include "channels/contract/output.h"
+#include "channels/machine/machine.h"
 #include "recording/path_preview.h"
 
 namespace stanok::recording {

@@ -6,7 +6,7 @@
 #include <stanok_messages/program_read_t.hpp>
 #include <string>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 #include "recording/encode.h"
 
 namespace stanok::recording {

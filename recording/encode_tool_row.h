@@ -4,7 +4,7 @@
 #include <optional>
 #include <stanok_messages/tool_row_t.hpp>
 
-#include "channels/tool_row.h"
+#include "channels/contract/tool_row.h"
 #include "recording/encode.h"
 
 namespace stanok::recording {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "recording/encode.h"
 
 namespace stanok::recording {

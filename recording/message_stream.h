@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "channels/machine.h"
-#include "channels/output.h"
+#include "channels/contract/output.h"
+#include "channels/machine/machine.h"
 #include "recording/channel_names.h"
 #include "recording/encode_inputs.h"
 #include "recording/log_description.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 #include "recording/plot_points.h"
 
 namespace stanok::recording {

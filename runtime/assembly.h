@@ -14,7 +14,7 @@
 
 #include "base/ring.h"
 #include "base/rt_safe.h"
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "drives/bus.h"
 #include "plant/fault.h"

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "base/overloaded.h"
-#include "channels/channel_description.h"
-#include "channels/feed_limit.h"
-#include "channels/motion_config.h"
-#include "channels/scheme_switch.h"
+#include "channels/contract/channel_description.h"
+#include "channels/contract/motion_config.h"
+#include "channels/preparation/feed_limit.h"
+#include "channels/preparation/scheme_switch.h"
 #include "lang/text/limits.h"
 
 namespace stanok::runtime {

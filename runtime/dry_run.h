@@ -11,10 +11,10 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "channels/block_preparation.h"
-#include "channels/live_tables.h"
-#include "channels/preparation.h"
-#include "channels/thread_preparation.h"
+#include "channels/preparation/block_preparation.h"
+#include "channels/preparation/preparation.h"
+#include "channels/preparation/thread_preparation.h"
+#include "channels/stores/live_tables.h"
 #include "config/machine_file.h"
 #include "lang/run/block_search.h"
 #include "lang/run/interpreter.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "process/adaptive/force_control.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "base/ring.h"
-#include "channels/output.h"
+#include "channels/contract/output.h"
 
 namespace stanok::runtime {
 

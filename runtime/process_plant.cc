@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "channels/motion_config.h"
+#include "channels/contract/motion_config.h"
 
 namespace stanok::runtime {
 namespace {

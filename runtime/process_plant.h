@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "drives/vibration.h"
 #include "plant/cutting_process.h"

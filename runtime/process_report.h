@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 #include "plant/stock.h"
 
 namespace stanok::runtime {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "channels/operator_event.h"
-#include "channels/output.h"
+#include "channels/contract/operator_event.h"
+#include "channels/contract/output.h"
 #include "config/machine_file.h"
 #include "lang/contract/environment.h"
 #include "recording/encode_inputs.h"

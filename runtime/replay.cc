@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "channels/machine.h"
-#include "channels/operator_action.h"
+#include "channels/contract/operator_action.h"
+#include "channels/machine/machine.h"
 #include "recording/channel_names.h"
 #include "recording/decode.h"
 #include "runtime/force_controls.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "recording/message_stream.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/histogram.h"
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "runtime/assembly.h"
 #include "runtime/run_setup.h"

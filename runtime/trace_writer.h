@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "runtime/simulation.h"
 
 namespace stanok::runtime {

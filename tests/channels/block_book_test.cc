@@ -1,5 +1,5 @@
 // What is told of the block at hand: active codes and its end, while the preparation is far ahead.
-#include "channels/block_book.h"
+#include "channels/stores/block_book.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

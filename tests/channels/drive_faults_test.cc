@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {

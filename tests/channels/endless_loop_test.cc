@@ -1,7 +1,7 @@
 // Programs that never come to a block: reset ends them, however little the preparation gets to do.
 #include <gtest/gtest.h>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {

@@ -1,5 +1,5 @@
 // Inputs that find no place are not lost in silence.
-#include "channels/input_book.h"
+#include "channels/stores/input_book.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

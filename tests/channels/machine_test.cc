@@ -1,5 +1,5 @@
 // The machine as a whole on a virtual clock: programs in, set-points out.
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

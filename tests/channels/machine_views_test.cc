@@ -1,8 +1,8 @@
 // What motion and the interpreter are told of a machine: motion_config, channel_description.
 #include <gtest/gtest.h>
 
-#include "channels/channel_description.h"
-#include "channels/motion_config.h"
+#include "channels/contract/channel_description.h"
+#include "channels/contract/motion_config.h"
 
 namespace stanok::channels {
 namespace {

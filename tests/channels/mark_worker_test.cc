@@ -1,5 +1,5 @@
 // Marks and outputs on their way along the path, without a channel around them.
-#include "channels/mark_worker.h"
+#include "channels/cycle/mark_worker.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <sstream>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "lang/run/block_search.h"
 #include "tests/support/machine/machine_bench.h"
 

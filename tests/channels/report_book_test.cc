@@ -1,5 +1,5 @@
 // ReportBook: what is told of runs stays right whichever side speaks first.
-#include "channels/report_book.h"
+#include "channels/stores/report_book.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {

@@ -1,5 +1,5 @@
 // Shared variables: one value for all channels, in the order of the text.
-#include "channels/shared_variables.h"
+#include "channels/stores/shared_variables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

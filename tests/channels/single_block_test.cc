@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 #include "tests/support/no_allocation.h"
 

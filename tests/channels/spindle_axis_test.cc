@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/cycle.h"
 #include "tests/support/helix.h"
 #include "tests/support/machine/machine_bench.h"

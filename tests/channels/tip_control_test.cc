@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {

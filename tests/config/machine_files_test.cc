@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "channels/channel_description.h"
-#include "channels/motion_config.h"
+#include "channels/contract/channel_description.h"
+#include "channels/contract/motion_config.h"
 #include "config/machine_file.h"
 #include "kinematics/scheme.h"
 #include "tests/support/project_folders.h"

@@ -1,14 +1,14 @@
-// Every command in every situation of a channel, as the table of channels/command_rules.h says:
-// what a daemon answers, and what docs/operator/at-the-machine.md prints. After a change of either
-// table write the document anew with
+// Every command in every situation of a channel, as the table of channels/contract/command_rules.h
+// says: what a daemon answers, and what docs/operator/at-the-machine.md prints. After a change of
+// either table write the document anew with
 //   STANOK_WRITE_DOCS=1 build/release/tests/daemon_tests --gtest_filter='CommandTableDocument.*'
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <sstream>
 
-#include "channels/command_rules.h"
-#include "channels/operator_action.h"
+#include "channels/contract/command_rules.h"
+#include "channels/contract/operator_action.h"
 #include "tests/daemon/daemon_bench.h"
 #include "tests/support/project_folders.h"
 

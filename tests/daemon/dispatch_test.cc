@@ -6,7 +6,7 @@
 #include <fstream>
 #include <optional>
 
-#include "channels/operator_action.h"
+#include "channels/contract/operator_action.h"
 #include "daemon/inventory.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/daemon/temporary_directory.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "channels/machine_config.h"
+#include "channels/contract/machine_config.h"
 #include "tests/support/chain/random_program.h"
 
 namespace stanok::testing {

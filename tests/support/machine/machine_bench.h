@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/machine.h"
+#include "channels/machine/machine.h"
 
 namespace stanok::testing {
 

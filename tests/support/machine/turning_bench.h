@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "channels/output.h"
+#include "channels/contract/output.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::testing {

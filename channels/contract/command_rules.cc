@@ -1,0 +1,137 @@
+#include "channels/contract/command_rules.h"
+
+#include "channels/contract/operator_action.h"
+
+namespace stanok::channels {
+namespace {
+
+// One code for each of `situations`, in their order; empty: admitted.
+using Rule = std::array<std::string_view, situations.size()>;
+
+constexpr std::string_view yes;
+constexpr std::string_view runs = "E6003";
+constexpr std::string_view alarm = "E6004";
+constexpr std::string_view no_program = "E6005";
+constexpr std::string_view off = "E6006";
+constexpr std::string_view nothing_ran = "E6007";
+constexpr std::string_view by_hand = "E6056";
+constexpr std::string_view stops = "E6070";
+constexpr std::string_view switches = "E6071";
+constexpr std::string_view scheme_in_use = "E5202";
+
+// What stops, and what only sets something, is taken always.
+constexpr Rule always{};
+// The columns: off, idle, ready | by hand, switching | running, held | alarm, fault | ending.
+constexpr Rule power_on{yes, yes, yes, yes, yes, yes, yes, alarm, alarm, stops};
+constexpr Rule load{yes, yes, yes, yes, yes, runs, runs, alarm, alarm, stops};
+constexpr Rule search{yes, no_program, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
+constexpr Rule run{off, yes, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
+constexpr Rule start{off, no_program, yes, by_hand, switches, runs, yes, alarm, alarm, stops};
+constexpr Rule resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran,
+                      yes,         yes,         alarm,       alarm,       stops};
+constexpr Rule select{off,           yes,           yes,   by_hand, switches,
+                      scheme_in_use, scheme_in_use, alarm, alarm,   stops};
+constexpr Rule jog{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
+constexpr Rule tables{yes, yes, yes, yes, yes, runs, runs, yes, yes, stops};
+
+const Rule& rule_of(OperatorAction action) RT_SAFE {
+  switch (action) {
+    case OperatorAction::machine_on:
+      return power_on;
+    case OperatorAction::program_load:
+      return load;
+    case OperatorAction::program_search:
+      return search;
+    case OperatorAction::program_run:
+    case OperatorAction::mdi:
+    case OperatorAction::home:
+      return run;
+    case OperatorAction::program_start:
+      return start;
+    case OperatorAction::program_resume:
+      return resume;
+    case OperatorAction::kinematics_select:
+      return select;
+    case OperatorAction::jog:
+      return jog;
+    case OperatorAction::tool_set:
+    case OperatorAction::offset_set:
+      return tables;
+    case OperatorAction::machine_off:
+    case OperatorAction::machine_estop:
+    case OperatorAction::program_hold:
+    case OperatorAction::program_stop:
+    case OperatorAction::program_reset:
+    case OperatorAction::override_feed:
+    case OperatorAction::override_rapid:
+    case OperatorAction::override_spindle:
+    case OperatorAction::alarm_acknowledge:
+    case OperatorAction::optional_stop:
+    case OperatorAction::block_skip:
+    case OperatorAction::block_skip_off:
+    case OperatorAction::single_block:
+    case OperatorAction::process_interrupt:
+    case OperatorAction::process_automatic:
+    case OperatorAction::process_adaptive:
+    case OperatorAction::channel_control:
+      return always;
+  }
+  return always;
+}
+
+}  // namespace
+
+std::string_view name_of(Situation situation) {
+  switch (situation) {
+    case Situation::off:
+      return "off";
+    case Situation::idle:
+      return "idle";
+    case Situation::ready:
+      return "ready";
+    case Situation::by_hand:
+      return "by hand";
+    case Situation::switching:
+      return "switching";
+    case Situation::running:
+      return "running";
+    case Situation::held:
+      return "held";
+    case Situation::alarm:
+      return "alarm";
+    case Situation::fault:
+      return "fault";
+    case Situation::ending:
+      return "ending";
+  }
+  return "";
+}
+
+std::string_view refusal_code(OperatorAction action, Situation situation) RT_SAFE {
+  return rule_of(action)[static_cast<std::size_t>(situation)];
+}
+
+std::string_view claim_of_refusal(std::string_view code) RT_SAFE {
+  if (code == runs) return ": a program is running or held";
+  if (code == alarm) return " must be reset first: an alarm stands";
+  if (code == no_program) return ": no program is loaded";
+  if (code == off) return ": the machine is off";
+  if (code == nothing_ran) return ": nothing was running";
+  if (code == by_hand) return ": axes are being moved by hand";
+  if (code == stops) return ": still coming to rest";
+  if (code == switches) return ": the kinematics are being changed";
+  if (code == scheme_in_use) return ": its kinematics are in use by a program";
+  return "";
+}
+
+ControlScope control_scope(OperatorAction action) RT_SAFE {
+  if (is_stop(action)) return ControlScope::nothing;
+  return concerns_all_channels(action) ? ControlScope::all_channels : ControlScope::channel;
+}
+
+bool concerns_all_channels(OperatorAction action) RT_SAFE {
+  return action == OperatorAction::machine_on || action == OperatorAction::tool_set ||
+         action == OperatorAction::offset_set;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,231 @@
+// What one cycle of the machine gives: set-points of every channel, drive commands, status. Plain
+// data, made in the real-time cycle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+
+#include "base/fixed_text.h"
+#include "channels/contract/tool_row.h"
+#include "kinematics/scheme.h"
+#include "lang/contract/command.h"
+#include "motion/automatic_feed.h"
+#include "motion/feed_interruption.h"
+#include "motion/feed_modifier.h"
+#include "motion/path.h"
+
+namespace stanok::channels {
+
+inline constexpr int channels_max = 16;
+
+enum class ChannelState : std::uint8_t {
+  idle,
+  ready,
+  running,
+  held,
+  alarm
+};  // CH_IDLE ... CH_ALARM
+
+// Why a channel is held.
+enum class HoldCause : std::uint8_t {
+  none,
+  operator_hold,
+  program_stop,  // M0, M1, M60
+  channel_stop,  // of another channel
+  owner_failed,  // on_owner_failure
+  single_block,
+  sensor_fault,  // of force control
+};
+// For people: "feed hold by an operator"; empty for none.
+[[nodiscard]] std::string_view text_of(HoldCause cause);
+
+// Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
+// integer codes of docs/developer/motion.md#codes.
+struct AxisSetpoint {
+  double position = 0.0;
+  double velocity = 0.0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+  std::int64_t position_code = 0;  // discretes
+  std::int64_t velocity_code =
+      0;  // discretes per cycle x kmv, mean velocity of the cycle that ends at position_code
+  // What the drive is asked for: the velocity, or, where the cycle closes the position loop, U of
+  // the position regulator.
+  double velocity_demand = 0.0;
+};
+
+// What the drive of an axis shall take for its position: an offset to what it counts.
+struct DriveReference {
+  bool accepted = false;  // from this cycle on
+  double offset = 0.0;    // mm or deg
+};
+
+// Power and brake of one axis, as its drive shall have them.
+struct DriveCommand {
+  bool enabled = false;
+  bool brake_closed = true;
+  bool follows_velocity = false;  // the axis is a spindle now; else its position loop is closed
+  DriveReference reference{};
+};
+
+// What the drives told, as far as it changes the outcome.
+struct AxisFeedback {
+  double position = 0.0;
+  double setpoint = 0.0;  // what the drive was told in the exchange that brought this position
+  double velocity = 0.0;
+  bool valid = false;  // an answer not older than the bus timeout
+  bool fault = false;
+  bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
+  bool referenced = false;  // the position belongs to the machine
+  bool brake_closed = true;
+  bool home_switch = false;  // it stands on its reference switch
+  bool limit_negative = false;
+  bool limit_positive = false;
+  bool strays = false;            // too far from its set-point for longer than a disturbance lasts
+  double position_offset = 0.0;   // of what the drive counts
+  double index_position = 0.0;    // at the latest index pulse
+  std::uint32_t index_count = 0;  // pulses so far
+
+  friend bool operator==(const AxisFeedback&, const AxisFeedback&) = default;
+};
+
+// Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].
+struct Signals {
+  static constexpr int digital_count = 64;
+  static constexpr int analog_count = 16;
+
+  std::uint64_t digital = 0;  // bit n: signal n
+  std::array<double, analog_count> analog{};
+
+  [[nodiscard]] bool is_on(int number) const RT_SAFE {
+    return (digital >> static_cast<unsigned>(number) & 1U) != 0;
+  }
+  void set(int number, bool on) RT_SAFE {
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(number);
+    digital = on ? digital | bit : digital & ~bit;
+  }
+  friend bool operator==(const Signals&, const Signals&) = default;
+};
+
+// What the sensors of one spindle tell; not a number: no trustworthy value.
+struct SpindleSensors {
+  double power_w = std::numeric_limits<double>::quiet_NaN();
+  double vibration_um = std::numeric_limits<double>::quiet_NaN();
+  double vibration_hz = std::numeric_limits<double>::quiet_NaN();
+};
+
+// What the programs of a channel announced with #workpiece and #workpiece_pos; for displays, no
+// effect on motion.
+struct Workpiece {
+  std::uint32_t announcements = 0;  // of either kind so far
+  std::uint32_t shapes = 0;         // #workpiece alone
+  bool has_shape = false;
+  bool has_position = false;
+  lang::WorkpieceAnnouncement shape;
+  kinematics::Frame frame;  // W in B where the shape was announced
+  lang::WorkpiecePosition position;
+};
+
+// The tool in the spindle or at the working place of the turret; number 0: none.
+struct ToolAtWork {
+  std::int32_t number = 0;
+  std::int32_t edge = 1;
+
+  friend bool operator==(const ToolAtWork&, const ToolAtWork&) = default;
+};
+
+// What a spindle of the channel is asked for in this cycle: its ramps are made.
+struct SpindleSetpoint {
+  std::int32_t id = 0;       // 0: there is none
+  double rev_per_min = 0.0;  // clockwise > 0
+};
+inline constexpr int spindles_max = 4;
+
+// Feed and speed of the cutting process, and the law that they follow.
+struct ProcessOutput {
+  motion::LawKind law = motion::LawKind::none;
+  std::uint64_t increments = 0;                // that the law has made
+  bool stands = false;                         // on the fictitious path of an interrupted feed
+  motion::InterruptionLengths interruption{};  // by the operator
+  std::uint64_t interruptions = 0;             // so far
+  // Laws formed in the cycle, as far as the channel has them.
+  struct Automatic {
+    motion::LawKind law = motion::LawKind::none;
+    motion::ModuleState state = motion::ModuleState::reset;
+    double part = 1.0;  // of the programmed feed
+  };
+  std::array<Automatic, 2> automatic{};
+  double feed_mm_per_min = 0.0;          // S, programmed, before override; 0 in rapid
+  double feed_mm_per_rev = 0.0;          // S_0 = S / n; 0: the spindle stands
+  double spindle_rev_per_min = 0.0;      // n of the master spindle; clockwise > 0
+  double cutting_speed_m_per_min = 0.0;  // v at the diameter on which the tool stands
+  std::array<SpindleSetpoint, spindles_max> spindles{};
+  bool has_force_control = false;
+  motion::ForceStatus force;
+};
+
+// What the cycle has seen of the work of a preparation. `resets` counts the resets that are over;
+// all else is counted since the latest of them, so that two runs can be compared however far ahead
+// the preparation was at a reset.
+struct Arrivals {
+  static constexpr std::uint64_t everything = std::numeric_limits<std::uint64_t>::max() / 2;
+
+  std::uint64_t resets = 0;
+  std::uint64_t chunks = 0;
+  std::uint64_t items = 0;
+  std::uint64_t riders = 0;
+  std::uint64_t remarks = 0;
+
+  friend bool operator==(const Arrivals&, const Arrivals&) = default;
+};
+
+struct ChannelOutput {
+  std::int32_t id = 0;
+  std::int32_t axis_count = 0;
+  ChannelState state = ChannelState::idle;
+  bool moving = false;
+  bool running = false;   // a program run is under way, held or not
+  std::uint32_t run = 0;  // of the channel, from 1
+  bool waiting = false;   // in channel_wait, a mark, a dwell
+  HoldCause hold_cause = HoldCause::none;
+  std::int32_t scheme = 0;
+  motion::BlockTag tag;         // of the block at hand; line 0: no program runs
+  FixedText<96> program;        // of the run, from its first block at hand on, also when it is over
+  double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
+  double path_speed = 0.0;      // mm/s
+  double feed_override = 1.0;
+  ProcessOutput process;
+  Workpiece workpiece;
+  ToolAtWork tool;
+  ToolRow tool_row;            // of that tool, as the table has it in this cycle
+  motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
+  std::array<AxisSetpoint, motion::axes_max> axes{};
+  std::array<DriveCommand, motion::axes_max> drives{};
+  Arrivals arrivals{};        // that this cycle saw
+  bool has_feedback = false;  // of drives; without, ideal ones are assumed
+  std::array<AxisFeedback, motion::axes_max> feedback{};  // that this cycle acted on
+};
+
+// Something that happened, for logs and operators; text is made elsewhere from the code
+// (base/catalogue.h).
+struct Event {
+  std::int64_t cycle = 0;
+  std::int32_t channel = 0;  // 0: the machine
+  FixedText<8> code;         // "E6010", "A1001"; "" = information
+  motion::BlockTag tag;
+  FixedText<240> text;
+};
+
+struct CycleOutput {
+  std::int64_t cycle = 0;
+  std::int32_t channel_count = 0;
+  std::array<ChannelOutput, channels_max> channels{};
+  Signals signals;
+};
+
+static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_copyable_v<Event>);
+
+}  // namespace stanok::channels

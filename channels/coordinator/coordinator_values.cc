@@ -1,0 +1,134 @@
+// Values that programs read and write in the cycle.
+#include <array>
+#include <cmath>
+
+#include "channels/coordinator/coordinator.h"
+#include "channels/cycle/spindle.h"
+
+namespace stanok::channels {
+namespace {
+
+double combined(double there, double operand, lang::Combination combination) RT_SAFE {
+  switch (combination) {
+    case lang::Combination::subtract:
+      return there - operand;
+    case lang::Combination::multiply:
+      return there * operand;
+    case lang::Combination::divide:
+      return there / operand;
+    case lang::Combination::add:
+      break;
+  }
+  return there + operand;
+}
+
+}  // namespace
+
+Coordinator::Verdict Coordinator::step_shared(const Errand& errand) RT_SAFE {
+  SharedVariables& shared = *stores_.shared;
+  const RequestData& request = errand.request;
+  const bool writes = errand.kind == lang::RequestKind::shared_write;
+  if (writes && request.is_text) shared.set_text(request.number, errand.text);
+  if (writes && !request.is_text) shared.set_number(request.number, request.value);
+  Verdict verdict = success();
+  if (!writes && request.is_text) verdict.text = ReasonText(shared.text(request.number).view());
+  if (!writes && !request.is_text) verdict.number = shared.number(request.number);
+  return verdict;
+}
+
+// Read, computed and written in one cycle: of two channels that count neither is lost. What cannot
+// be computed leaves the value as it is.
+Coordinator::Verdict Coordinator::combine_shared(const Errand& errand) RT_SAFE {
+  SharedVariables& shared = *stores_.shared;
+  const RequestData& request = errand.request;
+  if (request.is_text) {
+    if (!shared.append_text(request.number, errand.text))
+      return refusal("E3009", "a shared string has at most 255 bytes");
+    return success();
+  }
+  if (request.combination == lang::Combination::divide && request.value == 0.0)
+    return refusal("E3008", "division by zero");
+  const double value = combined(shared.number(request.number), request.value, request.combination);
+  if (!std::isfinite(value)) return refusal("E3009", "the result is too large");
+  shared.set_number(request.number, value);
+  return success();
+}
+
+// M66; the modes are those of its L. A time without the event is answered with -1.
+Coordinator::Verdict Coordinator::step_input_wait(Errand& errand) RT_SAFE {
+  const RequestData& request = errand.request;
+  const auto number = static_cast<std::size_t>(request.number);
+  if (request.analog) return success(stores_.inputs->analog[number]);
+  const bool now = stores_.inputs->is_on(request.number);
+  const bool before = errand.stage == 0 ? now : errand.input_before;
+  errand.stage = 1;
+  errand.input_before = now;
+  const bool happened = request.index == 0 || (request.index == 1 && now && !before) ||
+                        (request.index == 2 && !now && before) || (request.index == 3 && now) ||
+                        (request.index == 4 && !now);
+  if (happened) return success(now ? 1.0 : 0.0);
+  const bool over = static_cast<double>(errand.cycles) * cycle_s_ >= errand.seconds;
+  return over ? success(-1.0) : pending();
+}
+
+std::optional<double> Coordinator::axis_value(std::string_view name, const Channel& asker,
+                                              int axis) const RT_SAFE {
+  if (name == "pos") return asker.position_W(axis);
+  if (name == "pos_mcs") return asker.position_M(axis);
+  if (name == "homed") return asker.is_homed(axis) ? 1.0 : 0.0;
+  if (name == "axis_channel") {
+    const int owner = ownership_.owner(asker.machine_axis(axis));
+    return static_cast<double>(channel(owner).id());
+  }
+  return std::nullopt;
+}
+
+Coordinator::Verdict Coordinator::step_value(const Errand& errand) RT_SAFE {
+  constexpr double percent = 100.0;
+  const Channel& asker = channel(errand.asker);
+  const std::string_view name = errand.text.view();
+  const int index = errand.request.index;
+  if (const auto value = axis_value(name, asker, index)) return success(*value);
+  if (name == "clock") return success(static_cast<double>(asker.cycle()) * cycle_s_);
+  if (name == "feed_act") return success(asker.path_speed() * seconds_per_minute);
+  if (name == "ovr_feed") return success(asker.feed_override() * percent);
+  if (name == "skip") {
+    if (index < 1 || index > 9) return refusal("E6027", "levels of block skip are 1 to 9");
+    return success((asker.block_skip() >> index & 1) != 0 ? 1.0 : 0.0);
+  }
+  if (name == "speed_act") {
+    const auto speed = asker.spindle_speed(index);
+    return speed ? success(*speed) : refusal("E4053", "the channel has no such spindle");
+  }
+  if (name == "in" || name == "ain") return input_value(name == "ain", index);
+  if (name == "kinematics") {
+    int found = -1;
+    const Channel* named = channel_with_id(index, found);
+    return named != nullptr ? success(named->scheme()) : refusal("E6001", "no such channel");
+  }
+  return refusal("E6033", "the machine does not know this value");
+}
+
+Coordinator::Verdict Coordinator::input_value(bool analog, int index) const RT_SAFE {
+  const int count = analog ? Signals::analog_count : Signals::digital_count;
+  if (index < 0 || index >= count) return refusal("E6028", "there is no such input");
+  if (analog) return success(stores_.inputs->analog[static_cast<std::size_t>(index)]);
+  return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
+}
+
+Coordinator::Verdict Coordinator::step_table(const Errand& errand) RT_SAFE {
+  using lang::RequestKind;
+  const RequestData& request = errand.request;
+  const bool offsets = errand.kind == RequestKind::offset_table_write ||
+                       errand.kind == RequestKind::offset_table_read;
+  const int axis = offsets && request.index >= 0 ? channel(errand.asker).machine_axis(request.index)
+                                                 : request.index;
+  const auto value = execute_table_request(*stores_.tables, request, axis);
+  if (value) return success(*value);
+  const bool writes = errand.kind == RequestKind::tool_table_write ||
+                      errand.kind == RequestKind::offset_table_write;
+  return writes ? refusal("", "no such entry, a value out of range, or write-protected tables")
+                : refusal("E5021", "the tables have no such entry");
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,192 @@
+// Waits between channels: for the end of a program, at marks; deadlocks.
+#include "channels/coordinator/coordinator.h"
+
+namespace stanok::channels {
+namespace {
+
+// "flange.nc:118"
+void append_place(const FileName& file, std::uint32_t line, ReasonText& text) RT_SAFE {
+  text.append(" (").append(file.view()).append(":").append(line).append(")");
+}
+
+}  // namespace
+
+Coordinator::Verdict Coordinator::step_wait(Errand& errand, const Channel& target) RT_SAFE {
+  if (errand.stage == 0) {
+    if (!target.is_running() && target.was_reset_since_run()) return success();
+    errand.awaited_run = target.run();
+    errand.stage = 1;
+    if (errand.asker != operator_asker && target.is_running()) {
+      if (const auto verdict = deadlock(errand.asker)) return *verdict;
+    }
+  }
+  if (target.has_ended(errand.awaited_run)) {
+    if (errand.awaited_run == 0 || target.ended_well(errand.awaited_run)) return success();
+    const ChannelAlarm& alarm = target.last_alarm();
+    if (alarm.run != errand.awaited_run) return refusal("E6010", target, " was reset");
+    Verdict verdict = refusal("E6010", target, " ended with alarm ");
+    verdict.text.append(alarm.code.view());
+    append_place(alarm.file, alarm.line, verdict.text);
+    return verdict;
+  }
+  if (errand.seconds >= 0.0 && static_cast<double>(errand.cycles) * cycle_s_ >= errand.seconds) {
+    return refusal("E6010", target, " has not ended within the time given");
+  }
+  return pending();
+}
+
+Coordinator::Verdict Coordinator::step_mark_wait(const Errand& errand) RT_SAFE {
+  const Rendezvous::Arrival& arrival = rendezvous_.at(errand.asker);
+  if (arrival.met) return success();
+  return lost_partner(errand.asker).value_or(pending());
+}
+
+// In the order of channels: who came to a mark, who is missed for ever, who may go on.
+void Coordinator::work_marks() RT_SAFE {
+  for (int k = 0; k < channel_count_; ++k) {
+    const Errand& errand = errands_[static_cast<std::size_t>(k)];
+    const bool waits = errand.active && errand.kind == lang::RequestKind::mark_wait;
+    if (!waits && !channel(k).marks().is_waiting()) rendezvous_.leave(k);
+    if (waits) arrive_at_mark(k);
+    arrive_at_soft_mark(k);
+  }
+  rendezvous_.meet();
+  for (int k = 0; k < channel_count_; ++k) work_soft_mark(k);
+}
+
+void Coordinator::arrive_at_mark(int index) RT_SAFE {
+  Errand& errand = errands_[static_cast<std::size_t>(index)];
+  if (errand.stage > 0) return;
+  errand.stage = 1;
+  rendezvous_.arrive(index, errand.number, errand.members, errand.tag);
+  const auto fault = fault_of_arrival(index);
+  if (!fault) return;
+  rendezvous_.leave(index);
+  conclude(errand, *fault);
+}
+
+// A channel is at a soft mark when it stands there, or in the cycle in which it passes it.
+void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
+  Channel& arriving = channel(index);
+  const Rider* passed = arriving.marks().passed_mark();
+  if ((released_ & channel_bit(index)) != 0) {
+    if (passed != nullptr || !arriving.marks().is_waiting()) released_ &= ~channel_bit(index);
+    return;
+  }
+  const Rider* mark = passed != nullptr               ? passed
+                      : arriving.marks().is_waiting() ? arriving.marks().soft_mark()
+                                                      : nullptr;
+  if (mark == nullptr || rendezvous_.at(index).present) return;
+  rendezvous_.arrive(index, mark->number, channels_with_ids(mark->channels), mark->tag);
+  if (passed != nullptr) return;
+  const auto fault = fault_of_arrival(index);
+  if (!fault) return;
+  rendezvous_.leave(index);
+  arriving.fail_run(fault->code.view(), fault->text.view(), mark->tag);
+}
+
+// After all arrivals of the cycle: opens soft marks whose partners are there.
+void Coordinator::work_soft_mark(int index) RT_SAFE {
+  Channel& coming = channel(index);
+  const Rendezvous::Arrival arrival = rendezvous_.at(index);
+  if (coming.marks().passed_mark() != nullptr && arrival.present) {
+    if (!arrival.met) {
+      coming.fail_run("E6021", "a partner left the mark while the channel came to it", arrival.tag);
+    }
+    return rendezvous_.leave(index);
+  }
+  const Rider* mark = coming.marks().soft_mark();
+  if (mark == nullptr || (released_ & channel_bit(index)) != 0) return;
+  if (!coming.marks().is_waiting()) {
+    const ChannelSet members = channels_with_ids(mark->channels);
+    if (rendezvous_.missing(index, mark->number, members) == 0) coming.open_soft_mark();
+    return;
+  }
+  if (arrival.met) {
+    rendezvous_.leave(index);
+    released_ |= channel_bit(index);
+    coming.open_soft_mark();
+  } else if (arrival.present) {
+    if (const auto lost = lost_partner(index)) {
+      rendezvous_.leave(index);
+      coming.fail_run(lost->code.view(), lost->text.view(), arrival.tag);
+    }
+  }
+}
+
+std::optional<Coordinator::Verdict> Coordinator::fault_of_arrival(int index) const RT_SAFE {
+  const int other = rendezvous_.mismatch(index);
+  if (other < 0) return deadlock(index);
+  const Rendezvous::Arrival& theirs = rendezvous_.at(other);
+  Verdict verdict = refusal("E6022", channel(other), " waits at mark ");
+  verdict.raises = true;
+  verdict.text.append(theirs.mark).append(" with other partners");
+  append_place(channel(other).file_name(theirs.tag), theirs.tag.line, verdict.text);
+  return verdict;
+}
+
+// A partner whose program was over after this one began will not come any more.
+std::optional<Coordinator::Verdict> Coordinator::lost_partner(int index) const RT_SAFE {
+  const Rendezvous::Arrival& arrival = rendezvous_.at(index);
+  const ChannelSet missing = rendezvous_.missing(index, arrival.mark, arrival.members);
+  for (int k = 0; k < channel_count_; ++k) {
+    const Channel& partner = channel(k);
+    if ((missing & channel_bit(k)) == 0 || partner.is_running()) continue;
+    const bool has_ended = partner.run() > 0 && partner.end_cycle() >= channel(index).start_cycle();
+    if (!has_ended && partner.state() != ChannelState::alarm) continue;
+    Verdict verdict = refusal("E6021", partner, " has ended without coming to mark ");
+    verdict.raises = true;
+    verdict.text.append(arrival.mark);
+    return verdict;
+  }
+  return std::nullopt;
+}
+
+// The wait that channel `index` begins closes a circle.
+std::optional<Coordinator::Verdict> Coordinator::deadlock(int index) const RT_SAFE {
+  std::array<ChannelSet, channels_max> awaited{};
+  for (int k = 0; k < channel_count_; ++k) awaited[static_cast<std::size_t>(k)] = awaited_by(k);
+  const Circle circle = find_circle(awaited, index);
+  if (circle.length == 0) return std::nullopt;
+  Verdict verdict = refusal("E6020", "channels would wait for each other for ever");
+  verdict.raises = true;
+  for (int k = 0; k < circle.length; ++k) {
+    const int waiter = circle.channels[static_cast<std::size_t>(k)];
+    const int next = circle.channels[static_cast<std::size_t>((k + 1) % circle.length)];
+    describe_wait(waiter, next, verdict.text);
+  }
+  return verdict;
+}
+
+ChannelSet Coordinator::awaited_by(int index) const RT_SAFE {
+  const Errand& errand = errands_[static_cast<std::size_t>(index)];
+  if (!channel(index).is_running() || channel(index).is_resetting()) return 0;
+  const Rendezvous::Arrival& arrival = rendezvous_.at(index);
+  if (arrival.present && !arrival.met)
+    return rendezvous_.missing(index, arrival.mark, arrival.members);
+  const bool waits =
+      errand.active && errand.kind == lang::RequestKind::channel_wait && errand.stage == 1;
+  if (!waits || channel(errand.target).has_ended(errand.awaited_run)) return 0;
+  return channel_bit(errand.target);
+}
+
+// One line: who waits, for whom, where.
+void Coordinator::describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE {
+  const Rendezvous::Arrival& arrival = rendezvous_.at(index);
+  const motion::BlockTag& tag =
+      arrival.present ? arrival.tag : errands_[static_cast<std::size_t>(index)].tag;
+  text.append("\nchannel ").append(channel(index).id()).append(" waits for channel ");
+  text.append(channel(awaited).id());
+  if (arrival.present) text.append(" at mark ").append(arrival.mark);
+  append_place(channel(index).file_name(tag), tag.line, text);
+}
+
+bool Coordinator::is_waiting_for_channels(int index) const RT_SAFE {
+  if (channel(index).marks().is_waiting()) return rendezvous_.at(index).present;
+  const Errand& errand = errands_[static_cast<std::size_t>(index)];
+  if (!errand.active || errand.stage == 0) return false;
+  if (errand.kind == lang::RequestKind::mark_wait) return !rendezvous_.at(index).met;
+  return errand.kind == lang::RequestKind::channel_wait && errand.seconds < 0.0;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,199 @@
+#include "channels/cycle/manual_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stanok::channels {
+namespace {
+
+constexpr double lease_s = 0.2;          // of a continuous jog
+constexpr double drive_answers_s = 3.0;  // when it is told its position
+// Without a reference an axis is jogged slowly: part of its highest velocity.
+constexpr double unreferenced_part = 0.1;
+// The mark lies within the travel and a little more; of an axis without limits, within this way.
+constexpr double search_reserve = 1.1;
+constexpr double search_endless = 800.0;
+
+bool is_limited(const motion::AxisLimits& limits) RT_SAFE {
+  return std::isfinite(limits.position_min) && std::isfinite(limits.position_max);
+}
+
+double travel(const motion::AxisLimits& limits) RT_SAFE {
+  return is_limited(limits) ? search_reserve * (limits.position_max - limits.position_min)
+                            : search_endless;
+}
+
+motion::RampLimits ramp_of(const motion::AxisLimits& limits) RT_SAFE {
+  return {.a = limits.acceleration_max, .j = limits.jerk_max};
+}
+
+}  // namespace
+
+void ManualMotion::set_up(std::span<const ManualAxis> axes, double cycle_s) {
+  count_ = std::min(axes.size(), axes_.size());
+  std::copy_n(axes.begin(), count_, axes_.begin());
+  cycle_s_ = cycle_s;
+}
+
+std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedback& drive) RT_SAFE {
+  const auto k = static_cast<std::size_t>(jog.axis);
+  AxisState& state = states_[k];
+  const motion::AxisLimits& limits = axes_[k].limits;
+  const bool up = jog.velocity > 0.0;
+  if (state.task == Task::jog && state.cycles_left > 0 && jog.increment == 0.0) {
+    if (state.move.goes_up() == up) {
+      state.cycles_left = std::llround(lease_s / cycle_s_);
+      return {};
+    }
+    state.move.stop();
+    state.cycles_left = -1;
+  }
+  if (state.task != Task::none || outcome_ == Outcome::running) return "E6056";
+  if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
+  double speed = std::min(std::abs(jog.velocity), limits.velocity_max);
+  const double way = jog.increment > 0.0 ? jog.increment : travel(limits);
+  double to = from + (up ? way : -way);
+  if (!drive.referenced) {
+    speed = std::min(speed, unreferenced_part * limits.velocity_max);
+  } else if (up ? to > limits.position_max : to < limits.position_min) {
+    // The end behind the axis does not count: from outside the way in is free.
+    const double end = up ? limits.position_max : limits.position_min;
+    const bool outward = up ? from >= end : from <= end;
+    if (jog.increment > 0.0 || outward) return "E6053";
+    to = end;
+  }
+  state.task = Task::jog;
+  state.cycles_left = jog.increment > 0.0 ? -1 : std::llround(lease_s / cycle_s_);
+  state.move.begin(from, to, {.speed = speed, .ramp = ramp_of(limits)});
+  return {};
+}
+
+void ManualMotion::go(int axis, double from, double to) RT_SAFE {
+  const auto k = static_cast<std::size_t>(axis);
+  const ManualAxis& figures = axes_[k];
+  const double search = std::abs(figures.homing.velocity);
+  const double speed = search > 0.0 ? search : unreferenced_part * figures.limits.velocity_max;
+  states_[k].task = Task::jog;
+  states_[k].cycles_left = -1;
+  states_[k].move.begin(from, to, {.speed = speed, .ramp = ramp_of(figures.limits)});
+}
+
+void ManualMotion::home(lang::AxisSet axes) RT_SAFE {
+  to_home_ = 0;
+  for (std::size_t k = 0; k < count_; ++k) {
+    if ((axes >> k & 1U) != 0 && axes_[k].homing.order > 0)
+      to_home_ = static_cast<lang::AxisSet>(to_home_ | 1U << k);
+  }
+  fault_ = {};
+  outcome_ = to_home_ == 0 ? Outcome::succeeded : Outcome::running;
+}
+
+void ManualMotion::stop() RT_SAFE {
+  if (outcome_ == Outcome::running) {
+    outcome_ = Outcome::failed;
+    fault_ = FixedText<128>("homing was stopped");
+  }
+  to_home_ = 0;
+  for (AxisState& state : states_) {
+    state.move.stop();
+    state.reference.accepted = false;
+    // An axis that waits for its drive stands where it is.
+    state.task = state.task == Task::jog || state.task == Task::search ? Task::jog : Task::none;
+    state.cycles_left = -1;
+  }
+}
+
+bool ManualMotion::is_active() const RT_SAFE {
+  return to_home_ != 0 || std::any_of(states_.begin(), states_.end(), [](const AxisState& state) {
+           return state.task != Task::none;
+         });
+}
+
+void ManualMotion::advance(std::span<const AxisFeedback> drives,
+                           std::span<kinematics::Jet> positions) RT_SAFE {
+  bool searches = false;
+  for (std::size_t k = 0; k < count_; ++k) {
+    AxisState& state = states_[k];
+    switch (state.task) {
+      case Task::none:
+        break;
+      case Task::jog:
+        if (state.cycles_left == 1) state.move.stop();
+        if (state.cycles_left > 0) --state.cycles_left;
+        run(state, positions[k]);
+        if (state.move.is_at_rest()) state.task = Task::none;
+        break;
+      case Task::search:
+        search(k, drives[k], positions[k]);
+        break;
+      case Task::accept:
+        accept(k, drives[k], positions[k]);
+        break;
+    }
+    searches = searches || state.task == Task::search || state.task == Task::accept;
+  }
+  if (outcome_ == Outcome::running && !searches) begin_next_order(positions);
+}
+
+// The axes of the lowest order of those that are left; none: homing is done.
+void ManualMotion::begin_next_order(std::span<const kinematics::Jet> positions) RT_SAFE {
+  int order = std::numeric_limits<int>::max();
+  for (std::size_t k = 0; k < count_; ++k) {
+    if ((to_home_ >> k & 1U) != 0) order = std::min(order, axes_[k].homing.order);
+  }
+  if (to_home_ == 0) outcome_ = Outcome::succeeded;
+  for (std::size_t k = 0; k < count_; ++k) {
+    const ManualAxis& axis = axes_[k];
+    if ((to_home_ >> k & 1U) == 0 || axis.homing.order != order) continue;
+    to_home_ = static_cast<lang::AxisSet>(to_home_ & ~(1U << k));
+    AxisState& state = states_[k];
+    const double at = positions[k].value;
+    const motion::RampLimits ramp = ramp_of(axis.limits);
+    state.move.begin(at, at, {.speed = axis.limits.velocity_max, .ramp = ramp});
+    state.homing.begin(axis.homing, ramp, travel(axis.limits));
+    state.task = Task::search;
+  }
+}
+
+void ManualMotion::search(std::size_t axis, const AxisFeedback& drive, kinematics::Jet& position)
+    RT_SAFE {
+  AxisState& state = states_[axis];
+  const AxisHoming::Result result = state.homing.advance(drive, state.move);
+  if (result == AxisHoming::Result::failed) return fail(axis, state.homing.reason());
+  run(state, position);
+  if (result == AxisHoming::Result::running) return;
+  const double shift = axes_[axis].homing.position - state.homing.mark();
+  state.reference = {.accepted = true, .offset = drive.position_offset + shift};
+  position.value += shift;
+  state.task = Task::accept;
+  state.cycles_left = std::llround(drive_answers_s / cycle_s_);
+}
+
+// Until the drive speaks of the machine's positions.
+void ManualMotion::accept(std::size_t axis, const AxisFeedback& drive,
+                          const kinematics::Jet& position) RT_SAFE {
+  AxisState& state = states_[axis];
+  const double away = std::max(std::abs(drive.position - position.value),
+                               std::abs(drive.setpoint - position.value));
+  if (drive.valid && drive.referenced && away <= axes_[axis].following_error_max) {
+    state.reference.accepted = false;
+    state.task = Task::none;
+  } else if (--state.cycles_left <= 0) {
+    fail(axis, "the drive does not take its position over");
+  }
+}
+
+void ManualMotion::run(AxisState& state, kinematics::Jet& position) RT_SAFE {
+  state.move.advance(cycle_s_);
+  position = state.move.position();
+}
+
+void ManualMotion::fail(std::size_t axis, std::string_view reason) RT_SAFE {
+  stop();
+  outcome_ = Outcome::failed;
+  fault_ = FixedText<128>("axis ");
+  fault_.append(axes_[axis].name.view()).append(": ").append(reason);
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,91 @@
+// ManualMotion: the axes of one channel moved one by one, outside of programs: jogging, homing.
+//
+// A continuous jog is a lease: it ends when it is not renewed. Homing goes through the axes in the
+// order of the machine file, those of one order together; where the mark of an axis was found its
+// drive is told what it reads there. Real-time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "base/fixed_text.h"
+#include "base/rt_safe.h"
+#include "channels/contract/machine_config.h"
+#include "channels/contract/output.h"
+#include "channels/cycle/axis_homing.h"
+#include "lang/contract/environment.h"
+#include "motion/axis_move.h"
+
+namespace stanok::channels {
+
+// Figures of one axis as far as it is moved by hand.
+struct ManualAxis {
+  FixedText<16> name;
+  motion::AxisLimits limits;
+  HomingConfig homing;
+  double following_error_max = 0.5;
+};
+
+// A jog of one axis: with a velocity while it is renewed, or by an increment.
+struct Jog {
+  int axis = 0;
+  double velocity = 0.0;   // mm/s or deg/s; its sign is the direction
+  double increment = 0.0;  // mm or deg, > 0; 0: while it is renewed
+};
+
+class ManualMotion {
+ public:
+  enum class Outcome : std::uint8_t { running, succeeded, failed };
+
+  void set_up(std::span<const ManualAxis> axes, double cycle_s);
+
+  // Begins a jog from `from`, or renews the one at hand; the other direction stops that one.
+  // Returns why not: a code of the catalogue; empty: it goes.
+  [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
+      RT_SAFE;
+  // From `from` to a place of the axis, with the velocity of its search.
+  void go(int axis, double from, double to) RT_SAFE;
+  // Looks for the marks of these axes; those without one (order 0) are left out.
+  void home(lang::AxisSet axes) RT_SAFE;
+  // All axes come to rest; what was begun is over.
+  void stop() RT_SAFE;
+
+  [[nodiscard]] bool is_active() const RT_SAFE;
+  [[nodiscard]] Outcome homing() const RT_SAFE { return outcome_; }
+  [[nodiscard]] const FixedText<128>& homing_fault() const RT_SAFE { return fault_; }
+
+  // Once a cycle: positions of the axes that are moved are replaced.
+  void advance(std::span<const AxisFeedback> drives, std::span<kinematics::Jet> positions) RT_SAFE;
+  // What the drive of an axis shall take for its position.
+  [[nodiscard]] const DriveReference& reference(std::size_t axis) const RT_SAFE {
+    return states_[axis].reference;
+  }
+
+ private:
+  enum class Task : std::uint8_t { none, jog, search, accept };
+  struct AxisState {
+    Task task = Task::none;
+    motion::AxisMove move;
+    AxisHoming homing;
+    DriveReference reference;
+    std::int64_t cycles_left = 0;  // of the lease, or for the drive to answer; < 0: no end
+  };
+
+  void begin_next_order(std::span<const kinematics::Jet> positions) RT_SAFE;
+  void search(std::size_t axis, const AxisFeedback& drive, kinematics::Jet& position) RT_SAFE;
+  void accept(std::size_t axis, const AxisFeedback& drive, const kinematics::Jet& position) RT_SAFE;
+  void run(AxisState& state, kinematics::Jet& position) RT_SAFE;
+  void fail(std::size_t axis, std::string_view reason) RT_SAFE;
+
+  std::size_t count_ = 0;
+  double cycle_s_ = 0.001;
+  std::array<ManualAxis, motion::axes_max> axes_{};
+  std::array<AxisState, motion::axes_max> states_{};
+  lang::AxisSet to_home_ = 0;  // whose turn has not come yet
+  Outcome outcome_ = Outcome::succeeded;
+  FixedText<128> fault_;
+};
+
+}  // namespace stanok::channels

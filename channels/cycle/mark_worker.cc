@@ -1,0 +1,95 @@
+#include "channels/cycle/mark_worker.h"
+
+#include <algorithm>
+
+#include "motion/feed_control.h"
+
+namespace stanok::channels {
+namespace {
+
+constexpr int riders_per_cycle = 256;  // bound of work
+
+bool has_passed(const MarkWorker::Progress& progress, const Rider& rider) RT_SAFE {
+  return progress.path.run == rider.tag.run && progress.path.block >= rider.before_block &&
+         !progress.stands_at_gate;
+}
+
+}  // namespace
+
+std::optional<motion::BlockTag> MarkWorker::advance(const Progress& progress) RT_SAFE {
+  for (int n = 0; n < riders_per_cycle && !riders_.empty(); ++n) {
+    const Rider rider = riders_.front();
+    const bool passed = has_passed(progress, rider);
+    if (!passed && !front_is_due(progress)) return std::nullopt;
+    if (rider.kind == RiderKind::mark_wait) {
+      if (!is_open_ && passed) return rider.tag;
+      is_waiting_ = !is_open_;
+      if (is_waiting_) return std::nullopt;
+      pass(rider);
+    }
+    execute(rider);
+    riders_.pop_front();
+  }
+  return std::nullopt;
+}
+
+// The front rider is all that the channel waits for: at its gate, or before an item.
+bool MarkWorker::front_is_due(const Progress& progress) const RT_SAFE {
+  const std::uint64_t number = riders_.popped();
+  return (is_at_gate(progress) && number <= gate_) || number < progress.riders_before_item;
+}
+
+bool MarkWorker::is_at_gate(const Progress& progress) const RT_SAFE {
+  const Rider* const mark = soft_mark();
+  return progress.stands_at_gate && mark != nullptr && mark->before_block <= progress.closed_block;
+}
+
+void MarkWorker::pass(const Rider& mark) RT_SAFE {
+  passed_mark_ = mark;
+  has_passed_mark_ = true;
+  is_open_ = false;
+}
+
+void MarkWorker::execute(const Rider& rider) RT_SAFE {
+  switch (rider.kind) {
+    case RiderKind::mark_set:
+    case RiderKind::mark_clear:
+      is_set_[static_cast<std::size_t>(rider.number)] = rider.kind == RiderKind::mark_set;
+      break;
+    case RiderKind::mark_wait:
+      break;
+    case RiderKind::digital_output:
+      outputs_.set(rider.number, rider.value != 0.0);
+      break;
+    case RiderKind::analog_output:
+      outputs_.analog[static_cast<std::size_t>(rider.number)] = rider.value;
+      break;
+  }
+}
+
+void MarkWorker::find_gates() RT_SAFE {
+  gate_ = std::max<std::uint64_t>(gate_, riders_.popped());
+  while (gate_ < riders_.shown() && soft_mark_at(gate_) == nullptr) ++gate_;
+  gate_behind_ = std::max(gate_behind_, gate_ + 1);
+  while (gate_behind_ < riders_.shown() && soft_mark_at(gate_behind_) == nullptr) ++gate_behind_;
+}
+
+// The rider of this number if it is a soft mark.
+const Rider* MarkWorker::soft_mark_at(std::uint64_t number) const RT_SAFE {
+  if (number < riders_.popped() || number >= riders_.shown()) return nullptr;
+  const Rider& rider = riders_[number - riders_.popped()];
+  return rider.kind == RiderKind::mark_wait ? &rider : nullptr;
+}
+
+std::uint64_t MarkWorker::closed_from_block() const RT_SAFE {
+  const Rider* const mark = soft_mark_at(is_open_ ? gate_behind_ : gate_);
+  return mark == nullptr ? motion::FeedControl::no_gate : mark->before_block;
+}
+
+void MarkWorker::forget_riders() RT_SAFE {
+  riders_.pop_front(riders_.size());
+  is_waiting_ = false;
+  is_open_ = false;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,326 @@
+#include "channels/machine/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "channels/contract/motion_config.h"
+#include "channels/coordinator/coordinator.h"
+#include "channels/cycle/channel.h"
+#include "channels/preparation/preparation.h"
+#include "channels/stores/input_book.h"
+
+namespace stanok::channels {
+namespace {
+
+constexpr std::size_t events_max = 4096;
+constexpr std::size_t inputs_max = 4096;
+constexpr std::size_t replies_max = 256;
+
+// A regulator may ask for this much more than the fastest set-point, to catch up with it.
+constexpr double demand_reserve = 1.2;
+
+// Index in the channel of the axis that a spindle becomes; -1: none.
+int channel_axis_of(const MachineConfig& machine, const ChannelConfig& channel,
+                    const SpindleConfig& spindle) {
+  for (std::size_t k = 0; k < channel.axes.size(); ++k) {
+    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    if (!spindle.axis.empty() && axis.name == spindle.axis) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig& channel,
+                               const MachineOptions& options) {
+  ChannelFigures figures;
+  figures.id = channel.id;
+  figures.axis_count = static_cast<int>(channel.axes.size());
+  figures.cycle_s = machine.cycle_us * 1e-6;
+  figures.stops_go_on = options.stops_go_on;
+  figures.probe_input = channel.probe_input;
+  for (std::size_t k = 0; k < channel.axes.size(); ++k) {
+    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
+    figures.axes[k] = {.codes = {axis.resolution, axis.kmv},
+                       .brake_s = axis.brake_s,
+                       .power_s = axis.power_s,
+                       .homed_at_start = homed_at_start,
+                       .name = FixedText<16>(axis.name),
+                       .regulator = axis.regulator,
+                       .demand_max = demand_reserve * axis.limits.velocity_max,
+                       .manual = {.name = FixedText<16>(axis.name),
+                                  .limits = axis.limits,
+                                  .homing = axis.homing,
+                                  .following_error_max = axis.following_error_max}};
+    figures.start[k] = axis.start;
+    figures.machine_axis[k] = channel.axes[k];
+  }
+  for (const int id : channel.spindles) {
+    const auto spindle =
+        std::find_if(machine.spindles.begin(), machine.spindles.end(),
+                     [id](const SpindleConfig& candidate) { return candidate.id == id; });
+    if (spindle == machine.spindles.end() || figures.spindle_count == spindles_max) continue;
+    const auto s = static_cast<std::size_t>(figures.spindle_count++);
+    figures.spindles.at(s) = *spindle;
+    figures.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
+    figures.machine_spindle.at(s) = static_cast<int>(spindle - machine.spindles.begin());
+  }
+  std::copy_n(channel.automatic_feeds.begin(),
+              std::min(channel.automatic_feeds.size(), figures.automatic_feeds.size()),
+              figures.automatic_feeds.begin());
+  const auto index = static_cast<std::size_t>(&channel - machine.channels.data());
+  if (index < options.feed_modifiers.size()) figures.feed_modifier = options.feed_modifiers[index];
+  return figures;
+}
+
+// One channel whole: both sides and the rings between them.
+struct Seat {
+  Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
+       const lang::Files& files, LiveTables& tables, SharedVariables& shared, CycleBooks books)
+      : schemes(make_schemes(config)),
+        block_book(lang::default_codes(config.kind)),
+        preparation(machine, config, schemes, files,
+                    {tables, shared, link, *books.reports, block_book}, options.gives_up),
+        channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,
+                config.scheme, link, books) {}
+
+  SchemeSet schemes;
+  ChannelLink link;
+  BlockBook block_book;
+  Preparation preparation;
+  Channel channel;
+};
+
+std::array<OwnerFailure, channels_max> owner_rules(const MachineConfig& config) {
+  std::array<OwnerFailure, channels_max> rules{};
+  for (std::size_t k = 0; k < config.channels.size(); ++k)
+    rules.at(k) = config.channels[k].on_owner_failure;
+  return rules;
+}
+
+}  // namespace
+
+struct Machine::Parts {
+  Parts(const MachineConfig& machine, const lang::Files& files, const MachineOptions& options)
+      : config(machine),
+        tables(machine),
+        outputs_to_inputs(options.outputs_to_inputs),
+        sensors(machine.spindles.size()),
+        events(events_max),
+        inputs(inputs_max, events),
+        replies(replies_max),
+        stop_replies(replies_max) {
+    if (machine.channels.empty() || machine.channels.size() > channels_max) {
+      throw std::invalid_argument("a machine has 1 to " + std::to_string(channels_max) +
+                                  " channels");
+    }
+    std::vector<Channel*> channels;
+    for (const ChannelConfig& channel : machine.channels) {
+      seats.push_back(
+          std::make_unique<Seat>(machine, channel, options, files, tables, shared,
+                                 CycleBooks{&events, &reports, &signals_out, &signals_in}));
+      channels.push_back(&seats.back()->channel);
+      if (options.on_at_start) channels.back()->power(true);
+    }
+    coordinator = std::make_unique<Coordinator>(
+        channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
+        MachineStores{&shared, &tables, &signals_in});
+  }
+
+  // Takes over what changed, and writes it down.
+  void take_signals(const Signals* given) RT_SAFE {
+    Signals next;
+    if (outputs_to_inputs) next = signals_out;
+    if (given != nullptr) next = *given;
+    if (next == signals_in) return;
+    InputRecord record;
+    record.cycle = cycle;
+    record.kind = InputKind::sensor;
+    Signals changed;
+    changed.digital = next.digital ^ signals_in.digital;
+    for (int k = 0; k < Signals::digital_count; ++k) {
+      if (!changed.is_on(k)) continue;
+      record.method = k;
+      record.value = next.is_on(k) ? 1.0 : 0.0;
+      inputs.note(record);
+    }
+    for (std::size_t k = 0; k < next.analog.size(); ++k) {
+      if (next.analog[k] == signals_in.analog[k]) continue;
+      record.method = Signals::digital_count + static_cast<std::int32_t>(k);
+      record.value = next.analog[k];
+      inputs.note(record);
+    }
+    signals_in = next;
+  }
+
+  void take_sensors(std::span<const SpindleSensors> given) RT_SAFE {
+    for (std::size_t k = 0; k < std::min(given.size(), sensors.size()); ++k) {
+      note_sensor(k, 0, given[k].power_w, sensors[k].power_w);
+      note_sensor(k, 1, given[k].vibration_um, sensors[k].vibration_um);
+      note_sensor(k, 2, given[k].vibration_hz, sensors[k].vibration_hz);
+    }
+  }
+
+  // Takes over a value that changed, and writes it down.
+  void note_sensor(std::size_t spindle, int quantity, double given, double& kept) RT_SAFE {
+    if (given == kept || (std::isnan(given) && std::isnan(kept))) return;
+    kept = given;
+    InputRecord record;
+    record.cycle = cycle;
+    record.kind = InputKind::spindle_sensor;
+    record.method = static_cast<std::int32_t>(spindle);
+    record.number = quantity;
+    record.value = given;
+    inputs.note(record);
+  }
+
+  const MachineConfig& config;
+  LiveTables tables;
+  SharedVariables shared;
+  bool outputs_to_inputs;
+  std::vector<SpindleSensors> sensors;  // one for each spindle of the machine
+  Signals signals_in;
+  Signals signals_out;
+  ReportBook reports;
+  Ring<Event> events;
+  InputBook inputs;
+  Ring<OperatorReply> replies;
+  Ring<OperatorReply> stop_replies;
+  std::vector<std::unique_ptr<Seat>> seats;
+  std::unique_ptr<Coordinator> coordinator;
+  std::int64_t cycle = 0;
+};
+
+Machine::Machine(const MachineConfig& config, const lang::Files& files,
+                 const MachineOptions& options)
+    : parts_(std::make_unique<Parts>(config, files, options)) {}
+
+Machine::~Machine() = default;
+
+const MachineConfig& Machine::config() const {
+  return parts_->config;
+}
+
+Progress Machine::prepare(int index) {
+  return parts_->seats[static_cast<std::size_t>(index)]->preparation.step();
+}
+
+bool Machine::has_prepared(int index, const Arrivals& recorded) const {
+  return parts_->seats[static_cast<std::size_t>(index)]->channel.has_prepared(recorded);
+}
+
+bool Machine::select_scheme_at_start(int channel, int scheme) {
+  for (const auto& seat : parts_->seats) {
+    if (seat->channel.id() != channel || !seat->channel.has_scheme(scheme)) continue;
+    seat->channel.select_scheme(scheme);
+    parts_->coordinator->settle_owners();
+    if (seat->channel.is_powered()) seat->channel.power(true);
+    return true;
+  }
+  return false;
+}
+
+void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
+  Parts& parts = *parts_;
+  ++parts.cycle;
+  for (std::size_t k = 0; k < parts.seats.size(); ++k) {
+    Channel& channel = parts.seats[k]->channel;
+    k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
+  }
+  for (const OperatorEvent& event : inputs.events) {
+    InputRecord record;
+    record.cycle = parts.cycle;
+    record.channel = event.channel;
+    record.method = static_cast<std::int32_t>(event.action);
+    record.number = event.number;
+    record.value = event.value;
+    record.value_2 = event.value_2;
+    record.text = event.text;
+    parts.inputs.note(record);
+    parts.coordinator->take(event);
+  }
+  parts.take_signals(inputs.signals);
+  parts.take_sensors(inputs.sensors);
+  for (const auto& seat : parts.seats) {
+    seat->channel.watch_drives(inputs.feedback);
+    seat->channel.sense(parts.sensors);
+    seat->channel.advance(parts.cycle);
+  }
+  parts.coordinator->step();
+  output.cycle = parts.cycle;
+  output.signals = parts.signals_out;
+  output.channel_count = static_cast<std::int32_t>(parts.seats.size());
+  for (std::size_t k = 0; k < parts.seats.size(); ++k) {
+    ChannelOutput& shown = output.channels[k];
+    parts.seats[k]->channel.fill(shown);
+    shown.tool_row = parts.tables.row(shown.tool.number, shown.tool.edge);
+  }
+  parts.coordinator->show_owners(output);
+}
+
+bool Machine::is_idle() const RT_SAFE {
+  return parts_->coordinator->is_quiet() &&
+         std::all_of(parts_->seats.begin(), parts_->seats.end(),
+                     [](const auto& seat) RT_SAFE { return seat->channel.is_quiet(); });
+}
+
+bool Machine::waits_for_operator() const RT_SAFE {
+  bool all_quiet = true;
+  for (std::size_t k = 0; k < parts_->seats.size(); ++k) {
+    const Channel& channel = parts_->seats[k]->channel;
+    if (channel.is_quiet()) continue;
+    all_quiet = false;
+    if (channel.is_resetting()) return false;
+    const bool is_held = channel.state() == ChannelState::held && channel.is_standing();
+    if (!is_held && !parts_->coordinator->is_waiting_for_channels(static_cast<int>(k)))
+      return false;
+  }
+  // Between channels that are quiet the coordinator may still wait for drives.
+  return !all_quiet || parts_->coordinator->is_quiet();
+}
+
+Ring<Event>& Machine::events() {
+  return parts_->events;
+}
+Ring<InputRecord>& Machine::input_records() {
+  return parts_->inputs.records();
+}
+void Machine::record(const InputRecord& input) RT_SAFE {
+  parts_->inputs.note(input);
+}
+std::uint64_t Machine::inputs_lost() const RT_SAFE {
+  return parts_->inputs.lost();
+}
+Ring<OperatorReply>& Machine::replies() {
+  return parts_->replies;
+}
+Ring<OperatorReply>& Machine::stop_replies() {
+  return parts_->stop_replies;
+}
+std::vector<RunReport> Machine::runs() const {
+  return parts_->reports.runs();
+}
+std::vector<AlarmReport> Machine::alarms() const {
+  return parts_->reports.alarms();
+}
+std::optional<SearchReport> Machine::search(int channel) const {
+  return parts_->reports.search(channel);
+}
+
+BlockReport Machine::block(int channel, const motion::BlockTag& tag, bool running) const {
+  const auto& channels = parts_->config.channels;
+  const auto at = std::find_if(channels.begin(), channels.end(),
+                               [&](const ChannelConfig& config) { return config.id == channel; });
+  if (at == channels.end()) return {};
+  return parts_->seats[static_cast<std::size_t>(at - channels.begin())]->block_book.at(tag,
+                                                                                       running);
+}
+
+std::vector<AlarmReport> Machine::load_diagnostics() const {
+  return parts_->reports.load_diagnostics();
+}
+TablesConfig Machine::tables() const {
+  return parts_->tables.snapshot();
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,45 @@
+// The rings between the preparation of a channel (one thread) and its part of the real-time cycle
+// (another).
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "base/ring.h"
+#include "channels/messages/item.h"
+#include "motion/path_queue.h"
+
+namespace stanok::channels {
+
+struct ChannelLink {
+  motion::PathQueue path;      // preparation -> cycle
+  Ring<Item> items{256};       // preparation -> cycle
+  Ring<Rider> riders{8192};    // preparation -> cycle
+  Ring<Remark> remarks{1024};  // preparation -> cycle
+  Ring<Notice> notices{16};    // cycle -> preparation
+
+  // The cycle: resets that were asked for since construction. A preparation that has obeyed fewer
+  // ends what it compiles: the reset waits for it.
+  std::atomic<std::uint32_t> resets_wanted{0};
+
+  // The cycle: what it sees of the rings until the next call, counted since construction. In this
+  // order a chunk comes with the items before it, and with the riders before its blocks.
+  void show(const Arrivals& arrivals) RT_SAFE {
+    path.show(arrivals.chunks);
+    items.show(arrivals.items);
+    riders.show(arrivals.riders);
+    remarks.show(arrivals.remarks);
+  }
+  [[nodiscard]] Arrivals shown() const RT_SAFE {
+    return {.chunks = path.chunks.shown(),
+            .items = items.shown(),
+            .riders = riders.shown(),
+            .remarks = remarks.shown()};
+  }
+  // Of the running program, by motion::BlockTag::file; written before anything bears a tag of the
+  // run, and read for such tags only.
+  std::array<FileName, 256> file_names{};
+};
+
+}  // namespace stanok::channels

@@ -1,0 +1,58 @@
+#include "channels/preparation/program_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::channels {
+namespace {
+
+constexpr double nearly_there = 1e-9;  // mm, deg
+
+lang::SpindleCommand speed_command(int spindle, double speed) {
+  lang::SpindleCommand command;
+  command.spindle = spindle;
+  command.action = lang::SpindleAction::set_speed;
+  command.speed_rev_per_min = speed;
+  return command;
+}
+
+}  // namespace
+
+std::vector<lang::Payload> commands_to_restore(const lang::SearchState& state) {
+  std::vector<lang::Payload> commands{state.overrides};
+  if (state.tool_prepared != 0) commands.emplace_back(lang::ToolPrepare{state.tool_prepared});
+  if (state.tool_changed) commands.emplace_back(lang::ToolChange{state.tool, false});
+  for (const auto& [spindle, speed] : state.speeds)
+    commands.emplace_back(speed_command(spindle, speed));
+  for (const auto& [spindle, mode] : state.cutting_speeds) commands.emplace_back(mode);
+  for (const auto& [spindle, command] : state.spindles) commands.emplace_back(command);
+  if (state.coolant.mist || state.coolant.flood) commands.emplace_back(state.coolant);
+  for (const lang::ForceControl& order : state.force_orders) commands.emplace_back(order);
+  return commands;
+}
+
+lang::AxisSet axes_apart(const motion::Point& a, const motion::Point& b) {
+  lang::AxisSet apart = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (std::abs(a[k] - b[k]) > nearly_there) apart = static_cast<lang::AxisSet>(apart | 1U << k);
+  }
+  return apart;
+}
+
+std::vector<motion::Point> approach_points(const motion::Point& start, const motion::Point& end,
+                                           int infeed) {
+  std::vector<motion::Point> points;
+  const auto go = [&](const motion::Point& next) {
+    if (axes_apart(points.empty() ? start : points.back(), next) != 0) points.push_back(next);
+  };
+  if (infeed >= 0) {
+    const auto axis = static_cast<std::size_t>(infeed);
+    motion::Point between = end[axis] > start[axis] ? start : end;
+    between[axis] = std::max(start[axis], end[axis]);
+    go(between);
+  }
+  go(end);
+  return points;
+}
+
+}  // namespace stanok::channels

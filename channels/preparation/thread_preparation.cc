@@ -1,0 +1,170 @@
+#include "channels/preparation/thread_preparation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "channels/cycle/spindle.h"
+#include "channels/preparation/scheme_switch.h"
+#include "motion/synchronous_run.h"
+
+namespace stanok::channels {
+namespace {
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+// In rev/min, rounded down: what is named as the highest speed is one that can be used.
+std::string speed_text(double turns_per_s) {
+  return short_number(std::floor(turns_per_s * seconds_per_minute));
+}
+
+Diagnostic fault(const char* code, std::string message, std::string help) {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.message = std::move(message);
+  diagnostic.help = {std::move(help)};
+  return diagnostic;
+}
+
+}  // namespace
+
+ThreadPreparation::ThreadPreparation(const MachineConfig& machine, const ChannelConfig& channel,
+                                     const motion::MotionConfig& motion)
+    : channel_(channel), builder_(motion), cycle_s_(motion.cycle_s) {
+  for (const int id : channel.spindles) {
+    const auto config = std::ranges::find(machine.spindles, id, &SpindleConfig::id);
+    if (config != machine.spindles.end()) spindles_.push_back({.config = *config});
+  }
+}
+
+// The language has checked that the channel has the spindle; 0 is its first.
+std::size_t ThreadPreparation::index_of(int spindle) const {
+  for (std::size_t k = 0; k < spindles_.size(); ++k) {
+    if (spindles_[k].config.id == spindle) return k;
+  }
+  return 0;
+}
+
+bool ThreadPreparation::ends_at(const lang::Payload& command) {
+  if (const auto* output = std::get_if<lang::OutputCommand>(&command)) return !output->with_motion;
+  if (const auto* mark = std::get_if<lang::MarkCommand>(&command))
+    return mark->kind == lang::MarkCommand::Kind::wait_soft;
+  return !std::holds_alternative<lang::Message>(command) &&
+         !std::holds_alternative<lang::ModalReport>(command);
+}
+
+void ThreadPreparation::take_spindle(const lang::SpindleCommand& command) {
+  for (std::size_t k = 0; k < spindles_.size(); ++k) {
+    const bool is_meant = command.spindle < 0 || index_of(command.spindle) == k;
+    const bool turns = command.action != lang::SpindleAction::stop &&
+                       command.action != lang::SpindleAction::orient;
+    if (is_meant && turns) spindles_[k].rev_per_min = command.speed_rev_per_min;
+  }
+}
+
+bool ThreadPreparation::continues(const lang::SynchronousMove& move) const {
+  const bool same_start = move.start_angle_deg == 0.0 || move.start_angle_deg == start_angle_deg_;
+  return !is_empty() && !is_tap_ && move.kind == lang::SynchronousMove::Kind::thread &&
+         same_start && index_of(move.spindle) == spindle_;
+}
+
+std::optional<Diagnostic> ThreadPreparation::refusal(const lang::SynchronousMove& move) const {
+  if (spindles_.empty()) {
+    return fault("E5301", "a thread in a channel without a spindle",
+                 "give the channel a spindle with an encoder in the machine file");
+  }
+  const SpindleConfig& spindle = spindles_[index_of(move.spindle)].config;
+  if (spindle.encoder_pulses <= 0) {
+    return fault("E5301",
+                 "a thread needs the angle of spindle " + std::to_string(spindle.id) +
+                     ", which has no encoder",
+                 "enter `encoder`, its pulses per revolution, in the machine file, or tap with G84 "
+                 "and a floating chuck");
+  }
+  if (move.kind == lang::SynchronousMove::Kind::rigid_tap && spindle.acceleration <= 0.0) {
+    return fault("E5305",
+                 "rigid tapping needs the acceleration of spindle " + std::to_string(spindle.id),
+                 "enter `acceleration` of the spindle, in rev/min/s, in the machine file");
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& move,
+                                                 const motion::PathBlock& line,
+                                                 const motion::Point& start,
+                                                 const std::array<int, 3>& geometry) {
+  if (auto refused = refusal(move)) return refused;
+  const bool is_tap = move.kind == lang::SynchronousMove::Kind::rigid_tap;
+  if (is_empty()) {
+    is_tap_ = is_tap;
+    spindle_ = index_of(move.spindle);
+    start_angle_deg_ = move.start_angle_deg;
+    motion::SpindleCoupling coupling;
+    coupling.kind =
+        is_tap ? motion::SpindleCoupling::Kind::tap : motion::SpindleCoupling::Kind::thread;
+    coupling.spindle = static_cast<std::int32_t>(spindle_);
+    coupling.start_angle_deg = start_angle_deg_;
+    coupling.spindle_acceleration = spindles_[spindle_].config.acceleration / seconds_per_minute;
+    coupling.return_speed_factor = move.return_speed_factor;
+    coupling.dwell_s = move.dwell_s;
+    const double fastest = is_tap ? std::max(1.0, move.return_speed_factor) : 1.0;
+    builder_.begin(start, geometry, coupling,
+                   fastest * spindles_[spindle_].rev_per_min / seconds_per_minute,
+                   motion::jerk_to_follow(spindles_[spindle_].config.encoder_pulses, cycle_s_));
+  }
+  motion::ThreadBlock block;
+  block.tag = line.tag;
+  block.end = line.end;
+  block.lead_mm = move.lead_mm_per_rev;
+  block.keeps_tolerance =
+      move.line.path.mode == lang::PathMode::continuous && move.line.path.tolerance_mm >= 0.0;
+  block.tolerance_mm = line.tolerance_mm;
+  block.transform = line.transform;
+  const auto found = is_tap ? builder_.add_tap(block) : builder_.add(block);
+  if (!found) return std::nullopt;
+  return diagnostic_of(*found);
+}
+
+Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) const {
+  using Kind = motion::ThreadFault::Kind;
+  const std::string speed = short_number(spindles_[spindle_].rev_per_min) + " rev/min";
+  switch (found.kind) {
+    case Kind::unreachable:
+      return unreachable_pose({{}, found.axis, found.value, found.limit}, channel_);
+    case Kind::axis_too_slow:
+      return fault("E5302",
+                   "axis " + axis_word(channel_, found.axis) + " would need " +
+                       short_number(found.value) + " mm/s at " + speed + ", its limit is " +
+                       short_number(found.limit),
+                   "turn the spindle with at most S" + speed_text(found.speed_max) +
+                       ", or cut a smaller lead");
+    case Kind::corner_too_sharp:
+      return fault(
+          "E5303",
+          "the corner before this block of the thread is too sharp for the axes at " + speed,
+          "turn the spindle with at most S" + speed_text(found.speed_max) +
+              ", or allow a larger tolerance with G64 P");
+    case Kind::encoder_too_coarse: {
+      const SpindleConfig& spindle = spindles_[spindle_].config;
+      return fault(
+          "E5306",
+          "the encoder of spindle " + std::to_string(spindle.id) + ", " +
+              std::to_string(spindle.encoder_pulses) +
+              " pulses per revolution, is too coarse for this lead and the jerk of the axes",
+          "cut a lead of at most " + short_number(found.lead_max) +
+              " mm, or enter the counts that the encoder really gives, with all edges");
+    }
+    case Kind::too_many_blocks:
+      break;
+  }
+  return fault("E5304", "a thread of more than 500 blocks without a stop",
+               "divide it by a block of another kind");
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,340 @@
+#include "channels/stores/live_tables.h"
+
+#include <algorithm>
+#include <map>
+
+namespace stanok::channels {
+namespace {
+
+constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
+constexpr int tools_without_row_max = 99;
+
+// In the order of ToolValue.
+std::array<double, tool_values> values_of(const ToolEdge& tool) {
+  return {tool.length,      tool.length_y,    tool.length_x, tool.radius,
+          tool.wear_length, tool.wear_radius, tool.overhang, static_cast<double>(tool.orientation),
+          tool.angle_front, tool.angle_back};
+}
+
+// `Tool`: ToolEdge or ToolRow.
+template <class Tool>
+void take_values(const std::array<std::atomic<double>, tool_values>& values, Tool& tool) RT_SAFE {
+  tool.length = values[0];
+  tool.length_y = values[1];
+  tool.length_x = values[2];
+  tool.radius = values[3];
+  tool.wear_length = values[4];
+  tool.wear_radius = values[5];
+  tool.overhang = values[6];
+  tool.orientation = static_cast<int>(values[7].load());
+  tool.angle_front = values[8];
+  tool.angle_back = values[9];
+}
+
+bool is_in_range(ToolValue value, double to) RT_SAFE {
+  constexpr double length_max = 1e5;  // mm
+  constexpr double angle_max = 360.0;
+  switch (value) {
+    case ToolValue::orientation:
+      return to >= 0.0 && to <= 9.0 && to == static_cast<double>(static_cast<int>(to));
+    case ToolValue::angle_front:
+    case ToolValue::angle_back:
+      return to >= -angle_max && to <= angle_max;
+    case ToolValue::radius:
+      return to >= 0.0 && to <= length_max;
+    default:
+      return to >= -length_max && to <= length_max;
+  }
+}
+
+}  // namespace
+
+std::string work_offset_name(int number) {
+  if (number <= 6) return "G" + std::to_string(53 + number);
+  if (number <= 9) return "G59." + std::to_string(number - 6);
+  return "G54.1 P" + std::to_string(number - 9);
+}
+
+std::string reference_point_name(int which) {
+  return which == 1 ? "G28" : "G30 P" + std::to_string(which);
+}
+
+int work_offset_number(std::string_view name) RT_SAFE {
+  constexpr std::array<std::string_view, 9> plain{"G54", "G55",   "G56",   "G57",  "G58",
+                                                  "G59", "G59.1", "G59.2", "G59.3"};
+  const auto found = std::find(plain.begin(), plain.end(), name);
+  if (found != plain.end()) return static_cast<int>(found - plain.begin()) + 1;
+  constexpr std::string_view extended = "G54.1 P";
+  // starts_with is substr inside, which may throw.
+  if (name.size() < extended.size() || !std::equal(extended.begin(), extended.end(), name.begin()))
+    return 0;
+  int page = 0;
+  name.remove_prefix(extended.size());
+  if (name.empty() || name.size() > 3) return 0;
+  for (const char c : name) {
+    if (c < '0' || c > '9') return 0;
+    page = 10 * page + (c - '0');
+  }
+  return page >= 1 && page <= work_offsets_max - 9 ? page + 9 : 0;
+}
+
+int tool_value_named(std::string_view name) RT_SAFE {
+  constexpr std::array<std::string_view, tool_values> names{
+      "length",      "length_y", "length_x",    "radius",      "wear_length",
+      "wear_radius", "overhang", "orientation", "angle_front", "angle_back"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
+}
+
+LiveTables::LiveTables(const MachineConfig& machine)
+    : write_protected_(machine.tables_write_protected), unnamed_tools_(machine.unnamed_tools) {
+  for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
+  columns_.emplace_back("R");
+  for (const ChannelConfig& channel : machine.channels) channels_.push_back(channel.id);
+  reference_points_ = std::make_unique<std::atomic<double>[]>(
+      channels_.size() * lang::reference_point_count * columns_.size());
+  for (const int channel : channels_) read_reference_points(channel, machine.tables);
+  offsets_ = std::make_unique<std::atomic<double>[]>(work_offsets_max * columns_.size());
+  for (int number = 1; number <= work_offsets_max; ++number) {
+    const auto row = machine.tables.offsets.find(work_offset_name(number));
+    if (row == machine.tables.offsets.end()) continue;
+    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+      const auto value = row->second.find(columns_[axis]);
+      if (value != row->second.end()) offsets_[cell(number, axis)] = value->second;
+    }
+  }
+  std::map<std::pair<int, int>, std::pair<ToolEdge, bool>> rows;
+  for (int number = 0; number <= tools_without_row_max; ++number) {
+    ToolEdge plain;
+    plain.number = number;
+    rows[{number, 1}] = {plain, true};
+  }
+  for (const ToolEdge& tool : machine.tables.tools) rows[{tool.number, tool.edge}] = {tool, false};
+  tools_ = std::make_unique<ToolPlace[]>(rows.size());
+  for (auto& [key, row] : rows) {
+    ToolPlace& made = tools_[tool_count_++];
+    made.fixed = row.first;
+    made.row = row_of(row.first);
+    made.is_default = row.second;
+    made.exists = !row.second || unnamed_tools_ || made.fixed.number == 0;
+    const auto values = values_of(made.fixed);
+    for (std::size_t k = 0; k < values.size(); ++k) made.values[k] = values[k];
+  }
+}
+
+void LiveTables::read_reference_points(int channel, const TablesConfig& tables) {
+  const auto points = tables.reference_points.find(channel);
+  if (points == tables.reference_points.end()) return;
+  for (int which = 1; which <= lang::reference_point_count; ++which) {
+    const auto row = points->second.find(reference_point_name(which));
+    if (row == points->second.end()) continue;
+    for (const auto& [axis, value] : row->second)
+      store_reference_point(channel, which, axis, value);
+  }
+}
+
+std::atomic<double>& LiveTables::reference_cell(int channel, int which,
+                                                std::string_view axis) const {
+  const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
+  const std::size_t row = static_cast<std::size_t>(place) * lang::reference_point_count +
+                          static_cast<std::size_t>(which - 1);
+  return reference_points_[row * columns_.size() + static_cast<std::size_t>(column(axis))];
+}
+
+double LiveTables::reference_point(int channel, int which, std::string_view axis) const {
+  return reference_cell(channel, which, axis);
+}
+
+void LiveTables::store_reference_point(int channel, int which, std::string_view axis,
+                                       double value) {
+  reference_cell(channel, which, axis) = value;
+}
+
+std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
+  const auto rotation = static_cast<int>(columns_.size()) - 1;
+  if (axis == lang::rotation_of_offset) axis = rotation;
+  const bool exists = number >= 1 && number <= work_offsets_max && axis >= 0 && axis <= rotation;
+  if (!exists) return std::nullopt;
+  return offsets_[cell(number, static_cast<std::size_t>(axis))].load(std::memory_order_relaxed);
+}
+
+bool LiveTables::set_offset(int number, int axis, double value, Writer writer) RT_SAFE {
+  if (write_protected_ && writer == Writer::program) return false;
+  if (!offset(number, axis)) return false;
+  if (axis == lang::rotation_of_offset) axis = static_cast<int>(columns_.size()) - 1;
+  offsets_[cell(number, static_cast<std::size_t>(axis))].store(value, std::memory_order_relaxed);
+  return true;
+}
+
+int LiveTables::column(std::string_view axis) const RT_SAFE {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (columns_[k] == axis) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+std::optional<double> LiveTables::offset(int number, const std::string& axis) const {
+  if (number < 1 || number > work_offsets_max) return std::nullopt;
+  const auto named = std::find(columns_.begin(), columns_.end(), axis);
+  if (named == columns_.end()) return 0.0;
+  return offset(number, static_cast<int>(named - columns_.begin()));
+}
+
+const LiveTables::ToolPlace* LiveTables::find(int number, int edge) const RT_SAFE {
+  const ToolPlace* const row = find_place(number, edge);
+  return row != nullptr && row->exists.load(std::memory_order_acquire) ? row : nullptr;
+}
+
+bool LiveTables::has_place(int number, int edge) const RT_SAFE {
+  return find_place(number, edge) != nullptr;
+}
+
+const LiveTables::ToolPlace* LiveTables::find_place(int number, int edge) const RT_SAFE {
+  std::size_t first = 0;
+  std::size_t count = tool_count_;
+  while (first < count) {
+    const std::size_t middle = first + (count - first) / 2;
+    const ToolEdge& tool = tools_[middle].fixed;
+    const bool before = tool.number < number || (tool.number == number && tool.edge < edge);
+    (before ? first : count) = before ? middle + 1 : middle;
+  }
+  if (first == tool_count_) return nullptr;
+  const ToolPlace& row = tools_[first];
+  return row.fixed.number == number && row.fixed.edge == edge ? &row : nullptr;
+}
+
+std::optional<double> LiveTables::tool_value(int number, int edge, int value) const RT_SAFE {
+  const ToolPlace* row = find(number, edge);
+  if (row == nullptr || value < 1 || value > tool_values) return std::nullopt;
+  return row->values[static_cast<std::size_t>(value - 1)].load(std::memory_order_relaxed);
+}
+
+bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writer writer) RT_SAFE {
+  if (write_protected_ && writer == Writer::program) return false;
+  const bool by_person = writer == Writer::person;
+  const ToolPlace* const found = by_person ? find_place(number, edge) : find(number, edge);
+  if (found == nullptr || value < 1 || value > tool_values) return false;
+  if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
+  ToolPlace& row = tools_[static_cast<std::size_t>(found - tools_.get())];
+  row.values[static_cast<std::size_t>(value - 1)].store(to, std::memory_order_relaxed);
+  row.exists.store(true, std::memory_order_release);
+  return true;
+}
+
+std::optional<ToolEdge> LiveTables::tool(int number, int edge) const {
+  const ToolPlace* row = find(number, edge);
+  if (row == nullptr) return std::nullopt;
+  ToolEdge tool = row->fixed;
+  take_values(row->values, tool);
+  return tool;
+}
+
+ToolRow LiveTables::row(int number, int edge) const RT_SAFE {
+  const ToolPlace* const place = number == 0 ? nullptr : find(number, edge);
+  if (place == nullptr) return {};
+  ToolRow row = place->row;
+  take_values(place->values, row);
+  return row;
+}
+
+TablesConfig LiveTables::snapshot() const {
+  TablesConfig tables;
+  for (std::size_t k = 0; k < tool_count_; ++k) {
+    const ToolPlace& row = tools_[k];
+    ToolEdge now = row.fixed;
+    take_values(row.values, now);
+    const bool filled = !unnamed_tools_ && row.fixed.number != 0 && row.exists;
+    if (!row.is_default || filled || values_of(now) != values_of(row.fixed))
+      tables.tools.push_back(now);
+  }
+  for (int number = 1; number <= work_offsets_max; ++number) {
+    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+      const double value = offsets_[cell(number, axis)];
+      if (value != 0.0) tables.offsets[work_offset_name(number)][columns_[axis]] = value;
+    }
+  }
+  for (const int channel : channels_) add_reference_points(channel, tables);
+  return tables;
+}
+
+void LiveTables::add_reference_points(int channel, TablesConfig& tables) const {
+  for (int which = 1; which <= lang::reference_point_count; ++which) {
+    for (std::size_t axis = 0; axis + 1 < columns_.size(); ++axis) {
+      const double value = reference_point(channel, which, columns_[axis]);
+      if (value == 0.0) continue;
+      tables.reference_points[channel][reference_point_name(which)][columns_[axis]] = value;
+    }
+  }
+}
+
+std::optional<double> execute_table_request(LiveTables& tables, const RequestData& request,
+                                            int axis) RT_SAFE {
+  using lang::RequestKind;
+  const bool offsets = request.kind == RequestKind::offset_table_write ||
+                       request.kind == RequestKind::offset_table_read;
+  const bool writes = request.kind == RequestKind::offset_table_write ||
+                      request.kind == RequestKind::tool_table_write;
+  // Table 1 is the only one there is.
+  if (offsets && request.channel != 1) return std::nullopt;
+  if (writes) {
+    const bool written = offsets ? tables.set_offset(request.number, axis, request.value)
+                                 : tables.set_tool_value(request.number, request.index,
+                                                         request.channel, request.value);
+    if (!written) return std::nullopt;
+    return request.value;
+  }
+  return offsets ? tables.offset(request.number, axis)
+                 : tables.tool_value(request.number, request.index, request.channel);
+}
+
+ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
+                             const ChannelConfig& channel)
+    : live_(live), channel_(channel.id) {
+  for (const int axis : channel.axes)
+    axis_names_.push_back(machine.axes[static_cast<std::size_t>(axis)].name);
+}
+
+std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {
+  lang::AxisValues values{};
+  for (std::size_t k = 0; k < axis_names_.size(); ++k) {
+    const auto value = live_.offset(number, axis_names_[k]);
+    if (!value) return std::nullopt;
+    values[k] = *value;
+  }
+  return values;
+}
+
+// Beside the axes of its row, under the word of G10 L2.
+double ChannelTables::work_offset_rotation(int number) const {
+  return live_.offset(number, "R").value_or(0.0);
+}
+
+lang::AxisValues ChannelTables::reference_point(int which) const {
+  lang::AxisValues point{};
+  for (std::size_t k = 0; k < axis_names_.size(); ++k)
+    point[k] = live_.reference_point(channel_, which, axis_names_[k]);
+  return point;
+}
+
+void ChannelTables::store_reference_point(int which, const lang::AxisValues& point_M) {
+  for (std::size_t k = 0; k < axis_names_.size(); ++k)
+    live_.store_reference_point(channel_, which, axis_names_[k], point_M[k]);
+}
+
+std::optional<lang::Tool> ChannelTables::tool(int number) const {
+  return tool_edge(number, 1);
+}
+
+std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) const {
+  const auto edge = live_.tool(number, edge_number);
+  if (!edge) return std::nullopt;
+  lang::Tool tool;
+  tool.number = number;
+  tool.length_mm = {edge->length_x, edge->length_y, edge->length + edge->wear_length};
+  tool.radius_mm = edge->radius + edge->wear_radius;
+  tool.overhang_mm = edge->overhang;
+  tool.orientation = edge->orientation;
+  return tool;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,152 @@
+// The live tables of the machine: tools, work offsets and reference points, read by all
+// preparations, written by programs and operators.
+//
+// Which entries exist is fixed when the machine starts, but for the free places of tools, which an
+// operator's value fills; each value is read and written atomically,
+// by programs in the cycle, reference points by the preparation of their channel alone. Names:
+// "G54".."G59", "G59.1".."G59.3", "G54.1 P1".. for the work offsets; absent rows are zero. Any
+// thread.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/rt_safe.h"
+#include "channels/contract/machine_config.h"
+#include "channels/contract/tool_row.h"
+#include "channels/messages/item.h"
+#include "kinematics/scheme.h"
+#include "lang/contract/environment.h"
+
+namespace stanok::channels {
+
+// The table name of a work offset number: 1 = "G54" ... 7 = "G59.1", 10 = "G54.1 P1".
+[[nodiscard]] std::string work_offset_name(int number);
+
+// The values of a tool that programs read and write, by the number that settable_tool gives them.
+enum class ToolValue : std::uint8_t {
+  length = 1,
+  length_y,
+  length_x,
+  radius,
+  wear_length,
+  wear_radius,
+  overhang,
+  orientation,
+  angle_front,
+  angle_back,
+};
+inline constexpr int tool_values = 10;
+// "length", "wear_radius"...; 0: there is no such value.
+[[nodiscard]] int tool_value_named(std::string_view name) RT_SAFE;
+// "G28" for 1, "G30 P2" to "G30 P4".
+[[nodiscard]] std::string reference_point_name(int which);
+// The number of work_offset_name; 0: there is no such offset.
+[[nodiscard]] int work_offset_number(std::string_view name) RT_SAFE;
+
+// Programs may be kept from writing by the machine file; operators may not.
+enum class Writer : std::uint8_t { program, person };
+
+class LiveTables {
+ public:
+  explicit LiveTables(const MachineConfig& machine);
+
+  // Offset of one axis (mm or deg); nothing when the work offset does not exist.
+  [[nodiscard]] std::optional<double> offset(int number, const std::string& axis) const;
+  [[nodiscard]] std::optional<ToolEdge> tool(int number, int edge) const;
+  [[nodiscard]] TablesConfig snapshot() const;
+
+  // A coordinate in M of reference point `which` from 1. The machine has the channel (its id) and
+  // the axis.
+  [[nodiscard]] double reference_point(int channel, int which, std::string_view axis) const;
+  void store_reference_point(int channel, int which, std::string_view axis, double value);
+
+  // The cycle: single values. `axis` counts among all axes of the machine, or is
+  // lang::rotation_of_offset (deg). Nothing, or false, when
+  // there is no such entry; a write also when the value is out of range or the tables are
+  // write-protected.
+  [[nodiscard]] std::optional<double> offset(int number, int axis) const RT_SAFE;
+  [[nodiscard]] bool set_offset(int number, int axis, double value, Writer writer = Writer::program)
+      RT_SAFE;
+  // `axis` of the calls above by the name of the machine's axis, "R": the rotation; -1: none.
+  [[nodiscard]] int column(std::string_view axis) const RT_SAFE;
+  [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
+  // Number 0 where there is no such tool, and of tool 0, which is none.
+  [[nodiscard]] ToolRow row(int number, int edge) const RT_SAFE;
+  // A tool is there, or an operator's value would make one.
+  [[nodiscard]] bool has_place(int number, int edge) const RT_SAFE;
+  [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
+                                    Writer writer = Writer::program) RT_SAFE;
+
+ private:
+  struct ToolPlace {
+    ToolEdge fixed;           // number, edge, name, kind, shape
+    ToolRow row;              // of the same
+    bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
+    std::atomic<bool> exists{true};  // false: a free place
+    std::array<std::atomic<double>, tool_values> values{};
+  };
+
+  // A tool that exists; a free place too.
+  [[nodiscard]] const ToolPlace* find(int number, int edge) const RT_SAFE;
+  [[nodiscard]] const ToolPlace* find_place(int number, int edge) const RT_SAFE;
+  [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
+    return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
+  }
+
+  void read_reference_points(int channel, const TablesConfig& tables);
+  void add_reference_points(int channel, TablesConfig& tables) const;
+  [[nodiscard]] std::atomic<double>& reference_cell(int channel, int which,
+                                                    std::string_view axis) const;
+
+  std::vector<std::string> columns_;  // of the offsets: the axes, and R, the rotation
+  std::vector<int> channels_;         // ids
+  bool write_protected_ = false;
+  bool unnamed_tools_ = true;
+  std::unique_ptr<std::atomic<double>[]> offsets_;
+  std::unique_ptr<std::atomic<double>[]> reference_points_;
+  std::unique_ptr<ToolPlace[]> tools_;  // ascending by number and edge
+  std::size_t tool_count_ = 0;
+};
+
+// Reads or writes what a program asks for. `axis` is that of the request, counted among all axes of
+// the machine. Nothing when there is no such entry, or when it cannot be written so.
+[[nodiscard]] std::optional<double> execute_table_request(LiveTables& tables,
+                                                          const RequestData& request, int axis)
+    RT_SAFE;
+
+// The tables as the interpreter of one channel sees them.
+class ChannelTables final : public lang::Tables {
+ public:
+  ChannelTables(LiveTables& live, const MachineConfig& machine, const ChannelConfig& channel);
+
+  [[nodiscard]] std::optional<lang::AxisValues> work_offset(int number) const override;
+  [[nodiscard]] double work_offset_rotation(int number) const override;
+  [[nodiscard]] std::optional<lang::Tool> tool(int number) const override;
+  [[nodiscard]] std::optional<lang::Tool> tool_edge(int number, int edge) const override;
+  [[nodiscard]] lang::AxisValues scheme_zero() const override { return scheme_zero_; }
+  [[nodiscard]] lang::AxisValues reference_point(int which) const override;
+  void store_reference_point(int which, const lang::AxisValues& point_M) override;
+
+  [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
+
+  // The scheme that is active from now on.
+  void set_scheme(const kinematics::Scheme& scheme) {
+    scheme_zero_ = scheme.config().zero;
+    axes_of_scheme_ = static_cast<lang::AxisSet>(scheme.participants());
+  }
+
+ private:
+  LiveTables& live_;
+  int channel_;
+  std::vector<std::string> axis_names_;
+  lang::AxisValues scheme_zero_{};
+  lang::AxisSet axes_of_scheme_ = 0;
+};
+
+}  // namespace stanok::channels

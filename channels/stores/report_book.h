@@ -1,0 +1,88 @@
+// ReportBook: what the preparations and the cycle told of runs and alarms, in words, for people and
+// programs outside.
+//
+// The cycle hands over plain records through rings; texts and diagnostics come from the
+// preparations. Any thread.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "base/fixed_text.h"
+#include "base/ring.h"
+#include "channels/contract/reports.h"
+
+namespace stanok::channels {
+
+// A run at its start and at its end, as the cycle saw it.
+struct RunRecord {
+  std::int32_t channel = 0;
+  std::uint32_t run = 0;
+  bool ended = false;
+  bool ok = false;
+  std::uint64_t blocks = 0;
+  std::int64_t start_cycle = 0;
+  std::int64_t end_cycle = 0;
+  double path_mm = 0.0;
+  std::uint32_t lookahead_max_blocks = 0;
+  motion::Point end_W{};
+  motion::Point end_M{};
+  std::int32_t axis_count = 0;
+};
+
+// An alarm as the cycle raised it.
+struct AlarmRecord {
+  std::int32_t channel = 0;
+  std::int64_t cycle = 0;
+  motion::BlockTag tag;
+  FixedText<8> code;
+  FixedText<1024> text;  // lines after the first are notes
+  FixedText<96> file;    // of the program; empty: none
+};
+
+class ReportBook {
+ public:
+  ReportBook();
+
+  // Preparation side.
+  // `files`: by the index in the tags of its blocks.
+  void name_run(int channel, std::uint32_t run, const std::string& program,
+                std::vector<std::string> files);
+  void explain(int channel, std::uint32_t run, const Diagnostic& diagnostic);
+  void add_diagnostics(int channel, const Diagnostics& diagnostics);
+  // Where the next run begins; nothing: at the first block.
+  void tell_search(int channel, const std::optional<SearchReport>& report);
+
+  // Cycle side.
+  [[nodiscard]] Ring<RunRecord>& run_records() RT_SAFE { return run_records_; }
+  [[nodiscard]] Ring<AlarmRecord>& alarm_records() RT_SAFE { return alarm_records_; }
+
+  [[nodiscard]] std::vector<RunReport> runs();
+  [[nodiscard]] std::vector<AlarmReport> alarms();
+  [[nodiscard]] std::vector<AlarmReport> load_diagnostics();
+  [[nodiscard]] std::optional<SearchReport> search(int channel);
+
+ private:
+  using RunKey = std::pair<int, std::uint32_t>;
+  void drain_runs();
+  void drain_alarms();
+
+  std::mutex mutex_;
+  Ring<RunRecord> run_records_;
+  Ring<AlarmRecord> alarm_records_;
+  struct RunNames {
+    std::string program;
+    std::vector<std::string> files;
+  };
+  std::map<RunKey, RunNames> names_;
+  std::map<RunKey, Diagnostic> explanations_;
+  std::vector<RunKey> order_;
+  std::map<RunKey, RunReport> runs_;
+  std::vector<AlarmReport> alarms_;
+  std::vector<AlarmReport> load_diagnostics_;
+  std::map<int, SearchReport> searches_;  // by channel
+};
+
+}  // namespace stanok::channels
