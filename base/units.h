@@ -61,4 +61,9 @@ inline constexpr Angle degree{1.0};
 inline constexpr Angle radian{57.295779513082320876798154814105};
 inline constexpr Angle turn{360.0};
 
+// For plain doubles that carry their unit in the name.
+inline constexpr double full_turn_deg = 360.0;
+inline constexpr double seconds_per_minute = 60.0;
+inline constexpr double deg_per_s_of_rev_per_min = full_turn_deg / seconds_per_minute;
+
 }  // namespace stanok

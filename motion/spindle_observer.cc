@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/units.h"
+
 namespace stanok::motion {
 namespace {
 
@@ -33,7 +35,6 @@ void SpindleObserver::advance(double period_s, const SpindleMotion& commanded) R
 }
 
 void SpindleObserver::observe(double angle_deg) RT_SAFE {
-  constexpr double full_turn_deg = 360.0;
   const double beside = angle_deg / full_turn_deg - commanded_.turns;
   if (!has_begun_) {
     beside_ = {.turns = beside};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/numeric.h"
+#include "base/units.h"
 
 namespace stanok::motion {
 namespace {
@@ -173,7 +174,6 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
     has_watched_ = false;
     return false;
   }
-  constexpr double full_turn_deg = 360.0;
   direction_ = spindle.speed < 0.0 ? -1.0 : 1.0;
   const double half = 0.5 * speed * duration;
   const double to_start =

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/units.h"
+
 namespace stanok::plant {
 namespace {
 
@@ -37,7 +39,6 @@ ReferenceConfig reference(const config::AxisSimulation& plant) {
 
 // The motor of an axis that is a spindle until M902 reaches the speed of the spindle.
 void let_turn(const channels::SpindleConfig& spindle, std::vector<SimulatedDriveConfig>& drives) {
-  constexpr double deg_per_s_of_rev_per_min = 6.0;
   constexpr double reserve = 1.2;
   for (SimulatedDriveConfig& drive : drives) {
     if (spindle.axis.empty() || drive.registers.axis != spindle.axis) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "drives/cia402.h"
 #include "plant/axis_plant.h"
 #include "plant/servo_axis.h"
@@ -13,8 +14,6 @@ namespace stanok::plant {
 namespace {
 
 using drives::DriveState;
-
-constexpr double full_turn_deg = 360.0;
 
 // A demand without news stops to move after this time.
 constexpr double bridged_s = 0.1;

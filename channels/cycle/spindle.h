@@ -3,14 +3,11 @@
 #pragma once
 
 #include "base/rt_safe.h"
+#include "base/units.h"
 #include "channels/contract/machine_config.h"
 #include "lang/contract/command.h"
 
 namespace stanok::channels {
-
-inline constexpr double full_turn_deg = 360.0;
-inline constexpr double deg_per_s_of_rev_per_min = 6.0;
-inline constexpr double seconds_per_minute = 60.0;
 
 class Spindle {
  public:

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "channels/cycle/spindle.h"
+#include "base/units.h"
 #include "channels/preparation/scheme_switch.h"
 #include "motion/synchronous_run.h"
 

@@ -4,13 +4,14 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "base/units.h"
+
 namespace stanok::programs {
 namespace {
 
 constexpr std::array<char, coordinate_count> addresses{'X', 'Y', 'Z', 'B', 'C'};
 constexpr double rapid_mm_per_s =
-    1000.0;  // above what any axis reaches: rapids are not limited by it
-constexpr double seconds_per_minute = 60.0;
+    1000.0;                          // above what any axis reaches: rapids are not limited by it
 constexpr int quarter_chords = 128;  // r (1 - cos(pi/512)) < 0.1 um up to r = 5 mm
 
 double length_of(const Point& from, const PathStep& step) {
