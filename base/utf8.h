@@ -36,9 +36,10 @@ inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
   }
-  const unsigned second = byte(1);
-  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-  const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
+  const unsigned behind_lead = byte(1);
+  const bool overlong =
+      (lead == 0xE0 && behind_lead < 0xA0) || (lead == 0xF0 && behind_lead < 0x90);
+  const bool outside = (lead == 0xED && behind_lead > 0x9F) || (lead == 0xF4 && behind_lead > 0x8F);
   return overlong || outside ? 0 : length;
 }
 

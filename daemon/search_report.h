@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "channels/preparation/program_search.h"
+#include "channels/contract/reports.h"
 
 namespace stanok::daemon {
 
