@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "channels/coordinator/coordinator.h"
-#include "channels/cycle/spindle.h"
+#include "channels/axes/spindle.h"
 
 namespace stanok::channels {
 namespace {

@@ -10,11 +10,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "channels/axes/channel_figures.h"
+#include "channels/axes/spindle.h"
 #include "channels/contract/command_rules.h"
 #include "channels/contract/output.h"
-#include "channels/cycle/channel_figures.h"
+#include "channels/cycle/channel_terms.h"
 #include "channels/cycle/mark_worker.h"
-#include "channels/cycle/spindle.h"
 #include "channels/cycle/stepper.h"
 #include "channels/messages/channel_link.h"
 #include "motion/automatic_feed.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channels/axes/spindle.h"
 #include "channels/cycle/channel.h"
-#include "channels/cycle/spindle.h"
 
 namespace stanok::channels {
 namespace {

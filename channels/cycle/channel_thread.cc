@@ -5,8 +5,8 @@
 // which the cycle begins; the set-points, to its end.
 #include <cmath>
 
+#include "channels/axes/spindle.h"
 #include "channels/cycle/channel.h"
-#include "channels/cycle/spindle.h"
 
 namespace stanok::channels {
 namespace {

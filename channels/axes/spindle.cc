@@ -1,11 +1,10 @@
-#include "channels/cycle/spindle.h"
+#include "channels/axes/spindle.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace stanok::channels {
-namespace {}  // namespace
 
 void Spindle::command(const lang::SpindleCommand& command) RT_SAFE {
   go_on();

@@ -12,9 +12,9 @@
 
 #include "base/fixed_text.h"
 #include "base/rt_safe.h"
+#include "channels/axes/axis_homing.h"
 #include "channels/contract/machine_config.h"
 #include "channels/contract/output.h"
-#include "channels/cycle/axis_homing.h"
 #include "lang/contract/environment.h"
 #include "motion/axis_move.h"
 

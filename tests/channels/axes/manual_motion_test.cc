@@ -1,5 +1,5 @@
 // Jogs of a single axis by their travel: from inside, and from outside of it.
-#include "channels/cycle/manual_motion.h"
+#include "channels/axes/manual_motion.h"
 
 #include <gtest/gtest.h>
 

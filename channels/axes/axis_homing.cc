@@ -1,4 +1,4 @@
-#include "channels/cycle/axis_homing.h"
+#include "channels/axes/axis_homing.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "channels/cycle/manual_motion.h"
+#include "channels/axes/manual_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The search for the reference mark, on a drive that is a straight edge: where the switches and the
 // index pulses are is known here, so is the mark.
-#include "channels/cycle/axis_homing.h"
+#include "channels/axes/axis_homing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,31 @@
+// PositionLoops: the velocities that the drives of a channel's axes are asked for.
+//
+// A drive that closes its position loop itself is told the velocity of the set-point; one whose
+// loop is closed in the cycle gets what its regulator makes of the following error. Thread: the
+// real-time cycle. Owner: the channel. Invariant: the regulator of an axis that its drive does not
+// hold is reset, so that it begins anew when the drive takes the axis over.
+#pragma once
+
+#include <array>
+
+#include "base/rt_safe.h"
+#include "channels/axes/axis_group.h"
+#include "channels/axes/drive_guard.h"
+#include "motion/position_regulator.h"
+
+namespace stanok::channels {
+
+class PositionLoops {
+ public:
+  // `figures` outlive the loops.
+  explicit PositionLoops(const ChannelFigures& figures);
+
+  // Behind the set-points of the cycle; `axes_M` with their derivatives.
+  void advance(const motion::JetPoint& axes_M, const DriveGuard& drives, AxisGroup& axes) RT_SAFE;
+
+ private:
+  const ChannelFigures& figures_;
+  std::array<motion::PositionRegulator, motion::axes_max> regulators_{};
+};
+
+}  // namespace stanok::channels

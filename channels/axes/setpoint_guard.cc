@@ -1,0 +1,54 @@
+#include "channels/axes/setpoint_guard.h"
+
+#include <cmath>
+
+#include "motion/limit_guard.h"
+
+namespace stanok::channels {
+namespace {
+
+bool is_number(const kinematics::Jet& jet) RT_SAFE {
+  return std::isfinite(jet.value) && std::isfinite(jet.first) && std::isfinite(jet.second) &&
+         std::isfinite(jet.third);
+}
+
+}  // namespace
+
+std::optional<Fault> impossible_step(const motion::MotionConfig& motion, double cycle_s,
+                                     const AxisGroup& axes, const motion::JetPoint& axes_M,
+                                     Steps steps) RT_SAFE {
+  constexpr double steps_allowed = 2.0;  // of the longest at the axis' highest velocity
+  for (int axis = 0; axis < axes.count(); ++axis) {
+    if (!axes.owns(axis)) continue;
+    const auto k = static_cast<std::size_t>(axis);
+    const double step = std::abs(axes_M[k].value - axes.setpoint(axis).position);
+    const double step_max =
+        steps_allowed * motion.axes[k].velocity_max * cycle_s + axes.figure(axis).codes.resolution;
+    const bool may_step = steps == Steps::of_numbers || axes.is_spindle(axis);
+    const bool has_number = is_number(axes_M[k]);
+    if (has_number && (step <= step_max || may_step)) continue;
+    Fault fault{{"A9002"}, {"axis "}};
+    fault.text.append(axes.name(axis).view())
+        .append(has_number ? " would step farther than it can move in a cycle"
+                           : " would get a setpoint that is no number");
+    return fault;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> passed_limit(const motion::MotionConfig& motion, double cycle_s,
+                                  const AxisGroup& axes, const motion::JetPoint& axes_M) RT_SAFE {
+  for (int axis = 0; axis < axes.count(); ++axis) {
+    if (!axes.owns(axis) || axes.is_spindle(axis)) continue;
+    const auto k = static_cast<std::size_t>(axis);
+    const double slack = axes.figure(axis).codes.resolution + std::abs(axes_M[k].first) * cycle_s;
+    if (!motion::passes_limit(axes_M[k], motion.axes[k], slack)) continue;
+    Fault fault{{"A2003"}, {"axis "}};
+    fault.text.append(axes.name(axis).view())
+        .append(" comes too near to its soft limit to stand before it");
+    return fault;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stanok::channels
