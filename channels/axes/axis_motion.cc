@@ -1,0 +1,160 @@
+#include "channels/axes/axis_motion.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+#include "channels/axes/setpoint_guard.h"
+
+namespace stanok::channels {
+
+AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelFigures& figures,
+                       SchemeTable& schemes, AxisGroup& axes, const DriveGuard& drives)
+    : config_(config),
+      figures_(figures),
+      schemes_(schemes),
+      axes_(axes),
+      drives_(drives),
+      interpolator_(config),
+      loops_(figures) {
+  std::array<ManualAxis, motion::axes_max> manual_axes{};
+  for (std::size_t k = 0; k < motion::axes_max; ++k) {
+    path_.axes[k] = figures.start[k];
+    manual_axes[k] = figures.axes[k].manual;
+  }
+  manual_.set_up({manual_axes.data(), static_cast<std::size_t>(figures.axis_count)},
+                 figures.cycle_s);
+  stand_in_scheme();
+}
+
+std::optional<Fault> AxisMotion::advance(motion::PathQueue& queue,
+                                         const motion::FeedControl& control,
+                                         std::uint64_t chunk_limit, SoftLimits limits) RT_SAFE {
+  interpolator_.advance(queue, control, path_, chunk_limit);
+  // Homing names the position of an axis anew: its number steps, and the axis does not.
+  const Steps steps = manual_.is_active() ? Steps::of_numbers : Steps::of_axes;
+  if (manual_.is_active()) {
+    manual_.advance(drives_.feedback(), path_.axes);
+    stand();
+  }
+  const auto fault = impossible_step(config_, figures_.cycle_s, axes_, path_.axes, steps);
+  if (fault) stay_where_commanded(queue);
+  axes_.follow(path_.axes);
+  if (fault) return fault;
+  if (limits == SoftLimits::not_guarded || manual_.is_active()) return std::nullopt;
+  return passed_limit(config_, figures_.cycle_s, axes_, path_.axes);
+}
+
+void AxisMotion::stay_where_commanded(motion::PathQueue& queue) RT_SAFE {
+  for (std::size_t k = 0; k < motion::axes_max; ++k)
+    path_.axes[k] = axes_.setpoint(static_cast<int>(k)).position;
+  interpolator_.drop_path(queue);
+  stand();
+}
+
+motion::Point AxisMotion::axes_M() const RT_SAFE {
+  motion::Point point{};
+  for (std::size_t k = 0; k < motion::axes_max; ++k) point[k] = path_.axes[k].value;
+  return point;
+}
+
+double AxisMotion::diameter() const RT_SAFE {
+  const int x = config_.geometry[0];
+  return x < 0 ? 0.0 : 2.0 * std::abs(path_.point[static_cast<std::size_t>(x)].value);
+}
+
+void AxisMotion::select_scheme(int scheme) RT_SAFE {
+  schemes_.select(scheme);
+  stand_in_scheme();
+}
+
+void AxisMotion::stand_in(const kinematics::Transform& frame) RT_SAFE {
+  frame_ = frame;
+  stand();
+}
+
+void AxisMotion::stand_in_scheme() RT_SAFE {
+  frame_ = {};
+  frame_.scheme = schemes_.active();
+  stand();
+}
+
+void AxisMotion::stand_with(int axis, double position) RT_SAFE {
+  path_.axes[static_cast<std::size_t>(axis)] = position;
+  stand();
+}
+
+void AxisMotion::stand() RT_SAFE {
+  interpolator_.stand_at(axes_M(), frame_);
+  frame_is_new_ = true;
+}
+
+bool AxisMotion::takes_new_frame() RT_SAFE {
+  return std::exchange(frame_is_new_, false);
+}
+
+void AxisMotion::drop_path(motion::PathQueue& queue) RT_SAFE {
+  interpolator_.drop_path(queue);
+  interpolator_.stand_at(axes_M(), frame_);
+}
+
+// An encoder counts from elsewhere than the control believed, or the axis was moved while its drive
+// was off: the drive that is about to take it over holds it where it is. While the machine is off
+// the set-points go with the axes, so that what is shown, kept and touched off is true.
+void AxisMotion::adopt_positions(Power machine) RT_SAFE {
+  constexpr double increments_apart = 2.0;  // what the drive's own rounding cannot be
+  if (drives_.is_ideal() || !is_standing()) return;
+  bool adopted = false;
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    const AxisFeedback& drive = drives_.feedback(axis);
+    const bool is_awaited = axes_.drive(axis).enabled && !drive.enabled;
+    const bool is_off = machine == Power::off && !drive.enabled;
+    if (!is_awaited && !is_off) continue;
+    if (!drive.valid || !axes_.owns(axis) || axes_.is_spindle(axis)) continue;
+    const double apart = std::abs(drive.position - path_.axes[k].value);
+    if (apart <= increments_apart * axes_.figure(axis).codes.resolution) continue;
+    path_.axes[k] = drive.position;
+    axes_.place(axis, drive.position);
+    adopted = true;
+  }
+  if (adopted) stand();
+}
+
+void AxisMotion::return_to_parking() RT_SAFE {
+  const kinematics::Scheme* const scheme = schemes_.active();
+  if (scheme == nullptr) return;
+  for (const kinematics::Parking& parking : scheme->config().parking) {
+    const int axis = parking.axis;
+    if (!axes_.drive(axis).enabled || !axes_.owns(axis) || axes_.is_spindle(axis)) continue;
+    manual_.go(axis, path_.axes[static_cast<std::size_t>(axis)].value, parking.position);
+  }
+}
+
+lang::AxisSet AxisMotion::axes_to_home() const RT_SAFE {
+  unsigned axes = 0;
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    const bool is_homed_by_search = axes_.figure(axis).manual.homing.order > 0;
+    if (is_homed_by_search && axes_.owns(axis) && !axes_.is_spindle(axis)) axes |= 1U << axis;
+  }
+  return static_cast<lang::AxisSet>(axes);
+}
+
+void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
+  output.moving = path_.state == motion::PathState::moving || manual_.is_active();
+  output.feed_commanded = path_.feed_commanded;
+  output.path_speed = path_.s_speed;
+  output.point_W = path_.point;
+  output.process.law = path_.process.kind;
+  output.process.increments = path_.process.increments;
+  output.process.stands = path_.state == motion::PathState::standing;
+  output.process.interruption = interpolator_.interruption().lengths();
+  output.process.interruptions = interpolator_.interruption().count();
+  output.process.feed_mm_per_min = seconds_per_minute * path_.feed_commanded;
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    output.drives[static_cast<std::size_t>(axis)].reference =
+        manual_.reference(static_cast<std::size_t>(axis));
+  }
+}
+
+}  // namespace stanok::channels

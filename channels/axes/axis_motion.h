@@ -1,0 +1,96 @@
+// AxisMotion: moves the axes of a channel: along the path, or by hand.
+//
+// The path has the axes unless they are jogged or homed; then it begins anew from where they come
+// to. What no axis can do never reaches its drive: the axes stay where they were commanded last.
+// Thread: the real-time cycle. Owner: the channel. Invariant: while the path is at rest and no axis
+// moves by hand, path().axes are the set-points of the axes that are no spindles.
+#pragma once
+
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "channels/axes/axis_group.h"
+#include "channels/axes/drive_guard.h"
+#include "channels/axes/manual_motion.h"
+#include "channels/axes/position_loops.h"
+#include "channels/axes/scheme_table.h"
+#include "motion/feed_control.h"
+#include "motion/interpolator.h"
+
+namespace stanok::channels {
+
+// Soft limits are guarded while a program moves the axes; moves by hand keep their own.
+enum class SoftLimits : std::uint8_t { guarded, not_guarded };
+
+class AxisMotion {
+ public:
+  // All outlive the motion. The axes stand at their start in the frame of the active scheme.
+  AxisMotion(const motion::MotionConfig& config, const ChannelFigures& figures,
+             SchemeTable& schemes, AxisGroup& axes, const DriveGuard& drives);
+
+  // One cycle: chains that begin with a chunk below `chunk_limit` may be entered.
+  [[nodiscard]] std::optional<Fault> advance(motion::PathQueue& queue,
+                                             const motion::FeedControl& control,
+                                             std::uint64_t chunk_limit, SoftLimits limits) RT_SAFE;
+  // Behind the set-points of the cycle.
+  void close_loops() RT_SAFE { loops_.advance(path_.axes, drives_, axes_); }
+
+  [[nodiscard]] const motion::InterpolatorOutput& path() const RT_SAFE { return path_; }
+  [[nodiscard]] bool path_is_at_rest() const RT_SAFE { return interpolator_.at_rest(); }
+  [[nodiscard]] bool is_standing() const RT_SAFE {
+    return interpolator_.at_rest() && !manual_.is_active();
+  }
+  [[nodiscard]] motion::Point axes_M() const RT_SAFE;
+  [[nodiscard]] const motion::MotionConfig& config() const RT_SAFE { return config_; }
+  // Of a part turned around Z, at the tool; mm. 0: the scheme has no transverse axis.
+  [[nodiscard]] double diameter() const RT_SAFE;
+
+  // The frame in which the axes stand; only at rest.
+  void select_scheme(int scheme) RT_SAFE;
+  void stand_in(const kinematics::Transform& frame) RT_SAFE;
+  void stand_in_scheme() RT_SAFE;  // the active one, without offsets
+  // An axis is elsewhere than the path believed.
+  void stand_with(int axis, double position) RT_SAFE;
+  // Since it was asked last.
+  [[nodiscard]] bool takes_new_frame() RT_SAFE;
+
+  // What is left of the path is given up where it stands.
+  void drop_path(motion::PathQueue& queue) RT_SAFE;
+  void forget_path(motion::PathQueue& queue) RT_SAFE { interpolator_.drop_path(queue); }
+  // A drive that does not hold its axis knows better where it stands; only while no program runs.
+  void adopt_positions(Power machine) RT_SAFE;
+
+  [[nodiscard]] ManualMotion& manual() RT_SAFE { return manual_; }
+  [[nodiscard]] const ManualMotion& manual() const RT_SAFE { return manual_; }
+  // To where the active scheme parks its axes.
+  void return_to_parking() RT_SAFE;
+  // Those that look for a home switch, and that this channel moves now.
+  [[nodiscard]] lang::AxisSet axes_to_home() const RT_SAFE;
+
+  void interrupt_feed(const motion::InterruptionLengths& lengths) RT_SAFE {
+    interpolator_.interrupt(lengths);
+  }
+  void see_spindle(std::size_t index, const motion::SpindleMotion& motion) RT_SAFE {
+    interpolator_.see_spindle(index, motion);
+  }
+
+  void show(ChannelOutput& output) const RT_SAFE;
+
+ private:
+  void stand() RT_SAFE;
+  void stay_where_commanded(motion::PathQueue& queue) RT_SAFE;
+
+  const motion::MotionConfig& config_;
+  const ChannelFigures& figures_;
+  SchemeTable& schemes_;
+  AxisGroup& axes_;
+  const DriveGuard& drives_;
+  motion::Interpolator interpolator_;
+  motion::InterpolatorOutput path_;
+  kinematics::Transform frame_;
+  bool frame_is_new_ = true;
+  ManualMotion manual_;
+  PositionLoops loops_;
+};
+
+}  // namespace stanok::channels

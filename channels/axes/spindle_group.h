@@ -1,0 +1,85 @@
+// SpindleGroup: the spindles of a channel: what programs, feed laws and taps ask of them, their
+// angles as encoders tell them, and spindles that are axes for a while (M902, M903).
+//
+// The drive of such an axis follows a velocity while it is a spindle: its set-point is the angle of
+// the spindle in [0, 360) deg and its speed. After M902 the axis goes on from where the drive
+// stands, and its position loop is closed; M903 opens it again. Thread: the real-time cycle. Owner:
+// the channel. Invariant: the first spindle is the master; a spindle id of 0 means it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "channels/axes/axis_motion.h"
+#include "channels/axes/spindle.h"
+#include "motion/spindle_observer.h"
+
+namespace stanok::channels {
+
+class SpindleGroup {
+ public:
+  // All outlive the group.
+  SpindleGroup(const ChannelFigures& figures, AxisGroup& axes, const DriveGuard& drives,
+               AxisMotion& motion);
+
+  // What a program says.
+  void command(const lang::SpindleCommand& command) RT_SAFE;
+  void command(const lang::CuttingSpeedMode& mode) RT_SAFE;
+  void stop() RT_SAFE;  // all of them
+  void set_override(double factor) RT_SAFE;
+  // All have the speed that the next step of the program waits for.
+  [[nodiscard]] bool are_settled() const RT_SAFE;
+
+  // What a tap asks for. go_on: the next step of the program waits for the speed.
+  void obey(const motion::SpindleOrder& order) RT_SAFE;
+  // The speeds of feed laws and constant cutting speed, at the path as it is.
+  void follow_process() RT_SAFE;
+  // Tells the path how the spindles turn: before it goes on in the cycle.
+  void observe() RT_SAFE;
+  // One cycle; set-points of axes that are spindles take the place of what the path says of them.
+  void turn() RT_SAFE;
+
+  [[nodiscard]] const Spindle& master() const RT_SAFE { return spindles_[0]; }
+  // rev/min, clockwise > 0. Nothing: the channel has no such spindle.
+  [[nodiscard]] std::optional<double> speed(int id) const RT_SAFE;
+
+  // Spindles that become axes; `id` of a spindle of the channel that is one.
+  [[nodiscard]] int axis_of(int id) const RT_SAFE;  // index in the channel; -1: none
+  void stop(int id) RT_SAFE;
+  [[nodiscard]] bool stands(int id) const RT_SAFE;
+  void close_position_loop(int id) RT_SAFE;  // of a spindle that stands
+  [[nodiscard]] bool position_loop_is_closed(int id) const RT_SAFE;
+  void open_position_loop(int id) RT_SAFE;
+  void open_position_loops() RT_SAFE;  // M2, M30, reset and the start of a program do M903
+
+  void show(ProcessOutput& output) const RT_SAFE;
+
+ private:
+  struct AskedSpeed {
+    motion::LawSpeed unit = motion::LawSpeed::unchanged;
+    double value = 0.0;  // 0: none
+  };
+  struct EncoderNews {
+    double angle_deg = 0.0;
+    double age_s = 0.0;
+  };
+
+  [[nodiscard]] std::span<Spindle> spindles() RT_SAFE;
+  [[nodiscard]] int index_of(int id) const RT_SAFE;  // -1: none
+  [[nodiscard]] Spindle& spindle(int id) RT_SAFE;
+  [[nodiscard]] bool means(int id, const Spindle& spindle) const RT_SAFE;
+  void ask_speed(const AskedSpeed& speed) RT_SAFE;
+  [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
+
+  const ChannelFigures& figures_;
+  AxisGroup& axes_;
+  const DriveGuard& drives_;
+  AxisMotion& motion_;
+  std::array<Spindle, spindles_max> spindles_{};
+  std::array<motion::SpindleObserver, spindles_max> observers_{};
+  std::array<EncoderNews, spindles_max> encoder_news_{};  // the latest of each spindle
+  AskedSpeed speed_behind_law_;                           // when the present law is over
+};
+
+}  // namespace stanok::channels
