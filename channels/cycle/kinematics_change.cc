@@ -1,0 +1,79 @@
+#include "channels/cycle/kinematics_change.h"
+
+#include <algorithm>
+
+namespace stanok::channels {
+
+void KinematicsChange::begin(int scheme) RT_SAFE {
+  outcome_ = Outcome::pending;
+  changed_ = 0;
+  run_.apply(Change::switch_begins);
+  Notice notice;
+  notice.kind = NoticeKind::switch_scheme;
+  notice.number = scheme;
+  notice.axes_M = motion_.axes_M();
+  notice.enabled = axes_.enabled();
+  static_cast<void>(link_.notices.push(notice));
+}
+
+double KinematicsChange::begin_step(const Item& step) RT_SAFE {
+  double seconds = 0.0;
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    if ((step.axes >> axis & 1U) == 0) continue;
+    const AxisFigures& figure = axes_.figure(axis);
+    seconds = std::max(seconds, figure.brake_s + figure.power_s);
+  }
+  if (step.kind == ItemKind::park_axes) axes_.close_brakes(step.axes);
+  if (step.kind == ItemKind::join_axes) axes_.switch_on(step.axes);
+  changed_ = static_cast<lang::AxisSet>(changed_ | step.axes);
+  return seconds;
+}
+
+int KinematicsChange::disobedient_axis(const Item& step) const RT_SAFE {
+  if (drives_.is_ideal()) return -1;
+  const bool parks = step.kind == ItemKind::park_axes;
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    const AxisFeedback& drive = drives_.feedback(axis);
+    const bool obeys = parks ? drive.brake_closed : drive.enabled;
+    if ((step.axes >> axis & 1U) != 0 && !obeys) return axis;
+  }
+  return -1;
+}
+
+void KinematicsChange::finish_step(const Item& step) RT_SAFE {
+  step.kind == ItemKind::join_axes ? axes_.release(step.axes) : axes_.brake(step.axes);
+}
+
+void KinematicsChange::fail(const Item& step, int axis) RT_SAFE {
+  const bool parks = step.kind == ItemKind::park_axes;
+  ShortText text(parks ? "the brake of axis " : "the drive of axis ");
+  text.append(axes_.name(axis).view()).append(parks ? " does not close" : " does not switch on");
+  text.append("; the scheme is as before, the axes of the change are braked");
+  axes_.brake(changed_);
+  refuse("E5205", text.view());
+  run_.state().is_running() ? run_.fail("E5205", text.view(), motion_.path().tag)
+                            : run_.begin_reset();
+}
+
+void KinematicsChange::succeed() RT_SAFE {
+  close(Outcome::succeeded);
+}
+
+void KinematicsChange::refuse(std::string_view code, std::string_view text) RT_SAFE {
+  code_ = FixedText<8>(code);
+  text_ = ShortText(text);
+  close(Outcome::failed);
+}
+
+void KinematicsChange::end() RT_SAFE {
+  axes_.brake(changed_);
+  refuse("E6072",
+         "the change of kinematics was stopped; the scheme is as before, its axes are braked");
+}
+
+void KinematicsChange::close(Outcome outcome) RT_SAFE {
+  outcome_ = outcome;
+  run_.apply(Change::switch_ends);
+}
+
+}  // namespace stanok::channels

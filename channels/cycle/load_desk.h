@@ -1,0 +1,43 @@
+// LoadDesk: programs, lines and searches that the preparation of a channel is asked to load, and
+// what came of the latest one.
+//
+// Thread: the real-time cycle. Owner: the channel. Invariant: outcome() is pending from a begin
+// until the preparation's load_done, or a reset.
+#pragma once
+
+#include "base/rt_safe.h"
+#include "channels/cycle/channel_terms.h"
+#include "channels/cycle/run_control.h"
+#include "channels/messages/channel_link.h"
+
+namespace stanok::channels {
+
+class LoadDesk {
+ public:
+  // Both outlive the desk.
+  LoadDesk(RunControl& run, ChannelLink& link) : run_(run), link_(link) {}
+
+  void begin(const ShortText& text, Job job) RT_SAFE;
+  // Where the loaded program begins when it is started the next time; `start`: as a start would be.
+  void begin_search(Notice start, const ShortText& target) RT_SAFE;
+  void take(const Item& load_done) RT_SAFE;
+  // A reset: what was being loaded is given up.
+  void end() RT_SAFE;
+
+  [[nodiscard]] Outcome outcome() const RT_SAFE { return outcome_; }
+  // Name of what was loaded, or why it was not.
+  [[nodiscard]] const ShortText& text() const RT_SAFE { return text_; }
+  // The load of the program that is there; 0: none.
+  [[nodiscard]] std::int32_t program() const RT_SAFE { return program_; }
+
+ private:
+  RunControl& run_;
+  ChannelLink& link_;
+  std::int32_t begun_ = 0;  // loads of programs
+  std::int32_t program_ = 0;
+  Job job_ = Job::program;
+  Outcome outcome_ = Outcome::succeeded;
+  ShortText text_;
+};
+
+}  // namespace stanok::channels

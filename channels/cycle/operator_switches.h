@@ -1,0 +1,54 @@
+// OperatorSwitches: what an operator has set for a channel: overrides, optional stop, block skip;
+// and which of them the program lets act (M48 to M53).
+//
+// Thread: the real-time cycle. Owner: the channel.
+#pragma once
+
+#include <cstdint>
+
+#include "base/rt_safe.h"
+#include "channels/axes/spindle_group.h"
+#include "channels/cycle/run_control.h"
+
+namespace stanok::channels {
+
+class OperatorSwitches {
+ public:
+  // Both outlive the switches.
+  OperatorSwitches(SpindleGroup& spindles, RunControl& run) : spindles_(spindles), run_(run) {}
+
+  // By a program; {}: all act.
+  void admit(const lang::OverrideControl& overrides) RT_SAFE;
+
+  void set_feed_override(double factor) RT_SAFE { feed_override_ = factor; }
+  void set_rapid_override(double factor) RT_SAFE { rapid_override_ = factor; }
+  void set_spindle_override(double factor) RT_SAFE;
+  void set_optional_stop(bool on) RT_SAFE { optional_stop_ = on; }
+  void set_block_skip(int level, bool on) RT_SAFE;
+  void hold() RT_SAFE { run_.hold_by_operator(feed_stop()); }
+
+  [[nodiscard]] double feed_override() const RT_SAFE { return feed_override_; }  // as it is set
+  [[nodiscard]] double feed_override_in_force() const RT_SAFE {
+    return admitted_.feed_enabled ? feed_override_ : 1.0;
+  }
+  [[nodiscard]] double rapid_override() const RT_SAFE { return rapid_override_; }
+  [[nodiscard]] bool optional_stop() const RT_SAFE { return optional_stop_; }
+  [[nodiscard]] std::uint16_t block_skip() const RT_SAFE { return block_skip_; }  // bit n: level n
+
+ private:
+  [[nodiscard]] FeedStop feed_stop() const RT_SAFE {
+    return admitted_.feed_stop_enabled ? FeedStop::acts : FeedStop::waits;
+  }
+  void apply_spindle_override() RT_SAFE;
+
+  SpindleGroup& spindles_;
+  RunControl& run_;
+  lang::OverrideControl admitted_;
+  double feed_override_ = 1.0;
+  double rapid_override_ = 1.0;
+  double spindle_override_ = 1.0;
+  bool optional_stop_ = false;
+  std::uint16_t block_skip_ = 0;
+};
+
+}  // namespace stanok::channels
