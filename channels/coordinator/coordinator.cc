@@ -82,7 +82,8 @@ Coordinator::Verdict Coordinator::refusal(std::string_view code, const Channel& 
 }
 
 bool Coordinator::is_busy(const Channel& channel) RT_SAFE {
-  return channel.state() == ChannelState::running || channel.state() == ChannelState::held;
+  return channel.state().shown() == ChannelState::running ||
+         channel.state().shown() == ChannelState::held;
 }
 
 Channel* Coordinator::channel_with_id(int id, int& index) const RT_SAFE {
@@ -122,7 +123,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   slot->number = event.number;
   slot->value = event.value;
   slot->text = event.text;
-  slot->generation = channel->generation();
+  slot->generation = channel->run.generation();
   slot->controller = controller_[static_cast<std::size_t>(index)];
   slot->stage = stops ? 1 : 0;
 }
@@ -137,7 +138,7 @@ std::optional<Coordinator::Verdict> Coordinator::refusal_by_rule(OperatorAction 
   int count = 0;
   for (int k = 0; k < channel_count_; ++k) {
     if (&channel(k) != named && (named != nullptr || !asks_all)) continue;
-    const std::string_view found = refusal_code(action, channel(k).situation());
+    const std::string_view found = refusal_code(action, channel(k).state().situation());
     if (found.empty() || (count > 0 && found != code)) continue;
     code = found;
     who.append(count++ > 0 ? ", " : "").append(channel(k).id());
@@ -149,7 +150,7 @@ std::optional<Coordinator::Verdict> Coordinator::refusal_by_rule(OperatorAction 
 }
 
 void Coordinator::begin_stop(OperatorAction action, Channel& channel) RT_SAFE {
-  action == OperatorAction::program_reset ? channel.begin_reset() : channel.begin_stop();
+  action == OperatorAction::program_reset ? channel.run.begin_reset() : channel.run.begin_stop();
 }
 
 // Commands that take effect in this cycle, whatever the state. Nothing: the event is an errand.
@@ -167,15 +168,15 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       return switch_on(channel);
     case OperatorAction::machine_off:
       return each([](Channel& c) RT_SAFE {
-        c.begin_stop();
-        c.power_off_at_rest();
+        c.run.begin_stop();
+        c.run.power_off_at_rest();
       });
     case OperatorAction::machine_estop:
-      return each([](Channel& c) RT_SAFE { c.stop_in_emergency(); });
+      return each([](Channel& c) RT_SAFE { c.run.stop_in_emergency(); });
     case OperatorAction::program_hold:
-      return each([](Channel& c) RT_SAFE { c.hold_by_operator(); });
+      return each([](Channel& c) RT_SAFE { c.switches.hold(); });
     case OperatorAction::program_resume:
-      return each([](Channel& c) RT_SAFE { c.resume(); });
+      return each([](Channel& c) RT_SAFE { c.run.resume(); });
     case OperatorAction::override_feed:
     case OperatorAction::override_rapid:
     case OperatorAction::override_spindle:
@@ -183,9 +184,11 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
     case OperatorAction::alarm_acknowledge:
       return success();
     case OperatorAction::optional_stop:
-      return each([&](Channel& c) RT_SAFE { c.set_optional_stop(event.number != 0); });
+      return each([&](Channel& c) RT_SAFE { c.switches.set_optional_stop(event.number != 0); });
     case OperatorAction::single_block:
-      return each([&](Channel& c) RT_SAFE { c.set_single_block(event.number != 0); });
+      return each([&](Channel& c) RT_SAFE {
+        c.set_single_block(event.number != 0 ? Switch::on : Switch::off);
+      });
     case OperatorAction::jog:
       return jog(event, channel);
     case OperatorAction::channel_control:
@@ -205,7 +208,7 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
       if (event.number < 1 || event.number > 9)
         return refusal("E6027", "levels of block skip are 1 to 9");
       const bool on = event.action == OperatorAction::block_skip;
-      return each([&](Channel& c) RT_SAFE { c.set_block_skip(event.number, on); });
+      return each([&](Channel& c) RT_SAFE { c.switches.set_block_skip(event.number, on); });
     }
     default:
       return std::nullopt;
@@ -215,13 +218,13 @@ std::optional<Coordinator::Verdict> Coordinator::apply_at_once(const OperatorEve
 Coordinator::Verdict Coordinator::switch_on(const Channel* named) RT_SAFE {
   for (int k = 0; k < channel_count_; ++k) {
     if (named != nullptr && named != &channel(k)) continue;
-    if (!channel(k).drives_answer()) return refusal("A3001", "a drive does not answer");
+    if (!channel(k).drives.all_answer()) return refusal("A3001", "a drive does not answer");
   }
   for (int k = 0; k < channel_count_; ++k) {
     Channel& candidate = channel(k);
     if (named != nullptr && named != &candidate) continue;
     // What is under way has given drives and brakes their state.
-    if (!candidate.is_powered() || candidate.is_quiet()) candidate.power(true);
+    if (!candidate.state().is_powered() || candidate.is_quiet()) candidate.power(Power::on);
   }
   return success();
 }
@@ -241,7 +244,7 @@ void Coordinator::step() RT_SAFE {
 void Coordinator::adopt_requests() RT_SAFE {
   for (int k = 0; k < channel_count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const Item* item = channels_[i]->request();
+    const Item* item = channels_[i]->items().request();
     Errand& errand = errands_[i];
     if (item == nullptr) {
       errand.active = false;
@@ -261,7 +264,7 @@ void Coordinator::adopt_requests() RT_SAFE {
     errand.text = item->text;
     const Channel* target = channel_with_id(item->request.channel, errand.target);
     if (target != nullptr) {
-      errand.generation = target->generation();
+      errand.generation = target->run.generation();
       errand.controller = controller_[static_cast<std::size_t>(errand.target)];
     }
   }
@@ -291,9 +294,9 @@ std::optional<Coordinator::Verdict> Coordinator::obstacle(const Errand& errand,
                                                           OperatorAction action,
                                                           const Channel& target) const RT_SAFE {
   if (errand.asker == errand.target) return std::nullopt;
-  const std::string_view code = refusal_code(action, target.situation());
+  const std::string_view code = refusal_code(action, target.state().situation());
   if (!code.empty()) return refusal(code, target, claim_of_refusal(code));
-  if (errand.generation != target.generation())
+  if (errand.generation != target.run.generation())
     return refusal("E6072", target, " was stopped before it began");
   if (!is_under_control_of_others(errand)) return std::nullopt;
   return refusal("E6080", target, " is under control of another operator");
@@ -302,7 +305,7 @@ std::optional<Coordinator::Verdict> Coordinator::obstacle(const Errand& errand,
 // Stop of a channel holds its wait.
 bool Coordinator::is_asker_held(const Errand& errand) const RT_SAFE {
   return errand.asker != operator_asker &&
-         channels_[static_cast<std::size_t>(errand.asker)]->state() == ChannelState::held;
+         channels_[static_cast<std::size_t>(errand.asker)]->state().shown() == ChannelState::held;
 }
 
 // Bit k of `ids` stands for the channel with id k.
@@ -323,7 +326,7 @@ void Coordinator::conclude(Errand& errand, const Verdict& verdict) RT_SAFE {
   answer.value = verdict.number;
   answer.code = verdict.code;
   answer.text = verdict.text;
-  channels_[static_cast<std::size_t>(errand.asker)]->answer(answer);
+  channels_[static_cast<std::size_t>(errand.asker)]->items().answer(answer);
 }
 
 void Coordinator::reply(std::uint64_t id, const Verdict& verdict) RT_SAFE {
@@ -348,7 +351,7 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
   if (errand.kind == RequestKind::spindle_to_axis)
     return step_spindle_to_axis(errand, channel(errand.asker));
   if (errand.kind == RequestKind::axis_to_spindle) {
-    channel(errand.asker).open_position_loop(errand.number);
+    channel(errand.asker).spindles.open_position_loop(errand.number);
     return success();
   }
   if (errand.kind == RequestKind::mark_wait) return step_mark_wait(errand);
@@ -376,9 +379,9 @@ Coordinator::Verdict Coordinator::step(Errand& errand) RT_SAFE {
     case RequestKind::channel_reset:
       return step_reset(errand, target);
     case RequestKind::channel_state:
-      return success(static_cast<double>(target.state()));
+      return success(static_cast<double>(target.state().shown()));
     case RequestKind::mark_state:
-      return success(target.marks().is_set(errand.number) ? 1.0 : 0.0);
+      return success(target.marks.is_set(errand.number) ? 1.0 : 0.0);
     default:
       return refusal("E2090", "not supported in this release");
   }
@@ -392,11 +395,11 @@ void Coordinator::follow_owners() RT_SAFE {
     if (owner < 0) continue;
     const Channel& master = *channels_[static_cast<std::size_t>(owner)];
     const std::uint32_t run = owner_run_[i];
-    if (!master.has_ended(run) && !master.is_resetting()) continue;
+    if (!master.has_ended(run) && !master.state().is_ending()) continue;
     owner_[i] = operator_asker;
-    if (master.ended_well(run) || !is_busy(*channels_[i])) continue;
-    if (on_owner_failure_[i] == OwnerFailure::hold) channels_[i]->hold(HoldCause::owner_failed);
-    if (on_owner_failure_[i] == OwnerFailure::reset) channels_[i]->begin_reset();
+    if (master.runs.ended_well(run) || !is_busy(*channels_[i])) continue;
+    if (on_owner_failure_[i] == OwnerFailure::hold) channels_[i]->run.hold(HoldCause::owner_failed);
+    if (on_owner_failure_[i] == OwnerFailure::reset) channels_[i]->run.begin_reset();
   }
 }
 

@@ -28,13 +28,13 @@ bool Coordinator::is_under_control_of_others(const Errand& errand) const RT_SAFE
 std::optional<Coordinator::Verdict> Coordinator::foreign_axis(int index, lang::AxisSet axes) const
     RT_SAFE {
   const Channel& claimant = channel(index);
-  for (int axis = 0; axis < claimant.axis_count(); ++axis) {
-    if ((axes >> axis & 1U) == 0 || claimant.owns(axis)) continue;
-    const int owner = ownership_.owner(claimant.machine_axis(axis));
+  for (int axis = 0; axis < claimant.axes.count(); ++axis) {
+    if ((axes >> axis & 1U) == 0 || claimant.axes.owns(axis)) continue;
+    const int owner = ownership_.owner(claimant.axes.machine_axis(axis));
     const std::int32_t controller = controller_[static_cast<std::size_t>(owner)];
     if (controller == 0 || controller == controller_[static_cast<std::size_t>(index)]) continue;
     Verdict verdict = refusal("E6080", "axis ");
-    verdict.text.append(claimant.axis_name(axis).view()).append(" belongs to channel ");
+    verdict.text.append(claimant.axes.name(axis).view()).append(" belongs to channel ");
     verdict.text.append(channel(owner).id()).append(", which is under control of another operator");
     return verdict;
   }

@@ -17,45 +17,47 @@ Coordinator::Verdict Coordinator::step_load(Errand& errand, Channel& target) RT_
     const auto action = searches ? OperatorAction::program_search : OperatorAction::program_load;
     if (const auto refused = obstacle(errand, action, target)) return *refused;
     if (searches) {
-      if (!target.has_program()) return refusal("E6005", target, ": no program is loaded");
+      if (!target.state().has_program()) return refusal("E6005", target, ": no program is loaded");
       if (!target.is_quiet()) return pending();
-      target.begin_search(errand.text, errand.number == 0, errand.value);
+      target.items().begin_search(
+          errand.text, errand.number == 0 ? SearchWay::calculated : SearchWay::not_calculated,
+          errand.value);
     } else {
-      target.begin_load(errand.text, errand.job);
+      target.items().begin_load(errand.text, errand.job);
     }
     errand.stage = 1;
     return pending();
   }
-  if (target.load_outcome() == Outcome::pending) return pending();
-  if (target.load_outcome() == Outcome::succeeded) return success();
+  if (target.items().loads().outcome() == Outcome::pending) return pending();
+  if (target.items().loads().outcome() == Outcome::succeeded) return success();
   if (const auto refused = obstacle(errand, OperatorAction::program_load, target)) return *refused;
-  return refusal("", target.last_text().view());
+  return refusal("", target.items().loads().text().view());
 }
 
 Coordinator::Verdict Coordinator::step_start(Errand& errand, Channel& target) RT_SAFE {
   const bool is_run = errand.kind == lang::RequestKind::channel_run;
   const auto action = is_run ? OperatorAction::program_run : OperatorAction::program_start;
   if (const auto refused = obstacle(errand, action, target)) return *refused;
-  if (target.state() == ChannelState::held) {
-    target.resume();
+  if (target.state().shown() == ChannelState::held) {
+    target.run.resume();
     return success();
   }
-  if (target.axis_on_limit_switch() >= 0)
+  if (target.drives.axis_on_limit_switch() >= 0)
     return refusal("E6057", target, ": an axis stands on a limit switch; jog it back");
-  if (const auto homeless = unreferenced(target, target.axes_of_scheme())) return *homeless;
-  if (const auto taken = claim(errand.target, target.axes_of_scheme())) return *taken;
-  target.release_axes(target.axes_of_scheme());
-  if (!target.drives_ready()) {
+  if (const auto homeless = unreferenced(target, target.schemes.participants())) return *homeless;
+  if (const auto taken = claim(errand.target, target.schemes.participants())) return *taken;
+  target.axes.release(target.schemes.participants());
+  if (!target.drives.all_ready()) {
     const double waited = static_cast<double>(errand.cycles) * cycle_s_;
     return waited < drives_ready_within_s ? pending()
                                           : refusal("E6008", target, ": the drives are not ready");
   }
   if (!target.is_quiet()) return pending();
-  target.begin_run(errand.job);
+  target.items().begin_run(errand.job);
   const auto started = static_cast<std::size_t>(errand.target);
   owner_[started] = errand.asker;
   if (errand.asker != operator_asker)
-    owner_run_[started] = channels_[static_cast<std::size_t>(errand.asker)]->run();
+    owner_run_[started] = channels_[static_cast<std::size_t>(errand.asker)]->runs.run();
   return success();
 }
 
@@ -75,21 +77,21 @@ Coordinator::Verdict Coordinator::step_run(Errand& errand, Channel& target) RT_S
 Coordinator::Verdict Coordinator::step_stop(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
     if (!is_busy(target)) return refusal("E6007", target, ": nothing was running");
-    target.hold(errand.asker == operator_asker ? HoldCause::operator_hold
-                                               : HoldCause::channel_stop);
+    target.run.hold(errand.asker == operator_asker ? HoldCause::operator_hold
+                                                   : HoldCause::channel_stop);
     errand.stage = 1;
   }
   if (!is_busy(target)) return success();
-  return target.is_standing() ? success() : pending();
+  return target.motion.is_standing() ? success() : pending();
 }
 
 Coordinator::Verdict Coordinator::step_reset(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
-    target.begin_reset();
+    target.run.begin_reset();
     errand.stage = 1;
     return pending();
   }
-  return target.is_resetting() ? pending() : success();
+  return target.state().is_ending() ? pending() : success();
 }
 
 // M99 in the main program, endless on a machine; a simulation ends behind it.
@@ -106,7 +108,7 @@ std::optional<Coordinator::Verdict> Coordinator::claim(int index, lang::AxisSet 
     return std::nullopt;
   }
   Verdict verdict = refusal("E5203", "axis ");
-  verdict.text.append(channel(index).axis_name(obstacle.axis).view());
+  verdict.text.append(channel(index).axes.name(obstacle.axis).view());
   verdict.text.append(" belongs to channel ").append(channel(obstacle.owner).id());
   verdict.text.append(obstacle.owner_is_busy ? ", which is running or held" : " and is moving");
   return verdict;
@@ -115,10 +117,11 @@ std::optional<Coordinator::Verdict> Coordinator::claim(int index, lang::AxisSet 
 // A program or a scheme may only begin where every axis knows its position; spindles need none.
 std::optional<Coordinator::Verdict> Coordinator::unreferenced(const Channel& target,
                                                               lang::AxisSet axes) RT_SAFE {
-  for (int axis = 0; axis < target.axis_count(); ++axis) {
-    if ((axes >> axis & 1U) == 0 || target.is_homed(axis) || target.is_spindle_now(axis)) continue;
+  for (int axis = 0; axis < target.axes.count(); ++axis) {
+    if ((axes >> axis & 1U) == 0 || target.drives.is_homed(axis) || target.axes.is_spindle(axis))
+      continue;
     Verdict verdict = refusal("E5208", "axis ");
-    verdict.text.append(target.axis_name(axis).view()).append(" is not homed");
+    verdict.text.append(target.axes.name(axis).view()).append(" is not homed");
     return verdict;
   }
   return std::nullopt;
@@ -127,22 +130,22 @@ std::optional<Coordinator::Verdict> Coordinator::unreferenced(const Channel& tar
 Coordinator::Verdict Coordinator::step_kinematics(Errand& errand, Channel& target) RT_SAFE {
   if (errand.stage == 0) {
     const bool own = errand.asker == errand.target;
-    if (!target.has_scheme(errand.number))
+    if (target.schemes.find(errand.number) == nullptr)
       return refusal("E5201", "the channel has no such kinematic scheme");
     if (const auto refused = obstacle(errand, OperatorAction::kinematics_select, target))
       return *refused;
-    if (!target.is_powered()) return refusal("E6006", "the machine is off");
+    if (!target.state().is_powered()) return refusal("E6006", "the machine is off");
     if (!own && !target.is_quiet()) return pending();
-    const lang::AxisSet axes = target.axes_of_scheme(errand.number);
+    const lang::AxisSet axes = target.schemes.axes_of(errand.number);
     if (const auto homeless = unreferenced(target, axes)) return *homeless;
     if (const auto taken = claim(errand.target, axes)) return *taken;
-    target.begin_switch(errand.number);
+    target.items().begin_switch(errand.number);
     errand.stage = 1;
     return pending();
   }
-  if (target.switch_outcome() == Outcome::pending) return pending();
-  if (target.switch_outcome() == Outcome::failed)
-    return refusal(target.switch_fault().view(), target.last_text().view());
+  if (target.items().change().outcome() == Outcome::pending) return pending();
+  if (target.items().change().outcome() == Outcome::failed)
+    return refusal(target.items().change().code().view(), target.items().change().text().view());
   return success();
 }
 
@@ -153,36 +156,38 @@ Coordinator::Verdict Coordinator::step_spindle_to_axis(Errand& errand, Channel& 
   const double waited = static_cast<double>(errand.cycles) * cycle_s_;
   switch (errand.stage) {
     case 0:
-      asker.stop_spindle(spindle);
+      asker.spindles.stop(spindle);
       errand.stage = 1;
       return pending();
     case 1:
-      if (!asker.spindle_stands(spindle)) {
+      if (!asker.spindles.stands(spindle)) {
         return waited < spindle_stands_within_s
                    ? pending()
                    : refusal("E5206", "the spindle that becomes an axis does not come to rest");
       }
-      asker.close_position_loop(spindle);
+      asker.spindles.close_position_loop(spindle);
       errand.stage = 2;
       errand.cycles = 0;
       return pending();
     case 2:
-      if (asker.position_loop_is_closed(spindle) && asker.is_homed(asker.axis_of_spindle(spindle)))
+      if (asker.spindles.position_loop_is_closed(spindle) &&
+          asker.drives.is_homed(asker.spindles.axis_of(spindle)))
         return success();
-      if (asker.position_loop_is_closed(spindle) && asker.begin_homing_of_spindle(spindle)) {
+      if (asker.spindles.position_loop_is_closed(spindle) &&
+          asker.begin_homing_of_spindle(spindle)) {
         errand.stage = 3;
         return pending();
       }
       if (waited < drives_ready_within_s) return pending();
-      asker.open_position_loop(spindle);
-      return asker.is_homed(asker.axis_of_spindle(spindle))
+      asker.spindles.open_position_loop(spindle);
+      return asker.drives.is_homed(asker.spindles.axis_of(spindle))
                  ? refusal("E5206", "the drive does not close the position loop of the axis")
                  : refusal("E5207", "the axis that a spindle becomes has no reference");
     default:
-      if (asker.manual_motion().homing() == ManualMotion::Outcome::running) return pending();
-      if (asker.manual_motion().homing() == ManualMotion::Outcome::succeeded) return success();
-      asker.open_position_loop(spindle);
-      return refusal("E5207", asker.manual_motion().homing_fault().view());
+      if (asker.motion.manual().homing() == ManualMotion::Outcome::running) return pending();
+      if (asker.motion.manual().homing() == ManualMotion::Outcome::succeeded) return success();
+      asker.spindles.open_position_loop(spindle);
+      return refusal("E5207", asker.motion.manual().homing_fault().view());
   }
 }
 

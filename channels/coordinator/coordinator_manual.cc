@@ -22,7 +22,7 @@ std::string_view jog_refusal(std::string_view code) RT_SAFE {
 
 Coordinator::Verdict Coordinator::jog(const OperatorEvent& event, Channel* channel) RT_SAFE {
   if (channel == nullptr) return refusal("E6001", "a channel must be named");
-  const int axis = channel->axis_named(event.text.view());
+  const int axis = channel->axes.named(event.text.view());
   if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
   if (!std::isfinite(event.value) || event.value == 0.0 || !(event.value_2 >= 0.0) ||
       !std::isfinite(event.value_2))
@@ -37,14 +37,14 @@ Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_
   constexpr double drives_ready_within_s = 3.0;
   if (errand.stage == 0) {
     if (const auto refused = obstacle(errand, OperatorAction::home, target)) return *refused;
-    lang::AxisSet axes = target.axes_to_home();
+    lang::AxisSet axes = target.motion.axes_to_home();
     if (!errand.text.view().empty()) {
-      const int axis = target.axis_named(errand.text.view());
+      const int axis = target.axes.named(errand.text.view());
       if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
       axes = static_cast<lang::AxisSet>(axes & 1U << axis);
     }
-    target.release_axes(axes);
-    if (!target.drives_ready()) {
+    target.axes.release(axes);
+    if (!target.drives.all_ready()) {
       const double waited = static_cast<double>(errand.cycles) * cycle_s_;
       return waited < drives_ready_within_s
                  ? pending()
@@ -54,16 +54,17 @@ Coordinator::Verdict Coordinator::step_home(Errand& errand, Channel& target) RT_
     errand.stage = 1;
     return pending();
   }
-  if (target.manual_motion().is_active() || target.is_resetting()) return pending();
-  const bool found = target.manual_motion().homing() == ManualMotion::Outcome::succeeded;
-  const bool is_overtaken = errand.generation != target.generation();
+  if (target.motion.manual().is_active() || target.state().is_ending()) return pending();
+  const bool found = target.motion.manual().homing() == ManualMotion::Outcome::succeeded;
+  const bool is_overtaken = errand.generation != target.run.generation();
   if (errand.stage == 1 && found && !is_overtaken) {
     target.return_to_parking();
     errand.stage = 2;
     return pending();
   }
-  if (target.is_powered()) target.power(true);  // what the scheme parks is braked again
-  return found ? success() : refusal("A2001", target.manual_motion().homing_fault().view());
+  if (target.state().is_powered())
+    target.power(Power::on);  // what the scheme parks is braked again
+  return found ? success() : refusal("A2001", target.motion.manual().homing_fault().view());
 }
 
 }  // namespace stanok::channels

@@ -14,11 +14,11 @@ constexpr double interruption_mm_min = 0.001;  // L_B
 Coordinator::Verdict Coordinator::interrupt_feed(const OperatorEvent& event, Channel* channel)
     RT_SAFE {
   if (channel == nullptr) return refusal("E6001", "a channel must be named");
-  if (channel->axis_count() == 0) return refusal("E6029", "the channel has no axes");
+  if (channel->axes.count() == 0) return refusal("E6029", "the channel has no axes");
   if (!(event.value >= 0.0) || (event.value > 0.0 && !(event.value_2 >= interruption_mm_min)))
     return refusal("E6029",
                    "an interruption of the feed needs L_A > 0 and L_B of 0.001 mm or more");
-  channel->interrupt_feed({.stand_mm = event.value, .cut_mm = event.value_2});
+  channel->motion.interrupt_feed({.stand_mm = event.value, .cut_mm = event.value_2});
   return success();
 }
 
@@ -27,14 +27,15 @@ Coordinator::Verdict Coordinator::switch_automatic_feed(const OperatorEvent& eve
   if (channel == nullptr) return refusal("E6001", "a channel must be named");
   const auto law =
       event.text.view() == "linear" ? motion::LawKind::linear : motion::LawKind::modulated;
-  if (channel->switch_automatic_feed(law, event.number != 0)) return success();
+  if (channel->process.switch_law(law, event.number != 0 ? Switch::on : Switch::off))
+    return success();
   return refusal("E6030", "the machine file gives the channel no such automatic feed law");
 }
 
 Coordinator::Verdict Coordinator::control_force(const OperatorEvent& event, Channel* channel)
     RT_SAFE {
   if (channel == nullptr) return refusal("E6001", "a channel must be named");
-  if (!channel->has_force_control())
+  if (!channel->process.has_force_control())
     return refusal("E6060", "the machine file gives the channel no force control");
   const std::string_view quantity = event.text.view();
   const bool is_force = quantity.empty() || quantity == "force";
@@ -57,17 +58,17 @@ Coordinator::Verdict Coordinator::control_force(const OperatorEvent& event, Chan
       if (quantity == "frequency") order.oscillation_hz = event.value;
       break;
   }
-  if (channel->order_force(order)) return success();
+  if (channel->process.order(order)) return success();
   return refusal("E6062", "no force was ordered yet: process adaptive on force N");
 }
 
 void Coordinator::set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE {
   if (event.action == OperatorAction::override_feed)
-    channel.set_feed_override(std::clamp(event.value, 0.0, 2.0));
+    channel.switches.set_feed_override(std::clamp(event.value, 0.0, 2.0));
   if (event.action == OperatorAction::override_rapid)
-    channel.set_rapid_override(std::clamp(event.value, 0.0, 1.0));
+    channel.switches.set_rapid_override(std::clamp(event.value, 0.0, 1.0));
   if (event.action == OperatorAction::override_spindle)
-    channel.set_spindle_override(std::clamp(event.value, 0.5, 1.5));
+    channel.switches.set_spindle_override(std::clamp(event.value, 0.5, 1.5));
 }
 
 }  // namespace stanok::channels

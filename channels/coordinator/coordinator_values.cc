@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "channels/coordinator/coordinator.h"
 #include "channels/axes/spindle.h"
+#include "channels/coordinator/coordinator.h"
 
 namespace stanok::channels {
 namespace {
@@ -73,11 +73,13 @@ Coordinator::Verdict Coordinator::step_input_wait(Errand& errand) RT_SAFE {
 
 std::optional<double> Coordinator::axis_value(std::string_view name, const Channel& asker,
                                               int axis) const RT_SAFE {
-  if (name == "pos") return asker.position_W(axis);
-  if (name == "pos_mcs") return asker.position_M(axis);
-  if (name == "homed") return asker.is_homed(axis) ? 1.0 : 0.0;
+  const motion::InterpolatorOutput& path = asker.motion.path();
+  const auto k = static_cast<std::size_t>(axis);
+  if (name == "pos") return path.point[k].value;
+  if (name == "pos_mcs") return path.axes[k].value;
+  if (name == "homed") return asker.drives.is_homed(axis) ? 1.0 : 0.0;
   if (name == "axis_channel") {
-    const int owner = ownership_.owner(asker.machine_axis(axis));
+    const int owner = ownership_.owner(asker.axes.machine_axis(axis));
     return static_cast<double>(channel(owner).id());
   }
   return std::nullopt;
@@ -89,22 +91,23 @@ Coordinator::Verdict Coordinator::step_value(const Errand& errand) RT_SAFE {
   const std::string_view name = errand.text.view();
   const int index = errand.request.index;
   if (const auto value = axis_value(name, asker, index)) return success(*value);
-  if (name == "clock") return success(static_cast<double>(asker.cycle()) * cycle_s_);
-  if (name == "feed_act") return success(asker.path_speed() * seconds_per_minute);
-  if (name == "ovr_feed") return success(asker.feed_override() * percent);
+  if (name == "clock") return success(static_cast<double>(asker.runs.cycle()) * cycle_s_);
+  if (name == "feed_act") return success(asker.motion.path().s_speed * seconds_per_minute);
+  if (name == "ovr_feed") return success(asker.switches.feed_override() * percent);
   if (name == "skip") {
     if (index < 1 || index > 9) return refusal("E6027", "levels of block skip are 1 to 9");
-    return success((asker.block_skip() >> index & 1) != 0 ? 1.0 : 0.0);
+    return success((asker.switches.block_skip() >> index & 1) != 0 ? 1.0 : 0.0);
   }
   if (name == "speed_act") {
-    const auto speed = asker.spindle_speed(index);
+    const auto speed = asker.spindles.speed(index);
     return speed ? success(*speed) : refusal("E4053", "the channel has no such spindle");
   }
   if (name == "in" || name == "ain") return input_value(name == "ain", index);
   if (name == "kinematics") {
     int found = -1;
     const Channel* named = channel_with_id(index, found);
-    return named != nullptr ? success(named->scheme()) : refusal("E6001", "no such channel");
+    return named != nullptr ? success(named->schemes.active_id())
+                            : refusal("E6001", "no such channel");
   }
   return refusal("E6033", "the machine does not know this value");
 }
@@ -121,8 +124,9 @@ Coordinator::Verdict Coordinator::step_table(const Errand& errand) RT_SAFE {
   const RequestData& request = errand.request;
   const bool offsets = errand.kind == RequestKind::offset_table_write ||
                        errand.kind == RequestKind::offset_table_read;
-  const int axis = offsets && request.index >= 0 ? channel(errand.asker).machine_axis(request.index)
-                                                 : request.index;
+  const int axis = offsets && request.index >= 0
+                       ? channel(errand.asker).axes.machine_axis(request.index)
+                       : request.index;
   const auto value = execute_table_request(*stores_.tables, request, axis);
   if (value) return success(*value);
   const bool writes = errand.kind == RequestKind::tool_table_write ||

@@ -13,16 +13,16 @@ void append_place(const FileName& file, std::uint32_t line, ReasonText& text) RT
 
 Coordinator::Verdict Coordinator::step_wait(Errand& errand, const Channel& target) RT_SAFE {
   if (errand.stage == 0) {
-    if (!target.is_running() && target.was_reset_since_run()) return success();
-    errand.awaited_run = target.run();
+    if (!target.state().is_running() && target.runs.was_reset()) return success();
+    errand.awaited_run = target.runs.run();
     errand.stage = 1;
-    if (errand.asker != operator_asker && target.is_running()) {
+    if (errand.asker != operator_asker && target.state().is_running()) {
       if (const auto verdict = deadlock(errand.asker)) return *verdict;
     }
   }
   if (target.has_ended(errand.awaited_run)) {
-    if (errand.awaited_run == 0 || target.ended_well(errand.awaited_run)) return success();
-    const ChannelAlarm& alarm = target.last_alarm();
+    if (errand.awaited_run == 0 || target.runs.ended_well(errand.awaited_run)) return success();
+    const ChannelAlarm& alarm = target.log.last_alarm();
     if (alarm.run != errand.awaited_run) return refusal("E6010", target, " was reset");
     Verdict verdict = refusal("E6010", target, " ended with alarm ");
     verdict.text.append(alarm.code.view());
@@ -46,7 +46,7 @@ void Coordinator::work_marks() RT_SAFE {
   for (int k = 0; k < channel_count_; ++k) {
     const Errand& errand = errands_[static_cast<std::size_t>(k)];
     const bool waits = errand.active && errand.kind == lang::RequestKind::mark_wait;
-    if (!waits && !channel(k).marks().is_waiting()) rendezvous_.leave(k);
+    if (!waits && !channel(k).marks.is_waiting()) rendezvous_.leave(k);
     if (waits) arrive_at_mark(k);
     arrive_at_soft_mark(k);
   }
@@ -68,48 +68,48 @@ void Coordinator::arrive_at_mark(int index) RT_SAFE {
 // A channel is at a soft mark when it stands there, or in the cycle in which it passes it.
 void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
   Channel& arriving = channel(index);
-  const Rider* passed = arriving.marks().passed_mark();
+  const Rider* passed = arriving.marks.passed_mark();
   if ((released_ & channel_bit(index)) != 0) {
-    if (passed != nullptr || !arriving.marks().is_waiting()) released_ &= ~channel_bit(index);
+    if (passed != nullptr || !arriving.marks.is_waiting()) released_ &= ~channel_bit(index);
     return;
   }
-  const Rider* mark = passed != nullptr               ? passed
-                      : arriving.marks().is_waiting() ? arriving.marks().soft_mark()
-                                                      : nullptr;
+  const Rider* mark = passed != nullptr             ? passed
+                      : arriving.marks.is_waiting() ? arriving.marks.soft_mark()
+                                                    : nullptr;
   if (mark == nullptr || rendezvous_.at(index).present) return;
   rendezvous_.arrive(index, mark->number, channels_with_ids(mark->channels), mark->tag);
   if (passed != nullptr) return;
   const auto fault = fault_of_arrival(index);
   if (!fault) return;
   rendezvous_.leave(index);
-  arriving.fail_run(fault->code.view(), fault->text.view(), mark->tag);
+  arriving.run.fail(fault->code.view(), fault->text.view(), mark->tag);
 }
 
 // After all arrivals of the cycle: opens soft marks whose partners are there.
 void Coordinator::work_soft_mark(int index) RT_SAFE {
   Channel& coming = channel(index);
   const Rendezvous::Arrival arrival = rendezvous_.at(index);
-  if (coming.marks().passed_mark() != nullptr && arrival.present) {
+  if (coming.marks.passed_mark() != nullptr && arrival.present) {
     if (!arrival.met) {
-      coming.fail_run("E6021", "a partner left the mark while the channel came to it", arrival.tag);
+      coming.run.fail("E6021", "a partner left the mark while the channel came to it", arrival.tag);
     }
     return rendezvous_.leave(index);
   }
-  const Rider* mark = coming.marks().soft_mark();
+  const Rider* mark = coming.marks.soft_mark();
   if (mark == nullptr || (released_ & channel_bit(index)) != 0) return;
-  if (!coming.marks().is_waiting()) {
+  if (!coming.marks.is_waiting()) {
     const ChannelSet members = channels_with_ids(mark->channels);
-    if (rendezvous_.missing(index, mark->number, members) == 0) coming.open_soft_mark();
+    if (rendezvous_.missing(index, mark->number, members) == 0) coming.marks.open();
     return;
   }
   if (arrival.met) {
     rendezvous_.leave(index);
     released_ |= channel_bit(index);
-    coming.open_soft_mark();
+    coming.marks.open();
   } else if (arrival.present) {
     if (const auto lost = lost_partner(index)) {
       rendezvous_.leave(index);
-      coming.fail_run(lost->code.view(), lost->text.view(), arrival.tag);
+      coming.run.fail(lost->code.view(), lost->text.view(), arrival.tag);
     }
   }
 }
@@ -121,7 +121,7 @@ std::optional<Coordinator::Verdict> Coordinator::fault_of_arrival(int index) con
   Verdict verdict = refusal("E6022", channel(other), " waits at mark ");
   verdict.raises = true;
   verdict.text.append(theirs.mark).append(" with other partners");
-  append_place(channel(other).file_name(theirs.tag), theirs.tag.line, verdict.text);
+  append_place(channel(other).log.file_name(theirs.tag), theirs.tag.line, verdict.text);
   return verdict;
 }
 
@@ -131,9 +131,10 @@ std::optional<Coordinator::Verdict> Coordinator::lost_partner(int index) const R
   const ChannelSet missing = rendezvous_.missing(index, arrival.mark, arrival.members);
   for (int k = 0; k < channel_count_; ++k) {
     const Channel& partner = channel(k);
-    if ((missing & channel_bit(k)) == 0 || partner.is_running()) continue;
-    const bool has_ended = partner.run() > 0 && partner.end_cycle() >= channel(index).start_cycle();
-    if (!has_ended && partner.state() != ChannelState::alarm) continue;
+    if ((missing & channel_bit(k)) == 0 || partner.state().is_running()) continue;
+    const bool has_ended =
+        partner.runs.run() > 0 && partner.runs.end_cycle() >= channel(index).runs.start_cycle();
+    if (!has_ended && partner.state().shown() != ChannelState::alarm) continue;
     Verdict verdict = refusal("E6021", partner, " has ended without coming to mark ");
     verdict.raises = true;
     verdict.text.append(arrival.mark);
@@ -160,7 +161,7 @@ std::optional<Coordinator::Verdict> Coordinator::deadlock(int index) const RT_SA
 
 ChannelSet Coordinator::awaited_by(int index) const RT_SAFE {
   const Errand& errand = errands_[static_cast<std::size_t>(index)];
-  if (!channel(index).is_running() || channel(index).is_resetting()) return 0;
+  if (!channel(index).state().is_running() || channel(index).state().is_ending()) return 0;
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
   if (arrival.present && !arrival.met)
     return rendezvous_.missing(index, arrival.mark, arrival.members);
@@ -178,11 +179,11 @@ void Coordinator::describe_wait(int index, int awaited, ReasonText& text) const 
   text.append("\nchannel ").append(channel(index).id()).append(" waits for channel ");
   text.append(channel(awaited).id());
   if (arrival.present) text.append(" at mark ").append(arrival.mark);
-  append_place(channel(index).file_name(tag), tag.line, text);
+  append_place(channel(index).log.file_name(tag), tag.line, text);
 }
 
 bool Coordinator::is_waiting_for_channels(int index) const RT_SAFE {
-  if (channel(index).marks().is_waiting()) return rendezvous_.at(index).present;
+  if (channel(index).marks.is_waiting()) return rendezvous_.at(index).present;
   const Errand& errand = errands_[static_cast<std::size_t>(index)];
   if (!errand.active || errand.stage == 0) return false;
   if (errand.kind == lang::RequestKind::mark_wait) return !rendezvous_.at(index).met;

@@ -7,7 +7,6 @@
 #include "channels/contract/output.h"
 #include "channels/messages/item.h"
 #include "channels/stores/report_book.h"
-#include "motion/path.h"
 
 namespace stanok::channels {
 
@@ -31,15 +30,6 @@ struct ChannelAnswer {
   bool left_path = false;   // the axes stand elsewhere than at the end of the path
   FixedText<8> code;
   ReasonText text;
-};
-
-// A move that ends where the probe changes (G38.2 to G38.5).
-struct ProbeWatch {
-  bool is_on = false;          // from the move on until its answer
-  bool until_contact = false;  // else until it leaves
-  bool has_changed = false;
-  bool ends_path = false;  // what is left of the move is given up
-  motion::Point axes_M{};  // where the axes stood when it changed, mm or deg
 };
 
 // The latest alarm of a channel.

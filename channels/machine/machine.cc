@@ -120,7 +120,7 @@ struct Machine::Parts {
           std::make_unique<Seat>(machine, channel, options, files, tables, shared,
                                  CycleBooks{&events, &reports, &signals_out, &signals_in}));
       channels.push_back(&seats.back()->channel);
-      if (options.on_at_start) channels.back()->power(true);
+      if (options.on_at_start) channels.back()->power(Power::on);
     }
     coordinator = std::make_unique<Coordinator>(
         channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
@@ -211,10 +211,10 @@ bool Machine::has_prepared(int index, const Arrivals& recorded) const {
 
 bool Machine::select_scheme_at_start(int channel, int scheme) {
   for (const auto& seat : parts_->seats) {
-    if (seat->channel.id() != channel || !seat->channel.has_scheme(scheme)) continue;
-    seat->channel.select_scheme(scheme);
+    if (seat->channel.id() != channel || seat->channel.schemes.find(scheme) == nullptr) continue;
+    seat->channel.motion.select_scheme(scheme);
     parts_->coordinator->settle_owners();
-    if (seat->channel.is_powered()) seat->channel.power(true);
+    if (seat->channel.state().is_powered()) seat->channel.power(Power::on);
     return true;
   }
   return false;
@@ -270,8 +270,9 @@ bool Machine::waits_for_operator() const RT_SAFE {
     const Channel& channel = parts_->seats[k]->channel;
     if (channel.is_quiet()) continue;
     all_quiet = false;
-    if (channel.is_resetting()) return false;
-    const bool is_held = channel.state() == ChannelState::held && channel.is_standing();
+    if (channel.state().is_ending()) return false;
+    const bool is_held =
+        channel.state().shown() == ChannelState::held && channel.motion.is_standing();
     if (!is_held && !parts_->coordinator->is_waiting_for_channels(static_cast<int>(k)))
       return false;
   }

@@ -1,0 +1,71 @@
+#include "channels/cycle/force_terms.h"
+
+namespace stanok::channels {
+namespace {
+
+motion::ForceOrder::Kind kind_of(lang::ForceControl::Kind kind) RT_SAFE {
+  switch (kind) {
+    case lang::ForceControl::Kind::off:
+      break;
+    case lang::ForceControl::Kind::force:
+      return motion::ForceOrder::Kind::force;
+    case lang::ForceControl::Kind::oscillate:
+      return motion::ForceOrder::Kind::oscillate;
+    case lang::ForceControl::Kind::vibration_on:
+      return motion::ForceOrder::Kind::vibration_on;
+    case lang::ForceControl::Kind::vibration_off:
+      return motion::ForceOrder::Kind::vibration_off;
+  }
+  return motion::ForceOrder::Kind::off;
+}
+
+}  // namespace
+
+motion::ForceOrder order_of(const lang::ForceControl& program) RT_SAFE {
+  motion::ForceOrder order;
+  order.kind = kind_of(program.kind);
+  order.force_n = program.force_n;
+  order.feed_min = program.feed_min;
+  order.feed_max = program.feed_max;
+  order.per_revolution = program.per_revolution;
+  order.oscillation_n = program.oscillation_n;
+  order.oscillation_hz = program.oscillation_hz;
+  order.level_um = program.level_um;
+  order.reduced_mass_kg = program.reduced_mass_kg;
+  return order;
+}
+
+SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLog& log) RT_SAFE {
+  using motion::ForceEvent;
+  switch (event) {
+    case ForceEvent::none:
+      break;
+    case ForceEvent::sensor_lost:
+      log.alarm("A4010", "the power sensor gives no value: feed hold", tag);
+      return SensorLoss::holds_feed;
+    case ForceEvent::sensor_lost_slow:
+      log.alarm("A4010", "the power sensor gives no value: the feed is S_min", tag);
+      break;
+    case ForceEvent::sensor_stuck:
+      log.alarm("A4011", "the power does not follow the feed: feed hold", tag);
+      return SensorLoss::holds_feed;
+    case ForceEvent::sensor_stuck_slow:
+      log.alarm("A4011", "the power does not follow the feed: the feed is S_min", tag);
+      break;
+    case ForceEvent::vibration_lost:
+      log.tell("W611", "the vibration sensor gives no value: no oscillation is formed", tag);
+      break;
+    case ForceEvent::frequency_shifted:
+      log.tell("W612", "the oscillation would be a multiple of the spindle's: it was shifted", tag);
+      break;
+    case ForceEvent::oscillation_limited:
+      log.tell("W613", "the force cannot swing as far as asked: the feed would come to rest", tag);
+      break;
+    case ForceEvent::overload_at_feed_min:
+      log.tell("W614", "the force is above its set-point at S_min", tag);
+      break;
+  }
+  return SensorLoss::none;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,90 @@
+// ItemWorker: the items of a program in the cycle: executed in their order, each when the path
+// before it is done and the axes stand.
+//
+// An item that takes time (a dwell, a spindle that comes to its speed, brakes, a request) keeps
+// those behind it, and the path behind it, until it is over. Thread: the real-time cycle. Owner:
+// the channel. Invariant: a request is open from its item to its answer, or to a reset.
+#pragma once
+
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "channels/cycle/channel_terms.h"
+#include "channels/cycle/cycle_parts.h"
+#include "channels/cycle/kinematics_change.h"
+#include "channels/cycle/load_desk.h"
+#include "channels/cycle/probe_watch.h"
+
+namespace stanok::channels {
+
+class ItemWorker {
+ public:
+  // `parts` outlive the worker.
+  explicit ItemWorker(CycleParts& parts);
+
+  // Once a cycle, before the path goes on.
+  void advance() RT_SAFE;
+  // The next item waits until the spindles have their speeds.
+  void wait_for_spindles() RT_SAFE { wait(Activity::spindle, 0.0); }
+  // A reset: what is under way is given up; when the preparation has obeyed (true: the item that
+  // says so has come), all that items brought about ends.
+  void give_up() RT_SAFE;
+  [[nodiscard]] bool drop_until_reset_done() RT_SAFE;
+  void end_all() RT_SAFE;
+
+  void begin_load(const ShortText& text, Job job) RT_SAFE { loads_.begin(text, job); }
+  void begin_search(const ShortText& target, SearchWay way, double pass) RT_SAFE;
+  void begin_run(Job job) RT_SAFE;
+  void begin_switch(int scheme) RT_SAFE;
+  // To the open request.
+  void answer(const ChannelAnswer& answer) RT_SAFE;
+
+  // The request of the own program that waits for the coordinator, or nullptr.
+  [[nodiscard]] const Item* request() const RT_SAFE { return request_ ? &*request_ : nullptr; }
+  [[nodiscard]] bool is_idle() const RT_SAFE { return activity_ == Activity::none; }
+  [[nodiscard]] bool is_waiting() const RT_SAFE {
+    return !is_idle() && activity_ != Activity::frame;
+  }
+  // Of the block that is executed, on the path or, as a dwell or a stop, beside it.
+  [[nodiscard]] const motion::BlockTag& current_tag() const RT_SAFE;
+  // Chunks that may be entered now: those before the next item, none while an item is at work.
+  [[nodiscard]] std::uint64_t chunk_limit() const RT_SAFE;
+  // Of an item that waits for nothing but riders; 0: there is none.
+  [[nodiscard]] std::uint64_t riders_before_item() const RT_SAFE;
+
+  [[nodiscard]] ProbeWatch& probe() RT_SAFE { return probe_; }
+  [[nodiscard]] const LoadDesk& loads() const RT_SAFE { return loads_; }
+  [[nodiscard]] const KinematicsChange& change() const RT_SAFE { return change_; }
+  [[nodiscard]] const ToolAtWork& tool() const RT_SAFE { return tool_; }
+
+ private:
+  enum class Activity : std::uint8_t { none, frame, dwell, spindle, brakes, request };
+
+  [[nodiscard]] bool stops_where_preparation_broke_off() RT_SAFE;
+  [[nodiscard]] bool finish_activity() RT_SAFE;
+  [[nodiscard]] bool finish_brakes() RT_SAFE;
+  void wait(Activity activity, double seconds) RT_SAFE;
+  void execute(const Item& item) RT_SAFE;
+  void end_run(const Item& item) RT_SAFE;
+  void end_effects() RT_SAFE;
+  void fail_run(const Item& item) RT_SAFE;
+  void order_force(const Item& item) RT_SAFE;
+  void set_output(const Item& item) RT_SAFE;
+  void stop_by_program(const Item& item) RT_SAFE;
+  void begin_probing(const Item& item) RT_SAFE;
+  void begin_request(const Item& item) RT_SAFE;
+  [[nodiscard]] Notice notice_of_start(NoticeKind kind) const RT_SAFE;
+
+  CycleParts& parts_;
+  LoadDesk loads_;
+  KinematicsChange change_;
+  ProbeWatch probe_;
+  Activity activity_ = Activity::none;
+  std::int64_t cycles_left_ = 0;  // of the activity
+  std::int64_t began_ = 0;        // cycle in which it began
+  Item item_;                     // the item being executed
+  std::optional<Item> request_;
+  ToolAtWork tool_;
+};
+
+}  // namespace stanok::channels

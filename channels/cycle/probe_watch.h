@@ -1,0 +1,50 @@
+// ProbeWatch: a move that ends where the probe changes (G38.2 to G38.5).
+//
+// Where that is comes from the drives, in the cycle that sees the change: the place is known to the
+// travel of one poll of the bus at the feed of the move (docs/developer/motion.md#probing). Thread:
+// the real-time cycle. Owner: the channel.
+#pragma once
+
+#include "base/rt_safe.h"
+#include "channels/axes/axis_motion.h"
+#include "channels/contract/output.h"
+#include "channels/cycle/channel_terms.h"
+#include "channels/messages/channel_link.h"
+
+namespace stanok::channels {
+
+class ProbeWatch {
+ public:
+  // All outlive the watch. `input`: on while the probe touches; -1: there is no probe.
+  ProbeWatch(int input, const Signals& inputs, const DriveGuard& drives, AxisMotion& motion)
+      : input_(input), inputs_(inputs), drives_(drives), motion_(motion) {}
+
+  // False: the probe stands already as it should come to stand, which tells nothing about where to
+  // go; the move is given up.
+  [[nodiscard]] bool begin(const Item& probe) RT_SAFE;
+  // Once a cycle, before the path goes on.
+  void advance(ChannelLink& link) RT_SAFE;
+  // What is left of the move is given up: the path comes to rest.
+  [[nodiscard]] bool ends_path() const RT_SAFE { return move_.ends_path; }
+  [[nodiscard]] bool until_contact() const RT_SAFE { return move_.until_contact; }
+  // Behind the move.
+  [[nodiscard]] ChannelAnswer take_answer() RT_SAFE;
+  void end() RT_SAFE { move_ = {}; }
+
+ private:
+  struct Move {
+    bool is_on = false;          // from the move on until its answer
+    bool until_contact = false;  // else until it leaves
+    bool has_changed = false;
+    bool ends_path = false;
+    motion::Point axes_M{};  // where the axes stood when it changed, mm or deg
+  };
+
+  int input_;
+  const Signals& inputs_;
+  const DriveGuard& drives_;
+  AxisMotion& motion_;
+  Move move_;
+};
+
+}  // namespace stanok::channels
