@@ -1,9 +1,8 @@
-// Values that programs read and write in the cycle.
-#include <array>
+#include "channels/coordinator/value_desk.h"
+
 #include <cmath>
 
-#include "channels/axes/spindle.h"
-#include "channels/coordinator/coordinator.h"
+#include "base/units.h"
 
 namespace stanok::channels {
 namespace {
@@ -24,38 +23,74 @@ double combined(double there, double operand, lang::Combination combination) RT_
 
 }  // namespace
 
-Coordinator::Verdict Coordinator::step_shared(const Errand& errand) RT_SAFE {
-  SharedVariables& shared = *stores_.shared;
+bool ValueDesk::serves(lang::RequestKind kind) RT_SAFE {
+  using lang::RequestKind;
+  switch (kind) {
+    case RequestKind::shared_read:
+    case RequestKind::shared_write:
+    case RequestKind::shared_combine:
+    case RequestKind::tool_table_write:
+    case RequestKind::tool_table_read:
+    case RequestKind::offset_table_write:
+    case RequestKind::offset_table_read:
+    case RequestKind::machine_value:
+    case RequestKind::input_wait:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Verdict ValueDesk::step(Errand& errand) RT_SAFE {
+  using lang::RequestKind;
+  switch (errand.kind) {
+    case RequestKind::shared_read:
+    case RequestKind::shared_write:
+      return shared(errand);
+    case RequestKind::shared_combine:
+      return combine(errand);
+    case RequestKind::machine_value:
+      return machine_value(errand);
+    case RequestKind::input_wait:
+      return input_wait(errand);
+    default:
+      return table(errand);
+  }
+}
+
+Verdict ValueDesk::shared(const Errand& errand) RT_SAFE {
+  SharedVariables& variables = *stores_.shared;
   const RequestData& request = errand.request;
   const bool writes = errand.kind == lang::RequestKind::shared_write;
-  if (writes && request.is_text) shared.set_text(request.number, errand.text);
-  if (writes && !request.is_text) shared.set_number(request.number, request.value);
+  if (writes && request.is_text) variables.set_text(request.number, errand.text);
+  if (writes && !request.is_text) variables.set_number(request.number, request.value);
   Verdict verdict = success();
-  if (!writes && request.is_text) verdict.text = ReasonText(shared.text(request.number).view());
-  if (!writes && !request.is_text) verdict.number = shared.number(request.number);
+  if (!writes && request.is_text) verdict.text = ReasonText(variables.text(request.number).view());
+  if (!writes && !request.is_text) verdict.number = variables.number(request.number);
   return verdict;
 }
 
 // Read, computed and written in one cycle: of two channels that count neither is lost. What cannot
 // be computed leaves the value as it is.
-Coordinator::Verdict Coordinator::combine_shared(const Errand& errand) RT_SAFE {
-  SharedVariables& shared = *stores_.shared;
+Verdict ValueDesk::combine(const Errand& errand) RT_SAFE {
+  SharedVariables& variables = *stores_.shared;
   const RequestData& request = errand.request;
   if (request.is_text) {
-    if (!shared.append_text(request.number, errand.text))
+    if (!variables.append_text(request.number, errand.text))
       return refusal("E3009", "a shared string has at most 255 bytes");
     return success();
   }
   if (request.combination == lang::Combination::divide && request.value == 0.0)
     return refusal("E3008", "division by zero");
-  const double value = combined(shared.number(request.number), request.value, request.combination);
+  const double value =
+      combined(variables.number(request.number), request.value, request.combination);
   if (!std::isfinite(value)) return refusal("E3009", "the result is too large");
-  shared.set_number(request.number, value);
+  variables.set_number(request.number, value);
   return success();
 }
 
 // M66; the modes are those of its L. A time without the event is answered with -1.
-Coordinator::Verdict Coordinator::step_input_wait(Errand& errand) RT_SAFE {
+Verdict ValueDesk::input_wait(Errand& errand) const RT_SAFE {
   const RequestData& request = errand.request;
   const auto number = static_cast<std::size_t>(request.number);
   if (request.analog) return success(stores_.inputs->analog[number]);
@@ -71,8 +106,8 @@ Coordinator::Verdict Coordinator::step_input_wait(Errand& errand) RT_SAFE {
   return over ? success(-1.0) : pending();
 }
 
-std::optional<double> Coordinator::axis_value(std::string_view name, const Channel& asker,
-                                              int axis) const RT_SAFE {
+std::optional<double> ValueDesk::value_of_axis(std::string_view name, const Channel& asker,
+                                               int axis) const RT_SAFE {
   const motion::InterpolatorOutput& path = asker.motion.path();
   const auto k = static_cast<std::size_t>(axis);
   if (name == "pos") return path.point[k].value;
@@ -80,17 +115,17 @@ std::optional<double> Coordinator::axis_value(std::string_view name, const Chann
   if (name == "homed") return asker.drives.is_homed(axis) ? 1.0 : 0.0;
   if (name == "axis_channel") {
     const int owner = ownership_.owner(asker.axes.machine_axis(axis));
-    return static_cast<double>(channel(owner).id());
+    return static_cast<double>(channels_[owner].id());
   }
   return std::nullopt;
 }
 
-Coordinator::Verdict Coordinator::step_value(const Errand& errand) RT_SAFE {
+Verdict ValueDesk::machine_value(const Errand& errand) const RT_SAFE {
   constexpr double percent = 100.0;
-  const Channel& asker = channel(errand.asker);
+  const Channel& asker = channels_[errand.asker];
   const std::string_view name = errand.text.view();
   const int index = errand.request.index;
-  if (const auto value = axis_value(name, asker, index)) return success(*value);
+  if (const auto value = value_of_axis(name, asker, index)) return success(*value);
   if (name == "clock") return success(static_cast<double>(asker.runs.cycle()) * cycle_s_);
   if (name == "feed_act") return success(asker.motion.path().s_speed * seconds_per_minute);
   if (name == "ovr_feed") return success(asker.switches.feed_override() * percent);
@@ -102,30 +137,30 @@ Coordinator::Verdict Coordinator::step_value(const Errand& errand) RT_SAFE {
     const auto speed = asker.spindles.speed(index);
     return speed ? success(*speed) : refusal("E4053", "the channel has no such spindle");
   }
-  if (name == "in" || name == "ain") return input_value(name == "ain", index);
+  if (name == "in" || name == "ain") return input(name, index);
   if (name == "kinematics") {
-    int found = -1;
-    const Channel* named = channel_with_id(index, found);
-    return named != nullptr ? success(named->schemes.active_id())
-                            : refusal("E6001", "no such channel");
+    const int named = channels_.index_of(index);
+    return named < 0 ? refusal("E6001", "no such channel")
+                     : success(channels_[named].schemes.active_id());
   }
   return refusal("E6033", "the machine does not know this value");
 }
 
-Coordinator::Verdict Coordinator::input_value(bool analog, int index) const RT_SAFE {
+Verdict ValueDesk::input(std::string_view name, int index) const RT_SAFE {
+  const bool analog = name == "ain";
   const int count = analog ? Signals::analog_count : Signals::digital_count;
   if (index < 0 || index >= count) return refusal("E6028", "there is no such input");
   if (analog) return success(stores_.inputs->analog[static_cast<std::size_t>(index)]);
   return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
 }
 
-Coordinator::Verdict Coordinator::step_table(const Errand& errand) RT_SAFE {
+Verdict ValueDesk::table(const Errand& errand) RT_SAFE {
   using lang::RequestKind;
   const RequestData& request = errand.request;
   const bool offsets = errand.kind == RequestKind::offset_table_write ||
                        errand.kind == RequestKind::offset_table_read;
   const int axis = offsets && request.index >= 0
-                       ? channel(errand.asker).axes.machine_axis(request.index)
+                       ? channels_[errand.asker].axes.machine_axis(request.index)
                        : request.index;
   const auto value = execute_table_request(*stores_.tables, request, axis);
   if (value) return success(*value);

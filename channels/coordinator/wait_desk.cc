@@ -1,5 +1,4 @@
-// Waits between channels: for the end of a program, at marks; deadlocks.
-#include "channels/coordinator/coordinator.h"
+#include "channels/coordinator/wait_desk.h"
 
 namespace stanok::channels {
 namespace {
@@ -11,7 +10,7 @@ void append_place(const FileName& file, std::uint32_t line, ReasonText& text) RT
 
 }  // namespace
 
-Coordinator::Verdict Coordinator::step_wait(Errand& errand, const Channel& target) RT_SAFE {
+Verdict WaitDesk::wait_for_end(Errand& errand, const Channel& target) const RT_SAFE {
   if (errand.stage == 0) {
     if (!target.state().is_running() && target.runs.was_reset()) return success();
     errand.awaited_run = target.runs.run();
@@ -23,51 +22,52 @@ Coordinator::Verdict Coordinator::step_wait(Errand& errand, const Channel& targe
   if (target.has_ended(errand.awaited_run)) {
     if (errand.awaited_run == 0 || target.runs.ended_well(errand.awaited_run)) return success();
     const ChannelAlarm& alarm = target.log.last_alarm();
-    if (alarm.run != errand.awaited_run) return refusal("E6010", target, " was reset");
-    Verdict verdict = refusal("E6010", target, " ended with alarm ");
+    if (alarm.run != errand.awaited_run) return refusal_of(target.id(), "E6010", " was reset");
+    Verdict verdict = refusal_of(target.id(), "E6010", " ended with alarm ");
     verdict.text.append(alarm.code.view());
     append_place(alarm.file, alarm.line, verdict.text);
     return verdict;
   }
   if (errand.seconds >= 0.0 && static_cast<double>(errand.cycles) * cycle_s_ >= errand.seconds) {
-    return refusal("E6010", target, " has not ended within the time given");
+    return refusal_of(target.id(), "E6010", " has not ended within the time given");
   }
   return pending();
 }
 
-Coordinator::Verdict Coordinator::step_mark_wait(const Errand& errand) RT_SAFE {
+Verdict WaitDesk::wait_at_mark(const Errand& errand) const RT_SAFE {
   const Rendezvous::Arrival& arrival = rendezvous_.at(errand.asker);
   if (arrival.met) return success();
   return lost_partner(errand.asker).value_or(pending());
 }
 
-// In the order of channels: who came to a mark, who is missed for ever, who may go on.
-void Coordinator::work_marks() RT_SAFE {
-  for (int k = 0; k < channel_count_; ++k) {
-    const Errand& errand = errands_[static_cast<std::size_t>(k)];
-    const bool waits = errand.active && errand.kind == lang::RequestKind::mark_wait;
-    if (!waits && !channel(k).marks.is_waiting()) rendezvous_.leave(k);
-    if (waits) arrive_at_mark(k);
-    arrive_at_soft_mark(k);
-  }
-  rendezvous_.meet();
-  for (int k = 0; k < channel_count_; ++k) work_soft_mark(k);
+std::optional<Verdict> WaitDesk::arrive(int index) RT_SAFE {
+  const Errand& request = request_of(index);
+  const bool waits = request.active && request.kind == lang::RequestKind::mark_wait;
+  if (!waits && !channels_[index].marks.is_waiting()) rendezvous_.leave(index);
+  std::optional<Verdict> fault;
+  if (waits) fault = arrive_at_mark(index);
+  arrive_at_soft_mark(index);
+  return fault;
 }
 
-void Coordinator::arrive_at_mark(int index) RT_SAFE {
-  Errand& errand = errands_[static_cast<std::size_t>(index)];
-  if (errand.stage > 0) return;
-  errand.stage = 1;
-  rendezvous_.arrive(index, errand.number, errand.members, errand.tag);
+std::optional<Verdict> WaitDesk::arrive_at_mark(int index) RT_SAFE {
+  Errand& request = request_of(index);
+  if (request.stage > 0) return std::nullopt;
+  request.stage = 1;
+  rendezvous_.arrive(index, request.number, request.members, request.tag);
   const auto fault = fault_of_arrival(index);
-  if (!fault) return;
-  rendezvous_.leave(index);
-  conclude(errand, *fault);
+  if (fault) rendezvous_.leave(index);
+  return fault;
+}
+
+void WaitDesk::meet() RT_SAFE {
+  rendezvous_.meet();
+  for (int k = 0; k < channels_.count(); ++k) work_soft_mark(k);
 }
 
 // A channel is at a soft mark when it stands there, or in the cycle in which it passes it.
-void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
-  Channel& arriving = channel(index);
+void WaitDesk::arrive_at_soft_mark(int index) RT_SAFE {
+  Channel& arriving = channels_[index];
   const Rider* passed = arriving.marks.passed_mark();
   if ((released_ & channel_bit(index)) != 0) {
     if (passed != nullptr || !arriving.marks.is_waiting()) released_ &= ~channel_bit(index);
@@ -77,7 +77,7 @@ void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
                       : arriving.marks.is_waiting() ? arriving.marks.soft_mark()
                                                     : nullptr;
   if (mark == nullptr || rendezvous_.at(index).present) return;
-  rendezvous_.arrive(index, mark->number, channels_with_ids(mark->channels), mark->tag);
+  rendezvous_.arrive(index, mark->number, channels_.with_ids(mark->channels), mark->tag);
   if (passed != nullptr) return;
   const auto fault = fault_of_arrival(index);
   if (!fault) return;
@@ -86,8 +86,8 @@ void Coordinator::arrive_at_soft_mark(int index) RT_SAFE {
 }
 
 // After all arrivals of the cycle: opens soft marks whose partners are there.
-void Coordinator::work_soft_mark(int index) RT_SAFE {
-  Channel& coming = channel(index);
+void WaitDesk::work_soft_mark(int index) RT_SAFE {
+  Channel& coming = channels_[index];
   const Rendezvous::Arrival arrival = rendezvous_.at(index);
   if (coming.marks.passed_mark() != nullptr && arrival.present) {
     if (!arrival.met) {
@@ -98,7 +98,7 @@ void Coordinator::work_soft_mark(int index) RT_SAFE {
   const Rider* mark = coming.marks.soft_mark();
   if (mark == nullptr || (released_ & channel_bit(index)) != 0) return;
   if (!coming.marks.is_waiting()) {
-    const ChannelSet members = channels_with_ids(mark->channels);
+    const ChannelSet members = channels_.with_ids(mark->channels);
     if (rendezvous_.missing(index, mark->number, members) == 0) coming.marks.open();
     return;
   }
@@ -114,28 +114,28 @@ void Coordinator::work_soft_mark(int index) RT_SAFE {
   }
 }
 
-std::optional<Coordinator::Verdict> Coordinator::fault_of_arrival(int index) const RT_SAFE {
+std::optional<Verdict> WaitDesk::fault_of_arrival(int index) const RT_SAFE {
   const int other = rendezvous_.mismatch(index);
   if (other < 0) return deadlock(index);
   const Rendezvous::Arrival& theirs = rendezvous_.at(other);
-  Verdict verdict = refusal("E6022", channel(other), " waits at mark ");
+  Verdict verdict = refusal_of(channels_[other].id(), "E6022", " waits at mark ");
   verdict.raises = true;
   verdict.text.append(theirs.mark).append(" with other partners");
-  append_place(channel(other).log.file_name(theirs.tag), theirs.tag.line, verdict.text);
+  append_place(channels_[other].log.file_name(theirs.tag), theirs.tag.line, verdict.text);
   return verdict;
 }
 
 // A partner whose program was over after this one began will not come any more.
-std::optional<Coordinator::Verdict> Coordinator::lost_partner(int index) const RT_SAFE {
+std::optional<Verdict> WaitDesk::lost_partner(int index) const RT_SAFE {
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
   const ChannelSet missing = rendezvous_.missing(index, arrival.mark, arrival.members);
-  for (int k = 0; k < channel_count_; ++k) {
-    const Channel& partner = channel(k);
+  for (int k = 0; k < channels_.count(); ++k) {
+    const Channel& partner = channels_[k];
     if ((missing & channel_bit(k)) == 0 || partner.state().is_running()) continue;
     const bool has_ended =
-        partner.runs.run() > 0 && partner.runs.end_cycle() >= channel(index).runs.start_cycle();
+        partner.runs.run() > 0 && partner.runs.end_cycle() >= channels_[index].runs.start_cycle();
     if (!has_ended && partner.state().shown() != ChannelState::alarm) continue;
-    Verdict verdict = refusal("E6021", partner, " has ended without coming to mark ");
+    Verdict verdict = refusal_of(partner.id(), "E6021", " has ended without coming to mark ");
     verdict.raises = true;
     verdict.text.append(arrival.mark);
     return verdict;
@@ -144,9 +144,9 @@ std::optional<Coordinator::Verdict> Coordinator::lost_partner(int index) const R
 }
 
 // The wait that channel `index` begins closes a circle.
-std::optional<Coordinator::Verdict> Coordinator::deadlock(int index) const RT_SAFE {
+std::optional<Verdict> WaitDesk::deadlock(int index) const RT_SAFE {
   std::array<ChannelSet, channels_max> awaited{};
-  for (int k = 0; k < channel_count_; ++k) awaited[static_cast<std::size_t>(k)] = awaited_by(k);
+  for (int k = 0; k < channels_.count(); ++k) awaited[static_cast<std::size_t>(k)] = awaited_by(k);
   const Circle circle = find_circle(awaited, index);
   if (circle.length == 0) return std::nullopt;
   Verdict verdict = refusal("E6020", "channels would wait for each other for ever");
@@ -159,32 +159,31 @@ std::optional<Coordinator::Verdict> Coordinator::deadlock(int index) const RT_SA
   return verdict;
 }
 
-ChannelSet Coordinator::awaited_by(int index) const RT_SAFE {
-  const Errand& errand = errands_[static_cast<std::size_t>(index)];
-  if (!channel(index).state().is_running() || channel(index).state().is_ending()) return 0;
+ChannelSet WaitDesk::awaited_by(int index) const RT_SAFE {
+  const Errand& errand = request_of(index);
+  if (!channels_[index].state().is_running() || channels_[index].state().is_ending()) return 0;
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
   if (arrival.present && !arrival.met)
     return rendezvous_.missing(index, arrival.mark, arrival.members);
   const bool waits =
       errand.active && errand.kind == lang::RequestKind::channel_wait && errand.stage == 1;
-  if (!waits || channel(errand.target).has_ended(errand.awaited_run)) return 0;
+  if (!waits || channels_[errand.target].has_ended(errand.awaited_run)) return 0;
   return channel_bit(errand.target);
 }
 
 // One line: who waits, for whom, where.
-void Coordinator::describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE {
+void WaitDesk::describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE {
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
-  const motion::BlockTag& tag =
-      arrival.present ? arrival.tag : errands_[static_cast<std::size_t>(index)].tag;
-  text.append("\nchannel ").append(channel(index).id()).append(" waits for channel ");
-  text.append(channel(awaited).id());
+  const motion::BlockTag& tag = arrival.present ? arrival.tag : request_of(index).tag;
+  text.append("\nchannel ").append(channels_[index].id()).append(" waits for channel ");
+  text.append(channels_[awaited].id());
   if (arrival.present) text.append(" at mark ").append(arrival.mark);
-  append_place(channel(index).log.file_name(tag), tag.line, text);
+  append_place(channels_[index].log.file_name(tag), tag.line, text);
 }
 
-bool Coordinator::is_waiting_for_channels(int index) const RT_SAFE {
-  if (channel(index).marks.is_waiting()) return rendezvous_.at(index).present;
-  const Errand& errand = errands_[static_cast<std::size_t>(index)];
+bool WaitDesk::is_waiting_for_channels(int index) const RT_SAFE {
+  if (channels_[index].marks.is_waiting()) return rendezvous_.at(index).present;
+  const Errand& errand = request_of(index);
   if (!errand.active || errand.stage == 0) return false;
   if (errand.kind == lang::RequestKind::mark_wait) return !rendezvous_.at(index).met;
   return errand.kind == lang::RequestKind::channel_wait && errand.seconds < 0.0;

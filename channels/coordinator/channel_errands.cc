@@ -1,0 +1,273 @@
+#include "channels/coordinator/channel_errands.h"
+
+namespace stanok::channels {
+namespace {
+
+// A drive needs several polls of the bus from switch-on to holding its axis.
+constexpr double drives_ready_within_s = 3.0;
+// The slowest spindle needs this long from its greatest speed to rest.
+constexpr double spindle_stands_within_s = 120.0;
+
+bool is_busy(const Channel& channel) RT_SAFE {
+  const ChannelState state = channel.state().shown();
+  return state == ChannelState::running || state == ChannelState::held;
+}
+
+// A program or a scheme may only begin where every axis knows its position; spindles need none.
+std::optional<Verdict> unreferenced(const Channel& channel, lang::AxisSet axes) RT_SAFE {
+  for (int axis = 0; axis < channel.axes.count(); ++axis) {
+    if ((axes >> axis & 1U) == 0 || channel.drives.is_homed(axis)) continue;
+    if (channel.axes.is_spindle(axis)) continue;
+    Verdict verdict = refusal("E5208", "axis ");
+    verdict.text.append(channel.axes.name(axis).view()).append(" is not homed");
+    return verdict;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ChannelErrands::ChannelErrands(const ChannelTable& channels, AxisOwnership& ownership,
+                               const ControlDesk& control,
+                               const std::array<OwnerFailure, channels_max>& on_owner_failure,
+                               double cycle_s)
+    : channels_(channels),
+      ownership_(ownership),
+      control_(control),
+      on_owner_failure_(on_owner_failure),
+      cycle_s_(cycle_s) {}
+
+Verdict ChannelErrands::load(Errand& errand) RT_SAFE {
+  Channel& target = target_of(errand);
+  if (errand.stage == 0) {
+    const bool searches = errand.job == Job::search;
+    const auto action = searches ? OperatorAction::program_search : OperatorAction::program_load;
+    if (const auto refused = obstacle(errand, action)) return *refused;
+    if (searches) {
+      if (!target.state().has_program())
+        return refusal_of(target.id(), "E6005", ": no program is loaded");
+      if (!target.is_quiet()) return pending();
+      target.items().begin_search(
+          errand.text, errand.number == 0 ? SearchWay::calculated : SearchWay::not_calculated,
+          errand.value);
+    } else {
+      target.items().begin_load(errand.text, errand.job);
+    }
+    errand.stage = 1;
+    return pending();
+  }
+  const LoadDesk& loads = target.items().loads();
+  if (loads.outcome() == Outcome::pending) return pending();
+  if (loads.outcome() == Outcome::succeeded) return success();
+  if (const auto refused = obstacle(errand, OperatorAction::program_load)) return *refused;
+  return refusal("", loads.text().view());
+}
+
+Verdict ChannelErrands::start(Errand& errand) RT_SAFE {
+  Channel& target = target_of(errand);
+  const bool is_run = errand.kind == lang::RequestKind::channel_run;
+  const auto action = is_run ? OperatorAction::program_run : OperatorAction::program_start;
+  if (const auto refused = obstacle(errand, action)) return *refused;
+  if (target.state().shown() == ChannelState::held) {
+    target.run.resume();
+    return success();
+  }
+  if (target.drives.axis_on_limit_switch() >= 0)
+    return refusal_of(target.id(), "E6057", ": an axis stands on a limit switch; jog it back");
+  const lang::AxisSet axes = target.schemes.participants();
+  if (const auto homeless = unreferenced(target, axes)) return *homeless;
+  if (const auto taken = claim(errand.target, axes)) return *taken;
+  target.axes.release(axes);
+  if (!target.drives.all_ready()) return await_drives(errand);
+  if (!target.is_quiet()) return pending();
+  target.items().begin_run(errand.job);
+  Owner& owner = owners_[static_cast<std::size_t>(errand.target)];
+  owner.channel = errand.asker;
+  if (errand.asker != operator_asker) owner.run = channels_[errand.asker].runs.run();
+  return success();
+}
+
+Verdict ChannelErrands::await_drives(const Errand& errand) const RT_SAFE {
+  if (waited_s(errand) < drives_ready_within_s) return pending();
+  return refusal_of(target_of(errand).id(), "E6008", ": the drives are not ready");
+}
+
+Verdict ChannelErrands::run(Errand& errand) RT_SAFE {
+  constexpr int loaded = 2;
+  if (errand.stage < loaded) {
+    if (errand.stage == 0) {
+      if (const auto refused = obstacle(errand, OperatorAction::program_run)) return *refused;
+    }
+    const Verdict verdict = load(errand);
+    if (!verdict.done || !verdict.ok) return verdict;
+    errand.stage = loaded;
+  }
+  return start(errand);
+}
+
+Verdict ChannelErrands::stop(Errand& errand) RT_SAFE {
+  Channel& target = target_of(errand);
+  if (errand.stage == 0) {
+    if (!is_busy(target)) return refusal_of(target.id(), "E6007", ": nothing was running");
+    target.run.hold(errand.asker == operator_asker ? HoldCause::operator_hold
+                                                   : HoldCause::channel_stop);
+    errand.stage = 1;
+  }
+  if (!is_busy(target)) return success();
+  return target.motion.is_standing() ? success() : pending();
+}
+
+Verdict ChannelErrands::reset(Errand& errand) RT_SAFE {
+  Channel& target = target_of(errand);
+  if (errand.stage == 0) {
+    target.run.begin_reset();
+    errand.stage = 1;
+    return pending();
+  }
+  return target.state().is_ending() ? pending() : success();
+}
+
+// Axes that the scheme parks are released for the search and come back to where they are parked.
+Verdict ChannelErrands::home(Errand& errand) RT_SAFE {
+  if (errand.stage == 0) return begin_homing(errand);
+  Channel& target = target_of(errand);
+  const ManualMotion& manual = target.motion.manual();
+  if (manual.is_active() || target.state().is_ending()) return pending();
+  const bool found = manual.homing() == ManualMotion::Outcome::succeeded;
+  const bool is_overtaken = errand.generation != target.run.generation();
+  if (errand.stage == 1 && found && !is_overtaken) {
+    target.return_to_parking();
+    errand.stage = 2;
+    return pending();
+  }
+  if (target.state().is_powered()) target.power(Power::on);  // what is parked is braked again
+  return found ? success() : refusal("A2001", manual.homing_fault().view());
+}
+
+Verdict ChannelErrands::begin_homing(Errand& errand) RT_SAFE {
+  Channel& target = target_of(errand);
+  if (const auto refused = obstacle(errand, OperatorAction::home)) return *refused;
+  lang::AxisSet axes = target.motion.axes_to_home();
+  if (!errand.text.view().empty()) {
+    const int axis = target.axes.named(errand.text.view());
+    if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
+    axes = static_cast<lang::AxisSet>(axes & 1U << axis);
+  }
+  target.axes.release(axes);
+  if (!target.drives.all_ready()) return await_drives(errand);
+  target.home(axes);
+  errand.stage = 1;
+  return pending();
+}
+
+Verdict ChannelErrands::change_kinematics(Errand& errand) RT_SAFE {
+  Channel& target = target_of(errand);
+  if (errand.stage == 0) {
+    const bool is_own = errand.asker == errand.target;
+    if (target.schemes.find(errand.number) == nullptr)
+      return refusal("E5201", "the channel has no such kinematic scheme");
+    if (const auto refused = obstacle(errand, OperatorAction::kinematics_select)) return *refused;
+    if (!target.state().is_powered()) return refusal("E6006", "the machine is off");
+    if (!is_own && !target.is_quiet()) return pending();
+    const lang::AxisSet axes = target.schemes.axes_of(errand.number);
+    if (const auto homeless = unreferenced(target, axes)) return *homeless;
+    if (const auto taken = claim(errand.target, axes)) return *taken;
+    target.items().begin_switch(errand.number);
+    errand.stage = 1;
+    return pending();
+  }
+  const KinematicsChange& change = target.items().change();
+  if (change.is_pending()) return pending();
+  if (change.outcome() == Outcome::failed)
+    return refusal(change.code().view(), change.text().view());
+  return success();
+}
+
+Verdict ChannelErrands::spindle_to_axis(Errand& errand) RT_SAFE {
+  Channel& asker = channels_[errand.asker];
+  const int spindle = errand.number;
+  const ManualMotion& manual = asker.motion.manual();
+  switch (errand.stage) {
+    case 0:
+      asker.spindles.stop(spindle);
+      errand.stage = 1;
+      return pending();
+    case 1:
+      if (!asker.spindles.stands(spindle)) {
+        if (waited_s(errand) < spindle_stands_within_s) return pending();
+        return refusal("E5206", "the spindle that becomes an axis does not come to rest");
+      }
+      asker.spindles.close_position_loop(spindle);
+      errand.stage = 2;
+      errand.cycles = 0;
+      return pending();
+    case 2:
+      return await_axis(errand, asker);
+    default:
+      if (manual.homing() == ManualMotion::Outcome::running) return pending();
+      if (manual.homing() == ManualMotion::Outcome::succeeded) return success();
+      asker.spindles.open_position_loop(spindle);
+      return refusal("E5207", manual.homing_fault().view());
+  }
+}
+
+Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker) RT_SAFE {
+  const int spindle = errand.number;
+  const bool is_closed = asker.spindles.position_loop_is_closed(spindle);
+  const bool is_homed = asker.drives.is_homed(asker.spindles.axis_of(spindle));
+  if (is_closed && is_homed) return success();
+  if (is_closed && asker.begin_homing_of_spindle(spindle)) {
+    errand.stage = 3;
+    return pending();
+  }
+  if (waited_s(errand) < drives_ready_within_s) return pending();
+  asker.spindles.open_position_loop(spindle);
+  return is_homed ? refusal("E5206", "the drive does not close the position loop of the axis")
+                  : refusal("E5207", "the axis that a spindle becomes has no reference");
+}
+
+// Why what was asked for may not begin now: what the channel does, a stop since it was asked, or
+// somebody who has the channel to himself.
+std::optional<Verdict> ChannelErrands::obstacle(const Errand& errand, OperatorAction action) const
+    RT_SAFE {
+  if (errand.asker == errand.target) return std::nullopt;
+  const Channel& target = target_of(errand);
+  const std::string_view code = refusal_code(action, target.state().situation());
+  if (!code.empty()) return refusal_of(target.id(), code, claim_of_refusal(code));
+  if (errand.generation != target.run.generation())
+    return refusal_of(target.id(), "E6072", " was stopped before it began");
+  if (control_.admits(errand)) return std::nullopt;
+  return refusal_of(target.id(), "E6080", " is under control of another operator");
+}
+
+// Nothing: all these axes of channel `index` are its own now.
+std::optional<Verdict> ChannelErrands::claim(int index, lang::AxisSet axes) RT_SAFE {
+  if (const auto foreign = control_.foreign_axis(index, axes)) return foreign;
+  const AxisOwnership::Obstacle obstacle = ownership_.obstacle(index, axes);
+  if (obstacle.axis < 0) {
+    ownership_.claim(index, axes);
+    return std::nullopt;
+  }
+  Verdict verdict = refusal("E5203", "axis ");
+  verdict.text.append(channels_[index].axes.name(obstacle.axis).view());
+  verdict.text.append(" belongs to channel ").append(channels_[obstacle.owner].id());
+  verdict.text.append(obstacle.owner_is_busy ? ", which is running or held" : " and is moving");
+  return verdict;
+}
+
+void ChannelErrands::follow_owners() RT_SAFE {
+  for (int k = 0; k < channels_.count(); ++k) {
+    Owner& owner = owners_[static_cast<std::size_t>(k)];
+    if (owner.channel == operator_asker) continue;
+    const Channel& master = channels_[owner.channel];
+    if (!master.has_ended(owner.run) && !master.state().is_ending()) continue;
+    owner.channel = operator_asker;
+    Channel& owned = channels_[k];
+    if (master.runs.ended_well(owner.run) || !is_busy(owned)) continue;
+    const OwnerFailure rule = on_owner_failure_[static_cast<std::size_t>(k)];
+    if (rule == OwnerFailure::hold) owned.run.hold(HoldCause::owner_failed);
+    if (rule == OwnerFailure::reset) owned.run.begin_reset();
+  }
+}
+
+}  // namespace stanok::channels

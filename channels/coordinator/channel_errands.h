@@ -1,0 +1,68 @@
+// ChannelErrands: what is asked of one channel and takes time: load, start, stop, reset, homing,
+// change of kinematics, spindles that become axes; and what becomes of runs whose owner fails.
+//
+// Each function takes one step of an errand. Thread: the real-time cycle. Owner: the coordinator.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "channels/contract/command_rules.h"
+#include "channels/coordinator/axis_ownership.h"
+#include "channels/coordinator/channel_table.h"
+#include "channels/coordinator/control_desk.h"
+#include "channels/coordinator/errand.h"
+#include "channels/coordinator/verdict.h"
+
+namespace stanok::channels {
+
+class ChannelErrands {
+ public:
+  // All outlive the errands.
+  ChannelErrands(const ChannelTable& channels, AxisOwnership& ownership, const ControlDesk& control,
+                 const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s);
+
+  [[nodiscard]] Verdict load(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict start(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict run(Errand& errand) RT_SAFE;  // load and start
+  [[nodiscard]] Verdict stop(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict reset(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict home(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict change_kinematics(Errand& errand) RT_SAFE;
+  // M902 of the asker: the spindle stops, the drive takes the position over where it stands;
+  // without a reference it turns to its index pulse.
+  [[nodiscard]] Verdict spindle_to_axis(Errand& errand) RT_SAFE;
+
+  // A program that ends abnormally takes the runs that it started along, as configured.
+  void follow_owners() RT_SAFE;
+
+ private:
+  [[nodiscard]] Channel& target_of(const Errand& errand) const RT_SAFE {
+    return channels_[errand.target];
+  }
+  [[nodiscard]] double waited_s(const Errand& errand) const RT_SAFE {
+    return static_cast<double>(errand.cycles) * cycle_s_;
+  }
+  [[nodiscard]] std::optional<Verdict> obstacle(const Errand& errand, OperatorAction action) const
+      RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> claim(int index, lang::AxisSet axes) RT_SAFE;
+  [[nodiscard]] Verdict await_drives(const Errand& errand) const RT_SAFE;
+  [[nodiscard]] Verdict begin_homing(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict await_axis(Errand& errand, Channel& asker) RT_SAFE;
+
+  const ChannelTable& channels_;
+  AxisOwnership& ownership_;
+  const ControlDesk& control_;
+  std::array<OwnerFailure, channels_max> on_owner_failure_;
+  double cycle_s_;
+  // Who started the run of a channel, and in which run of its own; operator_asker: an operator.
+  struct Owner {
+    int channel = operator_asker;
+    std::uint32_t run = 0;
+  };
+  std::array<Owner, channels_max> owners_{};
+};
+
+}  // namespace stanok::channels

@@ -1,0 +1,43 @@
+// OperatorDesk: commands of operators that take effect in the cycle in which they come: power,
+// holds, overrides, switches, jogs, tables, the cutting process.
+//
+// Whether a channel admits a command is decided before (channels/contract/command_rules.h). Thread:
+// the real-time cycle. Owner: the coordinator.
+#pragma once
+
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "channels/contract/operator_event.h"
+#include "channels/coordinator/channel_table.h"
+#include "channels/coordinator/control_desk.h"
+#include "channels/coordinator/machine_stores.h"
+#include "channels/coordinator/verdict.h"
+
+namespace stanok::channels {
+
+class OperatorDesk {
+ public:
+  // Both outlive the desk, and what `stores` names.
+  OperatorDesk(const ChannelTable& channels, ControlDesk& control, const MachineStores& stores)
+      : channels_(channels), control_(control), stores_(stores) {}
+
+  // `channel`: the one that the event names; nullptr: all. Nothing: the command takes time.
+  [[nodiscard]] std::optional<Verdict> apply(const OperatorEvent& event, Channel* channel) RT_SAFE;
+
+ private:
+  [[nodiscard]] std::optional<Verdict> apply_to_one(const OperatorEvent& event, Channel& channel)
+      RT_SAFE;
+  [[nodiscard]] Verdict switch_on(const Channel* named) RT_SAFE;
+  [[nodiscard]] Verdict skip_blocks(const OperatorEvent& event, Channel* named) RT_SAFE;
+  [[nodiscard]] Verdict set_tool(const OperatorEvent& event) RT_SAFE;
+  [[nodiscard]] Verdict set_offset(const OperatorEvent& event) RT_SAFE;
+  template <class Effect>
+  Verdict each(Channel* named, Effect&& effect) RT_SAFE;
+
+  const ChannelTable& channels_;
+  ControlDesk& control_;
+  MachineStores stores_;
+};
+
+}  // namespace stanok::channels

@@ -1,0 +1,45 @@
+// ValueDesk: values that programs read and write in the cycle: shared variables, tables, inputs and
+// what the machine knows of itself.
+//
+// Thread: the real-time cycle. Owner: the coordinator.
+#pragma once
+
+#include <optional>
+
+#include "base/rt_safe.h"
+#include "channels/coordinator/axis_ownership.h"
+#include "channels/coordinator/channel_table.h"
+#include "channels/coordinator/errand.h"
+#include "channels/coordinator/machine_stores.h"
+#include "channels/coordinator/verdict.h"
+
+namespace stanok::channels {
+
+class ValueDesk {
+ public:
+  // Both outlive the desk, and what `stores` names.
+  ValueDesk(const ChannelTable& channels, const AxisOwnership& ownership,
+            const MachineStores& stores, double cycle_s)
+      : channels_(channels), ownership_(ownership), stores_(stores), cycle_s_(cycle_s) {}
+
+  [[nodiscard]] static bool serves(lang::RequestKind kind) RT_SAFE;
+  // Of a kind that it serves.
+  [[nodiscard]] Verdict step(Errand& errand) RT_SAFE;
+
+ private:
+  [[nodiscard]] Verdict shared(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict combine(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict table(const Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict input_wait(Errand& errand) const RT_SAFE;
+  [[nodiscard]] Verdict machine_value(const Errand& errand) const RT_SAFE;
+  [[nodiscard]] Verdict input(std::string_view name, int index) const RT_SAFE;
+  [[nodiscard]] std::optional<double> value_of_axis(std::string_view name, const Channel& asker,
+                                                    int axis) const RT_SAFE;
+
+  const ChannelTable& channels_;
+  const AxisOwnership& ownership_;
+  MachineStores stores_;
+  double cycle_s_;
+};
+
+}  // namespace stanok::channels

@@ -1,0 +1,64 @@
+// WaitDesk: waits between channels: for the end of a program, at marks; deadlocks.
+//
+// Thread: the real-time cycle. Owner: the coordinator, whose first errands are those of the
+// channels.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/rt_safe.h"
+#include "channels/coordinator/channel_table.h"
+#include "channels/coordinator/errand.h"
+#include "channels/coordinator/rendezvous.h"
+#include "channels/coordinator/verdict.h"
+
+namespace stanok::channels {
+
+class WaitDesk {
+ public:
+  // Both outlive the desk. `requests`: of each channel, by index.
+  WaitDesk(const ChannelTable& channels, std::span<Errand> requests, double cycle_s)
+      : channels_(channels), requests_(requests), cycle_s_(cycle_s) {}
+
+  // channel_wait: for the end of the run that goes on there.
+  [[nodiscard]] Verdict wait_for_end(Errand& errand, const Channel& target) const RT_SAFE;
+  // mark_wait: until all partners are at the mark.
+  [[nodiscard]] Verdict wait_at_mark(const Errand& errand) const RT_SAFE;
+
+  // Once a cycle, in the order of channels: who came to a mark, who is missed for ever, who may go
+  // on. `conclude`: ends a request that cannot be met.
+  template <class Conclude>
+  void advance(Conclude&& conclude) RT_SAFE {
+    for (int k = 0; k < channels_.count(); ++k) {
+      if (const auto fault = arrive(k)) conclude(request_of(k), *fault);
+    }
+    meet();
+  }
+
+  // Whether channel `index` waits, without a time-out, for other channels.
+  [[nodiscard]] bool is_waiting_for_channels(int index) const RT_SAFE;
+
+ private:
+  [[nodiscard]] Errand& request_of(int index) const RT_SAFE {
+    return requests_[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] std::optional<Verdict> arrive(int index) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> arrive_at_mark(int index) RT_SAFE;
+  void arrive_at_soft_mark(int index) RT_SAFE;
+  void meet() RT_SAFE;
+  void work_soft_mark(int index) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> fault_of_arrival(int index) const RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> lost_partner(int index) const RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> deadlock(int index) const RT_SAFE;
+  [[nodiscard]] ChannelSet awaited_by(int index) const RT_SAFE;
+  void describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE;
+
+  const ChannelTable& channels_;
+  std::span<Errand> requests_;
+  double cycle_s_;
+  Rendezvous rendezvous_;
+  ChannelSet released_ = 0;  // stood at a soft mark that is met now, and have not yet left it
+};
+
+}  // namespace stanok::channels
