@@ -1,0 +1,183 @@
+// Errands that take time, and waits, step by step without programs.
+#include "channels/coordinator/channel_errands.h"
+
+#include <gtest/gtest.h>
+
+#include "channels/coordinator/wait_desk.h"
+#include "tests/support/machine/coordinator_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using stanok::testing::bench_cycle_s;
+using stanok::testing::bench_x;
+using stanok::testing::CoordinatorBench;
+
+class ChannelErrandsTest : public ::testing::Test {
+ protected:
+  // An operator asks something of channel 7.
+  Errand command(lang::RequestKind kind) {
+    Errand errand;
+    errand.active = true;
+    errand.kind = kind;
+    errand.target = 1;
+    errand.generation = target_.run.generation();
+    return errand;
+  }
+
+  CoordinatorBench bench_;
+  ControlDesk control_{bench_.table, bench_.ownership};
+  ChannelErrands errands_{bench_.table,
+                          bench_.ownership,
+                          control_,
+                          {OwnerFailure::reset, OwnerFailure::hold},
+                          bench_cycle_s};
+  Channel& target_ = bench_.table[1];
+};
+
+TEST_F(ChannelErrandsTest, AStartBeginsARunAndAStopHoldsIt) {
+  Errand start = command(lang::RequestKind::channel_start);
+  EXPECT_TRUE(errands_.start(start).ok);
+  EXPECT_EQ(target_.state().situation(), Situation::running);
+  Errand stop = command(lang::RequestKind::channel_stop);
+  EXPECT_TRUE(errands_.stop(stop).ok);  // the axes stand
+  EXPECT_EQ(target_.run.hold_cause(), HoldCause::operator_hold);
+  EXPECT_TRUE(errands_.start(start).ok);
+  EXPECT_EQ(target_.state().situation(), Situation::running);
+}
+
+TEST_F(ChannelErrandsTest, WithNothingRunningThereIsNothingToStop) {
+  Errand stop = command(lang::RequestKind::channel_stop);
+  EXPECT_EQ(errands_.stop(stop).code.view(), "E6007");
+}
+
+TEST_F(ChannelErrandsTest, WhatWasAskedForBeforeAStopDoesNotBegin) {
+  Errand start = command(lang::RequestKind::channel_start);
+  target_.run.hold_by_operator(FeedStop::acts);
+  EXPECT_EQ(errands_.start(start).code.view(), "E6072");
+  EXPECT_EQ(target_.state().situation(), Situation::ready);
+}
+
+TEST_F(ChannelErrandsTest, NothingBeginsOnAChannelThatSomebodyElseHas) {
+  OperatorEvent takes;
+  takes.channel = 7;
+  takes.number = 33;
+  ASSERT_TRUE(control_.set(takes).ok);
+  Errand start = command(lang::RequestKind::channel_start);
+  EXPECT_EQ(errands_.start(start).code.view(), "E6080");
+}
+
+TEST_F(ChannelErrandsTest, AResetIsOverWhenThePreparationHasObeyed) {
+  Errand start = command(lang::RequestKind::channel_start);
+  ASSERT_TRUE(errands_.start(start).ok);
+  Errand reset = command(lang::RequestKind::channel_reset);
+  EXPECT_FALSE(errands_.reset(reset).done);
+  EXPECT_FALSE(errands_.reset(reset).done);
+  bench_.cycles(3);
+  EXPECT_TRUE(errands_.reset(reset).done);
+  EXPECT_EQ(target_.state().situation(), Situation::ready);
+}
+
+TEST_F(ChannelErrandsTest, ASchemeThatDoesNotExistIsRefused) {
+  Errand change = command(lang::RequestKind::kinematics);
+  change.number = 9;
+  EXPECT_EQ(errands_.change_kinematics(change).code.view(), "E5201");
+  change.number = 1;
+  EXPECT_FALSE(errands_.change_kinematics(change).done);
+  EXPECT_EQ(target_.state().situation(), Situation::switching);
+}
+
+TEST_F(ChannelErrandsTest, HomingNamesAnAxisOfTheChannel) {
+  Errand home = command(lang::RequestKind::channel_reset);
+  home.homes = true;
+  home.text = {"Q"};
+  EXPECT_EQ(errands_.home(home).code.view(), "E6052");
+}
+
+// Channel 4 starts channel 7 and fails: channel 7 is held, as its rule says.
+TEST_F(ChannelErrandsTest, ARunWhoseOwnerFailsIsHeldOrReset) {
+  bench_.table[0].items().begin_run(Job::program);
+  Errand start = command(lang::RequestKind::channel_start);
+  start.asker = 0;
+  ASSERT_TRUE(errands_.start(start).ok);
+  errands_.follow_owners();
+  EXPECT_EQ(target_.state().situation(), Situation::running);
+  bench_.table[0].run.fail("E3008", "division by zero", {});
+  errands_.follow_owners();
+  EXPECT_EQ(target_.run.hold_cause(), HoldCause::owner_failed);
+}
+
+class WaitDeskTest : public ::testing::Test {
+ protected:
+  Errand& waits_at_mark(int index, int mark, ChannelSet members) {
+    Errand& errand = requests_[static_cast<std::size_t>(index)];
+    errand.active = true;
+    errand.kind = lang::RequestKind::mark_wait;
+    errand.asker = index;
+    errand.number = mark;
+    errand.members = members;
+    bench_.table[index].items().begin_run(Job::program);
+    return errand;
+  }
+  void advance() {
+    desk_.advance([&](Errand& errand, const Verdict& verdict) RT_SAFE {
+      errand.active = false;
+      fault_ = verdict;
+    });
+  }
+
+  static constexpr ChannelSet both = 0b11;
+  CoordinatorBench bench_;
+  std::array<Errand, 2> requests_{};
+  WaitDesk desk_{bench_.table, requests_, bench_cycle_s};
+  Verdict fault_;
+};
+
+TEST_F(WaitDeskTest, AMarkIsMetWhenAllPartnersAreThere) {
+  const Errand& first = waits_at_mark(0, 5, both);
+  advance();
+  EXPECT_FALSE(desk_.wait_at_mark(first).done);
+  EXPECT_TRUE(desk_.is_waiting_for_channels(0));
+  const Errand& second = waits_at_mark(1, 5, both);
+  advance();
+  EXPECT_TRUE(desk_.wait_at_mark(first).ok);
+  EXPECT_TRUE(desk_.wait_at_mark(second).ok);
+  EXPECT_FALSE(desk_.is_waiting_for_channels(0));
+}
+
+TEST_F(WaitDeskTest, ChannelsThatWaitForEachOtherForEverAreTold) {
+  static_cast<void>(waits_at_mark(0, 5, both));
+  static_cast<void>(waits_at_mark(1, 6, both));
+  advance();
+  EXPECT_EQ(fault_.code.view(), "E6020");
+  EXPECT_NE(std::string(fault_.text.view()).find("channel 4 waits for channel 7"),
+            std::string::npos);
+}
+
+TEST_F(WaitDeskTest, APartnerThatHasEndedDoesNotComeAnyMore) {
+  const Errand& first = waits_at_mark(0, 5, both);
+  advance();
+  bench_.cycle();
+  bench_.table[1].items().begin_run(Job::program);
+  bench_.table[1].run.end_run(RunResult::succeeded, 0);
+  EXPECT_EQ(desk_.wait_at_mark(first).code.view(), "E6021");
+}
+
+TEST_F(WaitDeskTest, AWaitForTheEndOfARunEndsWithItOrWithItsTime) {
+  Channel& target = bench_.table[1];
+  target.items().begin_run(Job::program);
+  Errand wait;
+  wait.kind = lang::RequestKind::channel_wait;
+  wait.target = 1;
+  wait.seconds = 0.005;
+  EXPECT_FALSE(desk_.wait_for_end(wait, target).done);
+  wait.cycles = 5;
+  EXPECT_EQ(desk_.wait_for_end(wait, target).code.view(), "E6010");
+  wait.seconds = -1.0;
+  EXPECT_FALSE(desk_.wait_for_end(wait, target).done);
+  target.run.end_run(RunResult::succeeded, 0);
+  EXPECT_TRUE(desk_.wait_for_end(wait, target).ok);
+}
+
+}  // namespace
+}  // namespace stanok::channels

@@ -1,0 +1,81 @@
+// Two channels side by side, without preparations, for tests of what the coordinator is made of.
+//
+// Channel 4 (index 0) and channel 7 (index 1) have axes of their own; both have power.
+#pragma once
+
+#include <memory>
+
+#include "channels/coordinator/axis_ownership.h"
+#include "channels/coordinator/channel_table.h"
+#include "channels/cycle/channel.h"
+#include "tests/support/machine/channel_bench.h"
+
+namespace stanok::testing {
+
+class CoordinatorBench {
+ public:
+  CoordinatorBench() {
+    for (channels::Channel* const channel : table.all()) {
+      channel->power(channels::Power::on);
+      channel->run.apply(channels::Change::loaded);
+    }
+  }
+
+  // A cycle of both; their preparations do nothing but obey resets.
+  void cycle() {
+    ++now_;
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      obey_reset(links_[k], resets_done_[k]);
+      channels::Channel& channel = table[static_cast<int>(k)];
+      channel.see_arrivals();
+      channel.watch_drives({});
+      channel.advance(now_);
+    }
+  }
+  void cycles(int count) {
+    for (int k = 0; k < count; ++k) cycle();
+  }
+  [[nodiscard]] channels::ChannelLink& link(int index) {
+    return links_[static_cast<std::size_t>(index)];
+  }
+
+  channels::Signals inputs;
+
+ private:
+  static channels::ChannelFigures figures(int id, int first_axis) {
+    channels::ChannelFigures made = bench_figures();
+    made.id = id;
+    made.machine_axis = {first_axis, first_axis + 1, first_axis + 2};
+    return made;
+  }
+  static void obey_reset(channels::ChannelLink& link, std::uint32_t& done) {
+    if (link.resets_wanted == done) return;
+    channels::Notice notice;
+    while (link.notices.pop(notice)) {
+      if (notice.kind != channels::NoticeKind::reset) continue;
+      ++done;
+      static_cast<void>(link.items.push(channels::item_of(channels::ItemKind::reset_done, {})));
+    }
+  }
+
+  Ring<channels::Event> events_{256};
+  channels::ReportBook reports_;
+  channels::Signals outputs_;
+  BenchSchemes schemes_ = bench_schemes();
+  std::array<channels::ChannelLink, 2> links_;
+  std::array<std::uint32_t, 2> resets_done_{};
+  std::int64_t now_ = 0;
+  channels::Channel first_{bench_motion(), figures(4, 0),
+                           schemes_,       0,
+                           links_[0],      {&events_, &reports_, &outputs_, &inputs}};
+  channels::Channel second_{bench_motion(), figures(7, 3),
+                            schemes_,       0,
+                            links_[1],      {&events_, &reports_, &outputs_, &inputs}};
+  std::array<channels::Channel*, 2> all_{&first_, &second_};
+
+ public:
+  channels::ChannelTable table{all_};
+  channels::AxisOwnership ownership{all_};
+};
+
+}  // namespace stanok::testing
