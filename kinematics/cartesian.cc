@@ -21,17 +21,7 @@ void AxisShift::forward(const ToolVector& tool, const AxisVector<double>& axes_M
   for (std::size_t axis = 0; axis < axes_max; ++axis) point_B[axis] -= zero_[axis];
 }
 
-Cartesian::Cartesian(const SchemeConfig& config) : Scheme(config), shift_(config) {}
-
-void Cartesian::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                        AxisVector<Jet>& axes_M) const RT_SAFE {
-  shift_.inverse(tool, point_B, axes_M);
-}
-
-void Cartesian::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-                        AxisVector<double>& axes_M) const RT_SAFE {
-  shift_.inverse(tool, point_B, axes_M);
-}
+Cartesian::Cartesian(const SchemeConfig& config) : FormulaScheme(config), shift_(config) {}
 
 void Cartesian::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                         AxisVector<double>& point_B) const RT_SAFE {

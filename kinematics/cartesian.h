@@ -6,7 +6,7 @@
 // in this scheme's eyes. Units mm and deg; bits of the values are kept where the shift is zero.
 #pragma once
 
-#include "kinematics/scheme.h"
+#include "kinematics/formula_scheme.h"
 
 namespace stanok::kinematics {
 
@@ -35,14 +35,15 @@ class AxisShift {
   std::array<int, 3> linear_{-1, -1, -1};  // -1 for axes that do not take part
 };
 
-class Cartesian final : public Scheme {
+class Cartesian final : public FormulaScheme<Cartesian> {
  public:
   explicit Cartesian(const SchemeConfig& config);
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    shift_.inverse(tool, point_B, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 

@@ -8,28 +8,10 @@
 namespace stanok::kinematics {
 
 Cylinder::Cylinder(const SchemeConfig& config)
-    : Scheme(config),
+    : FormulaScheme(config),
       shift_(config),
       rotary_(static_cast<std::size_t>(config.rotary_axis)),
       mm_per_deg_(rad_per_deg * config.radius_mm) {}
-
-template <class Scalar>
-void Cylinder::roll_up(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                       AxisVector<Scalar>& axes_M) const RT_SAFE {
-  axes_M = point_B;
-  axes_M[rotary_] = (1.0 / mm_per_deg_) * point_B[rotary_];
-  shift_.inverse(tool, axes_M, axes_M);
-}
-
-void Cylinder::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                       AxisVector<Jet>& axes_M) const RT_SAFE {
-  roll_up(tool, point_B, axes_M);
-}
-
-void Cylinder::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-                       AxisVector<double>& axes_M) const RT_SAFE {
-  roll_up(tool, point_B, axes_M);
-}
 
 void Cylinder::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                        AxisVector<double>& point_B) const RT_SAFE {

@@ -10,22 +10,21 @@
 
 namespace stanok::kinematics {
 
-class Cylinder final : public Scheme {
+class Cylinder final : public FormulaScheme<Cylinder> {
  public:
   explicit Cylinder(const SchemeConfig& config);
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    axes_M = point_B;
+    axes_M[rotary_] = (1.0 / mm_per_deg_) * point_B[rotary_];
+    shift_.inverse(tool, axes_M, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 
  private:
-  template <class Scalar>
-  void roll_up(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-               AxisVector<Scalar>& axes_M) const RT_SAFE;
-
   LatheShift shift_;
   std::size_t rotary_ = 0;
   double mm_per_deg_ = 1.0;  // of the circumference

@@ -34,17 +34,7 @@ void LatheShift::forward(const ToolVector& tool, const AxisVector<double>& axes_
   }
 }
 
-Lathe::Lathe(const SchemeConfig& config) : Scheme(config), shift_(config) {}
-
-void Lathe::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                    AxisVector<Jet>& axes_M) const RT_SAFE {
-  shift_.inverse(tool, point_B, axes_M);
-}
-
-void Lathe::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-                    AxisVector<double>& axes_M) const RT_SAFE {
-  shift_.inverse(tool, point_B, axes_M);
-}
+Lathe::Lathe(const SchemeConfig& config) : FormulaScheme(config), shift_(config) {}
 
 void Lathe::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                     AxisVector<double>& point_B) const RT_SAFE {

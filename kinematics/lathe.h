@@ -41,14 +41,15 @@ class LatheShift {
   std::array<double, 3> factor_;  // machine reading per mm of B, for X, Y, Z: +-1 or +-2, exact
 };
 
-class Lathe final : public Scheme {
+class Lathe final : public FormulaScheme<Lathe> {
  public:
   explicit Lathe(const SchemeConfig& config);
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    shift_.inverse(tool, point_B, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 

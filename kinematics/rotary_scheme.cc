@@ -1,4 +1,4 @@
-// Schemes on rotary chains: the formulas of rotary_scheme.h, written once over the scalar.
+// Schemes on rotary chains: see rotary_scheme.h for the formulas.
 // Symbols as there: p workpiece point in B, X linear axes in M, c centre of the table.
 #include "kinematics/rotary_scheme.h"
 
@@ -8,33 +8,8 @@
 namespace stanok::kinematics {
 
 RotaryScheme::RotaryScheme(const SchemeConfig& config, const Geometry& geometry)
-    : Scheme(config), shift_(config), geometry_(geometry) {
+    : FormulaScheme(config), shift_(config), geometry_(geometry) {
   for (std::size_t k = 0; k < 3; ++k) linear_[k] = static_cast<std::size_t>(config.linear[k]);
-}
-
-template <class Scalar>
-void RotaryScheme::follow(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                          AxisVector<Scalar>& axes_M) const RT_SAFE {
-  if (mode == PointMode::axes) {
-    shift_.inverse(tool, point_B, axes_M);
-    return;
-  }
-  const Vector<Scalar> p{point_B[linear_[0]], point_B[linear_[1]], point_B[linear_[2]]};
-  const Vector<Scalar> tip = geometry_.table.reach(point_B, p);
-  const Vector<Scalar> arm = geometry_.head.reach(point_B, tool.nose_to_tip_mm);
-  shift_.inverse(ToolVector{}, point_B, axes_M);  // rotary axes; the linear ones follow the tip
-  for (std::size_t k = 0; k < 3; ++k) axes_M[linear_[k]] = tip[k] + (geometry_.centre[k] - arm[k]);
-}
-
-void RotaryScheme::inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                           AxisVector<Jet>& axes_M) const RT_SAFE {
-  follow(mode, tool, point_B, axes_M);
-}
-
-void RotaryScheme::inverse(PointMode mode, const ToolVector& tool,
-                           const AxisVector<double>& point_B, AxisVector<double>& axes_M) const
-    RT_SAFE {
-  follow(mode, tool, point_B, axes_M);
 }
 
 void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,

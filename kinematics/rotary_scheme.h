@@ -20,12 +20,23 @@
 
 namespace stanok::kinematics {
 
-class RotaryScheme : public Scheme {
+class RotaryScheme : public FormulaScheme<RotaryScheme> {
  public:
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  template <class Scalar>
+  void to_axes(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    if (mode == PointMode::axes) {
+      shift_.inverse(tool, point_B, axes_M);
+      return;
+    }
+    const Vector<Scalar> p{point_B[linear_[0]], point_B[linear_[1]], point_B[linear_[2]]};
+    const Vector<Scalar> tip = geometry_.table.reach(point_B, p);
+    const Vector<Scalar> arm = geometry_.head.reach(point_B, tool.nose_to_tip_mm);
+    shift_.inverse(ToolVector{}, point_B, axes_M);  // rotary axes; the linear ones follow the tip
+    for (std::size_t k = 0; k < 3; ++k) {
+      axes_M[linear_[k]] = tip[k] + (geometry_.centre[k] - arm[k]);
+    }
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 
@@ -39,10 +50,6 @@ class RotaryScheme : public Scheme {
   RotaryScheme(const SchemeConfig& config, const Geometry& geometry);
 
  private:
-  template <class Scalar>
-  void follow(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
-              AxisVector<Scalar>& axes_M) const RT_SAFE;
-
   AxisShift shift_;
   std::array<std::size_t, 3> linear_{};  // X, Y, Z
   Geometry geometry_;

@@ -8,22 +8,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/scheme.h"
+#include "kinematics/formula_scheme.h"
 #include "tests/kinematics/reference.h"
 
 namespace stanok::kinematics {
 
 // A scheme whose map of X, Y, Z is `Type::motors(nose)` and `Type::nose(motors)`; other axes pass.
 template <class Type>
-class MotorScheme : public Scheme {
+class MotorScheme : public FormulaScheme<MotorScheme<Type>> {
  public:
-  void inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override {
-    drive(tool, point_B, axes_M);
-  }
-  void inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override {
-    drive(tool, point_B, axes_M);
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    const auto& t = tool.nose_to_tip_mm;
+    const std::array<Scalar, 3> motors = Type::motors(
+        std::array<Scalar, 3>{point_B[0] - t[0], point_B[1] - t[1], point_B[2] - t[2]});
+    axes_M = point_B;
+    for (std::size_t k = 0; k < 3; ++k) axes_M[k] = motors[k];
   }
   void forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override {
@@ -35,17 +36,7 @@ class MotorScheme : public Scheme {
 
  private:
   friend Type;
-  explicit MotorScheme(const SchemeConfig& config) : Scheme(config) {}
-
-  template <class Scalar>
-  static void drive(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                    AxisVector<Scalar>& axes_M) RT_SAFE {
-    const auto& t = tool.nose_to_tip_mm;
-    const std::array<Scalar, 3> motors = Type::motors(
-        std::array<Scalar, 3>{point_B[0] - t[0], point_B[1] - t[1], point_B[2] - t[2]});
-    axes_M = point_B;
-    for (std::size_t k = 0; k < 3; ++k) axes_M[k] = motors[k];
-  }
+  explicit MotorScheme(const SchemeConfig& config) : FormulaScheme<MotorScheme>(config) {}
 };
 
 // The bridge, along which the carriage is at v, leans by the skew towards +X: x = u + v sin(skew),
