@@ -1,6 +1,8 @@
 // Cartesian scheme: see cartesian.h for the formulas.
 #include "kinematics/cartesian.h"
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 
 AxisShift::AxisShift(const SchemeConfig& config) {
@@ -28,7 +30,7 @@ void Cartesian::forward(PointMode, const ToolVector& tool, const AxisVector<doub
   shift_.forward(tool, axes_M, point_B);
 }
 
-std::string cartesian_defect(const SchemeConfig& config) {
+std::string Cartesian::defect(const SchemeConfig& config) {
   return config.axes.empty() ? "no axis takes part" : "";
 }
 

@@ -6,7 +6,11 @@
 // in this scheme's eyes. Units mm and deg; bits of the values are kept where the shift is zero.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "kinematics/formula_scheme.h"
+#include "kinematics/scheme_key.h"
 
 namespace stanok::kinematics {
 
@@ -37,7 +41,15 @@ class AxisShift {
 
 class Cartesian final : public FormulaScheme<Cartesian> {
  public:
+  static constexpr std::string_view type_name = "cartesian";
+
+  struct Geometry {
+    [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
+  };
+
   explicit Cartesian(const SchemeConfig& config);
+  // At least one axis must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
 
   template <class Scalar>
   void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
@@ -50,8 +62,5 @@ class Cartesian final : public FormulaScheme<Cartesian> {
  private:
   AxisShift shift_;
 };
-
-// "" or what is missing: the scheme needs at least one axis.
-[[nodiscard]] std::string cartesian_defect(const SchemeConfig& config);
 
 }  // namespace stanok::kinematics

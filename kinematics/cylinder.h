@@ -12,7 +12,18 @@ namespace stanok::kinematics {
 
 class Cylinder final : public FormulaScheme<Cylinder> {
  public:
+  static constexpr std::string_view type_name = "cylinder";
+  static constexpr ChosenBy chosen_by = ChosenBy::program;
+
+  struct Geometry : TurnedWorkpiece {
+    double radius_mm = 0.0;
+
+    [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
+  };
+
   explicit Cylinder(const SchemeConfig& config);
+  // The radius must be positive, besides turned_workpiece_defect.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
 
   template <class Scalar>
   void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
@@ -25,13 +36,12 @@ class Cylinder final : public FormulaScheme<Cylinder> {
                AxisVector<double>& point_B) const RT_SAFE override;
 
  private:
+  Cylinder(const SchemeConfig& config, const Geometry& geometry);
+
   LatheShift shift_;
   std::size_t rotary_ = 0;
   double mm_per_deg_ = 1.0;  // of the circumference
 };
-
-// "" or what is missing: the radius must be positive, besides turned_workpiece_defect.
-[[nodiscard]] std::string cylinder_defect(const SchemeConfig& config);
 
 // The scheme of a channel while G7.1 is on: `active` (cartesian or lathe) with the side of the
 // cylinder of `radius_mm` about `rotary_axis`, index in the channel.

@@ -14,7 +14,7 @@
 // `axes_M` may be `point_B` itself.
 #pragma once
 
-#include "kinematics/scheme.h"
+#include "kinematics/scheme_interface.h"
 
 namespace stanok::kinematics {
 

@@ -13,10 +13,21 @@
 
 namespace stanok::kinematics {
 
+// What the X axis counts, and on which side of the workpiece the turret stands.
+enum class XReading : unsigned char { radius, diameter };
+enum class Turret : unsigned char { rear, front };
+
+struct LatheGeometry {
+  XReading x_reading = XReading::radius;
+  Turret turret = Turret::rear;
+
+  [[nodiscard]] std::vector<SchemeKey> keys();
+};
+
 // The map as a value, for schemes that ride on a lathe.
 class LatheShift {
  public:
-  explicit LatheShift(const SchemeConfig& config);
+  LatheShift(const SchemeConfig& config, const LatheGeometry& geometry);
 
   template <class Scalar>
   void inverse(const ToolVector& tool, const AxisVector<Scalar>& point_B,
@@ -43,7 +54,12 @@ class LatheShift {
 
 class Lathe final : public FormulaScheme<Lathe> {
  public:
+  static constexpr std::string_view type_name = "lathe";
+  using Geometry = LatheGeometry;
+
   explicit Lathe(const SchemeConfig& config);
+  // X and Z must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
 
   template <class Scalar>
   void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
@@ -57,11 +73,18 @@ class Lathe final : public FormulaScheme<Lathe> {
   LatheShift shift_;
 };
 
-// "" or what is missing: X and Z must take part.
-[[nodiscard]] std::string lathe_defect(const SchemeConfig& config);
+// What the schemes of the turned workpiece (polar_face, cylinder) take over from the active scheme,
+// on which they ride: one of type cartesian or lathe.
+struct TurnedWorkpiece {
+  std::string base_type;  // of the active scheme
+  LatheGeometry lathe;
+  int rotary_axis = -1;  // whose place in B holds a length in mm
+};
 
-// For schemes of the turned workpiece (polar_face, cylinder), "" or what is missing: they ride on a
-// cartesian or lathe scheme in which X and another axis, `rotary_axis`, take part.
-[[nodiscard]] std::string turned_workpiece_defect(const SchemeConfig& config);
+[[nodiscard]] TurnedWorkpiece turned_workpiece(const SchemeConfig& active, int rotary_axis);
+
+// "" or what is missing: X and another axis, `rotary_axis`, must take part.
+[[nodiscard]] std::string turned_workpiece_defect(const SchemeConfig& config,
+                                                  const TurnedWorkpiece& workpiece);
 
 }  // namespace stanok::kinematics

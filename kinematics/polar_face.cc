@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 namespace {
 
@@ -39,11 +41,14 @@ Polar<Jet> polar(const Jet& x, const Jet& y) RT_SAFE {
 }
 
 PolarFace::PolarFace(const SchemeConfig& config)
+    : PolarFace(config, std::get<Geometry>(config.geometry)) {}
+
+PolarFace::PolarFace(const SchemeConfig& config, const Geometry& geometry)
     : FormulaScheme(config),
-      shift_(config),
+      shift_(config, geometry.lathe),
       x_(static_cast<std::size_t>(config.linear[0])),
-      rotary_(static_cast<std::size_t>(config.rotary_axis)),
-      side_(config.negative_side ? -1.0 : 1.0) {}
+      rotary_(static_cast<std::size_t>(geometry.rotary_axis)),
+      side_(geometry.negative_side ? -1.0 : 1.0) {}
 
 // On the negative side the radius is negative and the angle that of the opposite point: the product
 // is the same.
@@ -60,12 +65,14 @@ double PolarFace::distance_to_singularity(const AxisVector<double>& point_B) con
   return std::hypot(point_B[x_], point_B[rotary_]);
 }
 
+std::string PolarFace::defect(const SchemeConfig& config) {
+  return turned_workpiece_defect(config, std::get<Geometry>(config.geometry));
+}
+
 SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, bool negative_side) {
   SchemeConfig config = active;
-  config.type = "polar_face";
-  config.base_type = active.type;
-  config.rotary_axis = rotary_axis;
-  config.negative_side = negative_side;
+  config.type = PolarFace::type_name;
+  config.geometry = PolarFace::Geometry{turned_workpiece(active, rotary_axis), negative_side};
   return config;
 }
 

@@ -29,7 +29,17 @@ struct Polar {
 
 class PolarFace final : public FormulaScheme<PolarFace> {
  public:
+  static constexpr std::string_view type_name = "polar_face";
+  static constexpr ChosenBy chosen_by = ChosenBy::program;
+
+  struct Geometry : TurnedWorkpiece {
+    bool negative_side = false;  // the tool works beyond the centre
+
+    [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
+  };
+
   explicit PolarFace(const SchemeConfig& config);
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
 
   template <class Scalar>
   void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
@@ -48,6 +58,8 @@ class PolarFace final : public FormulaScheme<PolarFace> {
       RT_SAFE override;
 
  private:
+  PolarFace(const SchemeConfig& config, const Geometry& geometry);
+
   LatheShift shift_;
   std::size_t x_ = 0;
   std::size_t rotary_ = 0;

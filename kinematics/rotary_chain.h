@@ -15,12 +15,9 @@
 
 #include "base/assert.h"
 #include "kinematics/angle_units.h"
-#include "kinematics/scheme.h"
+#include "kinematics/scheme_interface.h"
 
 namespace stanok::kinematics {
-
-template <class Scalar>
-using Vector = std::array<Scalar, 3>;
 
 // Vectors of numbers (the drawing) and vectors of jets (the motion) mix freely; a sum with a jet in
 // it is a jet.
@@ -57,6 +54,13 @@ class RotaryChain {
   RotaryChain(std::initializer_list<RotaryJoint> joints) : count_(joints.size()) {
     STANOK_ASSERT(joints.size() <= joints_.size());
     std::ranges::copy(joints, joints_.begin());
+  }
+
+  // The axes of the joints, as bits.
+  [[nodiscard]] unsigned axes() const RT_SAFE {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < count_; ++i) bits |= 1U << joints_[i].axis;
+    return bits;
   }
 
   template <class Scalar, class Component>

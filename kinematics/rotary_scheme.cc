@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 
-RotaryScheme::RotaryScheme(const SchemeConfig& config, const Geometry& geometry)
-    : FormulaScheme(config), shift_(config), geometry_(geometry) {
+RotaryScheme::RotaryScheme(const SchemeConfig& config, const Chains& chains)
+    : FormulaScheme(config), shift_(config), chains_(chains) {
   for (std::size_t k = 0; k < 3; ++k) linear_[k] = static_cast<std::size_t>(config.linear[k]);
 }
 
@@ -20,10 +22,10 @@ void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVec
   }
   const Vector<double> X{axes_M[linear_[0]], axes_M[linear_[1]], axes_M[linear_[2]]};
   shift_.forward(ToolVector{}, axes_M, point_B);  // rotary axes
-  const Vector<double> tip = sum(X, geometry_.head.reach(point_B, tool.nose_to_tip_mm));
-  const Vector<double>& c = geometry_.centre;
+  const Vector<double> tip = sum(X, chains_.head.reach(point_B, tool.nose_to_tip_mm));
+  const Vector<double>& c = chains_.centre;
   const Vector<double> p =
-      geometry_.table.reach_back(point_B, {tip[0] - c[0], tip[1] - c[1], tip[2] - c[2]});
+      chains_.table.reach_back(point_B, {tip[0] - c[0], tip[1] - c[1], tip[2] - c[2]});
   for (std::size_t k = 0; k < 3; ++k) point_B[linear_[k]] = p[k];
 }
 
@@ -47,15 +49,12 @@ std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& f
   return "";
 }
 
-AxisVector<double> zero_of_table_base(const SchemeConfig& config) {
-  AxisVector<double> zero{};
+AxisVector<double> linear_zero(const SchemeConfig& config, const Vector<double>& zero) {
+  AxisVector<double> axes{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (config.linear[k] < 0) continue;
-    zero[static_cast<std::size_t>(config.linear[k])] =
-        config.table_centre[k] + config.centre_to_centre[k] - config.pivot_to_pivot[k] -
-        config.pivot_to_spindle[k];
+    if (config.linear[k] >= 0) axes[static_cast<std::size_t>(config.linear[k])] = zero[k];
   }
-  return zero;
+  return axes;
 }
 
 }  // namespace stanok::kinematics

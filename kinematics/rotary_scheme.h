@@ -30,29 +30,30 @@ class RotaryScheme : public FormulaScheme<RotaryScheme> {
       return;
     }
     const Vector<Scalar> p{point_B[linear_[0]], point_B[linear_[1]], point_B[linear_[2]]};
-    const Vector<Scalar> tip = geometry_.table.reach(point_B, p);
-    const Vector<Scalar> arm = geometry_.head.reach(point_B, tool.nose_to_tip_mm);
+    const Vector<Scalar> tip = chains_.table.reach(point_B, p);
+    const Vector<Scalar> arm = chains_.head.reach(point_B, tool.nose_to_tip_mm);
     shift_.inverse(ToolVector{}, point_B, axes_M);  // rotary axes; the linear ones follow the tip
     for (std::size_t k = 0; k < 3; ++k) {
-      axes_M[linear_[k]] = tip[k] + (geometry_.centre[k] - arm[k]);
+      axes_M[linear_[k]] = tip[k] + (chains_.centre[k] - arm[k]);
     }
   }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
+  [[nodiscard]] unsigned head_axes() const RT_SAFE override { return chains_.head.axes(); }
 
  protected:
-  struct Geometry {
+  struct Chains {
     RotaryChain head;         // its end is nose_to_tip
     RotaryChain table;        // its end is the workpiece point
     Vector<double> centre{};  // position of X, Y, Z with the head's start at the table's start, mm
   };
 
-  RotaryScheme(const SchemeConfig& config, const Geometry& geometry);
+  RotaryScheme(const SchemeConfig& config, const Chains& chains);
 
  private:
   AxisShift shift_;
   std::array<std::size_t, 3> linear_{};  // X, Y, Z
-  Geometry geometry_;
+  Chains chains_;
 };
 
 // A rotary axis as a scheme file names it, for messages: key, index in the channel, unit vector.
@@ -68,9 +69,8 @@ struct RotaryRole {
 [[nodiscard]] std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& first,
                                                const RotaryRole& second);
 
-// The zero of X, Y, Z with which both point modes name the same point at zero angles, for types
-// whose base stands on the table: table_centre + centre_to_centre - pivot_to_pivot -
-// pivot_to_spindle (what a type does not have is zero).
-[[nodiscard]] AxisVector<double> zero_of_table_base(const SchemeConfig& config);
+// A zero of X, Y and Z in the order of the channel's axes.
+[[nodiscard]] AxisVector<double> linear_zero(const SchemeConfig& config,
+                                             const Vector<double>& zero);
 
 }  // namespace stanok::kinematics
