@@ -141,10 +141,10 @@ class SchemeReader {
   }
 
   static void place_value(const kinematics::Direction& direction, const SchemeValue& value) {
-    direction.vector.get() = std::get<Numbers3>(value);
+    direction.vector.get() = vector3(std::get<Numbers3>(value));
   }
   static void place_value(const kinematics::Place& place, const SchemeValue& value) {
-    place.vector.get() = std::get<Numbers3>(value);
+    place.vector.get() = vector3(std::get<Numbers3>(value));
   }
   static void place_value(const kinematics::Number& number, const SchemeValue& value) {
     number.value.get() = std::get<double>(value);

@@ -26,10 +26,10 @@ Kind kind_of(const kinematics::AxisName& axis) {
   return {.value = std::string(axis.usual)};
 }
 Kind kind_of(const kinematics::Direction& vector) {
-  return {.value = vector.vector.get(), .allowed = direction};
+  return {.value = components(vector.vector), .allowed = direction};
 }
 Kind kind_of(const kinematics::Place& place) {
-  return {.value = place.vector.get(), .unit = "mm"};
+  return {.value = components(place.vector), .unit = "mm"};
 }
 Kind kind_of(const kinematics::Number& number) {
   return {

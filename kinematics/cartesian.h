@@ -10,9 +10,13 @@
 #include <vector>
 
 #include "kinematics/formula_scheme.h"
+#include "kinematics/linear_axes.h"
 #include "kinematics/scheme_key.h"
 
 namespace stanok::kinematics {
+
+// X, Y and Z; none for those that do not take part.
+[[nodiscard]] LinearAxes linear_axes(const SchemeConfig& config);
 
 // The shift as a value, for schemes that ride on the linear axes in PointMode::axes.
 class AxisShift {
@@ -25,18 +29,14 @@ class AxisShift {
     for (std::size_t axis = 0; axis < axes_max; ++axis) {
       axes_M[axis] = point_B[axis] + zero_[axis];
     }
-    for (std::size_t k = 0; k < linear_.size(); ++k) {
-      if (linear_[k] < 0) continue;
-      auto& axis_M = axes_M[static_cast<std::size_t>(linear_[k])];
-      axis_M = axis_M - tool.nose_to_tip_mm[k];
-    }
+    linear_.subtract(tool.nose_to_tip_mm, axes_M);
   }
   void forward(const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE;
 
  private:
-  AxisVector<double> zero_{};              // 0 for axes that do not take part
-  std::array<int, 3> linear_{-1, -1, -1};  // -1 for axes that do not take part
+  AxisVector<double> zero_{};  // 0 for axes that do not take part
+  LinearAxes linear_;          // none for axes that do not take part
 };
 
 class Cartesian final : public FormulaScheme<Cartesian> {

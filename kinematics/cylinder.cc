@@ -14,7 +14,7 @@ Cylinder::Cylinder(const SchemeConfig& config)
 Cylinder::Cylinder(const SchemeConfig& config, const Geometry& geometry)
     : FormulaScheme(config),
       shift_(config, geometry.lathe),
-      rotary_(static_cast<std::size_t>(geometry.rotary_axis)),
+      rotary_(geometry.rotary_axis),
       mm_per_deg_(rad_per_deg * geometry.radius_mm) {}
 
 void Cylinder::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,

@@ -39,7 +39,7 @@ class Cylinder final : public FormulaScheme<Cylinder> {
   Cylinder(const SchemeConfig& config, const Geometry& geometry);
 
   LatheShift shift_;
-  std::size_t rotary_ = 0;
+  AxisIndex rotary_;
   double mm_per_deg_ = 1.0;  // of the circumference
 };
 

@@ -7,12 +7,9 @@ namespace stanok::kinematics {
 namespace {
 
 // Origin of the base as a position of the outer pivot less the upright arm: c of head_head.h.
-Vector<double> base_of(const SchemeConfig& config, const HeadHead::Geometry& geometry) {
-  Vector<double> base = sum(geometry.pivot_to_pivot, geometry.pivot_to_spindle);
-  for (std::size_t k = 0; k < 3; ++k) {
-    base[k] += config.zero[static_cast<std::size_t>(config.linear[k])];
-  }
-  return base;
+Vector3<double> base_of(const SchemeConfig& config, const HeadHead::Geometry& geometry) {
+  return geometry.pivot_to_pivot + geometry.pivot_to_spindle +
+         LinearAxes(config.linear).of(config.zero);
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ class HeadHead final : public RotaryScheme {
   struct Geometry {
     int outer_axis = -1;  // by index in the channel
     int inner_axis = -1;
-    Vector<double> outer_vector{0.0, 0.0, 1.0};
-    Vector<double> inner_vector{0.0, 1.0, 0.0};
-    Vector<double> pivot_to_pivot{};
-    Vector<double> pivot_to_spindle{};
+    Vector3<double> outer_vector{0.0, 0.0, 1.0};
+    Vector3<double> inner_vector{0.0, 1.0, 0.0};
+    Vector3<double> pivot_to_pivot{};
+    Vector3<double> pivot_to_spindle{};
 
     [[nodiscard]] std::vector<SchemeKey> keys();
   };

@@ -38,9 +38,7 @@ std::string HeadTable::defect(const SchemeConfig& config) {
 
 AxisVector<double> HeadTable::zero_default(const SchemeConfig& config) {
   const auto& geometry = std::get<Geometry>(config.geometry);
-  Vector<double> zero = geometry.table_centre;
-  for (std::size_t k = 0; k < 3; ++k) zero[k] -= geometry.pivot_to_spindle[k];
-  return linear_zero(config, zero);
+  return linear_zero(config, geometry.table_centre - geometry.pivot_to_spindle);
 }
 
 }  // namespace stanok::kinematics

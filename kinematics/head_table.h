@@ -22,10 +22,10 @@ class HeadTable final : public RotaryScheme {
   struct Geometry {
     int head_axis = -1;   // on the spindle, by index in the channel
     int table_axis = -1;  // under the workpiece
-    Vector<double> head_vector{0.0, 1.0, 0.0};
-    Vector<double> table_vector{0.0, 0.0, 1.0};
-    Vector<double> pivot_to_spindle{};
-    Vector<double> table_centre{};
+    Vector3<double> head_vector{0.0, 1.0, 0.0};
+    Vector3<double> table_vector{0.0, 0.0, 1.0};
+    Vector3<double> pivot_to_spindle{};
+    Vector3<double> table_centre{};
 
     [[nodiscard]] std::vector<SchemeKey> keys();
   };

@@ -8,7 +8,7 @@
 namespace stanok::kinematics {
 namespace {
 
-std::array<double, 3> reading_per_mm(const LatheGeometry& geometry) {
+Vector3<double> reading_per_mm(const LatheGeometry& geometry) {
   const double across = geometry.turret == Turret::front ? -1.0 : 1.0;
   const double counted = geometry.x_reading == XReading::diameter ? 2.0 : 1.0;
   return {across * counted, across, 1.0};
@@ -25,23 +25,16 @@ std::vector<SchemeKey> LatheGeometry::keys() {
 }
 
 LatheShift::LatheShift(const SchemeConfig& config, const LatheGeometry& geometry)
-    : shift_(config), linear_(config.linear), factor_(reading_per_mm(geometry)) {
-  for (int& axis : linear_) {
-    if (!takes_part(config, axis)) axis = -1;
-  }
-}
+    : shift_(config), linear_(linear_axes(config)), factor_(reading_per_mm(geometry)) {}
 
 ToolVector LatheShift::as_read(const ToolVector& tool) const RT_SAFE {
-  const auto& [x, y, z] = tool.nose_to_tip_mm;
-  return {{factor_[0] * x, factor_[1] * y, factor_[2] * z}};
+  return {factor_.cwiseProduct(tool.nose_to_tip_mm)};
 }
 
 void LatheShift::forward(const ToolVector& tool, const AxisVector<double>& axes_M,
                          AxisVector<double>& point_B) const RT_SAFE {
   shift_.forward(as_read(tool), axes_M, point_B);
-  for (std::size_t k = 0; k < factor_.size(); ++k) {
-    if (linear_[k] >= 0) point_B[static_cast<std::size_t>(linear_[k])] /= factor_[k];
-  }
+  linear_.set<double>(linear_.of(point_B).cwiseQuotient(factor_), point_B);
 }
 
 Lathe::Lathe(const SchemeConfig& config)

@@ -33,11 +33,7 @@ class LatheShift {
   void inverse(const ToolVector& tool, const AxisVector<Scalar>& point_B,
                AxisVector<Scalar>& axes_M) const RT_SAFE {
     axes_M = point_B;
-    for (std::size_t k = 0; k < factor_.size(); ++k) {
-      if (linear_[k] < 0) continue;
-      auto& reading = axes_M[static_cast<std::size_t>(linear_[k])];
-      reading = factor_[k] * reading;
-    }
+    linear_.set<Scalar>(factor_.cwiseProduct(linear_.of(axes_M)), axes_M);
     shift_.inverse(as_read(tool), axes_M, axes_M);
   }
   void forward(const ToolVector& tool, const AxisVector<double>& axes_M,
@@ -48,8 +44,8 @@ class LatheShift {
   [[nodiscard]] ToolVector as_read(const ToolVector& tool) const RT_SAFE;
 
   AxisShift shift_;
-  std::array<int, 3> linear_;
-  std::array<double, 3> factor_;  // machine reading per mm of B, for X, Y, Z: +-1 or +-2, exact
+  LinearAxes linear_;
+  Vector3<double> factor_;  // machine reading per mm of B, for X, Y, Z: +-1 or +-2, exact
 };
 
 class Lathe final : public FormulaScheme<Lathe> {

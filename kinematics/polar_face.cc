@@ -46,8 +46,8 @@ PolarFace::PolarFace(const SchemeConfig& config)
 PolarFace::PolarFace(const SchemeConfig& config, const Geometry& geometry)
     : FormulaScheme(config),
       shift_(config, geometry.lathe),
-      x_(static_cast<std::size_t>(config.linear[0])),
-      rotary_(static_cast<std::size_t>(geometry.rotary_axis)),
+      x_(config.linear[0]),
+      rotary_(geometry.rotary_axis),
       side_(geometry.negative_side ? -1.0 : 1.0) {}
 
 // On the negative side the radius is negative and the angle that of the opposite point: the product

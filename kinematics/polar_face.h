@@ -53,7 +53,7 @@ class PolarFace final : public FormulaScheme<PolarFace> {
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
   [[nodiscard]] bool is_affine(PointMode) const RT_SAFE override { return false; }
-  [[nodiscard]] unsigned winding_axes() const RT_SAFE override { return 1U << rotary_; }
+  [[nodiscard]] unsigned winding_axes() const RT_SAFE override { return rotary_.bit(); }
   [[nodiscard]] double distance_to_singularity(const AxisVector<double>& point_B) const
       RT_SAFE override;
 
@@ -61,8 +61,8 @@ class PolarFace final : public FormulaScheme<PolarFace> {
   PolarFace(const SchemeConfig& config, const Geometry& geometry);
 
   LatheShift shift_;
-  std::size_t x_ = 0;
-  std::size_t rotary_ = 0;
+  AxisIndex x_;
+  AxisIndex rotary_;
   double side_ = 1.0;  // -1: the negative side
 };
 

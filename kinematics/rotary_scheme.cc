@@ -10,9 +10,7 @@
 namespace stanok::kinematics {
 
 RotaryScheme::RotaryScheme(const SchemeConfig& config, const Chains& chains)
-    : FormulaScheme(config), shift_(config), chains_(chains) {
-  for (std::size_t k = 0; k < 3; ++k) linear_[k] = static_cast<std::size_t>(config.linear[k]);
-}
+    : FormulaScheme(config), shift_(config), linear_(config.linear), chains_(chains) {}
 
 void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                            AxisVector<double>& point_B) const RT_SAFE {
@@ -20,13 +18,10 @@ void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVec
     shift_.forward(tool, axes_M, point_B);
     return;
   }
-  const Vector<double> X{axes_M[linear_[0]], axes_M[linear_[1]], axes_M[linear_[2]]};
+  const Vector3<double> X = linear_.of(axes_M);
   shift_.forward(ToolVector{}, axes_M, point_B);  // rotary axes
-  const Vector<double> tip = sum(X, chains_.head.reach(point_B, tool.nose_to_tip_mm));
-  const Vector<double>& c = chains_.centre;
-  const Vector<double> p =
-      chains_.table.reach_back(point_B, {tip[0] - c[0], tip[1] - c[1], tip[2] - c[2]});
-  for (std::size_t k = 0; k < 3; ++k) point_B[linear_[k]] = p[k];
+  const Vector3<double> tip = X + chains_.head.reach(point_B, tool.nose_to_tip_mm);
+  linear_.set(chains_.table.reach_back(point_B, tip - chains_.centre), point_B);
 }
 
 std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& first,
@@ -38,8 +33,8 @@ std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& f
     if (!takes_part(config, role->axis)) {
       return "the " + std::string(role->axis_key) + " must take part";
     }
-    const auto& [x, y, z] = role->vector;
-    if (!(std::abs(std::hypot(x, y, z) - 1.0) < 1e-12)) {
+    const Vector3<double>& v = role->vector;
+    if (!(std::abs(std::hypot(v.x(), v.y(), v.z()) - 1.0) < 1e-12)) {
       return std::string(role->vector_key) + " must have the length 1";
     }
   }
@@ -49,11 +44,9 @@ std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& f
   return "";
 }
 
-AxisVector<double> linear_zero(const SchemeConfig& config, const Vector<double>& zero) {
+AxisVector<double> linear_zero(const SchemeConfig& config, const Vector3<double>& zero) {
   AxisVector<double> axes{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (config.linear[k] >= 0) axes[static_cast<std::size_t>(config.linear[k])] = zero[k];
-  }
+  LinearAxes(config.linear).set(zero, axes);
   return axes;
 }
 

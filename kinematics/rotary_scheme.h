@@ -29,13 +29,10 @@ class RotaryScheme : public FormulaScheme<RotaryScheme> {
       shift_.inverse(tool, point_B, axes_M);
       return;
     }
-    const Vector<Scalar> p{point_B[linear_[0]], point_B[linear_[1]], point_B[linear_[2]]};
-    const Vector<Scalar> tip = chains_.table.reach(point_B, p);
-    const Vector<Scalar> arm = chains_.head.reach(point_B, tool.nose_to_tip_mm);
+    const Vector3<Scalar> tip = chains_.table.reach(point_B, linear_.of(point_B));
+    const Vector3<Scalar> arm = chains_.head.reach(point_B, tool.nose_to_tip_mm);
     shift_.inverse(ToolVector{}, point_B, axes_M);  // rotary axes; the linear ones follow the tip
-    for (std::size_t k = 0; k < 3; ++k) {
-      axes_M[linear_[k]] = tip[k] + (chains_.centre[k] - arm[k]);
-    }
+    linear_.set<Scalar>(tip + (chains_.centre - arm), axes_M);
   }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
@@ -43,16 +40,16 @@ class RotaryScheme : public FormulaScheme<RotaryScheme> {
 
  protected:
   struct Chains {
-    RotaryChain head;         // its end is nose_to_tip
-    RotaryChain table;        // its end is the workpiece point
-    Vector<double> centre{};  // position of X, Y, Z with the head's start at the table's start, mm
+    RotaryChain head;          // its end is nose_to_tip
+    RotaryChain table;         // its end is the workpiece point
+    Vector3<double> centre{};  // position of X, Y, Z with the head's start at the table's start, mm
   };
 
   RotaryScheme(const SchemeConfig& config, const Chains& chains);
 
  private:
   AxisShift shift_;
-  std::array<std::size_t, 3> linear_{};  // X, Y, Z
+  LinearAxes linear_;
   Chains chains_;
 };
 
@@ -61,7 +58,7 @@ struct RotaryRole {
   std::string_view axis_key;
   int axis = -1;
   std::string_view vector_key;
-  Vector<double> vector{};
+  Vector3<double> vector{};
 };
 
 // "" or what is missing: X, Y, Z and both rotary axes must take part, these must differ and turn
@@ -71,6 +68,6 @@ struct RotaryRole {
 
 // A zero of X, Y and Z in the order of the channel's axes.
 [[nodiscard]] AxisVector<double> linear_zero(const SchemeConfig& config,
-                                             const Vector<double>& zero);
+                                             const Vector3<double>& zero);
 
 }  // namespace stanok::kinematics

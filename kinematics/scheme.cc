@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "kinematics/linear_axes.h"
+
 namespace stanok::kinematics {
 namespace {
 
@@ -48,30 +50,13 @@ std::optional<Operations> operations(std::string_view name, SchemeTypeList<Types
   return found;
 }
 
-// X, Y and Z out of the axes of a channel; one that is missing is 0.
-template <class Scalar>
-std::array<Scalar, 3> geometry_of(const Frame& frame, const AxisVector<Scalar>& axes) RT_SAFE {
-  std::array<Scalar, 3> point{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (frame.geometry[k] >= 0) point[k] = axes[static_cast<std::size_t>(frame.geometry[k])];
-  }
-  return point;
-}
-
-template <class Scalar>
-void set_geometry(const Frame& frame, const std::array<Scalar, 3>& point, AxisVector<Scalar>& axes)
-    RT_SAFE {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (frame.geometry[k] >= 0) axes[static_cast<std::size_t>(frame.geometry[k])] = point[k];
-  }
-}
-
 // p_B = rotation * p_W + offset.
 template <class Scalar>
 AxisVector<Scalar> framed(const Frame& frame, const AxisVector<Scalar>& point_W) RT_SAFE {
   AxisVector<Scalar> point_B = point_W;
   if (!frame.rotation.is_identity()) {
-    set_geometry(frame, frame.rotation.turned(geometry_of(frame, point_W)), point_B);
+    const LinearAxes linear(frame.geometry);
+    linear.set(frame.rotation.turned(linear.of(point_W)), point_B);
   }
   for (std::size_t axis = 0; axis < axes_max; ++axis) {
     point_B[axis] = point_B[axis] + frame.offset[axis];
@@ -97,7 +82,7 @@ bool takes_part(const SchemeConfig& config, int axis) {
 }
 
 Scheme::Scheme(const SchemeConfig& config) : config_(std::make_unique<const SchemeConfig>(config)) {
-  for (const int axis : config.axes) participants_ |= 1U << static_cast<unsigned>(axis);
+  for (const AxisIndex axis : config.axes) participants_ |= axis.bit();
 }
 
 Scheme::~Scheme() = default;
@@ -160,7 +145,8 @@ void forward(const Transform& transform, const AxisVector<double>& axes_M,
     point_W[axis] = point_B[axis] - frame.offset[axis];
   }
   if (frame.rotation.is_identity()) return;
-  set_geometry(frame, frame.rotation.turned_back(geometry_of(frame, point_W)), point_W);
+  const LinearAxes linear(frame.geometry);
+  linear.set(frame.rotation.turned_back(linear.of(point_W)), point_W);
 }
 
 }  // namespace stanok::kinematics

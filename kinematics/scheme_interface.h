@@ -12,23 +12,22 @@
 #include <string>
 #include <string_view>
 
+#include "base/axis_index.h"
 #include "base/rt_safe.h"
+#include "base/vector3.h"
 #include "kinematics/jet.h"
 
 namespace stanok::kinematics {
 
-inline constexpr int axes_max = 8;
+using stanok::axes_max;
 
 template <class Scalar>
-using AxisVector = std::array<Scalar, axes_max>;
-
-template <class Scalar>
-using Vector = std::array<Scalar, 3>;
+using AxisVector = AxisArray<Scalar>;
 
 // Geometry of the tool as the transformation needs it: vector from the spindle nose to the tip when
 // the head stands at 0, mm.
 struct ToolVector {
-  Vector<double> nose_to_tip_mm{};
+  Vector3<double> nose_to_tip_mm{};
 };
 
 // Whether the programmed point is the tool tip led through the rotary axes (RTCP, G43.4) or rides

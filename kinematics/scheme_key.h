@@ -32,12 +32,12 @@ struct AxisName {
 
 // A unit vector; a file may give it in any length but 0.
 struct Direction {
-  std::reference_wrapper<Vector<double>> vector;
+  std::reference_wrapper<Vector3<double>> vector;
 };
 
 // A place or a way in X, Y, Z, mm.
 struct Place {
-  std::reference_wrapper<Vector<double>> vector;
+  std::reference_wrapper<Vector3<double>> vector;
 };
 
 // A number in the range from `min` to `max`.

@@ -40,7 +40,7 @@ std::string TableTable::defect(const SchemeConfig& config) {
 
 AxisVector<double> TableTable::zero_default(const SchemeConfig& config) {
   const auto& geometry = std::get<Geometry>(config.geometry);
-  return linear_zero(config, sum(geometry.table_centre, geometry.centre_to_centre));
+  return linear_zero(config, geometry.table_centre + geometry.centre_to_centre);
 }
 
 }  // namespace stanok::kinematics

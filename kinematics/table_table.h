@@ -22,10 +22,10 @@ class TableTable final : public RotaryScheme {
   struct Geometry {
     int outer_axis = -1;  // by index in the channel
     int inner_axis = -1;
-    Vector<double> outer_vector{0.0, 0.0, 1.0};
-    Vector<double> inner_vector{0.0, 1.0, 0.0};
-    Vector<double> table_centre{};
-    Vector<double> centre_to_centre{};
+    Vector3<double> outer_vector{0.0, 0.0, 1.0};
+    Vector3<double> inner_vector{0.0, 1.0, 0.0};
+    Vector3<double> table_centre{};
+    Vector3<double> centre_to_centre{};
 
     [[nodiscard]] std::vector<SchemeKey> keys();
   };

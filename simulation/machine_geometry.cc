@@ -10,7 +10,7 @@ using kinematics::PointMode;
 using kinematics::Scheme;
 
 kinematics::ToolVector tool_vector(const Vector& v) {
-  return {{v.x(), v.y(), v.z()}};
+  return {v};
 }
 
 Vector linear_of(const Scheme& scheme, const Axes& axes) {

@@ -90,7 +90,7 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
 
 bool BlockPreparation::set_frame(const lang::FrameChange& change) {
   kinematics::Transform next = programmed_;
-  next.frame = {change.offset, change.rotation, motion_.geometry};
+  next.frame = {{change.offset}, change.rotation, motion_.geometry};
   return take_programmed(next);
 }
 

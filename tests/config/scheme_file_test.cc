@@ -134,20 +134,20 @@ TEST(SchemeFile, VectorsOfRotaryAxesAreShortenedToOne) {
   const SchemeConfig scheme = read_scheme("head_table");
   const auto& geometry = std::get<kinematics::HeadTable::Geometry>(scheme.geometry);
   EXPECT_EQ(geometry.head_axis, 3);
-  EXPECT_EQ(geometry.head_vector, (Numbers3{1, 0, 0}));
+  EXPECT_EQ(geometry.head_vector, (Vector3<double>{1, 0, 0}));
   EXPECT_EQ(geometry.table_axis, 4);
-  EXPECT_EQ(geometry.table_vector, (Numbers3{0, 0.6, 0.8}));
+  EXPECT_EQ(geometry.table_vector, (Vector3<double>{0, 0.6, 0.8}));
 }
 
 TEST(SchemeFile, HeadHeadHasItsAxesAndItsZeroWhereTheNoseReadsZero) {
   const SchemeConfig scheme = read_scheme("head_head");
   const auto& geometry = std::get<kinematics::HeadHead::Geometry>(scheme.geometry);
   EXPECT_EQ(geometry.outer_axis, 4);
-  EXPECT_EQ(geometry.outer_vector, (Numbers3{0, 0, 1}));
+  EXPECT_EQ(geometry.outer_vector, (Vector3<double>{0, 0, 1}));
   EXPECT_EQ(geometry.inner_axis, 3);
-  EXPECT_EQ(geometry.inner_vector, (Numbers3{0.6, 0.8, 0}));
-  EXPECT_EQ(geometry.pivot_to_pivot, (Numbers3{3, -45, -120}));
-  EXPECT_EQ(geometry.pivot_to_spindle, (Numbers3{0.5, 12, -180}));
+  EXPECT_EQ(geometry.inner_vector, (Vector3<double>{0.6, 0.8, 0}));
+  EXPECT_EQ(geometry.pivot_to_pivot, (Vector3<double>{3, -45, -120}));
+  EXPECT_EQ(geometry.pivot_to_spindle, (Vector3<double>{0.5, 12, -180}));
   EXPECT_EQ(scheme.zero, kinematics::AxisVector<double>{});
 }
 
@@ -155,10 +155,10 @@ TEST(SchemeFile, TableTableHasItsZeroOnTheInnerCentre) {
   const SchemeConfig scheme = read_scheme("table_table");
   const auto& geometry = std::get<kinematics::TableTable::Geometry>(scheme.geometry);
   EXPECT_EQ(geometry.outer_axis, 3);
-  EXPECT_EQ(geometry.outer_vector, (Numbers3{-1, 0, 0}));
+  EXPECT_EQ(geometry.outer_vector, (Vector3<double>{-1, 0, 0}));
   EXPECT_EQ(geometry.inner_axis, 4);
-  EXPECT_EQ(geometry.table_centre, (Numbers3{-15, 30, -420}));
-  EXPECT_EQ(geometry.centre_to_centre, (Numbers3{1, -25, 55}));
+  EXPECT_EQ(geometry.table_centre, (Vector3<double>{-15, 30, -420}));
+  EXPECT_EQ(geometry.centre_to_centre, (Vector3<double>{1, -25, 55}));
   EXPECT_EQ(scheme.zero, (kinematics::AxisVector<double>{-14, 5, -365}));
 }
 

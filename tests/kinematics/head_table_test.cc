@@ -10,8 +10,8 @@
 namespace stanok::kinematics {
 namespace {
 
-constexpr std::array<double, 3> pivot_to_spindle{0.5, -0.25, -200.0};
-constexpr std::array<double, 3> table_centre{10.0, 20.0, -400.0};
+const Vector3<double> pivot_to_spindle{0.5, -0.25, -200.0};
+const Vector3<double> table_centre{10.0, 20.0, -400.0};
 
 SchemeConfig table_config() {
   SchemeConfig config;
@@ -22,7 +22,7 @@ SchemeConfig table_config() {
                                         .table_axis = 4,
                                         .pivot_to_spindle = pivot_to_spindle,
                                         .table_centre = table_centre};
-  for (std::size_t k = 0; k < 3; ++k) config.zero[k] = table_centre[k] - pivot_to_spindle[k];
+  config.zero = {9.5, 20.25, -200.0};  // table_centre - pivot_to_spindle
   return config;
 }
 

@@ -58,8 +58,8 @@ inline Vector position(const Matrix& m) {
   return {m[0][3], m[1][3], m[2][3]};
 }
 
-inline Vector exact(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
+inline Vector exact(const Vector3<double>& v) {
+  return {v.x(), v.y(), v.z()};
 }
 
 inline std::size_t slot(int axis) {

@@ -42,8 +42,7 @@ inline SchemeConfig config_of(const std::string& type) {
   return config;
 }
 
-inline SchemeConfig head_table(const std::array<double, 3>& head,
-                               const std::array<double, 3>& table) {
+inline SchemeConfig head_table(const Vector3<double>& head, const Vector3<double>& table) {
   SchemeConfig config = config_of("head_table");
   config.geometry = HeadTable::Geometry{.head_axis = 3,
                                         .table_axis = 4,
@@ -147,7 +146,7 @@ class Poses {
   Frame frame() {
     Frame frame;
     frame.offset = next();
-    const std::array axis{millimetres_(engine_), millimetres_(engine_), millimetres_(engine_)};
+    const Vector3<double> axis{millimetres_(engine_), millimetres_(engine_), millimetres_(engine_)};
     frame.rotation = Rotation::about(axis, degrees_(engine_));
     return frame;
   }

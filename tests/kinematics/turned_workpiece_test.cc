@@ -24,7 +24,7 @@ SchemeConfig lathe_in_diameter() {
   return config;
 }
 constexpr int lathe_C = 2;
-constexpr ToolVector tool{{-25, 0, -60}};
+const ToolVector tool{{-25, 0, -60}};
 
 // x = 30, y = 40: radius 50 at atan2(40, 30) = 53.13 deg. Beyond the centre the tool stands at -50,
 // with the workpiece half a turn further.
