@@ -11,11 +11,11 @@ Rotation::Rotation(const Matrix& rows) : rows_(rows), identity_(rows == Rotation
 // Rodrigues' formula, with k the unit vector of the axis: R = c*I + (1 - c)*k*k^T + s*[k]x. The
 // diagonal is written as c*(1 - k_i^2) + k_i^2 with 1 - k_i^2 from the other two, which is exact
 // when k is a coordinate axis.
-Rotation Rotation::about(const std::array<double, 3>& axis, double angle_deg) {
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
-  const double x = axis[0] / length;
-  const double y = axis[1] / length;
-  const double z = axis[2] / length;
+Rotation Rotation::about(const Vector3<double>& axis, double angle_deg) {
+  const double length = std::hypot(axis.x(), axis.y(), axis.z());
+  const double x = axis.x() / length;
+  const double y = axis.y() / length;
+  const double z = axis.z() / length;
   const double s = sine_of_degrees(angle_deg);
   const double c = cosine_of_degrees(angle_deg);
   const double rest = 1.0 - c;
@@ -30,8 +30,8 @@ Rotation operator*(const Rotation& first, const Rotation& second) {
   if (second.is_identity()) return first;
   Rotation::Matrix rows{};
   for (std::size_t column = 0; column < 3; ++column) {
-    const std::array<double, 3> turned = first.turned(std::array<double, 3>{
-        second.rows_[0][column], second.rows_[1][column], second.rows_[2][column]});
+    const std::array<double, 3> turned = components(first.turned(Vector3<double>{
+        second.rows_[0][column], second.rows_[1][column], second.rows_[2][column]}));
     for (std::size_t row = 0; row < 3; ++row) rows[row][column] = turned[row];
   }
   return Rotation(rows);

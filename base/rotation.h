@@ -9,6 +9,7 @@
 #include <array>
 
 #include "base/rt_safe.h"
+#include "base/vector3.h"
 
 namespace stanok {
 
@@ -18,23 +19,24 @@ class Rotation {
 
   constexpr Rotation() = default;
   // `axis` of any length but zero. Quarter turns about X, Y and Z are exact.
-  [[nodiscard]] static Rotation about(const std::array<double, 3>& axis, double angle_deg);
+  [[nodiscard]] static Rotation about(const Vector3<double>& axis, double angle_deg);
 
   [[nodiscard]] bool is_identity() const RT_SAFE { return identity_; }
   // Rows; a turned vector is rows * vector.
   [[nodiscard]] const Matrix& rows() const RT_SAFE { return rows_; }
 
   template <class Scalar>
-  [[nodiscard]] std::array<Scalar, 3> turned(const std::array<Scalar, 3>& vector) const RT_SAFE {
-    if (identity_) return vector;
-    return product(rows_[0], rows_[1], rows_[2], vector);
+  [[nodiscard]] Vector3<Scalar> turned(const Vector3<Scalar>& v) const RT_SAFE {
+    if (identity_) return v;
+    const MatrixView R = matrix();
+    return R.col(0) * v.x() + R.col(1) * v.y() + R.col(2) * v.z();
   }
   template <class Scalar>
-  [[nodiscard]] std::array<Scalar, 3> turned_back(const std::array<Scalar, 3>& vector) const
-      RT_SAFE {
-    if (identity_) return vector;
-    return product({rows_[0][0], rows_[1][0], rows_[2][0]}, {rows_[0][1], rows_[1][1], rows_[2][1]},
-                   {rows_[0][2], rows_[1][2], rows_[2][2]}, vector);
+  [[nodiscard]] Vector3<Scalar> turned_back(const Vector3<Scalar>& v) const RT_SAFE {
+    if (identity_) return v;
+    const MatrixView R = matrix();
+    return R.row(0).transpose() * v.x() + R.row(1).transpose() * v.y() +
+           R.row(2).transpose() * v.z();
   }
 
   // First `second`, then `first`.
@@ -42,16 +44,12 @@ class Rotation {
   [[nodiscard]] bool operator==(const Rotation&) const = default;
 
  private:
-  using Row = std::array<double, 3>;
+  using MatrixView = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
   explicit Rotation(const Matrix& rows);
 
-  template <class Scalar>
-  [[nodiscard]] static std::array<Scalar, 3> product(const Row& x, const Row& y, const Row& z,
-                                                     const std::array<Scalar, 3>& v) RT_SAFE {
-    return {x[0] * v[0] + x[1] * v[1] + x[2] * v[2], y[0] * v[0] + y[1] * v[1] + y[2] * v[2],
-            z[0] * v[0] + z[1] * v[1] + z[2] * v[2]};
-  }
+  // Products go by columns: each component is summed up from X to Z (ADR 0020).
+  [[nodiscard]] MatrixView matrix() const RT_SAFE { return MatrixView(rows_.front().data()); }
 
   Matrix rows_{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   bool identity_ = true;

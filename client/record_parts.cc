@@ -19,7 +19,7 @@ void append_string(std::string& text, std::string_view value) {
   text += '"';
 }
 
-void append_axes(std::string& text, const Words& words, const motion::Point& point) {
+void append_axes(std::string& text, const Words& words, const lang::AxisValues& point) {
   text += '{';
   for (std::size_t k = 0; k < words.size(); ++k) {
     append(text, R"({}"{}":{})", k == 0 ? "" : ",", words[k], point[k]);

@@ -24,7 +24,7 @@ void append(std::string& text, fmt::format_string<Arguments...> format, Argument
 // A JSON string: quotes, backslashes and control characters escaped.
 void append_string(std::string& text, std::string_view value);
 // An object of the axes' coordinates.
-void append_axes(std::string& text, const Words& words, const motion::Point& point);
+void append_axes(std::string& text, const Words& words, const lang::AxisValues& point);
 [[nodiscard]] const char* action_name(lang::SpindleAction action);
 
 }  // namespace stanok::client

@@ -23,7 +23,8 @@ find_package(fmt 9 REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 
-stanok_dependency(eigen        TARGETS Eigen3::Eigen)
+# Vectors without values are zero, as all our types are; no part of Eigen that we use allocates (ADR 0020).
+stanok_dependency(eigen        TARGETS Eigen3::Eigen DEFINITIONS EIGEN_INITIALIZE_MATRICES_BY_ZERO EIGEN_NO_MALLOC)
 stanok_dependency(asio         TARGETS Boost::headers Threads::Threads)
 stanok_dependency(json         TARGETS nlohmann_json::nlohmann_json)
 stanok_dependency(cli11        TARGETS CLI11::CLI11)

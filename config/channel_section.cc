@@ -196,7 +196,7 @@ SharedAxes shared_axes(const toml::array& channels) {
 kinematics::SchemeConfig default_scheme(const ChannelConfig& channel) {
   kinematics::SchemeConfig scheme;
   scheme.id = 1;
-  scheme.type = "cartesian";
+  scheme.type = kinematics::Cartesian::type_name;
   scheme.axes.resize(channel.axes.size());
   std::iota(scheme.axes.begin(), scheme.axes.end(), 0);
   scheme.linear = channels::geometry_axes(channel);

@@ -1,6 +1,8 @@
 // The list of documented tables, and their form in Markdown.
 #include "config/key_reference.h"
 
+#include <algorithm>
+
 #include "config/automatic_feed_section.h"
 #include "config/axis_section.h"
 #include "config/channel_section.h"
@@ -18,8 +20,23 @@
 
 namespace stanok::config {
 
+namespace {
+
+// What the types of schemes add to [[channel.scheme]].
+std::vector<KeySection> geometry_sections() {
+  std::vector<KeySection> sections;
+  for (const kinematics::TypeOfScheme& type : kinematics::scheme_types()) {
+    std::vector<KeyRow> rows = geometry_key_rows(type);
+    if (rows.empty()) continue;
+    sections.push_back({"[[channel.scheme]] of type " + std::string(type.name), std::move(rows)});
+  }
+  return sections;
+}
+
+}  // namespace
+
 std::vector<KeySection> key_sections() {
-  return {
+  std::vector<KeySection> sections = {
       {"[machine]", describe(machine_keys())},
       {"[[axis]]", axis_key_rows()},
       {"[axis.homing]", homing_key_rows()},
@@ -48,6 +65,10 @@ std::vector<KeySection> key_sections() {
       {"[[tool]] of the tables file", tool_key_rows()},
       {"process file of stanok grind", grinding_key_rows()},
   };
+  const std::vector<KeySection> geometries = geometry_sections();
+  const auto parked = std::ranges::find(sections, "[[parked]] of a scheme", &KeySection::title);
+  sections.insert(parked, geometries.begin(), geometries.end());
+  return sections;
 }
 
 std::string to_markdown(const KeySection& section) {

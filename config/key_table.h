@@ -176,13 +176,12 @@ KeyRow key_row(const KeyText& key, const KindText& kind);
 
 }  // namespace detail
 
-// Fills `target` from `table`. What is at fault keeps its initial value.
+// Fills `target` from `table`. What is at fault keeps its initial value; keys that are not in
+// `keys` are not looked at.
 template <class Target>
-void read_table(const toml::table& table, const Keys<Target>& keys, Target& target,
-                const Scope& scope) {
-  std::vector<std::string_view> names;
+void read_keys(const toml::table& table, const Keys<Target>& keys, Target& target,
+               const Scope& scope) {
   for (const Key<Target>& key : keys) {
-    names.push_back(key.name);
     const toml::node* node = table.get(key.name);
     if (node == nullptr) {
       if (key.presence == required) detail::missing_key(table, key.text(), scope);
@@ -191,6 +190,15 @@ void read_table(const toml::table& table, const Keys<Target>& keys, Target& targ
     std::visit([&](auto slot) { detail::read_value(*node, key.text(), scope, slot(target)); },
                key.slot);
   }
+}
+
+// The same for a table that may have no other keys.
+template <class Target>
+void read_table(const toml::table& table, const Keys<Target>& keys, Target& target,
+                const Scope& scope) {
+  read_keys(table, keys, target, scope);
+  std::vector<std::string_view> names;
+  for (const Key<Target>& key : keys) names.push_back(key.name);
   refuse_unknown_keys(table, names, scope);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/overloaded.h"
 #include "channels/contract/motion_config.h"
 #include "config/scheme_keys.h"
 
@@ -11,12 +12,7 @@ namespace {
 
 using kinematics::Parking;
 using kinematics::SchemeConfig;
-
-// The geometry keys of a type; nullptr for a type that a file may not name.
-const TypeGeometry* geometry_of(std::string_view type) {
-  const auto geometry = std::ranges::find(type_geometries(), type, &TypeGeometry::type);
-  return geometry == type_geometries().end() ? nullptr : &*geometry;
-}
+using kinematics::SchemeKey;
 
 std::string axis_text(std::string_view name) {
   return "axis '" + std::string(name) + "'";
@@ -33,13 +29,17 @@ class SchemeReader {
         axes_(axes),
         scope_(std::move(scope)),
         faults_before_(scope_.faults.size()) {
-    read_table(table_, keys, file_, scope_);
+    read_keys(table_, keys, file_, scope_);
     scheme().id = file_.id;
-    geometry_ = geometry_of(scheme().type);
+    if (const auto* type = kinematics::find_scheme_type(scheme().type)) {
+      scheme().geometry = type->geometry;
+      geometry_keys_ = kinematics::keys_of(scheme().geometry);
+    }
+    refuse_keys_without_owner(keys);
   }
 
   SchemeConfig resolve() {
-    if (geometry_ != nullptr) check_geometry_keys();
+    read_geometry();
     resolve_axes();
     resolve_parking();
     if (is_right()) check_every_axis_has_a_place();
@@ -53,7 +53,16 @@ class SchemeReader {
     return scheme();
   }
 
+  SchemeReader(const SchemeReader&) = delete;  // geometry_keys_ refers to file_
+  SchemeReader& operator=(const SchemeReader&) = delete;
+
  private:
+  struct NamedAxis {
+    std::string_view key;
+    std::string name;
+    std::reference_wrapper<int> axis;
+  };
+
   SchemeConfig& scheme() { return file_.scheme; }
   // Further checks would only repeat the faults found so far.
   [[nodiscard]] bool is_right() const { return scope_.faults.size() == faults_before_; }
@@ -77,28 +86,72 @@ class SchemeReader {
                             number_text(limits.position_max));
   }
 
-  void check_geometry_keys() {
-    for (const auto key : geometry_->required_keys) {
-      if (table_.contains(key)) continue;
-      scope_.fault(table_.source(), "key '" + std::string(key) + "' is missing; a " +
-                                        scheme().type + " scheme needs it");
-    }
+  // Keys that no type has, and keys that this type has not.
+  void refuse_keys_without_owner(const Keys<SchemeFile>& common) {
+    std::vector<std::string_view> known;
+    for (const auto& key : common) known.push_back(key.name);
+    for (const SchemeKey& key : geometry_keys_) known.push_back(key.name);
     for (const auto& [key, node] : table_) {
       const std::string owners = owners_of(key.str());
-      if (owners.empty() || geometry_->has(key.str())) continue;
+      if (owners.empty() || std::ranges::find(known, key.str()) != known.end()) continue;
+      known.push_back(key.str());
+      if (!is_type_known()) continue;
       scope_.fault(node.source(), std::string(key.str()) + " belongs to a scheme of type " +
                                       owners + "; take it out");
     }
+    refuse_unknown_keys(table_, known, scope_);
+  }
+
+  [[nodiscard]] bool is_type_known() {
+    return kinematics::find_scheme_type(scheme().type) != nullptr;
   }
 
   // The types that have a geometry key; empty for keys that are no geometry.
   static std::string owners_of(std::string_view key) {
     std::string owners;
-    for (const TypeGeometry& geometry : type_geometries()) {
-      if (!geometry.has(key)) continue;
-      owners += (owners.empty() ? "" : " or ") + std::string(geometry.type);
+    for (const kinematics::TypeOfScheme& type : kinematics::scheme_types()) {
+      kinematics::SchemeGeometry geometry = type.geometry;
+      const std::vector<SchemeKey> keys = kinematics::keys_of(geometry);
+      if (std::ranges::find(keys, key, &SchemeKey::name) == keys.end()) continue;
+      owners += (owners.empty() ? "" : " or ") + std::string(type.name);
     }
     return owners;
+  }
+
+  // All keys of the type but those that name axes: their values are kept in axis_names_.
+  void read_geometry() {
+    for (const SchemeKey& key : geometry_keys_) {
+      GeometryKey row = geometry_key(key);
+      const toml::node* const node = table_.get(key.name);
+      if (node == nullptr && row.text.presence == required) {
+        scope_.fault(table_.source(), "key '" + std::string(key.name) + "' is missing; a " +
+                                          scheme().type + " scheme needs it");
+      }
+      if (node != nullptr) {
+        std::visit([&](auto& value) { detail::read_value(*node, row.text, scope_, value); },
+                   row.value);
+      }
+      std::visit(Overloaded{[&](const kinematics::AxisName& name) {
+                              axis_names_.push_back(
+                                  {key.name, std::get<std::string>(row.value), name.axis});
+                            },
+                            [&](const auto& place) { place_value(place, row.value); }},
+                 key.value);
+    }
+  }
+
+  static void place_value(const kinematics::Direction& direction, const SchemeValue& value) {
+    direction.vector.get() = vector3(std::get<Numbers3>(value));
+  }
+  static void place_value(const kinematics::Place& place, const SchemeValue& value) {
+    place.vector.get() = vector3(std::get<Numbers3>(value));
+  }
+  static void place_value(const kinematics::Number& number, const SchemeValue& value) {
+    number.value.get() = std::get<double>(value);
+  }
+  static void place_value(const kinematics::Choice& choice, const SchemeValue& value) {
+    const auto name = std::ranges::find(choice.names, std::get<std::string>(value));
+    choice.choose(static_cast<std::size_t>(name - choice.names.begin()));
   }
 
   void resolve_axes() {
@@ -199,15 +252,9 @@ class SchemeReader {
     channels::ChannelConfig channel;
     channel.words.assign(axes_.words.begin(), axes_.words.end());
     scheme().linear = channels::geometry_axes(channel);
-    for (const RotaryKey& role : rotary_keys()) {
-      const std::string& name = file_.*role.name;
-      if (geometry_ == nullptr || !geometry_->has(role.key) || name.empty()) continue;
-      scheme().*role.axis = rotary_axis(role.key, name);
+    for (const NamedAxis& named : axis_names_) {
+      if (!named.name.empty()) named.axis.get() = rotary_axis(named.key, named.name);
     }
-    using kinematics::Turret;
-    using kinematics::XReading;
-    scheme().x_reading = file_.x_reading == "diameter" ? XReading::diameter : XReading::radius;
-    scheme().turret = file_.turret == "front" ? Turret::front : Turret::rear;
   }
 
   int rotary_axis(std::string_view key, const std::string& name) {
@@ -240,7 +287,8 @@ class SchemeReader {
   const ChannelAxes& axes_;
   Scope scope_;
   std::size_t faults_before_;
-  const TypeGeometry* geometry_ = nullptr;  // of the type, when the file names one
+  std::vector<SchemeKey> geometry_keys_;  // of the type, when the file names one
+  std::vector<NamedAxis> axis_names_;
 };
 
 SchemeConfig read_scheme(const toml::table& entry, const ChannelAxes& axes,

@@ -1,8 +1,12 @@
 // The keys of a kinematic scheme as they stand in a file; config/scheme_file.h gives them meaning.
+//
+// Those that every scheme has are here; a type of scheme has more, which it lists itself
+// (kinematics/scheme_key.h).
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "config/key_table.h"
@@ -19,12 +23,6 @@ struct SchemeFile {
   Subtable zero = nullptr;
   Subtable retract = nullptr;
   Subtables parked = nullptr;
-  std::string head_axis = "B";
-  std::string table_axis = "C";
-  std::string outer_axis;
-  std::string inner_axis;
-  std::string x_reading = "radius";
-  std::string turret = "rear";
 };
 
 // [[parked]]
@@ -34,25 +32,18 @@ struct ParkedFile {
   std::string drive = "off";
 };
 
-// The keys of a type's geometry. Types may share keys.
-struct TypeGeometry {
-  std::string_view type;
-  std::vector<std::string_view> optional_keys;
-  std::vector<std::string_view> required_keys;
+// The value of a key of a geometry as a scheme file has it: the name of an axis or of a choice, or
+// numbers.
+using SchemeValue = std::variant<std::string, Numbers3, double>;
 
-  [[nodiscard]] bool has(std::string_view key) const;
+// A key of a geometry as a row of a key table: what may stand there, and what stands there when the
+// file has none.
+struct GeometryKey {
+  KeyText text;
+  SchemeValue value;
 };
 
-[[nodiscard]] const std::vector<TypeGeometry>& type_geometries();
-
-// A key that names a rotary axis, and where the index of that axis goes.
-struct RotaryKey {
-  std::string_view key;
-  std::string SchemeFile::* name;
-  int kinematics::SchemeConfig::* axis;
-};
-
-[[nodiscard]] const std::vector<RotaryKey>& rotary_keys();
+[[nodiscard]] GeometryKey geometry_key(const kinematics::SchemeKey& key);
 
 // A scheme file; [[channel.scheme]] that names one; [[channel.scheme]] that holds the scheme
 // itself.
@@ -61,8 +52,9 @@ struct RotaryKey {
 [[nodiscard]] const Keys<SchemeFile>& inline_keys();
 [[nodiscard]] const Keys<ParkedFile>& parked_keys();
 
-// Rows of the documentation.
+// Rows of the documentation; of the geometry of a type.
 [[nodiscard]] std::vector<KeyRow> scheme_key_rows();
+[[nodiscard]] std::vector<KeyRow> geometry_key_rows(const kinematics::TypeOfScheme& type);
 [[nodiscard]] std::vector<KeyRow> parked_key_rows();
 
 }  // namespace stanok::config

@@ -76,7 +76,7 @@ void check(const toml::table& table, const SignalFile& file, const Scope& scope)
     scope.fault(place_of(table, "table"),
                 "an analog value needs a holding_register or an input_register");
   }
-  if (!signal.is_digital() && signal.number >= drives::SignalValues::analog_count) {
+  if (!signal.is_digital() && signal.number >= Signals::analog_count) {
     scope.fault(place_of(table, "number"),
                 "number is " + std::to_string(signal.number) + "; analog signals are 0 to 15");
   }

@@ -97,8 +97,8 @@ class DriveBus {
 
   // Signals of programs; inputs without an answer keep their last values. A bus without signals
   // takes outputs nowhere.
-  virtual void write_signals(const SignalValues& outputs) RT_SAFE { static_cast<void>(outputs); }
-  [[nodiscard]] virtual SignalValues read_signals() RT_SAFE { return {}; }
+  virtual void write_signals(const Signals& outputs) RT_SAFE { static_cast<void>(outputs); }
+  [[nodiscard]] virtual Signals read_signals() RT_SAFE { return {}; }
 
   // The new samples of a vibration sensor in um, as many as there is room for, the oldest first;
   // their number. Those that nobody takes are given up.

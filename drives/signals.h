@@ -4,34 +4,13 @@
 // says where one of them is on the bus (docs/integrator/drives.md#signals).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 
-#include "base/rt_safe.h"
+#include "base/signals.h"
 #include "drives/register_map.h"
 
 namespace stanok::drives {
-
-struct SignalValues {
-  static constexpr int digital_count = 64;
-  static constexpr int analog_count = 16;
-
-  std::uint64_t digital = 0;  // bit n: signal n
-  std::array<double, analog_count> analog{};
-
-  [[nodiscard]] bool is_on(int number) const RT_SAFE {
-    return (digital >> static_cast<unsigned>(number) & 1U) != 0;
-  }
-  void set(int number, bool on) RT_SAFE {
-    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(number);
-    digital = on ? digital | bit : digital & ~bit;
-  }
-  friend bool operator==(const SignalValues&, const SignalValues&) = default;
-};
-
-static_assert(std::is_trivially_copyable_v<SignalValues>);
 
 enum class SignalKind : std::uint8_t { digital_input, digital_output, analog_input, analog_output };
 

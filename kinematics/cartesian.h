@@ -6,9 +6,17 @@
 // in this scheme's eyes. Units mm and deg; bits of the values are kept where the shift is zero.
 #pragma once
 
-#include "kinematics/scheme.h"
+#include <string>
+#include <vector>
+
+#include "kinematics/formula_scheme.h"
+#include "kinematics/linear_axes.h"
+#include "kinematics/scheme_key.h"
 
 namespace stanok::kinematics {
+
+// X, Y and Z; none for those that do not take part.
+[[nodiscard]] LinearAxes linear_axes(const SchemeConfig& config);
 
 // The shift as a value, for schemes that ride on the linear axes in PointMode::axes.
 class AxisShift {
@@ -21,36 +29,38 @@ class AxisShift {
     for (std::size_t axis = 0; axis < axes_max; ++axis) {
       axes_M[axis] = point_B[axis] + zero_[axis];
     }
-    for (std::size_t k = 0; k < linear_.size(); ++k) {
-      if (linear_[k] < 0) continue;
-      auto& axis_M = axes_M[static_cast<std::size_t>(linear_[k])];
-      axis_M = axis_M - tool.nose_to_tip_mm[k];
-    }
+    linear_.subtract(tool.nose_to_tip_mm, axes_M);
   }
   void forward(const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE;
 
  private:
-  AxisVector<double> zero_{};              // 0 for axes that do not take part
-  std::array<int, 3> linear_{-1, -1, -1};  // -1 for axes that do not take part
+  AxisVector<double> zero_{};  // 0 for axes that do not take part
+  LinearAxes linear_;          // none for axes that do not take part
 };
 
-class Cartesian final : public Scheme {
+class Cartesian final : public FormulaScheme<Cartesian> {
  public:
-  explicit Cartesian(const SchemeConfig& config);
+  static constexpr std::string_view type_name = "cartesian";
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  struct Geometry {
+    [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
+  };
+
+  explicit Cartesian(const SchemeConfig& config);
+  // At least one axis must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    shift_.inverse(tool, point_B, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 
  private:
   AxisShift shift_;
 };
-
-// "" or what is missing: the scheme needs at least one axis.
-[[nodiscard]] std::string cartesian_defect(const SchemeConfig& config);
 
 }  // namespace stanok::kinematics

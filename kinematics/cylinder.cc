@@ -4,32 +4,18 @@
 #include <cmath>
 
 #include "kinematics/angle_units.h"
+#include "kinematics/scheme.h"
 
 namespace stanok::kinematics {
 
 Cylinder::Cylinder(const SchemeConfig& config)
-    : Scheme(config),
-      shift_(config),
-      rotary_(static_cast<std::size_t>(config.rotary_axis)),
-      mm_per_deg_(rad_per_deg * config.radius_mm) {}
+    : Cylinder(config, std::get<Geometry>(config.geometry)) {}
 
-template <class Scalar>
-void Cylinder::roll_up(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                       AxisVector<Scalar>& axes_M) const RT_SAFE {
-  axes_M = point_B;
-  axes_M[rotary_] = (1.0 / mm_per_deg_) * point_B[rotary_];
-  shift_.inverse(tool, axes_M, axes_M);
-}
-
-void Cylinder::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                       AxisVector<Jet>& axes_M) const RT_SAFE {
-  roll_up(tool, point_B, axes_M);
-}
-
-void Cylinder::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-                       AxisVector<double>& axes_M) const RT_SAFE {
-  roll_up(tool, point_B, axes_M);
-}
+Cylinder::Cylinder(const SchemeConfig& config, const Geometry& geometry)
+    : FormulaScheme(config),
+      shift_(config, geometry.lathe),
+      rotary_(geometry.rotary_axis),
+      mm_per_deg_(rad_per_deg * geometry.radius_mm) {}
 
 void Cylinder::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                        AxisVector<double>& point_B) const RT_SAFE {
@@ -37,19 +23,18 @@ void Cylinder::forward(PointMode, const ToolVector& tool, const AxisVector<doubl
   point_B[rotary_] *= mm_per_deg_;
 }
 
-std::string cylinder_defect(const SchemeConfig& config) {
-  if (!(config.radius_mm > 0.0 && std::isfinite(config.radius_mm))) {
+std::string Cylinder::defect(const SchemeConfig& config) {
+  const auto& geometry = std::get<Geometry>(config.geometry);
+  if (!(geometry.radius_mm > 0.0 && std::isfinite(geometry.radius_mm))) {
     return "the radius of the cylinder must be above 0";
   }
-  return turned_workpiece_defect(config);
+  return turned_workpiece_defect(config, geometry);
 }
 
 SchemeConfig cylinder_scheme(const SchemeConfig& active, int rotary_axis, double radius_mm) {
   SchemeConfig config = active;
-  config.type = "cylinder";
-  config.base_type = active.type;
-  config.rotary_axis = rotary_axis;
-  config.radius_mm = radius_mm;
+  config.type = Cylinder::type_name;
+  config.geometry = Cylinder::Geometry{turned_workpiece(active, rotary_axis), radius_mm};
   return config;
 }
 

@@ -10,29 +10,38 @@
 
 namespace stanok::kinematics {
 
-class Cylinder final : public Scheme {
+class Cylinder final : public FormulaScheme<Cylinder> {
  public:
-  explicit Cylinder(const SchemeConfig& config);
+  static constexpr std::string_view type_name = "cylinder";
+  static constexpr ChosenBy chosen_by = ChosenBy::program;
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  struct Geometry : TurnedWorkpiece {
+    double radius_mm = 0.0;
+
+    [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
+  };
+
+  explicit Cylinder(const SchemeConfig& config);
+  // The radius must be positive, besides turned_workpiece_defect.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    axes_M = point_B;
+    axes_M[rotary_] = (1.0 / mm_per_deg_) * point_B[rotary_];
+    shift_.inverse(tool, axes_M, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 
  private:
-  template <class Scalar>
-  void roll_up(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-               AxisVector<Scalar>& axes_M) const RT_SAFE;
+  Cylinder(const SchemeConfig& config, const Geometry& geometry);
 
   LatheShift shift_;
-  std::size_t rotary_ = 0;
+  AxisIndex rotary_;
   double mm_per_deg_ = 1.0;  // of the circumference
 };
-
-// "" or what is missing: the radius must be positive, besides turned_workpiece_defect.
-[[nodiscard]] std::string cylinder_defect(const SchemeConfig& config);
 
 // The scheme of a channel while G7.1 is on: `active` (cartesian or lathe) with the side of the
 // cylinder of `radius_mm` about `rotary_axis`, index in the channel.

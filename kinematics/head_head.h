@@ -16,10 +16,25 @@ namespace stanok::kinematics {
 
 class HeadHead final : public RotaryScheme {
  public:
-  explicit HeadHead(const SchemeConfig& config);
-};
+  static constexpr std::string_view type_name = "head_head";
 
-// "" or what is missing: X, Y, Z, the outer and the inner axis must take part.
-[[nodiscard]] std::string head_head_defect(const SchemeConfig& config);
+  struct Geometry {
+    int outer_axis = -1;  // by index in the channel
+    int inner_axis = -1;
+    Vector3<double> outer_vector{0.0, 0.0, 1.0};
+    Vector3<double> inner_vector{0.0, 1.0, 0.0};
+    Vector3<double> pivot_to_pivot{};
+    Vector3<double> pivot_to_spindle{};
+
+    [[nodiscard]] std::vector<SchemeKey> keys();
+  };
+
+  explicit HeadHead(const SchemeConfig& config);
+  // X, Y, Z and both rotary axes must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+
+ private:
+  HeadHead(const SchemeConfig& config, const Geometry& geometry);
+};
 
 }  // namespace stanok::kinematics

@@ -17,10 +17,27 @@ namespace stanok::kinematics {
 
 class HeadTable final : public RotaryScheme {
  public:
-  explicit HeadTable(const SchemeConfig& config);
-};
+  static constexpr std::string_view type_name = "head_table";
 
-// "" or what is missing: X, Y, Z, the head axis and the table axis must take part.
-[[nodiscard]] std::string head_table_defect(const SchemeConfig& config);
+  struct Geometry {
+    int head_axis = -1;   // on the spindle, by index in the channel
+    int table_axis = -1;  // under the workpiece
+    Vector3<double> head_vector{0.0, 1.0, 0.0};
+    Vector3<double> table_vector{0.0, 0.0, 1.0};
+    Vector3<double> pivot_to_spindle{};
+    Vector3<double> table_centre{};
+
+    [[nodiscard]] std::vector<SchemeKey> keys();
+  };
+
+  explicit HeadTable(const SchemeConfig& config);
+  // X, Y, Z and both rotary axes must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+  // The zero of X, Y, Z with which both point modes name the same point at zero angles.
+  [[nodiscard]] static AxisVector<double> zero_default(const SchemeConfig& config);
+
+ private:
+  HeadTable(const SchemeConfig& config, const Geometry& geometry);
+};
 
 }  // namespace stanok::kinematics

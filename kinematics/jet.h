@@ -6,6 +6,7 @@
 // Leibniz and Faà di Bruno to third order.
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
 #include "base/rt_safe.h"
@@ -73,3 +74,21 @@ struct SineCosine {
 }
 
 }  // namespace stanok::kinematics
+
+// Vectors of jets, and sums and products of them with vectors of numbers.
+template <>
+struct Eigen::NumTraits<stanok::kinematics::Jet> : Eigen::GenericNumTraits<double> {
+  using Real = stanok::kinematics::Jet;
+  using NonInteger = stanok::kinematics::Jet;
+  using Nested = stanok::kinematics::Jet;
+  using Literal = double;
+  enum { ReadCost = 4, AddCost = 4, MulCost = 16 };
+};
+template <class Operation>
+struct Eigen::ScalarBinaryOpTraits<stanok::kinematics::Jet, double, Operation> {
+  using ReturnType = stanok::kinematics::Jet;
+};
+template <class Operation>
+struct Eigen::ScalarBinaryOpTraits<double, stanok::kinematics::Jet, Operation> {
+  using ReturnType = stanok::kinematics::Jet;
+};

@@ -3,67 +3,68 @@
 
 #include <algorithm>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 namespace {
 
-std::array<double, 3> reading_per_mm(const SchemeConfig& config) {
-  const double across = config.turret == Turret::front ? -1.0 : 1.0;
-  const double counted = config.x_reading == XReading::diameter ? 2.0 : 1.0;
+Vector3<double> reading_per_mm(const LatheGeometry& geometry) {
+  const double across = geometry.turret == Turret::front ? -1.0 : 1.0;
+  const double counted = geometry.x_reading == XReading::diameter ? 2.0 : 1.0;
   return {across * counted, across, 1.0};
 }
 
 }  // namespace
 
-LatheShift::LatheShift(const SchemeConfig& config)
-    : shift_(config), linear_(config.linear), factor_(reading_per_mm(config)) {
-  for (int& axis : linear_) {
-    if (!takes_part(config, axis)) axis = -1;
-  }
+std::vector<SchemeKey> LatheGeometry::keys() {
+  return {{"x_reading", Choice(x_reading, {"radius", "diameter"}),
+           "what the machine's X axis counts; points are always in radius"},
+          {"turret", Choice(turret, {"rear", "front"}),
+           "side of the workpiece; in front, X and Y of the machine point against the "
+           "workpiece's"}};
 }
 
+LatheShift::LatheShift(const SchemeConfig& config, const LatheGeometry& geometry)
+    : shift_(config), linear_(linear_axes(config)), factor_(reading_per_mm(geometry)) {}
+
 ToolVector LatheShift::as_read(const ToolVector& tool) const RT_SAFE {
-  const auto& [x, y, z] = tool.nose_to_tip_mm;
-  return {{factor_[0] * x, factor_[1] * y, factor_[2] * z}};
+  return {factor_.cwiseProduct(tool.nose_to_tip_mm)};
 }
 
 void LatheShift::forward(const ToolVector& tool, const AxisVector<double>& axes_M,
                          AxisVector<double>& point_B) const RT_SAFE {
   shift_.forward(as_read(tool), axes_M, point_B);
-  for (std::size_t k = 0; k < factor_.size(); ++k) {
-    if (linear_[k] >= 0) point_B[static_cast<std::size_t>(linear_[k])] /= factor_[k];
-  }
+  linear_.set<double>(linear_.of(point_B).cwiseQuotient(factor_), point_B);
 }
 
-Lathe::Lathe(const SchemeConfig& config) : Scheme(config), shift_(config) {}
-
-void Lathe::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                    AxisVector<Jet>& axes_M) const RT_SAFE {
-  shift_.inverse(tool, point_B, axes_M);
-}
-
-void Lathe::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-                    AxisVector<double>& axes_M) const RT_SAFE {
-  shift_.inverse(tool, point_B, axes_M);
-}
+Lathe::Lathe(const SchemeConfig& config)
+    : FormulaScheme(config), shift_(config, std::get<Geometry>(config.geometry)) {}
 
 void Lathe::forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                     AxisVector<double>& point_B) const RT_SAFE {
   shift_.forward(tool, axes_M, point_B);
 }
 
-std::string lathe_defect(const SchemeConfig& config) {
-  return takes_part(config, config.linear[0]) && takes_part(config, config.linear[2])
-             ? ""
-             : "X and Z must take part";
+std::string Lathe::defect(const SchemeConfig& config) {
+  const bool has_both = kinematics::takes_part(config, config.linear[0]) &&
+                        kinematics::takes_part(config, config.linear[2]);
+  return has_both ? "" : "X and Z must take part";
 }
 
-std::string turned_workpiece_defect(const SchemeConfig& config) {
-  if (config.base_type != "cartesian" && config.base_type != "lathe") {
-    return "it rides on a cartesian or lathe scheme, not on '" + config.base_type + "'";
+TurnedWorkpiece turned_workpiece(const SchemeConfig& active, int rotary_axis) {
+  const auto* lathe = std::get_if<LatheGeometry>(&active.geometry);
+  return {.base_type = active.type,
+          .lathe = lathe == nullptr ? LatheGeometry() : *lathe,
+          .rotary_axis = rotary_axis};
+}
+
+std::string turned_workpiece_defect(const SchemeConfig& config, const TurnedWorkpiece& workpiece) {
+  if (workpiece.base_type != Cartesian::type_name && workpiece.base_type != Lathe::type_name) {
+    return "it rides on a cartesian or lathe scheme, not on '" + workpiece.base_type + "'";
   }
   if (!takes_part(config, config.linear[0])) return "X must take part";
-  if (!takes_part(config, config.rotary_axis)) return "the rotary axis must take part";
-  if (std::ranges::find(config.linear, config.rotary_axis) != config.linear.end()) {
+  if (!takes_part(config, workpiece.rotary_axis)) return "the rotary axis must take part";
+  if (std::ranges::find(config.linear, workpiece.rotary_axis) != config.linear.end()) {
     return "the rotary axis must be none of X, Y, Z";
   }
   return "";

@@ -13,20 +13,27 @@
 
 namespace stanok::kinematics {
 
+// What the X axis counts, and on which side of the workpiece the turret stands.
+enum class XReading : unsigned char { radius, diameter };
+enum class Turret : unsigned char { rear, front };
+
+struct LatheGeometry {
+  XReading x_reading = XReading::radius;
+  Turret turret = Turret::rear;
+
+  [[nodiscard]] std::vector<SchemeKey> keys();
+};
+
 // The map as a value, for schemes that ride on a lathe.
 class LatheShift {
  public:
-  explicit LatheShift(const SchemeConfig& config);
+  LatheShift(const SchemeConfig& config, const LatheGeometry& geometry);
 
   template <class Scalar>
   void inverse(const ToolVector& tool, const AxisVector<Scalar>& point_B,
                AxisVector<Scalar>& axes_M) const RT_SAFE {
     axes_M = point_B;
-    for (std::size_t k = 0; k < factor_.size(); ++k) {
-      if (linear_[k] < 0) continue;
-      auto& reading = axes_M[static_cast<std::size_t>(linear_[k])];
-      reading = factor_[k] * reading;
-    }
+    linear_.set<Scalar>(factor_.cwiseProduct(linear_.of(axes_M)), axes_M);
     shift_.inverse(as_read(tool), axes_M, axes_M);
   }
   void forward(const ToolVector& tool, const AxisVector<double>& axes_M,
@@ -37,18 +44,24 @@ class LatheShift {
   [[nodiscard]] ToolVector as_read(const ToolVector& tool) const RT_SAFE;
 
   AxisShift shift_;
-  std::array<int, 3> linear_;
-  std::array<double, 3> factor_;  // machine reading per mm of B, for X, Y, Z: +-1 or +-2, exact
+  LinearAxes linear_;
+  Vector3<double> factor_;  // machine reading per mm of B, for X, Y, Z: +-1 or +-2, exact
 };
 
-class Lathe final : public Scheme {
+class Lathe final : public FormulaScheme<Lathe> {
  public:
-  explicit Lathe(const SchemeConfig& config);
+  static constexpr std::string_view type_name = "lathe";
+  using Geometry = LatheGeometry;
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  explicit Lathe(const SchemeConfig& config);
+  // X and Z must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    shift_.inverse(tool, point_B, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
 
@@ -56,11 +69,18 @@ class Lathe final : public Scheme {
   LatheShift shift_;
 };
 
-// "" or what is missing: X and Z must take part.
-[[nodiscard]] std::string lathe_defect(const SchemeConfig& config);
+// What the schemes of the turned workpiece (polar_face, cylinder) take over from the active scheme,
+// on which they ride: one of type cartesian or lathe.
+struct TurnedWorkpiece {
+  std::string base_type;  // of the active scheme
+  LatheGeometry lathe;
+  int rotary_axis = -1;  // whose place in B holds a length in mm
+};
 
-// For schemes of the turned workpiece (polar_face, cylinder), "" or what is missing: they ride on a
-// cartesian or lathe scheme in which X and another axis, `rotary_axis`, take part.
-[[nodiscard]] std::string turned_workpiece_defect(const SchemeConfig& config);
+[[nodiscard]] TurnedWorkpiece turned_workpiece(const SchemeConfig& active, int rotary_axis);
+
+// "" or what is missing: X and another axis, `rotary_axis`, must take part.
+[[nodiscard]] std::string turned_workpiece_defect(const SchemeConfig& config,
+                                                  const TurnedWorkpiece& workpiece);
 
 }  // namespace stanok::kinematics

@@ -1,20 +1,16 @@
-// Polar face scheme: the formulas of polar_face.h, written once over the scalar.
+// Polar face scheme: see polar_face.h for the formulas.
 #include "kinematics/polar_face.h"
 
 #include <cmath>
 
-#include "kinematics/angle_units.h"
+#include "kinematics/scheme.h"
 
 namespace stanok::kinematics {
 namespace {
 
 constexpr double pole_radius_mm = 1e-9;  // the accuracy asked of forward(inverse(point))
 
-template <class Scalar>
-struct Polar {
-  Scalar radius;  // mm
-  Scalar angle;   // rad
-};
+}  // namespace
 
 Polar<double> polar(double x, double y) RT_SAFE {
   const double r = std::hypot(x, y);
@@ -44,34 +40,15 @@ Polar<Jet> polar(const Jet& x, const Jet& y) RT_SAFE {
   return {{r, r1, r2, r3}, {angle, a1, a2, a3}};
 }
 
-}  // namespace
-
 PolarFace::PolarFace(const SchemeConfig& config)
-    : Scheme(config),
-      shift_(config),
-      x_(static_cast<std::size_t>(config.linear[0])),
-      rotary_(static_cast<std::size_t>(config.rotary_axis)),
-      side_(config.negative_side ? -1.0 : 1.0) {}
+    : PolarFace(config, std::get<Geometry>(config.geometry)) {}
 
-template <class Scalar>
-void PolarFace::turn_to(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                        AxisVector<Scalar>& axes_M) const RT_SAFE {
-  const Polar<Scalar> at = polar(side_ * point_B[x_], side_ * point_B[rotary_]);
-  axes_M = point_B;
-  axes_M[x_] = side_ * at.radius;
-  axes_M[rotary_] = deg_per_rad * at.angle;
-  shift_.inverse(tool, axes_M, axes_M);
-}
-
-void PolarFace::inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                        AxisVector<Jet>& axes_M) const RT_SAFE {
-  turn_to(tool, point_B, axes_M);
-}
-
-void PolarFace::inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-                        AxisVector<double>& axes_M) const RT_SAFE {
-  turn_to(tool, point_B, axes_M);
-}
+PolarFace::PolarFace(const SchemeConfig& config, const Geometry& geometry)
+    : FormulaScheme(config),
+      shift_(config, geometry.lathe),
+      x_(config.linear[0]),
+      rotary_(geometry.rotary_axis),
+      side_(geometry.negative_side ? -1.0 : 1.0) {}
 
 // On the negative side the radius is negative and the angle that of the opposite point: the product
 // is the same.
@@ -88,12 +65,14 @@ double PolarFace::distance_to_singularity(const AxisVector<double>& point_B) con
   return std::hypot(point_B[x_], point_B[rotary_]);
 }
 
+std::string PolarFace::defect(const SchemeConfig& config) {
+  return turned_workpiece_defect(config, std::get<Geometry>(config.geometry));
+}
+
 SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, bool negative_side) {
   SchemeConfig config = active;
-  config.type = "polar_face";
-  config.base_type = active.type;
-  config.rotary_axis = rotary_axis;
-  config.negative_side = negative_side;
+  config.type = PolarFace::type_name;
+  config.geometry = PolarFace::Geometry{turned_workpiece(active, rotary_axis), negative_side};
   return config;
 }
 

@@ -12,33 +12,57 @@
 // all derivatives of radius and angle as 0, callers keep away from it (distance_to_singularity).
 #pragma once
 
+#include "kinematics/angle_units.h"
 #include "kinematics/lathe.h"
 
 namespace stanok::kinematics {
 
-class PolarFace final : public Scheme {
- public:
-  explicit PolarFace(const SchemeConfig& config);
+// Radius in mm and angle in rad of a plane point; both 0 within the pole radius. The derivatives of
+// a moving point are exact.
+template <class Scalar>
+struct Polar {
+  Scalar radius;
+  Scalar angle;
+};
+[[nodiscard]] Polar<double> polar(double x, double y) RT_SAFE;
+[[nodiscard]] Polar<Jet> polar(const Jet& x, const Jet& y) RT_SAFE;
 
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+class PolarFace final : public FormulaScheme<PolarFace> {
+ public:
+  static constexpr std::string_view type_name = "polar_face";
+  static constexpr ChosenBy chosen_by = ChosenBy::program;
+
+  struct Geometry : TurnedWorkpiece {
+    bool negative_side = false;  // the tool works beyond the centre
+
+    [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
+  };
+
+  explicit PolarFace(const SchemeConfig& config);
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    const Polar<Scalar> at = polar(side_ * point_B[x_], side_ * point_B[rotary_]);
+    axes_M = point_B;
+    axes_M[x_] = side_ * at.radius;
+    axes_M[rotary_] = deg_per_rad * at.angle;
+    shift_.inverse(tool, axes_M, axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
   [[nodiscard]] bool is_affine(PointMode) const RT_SAFE override { return false; }
-  [[nodiscard]] unsigned winding_axes() const RT_SAFE override { return 1U << rotary_; }
+  [[nodiscard]] unsigned winding_axes() const RT_SAFE override { return rotary_.bit(); }
   [[nodiscard]] double distance_to_singularity(const AxisVector<double>& point_B) const
       RT_SAFE override;
 
  private:
-  template <class Scalar>
-  void turn_to(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-               AxisVector<Scalar>& axes_M) const RT_SAFE;
+  PolarFace(const SchemeConfig& config, const Geometry& geometry);
 
   LatheShift shift_;
-  std::size_t x_ = 0;
-  std::size_t rotary_ = 0;
+  AxisIndex x_;
+  AxisIndex rotary_;
   double side_ = 1.0;  // -1: the negative side
 };
 

@@ -10,45 +10,35 @@
 // Jet.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <initializer_list>
 
 #include "base/assert.h"
 #include "kinematics/angle_units.h"
-#include "kinematics/scheme.h"
+#include "kinematics/scheme_interface.h"
 
 namespace stanok::kinematics {
 
-template <class Scalar>
-using Vector = std::array<Scalar, 3>;
-
-// Vectors of numbers (the drawing) and vectors of jets (the motion) mix freely; a sum with a jet in
-// it is a jet.
-template <class A, class B>
-[[nodiscard]] auto sum(const Vector<A>& a, const Vector<B>& b) RT_SAFE {
-  return Vector<decltype(a[0] + b[0])>{a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-// R v about the unit vector `k`. Components along coordinate axes keep their bits: about Z, v[2] is
-// returned as it is.
+// R v about the unit vector `k`. Components along coordinate axes keep their bits: about Z, v.z()
+// is returned as it is. Vectors of numbers (the drawing) and of jets (the motion) mix freely.
 template <class Scalar, class Component>
-[[nodiscard]] Vector<Scalar> turned(const Vector<double>& k, const SineCosine<Scalar>& angle,
-                                    const Vector<Component>& v) RT_SAFE {
-  const Component along = k[0] * v[0] + k[1] * v[1] + k[2] * v[2];
-  const Vector<Component> parallel{k[0] * along, k[1] * along, k[2] * along};
-  const Vector<Component> across{k[1] * v[2] - k[2] * v[1], k[2] * v[0] - k[0] * v[2],
-                                 k[0] * v[1] - k[1] * v[0]};
-  Vector<Scalar> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = parallel[i] + ((v[i] - parallel[i]) * angle.cosine + across[i] * angle.sine);
-  }
-  return result;
+[[nodiscard]] Vector3<Scalar> turned(const Vector3<double>& k, const SineCosine<Scalar>& angle,
+                                     const Vector3<Component>& v) RT_SAFE {
+  const Component along = dot(k, v);
+  const auto component = [&](double k_i, const Component& v_i, const Component& across) RT_SAFE {
+    const Component parallel = k_i * along;
+    return parallel + ((v_i - parallel) * angle.cosine + across * angle.sine);
+  };
+  const Vector3<Component> across = k.cross(v);
+  return {component(k.x(), v.x(), across.x()), component(k.y(), v.y(), across.y()),
+          component(k.z(), v.z(), across.z())};
 }
 
 struct RotaryJoint {
-  int axis = -1;            // index in the channel
-  Vector<double> vector{};  // unit vector; a positive angle turns right-handed about it
-  Vector<double> offset{};  // from a point on this axis to the next joint or the end, mm
+  AxisIndex axis;
+  Vector3<double> vector{};  // unit vector; a positive angle turns right-handed about it
+  Vector3<double> offset{};  // from a point on this axis to the next joint or the end, mm
 };
 
 class RotaryChain {
@@ -59,26 +49,34 @@ class RotaryChain {
     std::ranges::copy(joints, joints_.begin());
   }
 
+  // The axes of the joints, as bits.
+  [[nodiscard]] unsigned axes() const RT_SAFE {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < count_; ++i) bits |= joints_[i].axis.bit();
+    return bits;
+  }
+
   template <class Scalar, class Component>
-  [[nodiscard]] Vector<Scalar> reach(const AxisVector<Scalar>& angles_deg,
-                                     const Vector<Component>& end) const RT_SAFE {
-    if (count_ == 0) return {Scalar(end[0]), Scalar(end[1]), Scalar(end[2])};
+  [[nodiscard]] Vector3<Scalar> reach(const AxisVector<Scalar>& angles_deg,
+                                      const Vector3<Component>& end) const RT_SAFE {
+    if (count_ == 0) return end.template cast<Scalar>();
     const RotaryJoint& last = joints_[count_ - 1];
-    Vector<Scalar> v = turned(last.vector, angle(last, angles_deg), sum(last.offset, end));
+    Vector3<Scalar> v =
+        turned(last.vector, angle(last, angles_deg), Vector3<Component>(last.offset + end));
     for (std::size_t i = count_ - 1; i-- > 0;) {
       const RotaryJoint& joint = joints_[i];
-      v = turned(joint.vector, angle(joint, angles_deg), sum(joint.offset, v));
+      v = turned(joint.vector, angle(joint, angles_deg), Vector3<Scalar>(joint.offset + v));
     }
     return v;
   }
 
-  [[nodiscard]] Vector<double> reach_back(const AxisVector<double>& angles_deg,
-                                          Vector<double> point) const RT_SAFE {
+  [[nodiscard]] Vector3<double> reach_back(const AxisVector<double>& angles_deg,
+                                           Vector3<double> point) const RT_SAFE {
     for (std::size_t i = 0; i < count_; ++i) {
       const RotaryJoint& joint = joints_[i];
       const auto [sine, cosine] = angle(joint, angles_deg);
       point = turned(joint.vector, SineCosine<double>{-sine, cosine}, point);
-      for (std::size_t k = 0; k < 3; ++k) point[k] -= joint.offset[k];
+      point -= joint.offset;
     }
     return point;
   }
@@ -87,7 +85,7 @@ class RotaryChain {
   template <class Scalar>
   [[nodiscard]] static SineCosine<Scalar> angle(const RotaryJoint& joint,
                                                 const AxisVector<Scalar>& angles_deg) RT_SAFE {
-    return sine_cosine(rad_per_deg * angles_deg[static_cast<std::size_t>(joint.axis)]);
+    return sine_cosine(rad_per_deg * angles_deg[joint.axis]);
   }
 
   std::array<RotaryJoint, 2> joints_{};

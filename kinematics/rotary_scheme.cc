@@ -1,41 +1,16 @@
-// Schemes on rotary chains: the formulas of rotary_scheme.h, written once over the scalar.
+// Schemes on rotary chains: see rotary_scheme.h for the formulas.
 // Symbols as there: p workpiece point in B, X linear axes in M, c centre of the table.
 #include "kinematics/rotary_scheme.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 
-RotaryScheme::RotaryScheme(const SchemeConfig& config, const Geometry& geometry)
-    : Scheme(config), shift_(config), geometry_(geometry) {
-  for (std::size_t k = 0; k < 3; ++k) linear_[k] = static_cast<std::size_t>(config.linear[k]);
-}
-
-template <class Scalar>
-void RotaryScheme::follow(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                          AxisVector<Scalar>& axes_M) const RT_SAFE {
-  if (mode == PointMode::axes) {
-    shift_.inverse(tool, point_B, axes_M);
-    return;
-  }
-  const Vector<Scalar> p{point_B[linear_[0]], point_B[linear_[1]], point_B[linear_[2]]};
-  const Vector<Scalar> tip = geometry_.table.reach(point_B, p);
-  const Vector<Scalar> arm = geometry_.head.reach(point_B, tool.nose_to_tip_mm);
-  shift_.inverse(ToolVector{}, point_B, axes_M);  // rotary axes; the linear ones follow the tip
-  for (std::size_t k = 0; k < 3; ++k) axes_M[linear_[k]] = tip[k] + (geometry_.centre[k] - arm[k]);
-}
-
-void RotaryScheme::inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-                           AxisVector<Jet>& axes_M) const RT_SAFE {
-  follow(mode, tool, point_B, axes_M);
-}
-
-void RotaryScheme::inverse(PointMode mode, const ToolVector& tool,
-                           const AxisVector<double>& point_B, AxisVector<double>& axes_M) const
-    RT_SAFE {
-  follow(mode, tool, point_B, axes_M);
-}
+RotaryScheme::RotaryScheme(const SchemeConfig& config, const Chains& chains)
+    : FormulaScheme(config), shift_(config), linear_(config.linear), chains_(chains) {}
 
 void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                            AxisVector<double>& point_B) const RT_SAFE {
@@ -43,13 +18,10 @@ void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVec
     shift_.forward(tool, axes_M, point_B);
     return;
   }
-  const Vector<double> X{axes_M[linear_[0]], axes_M[linear_[1]], axes_M[linear_[2]]};
+  const Vector3<double> X = linear_.of(axes_M);
   shift_.forward(ToolVector{}, axes_M, point_B);  // rotary axes
-  const Vector<double> tip = sum(X, geometry_.head.reach(point_B, tool.nose_to_tip_mm));
-  const Vector<double>& c = geometry_.centre;
-  const Vector<double> p =
-      geometry_.table.reach_back(point_B, {tip[0] - c[0], tip[1] - c[1], tip[2] - c[2]});
-  for (std::size_t k = 0; k < 3; ++k) point_B[linear_[k]] = p[k];
+  const Vector3<double> tip = X + chains_.head.reach(point_B, tool.nose_to_tip_mm);
+  linear_.set(chains_.table.reach_back(point_B, tip - chains_.centre), point_B);
 }
 
 std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& first,
@@ -61,8 +33,8 @@ std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& f
     if (!takes_part(config, role->axis)) {
       return "the " + std::string(role->axis_key) + " must take part";
     }
-    const auto& [x, y, z] = role->vector;
-    if (!(std::abs(std::hypot(x, y, z) - 1.0) < 1e-12)) {
+    const Vector3<double>& v = role->vector;
+    if (!(std::abs(std::hypot(v.x(), v.y(), v.z()) - 1.0) < 1e-12)) {
       return std::string(role->vector_key) + " must have the length 1";
     }
   }
@@ -72,15 +44,10 @@ std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& f
   return "";
 }
 
-AxisVector<double> zero_of_table_base(const SchemeConfig& config) {
-  AxisVector<double> zero{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (config.linear[k] < 0) continue;
-    zero[static_cast<std::size_t>(config.linear[k])] =
-        config.table_centre[k] + config.centre_to_centre[k] - config.pivot_to_pivot[k] -
-        config.pivot_to_spindle[k];
-  }
-  return zero;
+AxisVector<double> linear_zero(const SchemeConfig& config, const Vector3<double>& zero) {
+  AxisVector<double> axes{};
+  LinearAxes(config.linear).set(zero, axes);
+  return axes;
 }
 
 }  // namespace stanok::kinematics

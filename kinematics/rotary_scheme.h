@@ -20,32 +20,37 @@
 
 namespace stanok::kinematics {
 
-class RotaryScheme : public Scheme {
+class RotaryScheme : public FormulaScheme<RotaryScheme> {
  public:
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override;
-  void inverse(PointMode mode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override;
+  template <class Scalar>
+  void to_axes(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    if (mode == PointMode::axes) {
+      shift_.inverse(tool, point_B, axes_M);
+      return;
+    }
+    const Vector3<Scalar> tip = chains_.table.reach(point_B, linear_.of(point_B));
+    const Vector3<Scalar> arm = chains_.head.reach(point_B, tool.nose_to_tip_mm);
+    shift_.inverse(ToolVector{}, point_B, axes_M);  // rotary axes; the linear ones follow the tip
+    linear_.set<Scalar>(tip + (chains_.centre - arm), axes_M);
+  }
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
+  [[nodiscard]] unsigned head_axes() const RT_SAFE override { return chains_.head.axes(); }
 
  protected:
-  struct Geometry {
-    RotaryChain head;         // its end is nose_to_tip
-    RotaryChain table;        // its end is the workpiece point
-    Vector<double> centre{};  // position of X, Y, Z with the head's start at the table's start, mm
+  struct Chains {
+    RotaryChain head;          // its end is nose_to_tip
+    RotaryChain table;         // its end is the workpiece point
+    Vector3<double> centre{};  // position of X, Y, Z with the head's start at the table's start, mm
   };
 
-  RotaryScheme(const SchemeConfig& config, const Geometry& geometry);
+  RotaryScheme(const SchemeConfig& config, const Chains& chains);
 
  private:
-  template <class Scalar>
-  void follow(PointMode mode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
-              AxisVector<Scalar>& axes_M) const RT_SAFE;
-
   AxisShift shift_;
-  std::array<std::size_t, 3> linear_{};  // X, Y, Z
-  Geometry geometry_;
+  LinearAxes linear_;
+  Chains chains_;
 };
 
 // A rotary axis as a scheme file names it, for messages: key, index in the channel, unit vector.
@@ -53,7 +58,7 @@ struct RotaryRole {
   std::string_view axis_key;
   int axis = -1;
   std::string_view vector_key;
-  Vector<double> vector{};
+  Vector3<double> vector{};
 };
 
 // "" or what is missing: X, Y, Z and both rotary axes must take part, these must differ and turn
@@ -61,9 +66,8 @@ struct RotaryRole {
 [[nodiscard]] std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& first,
                                                const RotaryRole& second);
 
-// The zero of X, Y, Z with which both point modes name the same point at zero angles, for types
-// whose base stands on the table: table_centre + centre_to_centre - pivot_to_pivot -
-// pivot_to_spindle (what a type does not have is zero).
-[[nodiscard]] AxisVector<double> zero_of_table_base(const SchemeConfig& config);
+// A zero of X, Y and Z in the order of the channel's axes.
+[[nodiscard]] AxisVector<double> linear_zero(const SchemeConfig& config,
+                                             const Vector3<double>& zero);
 
 }  // namespace stanok::kinematics

@@ -17,10 +17,27 @@ namespace stanok::kinematics {
 
 class TableTable final : public RotaryScheme {
  public:
-  explicit TableTable(const SchemeConfig& config);
-};
+  static constexpr std::string_view type_name = "table_table";
 
-// "" or what is missing: X, Y, Z, the outer and the inner axis must take part.
-[[nodiscard]] std::string table_table_defect(const SchemeConfig& config);
+  struct Geometry {
+    int outer_axis = -1;  // by index in the channel
+    int inner_axis = -1;
+    Vector3<double> outer_vector{0.0, 0.0, 1.0};
+    Vector3<double> inner_vector{0.0, 1.0, 0.0};
+    Vector3<double> table_centre{};
+    Vector3<double> centre_to_centre{};
+
+    [[nodiscard]] std::vector<SchemeKey> keys();
+  };
+
+  explicit TableTable(const SchemeConfig& config);
+  // X, Y, Z and both rotary axes must take part.
+  [[nodiscard]] static std::string defect(const SchemeConfig& config);
+  // The zero of X, Y, Z with which both point modes name the same point at zero angles.
+  [[nodiscard]] static AxisVector<double> zero_default(const SchemeConfig& config);
+
+ private:
+  TableTable(const SchemeConfig& config, const Geometry& geometry);
+};
 
 }  // namespace stanok::kinematics

@@ -110,15 +110,11 @@ struct Assembly::Parts {
 
   // What the programs' inputs are in this cycle; nothing where neither the bus nor a simulated
   // contact has any.
-  [[nodiscard]] const channels::Signals* read_signals() RT_SAFE {
+  [[nodiscard]] const Signals* read_signals() RT_SAFE {
     const bool has_contacts = options.drives != DriveChoice::real && !options.file.contacts.empty();
     if (!has_signals && !has_contacts) return nullptr;
-    inputs = options.machine.outputs_to_inputs ? output.signals : channels::Signals{};
-    if (has_signals) {
-      const drives::SignalValues values = bus->read_signals();
-      inputs.digital = values.digital;
-      inputs.analog = values.analog;
-    }
+    inputs = options.machine.outputs_to_inputs ? output.signals : Signals{};
+    if (has_signals) inputs = bus->read_signals();
     if (has_contacts) switch_contacts();
     return &inputs;
   }
@@ -144,8 +140,7 @@ struct Assembly::Parts {
   }
 
   void write_signals() RT_SAFE {
-    if (has_signals)
-      bus->write_signals({.digital = output.signals.digital, .analog = output.signals.analog});
+    if (has_signals) bus->write_signals(output.signals);
   }
 
   void find_spindle_drives() {
@@ -291,7 +286,7 @@ struct Assembly::Parts {
   std::unique_ptr<drives::DriveBus> bus;
   plant::DirectBus* direct = nullptr;  // `bus`, of simulated drives on the clock of the cycle
   channels::CycleOutput output;
-  channels::Signals inputs;
+  Signals inputs;
   bool has_signals = false;
   std::array<drives::DriveFeedback, drives_of_machine_max> raw_feedback{};
   std::array<channels::AxisFeedback, axes_of_machine_max> feedback{};

@@ -163,7 +163,6 @@ class Repetition {
 
   void take(const channels::InputRecord& input) {
     using channels::InputKind;
-    using channels::Signals;
     if (!is_known(input)) {
       throw std::runtime_error("the log has an input in cycle " + std::to_string(input.cycle) +
                                " that its machine does not have");
@@ -194,7 +193,6 @@ class Repetition {
   // Logs may come from anywhere.
   [[nodiscard]] bool is_known(const channels::InputRecord& input) const {
     using channels::InputKind;
-    using channels::Signals;
     switch (input.kind) {
       case InputKind::operator_event:
         return input.method >= 0 && input.method <= std::numeric_limits<std::uint8_t>::max() &&
@@ -240,7 +238,7 @@ class Repetition {
   std::vector<channels::AxisFeedback> feedback_;
   std::vector<channels::SpindleSensors> sensors_;
   std::vector<channels::Arrivals> arrivals_;
-  channels::Signals signals_;
+  Signals signals_;
   channels::CycleOutput output_;
   std::uint64_t last_id_ = 0;
   std::size_t next_input_ = 0;

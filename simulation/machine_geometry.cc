@@ -10,7 +10,7 @@ using kinematics::PointMode;
 using kinematics::Scheme;
 
 kinematics::ToolVector tool_vector(const Vector& v) {
-  return {{v.x(), v.y(), v.z()}};
+  return {v};
 }
 
 Vector linear_of(const Scheme& scheme, const Axes& axes) {
@@ -29,19 +29,11 @@ void set_linear(const Scheme& scheme, const Vector& point, Axes& axes) {
   }
 }
 
-// Rotary axes of the head, by index in the channel.
-std::vector<std::size_t> heads_of(const Scheme& scheme) {
-  const kinematics::SchemeConfig& config = scheme.config();
-  std::vector<std::size_t> heads;
-  const auto add = [&](int axis) {
-    if (axis >= 0) heads.push_back(static_cast<std::size_t>(axis));
-  };
-  if (config.type == "head_table") add(config.head_axis);
-  if (config.type == "head_head") {
-    add(config.outer_axis);
-    add(config.inner_axis);
+// The rotary axes of the head stand where those of `other` stand.
+void set_head(const Scheme& scheme, const Axes& other, Axes& axes) {
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    if ((scheme.head_axes() >> axis & 1U) != 0) axes[axis] = other[axis];
   }
-  return heads;
 }
 
 Vector tip_in_base(const Scheme& scheme, const Axes& axes_M, const Vector& nose_to_tip) {
@@ -54,7 +46,7 @@ Vector tip_in_base(const Scheme& scheme, const Axes& axes_M, const Vector& nose_
 Vector upright_point(const Scheme& scheme, const Axes& axes_M, const Vector& nose_to_tip) {
   Axes point_B{};
   scheme.forward(PointMode::tip, tool_vector(nose_to_tip), axes_M, point_B);
-  for (const std::size_t head : heads_of(scheme)) point_B[head] = 0.0;
+  set_head(scheme, Axes{}, point_B);
   Axes upright_M{};
   scheme.inverse(PointMode::tip, {}, point_B, upright_M);
   return linear_of(scheme, upright_M);
@@ -62,7 +54,7 @@ Vector upright_point(const Scheme& scheme, const Axes& axes_M, const Vector& nos
 
 Vector base_of_upright(const Scheme& scheme, const Axes& axes_M, const Vector& point) {
   Axes upright_M = axes_M;
-  for (const std::size_t head : heads_of(scheme)) upright_M[head] = scheme.config().zero[head];
+  set_head(scheme, scheme.config().zero, upright_M);
   set_linear(scheme, point, upright_M);
   return tip_in_base(scheme, upright_M, Vector::Zero());
 }

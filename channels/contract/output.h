@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "base/fixed_text.h"
+#include "base/signals.h"
 #include "channels/contract/tool_row.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/command.h"
@@ -90,24 +91,6 @@ struct AxisFeedback {
   std::uint32_t index_count = 0;  // pulses so far
 
   friend bool operator==(const AxisFeedback&, const AxisFeedback&) = default;
-};
-
-// Inputs or outputs of programs: M62 to M68, $in[n], $ain[n].
-struct Signals {
-  static constexpr int digital_count = 64;
-  static constexpr int analog_count = 16;
-
-  std::uint64_t digital = 0;  // bit n: signal n
-  std::array<double, analog_count> analog{};
-
-  [[nodiscard]] bool is_on(int number) const RT_SAFE {
-    return (digital >> static_cast<unsigned>(number) & 1U) != 0;
-  }
-  void set(int number, bool on) RT_SAFE {
-    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(number);
-    digital = on ? digital | bit : digital & ~bit;
-  }
-  friend bool operator==(const Signals&, const Signals&) = default;
 };
 
 // What the sensors of one spindle tell; not a number: no trustworthy value.

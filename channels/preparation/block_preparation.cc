@@ -90,7 +90,7 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
 
 bool BlockPreparation::set_frame(const lang::FrameChange& change) {
   kinematics::Transform next = programmed_;
-  next.frame = {change.offset, change.rotation, motion_.geometry};
+  next.frame = {{change.offset}, change.rotation, motion_.geometry};
   return take_programmed(next);
 }
 
@@ -98,7 +98,7 @@ bool BlockPreparation::set_tool_length(const lang::ToolLength& length) {
   kinematics::Transform next = programmed_;
   next.mode = length.mode == lang::LengthMode::tip ? kinematics::PointMode::tip
                                                    : kinematics::PointMode::axes;
-  for (std::size_t k = 0; k < 3; ++k) next.tool.nose_to_tip_mm[k] = 0.0 - length.offset_mm[k];
+  next.tool.nose_to_tip_mm = Vector3<double>::Zero() - vector3(length.offset_mm);
   return take_programmed(next);
 }
 
@@ -278,11 +278,12 @@ std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move&
   return d;
 }
 
-// From where the path stands, in the workspace at hand: that of a face or cylinder, too.
-double BlockPreparation::length_of(const motion::PathBlock& block) const {
+// From `from_W`, in the workspace at hand: that of a face or cylinder, too.
+double BlockPreparation::length_of(const motion::Point& from_W,
+                                   const motion::PathBlock& block) const {
   motion::MotionConfig motion = motion_;
   motion.geometry = face_.geometry();
-  return motion::length_of(block, position_W_, motion);
+  return motion::length_of(block, from_W, motion);
 }
 
 // In the diameters of a turned part around Z; without an X axis there are none.
@@ -334,7 +335,7 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
                                                                 const motion::BlockTag& tag) {
   auto block = block_without_feed(move, tag);
   if (!block) return block;
-  const auto way = way_of(*block, length_of(*block));
+  const auto way = way_of(*block, length_of(position_W_, *block));
   if (auto refusal = process_.apply(move, way, *block))
     return Unexpected<Diagnostic>(std::move(*refusal));
   if (is_on_face()) face_axis_M_ += face_turn(*block, 0.0, 1.0);
@@ -352,10 +353,9 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::thread_line(const lang
 // All stretches end like the curve does; only the last one may stop.
 Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
     const lang::SplineMove& spline, const motion::BlockTag& tag) {
-  const motion::Point start = position_W_;
   const std::array<int, 2> plane = plane_axes(spline.base.plane);
   motion::PlanarNurbs nurbs{
-      spline.degree, {{motion::at(start, plane[0]), motion::at(start, plane[1])}}, {}};
+      spline.degree, {{motion::at(position_W_, plane[0]), motion::at(position_W_, plane[1])}}, {}};
   nurbs.points.insert(nurbs.points.end(), spline.points.begin(), spline.points.end());
   nurbs.weights = spline.weights;
   const auto stretches = motion::stretches_of(nurbs, curve_deviation_mm);
@@ -368,6 +368,7 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
   if (!whole) return Unexpected<Diagnostic>(whole.error());
   std::vector<motion::PathBlock> blocks;
   std::vector<double> lengths;
+  motion::Point from_W = position_W_;
   for (const motion::CurveStretch& stretch : stretches) {
     motion::PathBlock part = *whole;
     part.kind = motion::BlockKind::curve;
@@ -375,13 +376,12 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
     part.curve = stretch.coefficients;
     if (&stretch != &stretches.back()) {
       part.ending = motion::BlockEnding::continuous;
-      part.end = point_on(start, whole->end, stretch, plane);
+      part.end = point_on(position_W_, whole->end, stretch, plane);
     }
-    lengths.push_back(length_of(part));
-    position_W_ = part.end;
+    lengths.push_back(length_of(from_W, part));
+    from_W = part.end;
     blocks.push_back(part);
   }
-  position_W_ = start;
   const auto way = way_of(*whole, std::accumulate(lengths.begin(), lengths.end(), 0.0));
   if (auto refusal = process_.apply(spline.base, way, *whole))
     return Unexpected<Diagnostic>(std::move(*refusal));

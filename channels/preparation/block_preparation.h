@@ -99,7 +99,7 @@ class BlockPreparation {
   [[nodiscard]] std::array<int, 2> plane_axes(lang::Plane plane) const;
   void shape_arc(const lang::Move& move, motion::PathBlock& block) const;
   void shape_ending(const lang::Move& move, motion::PathBlock& block) const;
-  [[nodiscard]] double length_of(const motion::PathBlock& block) const;
+  [[nodiscard]] double length_of(const motion::Point& from_W, const motion::PathBlock& block) const;
   [[nodiscard]] std::optional<Diagnostic> refuse_parked_axes(const lang::Move& move) const;
   [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block_without_feed(
       const lang::Move& move, const motion::BlockTag& tag) const;

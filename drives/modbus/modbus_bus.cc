@@ -104,11 +104,11 @@ void ModbusBus::read(std::span<DriveFeedback> feedback) RT_SAFE {
   }
 }
 
-void ModbusBus::write_signals(const SignalValues& outputs) RT_SAFE {
+void ModbusBus::write_signals(const Signals& outputs) RT_SAFE {
   outputs_.write(outputs);
 }
 
-SignalValues ModbusBus::read_signals() RT_SAFE {
+Signals ModbusBus::read_signals() RT_SAFE {
   return inputs_.read();
 }
 
@@ -232,8 +232,8 @@ BusTime ModbusBus::next_turn(BusTime next_poll) const {
 
 // Outputs fall when the cycle is silent.
 void ModbusBus::poll_signals(TargetAge age) {
-  const SignalValues outputs = outputs_.read();
-  signals_.fill_outputs(age == TargetAge::fresh ? outputs : SignalValues{});
+  const Signals outputs = outputs_.read();
+  signals_.fill_outputs(age == TargetAge::fresh ? outputs : Signals{});
   for (std::size_t place = 0; place < signals_.blocks().size(); ++place) {
     SignalBlock& block = signals_.blocks()[place];
     if (!signals_.is_due(block, now()) || !ensure_connected()) continue;

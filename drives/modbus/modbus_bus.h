@@ -47,8 +47,8 @@ class ModbusBus final : public DriveBus {
   void stop() override;
   void write(std::span<const DriveTarget> targets) RT_SAFE override;
   void read(std::span<DriveFeedback> feedback) RT_SAFE override;
-  void write_signals(const SignalValues& outputs) RT_SAFE override;
-  [[nodiscard]] SignalValues read_signals() RT_SAFE override;
+  void write_signals(const Signals& outputs) RT_SAFE override;
+  [[nodiscard]] Signals read_signals() RT_SAFE override;
   [[nodiscard]] std::size_t read_vibration(std::size_t sensor, std::span<double> samples_um)
       RT_SAFE override;
   [[nodiscard]] BusStatus status() const override;
@@ -123,8 +123,8 @@ class ModbusBus final : public DriveBus {
 
   // Shared with the cycle.
   std::vector<Boxes> boxes_;
-  Latest<SignalValues> outputs_;
-  Latest<SignalValues> inputs_;
+  Latest<Signals> outputs_;
+  Latest<Signals> inputs_;
   std::atomic<std::uint64_t> writes_{0};
 
   // Of the bus thread.

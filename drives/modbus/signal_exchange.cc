@@ -63,7 +63,7 @@ bool SignalExchange::holds(const SignalBlock& block, const SignalConfig& signal)
          signal.field.address >= block.first && signal.field.end() <= block.first + block.count();
 }
 
-void SignalExchange::fill_outputs(const SignalValues& outputs) {
+void SignalExchange::fill_outputs(const Signals& outputs) {
   for (SignalBlock& block : blocks_) {
     if (!block.is_output) continue;
     std::ranges::fill(block.bits, std::uint8_t{0});
@@ -75,7 +75,7 @@ void SignalExchange::fill_outputs(const SignalValues& outputs) {
 }
 
 void SignalExchange::write_signal(SignalBlock& block, const SignalConfig& signal,
-                                  const SignalValues& outputs) const {
+                                  const Signals& outputs) const {
   const RegisterField field = within(block, signal.field);
   const auto at = static_cast<std::size_t>(field.address);
   if (!signal.is_digital()) {

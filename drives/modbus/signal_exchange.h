@@ -33,7 +33,7 @@ class SignalExchange {
 
   [[nodiscard]] std::vector<SignalBlock>& blocks() { return blocks_; }
   // Outputs into the blocks; an output of no signal is 0.
-  void fill_outputs(const SignalValues& outputs);
+  void fill_outputs(const Signals& outputs);
 
   // Whether the unit of the block is asked now.
   [[nodiscard]] bool is_due(const SignalBlock& block, BusTime now) const;
@@ -42,7 +42,7 @@ class SignalExchange {
   // The unit did not answer, or with an exception.
   void fail(const SignalBlock& block, BusTime now);
 
-  [[nodiscard]] const SignalValues& inputs() const { return inputs_; }
+  [[nodiscard]] const Signals& inputs() const { return inputs_; }
 
  private:
   struct Silence {
@@ -52,14 +52,13 @@ class SignalExchange {
 
   [[nodiscard]] static bool holds(const SignalBlock& block, const SignalConfig& signal);
   [[nodiscard]] Silence& silence_of(int unit);
-  void write_signal(SignalBlock& block, const SignalConfig& signal,
-                    const SignalValues& outputs) const;
+  void write_signal(SignalBlock& block, const SignalConfig& signal, const Signals& outputs) const;
   void read_signal(const SignalBlock& block, const SignalConfig& signal);
 
   std::vector<SignalConfig> signals_;
   std::vector<SignalBlock> blocks_;
   std::vector<Silence> silences_;
-  SignalValues inputs_;
+  Signals inputs_;
   BusTime timeout_;
 };
 

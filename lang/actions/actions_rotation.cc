@@ -65,7 +65,7 @@ Vector centre_of(const ActiveBlock& block) {
     from_centre[k] =
         modal.position_W[static_cast<std::size_t>(modal.geometry[k])] - before.centre[k];
   }
-  Vector centre = before.rotation.turned(from_centre);
+  Vector centre = components(before.rotation.turned(vector3(from_centre)));
   for (std::size_t k = 0; k < 3; ++k) {
     centre[k] += before.centre[k];
     if (modal.geometry[k] < 0) continue;
@@ -96,7 +96,8 @@ void rotate_system(ActiveBlock& block, CodeNumber code) {
   const Vector axis = axis_of(block);
   if (block.failed() || !check_axes(block)) return;
   const double angle_deg = block.value('R');
-  change_rotation(block, {Rotation::about(axis, angle_deg), axis, angle_deg, centre_of(block)});
+  change_rotation(block,
+                  {Rotation::about(vector3(axis), angle_deg), axis, angle_deg, centre_of(block)});
 }
 
 void cancel_rotation(ActiveBlock& block, CodeNumber code) {

@@ -22,9 +22,11 @@ BlockFault& fail_missing(ActiveBlock& block, CodeNumber code, const std::string&
                     "incomplete");
 }
 
-// What all curves ask for: G17, X and Y only, no radius compensation.
+// What all curves ask for: G17, X and Y only, no radius compensation, no face or cylinder.
 std::optional<CurvePlane> curve_plane_of(ActiveBlock& block, CodeNumber code) {
-  if (excluded_by_mode(block, code, {Exclusion::radius_compensation})) return std::nullopt;
+  if (excluded_by_mode(block, code, {Exclusion::radius_compensation, Exclusion::transformation})) {
+    return std::nullopt;
+  }
   if (block.modal.plane() != Plane::xy) {
     block.fail("E4311", code_word(code), "splines lie in the plane XY", "needs G17")
         .notes.push_back(block.modal.origin_of(Group::plane));

@@ -248,7 +248,8 @@ void complete(ModalState& state) {
                       : length == g(43, 4) ? LengthMode::tip
                                            : LengthMode::length;
   if (state.code(Group::rotation) == g(68)) {
-    state.rotation.rotation = Rotation::about(state.rotation.axis, state.rotation.angle_deg);
+    state.rotation.rotation =
+        Rotation::about(vector3(state.rotation.axis), state.rotation.angle_deg);
   }
 }
 

@@ -42,7 +42,7 @@ FeedMode ModalState::feed_mode() const {
 WorkFrame ModalState::frame() const {
   AxisValues shift = local_shift;
   for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
-  const auto turned_centre = rotation.rotation.turned(rotation.centre);
+  const auto turned_centre = components(rotation.rotation.turned(vector3(rotation.centre)));
   for (std::size_t k = 0; k < 3; ++k) {
     if (geometry[k] < 0 || rotation.rotation.is_identity()) continue;
     shift[static_cast<std::size_t>(geometry[k])] += rotation.centre[k] - turned_centre[k];

@@ -3,17 +3,16 @@
 namespace stanok::lang {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector geometry_of(const GeometryAxes& axes, const AxisValues& values) {
-  Vector vector{};
+Vector3<double> geometry_of(const GeometryAxes& axes, const AxisValues& values) {
+  std::array<double, 3> point{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (axes[k] >= 0) vector[k] = values[static_cast<std::size_t>(axes[k])];
+    if (axes[k] >= 0) point[k] = values[static_cast<std::size_t>(axes[k])];
   }
-  return vector;
+  return vector3(point);
 }
 
-void set_geometry(const GeometryAxes& axes, const Vector& vector, AxisValues& values) {
+void set_geometry(const GeometryAxes& axes, const Vector3<double>& point, AxisValues& values) {
+  const std::array<double, 3> vector = components(point);
   for (std::size_t k = 0; k < 3; ++k) {
     if (axes[k] >= 0) values[static_cast<std::size_t>(axes[k])] = vector[k];
   }

@@ -9,11 +9,7 @@
 namespace stanok {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Vector = Vector3<double>;
 
 TEST(Rotation, QuarterTurnsAreExact) {
   EXPECT_EQ(Rotation::about({0, 0, 2}, 90).turned(Vector{1, 0, 5}), (Vector{0, 1, 5}));
@@ -36,6 +32,38 @@ TEST(Rotation, ThirdOfATurnAboutTheDiagonalPermutesTheAxes) {
   EXPECT_NEAR(turned[2], 2.0, 1e-15);
 }
 
+// Rows times the vector, summed up from X to Z: the order is part of the setpoints (ADR 0020).
+TEST(Rotation, SumsUpFromXToZInBothDirections) {
+  constexpr unsigned seed = 20261123;
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> any(-300.0, 300.0);
+  for (int i = 0; i < 10'000; ++i) {
+    const Vector v{any(engine), any(engine), any(engine)};
+    const Rotation rotation = Rotation::about({any(engine), any(engine), any(engine)}, any(engine));
+    const auto& [x, y, z] = rotation.rows();
+    const auto sum = [&](double a, double b, double c) {
+      return a * v.x() + b * v.y() + c * v.z();
+    };
+    ASSERT_EQ(rotation.turned(v),
+              Vector(sum(x[0], x[1], x[2]), sum(y[0], y[1], y[2]), sum(z[0], z[1], z[2])))
+        << "seed " << seed;
+    ASSERT_EQ(rotation.turned_back(v),
+              Vector(sum(x[0], y[0], z[0]), sum(x[1], y[1], z[1]), sum(x[2], y[2], z[2])));
+  }
+}
+
+TEST(Rotation, TurnAboutZLeavesZAlone) {
+  constexpr double z = 0.1 + 0.2;
+  for (const double angle_deg : {1e-3, 33.3, 120.0, -271.5}) {
+    const Rotation rotation = Rotation::about({0, 0, 7}, angle_deg);
+    EXPECT_EQ(rotation.turned(Vector{1.0, 2.0, z}).z(), z);
+    EXPECT_EQ(rotation.turned_back(Vector{1.0, 2.0, z}).z(), z);
+  }
+}
+
+// What crosses into the cycle by value is plain data.
+static_assert(std::is_trivially_copyable_v<Rotation>);
+
 TEST(Rotation, KeepsLengthsItsAxisAndComesBack) {
   constexpr unsigned seed = 20240617;
   std::mt19937 engine(seed);
@@ -49,10 +77,10 @@ TEST(Rotation, KeepsLengthsItsAxisAndComesBack) {
     ASSERT_NEAR(dot(turned, turned), dot(v, v), 1e-11) << "seed " << seed;
     ASSERT_NEAR(dot(turned, axis), dot(v, axis), 1e-11);
     const Vector back = rotation.turned_back(turned);
-    for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(back[k], v[k], 1e-13);
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(back[k], v[k], 1e-13);
     const Vector half_twice =
         (Rotation::about(axis, angle / 2) * Rotation::about(axis, angle / 2)).turned(v);
-    for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(half_twice[k], turned[k], 1e-12);
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(half_twice[k], turned[k], 1e-12);
   }
 }
 

@@ -26,7 +26,8 @@ class SchemeSwitch : public ::testing::Test {
   SchemeSwitch() {
     MachineConfig config = testing::two_channel_machine();
     config.channels[0].schemes[0].zero = {-300.0, -40.0, -100.0};
-    config.channels[0].schemes[1].table_centre = {0.0, 0.0, -350.0};
+    std::get<kinematics::HeadTable::Geometry>(config.channels[0].schemes[1].geometry)
+        .table_centre = {0.0, 0.0, -350.0};
     config.channels[0].schemes[1].zero = {0.0, 0.0, -150.0};  // table centre - pivot to spindle
     bench = std::make_unique<MachineBench>(config);
     drives.resize(5);

@@ -224,7 +224,7 @@ const Case cases[] = {
      "address_alias is an integer; write a text in quotes"},
     // Schemes
     {"TypeUnknown", 27, "type = \"hexapod\"", 27, 8,
-     "channel 1: scheme 1: type is 'hexapod'; it must be one of cartesian, lathe, head_table"},
+     "channel 1: scheme 1: type is 'hexapod'; it must be one of cartesian, lathe, "},
     {"ParkedAndJoined", end_of_file, "[[channel.scheme.parked]]\naxis = \"C\"", 30, 8,
      "axis 'C' takes part and is parked at once"},
     {"ParkedTwice", 28,

@@ -340,12 +340,15 @@ TEST(MachineFile, LinearZeroOfAHeadTableFollowsFromItsGeometryUnlessGiven) {
 TEST(MachineFile, HeadTableRolesAreBAndCUnlessNamed) {
   const TemporaryFiles files;
   const auto usual = read_machine_file(files.write("a.toml", five_axis_file("")));
-  EXPECT_EQ(usual.machine.channels[0].schemes[0].head_axis, 3);
-  EXPECT_EQ(usual.machine.channels[0].schemes[0].table_axis, 4);
+  const auto roles = [](const MachineFile& file) {
+    const auto& geometry = file.machine.channels[0].schemes[0].geometry;
+    const auto& head_table = std::get<kinematics::HeadTable::Geometry>(geometry);
+    return std::pair(head_table.head_axis, head_table.table_axis);
+  };
+  EXPECT_EQ(roles(usual), std::pair(3, 4));
   const auto named = read_machine_file(
       files.write("b.toml", five_axis_file("head_axis = \"C\"\ntable_axis = \"B\"\n")));
-  EXPECT_EQ(named.machine.channels[0].schemes[0].head_axis, 4);
-  EXPECT_EQ(named.machine.channels[0].schemes[0].table_axis, 3);
+  EXPECT_EQ(roles(named), std::pair(4, 3));
 }
 
 TEST(MachineFile, ChannelWithoutSchemesGetsACartesianOneOfAllItsAxes) {
@@ -445,9 +448,10 @@ TEST(MachineFile, AutomaticFeedLawsOfAChannelHaveTheirFigures) {
 }
 
 TEST(KeyReference, StandsInTheDocumentation) {
-  const std::string document = configuration_document();
+  const std::string document = configuration_document() + '\n';
   for (const KeySection& section : key_sections()) {
-    EXPECT_NE(document.find(to_markdown(section)), std::string::npos)
+    // A blank line behind it: the table has no other rows.
+    EXPECT_NE(document.find(to_markdown(section) + '\n'), std::string::npos)
         << "docs/reference/configuration.md lacks this table, or has another one:\n"
         << to_markdown(section);
   }

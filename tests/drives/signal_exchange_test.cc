@@ -50,7 +50,7 @@ TEST(SignalExchange, OutputsShareTheirRegister) {
         .table = SignalTable::holding_register,
         .field = {.address = 101, .words = 2, .order = WordOrder::low_first, .scale = 1000.0}}},
       signal_timeout);
-  SignalValues outputs;
+  Signals outputs;
   outputs.set(1, true);
   outputs.analog[2] = -70.0;  // -70000 = FFFE EE90 hex
   exchange.fill_outputs(outputs);
@@ -78,7 +78,7 @@ TEST(SignalExchange, InputsComeFromBitsAndRegisters) {
   exchange.blocks()[0].bits = {0};
   exchange.blocks()[1].words = {0x0200, 0xFFFF};
   for (const SignalBlock& block : exchange.blocks()) exchange.take(block);
-  SignalValues wanted;
+  Signals wanted;
   wanted.set(3, true);
   wanted.set(40, true);
   wanted.analog[15] = 0.49;  // (-1 + 50) / 100

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 namespace {
 

@@ -8,44 +8,34 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/scheme.h"
+#include "kinematics/formula_scheme.h"
+#include "kinematics/linear_axes.h"
 #include "tests/kinematics/reference.h"
 
 namespace stanok::kinematics {
 
 // A scheme whose map of X, Y, Z is `Type::motors(nose)` and `Type::nose(motors)`; other axes pass.
 template <class Type>
-class MotorScheme : public Scheme {
+class MotorScheme : public FormulaScheme<MotorScheme<Type>> {
  public:
-  void inverse(PointMode, const ToolVector& tool, const AxisVector<Jet>& point_B,
-               AxisVector<Jet>& axes_M) const RT_SAFE override {
-    drive(tool, point_B, axes_M);
-  }
-  void inverse(PointMode, const ToolVector& tool, const AxisVector<double>& point_B,
-               AxisVector<double>& axes_M) const RT_SAFE override {
-    drive(tool, point_B, axes_M);
+  template <class Scalar>
+  void to_axes(PointMode, const ToolVector& tool, const AxisVector<Scalar>& point_B,
+               AxisVector<Scalar>& axes_M) const RT_SAFE {
+    const LinearAxes xyz({0, 1, 2});
+    axes_M = point_B;
+    xyz.set<Scalar>(Type::motors(Vector3<Scalar>(xyz.of(axes_M) - tool.nose_to_tip_mm)), axes_M);
   }
   void forward(PointMode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override {
+    const LinearAxes xyz({0, 1, 2});
     point_B = axes_M;
-    const std::array<double, 3> nose = Type::nose({axes_M[0], axes_M[1], axes_M[2]});
-    for (std::size_t k = 0; k < 3; ++k) point_B[k] = nose[k] + tool.nose_to_tip_mm[k];
+    xyz.set<double>(Type::nose(xyz.of(axes_M)) + tool.nose_to_tip_mm, point_B);
   }
   [[nodiscard]] bool is_affine(PointMode) const RT_SAFE override { return false; }
 
  private:
   friend Type;
-  explicit MotorScheme(const SchemeConfig& config) : Scheme(config) {}
-
-  template <class Scalar>
-  static void drive(const ToolVector& tool, const AxisVector<Scalar>& point_B,
-                    AxisVector<Scalar>& axes_M) RT_SAFE {
-    const auto& t = tool.nose_to_tip_mm;
-    const std::array<Scalar, 3> motors = Type::motors(
-        std::array<Scalar, 3>{point_B[0] - t[0], point_B[1] - t[1], point_B[2] - t[2]});
-    axes_M = point_B;
-    for (std::size_t k = 0; k < 3; ++k) axes_M[k] = motors[k];
-  }
+  explicit MotorScheme(const SchemeConfig& config) : FormulaScheme<MotorScheme>(config) {}
 };
 
 // The bridge, along which the carriage is at v, leans by the skew towards +X: x = u + v sin(skew),
@@ -57,12 +47,12 @@ class BeltGantry final : public MotorScheme<BeltGantry> {
   explicit BeltGantry(const SchemeConfig& config) : MotorScheme(config) {}
 
   template <class Scalar>
-  static std::array<Scalar, 3> motors(const std::array<Scalar, 3>& nose) RT_SAFE {
+  static Vector3<Scalar> motors(const Vector3<Scalar>& nose) RT_SAFE {
     const Scalar v = (1.0 / std::cos(skew)) * nose[1];
     const Scalar u = nose[0] - std::sin(skew) * v;
     return {u + v, u - v, nose[2]};
   }
-  static std::array<double, 3> nose(const std::array<double, 3>& motors) RT_SAFE {
+  static Vector3<double> nose(const Vector3<double>& motors) RT_SAFE {
     const double u = (motors[0] + motors[1]) / 2.0;
     const double v = (motors[0] - motors[1]) / 2.0;
     return {u + v * std::sin(skew), v * std::cos(skew), motors[2]};
@@ -78,15 +68,15 @@ class LinearDelta final : public MotorScheme<LinearDelta> {
 
   explicit LinearDelta(const SchemeConfig& config) : MotorScheme(config) {}
 
-  static std::array<double, 2> column(std::size_t k) RT_SAFE {
+  static std::array<double, 2> column(int k) RT_SAFE {
     const double angle = 2.0 * std::numbers::pi / 3.0 * static_cast<double>(k);
     return {column_radius * std::cos(angle), column_radius * std::sin(angle)};
   }
 
   template <class Scalar>
-  static std::array<Scalar, 3> motors(const std::array<Scalar, 3>& nose) RT_SAFE {
-    std::array<Scalar, 3> heights;
-    for (std::size_t k = 0; k < 3; ++k) {
+  static Vector3<Scalar> motors(const Vector3<Scalar>& nose) RT_SAFE {
+    Vector3<Scalar> heights;
+    for (int k = 0; k < 3; ++k) {
       const auto [column_x, column_y] = column(k);
       const Scalar x = nose[0] - column_x;
       const Scalar y = nose[1] - column_y;
@@ -97,7 +87,7 @@ class LinearDelta final : public MotorScheme<LinearDelta> {
 
   // The differences of the spheres about the carriages are two planes; they give x and y as linear
   // functions of z, and the first sphere then z, of which the lower value is below the carriages.
-  static std::array<double, 3> nose(const std::array<double, 3>& q) RT_SAFE {
+  static Vector3<double> nose(const Vector3<double>& q) RT_SAFE {
     const auto [x1, y1] = column(0);
     const auto [x2, y2] = column(1);
     const auto [x3, y3] = column(2);

@@ -5,22 +5,24 @@
 
 #include <cmath>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 namespace {
 
-constexpr std::array<double, 3> pivot_to_spindle{0.5, -0.25, -200.0};
-constexpr std::array<double, 3> table_centre{10.0, 20.0, -400.0};
+const Vector3<double> pivot_to_spindle{0.5, -0.25, -200.0};
+const Vector3<double> table_centre{10.0, 20.0, -400.0};
 
 SchemeConfig table_config() {
   SchemeConfig config;
   config.type = "head_table";
   config.axes = {0, 1, 2, 3, 4};
   config.linear = {0, 1, 2};
-  config.head_axis = 3;
-  config.table_axis = 4;
-  config.pivot_to_spindle = pivot_to_spindle;
-  config.table_centre = table_centre;
-  for (std::size_t k = 0; k < 3; ++k) config.zero[k] = table_centre[k] - pivot_to_spindle[k];
+  config.geometry = HeadTable::Geometry{.head_axis = 3,
+                                        .table_axis = 4,
+                                        .pivot_to_spindle = pivot_to_spindle,
+                                        .table_centre = table_centre};
+  config.zero = {9.5, 20.25, -200.0};  // table_centre - pivot_to_spindle
   return config;
 }
 
@@ -30,8 +32,9 @@ SchemeConfig table_config() {
 // on +Y of the machine.
 TEST(HeadTable, PutsThePivotWhereTheDrawingShowsIt) {
   SchemeConfig config = table_config();
-  config.pivot_to_spindle = {0, 0, -200};
-  config.table_centre = {0, 0, 0};
+  auto& geometry = std::get<HeadTable::Geometry>(config.geometry);
+  geometry.pivot_to_spindle = {0, 0, -200};
+  geometry.table_centre = {0, 0, 0};
   const HeadTable scheme(config);
   const ToolVector tool{{0, 0, -80}};
   AxisVector<double> axes_M{};
@@ -117,25 +120,29 @@ TEST(HeadTable, PointsTheToolTheSameWayByBothBranches) {
 TEST(HeadTable, NamesTheRoleThatIsMissing) {
   struct Case {
     const char* name;
-    void (*spoil)(SchemeConfig&);
+    void (*spoil)(SchemeConfig&, HeadTable::Geometry&);
     const char* defect;
   };
   const Case cases[] = {
-      {"no Y", [](SchemeConfig& c) { c.linear[1] = -1; }, "X, Y and Z must take part"},
-      {"Z parked", [](SchemeConfig& c) { c.axes = {0, 1, 3, 4}; }, "X, Y and Z must take part"},
-      {"no head", [](SchemeConfig& c) { c.head_axis = -1; }, "the head_axis must take part"},
-      {"table parked", [](SchemeConfig& c) { c.axes = {0, 1, 2, 3}; },
+      {"no Y", [](SchemeConfig& c, HeadTable::Geometry&) { c.linear[1] = -1; },
+       "X, Y and Z must take part"},
+      {"Z parked", [](SchemeConfig& c, HeadTable::Geometry&) { c.axes = {0, 1, 3, 4}; },
+       "X, Y and Z must take part"},
+      {"no head", [](SchemeConfig&, HeadTable::Geometry& g) { g.head_axis = -1; },
+       "the head_axis must take part"},
+      {"table parked", [](SchemeConfig& c, HeadTable::Geometry&) { c.axes = {0, 1, 2, 3}; },
        "the table_axis must take part"},
-      {"head vector too long", [](SchemeConfig& c) { c.head_vector = {0, 1, 1}; },
+      {"head vector too long",
+       [](SchemeConfig&, HeadTable::Geometry& g) { g.head_vector = {0, 1, 1}; },
        "head_vector must have the length 1"},
-      {"no table vector", [](SchemeConfig& c) { c.table_vector = {}; },
+      {"no table vector", [](SchemeConfig&, HeadTable::Geometry& g) { g.table_vector = {0, 0, 0}; },
        "table_vector must have the length 1"},
-      {"one axis for both", [](SchemeConfig& c) { c.table_axis = 3; },
+      {"one axis for both", [](SchemeConfig&, HeadTable::Geometry& g) { g.table_axis = 3; },
        "head_axis and table_axis must differ"},
   };
   for (const Case& wrong : cases) {
     SchemeConfig config = table_config();
-    wrong.spoil(config);
+    wrong.spoil(config, std::get<HeadTable::Geometry>(config.geometry));
     EXPECT_EQ(scheme_defect(config), wrong.defect) << wrong.name;
     EXPECT_EQ(make_scheme(config), nullptr) << wrong.name;
   }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/scheme.h"
+
 namespace stanok::kinematics {
 namespace {
 
@@ -13,8 +15,7 @@ SchemeConfig lathe_with(XReading x_reading, Turret turret) {
   config.axes = {0, 1, 2};
   config.linear = {0, -1, 1};
   config.zero = {200.0, -50.0, 30.0};
-  config.x_reading = x_reading;
-  config.turret = turret;
+  config.geometry = Lathe::Geometry{.x_reading = x_reading, .turret = turret};
   return config;
 }
 

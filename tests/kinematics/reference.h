@@ -58,8 +58,8 @@ inline Vector position(const Matrix& m) {
   return {m[0][3], m[1][3], m[2][3]};
 }
 
-inline Vector exact(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
+inline Vector exact(const Vector3<double>& v) {
+  return {v.x(), v.y(), v.z()};
 }
 
 inline std::size_t slot(int axis) {
@@ -92,41 +92,45 @@ inline Matrix point_in_base(const SchemeConfig& config, const Axes& point) {
 }
 
 inline Axes head_table(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
-  const Matrix tool = turned(exact(config.head_vector), point[slot(config.head_axis)]) *
-                      moved(exact(config.pivot_to_spindle)) * moved(nose_to_tip);
-  const Matrix workpiece = moved(exact(config.table_centre)) *
-                           turned(exact(config.table_vector), point[slot(config.table_axis)]) *
+  const auto& geometry = std::get<HeadTable::Geometry>(config.geometry);
+  const Matrix tool = turned(exact(geometry.head_vector), point[slot(geometry.head_axis)]) *
+                      moved(exact(geometry.pivot_to_spindle)) * moved(nose_to_tip);
+  const Matrix workpiece = moved(exact(geometry.table_centre)) *
+                           turned(exact(geometry.table_vector), point[slot(geometry.table_axis)]) *
                            point_in_base(config, point);
   return led(config, point, tool, workpiece);
 }
 
 inline Axes head_head(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
-  const Matrix tool = turned(exact(config.outer_vector), point[slot(config.outer_axis)]) *
-                      moved(exact(config.pivot_to_pivot)) *
-                      turned(exact(config.inner_vector), point[slot(config.inner_axis)]) *
-                      moved(exact(config.pivot_to_spindle)) * moved(nose_to_tip);
+  const auto& geometry = std::get<HeadHead::Geometry>(config.geometry);
+  const Matrix tool = turned(exact(geometry.outer_vector), point[slot(geometry.outer_axis)]) *
+                      moved(exact(geometry.pivot_to_pivot)) *
+                      turned(exact(geometry.inner_vector), point[slot(geometry.inner_axis)]) *
+                      moved(exact(geometry.pivot_to_spindle)) * moved(nose_to_tip);
   // The base: where the nose stands when the axes read `zero` and the head is upright.
   Vector zero{};
   for (std::size_t k = 0; k < 3; ++k) zero[k] = config.zero[slot(config.linear[k])];
   const Matrix base =
-      moved(zero) * moved(exact(config.pivot_to_pivot)) * moved(exact(config.pivot_to_spindle));
+      moved(zero) * moved(exact(geometry.pivot_to_pivot)) * moved(exact(geometry.pivot_to_spindle));
   return led(config, point, tool, base * point_in_base(config, point));
 }
 
 inline Axes table_table(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
-  const Matrix workpiece = moved(exact(config.table_centre)) *
-                           turned(exact(config.outer_vector), point[slot(config.outer_axis)]) *
-                           moved(exact(config.centre_to_centre)) *
-                           turned(exact(config.inner_vector), point[slot(config.inner_axis)]) *
+  const auto& geometry = std::get<TableTable::Geometry>(config.geometry);
+  const Matrix workpiece = moved(exact(geometry.table_centre)) *
+                           turned(exact(geometry.outer_vector), point[slot(geometry.outer_axis)]) *
+                           moved(exact(geometry.centre_to_centre)) *
+                           turned(exact(geometry.inner_vector), point[slot(geometry.inner_axis)]) *
                            point_in_base(config, point);
   return led(config, point, moved(nose_to_tip), workpiece);
 }
 
 // The turret's slides against the workpiece: X and Y mirrored by a half turn about Z when the
 // turret stands in front; the scale of X counts twice the way in diameter.
-inline Axes lathe(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+inline Axes lathe(const SchemeConfig& config, const LatheGeometry& geometry, const Axes& point,
+                  const Vector& nose_to_tip) {
   Axes slides = shifted(config, point, {});
-  const Matrix facing = turned({0, 0, 1}, config.turret == Turret::front ? 180 : 0);
+  const Matrix facing = turned({0, 0, 1}, geometry.turret == Turret::front ? 180 : 0);
   Vector tip{};
   for (std::size_t k = 0; k < 3; ++k) {
     tip[k] = config.linear[k] < 0 ? 0 : point[slot(config.linear[k])] - nose_to_tip[k];
@@ -134,28 +138,34 @@ inline Axes lathe(const SchemeConfig& config, const Axes& point, const Vector& n
   const Vector slide = position(facing * moved(tip));
   for (std::size_t k = 0; k < 3; ++k) {
     if (config.linear[k] < 0) continue;
-    const Real scale = k == 0 && config.x_reading == XReading::diameter ? 2 : 1;
+    const Real scale = k == 0 && geometry.x_reading == XReading::diameter ? 2 : 1;
     slides[slot(config.linear[k])] = scale * slide[k] + config.zero[slot(config.linear[k])];
   }
   return slides;
 }
 
+inline Axes lathe(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  return lathe(config, std::get<Lathe::Geometry>(config.geometry), point, nose_to_tip);
+}
+
 // The tool stands on the X axis of the machine, at +r or beyond the centre at -r; the workpiece has
 // to be turned so that the point comes under it: point = radius * e^(i angle).
 inline Axes polar_face(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
-  const std::complex<Real> p(point[slot(config.linear[0])], point[slot(config.rotary_axis)]);
-  const Real radius = config.negative_side ? -std::abs(p) : std::abs(p);
+  const auto& geometry = std::get<PolarFace::Geometry>(config.geometry);
+  const std::complex<Real> p(point[slot(config.linear[0])], point[slot(geometry.rotary_axis)]);
+  const Real radius = geometry.negative_side ? -std::abs(p) : std::abs(p);
   Axes turned_point = point;
   turned_point[slot(config.linear[0])] = radius;
-  turned_point[slot(config.rotary_axis)] = std::arg(p / radius) * 180 / pi;
-  return lathe(config, turned_point, nose_to_tip);
+  turned_point[slot(geometry.rotary_axis)] = std::arg(p / radius) * 180 / pi;
+  return lathe(config, geometry.lathe, turned_point, nose_to_tip);
 }
 
 // One turn for every circumference.
 inline Axes cylinder(const SchemeConfig& config, const Axes& point, const Vector& nose_to_tip) {
+  const auto& geometry = std::get<Cylinder::Geometry>(config.geometry);
   Axes rolled = point;
-  rolled[slot(config.rotary_axis)] *= 360 / (2 * pi * config.radius_mm);
-  return lathe(config, rolled, nose_to_tip);
+  rolled[slot(geometry.rotary_axis)] *= 360 / (2 * pi * geometry.radius_mm);
+  return lathe(config, geometry.lathe, rolled, nose_to_tip);
 }
 
 }  // namespace stanok::kinematics::reference

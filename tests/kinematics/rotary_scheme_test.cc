@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kinematics/head_head.h"
+#include "kinematics/scheme.h"
 #include "kinematics/table_table.h"
 
 namespace stanok::kinematics {
@@ -19,12 +20,12 @@ SchemeConfig fork_head() {
   config.type = "head_head";
   config.axes = {0, 1, 2, rotary_A, rotary_C};
   config.linear = {0, 1, 2};
-  config.outer_axis = rotary_C;
-  config.outer_vector = {0, 0, 1};
-  config.inner_axis = rotary_A;
-  config.inner_vector = {1, 0, 0};
-  config.pivot_to_pivot = {20, 0, -100};
-  config.pivot_to_spindle = {0, 0, -150};
+  config.geometry = HeadHead::Geometry{.outer_axis = rotary_C,
+                                       .inner_axis = rotary_A,
+                                       .outer_vector = {0, 0, 1},
+                                       .inner_vector = {1, 0, 0},
+                                       .pivot_to_pivot = {20, 0, -100},
+                                       .pivot_to_spindle = {0, 0, -150}};
   return config;
 }
 
@@ -35,12 +36,12 @@ SchemeConfig trunnion() {
   config.type = "table_table";
   config.axes = {0, 1, 2, rotary_A, rotary_C};
   config.linear = {0, 1, 2};
-  config.outer_axis = rotary_A;
-  config.outer_vector = {1, 0, 0};
-  config.inner_axis = rotary_C;
-  config.inner_vector = {0, 0, 1};
-  config.table_centre = {0, 0, -500};
-  config.centre_to_centre = {0, 0, 40};
+  config.geometry = TableTable::Geometry{.outer_axis = rotary_A,
+                                         .inner_axis = rotary_C,
+                                         .outer_vector = {1, 0, 0},
+                                         .inner_vector = {0, 0, 1},
+                                         .table_centre = {0, 0, -500},
+                                         .centre_to_centre = {0, 0, 40}};
   config.zero = zero_default(config);
   return config;
 }
@@ -103,30 +104,44 @@ TEST(TableTable, PointsTheToolAlongTheOrientationVector) {
   }
 }
 
-TEST(RotaryScheme, TypesWithOuterAndInnerAxisNameWhatIsMissing) {
+template <class Type>
+void expect_defects_of_outer_and_inner_axis(const SchemeConfig& right) {
+  using Geometry = typename Type::Geometry;
   struct Case {
-    void (*spoil)(SchemeConfig&);
+    void (*spoil)(SchemeConfig&, Geometry&);
     const char* defect;
   };
   const Case cases[] = {
-      {[](SchemeConfig& c) { c.linear[2] = -1; }, "X, Y and Z must take part"},
-      {[](SchemeConfig& c) { c.outer_axis = -1; }, "the outer_axis must take part"},
-      {[](SchemeConfig& c) { c.axes.resize(4), c.inner_axis = rotary_C, c.outer_axis = rotary_A; },
+      {[](SchemeConfig& c, Geometry&) { c.linear[2] = -1; }, "X, Y and Z must take part"},
+      {[](SchemeConfig&, Geometry& g) { g.outer_axis = -1; }, "the outer_axis must take part"},
+      {[](SchemeConfig& c, Geometry& g) {
+         c.axes.resize(4), g.inner_axis = rotary_C, g.outer_axis = rotary_A;
+       },
        "the inner_axis must take part"},
-      {[](SchemeConfig& c) { c.outer_vector = {0, 0, 2}; }, "outer_vector must have the length 1"},
-      {[](SchemeConfig& c) { c.inner_vector = {}; }, "inner_vector must have the length 1"},
-      {[](SchemeConfig& c) { c.inner_axis = c.outer_axis; },
+      {[](SchemeConfig&, Geometry& g) { g.outer_vector = {0, 0, 2}; },
+       "outer_vector must have the length 1"},
+      {[](SchemeConfig&, Geometry& g) { g.inner_vector = {0, 0, 0}; },
+       "inner_vector must have the length 1"},
+      {[](SchemeConfig&, Geometry& g) { g.inner_axis = g.outer_axis; },
        "outer_axis and inner_axis must differ"},
   };
-  for (const SchemeConfig& right : {fork_head(), trunnion()}) {
-    for (const Case& wrong : cases) {
-      SchemeConfig config = right;
-      wrong.spoil(config);
-      EXPECT_EQ(scheme_defect(config), wrong.defect) << right.type;
-      EXPECT_EQ(make_scheme(config), nullptr);
-    }
-    EXPECT_NE(make_scheme(right), nullptr);
+  for (const Case& wrong : cases) {
+    SchemeConfig config = right;
+    wrong.spoil(config, std::get<Geometry>(config.geometry));
+    EXPECT_EQ(scheme_defect(config), wrong.defect) << right.type;
+    EXPECT_EQ(make_scheme(config), nullptr);
   }
+  EXPECT_NE(make_scheme(right), nullptr);
+}
+
+TEST(RotaryScheme, TypesWithOuterAndInnerAxisNameWhatIsMissing) {
+  expect_defects_of_outer_and_inner_axis<HeadHead>(fork_head());
+  expect_defects_of_outer_and_inner_axis<TableTable>(trunnion());
+}
+
+TEST(RotaryScheme, KnowsWhichAxesTurnTheTool) {
+  EXPECT_EQ(HeadHead(fork_head()).head_axes(), 1U << rotary_A | 1U << rotary_C);
+  EXPECT_EQ(TableTable(trunnion()).head_axes(), 0U);
 }
 
 }  // namespace

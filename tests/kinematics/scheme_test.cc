@@ -14,6 +14,19 @@ namespace {
 
 constexpr unsigned scheme_seed = 20031;
 
+// The axis whose place in B holds a length in mm; -1: none.
+int length_axis(const SchemeConfig& config) {
+  return std::visit(
+      [](const auto& geometry) {
+        if constexpr (requires { geometry.rotary_axis; }) {
+          return geometry.rotary_axis;
+        } else {
+          return -1;
+        }
+      },
+      config.geometry);
+}
+
 class EveryScheme : public ::testing::TestWithParam<Specimen> {};
 
 TEST_P(EveryScheme, ForwardOfInverseIsThePointInBothModesWithToolAndFrame) {
@@ -97,7 +110,7 @@ TEST_P(EveryScheme, RotaryValuesAreKeptToTheBitWhenTheirZeroIsZero) {
   AxisVector<double> axes_M{};
   scheme->inverse(PointMode::tip, ToolVector{{0, 0, -80}}, point_B, axes_M);
   for (const std::size_t axis : {3U, 4U}) {
-    if (static_cast<int>(axis) == config.rotary_axis) continue;  // it holds a length
+    if (static_cast<int>(axis) == length_axis(config)) continue;
     EXPECT_EQ(axes_M[axis], point_B[axis]);
   }
 }
@@ -138,18 +151,58 @@ INSTANTIATE_TEST_SUITE_P(Specimens, EveryScheme, ::testing::ValuesIn(specimens()
                          [](const auto& specimen) { return specimen.param.name; });
 
 TEST(Scheme, EveryTypeHasASpecimen) {
-  for (const std::string& type : scheme_types()) {
+  for (const TypeOfScheme& type : scheme_types()) {
     EXPECT_TRUE(std::ranges::any_of(specimens(), [&](const Specimen& specimen) {
-      return specimen.config.type == type;
-    })) << type;
+      return specimen.config.type == type.name;
+    })) << type.name;
   }
 }
 
 TEST(Scheme, TypesOfAProgramCannotStandInAFile) {
-  for (const std::string& type : scheme_types_of_files()) {
-    EXPECT_TRUE(type != "polar_face" && type != "cylinder") << type;
+  for (const TypeOfScheme& type : scheme_types()) {
+    const bool is_of_a_program = type.name == "polar_face" || type.name == "cylinder";
+    EXPECT_EQ(type.chosen_by == ChosenBy::program, is_of_a_program) << type.name;
   }
-  EXPECT_EQ(scheme_types_of_files().size() + 2, scheme_types().size());
+}
+
+// Every kind of value goes to the geometry that listed the key, and to no other copy of it.
+TEST(Scheme, KeysWriteToTheGeometryThatListedThem) {
+  for (const TypeOfScheme& type : scheme_types()) {
+    SchemeGeometry geometry = type.geometry;
+    for (const SchemeKey& key : keys_of(geometry)) {
+      EXPECT_FALSE(key.meaning.empty()) << key.name;
+      if (const auto* axis = std::get_if<AxisName>(&key.value)) {
+        EXPECT_EQ(axis->axis, -1) << key.name;
+        axis->axis.get() = 4;
+      }
+    }
+    for (const SchemeKey& key : keys_of(geometry)) {
+      if (const auto* axis = std::get_if<AxisName>(&key.value)) {
+        EXPECT_EQ(axis->axis, 4) << key.name;
+      }
+    }
+  }
+}
+
+TEST(Scheme, ChoicesGoByTheOrderOfTheirNames) {
+  SchemeGeometry geometry = Lathe::Geometry{};
+  for (const SchemeKey& key : keys_of(geometry)) {
+    const auto& choice = std::get<Choice>(key.value);
+    EXPECT_EQ(choice.chosen, 0U);
+    choice.choose(1);
+  }
+  EXPECT_EQ(std::get<Lathe::Geometry>(geometry).x_reading, XReading::diameter);
+  EXPECT_EQ(std::get<Lathe::Geometry>(geometry).turret, Turret::front);
+}
+
+TEST(Scheme, GeometryOfAnotherTypeIsADefect) {
+  SchemeConfig config;
+  config.type = "lathe";
+  config.axes = {0, 1};
+  config.linear = {0, -1, 1};
+  config.geometry = HeadTable::Geometry{};
+  EXPECT_EQ(scheme_defect(config), "its geometry is that of another type");
+  EXPECT_EQ(make_scheme(config), nullptr);
 }
 
 TEST(Scheme, UnknownTypeIsNoSchemeAndSaysSo) {

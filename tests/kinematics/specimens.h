@@ -7,8 +7,6 @@
 #include <random>
 #include <vector>
 
-#include "kinematics/cylinder.h"
-#include "kinematics/polar_face.h"
 #include "kinematics/scheme.h"
 #include "tests/kinematics/foreign_schemes.h"
 #include "tests/kinematics/reference.h"
@@ -41,49 +39,47 @@ inline SchemeConfig config_of(const std::string& type) {
   config.axes = {0, 1, 2, 3, 4};
   config.zero = {12.5, -40.25, 7.75, 1.5, -30.0};
   config.linear = {0, 1, 2};
-  config.head_axis = 3;
-  config.table_axis = 4;
-  config.outer_axis = 3;
-  config.inner_axis = 4;
   return config;
 }
 
-inline SchemeConfig head_table(const std::array<double, 3>& head,
-                               const std::array<double, 3>& table) {
+inline SchemeConfig head_table(const Vector3<double>& head, const Vector3<double>& table) {
   SchemeConfig config = config_of("head_table");
-  config.head_vector = head;
-  config.table_vector = table;
-  config.pivot_to_spindle = {0.5, -0.25, -200.0};
-  config.table_centre = {10.0, 20.0, -400.0};
+  config.geometry = HeadTable::Geometry{.head_axis = 3,
+                                        .table_axis = 4,
+                                        .head_vector = head,
+                                        .table_vector = table,
+                                        .pivot_to_spindle = {0.5, -0.25, -200.0},
+                                        .table_centre = {10.0, 20.0, -400.0}};
   return config;
 }
 
 // C about Z carries a fork that tilts about an oblique axis.
 inline SchemeConfig head_head() {
   SchemeConfig config = config_of("head_head");
-  config.outer_axis = 4;
-  config.inner_axis = 3;
-  config.outer_vector = {0.0, 0.0, 1.0};
-  config.inner_vector = {0.6, 0.8, 0.0};
-  config.pivot_to_pivot = {3.0, -45.0, -120.0};
-  config.pivot_to_spindle = {0.5, 12.0, -180.0};
+  config.geometry = HeadHead::Geometry{.outer_axis = 4,
+                                       .inner_axis = 3,
+                                       .outer_vector = {0.0, 0.0, 1.0},
+                                       .inner_vector = {0.6, 0.8, 0.0},
+                                       .pivot_to_pivot = {3.0, -45.0, -120.0},
+                                       .pivot_to_spindle = {0.5, 12.0, -180.0}};
   return config;
 }
 
 // A trunnion that rocks about X and carries a plate out of square.
 inline SchemeConfig table_table() {
   SchemeConfig config = config_of("table_table");
-  config.outer_vector = {1.0, 0.0, 0.0};
-  config.inner_vector = {0.0, 0.28, 0.96};
-  config.table_centre = {-15.0, 30.0, -420.0};
-  config.centre_to_centre = {0.125, -25.0, 55.0};
+  config.geometry = TableTable::Geometry{.outer_axis = 3,
+                                         .inner_axis = 4,
+                                         .outer_vector = {1.0, 0.0, 0.0},
+                                         .inner_vector = {0.0, 0.28, 0.96},
+                                         .table_centre = {-15.0, 30.0, -420.0},
+                                         .centre_to_centre = {0.125, -25.0, 55.0}};
   return config;
 }
 
 inline SchemeConfig lathe(XReading x_reading, Turret turret) {
   SchemeConfig config = config_of("lathe");
-  config.x_reading = x_reading;
-  config.turret = turret;
+  config.geometry = Lathe::Geometry{.x_reading = x_reading, .turret = turret};
   return config;
 }
 
@@ -93,9 +89,11 @@ std::unique_ptr<const Scheme> make_foreign(const SchemeConfig& config) {
 }
 
 inline Specimen turned_specimen(const char* name, const SchemeConfig& config) {
-  const auto map = config.type == "polar_face" ? reference::polar_face
-                   : config.type == "cylinder" ? reference::cylinder
-                                               : reference::lathe;
+  using Map =
+      reference::Axes (*)(const SchemeConfig&, const reference::Axes&, const reference::Vector&);
+  const Map map = config.type == "polar_face" ? reference::polar_face
+                  : config.type == "cylinder" ? reference::cylinder
+                                              : static_cast<Map>(reference::lathe);
   return {.name = name, .config = config, .tip = map, .axes = map};
 }
 
@@ -148,7 +146,7 @@ class Poses {
   Frame frame() {
     Frame frame;
     frame.offset = next();
-    const std::array axis{millimetres_(engine_), millimetres_(engine_), millimetres_(engine_)};
+    const Vector3<double> axis{millimetres_(engine_), millimetres_(engine_), millimetres_(engine_)};
     frame.rotation = Rotation::about(axis, degrees_(engine_));
     return frame;
   }

@@ -7,6 +7,7 @@
 
 #include "kinematics/cylinder.h"
 #include "kinematics/polar_face.h"
+#include "kinematics/scheme.h"
 
 namespace stanok::kinematics {
 namespace {
@@ -19,11 +20,11 @@ SchemeConfig lathe_in_diameter() {
   config.axes = {0, 1, 2};
   config.linear = {0, -1, 1};
   config.zero = {100.0, -50.0, 30.0};
-  config.x_reading = XReading::diameter;
+  config.geometry = Lathe::Geometry{.x_reading = XReading::diameter};
   return config;
 }
 constexpr int lathe_C = 2;
-constexpr ToolVector tool{{-25, 0, -60}};
+const ToolVector tool{{-25, 0, -60}};
 
 // x = 30, y = 40: radius 50 at atan2(40, 30) = 53.13 deg. Beyond the centre the tool stands at -50,
 // with the workpiece half a turn further.
@@ -114,7 +115,9 @@ TEST(TurnedWorkpiece, KeepsIdFileAndParkingOfTheActiveScheme) {
     EXPECT_EQ(config.id, 3);
     EXPECT_EQ(config.file, "lathe.toml");
     EXPECT_EQ(config.parking.size(), 1U);
-    EXPECT_EQ(config.base_type, "lathe");
+    const auto* face = std::get_if<PolarFace::Geometry>(&config.geometry);
+    const auto* cylinder = std::get_if<Cylinder::Geometry>(&config.geometry);
+    EXPECT_EQ(face != nullptr ? face->base_type : cylinder->base_type, "lathe");
     EXPECT_NE(make_scheme(config), nullptr);
   }
 }
@@ -123,6 +126,7 @@ TEST(TurnedWorkpiece, NamesWhatIsMissing) {
   const auto on = [](const char* type) {
     SchemeConfig active = lathe_in_diameter();
     active.type = type;
+    if (active.type != Lathe::type_name) active.geometry = find_scheme_type(type)->geometry;
     return active;
   };
   SchemeConfig without_x = lathe_in_diameter();

@@ -74,6 +74,32 @@ TEST(HouseRules, NoFolderHoldsMoreFilesThanAReaderCanSurvey) {
   }
 }
 
+// A type of scheme is two files and one line in a list: who reads or uses schemes knows none by its
+// name. Types for words of a program (G12.1) are named by their words.
+TEST(HouseRules, NoFolderButKinematicsNamesATypeOfScheme) {
+  const std::regex declaration(R"re(type_name = "(\w+_\w+)")re");
+  std::set<std::string> types;
+  for (const SourceFile& file : source_files(repository)) {
+    const auto is_of_programs = [](const std::string& line) {
+      return line.find("chosen_by = ChosenBy::program") != std::string::npos;
+    };
+    if (file.folder != "kinematics" || std::ranges::any_of(file.lines, is_of_programs)) continue;
+    for (const std::string& line : file.lines) {
+      std::smatch match;
+      if (std::regex_search(line, match, declaration)) types.insert('"' + match[1].str() + '"');
+    }
+  }
+  EXPECT_GE(types.size(), 3U);
+  for (const SourceFile& file : source_files(repository)) {
+    if (!is_code_of_the_runtime(file) || file.folder == "kinematics") continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      for (const std::string& type : types) {
+        EXPECT_EQ(file.lines[i].find(type), std::string::npos) << file.path << ':' << i + 1;
+      }
+    }
+  }
+}
+
 TEST(HouseRules, NothingIsLeftUnfinished) {
   // Put together here so that this file does not contain the marks.
   const std::regex mark(std::string(R"(\b()") + "TO" + "DO|FIX" + "ME|XX" + "X|HA" + R"(CK)\b)");

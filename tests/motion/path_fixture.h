@@ -35,10 +35,10 @@ inline std::unique_ptr<const kinematics::Scheme> head_table() {
   config.type = "head_table";
   config.axes = {0, 1, 2, 3, 4};
   config.linear = {0, 1, 2};
-  config.head_axis = 3;
-  config.table_axis = 4;
-  config.pivot_to_spindle = {0.0, 0.0, -120.0};
-  config.table_centre = {10.0, -5.0, 0.0};
+  config.geometry = kinematics::HeadTable::Geometry{.head_axis = 3,
+                                                    .table_axis = 4,
+                                                    .pivot_to_spindle = {0.0, 0.0, -120.0},
+                                                    .table_centre = {10.0, -5.0, 0.0}};
   return kinematics::make_scheme(config);
 }
 

@@ -36,18 +36,18 @@ TEST(SignalLoopback, OutputsComeBackAsInputsAndFallWhenTheCycleIsSilent) {
   ModbusServer server({.modules = {.signals = {30}}}, drives_of(bus_of(1), {}));
   server.start();
   CycleSide cycle(wired_bus(), server.port());
-  drives::SignalValues outputs;
+  Signals outputs;
   outputs.set(3, true);
   outputs.analog[1] = -12.345;
   ASSERT_TRUE(cycle.until([&] {
     cycle.bus.write_signals(outputs);
-    const drives::SignalValues inputs = cycle.bus.read_signals();
+    const Signals inputs = cycle.bus.read_signals();
     return inputs.is_on(40) && inputs.analog[2] == -12.345;
   }));
   EXPECT_TRUE(cycle.until([&] { return cycle.all_valid(); })) << "the drive lives beside it";
   // Nothing is written any more.
   EXPECT_TRUE(eventually([&] {
-    const drives::SignalValues inputs = cycle.bus.read_signals();
+    const Signals inputs = cycle.bus.read_signals();
     return !inputs.is_on(40) && inputs.analog[2] == 0.0;
   }));
 }

@@ -33,10 +33,10 @@ kinematics::SchemeConfig table() {
   config.type = "head_table";
   config.axes = {0, 1, 2, 3, 4};
   config.linear = {0, 1, 2};
-  config.head_axis = 3;
-  config.table_axis = 4;
-  config.pivot_to_spindle = {0.0, 0.0, -200.0};
-  config.table_centre = {5.0, 7.0, -350.0};
+  config.geometry = kinematics::HeadTable::Geometry{.head_axis = 3,
+                                                    .table_axis = 4,
+                                                    .pivot_to_spindle = {0.0, 0.0, -200.0},
+                                                    .table_centre = {5.0, 7.0, -350.0}};
   config.zero = kinematics::zero_default(config);
   return config;
 }

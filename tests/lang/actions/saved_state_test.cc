@@ -21,7 +21,7 @@ class SavedStates : public ProgramTest {
     state.set(Group::rotation, 680, 0);
     ProgrammedRotation& turned = state.rotation;
     turned = {{}, {number(), number(), 1.0}, number(), {number(), number(), number()}};
-    turned.rotation = Rotation::about(turned.axis, turned.angle_deg);
+    turned.rotation = Rotation::about(vector3(turned.axis), turned.angle_deg);
   }
 
   // A state as programs leave it, every field set.

@@ -45,8 +45,8 @@ class CycleBench {
   channels::ChannelLink link;
   Ring<channels::Event> events{64};
   channels::ReportBook reports;
-  channels::Signals outputs;
-  channels::Signals inputs;
+  Signals outputs;
+  Signals inputs;
 
  private:
   BenchSchemes schemes_ = bench_schemes();

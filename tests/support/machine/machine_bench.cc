@@ -138,9 +138,8 @@ channels::MachineConfig two_channel_machine() {
   five_axes.type = "head_table";
   five_axes.axes = {0, 1, 2, 3, 4};
   five_axes.linear = {0, 1, 2};
-  five_axes.head_axis = 3;
-  five_axes.table_axis = 4;
-  five_axes.pivot_to_spindle = {0.0, 0.0, -200.0};
+  five_axes.geometry = kinematics::HeadTable::Geometry{
+      .head_axis = 3, .table_axis = 4, .pivot_to_spindle = {0.0, 0.0, -200.0}};
   work.schemes = {three_axes, five_axes};
   channels::ChannelConfig master;
   master.id = 2;

@@ -67,7 +67,7 @@ class MachineBench {
   void sensors(std::vector<channels::SpindleSensors> sensors) { sensors_ = std::move(sensors); }
 
   // What the inputs of programs are from here on.
-  void inputs(const channels::Signals& inputs) { inputs_ = inputs; }
+  void inputs(const Signals& inputs) { inputs_ = inputs; }
 
   // One cycle, all preparations blocked before; returns its output.
   const channels::CycleOutput& cycle();
@@ -94,7 +94,7 @@ class MachineBench {
   std::vector<std::string> event_codes_;
   std::vector<channels::AxisFeedback> feedback_;
   std::vector<channels::SpindleSensors> sensors_;
-  std::optional<channels::Signals> inputs_;
+  std::optional<Signals> inputs_;
   std::uint64_t next_id_ = 1;
 };
 
