@@ -4,7 +4,7 @@
 
 #include "lang/actions/actions.h"
 #include "lang/actions/block_execution.h"
-#include "lang/run/program_run.h"
+#include "lang/run/block_runner.h"
 
 namespace stanok::lang {
 namespace {
@@ -45,21 +45,21 @@ void adopt_feed(ActiveBlock& block) {
 
 }  // namespace
 
-Passed ProgramRun::pass_fault() {
-  if (phase_ != Phase::failed || faulty_line_ == 0 || compensation_.engaged()) return Passed::no;
-  ActiveBlock block(words_, around_, faulty_line_);
-  queue_.set_origin({frames_.back().file, faulty_line_}, block_);
-  faulty_line_ = 0;
-  rest_.reset();
-  phase_ = Phase::running;
+Passed BlockRunner::pass_fault() {
+  const std::uint32_t line = run_.faulty_line();
+  if (!run_.failed() || line == 0 || compensation_.engaged()) return Passed::no;
+  ActiveBlock block = state_.block_at(line);
+  state_.begin_commands({vm_.frame().file, line});
+  has_rest_ = false;
+  run_.begin();
   const Passed passed = adopt_words(block);
-  error_ = {};
+  run_.forget_error();
   return passed;
 }
 
-Passed ProgramRun::adopt_words(ActiveBlock& block) {
+Passed BlockRunner::adopt_words(ActiveBlock& block) {
   adopt_motion(block);
-  if (error_.code == "E4020" || block.words.has('F')) adopt_feed(block);
+  if (run_.error().code == "E4020" || block.words.has('F')) adopt_feed(block);
   const LetterSet axes = block.words.letters & block.channel_words.letters();
   const bool has_named_axes = !block.words.named.empty();
   if (axes == 0 && !has_named_axes) return Passed::known_position;
@@ -71,7 +71,7 @@ Passed ProgramRun::adopt_words(ActiveBlock& block) {
   resolve_ends(block, move);
   if (block.failed()) return Passed::unknown_position;
   advance_position(block, move);
-  queue_.emit(move);
+  state_.queue.emit(move);
   return Passed::known_position;
 }
 
