@@ -1,9 +1,9 @@
-// Values of the RS274 kind: numbers, #parameters, [expressions] and function[argument].
+#include "lang/tree/bracket_parser.h"
+
 #include <utility>
 
 #include "lang/text/number.h"
 #include "lang/tree/bracket_operator.h"
-#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {
@@ -27,8 +27,8 @@ std::optional<std::string_view> bracket_function(std::string_view folded_name) {
 }
 
 // [+|-] unsigned value
-Parser::MaybeExpression Parser::parse_value() {
-  Nesting nesting(*this);
+MaybeExpression BracketParser::parse_value() {
+  TokenCursor::Nesting nesting(cursor_);
   if (!nesting.allowed()) return std::nullopt;
   const char sign = scanner_.character();
   if (sign != '+' && sign != '-') return parse_unsigned_value();
@@ -45,7 +45,7 @@ Parser::MaybeExpression Parser::parse_value() {
   return unary;
 }
 
-Parser::MaybeExpression Parser::parse_unsigned_value() {
+MaybeExpression BracketParser::parse_unsigned_value() {
   const char c = scanner_.character();
   if (c == '#') return parse_parameter_reference();
   if (c == '[') return parse_bracket();
@@ -59,7 +59,7 @@ Parser::MaybeExpression Parser::parse_unsigned_value() {
   Expression number;
   bool whole = false;
   if (!is_digit(c) && c != '.') {
-    report_unexpected(scanner_.peek(LineEnds::significant), "a number");
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a number");
     return std::nullopt;
   }
   if (!read_number(at, end, number.number, whole)) {
@@ -75,8 +75,8 @@ Parser::MaybeExpression Parser::parse_unsigned_value() {
 }
 
 // #5, #<name>, ##5, #[...]
-Parser::MaybeExpression Parser::parse_parameter_reference() {
-  Nesting nesting(*this);
+MaybeExpression BracketParser::parse_parameter_reference() {
+  TokenCursor::Nesting nesting(cursor_);
   if (!nesting.allowed()) return std::nullopt;
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
@@ -105,7 +105,7 @@ Parser::MaybeExpression Parser::parse_parameter_reference() {
   return parameter;
 }
 
-Parser::MaybeExpression Parser::parse_bracket() {
+MaybeExpression BracketParser::parse_bracket() {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
@@ -113,7 +113,7 @@ Parser::MaybeExpression Parser::parse_bracket() {
   if (!inner) return std::nullopt;
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != ']') {
-    report_unexpected(scanner_.peek(LineEnds::significant), "an operator or `]`");
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "an operator or `]`");
     return std::nullopt;
   }
   scanner_.advance(1);
@@ -121,7 +121,7 @@ Parser::MaybeExpression Parser::parse_bracket() {
   return inner;
 }
 
-Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
+MaybeExpression BracketParser::parse_bracket_binary(int level) {
   scanner_.skip_blanks(LineEnds::significant);
   if (level == bracket_levels) return parse_value();
   auto left = parse_bracket_binary(level + 1);
@@ -130,7 +130,7 @@ Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
     const Token token = scanner_.peek(LineEnds::significant);
     const BracketOperator* const found = find_bracket_operator(folded(token.text));
     if (found == nullptr || found->level != level) break;
-    if (!count_operator(token.span)) return std::nullopt;
+    if (!cursor_.count_operator(token.span)) return std::nullopt;
     scanner_.take(LineEnds::significant);
     auto right = parse_bracket_binary(level + 1);
     if (!right) return std::nullopt;
@@ -145,13 +145,13 @@ Parser::MaybeExpression Parser::parse_bracket_binary(int level) {
   return left;
 }
 
-Parser::MaybeExpression Parser::parse_bracket_function(std::string_view name) {
+MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
   const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
   const std::string_view function = bracket_function(folded(name)).value_or("");
   scanner_.advance(name.size());
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != '[') {
-    report_unexpected(scanner_.peek(LineEnds::significant), "`[` after the function");
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`[` after the function");
     return std::nullopt;
   }
   auto argument = parse_bracket();
@@ -170,7 +170,7 @@ Parser::MaybeExpression Parser::parse_bracket_function(std::string_view name) {
     scanner_.skip_blanks(LineEnds::significant);
   }
   if (scanner_.character() != '[') {
-    report_unexpected(scanner_.peek(LineEnds::significant), "`/[` after ATAN[...]");
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`/[` after ATAN[...]");
     return std::nullopt;
   }
   auto second = parse_bracket();

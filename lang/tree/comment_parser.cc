@@ -1,5 +1,5 @@
-// Comments in ISO blocks: most say nothing, (MSG,...), (DEBUG,...) and (PRINT,...) become messages.
-#include "lang/tree/parser.h"
+#include "lang/tree/comment_parser.h"
+
 #include "lang/words/later_word.h"
 
 namespace stanok::lang {
@@ -84,37 +84,8 @@ std::size_t read_format(std::string_view text, int& decimals) {
   return 4;
 }
 
-}  // namespace
-
-bool Parser::parse_comment(IsoBlock& block) {
-  const Span span = scanner_.here();
-  const auto comment = scanner_.read_parenthesis_comment();
-  if (!comment) return false;
-  const std::size_t comma = comment->find(',');
-  if (comma == std::string_view::npos) return true;
-  const std::string word = folded(trimmed(comment->substr(0, comma)));
-  const std::string_view text = comment->substr(comma + 1);
-  if (word == "msg") {
-    block.comments.push_back(
-        {Message::Kind::message, string_expression(std::string(trimmed(text)), span)});
-  } else if (word == "debug" || word == "print") {
-    const auto kind = word == "debug" ? Message::Kind::message : Message::Kind::log;
-    block.comments.push_back({kind, comment_text(trimmed(text), span)});
-  } else if (word == "log" || word == "logopen" || word == "logclose" || word == "logappend" ||
-             word == "probeopen" || word == "probeclose") {
-    reporter_
-        .error(
-            "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
-            "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
-            "active comment")
-        .help.emplace_back(find_later_word("(LOG,...)")->instead);
-    return false;
-  }
-  return true;
-}
-
 // The text of (DEBUG,...) and (PRINT,...) with its parameters put in.
-Expression Parser::comment_text(std::string_view text, const Span& span) {
+Expression comment_text(std::string_view text, const Span& span) {
   Expression whole = string_expression("", span);
   std::string literal;
   int decimals = 6;
@@ -133,6 +104,35 @@ Expression Parser::comment_text(std::string_view text, const Span& span) {
     at += length;
   }
   return concatenated(std::move(whole), string_expression(literal, span));
+}
+
+}  // namespace
+
+bool parse_comment(TokenCursor& cursor, IsoBlock& block) {
+  const Span span = cursor.scanner().here();
+  const auto comment = cursor.scanner().read_parenthesis_comment();
+  if (!comment) return false;
+  const std::size_t comma = comment->find(',');
+  if (comma == std::string_view::npos) return true;
+  const std::string word = folded(trimmed(comment->substr(0, comma)));
+  const std::string_view text = comment->substr(comma + 1);
+  if (word == "msg") {
+    block.comments.push_back(
+        {Message::Kind::message, string_expression(std::string(trimmed(text)), span)});
+  } else if (word == "debug" || word == "print") {
+    const auto kind = word == "debug" ? Message::Kind::message : Message::Kind::log;
+    block.comments.push_back({kind, comment_text(trimmed(text), span)});
+  } else if (word == "log" || word == "logopen" || word == "logclose" || word == "logappend" ||
+             word == "probeopen" || word == "probeclose") {
+    cursor.reporter()
+        .error(
+            "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
+            "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
+            "active comment")
+        .help.emplace_back(find_later_word("(LOG,...)")->instead);
+    return false;
+  }
+  return true;
 }
 
 }  // namespace stanok::lang

@@ -1,11 +1,13 @@
-// Declarations of variables and definitions of functions.
+#include "lang/tree/declaration_parser.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "lang/text/limits.h"
+#include "lang/tree/bracket_parser.h"
 #include "lang/tree/builtin.h"
-#include "lang/tree/parser.h"
+#include "lang/tree/keywords.h"
 #include "lang/words/named_address.h"
 
 namespace stanok::lang {
@@ -69,9 +71,9 @@ std::set<std::string> defined_functions(const Source& source) {
   return names;
 }
 
-bool Parser::check_declared_name(const Token& name) {
+bool DeclarationParser::check_declared_name(const Token& name) {
   if (name.kind != TokenKind::name) {
-    report_unexpected(name, "a name");
+    cursor_.report_unexpected(name, "a name");
     return false;
   }
   const std::string_view reason = reason_against(name.text);
@@ -83,8 +85,8 @@ bool Parser::check_declared_name(const Token& name) {
 }
 
 // [const|shared] type name ...
-Parser::MaybeStatement Parser::parse_declaration_or_function() {
-  line_ends_ = LineEnds::blank;
+MaybeStatement DeclarationParser::parse_declaration_or_function() {
+  cursor_.set_line_ends(LineEnds::blank);
   Declaration declaration;
   Token token = scanner_.take(LineEnds::blank);
   if (folded(token.text) == "shared") {
@@ -97,7 +99,7 @@ Parser::MaybeStatement Parser::parse_declaration_or_function() {
   }
   const auto type = type_of_keyword(folded(token.text));
   if (!type) {
-    report_unexpected(token, "a type");
+    cursor_.report_unexpected(token, "a type");
     return std::nullopt;
   }
   declaration.type = *type;
@@ -120,11 +122,11 @@ Parser::MaybeStatement Parser::parse_declaration_or_function() {
   return parse_items(std::move(declaration));
 }
 
-Parser::MaybeStatement Parser::parse_items(Declaration declaration) {
+MaybeStatement DeclarationParser::parse_items(Declaration declaration) {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   do {
-    if (!check_length(start, line)) return std::nullopt;
+    if (!cursor_.check_length(start, line)) return std::nullopt;
     const Token name = scanner_.take(LineEnds::blank);
     if (!check_declared_name(name)) return spoilt(declaration);
     DeclaredItem item;
@@ -133,25 +135,25 @@ Parser::MaybeStatement Parser::parse_items(Declaration declaration) {
     declaration.items.push_back(std::move(item));
     DeclaredItem& declared = declaration.items.back();
     if (!parse_dimensions(declared) || !parse_initial(declared)) return spoilt(declaration);
-  } while (accept(","));
-  if (!expect(";", "the declaration")) return spoilt(declaration);
+  } while (cursor_.accept(","));
+  if (!cursor_.expect(";", "the declaration")) return spoilt(declaration);
   return statement_of(std::move(declaration));
 }
 
 // The names of a declaration at fault are not told again where they are used.
-Parser::MaybeStatement Parser::spoilt(const Declaration& declaration) {
+MaybeStatement DeclarationParser::spoilt(const Declaration& declaration) {
   for (const DeclaredItem& item : declaration.items) reporter_.spoil(item.name, item.span.offset);
   return std::nullopt;
 }
 
-bool Parser::parse_dimensions(DeclaredItem& item) {
-  while (accept("[")) {
-    if (accept("]")) {
+bool DeclarationParser::parse_dimensions(DeclaredItem& item) {
+  while (cursor_.accept("[")) {
+    if (cursor_.accept("]")) {
       item.dimension_from_list = true;
       continue;
     }
-    auto size = parse_expression(LineEnds::blank);
-    if (!size || !expect("]", "the size")) return false;
+    auto size = expressions_.parse_expression(LineEnds::blank);
+    if (!size || !cursor_.expect("]", "the size")) return false;
     item.dimensions.push_back(std::move(*size));
   }
   const std::size_t count = item.dimensions.size() + (item.dimension_from_list ? 1 : 0);
@@ -161,18 +163,18 @@ bool Parser::parse_dimensions(DeclaredItem& item) {
   return false;
 }
 
-bool Parser::parse_initial(DeclaredItem& item) {
-  if (!accept("=")) return true;
-  if (accept("{")) {
+bool DeclarationParser::parse_initial(DeclaredItem& item) {
+  if (!cursor_.accept("=")) return true;
+  if (cursor_.accept("{")) {
     item.has_list = true;
-    return parse_list("}", item.initial_list);
+    return expressions_.parse_list("}", item.initial_list);
   }
-  item.initial = parse_expression(LineEnds::blank);
+  item.initial = expressions_.parse_expression(LineEnds::blank);
   return item.initial.has_value();
 }
 
-Parser::MaybeStatement Parser::parse_function(Type result, const Token& name) {
-  if (inside_braces() || o_depth_ > 0) {
+MaybeStatement DeclarationParser::parse_function(Type result, const Token& name) {
+  if (!cursor_.at_file_level()) {
     reporter_.error("E2012", name.span, "a function inside braces or O-lines",
                     "functions are defined at file level");
     return std::nullopt;
@@ -182,15 +184,15 @@ Parser::MaybeStatement Parser::parse_function(Type result, const Token& name) {
   function.name = name.text;
   function.name_span = name.span;
   scanner_.take(LineEnds::blank);
-  if (!accept(")")) {
+  if (!cursor_.accept(")")) {
     do {
       auto parameter = parse_parameter();
       if (!parameter) return std::nullopt;
       function.parameters.push_back(std::move(*parameter));
-    } while (accept(","));
-    if (!expect(")", "the parameters")) return std::nullopt;
+    } while (cursor_.accept(","));
+    if (!cursor_.expect(")", "the parameters")) return std::nullopt;
   }
-  auto body = parse_body(name.text);
+  auto body = bodies_.parse_body(name.text);
   if (!body) return std::nullopt;
   function.body = std::move(*body);
   Statement statement;
@@ -199,26 +201,26 @@ Parser::MaybeStatement Parser::parse_function(Type result, const Token& name) {
 }
 
 // type [&] name [[]] [= value]
-std::optional<FunctionParameter> Parser::parse_parameter() {
+std::optional<FunctionParameter> DeclarationParser::parse_parameter() {
   FunctionParameter parameter;
   const Token type_token = scanner_.take(LineEnds::blank);
   const auto type = type_of_keyword(folded(type_token.text));
   if (!type || *type == Type::none) {
-    report_unexpected(type_token, "the type of a parameter");
+    cursor_.report_unexpected(type_token, "the type of a parameter");
     return std::nullopt;
   }
   parameter.type = *type;
-  parameter.reference = accept("&");
+  parameter.reference = cursor_.accept("&");
   const Token name = scanner_.take(LineEnds::blank);
   if (!check_declared_name(name)) return std::nullopt;
   parameter.name = name.text;
   parameter.span = name.span;
-  if (accept("[")) {
-    if (!expect("]", "`[`")) return std::nullopt;
+  if (cursor_.accept("[")) {
+    if (!cursor_.expect("]", "`[`")) return std::nullopt;
     parameter.array = true;
   }
-  if (accept("=")) {
-    parameter.initial = parse_expression(LineEnds::blank);
+  if (cursor_.accept("=")) {
+    parameter.initial = expressions_.parse_expression(LineEnds::blank);
     if (!parameter.initial) return std::nullopt;
   }
   return parameter;

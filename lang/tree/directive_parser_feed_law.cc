@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lang/feed_law/feed_law_words.h"
-#include "lang/tree/parser.h"
+#include "lang/tree/directive_parser.h"
 
 namespace stanok::lang {
 namespace {
@@ -48,23 +48,23 @@ IsoBlock block_of(const LawForm& form, std::vector<Expression> arguments) {
 
 }  // namespace
 
-Parser::MaybeStatement Parser::parse_feed_law(const Span& name) {
-  line_ends_ = LineEnds::significant;
-  if (!expect("(", "`#feedlaw`")) return std::nullopt;
-  const Token law = scanner_.take(line_ends_);
+MaybeStatement DirectiveParser::parse_feed_law(const Span& name) {
+  cursor_.set_line_ends(LineEnds::significant);
+  if (!cursor_.expect("(", "`#feedlaw`")) return std::nullopt;
+  const Token law = scanner_.take(cursor_.line_ends());
   if (law.kind != TokenKind::name) {
-    report_unexpected(law, "the name of a feed law");
+    cursor_.report_unexpected(law, "the name of a feed law");
     return std::nullopt;
   }
   std::vector<Expression> arguments;
-  const bool good =
-      accept(",") ? parse_list(")", arguments) : expect(")", "the name of the feed law");
-  if (!good || !finish_line()) return std::nullopt;
+  const bool good = cursor_.accept(",") ? expressions_.parse_list(")", arguments)
+                                        : cursor_.expect(")", "the name of the feed law");
+  if (!good || !cursor_.finish_line()) return std::nullopt;
   return feed_law_statement(name, law, std::move(arguments));
 }
 
-Parser::MaybeStatement Parser::feed_law_statement(const Span& name, const Token& law,
-                                                  std::vector<Expression> arguments) {
+MaybeStatement DirectiveParser::feed_law_statement(const Span& name, const Token& law,
+                                                   std::vector<Expression> arguments) {
   const std::string wanted = folded(law.text);
   const std::size_t given = arguments.size();
   Statement statement;
@@ -92,8 +92,8 @@ Parser::MaybeStatement Parser::feed_law_statement(const Span& name, const Token&
   return statement;
 }
 
-Parser::MaybeStatement Parser::refuse_law_arguments(const Span& name, std::size_t given,
-                                                    const std::string& signature) {
+MaybeStatement DirectiveParser::refuse_law_arguments(const Span& name, std::size_t given,
+                                                     const std::string& signature) {
   reporter_
       .error("E3005", name, "this feed law does not take " + std::to_string(given) + " values",
              "wrong number of arguments")

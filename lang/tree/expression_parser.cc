@@ -1,10 +1,11 @@
-// Expressions of high-level text, by descent over the levels of precedence.
+#include "lang/tree/expression_parser.h"
+
 #include <array>
 #include <utility>
 
 #include "lang/text/limits.h"
 #include "lang/tree/builtin.h"
-#include "lang/tree/parser.h"
+#include "lang/tree/keywords.h"
 
 namespace stanok::lang {
 namespace {
@@ -73,35 +74,22 @@ bool is_letter_with_index(std::string_view name) {
 
 }  // namespace
 
-Parser::MaybeExpression Parser::parse_expression(LineEnds line_ends) {
-  const LineEnds outer = std::exchange(line_ends_, line_ends);
-  if (nesting_ == 0) operator_count_ = 0;
+MaybeExpression ExpressionParser::parse_expression(LineEnds line_ends) {
+  const LineEnds outer = cursor_.line_ends();
+  cursor_.set_line_ends(line_ends);
+  if (cursor_.nesting() == 0) cursor_.begin_operators();
   auto expression = parse_conditional();
-  line_ends_ = outer;
+  cursor_.set_line_ends(outer);
   return expression;
 }
 
-bool Parser::Nesting::allowed() {
-  if (parser_.nesting_ - 1 <= limits::nesting) return true;
-  parser_.reporter_.error("E2030", parser_.scanner_.here(), "an expression nested too deep",
-                          "more than 64 levels");
-  return false;
-}
-
-// Chains of operators become deep trees.
-bool Parser::count_operator(const Span& span) {
-  if (++operator_count_ <= limits::operators) return true;
-  reporter_.error("E2031", span, "an expression with more than 1000 operators", "one too many");
-  return false;
-}
-
-Parser::MaybeExpression Parser::parse_conditional() {
-  Nesting nesting(*this);
+MaybeExpression ExpressionParser::parse_conditional() {
+  TokenCursor::Nesting nesting(cursor_);
   if (!nesting.allowed()) return std::nullopt;
   auto condition = parse_binary(0);
-  if (!condition || !accept("?")) return condition;
+  if (!condition || !cursor_.accept("?")) return condition;
   auto first = parse_conditional();
-  if (!first || !expect(":", "the first value of `?`")) return std::nullopt;
+  if (!first || !cursor_.expect(":", "the first value of `?`")) return std::nullopt;
   auto second = parse_conditional();
   if (!second) return std::nullopt;
   Expression conditional;
@@ -113,11 +101,11 @@ Parser::MaybeExpression Parser::parse_conditional() {
   return conditional;
 }
 
-Parser::MaybeExpression Parser::parse_binary(int level) {
+MaybeExpression ExpressionParser::parse_binary(int level) {
   if (level == level_count) return parse_unary();
   auto left = parse_binary(level + 1);
   for (int count = 0; left; ++count) {
-    const Token token = scanner_.peek(line_ends_);
+    const Token token = scanner_.peek(cursor_.line_ends());
     const BinaryOperator* const found = operator_at(token, level);
     if (found == nullptr) break;
     if (count > 0 && is_comparison(level)) {
@@ -125,8 +113,8 @@ Parser::MaybeExpression Parser::parse_binary(int level) {
           .help.push_back("join them with `&&`, e.g. `aa < bb && bb < cc`");
       return std::nullopt;
     }
-    if (!count_operator(token.span)) return std::nullopt;
-    scanner_.take(line_ends_);
+    if (!cursor_.count_operator(token.span)) return std::nullopt;
+    scanner_.take(cursor_.line_ends());
     auto right = parse_binary(level + 1);
     if (!right) return std::nullopt;
     left = binary_of(found->operation, std::move(*left), std::move(*right));
@@ -134,12 +122,12 @@ Parser::MaybeExpression Parser::parse_binary(int level) {
   return left;
 }
 
-Parser::MaybeExpression Parser::parse_unary() {
-  const Token token = scanner_.peek(line_ends_);
+MaybeExpression ExpressionParser::parse_unary() {
+  const Token token = scanner_.peek(cursor_.line_ends());
   const bool minus = token.is("-");
   if (!minus && !token.is("+") && !token.is("!")) return parse_power();
-  scanner_.take(line_ends_);
-  Nesting nesting(*this);
+  scanner_.take(cursor_.line_ends());
+  TokenCursor::Nesting nesting(cursor_);
   if (!nesting.allowed()) return std::nullopt;
   auto operand = parse_unary();
   if (!operand) return std::nullopt;
@@ -150,23 +138,23 @@ Parser::MaybeExpression Parser::parse_unary() {
 }
 
 // a ** b, from right to left; binds stronger than a sign before it.
-Parser::MaybeExpression Parser::parse_power() {
+MaybeExpression ExpressionParser::parse_power() {
   auto base = parse_primary();
-  if (!base || !accept("**")) return base;
-  Nesting nesting(*this);
+  if (!base || !cursor_.accept("**")) return base;
+  TokenCursor::Nesting nesting(cursor_);
   if (!nesting.allowed()) return std::nullopt;
   auto exponent = parse_unary();
   if (!exponent) return std::nullopt;
   return binary_of(Operation::power, std::move(*base), std::move(*exponent));
 }
 
-Parser::MaybeExpression Parser::parse_primary() {
-  scanner_.skip_blanks(line_ends_);
+MaybeExpression ExpressionParser::parse_primary() {
+  scanner_.skip_blanks(cursor_.line_ends());
   const char c = scanner_.character();
-  if (c == '#') return parse_parameter_reference();
+  if (c == '#') return brackets_.parse_parameter_reference();
   if (c == '$') return parse_system_variable();
   if (c == '(') return parse_group();
-  const Token token = scanner_.peek(line_ends_);
+  const Token token = scanner_.peek(cursor_.line_ends());
   if (token.kind == TokenKind::name) return parse_name();
   Expression literal;
   literal.span = token.span;
@@ -176,30 +164,30 @@ Parser::MaybeExpression Parser::parse_primary() {
     literal.node = Node::string;
     literal.text = token.string;
   } else {
-    report_unexpected(token, "a value");
+    cursor_.report_unexpected(token, "a value");
     return std::nullopt;
   }
-  scanner_.take(line_ends_);
+  scanner_.take(cursor_.line_ends());
   return literal;
 }
 
-Parser::MaybeExpression Parser::parse_group() {
-  scanner_.take(line_ends_);
+MaybeExpression ExpressionParser::parse_group() {
+  scanner_.take(cursor_.line_ends());
   auto inner = parse_conditional();
-  if (!inner || !expect(")", "the expression")) return std::nullopt;
+  if (!inner || !cursor_.expect(")", "the expression")) return std::nullopt;
   return inner;
 }
 
 // Where an operator may stand, ( is a comment unless a function name stands before it.
-bool Parser::is_call(const Token& name) {
-  if (!scanner_.peek(line_ends_).is("(")) return false;
-  if (line_ends_ == LineEnds::blank) return true;
+bool ExpressionParser::is_call(const Token& name) {
+  if (!scanner_.peek(cursor_.line_ends()).is("(")) return false;
+  if (cursor_.line_ends() == LineEnds::blank) return true;
   const std::string wanted = folded(name.text);
   return find_builtin(wanted) != nullptr || functions_.contains(wanted);
 }
 
-Parser::MaybeExpression Parser::parse_name() {
-  const Token name = scanner_.take(line_ends_);
+MaybeExpression ExpressionParser::parse_name() {
+  const Token name = scanner_.take(cursor_.line_ends());
   const std::string wanted = folded(name.text);
   Expression expression;
   expression.span = name.span;
@@ -210,7 +198,7 @@ Parser::MaybeExpression Parser::parse_name() {
     return expression;
   }
   if (is_keyword(wanted)) {
-    report_unexpected(name, "a value");
+    cursor_.report_unexpected(name, "a value");
     return std::nullopt;
   }
   if (is_letter_with_index(name.text)) {
@@ -222,30 +210,31 @@ Parser::MaybeExpression Parser::parse_name() {
     return expression;
   }
   if (is_call(name)) {
-    scanner_.take(line_ends_);
+    scanner_.take(cursor_.line_ends());
     expression.node = Node::call;
     if (!parse_list(")", expression.children)) return std::nullopt;
     return expression;
   }
   expression.node = Node::name;
-  if (!scanner_.peek(line_ends_).is("[")) return expression;
+  if (!scanner_.peek(cursor_.line_ends()).is("[")) return expression;
   expression.node = Node::element;
-  while (accept("[")) {
+  while (cursor_.accept("[")) {
     auto index = parse_conditional();
-    if (!index || !expect("]", "the index")) return std::nullopt;
+    if (!index || !cursor_.expect("]", "the index")) return std::nullopt;
     expression.children.push_back(std::move(*index));
   }
   return expression;
 }
 
 // $name or $name[index]
-Parser::MaybeExpression Parser::parse_system_variable() {
+MaybeExpression ExpressionParser::parse_system_variable() {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
   const std::string_view name = scanner_.name_ahead();
   if (name.empty()) {
-    report_unexpected(scanner_.peek(line_ends_), "the name of a system variable after `$`");
+    cursor_.report_unexpected(scanner_.peek(cursor_.line_ends()),
+                              "the name of a system variable after `$`");
     return std::nullopt;
   }
   scanner_.advance(name.size());
@@ -253,26 +242,26 @@ Parser::MaybeExpression Parser::parse_system_variable() {
   variable.node = Node::system_variable;
   variable.text = folded(name);
   variable.span = scanner_.span_from(start, line);
-  if (accept("[")) {
+  if (cursor_.accept("[")) {
     auto index = parse_conditional();
-    if (!index || !expect("]", "the index")) return std::nullopt;
+    if (!index || !cursor_.expect("]", "the index")) return std::nullopt;
     variable.children.push_back(std::move(*index));
   }
   return variable;
 }
 
 // expressions separated by commas, up to and with `close`
-bool Parser::parse_list(std::string_view close, std::vector<Expression>& list) {
-  if (accept(close)) return true;
+bool ExpressionParser::parse_list(std::string_view close, std::vector<Expression>& list) {
+  if (cursor_.accept(close)) return true;
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   bool good = true;
   do {
     auto element = parse_conditional();
-    good = element.has_value() && check_length(start, line);
+    good = element.has_value() && cursor_.check_length(start, line);
     if (good) list.push_back(std::move(*element));
-  } while (good && accept(","));
-  return good && expect(close, "the last value");
+  } while (good && cursor_.accept(","));
+  return good && cursor_.expect(close, "the last value");
 }
 
 }  // namespace stanok::lang

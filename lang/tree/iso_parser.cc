@@ -1,32 +1,33 @@
-// ISO blocks: words and parameter settings.
+#include "lang/tree/iso_parser.h"
+
 #include <algorithm>
 
 #include "lang/feed_law/feed_law_words.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
-#include "lang/tree/parser.h"
+#include "lang/tree/comment_parser.h"
 #include "lang/words/later_word.h"
 #include "lang/words/named_address.h"
 
 namespace stanok::lang {
 
-bool Parser::is_named_address(std::string_view name) const {
+bool IsoParser::is_named_address(std::string_view name) const {
   std::size_t behind = name.size();
   while (is_blank(scanner_.character(behind))) ++behind;
   if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
   if (!find_named_address(name).empty()) return true;
-  return channel_words_ && channel_words_->axis_called(name) >= 0;
+  return channel_ != nullptr && channel_->axis_called(name) >= 0;
 }
 
-Parser::MaybeStatement Parser::parse_iso() {
+MaybeStatement IsoParser::parse_iso() {
   IsoBlock block;
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   while (true) {
     scanner_.skip_blanks(LineEnds::significant);
     const char c = scanner_.character();
-    if (scanner_.at_line_end() || (c == '}' && inside_braces())) break;
-    if (c == ';' && inside_braces()) {
+    if (scanner_.at_line_end() || (c == '}' && cursor_.inside_braces())) break;
+    if (c == ';' && cursor_.inside_braces()) {
       if (!end_iso_in_braces()) return std::nullopt;
       break;
     }
@@ -47,7 +48,7 @@ Parser::MaybeStatement Parser::parse_iso() {
   return statement;
 }
 
-bool Parser::end_iso_in_braces() {
+bool IsoParser::end_iso_in_braces() {
   scanner_.advance(1);
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.at_line_end() || scanner_.character() == '}') return true;
@@ -58,15 +59,15 @@ bool Parser::end_iso_in_braces() {
   return false;
 }
 
-bool Parser::parse_iso_part(IsoBlock& block) {
-  operator_count_ = 0;
+bool IsoParser::parse_iso_part(IsoBlock& block) {
+  cursor_.begin_operators();
   const char c = scanner_.character();
-  if (c == '(') return parse_comment(block);
+  if (c == '(') return parse_comment(cursor_, block);
   if (c == '#') return parse_parameter_setting(block);
   if (is_letter(c)) return parse_word(block);
   if (c == '$') {
     scanner_.advance(1);
-    auto value = parse_value();
+    auto value = brackets_.parse_value();
     if (!value) return false;
     block.spindle = std::move(*value);
     return true;
@@ -89,11 +90,11 @@ bool Parser::parse_iso_part(IsoBlock& block) {
                     "only comments and strings may hold it");
     return false;
   }
-  report_unexpected(scanner_.peek(LineEnds::significant), "a word");
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a word");
   return false;
 }
 
-bool Parser::parse_word(IsoBlock& block) {
+bool IsoParser::parse_word(IsoBlock& block) {
   const std::string_view name = scanner_.name_ahead();
   if (name.size() > 1 && is_name_start(name[1])) return parse_long_word(block, name);
   const std::size_t start = scanner_.offset();
@@ -114,7 +115,7 @@ bool Parser::parse_word(IsoBlock& block) {
   scanner_.advance(equals ? behind + 1 : 1);
   scanner_.skip_blanks(LineEnds::significant);
   if (equals) {
-    auto value = parse_expression(LineEnds::significant);
+    auto value = expressions_.parse_expression(LineEnds::significant);
     if (!value) return false;
     word.value = std::move(*value);
   } else if (!parse_plain_value(word)) {
@@ -125,13 +126,13 @@ bool Parser::parse_word(IsoBlock& block) {
 }
 
 // A number, or a value of the RS274 kind.
-bool Parser::parse_plain_value(IsoWord& word) {
+bool IsoParser::parse_plain_value(IsoWord& word) {
   const char* const first = source_.text().data() + scanner_.offset();
   const char* const end = source_.text().data() + source_.end();
   const char* at = first;
   word.value.span = scanner_.here();
   if (!read_number(at, end, word.value.number, word.whole)) {
-    auto value = parse_value();
+    auto value = brackets_.parse_value();
     if (value) word.value = std::move(*value);
     return value.has_value();
   }
@@ -143,7 +144,7 @@ bool Parser::parse_plain_value(IsoWord& word) {
 }
 
 // H1=2, R5=..., S_n=0.1, X2=50, Xsin[30]
-bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
+bool IsoParser::parse_long_word(IsoBlock& block, std::string_view name) {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
@@ -153,7 +154,7 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
     if (bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
       word.name.letter = upper_case(name[0]);
       scanner_.advance(1);
-      auto value = parse_value();
+      auto value = brackets_.parse_value();
       if (!value) return false;
       word.value = std::move(*value);
       word.span = scanner_.span_from(start, line);
@@ -181,7 +182,7 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
   scanner_.advance(name.size());
   scanner_.skip_blanks(LineEnds::significant);
   scanner_.advance(1);
-  auto value = parse_expression(LineEnds::significant);
+  auto value = expressions_.parse_expression(LineEnds::significant);
   if (!value) return false;
   word.span = scanner_.span_from(start, line);
   word.value = std::move(*value);
@@ -203,7 +204,7 @@ bool Parser::parse_long_word(IsoBlock& block, std::string_view name) {
 
 // A letter that the machine file binds to a named address becomes a word of that address, unless a
 // code of the block takes the letter itself.
-bool Parser::apply_aliases(IsoBlock& block) {
+bool IsoParser::apply_aliases(IsoBlock& block) {
   const auto takes = [&](const IsoWord& code, char letter) {
     const char kind = code.name.letter;
     if ((kind != 'G' && kind != 'M') || code.name.code < 0) return false;
@@ -230,7 +231,7 @@ bool Parser::apply_aliases(IsoBlock& block) {
   return true;
 }
 
-bool Parser::add_word(IsoBlock& block, IsoWord word) {
+bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
   const char letter = word.name.letter;
   const bool is_code = letter == 'G' || letter == 'M';
   if (is_code && word.value.node == Node::number) {
@@ -258,17 +259,17 @@ bool Parser::add_word(IsoBlock& block, IsoWord word) {
   return true;
 }
 
-bool Parser::parse_parameter_setting(IsoBlock& block) {
-  auto target = parse_parameter_reference();
+bool IsoParser::parse_parameter_setting(IsoBlock& block) {
+  auto target = brackets_.parse_parameter_reference();
   if (!target) return false;
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != '=') {
-    report_unexpected(scanner_.peek(LineEnds::significant), "`=` after the parameter");
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`=` after the parameter");
     return false;
   }
   scanner_.advance(1);
   scanner_.skip_blanks(LineEnds::significant);
-  auto value = parse_value();
+  auto value = brackets_.parse_value();
   if (!value) return false;
   block.settings.push_back({std::move(*target), std::move(*value)});
   return true;

@@ -1,13 +1,10 @@
-// O-lines: subprograms and flow of RS274/NGC, and numbered programs.
-//
-// What O-lines enclose becomes the same tree as high-level text; only their subprograms, calls and
-// counted loops have nodes of their own.
+#include "lang/tree/o_line_parser.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "lang/text/limits.h"
-#include "lang/tree/parser.h"
 
 namespace stanok::lang {
 namespace {
@@ -35,7 +32,7 @@ std::string without_leading_zeros(const std::string& digits) {
 }  // namespace
 
 // The O-line that begins here, without reading it; nothing when it has a computed label.
-std::optional<Parser::OLineAhead> Parser::o_line_ahead() const {
+std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
   std::size_t at = 0;
   const auto character = [&] { return scanner_.character(at); };
   const auto skip_blanks = [&] {
@@ -69,9 +66,9 @@ std::optional<Parser::OLineAhead> Parser::o_line_ahead() const {
   return line;
 }
 
-Parser::MaybeStatement Parser::parse_o_line() {
-  line_ends_ = LineEnds::significant;
-  operator_count_ = 0;
+MaybeStatement OLineParser::parse_o_line() {
+  cursor_.set_line_ends(LineEnds::significant);
+  cursor_.begin_operators();
   const auto ahead = o_line_ahead();
   const Span label_span =
       scanner_.here(static_cast<std::uint32_t>(ahead ? ahead->label_length : 1));
@@ -107,7 +104,7 @@ Parser::MaybeStatement Parser::parse_o_line() {
 }
 
 // O100 alone, or O100 (title): a program of that number begins.
-Parser::MaybeStatement Parser::parse_program_number(const OLineAhead& line, const Span& span) {
+MaybeStatement OLineParser::parse_program_number(const OLineAhead& line, const Span& span) {
   scanner_.advance(line.length);
   if (!finish_o_line()) return std::nullopt;
   if (!line.numbered) {
@@ -115,7 +112,7 @@ Parser::MaybeStatement Parser::parse_program_number(const OLineAhead& line, cons
         .help.push_back("write e.g. `O<name> sub` or `O<name> call`");
     return std::nullopt;
   }
-  const bool inside = inside_braces() || o_depth_ > 0;
+  const bool inside = !cursor_.at_file_level();
   if (inside || line.label.size() > program_digits_max) {
     reporter_.error("E2012", span,
                     inside ? "a numbered program inside braces or O-lines"
@@ -127,11 +124,11 @@ Parser::MaybeStatement Parser::parse_program_number(const OLineAhead& line, cons
 }
 
 // O[...] call, O#1 call
-Parser::MaybeStatement Parser::parse_computed_call() {
+MaybeStatement OLineParser::parse_computed_call() {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
-  auto number = parse_value();
+  auto number = brackets_.parse_value();
   if (!number) return std::nullopt;
   OLabel label;
   label.span = scanner_.span_from(start, line);
@@ -147,12 +144,12 @@ Parser::MaybeStatement Parser::parse_computed_call() {
   return parse_o_call(std::move(label));
 }
 
-Parser::MaybeStatement Parser::parse_o_call(OLabel label) {
+MaybeStatement OLineParser::parse_o_call(OLabel label) {
   OCall call{std::move(label), {}};
   while (true) {
     scanner_.skip_blanks(LineEnds::significant);
     if (scanner_.character() != '[') break;
-    auto argument = parse_bracket();
+    auto argument = brackets_.parse_bracket();
     if (!argument) return std::nullopt;
     call.arguments.push_back(std::move(*argument));
   }
@@ -165,8 +162,8 @@ Parser::MaybeStatement Parser::parse_o_call(OLabel label) {
   return statement_of(std::move(call));
 }
 
-Parser::MaybeStatement Parser::parse_o_sub(const OpenOLine& open, OLabel label) {
-  if (inside_braces() || o_depth_ > 0) {
+MaybeStatement OLineParser::parse_o_sub(const OpenOLine& open, OLabel label) {
+  if (!cursor_.at_file_level()) {
     reporter_.error("E2012", open.span, "`" + open.text() + "` inside braces or other O-lines",
                     "subprograms stand at file level");
     return std::nullopt;
@@ -178,13 +175,13 @@ Parser::MaybeStatement Parser::parse_o_sub(const OpenOLine& open, OLabel label) 
   return statement_of(std::move(subprogram));
 }
 
-Parser::MaybeStatement Parser::parse_o_return() {
+MaybeStatement OLineParser::parse_o_return() {
   OReturn result;
   if (!parse_optional_bracket(result.value)) return std::nullopt;
   return statement_of(std::move(result));
 }
 
-Parser::MaybeStatement Parser::parse_o_if(const OpenOLine& open) {
+MaybeStatement OLineParser::parse_o_if(const OpenOLine& open) {
   auto condition = parse_o_condition(open.keyword);
   If statement;
   auto end = parse_o_body(open, {"elseif", "else", "endif"}, statement.then_body);
@@ -193,13 +190,13 @@ Parser::MaybeStatement Parser::parse_o_if(const OpenOLine& open) {
     if (!finish_o_line()) return std::nullopt;
     end = parse_o_body(open, {"endif"}, statement.else_body);
   } else if (*end == "elseif") {
-    if (else_if_depth_ >= limits::else_ifs) {
+    if (cursor_.depth().else_ifs >= limits::else_ifs) {
       reporter_.error("E2031", open.span, "more than 1000 `elseif` in a row", "one too many");
       return std::nullopt;
     }
-    ++else_if_depth_;
+    ++cursor_.depth().else_ifs;
     auto other = parse_o_if({open.label, *end, open.span});
-    --else_if_depth_;
+    --cursor_.depth().else_ifs;
     if (!other) return std::nullopt;
     other->span = open.span;
     statement.else_body.push_back(std::move(*other));
@@ -210,7 +207,7 @@ Parser::MaybeStatement Parser::parse_o_if(const OpenOLine& open) {
   return statement_of(std::move(statement));
 }
 
-Parser::MaybeStatement Parser::parse_o_while(const OpenOLine& open) {
+MaybeStatement OLineParser::parse_o_while(const OpenOLine& open) {
   auto condition = parse_o_condition(open.keyword);
   While loop{{}, {}, open.label};
   if (!parse_o_body(open, {"endwhile"}, loop.body) || !finish_o_line()) return std::nullopt;
@@ -219,7 +216,7 @@ Parser::MaybeStatement Parser::parse_o_while(const OpenOLine& open) {
   return statement_of(std::move(loop));
 }
 
-Parser::MaybeStatement Parser::parse_o_do(const OpenOLine& open) {
+MaybeStatement OLineParser::parse_o_do(const OpenOLine& open) {
   if (!finish_o_line()) return std::nullopt;
   StatementList body;
   if (!parse_o_body(open, {"while"}, body)) return std::nullopt;
@@ -228,7 +225,7 @@ Parser::MaybeStatement Parser::parse_o_do(const OpenOLine& open) {
   return statement_of(DoWhile{std::move(body), std::move(*condition), open.label});
 }
 
-Parser::MaybeStatement Parser::parse_o_repeat(const OpenOLine& open) {
+MaybeStatement OLineParser::parse_o_repeat(const OpenOLine& open) {
   auto count = parse_o_bracket(open.keyword);
   ORepeat loop{{}, {}, open.label};
   if (!parse_o_body(open, {"endrepeat"}, loop.body) || !finish_o_line()) return std::nullopt;
@@ -239,33 +236,33 @@ Parser::MaybeStatement Parser::parse_o_repeat(const OpenOLine& open) {
 
 // The statements up to the O-line of the same label whose keyword is one of `ends`; that keyword,
 // read.
-std::optional<std::string> Parser::parse_o_body(const OpenOLine& open,
-                                                const std::vector<std::string_view>& ends,
-                                                StatementList& body) {
-  if (brace_depth_ + o_depth_ >= limits::nesting) {
+std::optional<std::string> OLineParser::parse_o_body(const OpenOLine& open,
+                                                     const std::vector<std::string_view>& ends,
+                                                     StatementList& body) {
+  if (cursor_.depth().braces + cursor_.depth().o_lines >= limits::nesting) {
     reporter_.error("E2030", open.span, "more than 64 nested O-lines and braces", "too deep");
     return std::nullopt;
   }
-  ++o_depth_;
+  ++cursor_.depth().o_lines;
   std::optional<std::string> end;
   while (!end) {
     if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
-    if (scanner_.at_end() || (scanner_.character() == '}' && inside_braces())) {
+    if (scanner_.at_end() || (scanner_.character() == '}' && cursor_.inside_braces())) {
       reporter_.error("E2013", open.span, "`" + open.text() + "` is not closed",
                       "`O" + open.label + " " + std::string(ends.back()) + "` is missing");
       break;
     }
     if (scanner_.at_line_start()) end = take_o_end(open, ends);
-    if (!end) parse_statement(body);
+    if (!end) statements_.parse_statement(body);
   }
-  --o_depth_;
-  line_ends_ = LineEnds::significant;
+  --cursor_.depth().o_lines;
+  cursor_.set_line_ends(LineEnds::significant);
   return end;
 }
 
 // The keyword of the O-line that stands here when it ends what is open; a wrong one is reported.
-std::optional<std::string> Parser::take_o_end(const OpenOLine& open,
-                                              const std::vector<std::string_view>& ends) {
+std::optional<std::string> OLineParser::take_o_end(const OpenOLine& open,
+                                                   const std::vector<std::string_view>& ends) {
   const auto ahead = o_line_ahead();
   if (!ahead) return std::nullopt;
   const bool same = ahead->label == open.label;
@@ -285,14 +282,14 @@ std::optional<std::string> Parser::take_o_end(const OpenOLine& open,
 
 // [expression] that must stand behind a keyword, and the end of the line. What the line opened is
 // read on when it is faulty.
-Parser::MaybeExpression Parser::parse_o_bracket(std::string_view keyword) {
+MaybeExpression OLineParser::parse_o_bracket(std::string_view keyword) {
   scanner_.skip_blanks(LineEnds::significant);
   MaybeExpression value;
   if (scanner_.character() == '[') {
-    value = parse_bracket();
+    value = brackets_.parse_bracket();
   } else {
-    report_unexpected(scanner_.peek(LineEnds::significant),
-                      "`[` after `" + std::string(keyword) + "`");
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
+                              "`[` after `" + std::string(keyword) + "`");
   }
   if (value && finish_o_line()) return value;
   scanner_.skip_to_line_end();
@@ -300,7 +297,7 @@ Parser::MaybeExpression Parser::parse_o_bracket(std::string_view keyword) {
 }
 
 // A condition of O-lines is a number: true when it is not 0.
-Parser::MaybeExpression Parser::parse_o_condition(std::string_view keyword) {
+MaybeExpression OLineParser::parse_o_condition(std::string_view keyword) {
   auto number = parse_o_bracket(keyword);
   if (!number) return std::nullopt;
   Expression zero;
@@ -315,25 +312,26 @@ Parser::MaybeExpression Parser::parse_o_condition(std::string_view keyword) {
 }
 
 // [expression] or nothing, then the end of the line.
-bool Parser::parse_optional_bracket(MaybeExpression& value) {
+bool OLineParser::parse_optional_bracket(MaybeExpression& value) {
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() == '[') {
-    value = parse_bracket();
+    value = brackets_.parse_bracket();
     if (!value) return false;
   }
   return finish_o_line();
 }
 
 // Comments may follow, nothing else.
-bool Parser::finish_o_line() {
+bool OLineParser::finish_o_line() {
   scanner_.skip_blanks(LineEnds::significant);
   while (scanner_.character() == '(') {
     if (!scanner_.read_parenthesis_comment()) return false;
     scanner_.skip_blanks(LineEnds::significant);
   }
-  if (scanner_.character() == ';' && !inside_braces()) scanner_.skip_line_comment();
-  if (scanner_.at_line_end() || (scanner_.character() == '}' && inside_braces())) return true;
-  report_unexpected(scanner_.peek(LineEnds::significant), "the end of the O-line");
+  if (scanner_.character() == ';' && !cursor_.inside_braces()) scanner_.skip_line_comment();
+  if (scanner_.at_line_end() || (scanner_.character() == '}' && cursor_.inside_braces()))
+    return true;
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "the end of the O-line");
   return false;
 }
 

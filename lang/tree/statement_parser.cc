@@ -1,19 +1,13 @@
-// High-level statements: bodies, conditions, loops, assignments and calls.
+#include "lang/tree/statement_parser.h"
+
 #include <array>
 #include <utility>
 
 #include "lang/text/limits.h"
-#include "lang/tree/parser.h"
+#include "lang/tree/keywords.h"
 
 namespace stanok::lang {
 namespace {
-
-constexpr auto keywords = std::to_array<std::string_view>(
-    {"if",     "else", "while", "for",    "do",   "switch", "case",  "default", "break", "continue",
-     "return", "num",  "bool",  "string", "axis", "void",   "const", "shared",  "true",  "false"});
-
-constexpr auto reserved_words = std::to_array<std::string_view>(
-    {"repeat", "until", "goto", "extern", "struct", "enum", "import", "export", "persist"});
 
 std::optional<Operation> combined_operation(const Token& token) {
   if (token.is("+=") || token.is("++")) return Operation::add;
@@ -25,31 +19,8 @@ std::optional<Operation> combined_operation(const Token& token) {
 
 }  // namespace
 
-bool is_keyword(std::string_view folded_name) {
-  for (const std::string_view word : keywords) {
-    if (word == folded_name) return true;
-  }
-  return false;
-}
-
-bool is_reserved_word(std::string_view folded_name) {
-  for (const std::string_view word : reserved_words) {
-    if (word == folded_name) return true;
-  }
-  return false;
-}
-
-std::optional<Type> type_of_keyword(std::string_view folded_name) {
-  if (folded_name == "num") return Type::number;
-  if (folded_name == "bool") return Type::boolean;
-  if (folded_name == "string") return Type::string;
-  if (folded_name == "axis") return Type::axis;
-  if (folded_name == "void") return Type::none;
-  return std::nullopt;
-}
-
-Parser::MaybeStatement Parser::parse_keyword(std::string_view keyword) {
-  line_ends_ = LineEnds::blank;
+MaybeStatement StatementParser::parse_keyword(std::string_view keyword) {
+  cursor_.set_line_ends(LineEnds::blank);
   if (keyword == "if") return parse_if();
   if (keyword == "while") return parse_while();
   if (keyword == "do") return parse_do();
@@ -57,66 +28,33 @@ Parser::MaybeStatement Parser::parse_keyword(std::string_view keyword) {
   if (keyword == "switch") return parse_switch();
   if (keyword == "return") return parse_return();
   if (keyword == "break" || keyword == "continue") return parse_jump(keyword);
-  report_unexpected(scanner_.peek(LineEnds::blank), "a statement");
+  cursor_.report_unexpected(scanner_.peek(LineEnds::blank), "a statement");
   return std::nullopt;
 }
 
-// { statements }
-std::optional<StatementList> Parser::parse_body(std::string_view of) {
-  line_ends_ = LineEnds::blank;
-  const Token open = scanner_.peek(LineEnds::blank);
-  if (!open.is("{")) {
-    reporter_
-        .error("E2020", open.span, "the body of `" + std::string(of) + "` needs braces",
-               "expected `{`")
-        .help.push_back("write `" + std::string(of) + " ... { ... }`");
-    return std::nullopt;
-  }
-  scanner_.take(LineEnds::blank);
-  if (brace_depth_ + o_depth_ >= limits::nesting) {
-    reporter_.error("E2030", open.span, "more than 64 nested braces", "too deep");
-    return std::nullopt;
-  }
-  StatementList body;
-  ++brace_depth_;
-  scanner_.skip_blanks(LineEnds::significant);
-  while (!scanner_.at_end() && scanner_.character() != '}') {
-    parse_statement(body);
-    if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
-  }
-  --brace_depth_;
-  line_ends_ = LineEnds::blank;
-  if (scanner_.at_end()) {
-    reporter_.error("E2003", open.span, "`{` is not closed", "`}` is missing");
-    return std::nullopt;
-  }
-  scanner_.advance(1);
-  return body;
-}
-
-Parser::MaybeStatement Parser::parse_compound() {
-  auto body = parse_body("compound");
+MaybeStatement StatementParser::parse_compound() {
+  auto body = bodies_.parse_body("compound");
   if (!body) return std::nullopt;
   return statement_of(Compound{std::move(*body)});
 }
 
 // ( condition )
-Parser::MaybeExpression Parser::parse_condition() {
-  line_ends_ = LineEnds::blank;
+MaybeExpression StatementParser::parse_condition() {
+  cursor_.set_line_ends(LineEnds::blank);
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
-  if (!expect("(", "the keyword")) return std::nullopt;
-  auto condition = parse_expression(LineEnds::blank);
-  if (!condition || !expect(")", "the condition")) return std::nullopt;
-  if (!check_length(start, line)) return std::nullopt;
+  if (!cursor_.expect("(", "the keyword")) return std::nullopt;
+  auto condition = expressions_.parse_expression(LineEnds::blank);
+  if (!condition || !cursor_.expect(")", "the condition")) return std::nullopt;
+  if (!cursor_.check_length(start, line)) return std::nullopt;
   return condition;
 }
 
-Parser::MaybeStatement Parser::parse_if() {
+MaybeStatement StatementParser::parse_if() {
   scanner_.take(LineEnds::blank);
   auto condition = parse_condition();
   if (!condition) return std::nullopt;
-  auto then_body = parse_body("if");
+  auto then_body = bodies_.parse_body("if");
   if (!then_body) return std::nullopt;
   If statement{std::move(*condition), std::move(*then_body), {}};
   const Token token = scanner_.peek(LineEnds::blank);
@@ -126,68 +64,68 @@ Parser::MaybeStatement Parser::parse_if() {
   scanner_.take(LineEnds::blank);
   const Token next = scanner_.peek(LineEnds::blank);
   if (next.kind == TokenKind::name && folded(next.text) == "if") {
-    if (else_if_depth_ >= limits::else_ifs) {
+    if (cursor_.depth().else_ifs >= limits::else_ifs) {
       reporter_.error("E2031", next.span, "more than 1000 `else if` in a row", "one too many");
       return std::nullopt;
     }
-    ++else_if_depth_;
+    ++cursor_.depth().else_ifs;
     auto other = parse_if();
-    --else_if_depth_;
+    --cursor_.depth().else_ifs;
     if (!other) return std::nullopt;
     other->span = next.span;
     statement.else_body.push_back(std::move(*other));
   } else {
-    auto else_body = parse_body("else");
+    auto else_body = bodies_.parse_body("else");
     if (!else_body) return std::nullopt;
     statement.else_body = std::move(*else_body);
   }
   return statement_of(std::move(statement));
 }
 
-Parser::MaybeStatement Parser::parse_while() {
+MaybeStatement StatementParser::parse_while() {
   scanner_.take(LineEnds::blank);
   auto condition = parse_condition();
   if (!condition) return std::nullopt;
-  auto body = parse_body("while");
+  auto body = bodies_.parse_body("while");
   if (!body) return std::nullopt;
   return statement_of(While{std::move(*condition), std::move(*body), {}});
 }
 
-Parser::MaybeStatement Parser::parse_do() {
+MaybeStatement StatementParser::parse_do() {
   scanner_.take(LineEnds::blank);
-  auto body = parse_body("do");
+  auto body = bodies_.parse_body("do");
   if (!body) return std::nullopt;
   const Token token = scanner_.peek(LineEnds::blank);
   if (token.kind != TokenKind::name || folded(token.text) != "while") {
-    report_unexpected(token, "`while` after the body of `do`");
+    cursor_.report_unexpected(token, "`while` after the body of `do`");
     return std::nullopt;
   }
   scanner_.take(LineEnds::blank);
   auto condition = parse_condition();
-  if (!condition || !expect(";", "the condition of `do`")) return std::nullopt;
+  if (!condition || !cursor_.expect(";", "the condition of `do`")) return std::nullopt;
   return statement_of(DoWhile{std::move(*body), std::move(*condition), {}});
 }
 
-Parser::MaybeStatement Parser::parse_for() {
+MaybeStatement StatementParser::parse_for() {
   const std::size_t begin = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.take(LineEnds::blank);
-  if (!expect("(", "`for`")) return std::nullopt;
+  if (!cursor_.expect("(", "`for`")) return std::nullopt;
   For loop;
-  if (!accept(";")) {
+  if (!cursor_.accept(";")) {
     const Token first = scanner_.peek(LineEnds::blank);
     scanner_.skip_blanks(LineEnds::blank);
     const bool declares = type_of_keyword(folded(first.text)).has_value();
-    auto start = declares ? parse_declaration_or_function() : parse_simple();
+    auto start = declares ? declarations_.parse_declaration_or_function() : parse_simple();
     if (!start) return std::nullopt;
     start->span = first.span;
     loop.start.push_back(std::move(*start));
   }
-  if (!accept(";")) {
-    loop.condition = parse_expression(LineEnds::blank);
-    if (!loop.condition || !expect(";", "the condition of `for`")) return std::nullopt;
+  if (!cursor_.accept(";")) {
+    loop.condition = expressions_.parse_expression(LineEnds::blank);
+    if (!loop.condition || !cursor_.expect(";", "the condition of `for`")) return std::nullopt;
   }
-  if (!accept(")")) {
+  if (!cursor_.accept(")")) {
     const Span span = scanner_.peek(LineEnds::blank).span;
     // A simple statement without its `;`: the parenthesis ends it.
     closing_ = ")";
@@ -197,19 +135,19 @@ Parser::MaybeStatement Parser::parse_for() {
     step->span = span;
     loop.step.push_back(std::move(*step));
   }
-  if (!check_length(begin, line)) return std::nullopt;
-  auto body = parse_body("for");
+  if (!cursor_.check_length(begin, line)) return std::nullopt;
+  auto body = bodies_.parse_body("for");
   if (!body) return std::nullopt;
   loop.body = std::move(*body);
   return statement_of(std::move(loop));
 }
 
-Parser::MaybeStatement Parser::parse_switch() {
+MaybeStatement StatementParser::parse_switch() {
   scanner_.take(LineEnds::blank);
   auto value = parse_condition();
-  if (!value || !expect("{", "`switch ( )`")) return std::nullopt;
+  if (!value || !cursor_.expect("{", "`switch ( )`")) return std::nullopt;
   Switch statement{std::move(*value), {}};
-  while (!accept("}")) {
+  while (!cursor_.accept("}")) {
     auto next = parse_case();
     if (!next) return std::nullopt;
     statement.cases.push_back(std::move(*next));
@@ -218,58 +156,58 @@ Parser::MaybeStatement Parser::parse_switch() {
 }
 
 // case 1, 2: { }   default: { }
-std::optional<SwitchCase> Parser::parse_case() {
+std::optional<SwitchCase> StatementParser::parse_case() {
   const Token token = scanner_.peek(LineEnds::blank);
   const std::string word = folded(token.text);
   SwitchCase one;
   one.span = token.span;
   if (word != "case" && word != "default") {
-    report_unexpected(token, "`case`, `default` or `}`");
+    cursor_.report_unexpected(token, "`case`, `default` or `}`");
     return std::nullopt;
   }
   scanner_.take(LineEnds::blank);
   if (word == "case") {
-    if (!parse_list(":", one.values)) return std::nullopt;
+    if (!expressions_.parse_list(":", one.values)) return std::nullopt;
     if (one.values.empty()) {
       reporter_.error("E2001", token.span, "`case` needs a value", "no value");
       return std::nullopt;
     }
-  } else if (!expect(":", "`default`")) {
+  } else if (!cursor_.expect(":", "`default`")) {
     return std::nullopt;
   }
-  auto body = parse_body(word);
+  auto body = bodies_.parse_body(word);
   if (!body) return std::nullopt;
   one.body = std::move(*body);
   return one;
 }
 
-Parser::MaybeStatement Parser::parse_return() {
+MaybeStatement StatementParser::parse_return() {
   scanner_.take(LineEnds::blank);
   Return statement;
-  if (accept(";")) return statement_of(std::move(statement));
-  statement.value = parse_expression(LineEnds::blank);
-  if (!statement.value || !expect(";", "the value of `return`")) return std::nullopt;
+  if (cursor_.accept(";")) return statement_of(std::move(statement));
+  statement.value = expressions_.parse_expression(LineEnds::blank);
+  if (!statement.value || !cursor_.expect(";", "the value of `return`")) return std::nullopt;
   return statement_of(std::move(statement));
 }
 
-Parser::MaybeStatement Parser::parse_jump(std::string_view keyword) {
+MaybeStatement StatementParser::parse_jump(std::string_view keyword) {
   scanner_.take(LineEnds::blank);
-  if (!expect(";", "`" + std::string(keyword) + "`")) return std::nullopt;
+  if (!cursor_.expect(";", "`" + std::string(keyword) + "`")) return std::nullopt;
   return keyword == "break" ? statement_of(Break{}) : statement_of(Continue{});
 }
 
 // An assignment or a call.
-Parser::MaybeStatement Parser::parse_simple() {
-  line_ends_ = LineEnds::blank;
+MaybeStatement StatementParser::parse_simple() {
+  cursor_.set_line_ends(LineEnds::blank);
   const Token name = scanner_.peek(LineEnds::blank);
   if (name.kind != TokenKind::name) {
-    report_unexpected(name, "an assignment or a call");
+    cursor_.report_unexpected(name, "an assignment or a call");
     return std::nullopt;
   }
-  auto target = parse_name();
+  auto target = expressions_.parse_name();
   if (!target) return std::nullopt;
   if (target->node == Node::call) {
-    if (!expect(closing_, "the call")) return std::nullopt;
+    if (!cursor_.expect(closing_, "the call")) return std::nullopt;
     return statement_of(CallStatement{std::move(*target)});
   }
   if (target->node != Node::name && target->node != Node::element) {
@@ -285,14 +223,14 @@ Parser::MaybeStatement Parser::parse_simple() {
     assignment.value.number = 1.0;
     assignment.value.span = token.span;
   } else if (token.is("=") || combined) {
-    auto value = parse_expression(LineEnds::blank);
+    auto value = expressions_.parse_expression(LineEnds::blank);
     if (!value) return std::nullopt;
     assignment.value = std::move(*value);
   } else {
-    report_unexpected(token, "`=` or `(` after `" + assignment.target.text + "`");
+    cursor_.report_unexpected(token, "`=` or `(` after `" + assignment.target.text + "`");
     return std::nullopt;
   }
-  if (!expect(closing_, "the assignment")) return std::nullopt;
+  if (!cursor_.expect(closing_, "the assignment")) return std::nullopt;
   return statement_of(std::move(assignment));
 }
 
