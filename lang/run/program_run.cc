@@ -117,8 +117,10 @@ Step ProgramRun::advance(Command& command, int& work) {
     if (stop_.active() && stops_here()) return failed_or(Step::stopped);
     if (vm_.plain().at_end()) {
       work += run_code(work_bound - work);
-    } else if (run_line(command)) {
-      return Step::command;
+    } else {
+      const BlockRunner::LineResult result = blocks_.take_line(command);
+      if (result == BlockRunner::LineResult::command) return Step::command;
+      if (result == BlockRunner::LineResult::block) execute_block();
     }
   }
   return Step::working;
@@ -155,13 +157,6 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
   const bool done = values_.execute(instruction) || calls_.execute(instruction) ||
                     requests_.execute(instruction) || directives_.execute(instruction);
   STANOK_ASSERT(done);
-}
-
-// True when the next plain line made `command` without the queue.
-bool ProgramRun::run_line(Command& command) {
-  const BlockRunner::LineResult result = blocks_.take_line(command);
-  if (result == BlockRunner::LineResult::block) execute_block();
-  return result == BlockRunner::LineResult::command;
 }
 
 void ProgramRun::execute_block() {

@@ -82,7 +82,6 @@ class ProgramRun {
   bool stops_here();
   int run_code(int bound);
   void execute_effect(const Instruction& instruction);
-  bool run_line(Command& command);
   void execute_block();
   void follow(const BlockFlow& flow);
   void leave_subprogram();
