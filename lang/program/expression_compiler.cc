@@ -1,8 +1,9 @@
-// Code of expressions, with their types.
+#include "lang/program/expression_compiler.h"
+
 #include <utility>
 
 #include "lang/block/predefined_parameter.h"
-#include "lang/program/compiler.h"
+#include "lang/tree/builtin.h"
 
 namespace stanok::lang {
 namespace {
@@ -21,8 +22,7 @@ bool is_logical(Operation operation) {
 
 }  // namespace
 
-// Compiles an expression that must be a scalar of `type`.
-bool Compiler::require(const Expression& expression, Type type, std::string_view what) {
+bool ExpressionCompiler::require(const Expression& expression, Type type, std::string_view what) {
   const ValueType found = compile_expression(expression);
   if (!found.known()) return false;
   if (found.is(type)) return true;
@@ -39,23 +39,23 @@ bool Compiler::require(const Expression& expression, Type type, std::string_view
   return false;
 }
 
-Compiler::ValueType Compiler::compile_expression(const Expression& expression) {
+ValueType ExpressionCompiler::compile_expression(const Expression& expression) {
   switch (expression.node) {
     case Node::number:
-      push_number(expression.number, expression.span);
+      code_.push_number(expression.number, expression.span);
       return {Type::number, 0};
     case Node::boolean:
-      push_number(expression.number, expression.span);
+      code_.push_number(expression.number, expression.span);
       return {Type::boolean, 0};
     case Node::string:
-      push_text(expression.text, expression.span);
+      code_.push_text(expression.text, expression.span);
       return {Type::string, 0};
     case Node::name:
       return compile_name(expression);
     case Node::element:
       return compile_element(expression);
     case Node::call:
-      return compile_call(expression, CallForm::expression);
+      return calls_.compile_call(expression, CallCompiler::Form::expression);
     case Node::unary:
       return compile_unary(expression);
     case Node::binary:
@@ -75,37 +75,37 @@ Compiler::ValueType Compiler::compile_expression(const Expression& expression) {
   return {};
 }
 
-Compiler::ValueType Compiler::compile_name(const Expression& name) {
-  if (const Symbol* const symbol = find(name.text)) {
+ValueType ExpressionCompiler::compile_name(const Expression& name) {
+  if (const Symbol* const symbol = symbols_.find(name.text)) {
     if (symbol->shared >= 0 && symbol->type.dimensions != 0) {
       reporter_.error("E3004", name.span, "a shared array cannot be used as a whole",
                       "name an element");
       return {};
     }
     if (symbol->constant) {
-      push_constant(*symbol->constant, name.span);
+      code_.push_constant(*symbol->constant, name.span);
     } else {
-      load(*symbol, name.span);
+      symbols_.load(*symbol, name.span);
     }
     return symbol->type;
   }
-  if (const auto constant = find_constant(name.text)) {
-    push_constant(*constant, name.span);
+  if (const auto constant = symbols_.find_constant(name.text)) {
+    code_.push_constant(*constant, name.span);
     return {constant->type, 0};
   }
-  const NameTest defines = [](const FileNames& names, const std::string& wanted) {
+  const SymbolTable::NameTest defines = [](const FileNames& names, const std::string& wanted) {
     return names.constants.contains(wanted);
   };
-  if (!refuse_ambiguous(name.text, name.span, defines)) {
-    report_unknown(name.text, name.span, "variable");
+  if (!symbols_.refuse_ambiguous(name.text, name.span, defines)) {
+    symbols_.report_unknown(name.text, name.span, "variable");
   }
   return {};
 }
 
-Compiler::ValueType Compiler::compile_element_address(const Expression& element) {
-  const Symbol* const symbol = find(element.text);
+ValueType ExpressionCompiler::compile_element_address(const Expression& element) {
+  const Symbol* const symbol = symbols_.find(element.text);
   if (symbol == nullptr) {
-    report_unknown(element.text, element.span, "array");
+    symbols_.report_unknown(element.text, element.span, "array");
     return {};
   }
   const int dimensions = symbol->type.dimensions;
@@ -119,39 +119,39 @@ Compiler::ValueType Compiler::compile_element_address(const Expression& element)
     return {};
   }
   const ValueType type{symbol->type.type, 0};
-  load(*symbol, element.span);
+  symbols_.load(*symbol, element.span);
   for (const Expression& index : element.children) {
     if (!require(index, Type::number, "the index")) return {};
   }
   return type;
 }
 
-Compiler::ValueType Compiler::compile_element(const Expression& element) {
+ValueType ExpressionCompiler::compile_element(const Expression& element) {
   const ValueType type = compile_element_address(element);
   if (!type.known()) return {};
-  const int shared = find(element.text)->shared;
-  emit(shared >= 0 ? Op::read_shared : Op::element, element.span,
-       shared >= 0 ? static_cast<std::uint32_t>(shared) : 0,
-       static_cast<std::uint8_t>(element.children.size()));
+  const int shared = symbols_.find(element.text)->shared;
+  code_.emit(shared >= 0 ? Op::read_shared : Op::element, element.span,
+             shared >= 0 ? static_cast<std::uint32_t>(shared) : 0,
+             static_cast<std::uint8_t>(element.children.size()));
   return type;
 }
 
-Compiler::ValueType Compiler::compile_unary(const Expression& unary) {
+ValueType ExpressionCompiler::compile_unary(const Expression& unary) {
   const bool logical = unary.operation == Operation::logical_not;
   const Type type = logical ? Type::boolean : Type::number;
-  if (const auto constant = constant_of(unary)) {
-    push_constant(*constant, unary.span);
+  if (const auto constant = symbols_.constant_of(unary)) {
+    code_.push_constant(*constant, unary.span);
     return {constant->type, 0};
   }
   if (!require(unary.children[0], type, "the operand")) return {};
-  emit(Op::compute, unary.span, 0, 1, static_cast<std::uint16_t>(unary.operation));
+  code_.emit(Op::compute, unary.span, 0, 1, static_cast<std::uint16_t>(unary.operation));
   return {type, 0};
 }
 
-Compiler::ValueType Compiler::compile_binary(const Expression& binary) {
+ValueType ExpressionCompiler::compile_binary(const Expression& binary) {
   if (is_logical(binary.operation)) return compile_logical(binary);
-  if (const auto constant = constant_of(binary)) {
-    push_constant(*constant, binary.span);
+  if (const auto constant = symbols_.constant_of(binary)) {
+    code_.push_constant(*constant, binary.span);
     return {constant->type, 0};
   }
   const Expression& left_operand = binary.children[0];
@@ -170,70 +170,72 @@ Compiler::ValueType Compiler::compile_binary(const Expression& binary) {
   }
   if (!require(right_operand, left.type, "the right operand")) return {};
   if (joins) {
-    emit(Op::join_texts, binary.span);
+    code_.emit(Op::join_texts, binary.span);
     return {Type::string, 0};
   }
   if (left.is(Type::string)) {
-    emit(Op::texts_equal, binary.span);
+    code_.emit(Op::texts_equal, binary.span);
     if (binary.operation == Operation::not_equal) {
-      emit(Op::compute, binary.span, 0, 1, static_cast<std::uint16_t>(Operation::logical_not));
+      code_.emit(Op::compute, binary.span, 0, 1,
+                 static_cast<std::uint16_t>(Operation::logical_not));
     }
     return {Type::boolean, 0};
   }
-  const auto left_value = constant_of(left_operand);
-  const auto right_value = constant_of(right_operand);
+  const auto left_value = symbols_.constant_of(left_operand);
+  const auto right_value = symbols_.constant_of(right_operand);
   ArithmeticFault fault{};
   if (left_value && right_value &&
       !computed(binary.operation, left_value->number, right_value->number, fault)) {
     reporter_.error(fault.code, binary.span, fault.message, "");
     return {};
   }
-  emit(Op::compute, binary.span, 0, 0, static_cast<std::uint16_t>(binary.operation));
+  code_.emit(Op::compute, binary.span, 0, 0, static_cast<std::uint16_t>(binary.operation));
   return {is_comparison(binary.operation) ? Type::boolean : Type::number, 0};
 }
 
 // && and || compute the right operand only when it decides.
-Compiler::ValueType Compiler::compile_logical(const Expression& binary) {
+ValueType ExpressionCompiler::compile_logical(const Expression& binary) {
   if (!require(binary.children[0], Type::boolean, "the left operand")) return {};
   const bool conjunction = binary.operation == Operation::logical_and;
   const std::size_t end =
-      emit(conjunction ? Op::jump_if_false_keep : Op::jump_if_true_keep, binary.span);
+      code_.emit(conjunction ? Op::jump_if_false_keep : Op::jump_if_true_keep, binary.span);
   if (!require(binary.children[1], Type::boolean, "the right operand")) return {};
-  patch(end);
+  code_.patch(end);
   return {Type::boolean, 0};
 }
 
-Compiler::ValueType Compiler::compile_conditional(const Expression& conditional) {
+ValueType ExpressionCompiler::compile_conditional(const Expression& conditional) {
   compile_condition(conditional.children[0]);
-  const std::size_t otherwise = emit(Op::jump_if_false, conditional.span);
+  const std::size_t otherwise = code_.emit(Op::jump_if_false, conditional.span);
   const ValueType type = compile_expression(conditional.children[1]);
-  const std::size_t end = emit(Op::jump, conditional.span);
-  patch(otherwise);
+  const std::size_t end = code_.emit(Op::jump, conditional.span);
+  code_.patch(otherwise);
   if (!type.known() || !require(conditional.children[2], type.type, "the second value")) return {};
-  patch(end);
+  code_.patch(end);
   return type;
 }
 
-Compiler::ValueType Compiler::compile_parameter(const Expression& parameter) {
+ValueType ExpressionCompiler::compile_parameter(const Expression& parameter) {
   switch (parameter.node) {
     case Node::parameter:
       if (!require(parameter.children[0], Type::number, "the parameter number")) return {};
-      emit(Op::parameter, parameter.span);
+      code_.emit(Op::parameter, parameter.span);
       return {Type::number, 0};
     case Node::named_parameter:
       if (const PredefinedParameter* const row = find_predefined_parameter(parameter.text)) {
-        emit(Op::predefined_parameter, parameter.span,
-             static_cast<std::uint32_t>(row - predefined_parameters().data()));
+        code_.emit(Op::predefined_parameter, parameter.span,
+                   static_cast<std::uint32_t>(row - predefined_parameters().data()));
       } else {
-        emit(Op::named_parameter, parameter.span, named_parameter_slot(parameter.text));
+        code_.emit(Op::named_parameter, parameter.span,
+                   symbols_.named_parameter_slot(parameter.text));
       }
       return {Type::number, 0};
     case Node::exists:
       if (find_predefined_parameter(parameter.children[0].text) != nullptr) {
-        push_number(1.0, parameter.span);
+        code_.push_number(1.0, parameter.span);
       } else {
-        emit(Op::named_parameter_exists, parameter.span,
-             named_parameter_slot(parameter.children[0].text));
+        code_.emit(Op::named_parameter_exists, parameter.span,
+                   symbols_.named_parameter_slot(parameter.children[0].text));
       }
       return {Type::number, 0};
     default:
@@ -244,22 +246,22 @@ Compiler::ValueType Compiler::compile_parameter(const Expression& parameter) {
                     "R0 to R999 exist");
     return {};
   }
-  emit(Op::r_parameter, parameter.span, static_cast<std::uint32_t>(parameter.number));
+  code_.emit(Op::r_parameter, parameter.span, static_cast<std::uint32_t>(parameter.number));
   return {Type::number, 0};
 }
 
-Compiler::ValueType Compiler::compile_axis(const Expression& axis) {
-  if (channel_words_ && channel_words_->axis_called(axis.text) < 0) {
+ValueType ExpressionCompiler::compile_axis(const Expression& axis) {
+  if (channel_ != nullptr && channel_->axis_called(axis.text) < 0) {
     reporter_.error("E4010", axis.span, "this channel has no axis `" + axis.text + "`",
                     "not an axis of channel " + std::to_string(context_.channel->id));
     return {};
   }
   file_.texts.push_back(axis.text);
-  emit(Op::push_axis, axis.span, static_cast<std::uint32_t>(file_.texts.size() - 1));
+  code_.emit(Op::push_axis, axis.span, static_cast<std::uint32_t>(file_.texts.size() - 1));
   return {Type::axis, 0};
 }
 
-Compiler::ValueType Compiler::compile_system_variable(const Expression& variable) {
+ValueType ExpressionCompiler::compile_system_variable(const Expression& variable) {
   const SystemVariable* const row = find_system_variable(variable.text);
   if (row == nullptr) {
     std::vector<std::string_view> names;
@@ -282,46 +284,18 @@ Compiler::ValueType Compiler::compile_system_variable(const Expression& variable
   const Type index_type = row->index == Type::none ? Type::number : row->index;
   if (has_index && !require(variable.children[0], index_type, "the index")) return {};
   const auto index = static_cast<std::uint32_t>(row - system_variables().data());
-  emit(row->of_machine ? Op::request_value : Op::system_value, variable.span, index,
-       has_index ? 1 : 0);
+  code_.emit(row->of_machine ? Op::request_value : Op::system_value, variable.span, index,
+             has_index ? 1 : 0);
   return {row->result, 0};
 }
 
-// The value of an expression of constants, if it has one; reports nothing.
-std::optional<Constant> Compiler::constant_of(const Expression& expression) const {
-  switch (expression.node) {
-    case Node::number:
-      return Constant{Type::number, expression.number, {}};
-    case Node::boolean:
-      return Constant{Type::boolean, expression.number, {}};
-    case Node::string:
-      return Constant{Type::string, 0.0, expression.text};
-    case Node::name:
-      if (const Symbol* const symbol = find(expression.text)) return symbol->constant;
-      return find_constant(expression.text);
-    case Node::unary: {
-      const auto operand = constant_of(expression.children[0]);
-      const bool logical = expression.operation == Operation::logical_not;
-      if (!operand || operand->type != (logical ? Type::boolean : Type::number)) break;
-      ArithmeticFault fault{};
-      const auto result = computed(expression.operation, operand->number, 0.0, fault);
-      if (!result) break;
-      return Constant{operand->type, *result, {}};
-    }
-    case Node::binary: {
-      const auto left = constant_of(expression.children[0]);
-      const auto right = left ? constant_of(expression.children[1]) : std::nullopt;
-      if (!right || left->type != Type::number || right->type != Type::number) break;
-      ArithmeticFault fault{};
-      const auto result = computed(expression.operation, left->number, right->number, fault);
-      if (!result) break;
-      return Constant{
-          is_comparison(expression.operation) ? Type::boolean : Type::number, *result, {}};
-    }
-    default:
-      break;
-  }
-  return std::nullopt;
+void ExpressionCompiler::compile_condition(const Expression& condition) {
+  const ValueType type = compile_expression(condition);
+  if (!type.known() || type.is(Type::boolean)) return;
+  Diagnostic& diagnostic = reporter_.error("E3006", condition.span, "a condition must be a bool",
+                                           "this is a " + std::string(type_name(type.type)));
+  if (!type.is(Type::number)) return;
+  diagnostic.help.push_back("write `" + std::string(file_.source.text(condition.span)) + " != 0`");
 }
 
 }  // namespace stanok::lang

@@ -1,10 +1,11 @@
-// Code of ISO blocks that are not plain.
+#include "lang/program/iso_compiler.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lang/block/block_check.h"
 #include "lang/block/predefined_parameter.h"
-#include "lang/program/compiler.h"
 
 namespace stanok::lang {
 namespace {
@@ -31,42 +32,39 @@ Span span_of(const BlockTemplate& made, const WordName& name) {
 
 }  // namespace
 
-std::uint32_t Compiler::named_parameter_slot(const std::string& name) {
-  return context_.program.named_parameters.add(folded(name));
-}
-
-void Compiler::compile_kind(const IsoBlock& block) {
+void IsoCompiler::compile(const IsoBlock& block) {
   for (const ActiveComment& comment : block.comments) {
-    if (!require(comment.text, Type::string, "the message")) return;
-    emit(Op::message, comment.text.span, 0, 0, static_cast<std::uint16_t>(comment.kind));
+    if (!expressions_.require(comment.text, Type::string, "the message")) return;
+    code_.emit(Op::message, comment.text.span, 0, 0, static_cast<std::uint16_t>(comment.kind));
   }
   BlockTemplate made;
-  made.span = statement_span_;
+  made.span = code_.statement_span();
   compile_words(block, made);
   compile_spindle(block, made);
   compile_settings(block.settings);
   check_template(made);
   if (block.words.empty() && !block.spindle) return;
   file_.blocks.push_back(std::move(made));
-  emit(Op::block, statement_span_, static_cast<std::uint32_t>(file_.blocks.size() - 1));
+  code_.emit(Op::block, code_.statement_span(),
+             static_cast<std::uint32_t>(file_.blocks.size() - 1));
 }
 
-void Compiler::compile_words(const IsoBlock& block, BlockTemplate& made) {
+void IsoCompiler::compile_words(const IsoBlock& block, BlockTemplate& made) {
   for (const IsoWord& word : block.words) {
     IsoWord place;
     place.span = word.span;
     place.name = word.name;
     made.places.push_back(std::move(place));
-    const auto constant = constant_of(word.value);
+    const auto constant = symbols_.constant_of(word.value);
     if (constant && constant->type == Type::number && !(is_code(word) && word.name.code < 0)) {
       add_constant_word(word, constant->number, made);
-    } else if (require(word.value, Type::number, "the value of a word")) {
+    } else if (expressions_.require(word.value, Type::number, "the value of a word")) {
       add_computed_word(word, made);
     }
   }
 }
 
-void Compiler::add_constant_word(const IsoWord& word, double value, BlockTemplate& made) {
+void IsoCompiler::add_constant_word(const IsoWord& word, double value, BlockTemplate& made) {
   BlockWords& words = made.words;
   if (is_code(word)) {
     CodeList& list = list_of(words, word.name.letter);
@@ -82,7 +80,7 @@ void Compiler::add_constant_word(const IsoWord& word, double value, BlockTemplat
 }
 
 // The value of a named word is no number until it is computed: feed laws name it in their errors.
-void Compiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
+void IsoCompiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
   BlockWords& words = made.words;
   ComputedWord computed;
   if (is_code(word)) {
@@ -102,8 +100,8 @@ void Compiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
   made.computed.push_back(computed);
 }
 
-void Compiler::compile_spindle(const IsoBlock& block, BlockTemplate& made) {
-  if (!block.spindle || !require(*block.spindle, Type::number, "the spindle")) return;
+void IsoCompiler::compile_spindle(const IsoBlock& block, BlockTemplate& made) {
+  if (!block.spindle || !expressions_.require(*block.spindle, Type::number, "the spindle")) return;
   ComputedWord computed;
   computed.kind = ComputedWord::Kind::spindle;
   made.computed.push_back(computed);
@@ -111,7 +109,7 @@ void Compiler::compile_spindle(const IsoBlock& block, BlockTemplate& made) {
 }
 
 // All values of the block are computed before the first setting takes effect.
-void Compiler::compile_settings(const std::vector<ParameterSetting>& settings) {
+void IsoCompiler::compile_settings(const std::vector<ParameterSetting>& settings) {
   if (settings.empty()) return;
   std::vector<SettingTarget> targets;
   for (const ParameterSetting& setting : settings) {
@@ -120,15 +118,16 @@ void Compiler::compile_settings(const std::vector<ParameterSetting>& settings) {
     targets.push_back(*target);
   }
   file_.settings.push_back(std::move(targets));
-  emit(Op::settings, settings.front().target.span,
-       static_cast<std::uint32_t>(file_.settings.size() - 1));
+  code_.emit(Op::settings, settings.front().target.span,
+             static_cast<std::uint32_t>(file_.settings.size() - 1));
 }
 
-std::optional<SettingTarget> Compiler::compile_setting(const ParameterSetting& setting) {
+std::optional<SettingTarget> IsoCompiler::compile_setting(const ParameterSetting& setting) {
   const Expression& parameter = setting.target;
   SettingTarget target;
   if (parameter.node == Node::parameter) {
-    if (!require(parameter.children[0], Type::number, "the parameter number")) return std::nullopt;
+    if (!expressions_.require(parameter.children[0], Type::number, "the parameter number"))
+      return std::nullopt;
   } else if (parameter.node == Node::r_parameter) {
     target.kind = SettingTarget::Kind::r_parameter;
     target.slot = static_cast<std::uint32_t>(parameter.number);
@@ -139,25 +138,25 @@ std::optional<SettingTarget> Compiler::compile_setting(const ParameterSetting& s
     }
   } else {
     target.kind = SettingTarget::Kind::named;
-    target.slot = named_parameter_slot(parameter.text);
+    target.slot = symbols_.named_parameter_slot(parameter.text);
     if (find_predefined_parameter(parameter.text) != nullptr) {
       reporter_.error("E3013", parameter.span, "`#<" + parameter.text + ">` is predefined",
                       "cannot be changed");
       return std::nullopt;
     }
   }
-  if (!require(setting.value, Type::number, "the value of a parameter")) return std::nullopt;
+  if (!expressions_.require(setting.value, Type::number, "the value of a parameter"))
+    return std::nullopt;
   return target;
 }
 
-void Compiler::check_template(const BlockTemplate& made) {
+void IsoCompiler::check_template(const BlockTemplate& made) {
   if (dwells_suspiciously_long(made.words)) {
     reporter_
         .warning("W410", span_of(made, {'P', -1, {}}), "a dwell of 100 s or more", "milliseconds?")
         .help.push_back("the unit is seconds: use e.g. `G4 P0.5`");
   }
-  const ChannelWords* const channel = channel_words_ ? &*channel_words_ : nullptr;
-  auto fault = check_block(made.words, channel, context_.dialect);
+  auto fault = check_block(made.words, channel_, context_.dialect);
   if (!fault) return;
   Diagnostic& diagnostic = reporter_.error(fault->code, span_of(made, fault->word),
                                            std::move(fault->message), std::move(fault->label));

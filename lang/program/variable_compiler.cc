@@ -1,12 +1,14 @@
-// Code of declarations and assignments; scopes and names.
+#include "lang/program/variable_compiler.h"
+
 #include <utility>
 
-#include "lang/program/compiler.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {
 namespace {
+
+constexpr double shared_elements_max = 65536.0;
 
 // Of +=, -=, *= and /=.
 Combination combination_of(Operation operation) {
@@ -24,144 +26,7 @@ Combination combination_of(Operation operation) {
 
 }  // namespace
 
-std::string_view type_name(Type type) {
-  switch (type) {
-    case Type::none:
-      return "void";
-    case Type::number:
-      return "num";
-    case Type::boolean:
-      return "bool";
-    case Type::string:
-      return "string";
-    case Type::axis:
-      return "axis";
-    case Type::unknown:
-      return "unknown";
-  }
-  return "";
-}
-
-const Compiler::Symbol* Compiler::find(std::string_view name) const {
-  const std::string wanted = folded(name);
-  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-    const auto found = scope->find(wanted);
-    if (found != scope->end()) return &found->second;
-  }
-  return nullptr;
-}
-
-// Constants that have no symbol here: built in, of this file (before it is compiled), of includes.
-std::optional<Constant> Compiler::find_constant(std::string_view name) const {
-  const std::string wanted = folded(name);
-  if (const auto number = find_builtin_constant(wanted)) return Constant{Type::number, *number, {}};
-  const auto look_in = [&](std::uint16_t file) -> std::optional<Constant> {
-    const auto& constants = context_.names[file].constants;
-    const auto found = constants.find(wanted);
-    if (found == constants.end()) return std::nullopt;
-    return found->second;
-  };
-  if (auto own = look_in(context_.file)) return own;
-  std::optional<Constant> hit;
-  std::uint16_t hit_file = 0;
-  for (const std::uint16_t file : file_.includes) {
-    auto included = look_in(file);
-    if (!included) continue;
-    if (hit && hit_file != file) return std::nullopt;  // refuse_ambiguous() says so
-    hit = std::move(included);
-    hit_file = file;
-  }
-  return hit;
-}
-
-bool Compiler::refuse_ambiguous(std::string_view name, const Span& span, NameTest defines) {
-  const std::string wanted = folded(name);
-  if (defines(context_.names[context_.file], wanted)) return false;
-  std::optional<std::uint16_t> hit;
-  for (const std::uint16_t file : file_.includes) {
-    if (file == hit || !defines(context_.names[file], wanted)) continue;
-    if (hit) {
-      const auto& files = context_.program.files;
-      reporter_
-          .error("E7006", span, "`" + std::string(name) + "` stands in two included files",
-                 "which one is meant?")
-          .notes.push_back(
-              {"in " + files[*hit]->source.name() + " and " + files[file]->source.name(), {}});
-      return true;
-    }
-    hit = file;
-  }
-  return false;
-}
-
-Compiler::Symbol* Compiler::declare(std::string_view name, const Span& span, Symbol symbol) {
-  const std::string wanted = folded(name);
-  const Symbol* const outer = find(name);
-  const bool function = context_.names[context_.file].functions.contains(wanted);
-  if (outer != nullptr || function) {
-    Diagnostic& diagnostic =
-        reporter_.error("E3002", span, "`" + std::string(name) + "` is declared already",
-                        "same name as an earlier one");
-    if (outer != nullptr) {
-      diagnostic.notes.push_back({"declared here first", file_.source.place(outer->span)});
-    }
-    return nullptr;
-  }
-  symbol.slot = new_slot();
-  symbol.file_level = routine_ == Routine::none;
-  symbol.span = span;
-  return &scopes_.back().emplace(wanted, std::move(symbol)).first->second;
-}
-
-// Of a shared array there is nothing to load: its elements are asked for one by one.
-void Compiler::load(const Symbol& symbol, const Span& span) {
-  if (symbol.shared >= 0) {
-    if (symbol.type.dimensions == 0)
-      emit(Op::read_shared, span, static_cast<std::uint32_t>(symbol.shared));
-    return;
-  }
-  const Op op = symbol.file_level  ? Op::load_file
-                : symbol.reference ? Op::load_reference
-                                   : Op::load_local;
-  emit(op, span, symbol.slot);
-}
-
-void Compiler::store(const Symbol& symbol, const Span& span) {
-  if (symbol.shared >= 0) {
-    emit(Op::write_shared, span, static_cast<std::uint32_t>(symbol.shared));
-    return;
-  }
-  const Op op = symbol.file_level  ? Op::store_file
-                : symbol.reference ? Op::store_reference
-                                   : Op::store_local;
-  emit(op, span, symbol.slot);
-}
-
-std::vector<std::string_view> Compiler::known_names() const {
-  std::vector<std::string_view> names;
-  for (const auto& scope : scopes_) {
-    for (const auto& [name, symbol] : scope) names.push_back(name);
-  }
-  for (const auto& [name, index] : context_.names[context_.file].functions) names.push_back(name);
-  for (const std::uint16_t file : file_.includes) {
-    for (const auto& [name, index] : context_.names[file].functions) names.push_back(name);
-    for (const auto& [name, constant] : context_.names[file].constants) names.push_back(name);
-  }
-  for (const Builtin& builtin : builtins()) names.push_back(builtin.name);
-  return names;
-}
-
-void Compiler::report_unknown(std::string_view name, const Span& span, std::string_view what) {
-  if (reporter_.is_spoilt(name)) return;
-  Diagnostic& diagnostic = reporter_.error(
-      "E3001", span, "unknown " + std::string(what) + " `" + std::string(name) + "`",
-      "not declared here");
-  if (!reporter_.is_kept(diagnostic)) return;
-  const std::string_view nearest = nearest_name(name, known_names());
-  if (!nearest.empty()) diagnostic.help.push_back("did you mean `" + std::string(nearest) + "`?");
-}
-
-void Compiler::compile_kind(const Declaration& declaration) {
+void VariableCompiler::compile(const Declaration& declaration) {
   for (const DeclaredItem& item : declaration.items) {
     if (declaration.shared) {
       compile_shared(item, declaration.type);
@@ -171,7 +36,7 @@ void Compiler::compile_kind(const Declaration& declaration) {
   }
 }
 
-void Compiler::compile_item(const Declaration& declaration, const DeclaredItem& item) {
+void VariableCompiler::compile_item(const Declaration& declaration, const DeclaredItem& item) {
   const bool array = !item.dimensions.empty() || item.dimension_from_list;
   if (declaration.constant && !item.initial && !item.has_list) {
     reporter_.error("E3007", item.span, "a constant needs a value", "no value");
@@ -191,35 +56,35 @@ void Compiler::compile_item(const Declaration& declaration, const DeclaredItem& 
   symbol.type.dimensions = array ? static_cast<int>(item.dimensions.size()) : 0;
   if (item.dimension_from_list) symbol.type.dimensions = 1;
   symbol.read_only = declaration.constant;
-  if (declaration.constant && item.initial) symbol.constant = constant_of(*item.initial);
-  const Symbol* const declared = declare(item.name, item.span, std::move(symbol));
-  if (declared != nullptr) store(*declared, item.span);
+  if (declaration.constant && item.initial) symbol.constant = symbols_.constant_of(*item.initial);
+  const Symbol* const declared = symbols_.declare(item.name, item.span, std::move(symbol));
+  if (declared != nullptr) symbols_.store(*declared, item.span);
 }
 
-void Compiler::compile_initial(const DeclaredItem& item, Type type) {
+void VariableCompiler::compile_initial(const DeclaredItem& item, Type type) {
   if (item.has_list) {
     reporter_.error("E3004", item.span, "a list is a value for arrays only", "not an array");
   } else if (item.initial) {
-    require(*item.initial, type, "the initial value");
+    expressions_.require(*item.initial, type, "the initial value");
   } else if (type == Type::string) {
-    push_text("", item.span);
+    code_.push_text("", item.span);
   } else {
-    push_number(0.0, item.span);
+    code_.push_number(0.0, item.span);
   }
 }
 
-void Compiler::compile_array(const DeclaredItem& item, Type type) {
+void VariableCompiler::compile_array(const DeclaredItem& item, Type type) {
   if (item.dimension_from_list && !item.has_list) {
     reporter_.error("E3017", item.span, "an array without a size needs a list of values", "");
     return;
   }
   if (item.dimension_from_list) {
-    push_number(static_cast<double>(item.initial_list.size()), item.span);
+    code_.push_number(static_cast<double>(item.initial_list.size()), item.span);
   }
   double size = 1.0;
   for (const Expression& dimension : item.dimensions) {
-    if (!require(dimension, Type::number, "the size")) return;
-    const auto constant = constant_of(dimension);
+    if (!expressions_.require(dimension, Type::number, "the size")) return;
+    const auto constant = symbols_.constant_of(dimension);
     if (!constant) continue;
     size *= constant->number;
     if (is_integer(constant->number) && constant->number >= 1.0 &&
@@ -232,26 +97,26 @@ void Compiler::compile_array(const DeclaredItem& item, Type type) {
   }
   const auto dimensions =
       static_cast<std::uint8_t>(item.dimension_from_list ? 1 : item.dimensions.size());
-  emit(Op::new_array, item.span, type == Type::string ? 1 : 0, dimensions);
+  code_.emit(Op::new_array, item.span, type == Type::string ? 1 : 0, dimensions);
   if (item.initial) {
     reporter_.error("E3004", item.initial->span, "an array takes a list of values", "not a list")
         .help.push_back("write `{...}`");
     return;
   }
   for (const Expression& value : item.initial_list) {
-    if (!require(value, type, "the element")) return;
+    if (!expressions_.require(value, type, "the element")) return;
   }
   if (item.has_list) {
-    emit(Op::fill_array, item.span, static_cast<std::uint32_t>(item.initial_list.size()));
+    code_.emit(Op::fill_array, item.span, static_cast<std::uint32_t>(item.initial_list.size()));
   }
 }
 
-void Compiler::compile_kind(const Assignment& assignment) {
+void VariableCompiler::compile(const Assignment& assignment) {
   const Expression& target = assignment.target;
   const auto symbol = assignable(target);
   if (!symbol) return;
   const ValueType type =
-      target.node == Node::element ? compile_element_address(target) : symbol->type;
+      target.node == Node::element ? expressions_.compile_element_address(target) : symbol->type;
   if (!type.known()) return;
   if (type.dimensions != 0) {
     reporter_.error("E3004", target.span, "an array cannot be assigned as a whole",
@@ -261,16 +126,16 @@ void Compiler::compile_kind(const Assignment& assignment) {
   if (assignment.combined && symbol->shared >= 0)
     return combine_shared(assignment, *symbol, type.type);
   if (assignment.combined) load_target(target, *symbol);
-  if (!require(assignment.value, type.type, "the value")) return;
+  if (!expressions_.require(assignment.value, type.type, "the value")) return;
   if (assignment.combined && !combine(assignment, *assignment.combined, type.type)) return;
   store_target(target, *symbol);
 }
 
 // The variable that `target` names, unless it cannot be changed.
-std::optional<Compiler::Symbol> Compiler::assignable(const Expression& target) {
-  const Symbol* const found = find(target.text);
-  if (found == nullptr && !find_constant(target.text)) {
-    report_unknown(target.text, target.span, "variable");
+std::optional<Symbol> VariableCompiler::assignable(const Expression& target) {
+  const Symbol* const found = symbols_.find(target.text);
+  if (found == nullptr && !symbols_.find_constant(target.text)) {
+    symbols_.report_unknown(target.text, target.span, "variable");
     return std::nullopt;
   }
   if (found != nullptr && !found->read_only) return *found;
@@ -282,16 +147,17 @@ std::optional<Compiler::Symbol> Compiler::assignable(const Expression& target) {
 }
 
 // The value that an operator like += begins with; the address of an element stays on the stack.
-void Compiler::load_target(const Expression& target, const Symbol& symbol) {
-  if (target.node != Node::element) return load(symbol, target.span);
+void VariableCompiler::load_target(const Expression& target, const Symbol& symbol) {
+  if (target.node != Node::element) return symbols_.load(symbol, target.span);
   const auto indices = static_cast<std::uint8_t>(target.children.size());
-  emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + 1));
-  emit(Op::element, target.span, 0, indices);
+  code_.emit(Op::duplicate, target.span, 0, static_cast<std::uint8_t>(indices + 1));
+  code_.emit(Op::element, target.span, 0, indices);
 }
 
 // The machine reads, computes and writes at once.
-void Compiler::combine_shared(const Assignment& assignment, const Symbol& symbol, Type type) {
-  if (!require(assignment.value, type, "the value")) return;
+void VariableCompiler::combine_shared(const Assignment& assignment, const Symbol& symbol,
+                                      Type type) {
+  if (!expressions_.require(assignment.value, type, "the value")) return;
   const Operation operation = *assignment.combined;
   if (type != Type::number && (type != Type::string || operation != Operation::add)) {
     refuse_combination(assignment, type);
@@ -299,34 +165,70 @@ void Compiler::combine_shared(const Assignment& assignment, const Symbol& symbol
   }
   const Expression& target = assignment.target;
   const std::size_t indices = target.node == Node::element ? target.children.size() : 0;
-  emit(Op::combine_shared, statement_span_, static_cast<std::uint32_t>(symbol.shared),
-       static_cast<std::uint8_t>(indices), static_cast<std::uint16_t>(combination_of(operation)));
+  code_.emit(Op::combine_shared, code_.statement_span(), static_cast<std::uint32_t>(symbol.shared),
+             static_cast<std::uint8_t>(indices),
+             static_cast<std::uint16_t>(combination_of(operation)));
 }
 
-void Compiler::refuse_combination(const Assignment& assignment, Type type) {
+void VariableCompiler::refuse_combination(const Assignment& assignment, Type type) {
   reporter_.error("E3004", assignment.target.span,
                   "this operator does not work on a " + std::string(type_name(type)), "");
 }
 
-bool Compiler::combine(const Assignment& assignment, Operation operation, Type type) {
+bool VariableCompiler::combine(const Assignment& assignment, Operation operation, Type type) {
   if (type == Type::string && operation == Operation::add) {
-    emit(Op::join_texts, assignment.value.span);
+    code_.emit(Op::join_texts, assignment.value.span);
     return true;
   }
   if (type == Type::number) {
-    emit(Op::compute, statement_span_, 0, 0, static_cast<std::uint16_t>(operation));
+    code_.emit(Op::compute, code_.statement_span(), 0, 0, static_cast<std::uint16_t>(operation));
     return true;
   }
   refuse_combination(assignment, type);
   return false;
 }
 
-void Compiler::store_target(const Expression& target, const Symbol& symbol) {
-  if (target.node != Node::element) return store(symbol, target.span);
+void VariableCompiler::store_target(const Expression& target, const Symbol& symbol) {
+  if (target.node != Node::element) return symbols_.store(symbol, target.span);
   const bool shared = symbol.shared >= 0;
-  emit(shared ? Op::write_shared : Op::store_element, target.span,
-       shared ? static_cast<std::uint32_t>(symbol.shared) : 0,
-       static_cast<std::uint8_t>(target.children.size()));
+  code_.emit(shared ? Op::write_shared : Op::store_element, target.span,
+             shared ? static_cast<std::uint32_t>(symbol.shared) : 0,
+             static_cast<std::uint8_t>(target.children.size()));
+}
+
+void VariableCompiler::compile_shared(const DeclaredItem& item, Type type) {
+  const auto refuse = [&](std::string message, std::string label) {
+    reporter_.error("E3020", item.span, std::move(message), std::move(label));
+  };
+  if (!symbols_.at_file_level()) {
+    return refuse("a shared variable is declared at file level", "inside braces");
+  }
+  if (type == Type::axis) return refuse("a shared variable is a num, bool or string", "an axis");
+  if (item.initial || item.has_list) {
+    return refuse("a shared variable has no initial value", "it is 0 when the machine starts");
+  }
+  SharedVariable variable;
+  variable.name = folded(item.name);
+  variable.is_text = type == Type::string;
+  variable.is_bool = type == Type::boolean;
+  variable.is_array = !item.dimensions.empty();
+  variable.place = file_.source.place(item.span);
+  std::uint32_t sizes[2] = {1, 0};
+  for (std::size_t i = 0; i < item.dimensions.size() && i < 2; ++i) {
+    const auto size = symbols_.constant_of(item.dimensions[i]);
+    const bool good = size && size->type == Type::number && is_integer(size->number) &&
+                      size->number >= 1.0 && size->number <= shared_elements_max;
+    if (!good) return refuse("the size of a shared array is a constant from 1 to 65536", "");
+    sizes[i] = static_cast<std::uint32_t>(size->number);
+  }
+  variable.rows = sizes[0];
+  variable.columns = sizes[1];
+  Symbol symbol;
+  symbol.type.type = type;
+  symbol.type.dimensions = static_cast<int>(item.dimensions.size());
+  symbol.shared = static_cast<int>(file_.shared.size());
+  if (symbols_.declare(item.name, item.span, std::move(symbol)) != nullptr)
+    file_.shared.push_back(std::move(variable));
 }
 
 }  // namespace stanok::lang
