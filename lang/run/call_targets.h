@@ -25,9 +25,6 @@ struct NumberedProgramSearch {
   std::optional<std::pair<std::uint16_t, std::uint16_t>> rivals;
 };
 
-// Where numbered programs are looked for.
-enum class SearchedTexts { all, files_only };
-
 // In the text of `caller`, then in the included ones (once), then the file of that number.
 [[nodiscard]] NumberedProgramSearch find_numbered_program(const Program& program,
                                                           std::uint16_t caller, int number,
