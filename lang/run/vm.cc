@@ -62,7 +62,8 @@ const Instruction* Vm::step() {
 }
 
 bool Vm::execute(const Instruction& instruction) {
-  if (execute_memory(instruction) || execute_jump(instruction)) return true;
+  if (execute_constant(instruction) || execute_variable(instruction)) return true;
+  if (execute_jump(instruction)) return true;
   if (ArrayInstructions::takes(instruction.op)) {
     ValueFault fault;
     if (!arrays_.execute(instruction, fault)) fail(fault);
@@ -91,11 +92,8 @@ bool Vm::execute(const Instruction& instruction) {
   }
 }
 
-// Constants and variables.
-bool Vm::execute_memory(const Instruction& instruction) {
+bool Vm::execute_constant(const Instruction& instruction) {
   const CompiledFile& current = file();
-  const std::size_t local = frames_.back().slots + instruction.operand;
-  const std::size_t of_file = file_slots_[frames_.back().file] + instruction.operand;
   switch (instruction.op) {
     case Op::push_number:
       stack_.push(value_of(current.numbers[instruction.operand]));
@@ -109,13 +107,20 @@ bool Vm::execute_memory(const Instruction& instruction) {
     case Op::pop:
       stack_.drop();
       return true;
-    case Op::duplicate: {
-      const std::size_t first = stack_.height() - instruction.count;
+    case Op::duplicate:
       for (std::size_t i = 0; i < instruction.count; ++i) {
-        stack_.push(Value(stack_.top(stack_.height() - first - i).front()));
+        stack_.push(Value(stack_.top(instruction.count).front()));
       }
       return true;
-    }
+    default:
+      return false;
+  }
+}
+
+bool Vm::execute_variable(const Instruction& instruction) {
+  const std::size_t local = frames_.back().slots + instruction.operand;
+  const std::size_t of_file = file_slots_[frames_.back().file] + instruction.operand;
+  switch (instruction.op) {
     case Op::load_local:
       stack_.push(slots_[local]);
       return true;

@@ -116,7 +116,8 @@ class Vm final : public RunPlace {
 
  private:
   bool execute(const Instruction& instruction);
-  bool execute_memory(const Instruction& instruction);
+  bool execute_constant(const Instruction& instruction);
+  bool execute_variable(const Instruction& instruction);
   bool execute_jump(const Instruction& instruction);
   bool execute_texts(const Instruction& instruction);
   void compute(const Instruction& instruction);

@@ -132,20 +132,28 @@ std::optional<IsoBlock> Parser::parse_block(const Source& source, const Span& sp
   return std::get<IsoBlock>(std::move(statement->kind));
 }
 
-void Parser::parse_statement(StatementList& list) {
-  if (take_plain_lines(list)) return;
+// What stands between statements: line ends, comments, `;`, braces. False: a statement begins.
+bool Parser::pass_separator() {
   scanner().skip_blanks(LineEnds::significant);
-  if (scanner().at_end()) return;
-  if (scanner().at_line_end()) return scanner().skip_line_end();
+  if (scanner().at_end()) return true;
   const char c = scanner().character();
-  if (c == ';')
-    return scanner().at_line_start() ? scanner().skip_line_comment() : scanner().advance(1);
-  if (c == '}' && headless_braces_ > 0) return close_headless();
-  if (c == '}' && cursor_.inside_braces()) return;
-  if (c == '}') {
+  if (scanner().at_line_end()) {
+    scanner().skip_line_end();
+  } else if (c == ';') {
+    scanner().at_line_start() ? scanner().skip_line_comment() : scanner().advance(1);
+  } else if (c == '}' && headless_braces_ > 0) {
+    close_headless();
+  } else if (c == '}' && !cursor_.inside_braces()) {
     reporter().error("E2003", scanner().here(), "`}` without `{`", "nothing to close");
-    return scanner().advance(1);
+    scanner().advance(1);
+  } else {
+    return c == '}';
   }
+  return true;
+}
+
+void Parser::parse_statement(StatementList& list) {
+  if (take_plain_lines(list) || pass_separator()) return;
   if (context_.watch != nullptr) context_.watch->count_statement();
   const std::size_t start = scanner().offset();
   const std::uint32_t line = scanner().line();

@@ -48,6 +48,7 @@ class Parser final : private StatementReader {
  private:
   void parse_statement(StatementList& list) override;
   bool take_plain_lines(StatementList& list);
+  bool pass_separator();
   MaybeStatement parse_kind();
   MaybeStatement parse_named_start();
   MaybeStatement refuse_type(const std::string& name);

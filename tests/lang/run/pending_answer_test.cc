@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-namespace stanok::lang {
+#include "tests/lang/program_support.h"
+
+namespace stanok::lang::testing {
 namespace {
 
 Answer refused(std::string text) {
@@ -108,5 +110,28 @@ TEST(PendingAnswer, KeepsWhatIsToBeDoneWithTheAnswer) {
   EXPECT_TRUE(pending.restoring().is_statement);
 }
 
+class RefusedTable : public ProgramTest {};
+
+// The same in two runs of one interpreter.
+TEST_F(RefusedTable, InInchesLeavesTheNumbersOfTheNextProgramAlone) {
+  answering = [](const Request& request) {
+    Answer answer = number(50.8);
+    answer.ok = request.kind != RequestKind::offset_table_read;
+    return answer;
+  };
+  run("G20\nnum zero = gettable_zs (1, 1, X);\nM30\n");
+  EXPECT_EQ(error.code, "E6032");
+  files.texts["next.nc"] =
+      "num feed = $ovr_feed;\nif (feed == 50.8) { msg (\"the same\"); }\nM30\n";
+  const auto next = compile("next.nc", files, &channel, warnings);
+  ASSERT_TRUE(next);
+  error = {};
+  interpreter->start(*next, start_B);
+  drain();
+  EXPECT_EQ(error.code, "");
+  ASSERT_EQ(all<Message>().size(), 1u);
+  EXPECT_EQ(all<Message>()[0].text, "the same");
+}
+
 }  // namespace
-}  // namespace stanok::lang
+}  // namespace stanok::lang::testing
