@@ -149,7 +149,7 @@ std::optional<Point> centre_from_words(ActiveBlock& block, const ArcPlane& plane
 }
 
 std::optional<Point> centre_from_radius(ActiveBlock& block, const ArcPlane& plane, const Point& p0,
-                                        const Point& p1, bool counter_clockwise) {
+                                        const Point& p1, const Move& move) {
   const double radius = std::abs(plane.first_gain) * block.length('R');
   const double dx = p1[0] - p0[0];
   const double dy = p1[1] - p0[1];
@@ -170,7 +170,7 @@ std::optional<Point> centre_from_radius(ActiveBlock& block, const ArcPlane& plan
   }
   const double height =
       missing >= -coordinate_rounding ? 0.0 : std::sqrt((radius - half) * (radius + half));
-  const double side = counter_clockwise == (radius > 0.0) ? 1.0 : -1.0;
+  const double side = move.counter_clockwise == (radius > 0.0) ? 1.0 : -1.0;
   const double scale = side * height / chord;
   return Point{p0[0] + dx / 2.0 - dy * scale, p0[1] + dy / 2.0 + dx * scale};
 }
@@ -210,9 +210,8 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
   resolve_ends(block, move);
   const Point p0 = plane->point(block.modal.position_W);
   const Point p1 = plane->point(move.end);
-  const auto centre = block.has('R')
-                          ? centre_from_radius(block, *plane, p0, p1, move.counter_clockwise)
-                          : centre_from_words(block, *plane, p0);
+  const auto centre = block.has('R') ? centre_from_radius(block, *plane, p0, p1, move)
+                                     : centre_from_words(block, *plane, p0);
   if (!centre || !check_radii(block, p0, p1, *centre, code)) return;
   move.centre = *centre;
   if (block.has('P')) {

@@ -1,5 +1,5 @@
 // Action of probing, G38.2 to G38.5: a line that ends where the probe changes. The program waits
-// for what was found, which ProgramRun keeps for $probe and #5061.
+// for what was found, which BlockRunner keeps for $probe and #5061.
 #include <algorithm>
 #include <cmath>
 

@@ -148,8 +148,8 @@ class Roughing {
       const TurningPoint end{moves[k].end.x + allowance.x, moves[k].end.z + allowance.z};
       if (moves[k].arc) {
         const TurningPoint& centre = moves[k].centre;
-        moves_.arc(end, {centre.x + allowance.x, centre.z + allowance.z},
-                   moves[k].counter_clockwise);
+        moves_.arc(
+            {end, {centre.x + allowance.x, centre.z + allowance.z}, moves[k].counter_clockwise});
       } else {
         moves_.feed(end);
       }
@@ -204,7 +204,8 @@ void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour
   const double across = block.modal.diameters() ? 0.5 : 1.0;
   const TurningPoint allowance{block.has('U') ? across * block.length('U') : 0.0,
                                block.has('W') ? block.length('W') : 0.0};
-  const TurnedContour turned(list, moves.position(), allowance, turning);
+  const TurnedContour turned(list, moves.position(), allowance,
+                             turning ? PassAxis::z : PassAxis::x);
   if (!turned.problem().empty()) {
     return fail_contour(block, code,
                         turned.problem() + ", see line " + std::to_string(turned.problem_line()));

@@ -68,7 +68,8 @@ void set_speed(ActiveBlock& block, int spindle, double speed, const WordName& wo
       .spindle = spindle, .action = SpindleAction::set_speed, .speed_rev_per_min = speed});
 }
 
-void note_running(ActiveBlock& block, int spindle, bool running) {
+void note_action(ActiveBlock& block, int spindle, SpindleAction action) {
+  const bool running = action != SpindleAction::stop && action != SpindleAction::orient;
   const std::uint16_t which = spindle == -1
                                   ? std::uint16_t{0xFFFF}
                                   : static_cast<std::uint16_t>(1U << index_of(block, spindle));
@@ -106,7 +107,7 @@ bool spindle_has_position(const ActiveBlock& block, int spindle) {
 }
 
 void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action) {
-  note_running(block, spindle, action != SpindleAction::stop && action != SpindleAction::orient);
+  note_action(block, spindle, action);
   const bool turns =
       action == SpindleAction::clockwise || action == SpindleAction::counter_clockwise;
   if (spindle == -1 && turns && speeds_differ(block)) {
@@ -169,7 +170,7 @@ void orient_spindle(ActiveBlock& block, CodeNumber code) {
       return;
     }
   }
-  note_running(block, *spindle, false);
+  note_action(block, *spindle, SpindleAction::orient);
   block.queue.emit(command);
 }
 

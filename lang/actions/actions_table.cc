@@ -166,9 +166,13 @@ void write_tool_values(ActiveBlock& block) {
   write_tool_row(block, *tool, lengths, block.programmed);
 }
 
-// The length with which the point has the programmed coordinates: in the active system (L10), or
-// in G59.3 without G52, G92 and rotation (L11).
-void write_tool_length_here(ActiveBlock& block, bool in_fixture) {
+// The system in which the point has the programmed coordinates: the active one (L10), or G59.3
+// without G52, G92 and rotation (L11).
+enum class LengthSystem { active, fixture };
+
+// The length with which the point has the programmed coordinates.
+void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
+  const bool in_fixture = system == LengthSystem::fixture;
   if (block.programmed == 0) {
     const std::string name = in_fixture ? "`G10 L11`" : "`G10 L10`";
     BlockFault& fault =
@@ -219,10 +223,10 @@ void write_table(ActiveBlock& block, CodeNumber) {
   if (kind == 1.0 && check_words(block, 1, tool_letters)) return write_tool_values(block);
   if (kind == 2.0 && check_words(block, 2, letters_of("R"))) return write_work_offset(block);
   if (kind == 10.0 && check_words(block, 10, tool_letters)) {
-    return write_tool_length_here(block, false);
+    return write_tool_length_here(block, LengthSystem::active);
   }
   if (kind == 11.0 && check_words(block, 11, tool_letters)) {
-    return write_tool_length_here(block, true);
+    return write_tool_length_here(block, LengthSystem::fixture);
   }
   if (kind == 20.0 && check_words(block, 20, 0)) return write_work_offset_here(block);
   if (block.failed()) return;

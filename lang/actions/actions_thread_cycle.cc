@@ -40,8 +40,7 @@ double tangent_of_deg(double angle) {
   return std::tan(angle * std::numbers::pi / 180.0);
 }
 
-void need(ActiveBlock& block, char letter, bool good, const std::string& what) {
-  if (good) return;
+void ask_for(ActiveBlock& block, char letter, const std::string& what) {
   const bool present = block.has(letter);
   block
       .fail(present ? "E4008" : "E4007", {present ? letter : 'G', present ? -1 : 760, {}},
@@ -121,13 +120,14 @@ void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   const double taper = block.has('E') ? block.length('E') : 0.0;
   const double degression = block.has('R') ? block.value('R') : 1.0;
   const double angle = block.has('Q') ? block.value('Q') : 0.0;
-  need(block, 'P', block.has('P') && block.value('P') > 0.0, "P, a positive lead");
-  need(block, 'I', block.has('I') && block.value('I') != 0.0, "I, the way to the thread's peak");
-  need(block, 'J', block.has('J') && block.value('J') > 0.0, "J, a positive first depth");
-  need(block, 'K', block.value('K') > 0.0, "K, a positive depth");
-  need(block, 'R', degression >= 1.0, "R of at least 1");
-  need(block, 'Q', angle >= 0.0 && angle < 80.0, "Q from 0 to below 80 degrees");
-  need(block, 'E', taper >= 0.0, "E of at least 0");
+  if (!block.has('P') || block.value('P') <= 0.0) ask_for(block, 'P', "P, a positive lead");
+  if (!block.has('I') || block.value('I') == 0.0)
+    ask_for(block, 'I', "I, the way to the thread's peak");
+  if (!block.has('J') || block.value('J') <= 0.0) ask_for(block, 'J', "J, a positive first depth");
+  if (block.value('K') <= 0.0) ask_for(block, 'K', "K, a positive depth");
+  if (degression < 1.0) ask_for(block, 'R', "R of at least 1");
+  if (angle < 0.0 || angle >= 80.0) ask_for(block, 'Q', "Q from 0 to below 80 degrees");
+  if (taper < 0.0) ask_for(block, 'E', "E of at least 0");
   const auto spring = block.has('H') ? block.integer('H', 0, 99) : 0;
   const auto ends = block.has('L') ? block.integer('L', 0, 3) : 0;
   if (block.failed() || !spring || !ends) return;
@@ -160,8 +160,8 @@ void take_thread_settings(ActiveBlock& block) {
   }
   if (block.has('Q')) settings.smallest_cut = block.length('Q');
   if (block.has('R')) settings.last_cut = block.length('R');
-  need(block, 'Q', settings.smallest_cut >= 0.0, "Q of at least 0");
-  need(block, 'R', settings.last_cut >= 0.0, "R of at least 0");
+  if (settings.smallest_cut < 0.0) ask_for(block, 'Q', "Q of at least 0");
+  if (settings.last_cut < 0.0) ask_for(block, 'R', "R of at least 0");
 }
 
 void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
@@ -169,10 +169,10 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   refuse_words_of_other_forms(block, "PQRF");
   for (const char letter : {'P', 'Q'})
     refuse_thousandths(block, letter, thread_depth_max, "a depth");
-  need(block, 'X', moves.names_x(), "X, the root of the thread");
-  need(block, 'P', block.has('P') && block.value('P') > 0.0, "P, a positive depth");
-  need(block, 'Q', block.has('Q') && block.value('Q') > 0.0, "Q, a positive first depth");
-  need(block, 'F', block.has('F') && block.value('F') > 0.0, "F, a positive lead");
+  if (!moves.names_x()) ask_for(block, 'X', "X, the root of the thread");
+  if (!block.has('P') || block.value('P') <= 0.0) ask_for(block, 'P', "P, a positive depth");
+  if (!block.has('Q') || block.value('Q') <= 0.0) ask_for(block, 'Q', "Q, a positive first depth");
+  if (!block.has('F') || block.value('F') <= 0.0) ask_for(block, 'F', "F, a positive lead");
   if (block.failed()) return;
   const TurningPoint start = moves.position();
   const TurningPoint root = moves.programmed_end();
@@ -186,8 +186,8 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.infeed_tangent = tangent_of_deg(settings.angle_deg / 2.0);
   thread.exit = settings.run_out_tenths * thread.lead / 10.0;
   thread.depth = depth - settings.last_cut;
-  need(block, 'P', thread.depth > 0.0, "P larger than the last cut");
-  need(block, 'P', settings.smallest_cut < depth, "P larger than the smallest cut");
+  if (thread.depth <= 0.0) ask_for(block, 'P', "P larger than the last cut");
+  if (settings.smallest_cut >= depth) ask_for(block, 'P', "P larger than the smallest cut");
   if (block.failed()) return;
   add_passes(block, thread, block.length('Q'), 0.5, settings.smallest_cut, 0);
   thread.depth = depth;
@@ -206,7 +206,7 @@ void cut_thread_in_passes(ActiveBlock& block, CodeNumber code) {
   const auto spindle = named_spindle(block);
   if (!spindle) return;
   check_spindle_turns(block, *spindle, code);
-  need(block, 'Z', moves->names_z(), "Z, the end of the thread");
+  if (!moves->names_z()) ask_for(block, 'Z', "Z, the end of the thread");
   if (block.failed()) return;
   Thread thread;
   thread.spindle = *spindle;

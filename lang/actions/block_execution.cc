@@ -26,6 +26,10 @@ void apply_units(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
+AxisWordCount axis_words_of(const ActiveBlock& block) {
+  return block.programmed != 0 ? AxisWordCount::some : AxisWordCount::none;
+}
+
 // The motion code of a block that has one.
 const Code& motion_row(const BlockCodes& codes) {
   std::size_t i = 0;
@@ -179,7 +183,7 @@ void execute_block(ActiveBlock& block) {
   collect_incremental_words(block, codes);
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return;
-  if (auto fault = missing_axes(codes, block.programmed != 0)) {
+  if (auto fault = missing_axes(codes, axis_words_of(block))) {
     block.fault = std::move(fault);
     return;
   }
@@ -190,7 +194,7 @@ void execute_block(ActiveBlock& block) {
   }
   add_modal_motion(block, codes, block.words.letters & ~codes.words);
   if (block.failed()) return;
-  if (auto fault = check_feed_law(block.words, codes, block.programmed != 0)) {
+  if (auto fault = check_feed_law(block.words, codes, axis_words_of(block))) {
     block.fault = std::move(fault);
     return;
   }

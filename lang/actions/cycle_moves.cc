@@ -60,12 +60,12 @@ void CycleMoves::go(MoveKind kind, TurningPoint end) {
   block_.queue.emit(move);
 }
 
-void CycleMoves::arc(TurningPoint end, TurningPoint centre, bool counter_clockwise) {
-  Move move = move_to(MoveKind::arc, end);
+void CycleMoves::arc(const TurningArc& arc) {
+  Move move = move_to(MoveKind::arc, arc.end);
   move.words = static_cast<AxisSet>(axis_bit(x_) | axis_bit(z_));
   move.plane = Plane::zx;
-  move.centre = {centre.z, centre.x};
-  move.counter_clockwise = counter_clockwise;
+  move.centre = {arc.centre.z, arc.centre.x};
+  move.counter_clockwise = arc.counter_clockwise;
   resolve_feed(block_, move);
   if (block_.failed()) return;
   advance_position(block_, move);

@@ -10,6 +10,13 @@
 
 namespace stanok::lang {
 
+// Radii, mm.
+struct TurningArc {
+  TurningPoint end;
+  TurningPoint centre;
+  bool counter_clockwise = false;
+};
+
 class CycleMoves {
  public:
   // Fails the block when the channel lacks X or Z.
@@ -24,7 +31,7 @@ class CycleMoves {
   void rapid(TurningPoint end) { go(MoveKind::rapid, end); }
   void feed(TurningPoint end) { go(MoveKind::line, end); }
   // In the plane ZX.
-  void arc(TurningPoint end, TurningPoint centre, bool counter_clockwise);
+  void arc(const TurningArc& arc);
   // With the lead along the axis that travels farther, from the angle of the block's first pass.
   void thread(TurningPoint end, double lead_mm, int spindle);
 

@@ -85,9 +85,10 @@ std::optional<BlockFault> check_master(const BlockWords& words, const ChannelDes
   return std::nullopt;
 }
 
-std::optional<BlockFault> missing_axes(const BlockCodes& codes, bool any_axis_word) {
+std::optional<BlockFault> missing_axes(const BlockCodes& codes, AxisWordCount count) {
   const Code* const user = codes.axis_user;
-  if (user == nullptr || user->axes != AxisWords::required || any_axis_word) return std::nullopt;
+  if (user == nullptr || user->axes != AxisWords::required || count == AxisWordCount::some)
+    return std::nullopt;
   return fault_at("E4007", {user->letter, user->number, {}},
                   "`" + code_text(user->letter, user->number) + "` needs an axis word", "");
 }
@@ -116,12 +117,13 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
   const LetterSet unused = words.letters & ~allowed;
   if (unused != 0) return unused_word(unused, channel);
-  bool any_axis_word = (words.letters & axes & ~dwell_set) != 0;
+  const bool any_axis_word =
+      (words.letters & axes & ~dwell_set) != 0 || (!words.named.empty() && any_named_axis(words));
+  const AxisWordCount count = any_axis_word ? AxisWordCount::some : AxisWordCount::none;
   if (!words.named.empty()) {
-    any_axis_word = any_axis_word || any_named_axis(words);
-    if (auto fault = check_feed_law(words, codes, any_axis_word)) return fault;
+    if (auto fault = check_feed_law(words, codes, count)) return fault;
   }
-  return missing_axes(codes, any_axis_word);
+  return missing_axes(codes, count);
 }
 
 bool dwells_suspiciously_long(const BlockWords& words) {

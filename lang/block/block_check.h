@@ -33,6 +33,6 @@ inline constexpr LetterSet always_allowed = letters_of("FST");
 [[nodiscard]] std::optional<BlockFault> check_master(const BlockWords& words,
                                                      const ChannelDescription& channel);
 // The code that needs axis words has none.
-[[nodiscard]] std::optional<BlockFault> missing_axes(const BlockCodes& codes, bool any_axis_word);
+[[nodiscard]] std::optional<BlockFault> missing_axes(const BlockCodes& codes, AxisWordCount count);
 
 }  // namespace stanok::lang

@@ -14,6 +14,9 @@
 
 namespace stanok::lang {
 
+// How many axis words a block has.
+enum class AxisWordCount : std::uint8_t { none, some };
+
 // The rows of all codes of a block and what they claim together.
 struct BlockCodes {
   static constexpr int capacity = 2 * CodeList::capacity + 5;  // + F, law, S, T, modal motion

@@ -32,13 +32,13 @@ BlockFault law_without_path(const BlockWords& words, const std::string& where, s
 }
 
 std::optional<BlockFault> check_feed_law(const BlockWords& words, const BlockCodes& codes,
-                                         bool moves) {
+                                         AxisWordCount count) {
   if (words.named.empty()) return std::nullopt;
   const LawWords law = law_words_of(words);
   if (law.empty()) return std::nullopt;
   if (auto form = form_of(law); !form) return std::move(form).error();
   const Code* const user = codes.axis_user;
-  if (!moves || user == nullptr || takes_feed_law(*user)) return std::nullopt;
+  if (count == AxisWordCount::none || user == nullptr || takes_feed_law(*user)) return std::nullopt;
   const std::string name = "`" + code_text(user->letter, user->number) + "`";
   return law_without_path(words, "in a block of " + name, name + " takes no law");
 }

@@ -47,9 +47,13 @@ double travelled(const PlaneElement& arc, PlanePoint from, PlanePoint to) {
   return arc.counter_clockwise ? angle : -angle;
 }
 
-// What a parallel that ends (`at_end`) or starts in `point` loses against one that goes to the
+// Which end of a parallel.
+enum class ParallelEnd { start, end };
+
+// What a parallel whose `which` end is `point` loses against one that goes to the
 // corner.
-double cut_at(const PlaneElement& element, PlanePoint point, double offset, bool at_end) {
+double cut_at(const PlaneElement& element, PlanePoint point, double offset, ParallelEnd which) {
+  const bool at_end = which == ParallelEnd::end;
   if (element.arc) {
     return at_end ? travelled(element, point, element.end)
                   : travelled(element, element.start, point);
@@ -60,8 +64,8 @@ double cut_at(const PlaneElement& element, PlanePoint point, double offset, bool
 }
 
 // Cut by an intersection that must lie on the element: an arc may be cut by more than half a turn.
-double cut_on(const PlaneElement& element, PlanePoint point, double offset, bool at_end) {
-  const double cut = cut_at(element, point, offset, at_end);
+double cut_on(const PlaneElement& element, PlanePoint point, double offset, ParallelEnd which) {
+  const double cut = cut_at(element, point, offset, which);
   return element.arc && cut < -cut_noise ? cut + full_turn : cut;
 }
 
@@ -115,8 +119,8 @@ Corner inner_corner(const PlaneElement& before, const PlaneElement& after, doubl
   double least = 0.0;
   for (int i = 0; i < points.count; ++i) {
     const PlanePoint point = points.at[static_cast<std::size_t>(i)];
-    const double cut_before = cut_on(before, point, offset, true);
-    const double cut_after = cut_on(after, point, offset, false);
+    const double cut_before = cut_on(before, point, offset, ParallelEnd::end);
+    const double cut_after = cut_on(after, point, offset, ParallelEnd::start);
     if (cut_before < -cut_noise || cut_after < -cut_noise) continue;
     const PlanePoint away = point - before.end;
     const double removed = dot(away, away);
@@ -139,8 +143,8 @@ Corner bisector_corner(const PlaneElement& before, const PlaneElement& after, do
   corner.kind = CornerKind::joint;
   corner.end_before = point;
   corner.start_after = point;
-  corner.cut_before = cut_at(before, point, offset, true);
-  corner.cut_after = cut_at(after, point, offset, false);
+  corner.cut_before = cut_at(before, point, offset, ParallelEnd::end);
+  corner.cut_after = cut_at(after, point, offset, ParallelEnd::start);
   return corner;
 }
 
@@ -150,11 +154,9 @@ double norm(PlanePoint a) {
   return std::hypot(a.first, a.second);
 }
 
-PlaneElement arc_element(PlanePoint start, PlanePoint end, PlanePoint centre,
-                         bool counter_clockwise, int turns) {
-  PlaneElement arc{start, end, true, centre, counter_clockwise, 0.0};
-  double sweep = direction(end - centre) - direction(start - centre);
-  if (!counter_clockwise) sweep = -sweep;
+PlaneElement with_sweep(PlaneElement arc, int turns) {
+  double sweep = direction(arc.end - arc.centre) - direction(arc.start - arc.centre);
+  if (!arc.counter_clockwise) sweep = -sweep;
   while (sweep <= same_direction) sweep += full_turn;
   arc.sweep = sweep + full_turn * (turns - 1);
   return arc;

@@ -54,9 +54,8 @@ struct PlaneElement {
   double sweep = 0.0;  // arc: in the direction of travel, > 0, full turns included
 };
 
-// An arc; `turns` as in Move.
-[[nodiscard]] PlaneElement arc_element(PlanePoint start, PlanePoint end, PlanePoint centre,
-                                       bool counter_clockwise, int turns);
+// An arc with its sweep, which follows from the rest; `turns` as in Move.
+[[nodiscard]] PlaneElement with_sweep(PlaneElement arc, int turns);
 
 // Length of a line in mm, sweep of an arc in rad.
 [[nodiscard]] double extent(const PlaneElement& element);

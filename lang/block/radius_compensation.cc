@@ -198,8 +198,8 @@ PlaneElement CompensationStage::element_of(const Move& move) const {
   const PlanePoint start = plane_point(programmed_W_);
   const PlanePoint end = plane_point(move.end);
   if (move.kind != MoveKind::arc) return {start, end, false, {}, false, 0.0};
-  return arc_element(start, end, {move.centre[0], move.centre[1]}, move.counter_clockwise,
-                     move.turns);
+  const PlanePoint centre{move.centre[0], move.centre[1]};
+  return with_sweep({start, end, true, centre, move.counter_clockwise, 0.0}, move.turns);
 }
 
 CompensationResult CompensationStage::continue_contour(Command& command, const Move& move) {

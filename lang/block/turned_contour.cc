@@ -31,8 +31,13 @@ TurningPoint sum(TurningPoint a, TurningPoint b) {
 
 // Points at which an arc is at a quarter of its circle: it is monotonic between them.
 std::vector<TurningPoint> quarters(const PlaneMove& move, TurningPoint start) {
-  const PlaneElement arc = arc_element({start.z, start.x}, {move.end.z, move.end.x},
-                                       {move.centre.z, move.centre.x}, move.counter_clockwise, 1);
+  const PlaneElement arc = with_sweep({{start.z, start.x},
+                                       {move.end.z, move.end.x},
+                                       true,
+                                       {move.centre.z, move.centre.x},
+                                       move.counter_clockwise,
+                                       0.0},
+                                      1);
   const double radius = norm(arc.start - arc.centre);
   const double from = std::atan2(start.x - move.centre.x, start.z - move.centre.z);
   const double sign = move.counter_clockwise ? 1.0 : -1.0;
@@ -51,8 +56,8 @@ std::vector<TurningPoint> quarters(const PlaneMove& move, TurningPoint start) {
 }  // namespace
 
 TurnedContour::TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint start,
-                             TurningPoint allowance, bool along_z)
-    : start_(start), along_z_(along_z) {
+                             TurningPoint allowance, PassAxis along)
+    : start_(start), along_z_(along == PassAxis::z) {
   if (moves.size() < 2 || moves.front().arc) {
     problem_ = "it must lead to the contour with G0 or G1, and have one more move";
     problem_line_ = moves.empty() ? 0 : moves.front().line;

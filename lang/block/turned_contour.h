@@ -44,12 +44,15 @@ struct TurnedStretch {
   bool from_start = false;  // no need to plunge
 };
 
+// The axis along which passes run.
+enum class PassAxis { x, z };
+
 class TurnedContour {
  public:
   // `moves` in ZX from the start point; the first leads to the contour. `allowance` is added to
   // every point. On failure problem() says why.
   TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint start, TurningPoint allowance,
-                bool along_z);
+                PassAxis along);
 
   [[nodiscard]] const std::string& problem() const { return problem_; }
   [[nodiscard]] std::uint32_t problem_line() const { return problem_line_; }

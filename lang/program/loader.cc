@@ -49,7 +49,7 @@ bool defines_program(const StatementList& tree, int number) {
 // The program that M98, M198 or G65 of a block names by a plain number.
 struct NamedProgram {
   int number = 0;
-  bool only_files = false;  // M198
+  SearchedTexts texts = SearchedTexts::all;
 };
 std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   std::optional<NamedProgram> program;
@@ -58,7 +58,8 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
     const bool call = word.name.letter == 'M' && word.name.code == m(98);
     const bool file_call = word.name.letter == 'M' && word.name.code == m(198);
     const bool macro = word.name.letter == 'G' && word.name.code == g(65);
-    if (call || file_call || macro) program = NamedProgram{0, file_call};
+    if (call || file_call || macro)
+      program = NamedProgram{0, file_call ? SearchedTexts::files_only : SearchedTexts::all};
     if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;
   }
   if (!program || number == nullptr || !is_integer(number->value.number)) return std::nullopt;
@@ -239,8 +240,8 @@ void Loader::follow_subprograms(FileIndex index, const StatementList& list) {
     if (const auto* block = std::get_if<IsoBlock>(&statement.kind)) {
       follow_user_codes(index, *block);
       const auto program = program_of_block(*block);
-      if (program && !follow_number(index, program->number, program->only_files)) {
-        follow_number(index, program->number % 10000, program->only_files);
+      if (program && !follow_number(index, program->number, program->texts)) {
+        follow_number(index, program->number % 10000, program->texts);
       }
     }
     for_each_body(statement, [&](const StatementList& body) { follow_subprograms(index, body); });
@@ -279,10 +280,11 @@ void Loader::follow_o_call(FileIndex index, const OCall& call) {
 }
 
 // Whether program `number` is known or was found.
-bool Loader::follow_number(FileIndex index, int number, bool only_files) {
+bool Loader::follow_number(FileIndex index, int number, SearchedTexts texts) {
   const auto defines = [&](FileIndex file) { return defines_program(loaded_[file].tree, number); };
   const auto& includes = program_->files[index]->includes;
-  if (!only_files && (defines(index) || std::any_of(includes.begin(), includes.end(), defines))) {
+  if (texts == SearchedTexts::all &&
+      (defines(index) || std::any_of(includes.begin(), includes.end(), defines))) {
     return true;
   }
   if (program_->file_by_number.contains({index, number})) return true;

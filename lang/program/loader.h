@@ -60,7 +60,7 @@ class Loader {
   void follow_subprograms(FileIndex index, const StatementList& list);
   void follow_user_codes(FileIndex index, const IsoBlock& block);
   void follow_o_call(FileIndex index, const OCall& call);
-  bool follow_number(FileIndex index, int number, bool only_files);
+  bool follow_number(FileIndex index, int number, SearchedTexts texts);
   std::optional<FileIndex> first_file_of(const std::vector<std::string>& names, FileIndex from);
   void check_end(FileIndex index);
   void compile_all();

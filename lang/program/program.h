@@ -13,6 +13,9 @@
 
 namespace stanok::lang {
 
+// Where numbered programs are looked for; M198 looks for files only.
+enum class SearchedTexts { all, files_only };
+
 class Program {
  public:
   std::vector<std::unique_ptr<CompiledFile>> files;  // 0 is the program itself

@@ -8,6 +8,9 @@
 
 #include "lang/block/predefined_parameter.h"
 #include "lang/text/limits.h"
+#include "lang/tree/keywords.h"
+#include "lang/tree/plain_block.h"
+#include "lang/tree/text_value.h"
 
 namespace stanok::lang {
 namespace {
@@ -84,6 +87,10 @@ std::string_view type_of_other_languages(std::string_view name) {
   return found == types.end() ? std::string_view() : found->second;
 }
 
+std::optional<ChannelWords> words_of(const ChannelDescription* channel) {
+  return channel != nullptr ? std::optional<ChannelWords>(std::in_place, *channel) : std::nullopt;
+}
+
 const ChannelDialect& no_dialect() {
   static const ChannelDialect none(nullptr);
   return none;
@@ -92,83 +99,98 @@ const ChannelDialect& no_dialect() {
 }  // namespace
 
 Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
-    : source_(source),
-      reporter_(reporter),
-      context_(std::move(context)),
+    : context_(std::move(context)),
       dialect_(context_.dialect != nullptr ? *context_.dialect : no_dialect()),
-      scanner_(source, reporter),
-      functions_(defined_functions(source)) {
+      channel_words_(words_of(context_.channel)),
+      cursor_(source, reporter),
+      functions_(defined_functions(source)),
+      brackets_(cursor_),
+      expressions_(cursor_, brackets_, functions_),
+      iso_(cursor_, brackets_, expressions_, channel_words_ ? &*channel_words_ : nullptr, dialect_),
+      bodies_(cursor_, *this),
+      declarations_(cursor_, expressions_, bodies_),
+      statements_(cursor_, expressions_, bodies_, declarations_),
+      o_lines_(cursor_, brackets_, *this),
+      directives_(cursor_, expressions_, functions_, context_.included_functions) {
   functions_.insert(context_.functions.begin(), context_.functions.end());
-  if (context_.channel != nullptr) channel_words_.emplace(*context_.channel);
 }
 
 StatementList Parser::parse_program() {
   StatementList list;
-  while (!scanner_.at_end()) parse_statement(list);
+  while (!scanner().at_end()) parse_statement(list);
   return list;
 }
 
 std::optional<IsoBlock> Parser::parse_block(const Source& source, const Span& span) {
   Reporter silent(source);
   Parser parser(source, silent, {});
-  parser.scanner_.move_to(span.offset, span.line);
-  parser.scanner_.skip_blanks(LineEnds::significant);
+  parser.scanner().move_to(span.offset, span.line);
+  parser.scanner().skip_blanks(LineEnds::significant);
   parser.take_block_number();
-  auto statement = parser.parse_iso();
+  auto statement = parser.iso_.parse_iso();
   if (!statement) return std::nullopt;
   return std::get<IsoBlock>(std::move(statement->kind));
 }
 
-void Parser::parse_statement(StatementList& list) {
-  if (take_plain_lines(list)) return;
-  scanner_.skip_blanks(LineEnds::significant);
-  if (scanner_.at_end()) return;
-  if (scanner_.at_line_end()) return scanner_.skip_line_end();
-  const char c = scanner_.character();
-  if (c == ';')
-    return scanner_.at_line_start() ? scanner_.skip_line_comment() : scanner_.advance(1);
-  if (c == '}' && headless_braces_ > 0) return close_headless();
-  if (c == '}' && inside_braces()) return;
-  if (c == '}') {
-    reporter_.error("E2003", scanner_.here(), "`}` without `{`", "nothing to close");
-    return scanner_.advance(1);
+// What stands between statements: line ends, comments, `;`, braces. False: a statement begins.
+bool Parser::pass_separator() {
+  scanner().skip_blanks(LineEnds::significant);
+  if (scanner().at_end()) return true;
+  const char c = scanner().character();
+  if (scanner().at_line_end()) {
+    scanner().skip_line_end();
+  } else if (c == ';') {
+    scanner().at_line_start() ? scanner().skip_line_comment() : scanner().advance(1);
+  } else if (c == '}' && headless_braces_ > 0) {
+    close_headless();
+  } else if (c == '}' && !cursor_.inside_braces()) {
+    reporter().error("E2003", scanner().here(), "`}` without `{`", "nothing to close");
+    scanner().advance(1);
+  } else {
+    return c == '}';
   }
+  return true;
+}
+
+void Parser::parse_statement(StatementList& list) {
+  if (take_plain_lines(list) || pass_separator()) return;
   if (context_.watch != nullptr) context_.watch->count_statement();
-  const std::size_t start = scanner_.offset();
-  const std::uint32_t line = scanner_.line();
+  const std::size_t start = scanner().offset();
+  const std::uint32_t line = scanner().line();
   const int skip_level = take_block_skip();
   take_block_number();
-  if (scanner_.at_line_end()) return;
+  if (scanner().at_line_end()) return;
   auto statement = parse_kind();
   if (!statement) {
     keep_faulty(list, start, line);
     return recover(start);
   }
-  if (is_simple(*statement) && !check_length(start, line)) return keep_faulty(list, start, line);
-  statement->span = scanner_.span_from(start, line);
+  if (is_simple(*statement) && !cursor_.check_length(start, line))
+    return keep_faulty(list, start, line);
+  statement->span = scanner().span_from(start, line);
   statement->skip_level = skip_level;
   if (skip_level != 0 && is_high_level(*statement)) {
-    reporter_
+    reporter()
         .error("E2005", {start, 1, line}, "block skip before a high-level statement",
                "only ISO blocks, directives and O-lines can be skipped")
         .help.push_back("use `if ($skip[1]) { ... }`");
     return;
   }
   const IsoBlock* const block = std::get_if<IsoBlock>(&statement->kind);
-  const bool top_level = !inside_braces() && o_depth_ == 0;
+  const bool top_level = cursor_.at_file_level();
   if (block != nullptr && top_level && skip_level == 0 && ends_program(*block)) {
-    reporter_.soften_from(scanner_.offset());
+    reporter().soften_from(scanner().offset());
   }
   list.push_back(std::move(*statement));
 }
 
 bool Parser::take_plain_lines(StatementList& list) {
-  if (!scanner_.at_line_start() || scanner_.at_end()) return false;
-  const std::string_view text = source_.text();
-  const char* const begin = text.data() + scanner_.offset();
-  const char* const end = text.data() + source_.end();
+  if (!scanner().at_line_start() || scanner().at_end()) return false;
+  const std::string_view text = cursor_.source().text();
+  const char* const begin = text.data() + scanner().offset();
+  const char* const end = text.data() + cursor_.source().end();
   const Surroundings surroundings =
-      inside_braces() ? Surroundings::braces : Surroundings::file_level;
+      cursor_.inside_braces() ? Surroundings::braces : Surroundings::file_level;
   const char* at = begin;
   std::uint32_t lines = 0;
   bool any_words = false;
@@ -186,109 +208,110 @@ bool Parser::take_plain_lines(StatementList& list) {
     any_words = any_words || !words.empty() || !values.settings().empty();
   }
   if (at == begin) return false;
-  const std::size_t from = scanner_.offset();
+  const std::size_t from = scanner().offset();
   const auto to = static_cast<std::size_t>(at - text.data());
   if (any_words) {
     Statement statement;
-    statement.span = {from, 1, scanner_.line()};
-    statement.kind = PlainLines{from, to, scanner_.line(), surroundings};
+    statement.span = {from, 1, scanner().line()};
+    statement.kind = PlainLines{from, to, scanner().line(), surroundings};
     list.push_back(std::move(statement));
   }
-  scanner_.move_to(to, scanner_.line() + lines);
+  scanner().move_to(to, scanner().line() + lines);
   return true;
 }
 
 int Parser::take_block_skip() {
-  if (scanner_.character() != '/' || !scanner_.at_line_start()) return 0;
-  scanner_.advance(1);
+  if (scanner().character() != '/' || !scanner().at_line_start()) return 0;
+  scanner().advance(1);
   int level = 1;
-  const char digit = scanner_.character();
+  const char digit = scanner().character();
   if (digit >= '1' && digit <= '9') {
     level = digit - '0';
-    scanner_.advance(1);
+    scanner().advance(1);
   }
-  scanner_.skip_blanks(LineEnds::significant);
+  scanner().skip_blanks(LineEnds::significant);
   return level;
 }
 
 void Parser::take_block_number() {
-  if (upper_case(scanner_.character()) != 'N' || !is_digit(scanner_.character(1))) return;
-  scanner_.advance(1);
-  while (is_digit(scanner_.character())) scanner_.advance(1);
-  if (scanner_.character() == '.') scanner_.advance(1);
-  while (is_digit(scanner_.character())) scanner_.advance(1);
-  scanner_.skip_blanks(LineEnds::significant);
+  if (upper_case(scanner().character()) != 'N' || !is_digit(scanner().character(1))) return;
+  scanner().advance(1);
+  while (is_digit(scanner().character())) scanner().advance(1);
+  if (scanner().character() == '.') scanner().advance(1);
+  while (is_digit(scanner().character())) scanner().advance(1);
+  scanner().skip_blanks(LineEnds::significant);
 }
 
-Parser::MaybeStatement Parser::parse_kind() {
-  const char c = scanner_.character();
-  const char next = scanner_.character(1);
-  if (c == '#') return is_name_start(next) ? parse_directive() : parse_iso();
+MaybeStatement Parser::parse_kind() {
+  const char c = scanner().character();
+  const char next = scanner().character(1);
+  if (c == '#') return is_name_start(next) ? directives_.parse_directive() : iso_.parse_iso();
   const bool o_line = is_digit(next) || next == '<' || next == '[' || next == '#';
-  if (upper_case(c) == 'O' && o_line) return parse_o_line();
-  if (c == '{') return parse_compound();
-  if (c == '(' || c == '@' || c == '^' || c == '$') return parse_iso();
-  if (is_letter(c) && !is_name_start(next)) return parse_iso();
+  if (upper_case(c) == 'O' && o_line) return o_lines_.parse_o_line();
+  if (c == '{') return statements_.parse_compound();
+  if (c == '(' || c == '@' || c == '^' || c == '$') return iso_.parse_iso();
+  if (is_letter(c) && !is_name_start(next)) return iso_.parse_iso();
   if (is_name_start(c)) return parse_named_start();
-  const Token token = scanner_.peek(LineEnds::significant);
+  const Token token = scanner().peek(LineEnds::significant);
   const bool foreign =
       static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20;
   if (foreign) {
-    reporter_.error("E1001", token.span, "illegal character",
-                    "only comments and strings may hold it");
+    reporter().error("E1001", token.span, "illegal character",
+                     "only comments and strings may hold it");
   } else {
-    report_unexpected(token, "a statement");
+    cursor_.report_unexpected(token, "a statement");
   }
   return std::nullopt;
 }
 
 // A statement that begins with at least two letters.
-Parser::MaybeStatement Parser::parse_named_start() {
-  const std::string name = folded(scanner_.name_ahead());
+MaybeStatement Parser::parse_named_start() {
+  const std::string name = folded(scanner().name_ahead());
   std::size_t next = name.size();
-  while (is_blank(scanner_.character(next))) ++next;
-  const char behind = scanner_.character(next);
+  while (is_blank(scanner().character(next))) ++next;
+  const char behind = scanner().character(next);
   const bool macro_condition = (name == "if" || name == "while") && behind == '[';
   if (macro_condition || name == "goto" || is_numbered(name, "do") || is_numbered(name, "end")) {
-    return parse_macro_line();
+    return directives_.parse_macro_line();
   }
   if (type_of_keyword(name) || name == "const" || name == "shared") {
-    return parse_declaration_or_function();
+    return declarations_.parse_declaration_or_function();
   }
-  if (is_keyword(name)) return parse_keyword(name);
-  if (is_named_address(name)) return parse_iso();
-  if (behind == '[' && bracket_function(std::string_view(name).substr(1))) return parse_iso();
+  if (is_keyword(name)) return statements_.parse_keyword(name);
+  if (iso_.is_named_address(name)) return iso_.parse_iso();
+  if (behind == '[' && bracket_function(std::string_view(name).substr(1))) return iso_.parse_iso();
   if (is_name_start(behind) && !type_of_other_languages(name).empty()) return refuse_type(name);
-  return parse_simple();
+  return statements_.parse_simple();
 }
 
 // `double x = 1;`
-Parser::MaybeStatement Parser::refuse_type(const std::string& name) {
-  const Token token = scanner_.take(LineEnds::significant);
-  reporter_.error("E3001", token.span, "unknown type `" + name + "`", "not a type")
+MaybeStatement Parser::refuse_type(const std::string& name) {
+  const Token token = scanner().take(LineEnds::significant);
+  reporter()
+      .error("E3001", token.span, "unknown type `" + name + "`", "not a type")
       .help.push_back("write `" + std::string(type_of_other_languages(name)) + "`");
-  const Token declared = scanner_.peek(LineEnds::significant);
-  if (declared.kind == TokenKind::name) reporter_.spoil(declared.text, declared.span.offset);
+  const Token declared = scanner().peek(LineEnds::significant);
+  if (declared.kind == TokenKind::name) reporter().spoil(declared.text, declared.span.offset);
   return std::nullopt;
 }
 
 // To the next place where a statement can begin.
 void Parser::recover(std::size_t start) {
-  const std::string word = folded(source_.text().substr(start, 6));
+  const std::string word = folded(cursor_.source().text().substr(start, 6));
   for (const std::string_view keyword : {"for", "while", "if", "switch"}) {
     if (word.starts_with(keyword) && !is_name_part(word.c_str()[keyword.size()]))
       return recover_from_header(start);
   }
-  const std::string_view rest = source_.text().substr(start);
+  const std::string_view rest = cursor_.source().text().substr(start);
   const bool opens = rest.substr(0, rest.find_first_of("\r\n")).find('{') != std::string_view::npos;
   const bool is_declaration =
       type_of_keyword(word.substr(0, word.find_first_of(" \t"))).has_value();
   if (opens && is_declaration) return recover_from_header(start);
-  if (scanner_.offset() == start) scanner_.advance(1);
-  while (!scanner_.at_line_end()) {
-    if (scanner_.character() == '}' && inside_braces()) return;
-    const bool done = scanner_.character() == ';';
-    scanner_.advance(1);
+  if (scanner().offset() == start) scanner().advance(1);
+  while (!scanner().at_line_end()) {
+    if (scanner().character() == '}' && cursor_.inside_braces()) return;
+    const bool done = scanner().character() == ';';
+    scanner().advance(1);
     if (done) return;
   }
 }
@@ -296,8 +319,8 @@ void Parser::recover(std::size_t start) {
 // Behind the line of a `for`, `while`, `if` or `switch`: parts of its header are no statements. The
 // braces that it opens are closed by lines that are.
 void Parser::recover_from_header(std::size_t start) {
-  while (!scanner_.at_line_end()) scanner_.advance(1);
-  for (const char c : source_.text().substr(start, scanner_.offset() - start)) {
+  while (!scanner().at_line_end()) scanner().advance(1);
+  for (const char c : cursor_.source().text().substr(start, scanner().offset() - start)) {
     if (c == '{') ++headless_braces_;
     if (c == '}' && headless_braces_ > 0) --headless_braces_;
   }
@@ -306,60 +329,18 @@ void Parser::recover_from_header(std::size_t start) {
 // The brace, and an `else` behind it.
 void Parser::close_headless() {
   --headless_braces_;
-  scanner_.advance(1);
-  scanner_.skip_blanks(LineEnds::significant);
-  const std::size_t start = scanner_.offset();
-  if (folded(scanner_.name_ahead()) == "else") recover_from_header(start);
+  scanner().advance(1);
+  scanner().skip_blanks(LineEnds::significant);
+  const std::size_t start = scanner().offset();
+  if (folded(scanner().name_ahead()) == "else") recover_from_header(start);
 }
 
 void Parser::keep_faulty(StatementList& list, std::size_t start, std::uint32_t line) {
-  if (!reporter_.is_soft(start)) return;
+  if (!reporter().is_soft(start)) return;
   Statement statement;
   statement.span = {start, 1, line};
-  statement.kind = FaultyText{reporter_.last_error()};
+  statement.kind = FaultyText{reporter().last_error()};
   list.push_back(std::move(statement));
-}
-
-bool Parser::accept(std::string_view symbol) {
-  if (!scanner_.peek(line_ends_).is(symbol)) return false;
-  scanner_.take(line_ends_);
-  return true;
-}
-
-bool Parser::expect(std::string_view symbol, std::string_view after) {
-  if (accept(symbol)) return true;
-  const Token token = scanner_.peek(line_ends_);
-  const std::string wanted = "`" + std::string(symbol) + "` after " + std::string(after);
-  report_unexpected(token, wanted);
-  return false;
-}
-
-void Parser::report_unexpected(const Token& token, std::string_view expected) {
-  const std::string found =
-      token.kind == TokenKind::end
-          ? (scanner_.at_end() ? "the end of the text" : "the end of the line")
-          : "`" + std::string(token.text) + "`";
-  Span span = token.span;
-  if (span.length == 0) span.length = 1;
-  Diagnostic& diagnostic =
-      reporter_.error("E2001", span, "expected " + std::string(expected) + ", found " + found,
-                      "expected " + std::string(expected));
-  if (token.is("=")) diagnostic.help.push_back("to compare, write `==`");
-}
-
-bool Parser::check_length(std::size_t start, std::uint32_t line) {
-  if (scanner_.offset() - start <= limits::statement_bytes) return true;
-  reporter_.error("E1007", {start, 1, line}, "the statement is longer than 64 KiB", "too long");
-  return false;
-}
-
-bool Parser::finish_line() {
-  scanner_.skip_blanks(LineEnds::significant);
-  if (scanner_.character() == ';') scanner_.advance(1);
-  scanner_.skip_blanks(LineEnds::significant);
-  if (scanner_.at_line_end() || (scanner_.character() == '}' && inside_braces())) return true;
-  report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line");
-  return false;
 }
 
 }  // namespace stanok::lang

@@ -58,7 +58,14 @@ bool add_code(CodeList& list, double number) {
   return true;
 }
 
-bool add_word(BlockWords& words, char letter, double value, bool whole) {
+// A value as it is written.
+struct WrittenNumber {
+  double value = 0.0;
+  bool whole = false;  // without a decimal point
+};
+
+bool add_word(BlockWords& words, char letter, const WrittenNumber& number) {
+  const auto [value, whole] = number;
   if (letter == 'G') return add_code(words.g, value);
   if (letter == 'M') return add_code(words.m, value);
   const LetterSet bit = letter_bit(letter);
@@ -91,7 +98,7 @@ bool skip_block_number(const char*& at, const char* end) {
     if (behind == end || *behind != '[') return false;
   }
   const auto value = values.read(at);
-  return value && add_word(words, letter, *value, false);
+  return value && add_word(words, letter, {*value, false});
 }
 
 // Address and value; `at` is left behind them.
@@ -101,7 +108,7 @@ bool read_word(const char*& at, const char* end, BlockWords& words, TextValues& 
   double value = 0.0;
   bool whole = false;
   const bool good = read_number(at, end, value, whole)
-                        ? add_word(words, letter, value, whole)
+                        ? add_word(words, letter, {value, whole})
                         : read_computed_word(at, end, letter, words, values);
   return good && (at == end || (*at != '.' && *at != '='));
 }

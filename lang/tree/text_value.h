@@ -2,7 +2,7 @@
 // straight from the text of a line: what lets blocks with such values be executed like those with
 // plain numbers, without tree and code.
 //
-// The grammar is that of lang/tree/parser_bracket.cc. What is rare or wrong (comments inside
+// The grammar is that of lang/tree/bracket_parser.cc. What is rare or wrong (comments inside
 // brackets, EXISTS, syntax errors) is refused here and left to the parser, so that this reader has
 // to explain no text, only computations without a result.
 #pragma once
@@ -91,7 +91,7 @@ class TextValues {
   Parameters& parameters_;
   const char* at_ = nullptr;
   const char* end_ = nullptr;
-  int depth_ = 0;      // as Parser::nesting_
+  int depth_ = 0;      // as TokenCursor::nesting_
   int operators_ = 0;  // of the value at hand
   std::string name_;   // of the parameter at hand
   std::vector<TextSetting> settings_;

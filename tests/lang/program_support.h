@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lang/run/interpreter.h"
+#include "lang/text/source.h"
 
 namespace stanok::lang::testing {
 
@@ -21,6 +22,11 @@ inline std::string repeated(std::string_view text, std::size_t count) {
   std::string all;
   for (std::size_t i = 0; i < count; ++i) all += text;
   return all;
+}
+
+// A text as the compiler reads it.
+inline Source source_of(const std::string& name, std::string_view text) {
+  return Source(std::make_shared<const SourceText>(SourceText{name, name, std::string(text)}));
 }
 
 // A text that is refused, when it is loaded or when it runs, and the code that says why.

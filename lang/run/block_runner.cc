@@ -1,0 +1,277 @@
+#include "lang/run/block_runner.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/assert.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
+#include "lang/text/number.h"
+#include "lang/text/reporter.h"
+#include "lang/tree/parser.h"
+#include "lang/tree/plain_block.h"
+
+namespace stanok::lang {
+namespace {
+
+// The words of a block, with their spans, from its tree.
+std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
+  auto block = Parser::parse_block(source, block_span);
+  return block ? std::move(block->words) : std::vector<IsoWord>{};
+}
+
+BlockFlow flow_of(const ActiveBlock& block) {
+  return {block.flow, block.flow_code, block.end_kind, block.flow_line, block.contour_line};
+}
+
+}  // namespace
+
+BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStore& parameters)
+    : state_(state),
+      vm_(vm),
+      run_(run),
+      parameters_(parameters),
+      compensation_(state.channel_words),
+      text_values_(parameters) {}
+
+void BlockRunner::reset() {
+  state_.queue.clear();
+  compensation_.reset();
+  state_.states.clear();
+  state_.blocks = 0;
+  has_rest_ = false;
+}
+
+void BlockRunner::begin(const AxisValues& position_B) {
+  ModalState& modal = state_.modal;
+  const int tool_active = modal.tool_active;
+  modal = default_modal_state(state_.channel.kind);
+  modal.tool_active = tool_active;
+  modal.geometry = state_.channel_words.geometry();
+  take_work_offset(modal, state_.tables, modal.work_offset_number);
+  modal.position_W = modal.frame().work_from_base(position_B);
+}
+
+// Tables and axes may have changed since the line before.
+void BlockRunner::continue_lines(const AxisValues& position_B) {
+  read_tables_again();
+  state_.modal.adopt_position(position_B);
+}
+
+void BlockRunner::emit_first_commands() {
+  state_.queue.set_origin({}, 0);
+  code_changes_.note(0, state_.modal.codes);
+  state_.queue.emit(frame_of(state_.modal));
+  state_.queue.emit(state_.modal.length);
+}
+
+BlockRunner::LineResult BlockRunner::take_line(Command& command) {
+  PlainCursor& plain = vm_.plain();
+  BlockWords& words = state_.words;
+  const char* const start = plain.at;
+  const std::uint32_t line = plain.line;
+  if (!read_plain_line(plain.at, plain.end, plain.surroundings, words, text_values_)) {
+    STANOK_ASSERT(text_values_.faulty());
+    fail_text(text_values_.fault_text(), line, text_values_.fault());
+    return LineResult::nothing;
+  }
+  ++plain.line;
+  if (!text_values_.settings().empty() && !take_settings(text_values_.settings()))
+    return LineResult::nothing;
+  if (words.empty()) return LineResult::nothing;
+  ++state_.blocks;
+  Move* move = std::get_if<Move>(&command.payload);
+  if (move == nullptr) move = &command.payload.emplace<Move>();
+  ActiveBlock block = state_.block_at(line);
+  if (!compensation_.engaged() && execute_simple_move(block, *move)) {
+    command.origin = {vm_.frame().file, line};
+    command.block = state_.blocks;
+    code_changes_.note(state_.blocks, state_.modal.codes);
+    return LineResult::command;
+  }
+  const Source& source = vm_.file().source;
+  const auto offset = static_cast<std::size_t>(start - source.text().data());
+  place_ = {{offset, static_cast<std::uint32_t>(source.line_at(offset).size()), line}, nullptr, 0};
+  return LineResult::block;
+}
+
+// False when the run has failed.
+bool BlockRunner::take_settings(const std::vector<TextSetting>& settings) {
+  ValueFault fault;
+  for (const TextSetting& setting : settings) {
+    if (setting.slot) {
+      parameters_.set_named(*setting.slot, setting.value);
+    } else if (!parameters_.set_numbered(setting.number, setting.value, fault)) {
+      fail_text(setting.text, vm_.plain().line - 1, fault);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool BlockRunner::take_block(const Instruction& instruction) {
+  const BlockTemplate& block = vm_.file().blocks[instruction.operand];
+  state_.words = block.words;
+  for (auto word = block.computed.rbegin(); word != block.computed.rend(); ++word) {
+    if (!take_computed_word(*word)) return false;
+  }
+  ++state_.blocks;
+  place_ = {block.span, &block.places, 0};
+  return true;
+}
+
+bool BlockRunner::take_computed_word(const ComputedWord& word) {
+  BlockWords& words = state_.words;
+  const double value = vm_.stack().pop_number();
+  switch (word.kind) {
+    case ComputedWord::Kind::letter:
+      words.values[static_cast<std::size_t>(letter_index(word.letter))] = value;
+      return true;
+    case ComputedWord::Kind::named:
+      words.named[word.index].value = value;
+      return true;
+    case ComputedWord::Kind::spindle:
+      if (is_integer(value)) {
+        words.spindle = static_cast<int>(std::lround(value));
+        return true;
+      }
+      vm_.fail("E3010", "a spindle is a whole number");
+      return false;
+    case ComputedWord::Kind::g_code:
+    case ComputedWord::Kind::m_code:
+      break;
+  }
+  if (!is_integer(value * 10.0) || value < 0.0 || value > 3276.0) {
+    vm_.fail("E4004", "the computed value is no code", "unknown code");
+    return false;
+  }
+  CodeList& list = word.kind == ComputedWord::Kind::g_code ? words.g : words.m;
+  list.numbers[word.index] = static_cast<CodeNumber>(std::lround(value * 10.0));
+  return true;
+}
+
+void BlockRunner::begin_block() {
+  state_.begin_commands({vm_.frame().file, place_.span.line});
+  state_.states.set_level(vm_.frames().size() - 1);
+}
+
+BlockFlow BlockRunner::execute() {
+  ActiveBlock block = state_.block_at(place_.span.line);
+  block.actions_done = place_.actions_done;
+  const AxisValues start_W = state_.modal.position_W;
+  execute_block(block);
+  code_changes_.note(state_.blocks, state_.modal.codes);
+  if (block.fault) {
+    fail(std::move(*block.fault));
+    return {};
+  }
+  if (block.awaits_position) {
+    place_.actions_done = block.actions_done;
+    has_rest_ = true;
+    return {};
+  }
+  if (auto fault = compensation_.select(state_.modal.compensation, start_W)) {
+    fail_compensation(std::move(*fault));
+    return {};
+  }
+  return flow_of(block);
+}
+
+// Of what was emitted, or at the end of a run of what is held there.
+bool BlockRunner::compensate() {
+  if (state_.queue.empty()) {
+    if (run_.running()) return false;
+    compensation_.finish();
+    return !compensation_.ready().empty();
+  }
+  Command command;
+  state_.queue.take(command);
+  if (auto fault = compensation_.take(command)) fail_compensation(std::move(*fault));
+  return true;
+}
+
+void BlockRunner::adopt_position(const AxisValues& position_B) {
+  state_.modal.adopt_position(position_B);
+  compensation_.adopt_position();
+}
+
+// What an operator or a Request may have changed while the axes stood.
+void BlockRunner::read_tables_again() {
+  ModalState& modal = state_.modal;
+  ActiveBlock block = state_.block_at(vm_.span().line);
+  read_tool_length_again(block);
+  const WorkFrame before = modal.frame();
+  take_work_offset(modal, state_.tables, modal.work_offset_number);
+  if (modal.frame() == before) return;
+  modal.reexpress_position(before);
+  state_.queue.emit(frame_of(modal));
+}
+
+// Where the probe changed, in programmed coordinates of now.
+void BlockRunner::take_probe_answer(const Answer& answer) {
+  const ModalState& modal = state_.modal;
+  state_.probe.found = answer.ok;
+  state_.probe.position = modal.frame().work_from_base(answer.probe_B);
+  for (std::size_t i = 0; i < state_.channel.axes.size(); ++i) {
+    double& coordinate = state_.probe.position[i];
+    coordinate = modal.map.to_program(i, answer.ok ? coordinate : modal.position_W[i]);
+  }
+}
+
+void BlockRunner::emit_end(ProgramEndKind kind) {
+  const ModalState& modal = state_.modal;
+  CommandQueue& queue = state_.queue;
+  code_changes_.note(state_.blocks, default_codes(state_.channel.kind));
+  if (modal.feed_law.kind != FeedLaw::Kind::off) queue.emit(FeedLawChange{});
+  if (modal.spindle_running) queue.emit(SpindleCommand{.spindle = -1});
+  if (modal.mist || modal.flood) queue.emit(CoolantCommand{});
+  const bool overrides_usual =
+      modal.feed_override && modal.spindle_override && !modal.adaptive_feed && modal.feed_stop;
+  if (!overrides_usual) queue.emit(OverrideControl{});
+  if (modal.transformed_axis >= 0) queue.emit(TransformationChange{});
+  queue.emit(ProgramEnd{kind});
+}
+
+// A value that stands in the text of a plain line.
+void BlockRunner::fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault) {
+  const auto offset = static_cast<std::size_t>(text.data() - vm_.file().source.text().data());
+  vm_.fail_at({offset, static_cast<std::uint32_t>(text.size()), line}, fault.code, fault.message,
+              fault.label);
+}
+
+void BlockRunner::fail(BlockFault fault) {
+  const Source& source = vm_.file().source;
+  const std::vector<IsoWord> found =
+      place_.words == nullptr ? places_of_words(source, place_.span) : std::vector<IsoWord>{};
+  const std::vector<IsoWord>& places = place_.words == nullptr ? found : *place_.words;
+  vm_.fail_with(diagnostic_of(std::move(fault), source, place_.span, places));
+  run_.blame_block(place_.span.line);
+}
+
+// The block at fault may be one before the current block.
+void BlockRunner::fail_compensation(CompensationFault fault) {
+  const Source& source = vm_.program().files[fault.origin.file]->source;
+  Diagnostic diagnostic =
+      diagnostic_at(source, fault.fault.code, span_of_line(source, fault.origin.line),
+                    std::move(fault.fault.message), std::move(fault.fault.label));
+  diagnostic.notes.push_back(state_.modal.origin_of(Group::radius_compensation));
+  diagnostic.help = std::move(fault.fault.help);
+  vm_.fail_with(std::move(diagnostic));
+}
+
+Diagnostic diagnostic_of(BlockFault fault, const Source& source, const Span& block_span,
+                         const std::vector<IsoWord>& places) {
+  Span at = block_span;
+  for (const IsoWord& word : places) {
+    const bool same = word.name.letter == fault.word.letter && word.name.name == fault.word.name &&
+                      (word.name.letter != 0 || !word.name.name.empty());
+    if (same && (fault.word.code < 0 || word.name.code == fault.word.code)) at = word.span;
+  }
+  Diagnostic diagnostic =
+      diagnostic_at(source, fault.code, at, std::move(fault.message), std::move(fault.label));
+  diagnostic.notes = std::move(fault.notes);
+  diagnostic.help = std::move(fault.help);
+  return diagnostic;
+}
+
+}  // namespace stanok::lang

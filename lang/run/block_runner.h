@@ -1,0 +1,111 @@
+// Turns ISO blocks into commands: plain lines, blocks with computed words, and what comes with
+// them (radius compensation, the active codes, passing a faulty block).
+//
+// Owner: ProgramRun, on the thread of the preparation. Owns the compensation stage between blocks
+// and their delivery, and the rest of a block that waits for its position. What a block does to the
+// flow of the program it only says: the calls are not its business. Invariant: the commands of one
+// block are delivered before the next block is executed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lang/block/radius_compensation.h"
+#include "lang/contract/active_codes.h"
+#include "lang/program/code.h"
+#include "lang/run/block_state.h"
+#include "lang/run/interpreter.h"
+#include "lang/run/parameter_store.h"
+#include "lang/run/vm.h"
+#include "lang/tree/text_value.h"
+
+namespace stanok::lang {
+
+// What a block does to the flow of the program behind its own effects.
+struct BlockFlow {
+  Flow flow = Flow::next;
+  CodeNumber code = 0;  // M98 or M198
+  ProgramEndKind end_kind = ProgramEndKind::end;
+  std::uint32_t line = 0;
+  std::uint32_t contour_line = 0;
+};
+
+class BlockRunner {
+ public:
+  // What became of a plain line.
+  enum class LineResult {
+    nothing,  // it has no block, or the run has failed
+    command,  // it made its command without the queue
+    block     // its words are to be executed
+  };
+
+  // All must outlive this.
+  BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStore& parameters);
+
+  // A run begins with the default modal state, or with that of the line before.
+  void reset();
+  void begin(const AxisValues& position_B);
+  void continue_lines(const AxisValues& position_B);
+  void emit_first_commands();
+
+  // Reads the next plain line.
+  [[nodiscard]] LineResult take_line(Command& command);
+  // Puts the computed values into a copy of the constants of a block; false when the run failed.
+  [[nodiscard]] bool take_block(const Instruction& instruction);
+  // Where the commands of the block just read come from, and at which call it stands.
+  void begin_block();
+  [[nodiscard]] BlockFlow execute();
+  // The block is to be executed again, from where it waited for an answer. Asked once.
+  [[nodiscard]] bool take_rest() { return std::exchange(has_rest_, false); }
+  void fail(BlockFault fault);
+
+  // Commands pass through radius compensation before they are delivered: those it has given out
+  // are in compensated(), and compensate() leads the next one through; false: nothing was to do.
+  [[nodiscard]] bool compensating() const { return compensation_.engaged(); }
+  [[nodiscard]] CommandQueue& compensated() { return compensation_.ready(); }
+  bool compensate();
+
+  // The axes stand at `position_B`, or at least the queue is empty.
+  void adopt_position(const AxisValues& position_B);
+  void read_tables_again();
+  void take_probe_answer(const Answer& answer);
+
+  // What M2 and M30 reset, as commands before the end itself.
+  void emit_end(ProgramEndKind kind);
+
+  // Behind a faulty block; see Interpreter::pass_fault.
+  [[nodiscard]] Passed pass_fault();
+
+  [[nodiscard]] std::vector<CodeChange> take_code_changes() { return code_changes_.take(); }
+
+ private:
+  // Where a block stands; `words` nullptr: they are found in the text when they are needed.
+  struct BlockPlace {
+    Span span;
+    const std::vector<IsoWord>* words = nullptr;
+    int actions_done = 0;
+  };
+  bool take_settings(const std::vector<TextSetting>& settings);
+  bool take_computed_word(const ComputedWord& word);
+  void fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault);
+  void fail_compensation(CompensationFault fault);
+  [[nodiscard]] Passed adopt_words(ActiveBlock& block);
+
+  BlockState& state_;
+  Vm& vm_;
+  RunState& run_;
+  ParameterStore& parameters_;
+  CompensationStage compensation_;
+  CodeChanges code_changes_;
+  TextValues text_values_;  // of the plain line
+  BlockPlace place_;        // of the current block
+  bool has_rest_ = false;   // of it, behind the answer to its first part
+};
+
+// Why a block cannot be executed, at the word of it that is meant.
+[[nodiscard]] Diagnostic diagnostic_of(BlockFault fault, const Source& source,
+                                       const Span& block_span, const std::vector<IsoWord>& places);
+
+}  // namespace stanok::lang

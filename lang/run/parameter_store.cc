@@ -1,0 +1,141 @@
+#include "lang/run/parameter_store.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lang/block/point_parameter.h"
+#include "lang/text/number.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr std::size_t parameter_count = 5603;
+constexpr std::size_t r_parameter_count = 1000;
+constexpr std::size_t input_result_parameter = 5399;  // of M66
+// Below it all numbers belong to programs.
+constexpr int machine_parameter_first = 5061;
+
+constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+
+// The parameter a number stands for.
+std::optional<int> parameter_index(double number, ValueFault& fault) {
+  if (!is_integer(number)) {
+    fault = {"E3010", "a parameter number must be a whole number", "not a whole number"};
+    return std::nullopt;
+  }
+  const auto index = static_cast<int>(std::lround(number));
+  if (index >= 1 && static_cast<std::size_t>(index) < parameter_count) return index;
+  fault = {"E3015", "there is no parameter #" + std::to_string(index), "#1 to #5602 exist"};
+  return std::nullopt;
+}
+
+bool is_of_channel(const std::string& name) {
+  return name.starts_with('_');
+}
+
+}  // namespace
+
+ParameterStore::ParameterStore(const BlockSurroundings& around, const RunPlace& place)
+    : around_(around), place_(place), r_parameters_(r_parameter_count, 0.0) {}
+
+// Global named parameters stay with the channel; each program has its own slots for them.
+void ParameterStore::keep_globals() {
+  if (!program_) return;
+  for (std::size_t slot = 0; slot < named_.size(); ++slot) {
+    const std::string& name = program_->named_parameters[slot];
+    if (is_of_channel(name) && !std::isnan(named_[slot])) globals_[name] = named_[slot];
+  }
+}
+
+void ParameterStore::begin(const std::shared_ptr<const Program>& program) {
+  keep_globals();
+  program_ = program;
+  numbered_.assign(parameter_count, 0.0);
+  named_.assign(program_->named_parameters.size(), unset);
+  for (std::size_t slot = 0; slot < named_.size(); ++slot) {
+    const auto kept = globals_.find(program_->named_parameters[slot]);
+    if (kept != globals_.end()) named_[slot] = kept->second;
+  }
+  returned_.reset();
+}
+
+LocalParameters ParameterStore::fresh_locals() const {
+  LocalParameters locals;
+  locals.named.assign(named_.size(), unset);
+  return locals;
+}
+
+LocalParameters ParameterStore::exchange_locals(LocalParameters locals) {
+  for (std::size_t i = 0; i < local_parameter_count; ++i) {
+    std::swap(locals.numbered[i], numbered_[i + 1]);
+  }
+  for (std::size_t slot = 0; slot < named_.size(); ++slot) {
+    if (is_of_channel(program_->named_parameters[slot])) continue;
+    std::swap(locals.named[slot], named_[slot]);
+  }
+  return locals;
+}
+
+ParameterView ParameterStore::view() const {
+  return {around_, place_.origin().line, place_.call_level(), returned_.value_or(0.0),
+          returned_.has_value()};
+}
+
+std::optional<double> ParameterStore::numbered(double number, ValueFault& fault) {
+  const auto index = parameter_index(number, fault);
+  if (!index) return std::nullopt;
+  if (*index >= machine_parameter_first) {
+    if (const auto value = machine_parameter(*index, view())) return value;
+  }
+  return numbered_[static_cast<std::size_t>(*index)];
+}
+
+std::optional<double> ParameterStore::named(const std::string& name, ValueFault& fault) {
+  if (is_of_channel(name)) {
+    const PredefinedParameter* const row = find_predefined_parameter(name);
+    if (row != nullptr) return row->read(view());
+  }
+  if (const auto slot = program_->named_parameters.find(name)) return named_value(*slot, fault);
+  fault = {"E3014", "parameter #<" + name + "> has no value", "not set before"};
+  return std::nullopt;
+}
+
+std::optional<double> ParameterStore::named_value(std::uint32_t slot, ValueFault& fault) const {
+  const double value = named_[slot];
+  if (!std::isnan(value)) return value;
+  fault = {"E3014", "parameter #<" + program_->named_parameters[slot] + "> has no value",
+           "not set before"};
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> ParameterStore::slot_to_set(const std::string& name) {
+  return program_->named_parameters.find(name);
+}
+
+bool ParameterStore::is_set(std::uint32_t slot) const {
+  return !std::isnan(named_[slot]);
+}
+
+double ParameterStore::predefined(std::uint32_t row) const {
+  return predefined_parameters()[row].read(view());
+}
+
+bool ParameterStore::set_numbered(double number, double value, ValueFault& fault) {
+  const auto index = parameter_index(number, fault);
+  if (!index) return false;
+  if (set_point_parameter(*index, value, around_)) return true;
+  if (*index >= machine_parameter_first && machine_parameter(*index, view())) {
+    fault = {"E3013", "parameter #" + std::to_string(*index) + " shows the state of the machine",
+             "cannot be set"};
+    return false;
+  }
+  numbered_[static_cast<std::size_t>(*index)] = value;
+  return true;
+}
+
+void ParameterStore::set_input_result(double value) {
+  numbered_[input_result_parameter] = value;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,107 @@
+// What a run waits for: the request delivered last, and what becomes of its answer.
+//
+// Owner: ProgramRun, on the thread of the preparation. Owns what was kept for the answer. It
+// decides what an answer means and does nothing itself: take() says what is to be pushed, done or
+// reported. Invariants: an answer that nobody waits for is dropped; a use holds for one answer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "lang/actions/actions.h"
+#include "lang/actions/gvector.h"
+#include "lang/contract/command.h"
+#include "lang/tree/value.h"
+
+namespace stanok::lang {
+
+// What becomes of an answer.
+enum class AnswerUse : std::uint8_t {
+  position_only,
+  push_truth,
+  push_number,
+  push_text,
+  input_result,    // M66
+  statement,       // a false result fails the run
+  restore_state,   // restore_gvector
+  fail_run,        // terminate
+  probe,           // G38.3
+  probe_or_alarm,  // G38.2
+  restart,         // the main program ended with M99
+  overhang         // #tool_overhang
+};
+
+class PendingAnswer {
+ public:
+  // Why an answer fails the run.
+  struct Refusal {
+    std::string code;
+    std::string message;
+    std::string label;
+    std::vector<Note> notes;
+  };
+  // What an answer comes to, in this order.
+  struct Outcome {
+    std::optional<Value> pushed;
+    std::optional<Refusal> refusal;
+    AnswerUse use = AnswerUse::position_only;  // what is left to do, else position_only
+  };
+  // A builtin in statement form: what is reported when it returned false.
+  struct Statement {
+    std::string_view code;
+    std::string_view name;
+  };
+  // The state that restore_gvector waits to restore, in statement form or not.
+  struct Restoring {
+    SavedState saved;
+    bool is_statement = false;
+  };
+
+  // A run begins: nothing is owed.
+  void reset();
+
+  // What becomes of the answer to the request made now. `unit`: mm or deg per unit of a number.
+  void expect(AnswerUse use) { use_ = use; }
+  void expect_number(double unit);
+  void expect_statement(const Statement& statement);
+  void expect_restoring(Restoring restoring);
+  void expect_overhang(const ToolOverhang& overhang);
+  void expect_end(Diagnostic error);
+
+  // The request is delivered; those that blocks make say themselves what their answer is for.
+  void deliver(const Request& request);
+  [[nodiscard]] bool owed() const { return owed_; }
+
+  // False when no answer was owed; from here on none is.
+  [[nodiscard]] bool accept();
+  [[nodiscard]] Outcome take(const Answer& answer);
+
+  // What was kept for the answer.
+  [[nodiscard]] const Restoring& restoring() const { return restoring_; }
+  [[nodiscard]] const ToolOverhang& overhang() const { return overhang_; }
+  [[nodiscard]] const Diagnostic& end() const { return end_; }
+
+  // Why the last request was refused: channel_error ().
+  [[nodiscard]] const std::string& channel_error() const { return channel_error_; }
+  void set_channel_error(std::string_view text) { channel_error_ = text; }
+
+ private:
+  [[nodiscard]] Outcome take_truth(const Answer& answer);
+  [[nodiscard]] Outcome take_number(const Answer& answer);
+  [[nodiscard]] Outcome take_statement(const Answer& answer);
+
+  bool owed_ = false;
+  AnswerUse use_ = AnswerUse::position_only;
+  double unit_ = 1.0;
+  Statement statement_;
+  Restoring restoring_;
+  ToolOverhang overhang_;
+  Diagnostic end_;
+  std::string channel_error_;
+};
+
+}  // namespace stanok::lang

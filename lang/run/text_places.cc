@@ -1,0 +1,143 @@
+#include "lang/run/text_places.h"
+
+#include <algorithm>
+
+#include "lang/text/block_number.h"
+#include "lang/text/number.h"
+#include "lang/tree/plain_block.h"
+
+namespace stanok::lang {
+namespace {
+
+bool is_called_from(const Vm& vm, const std::vector<std::uint32_t>& calls) {
+  if (calls.empty()) return true;
+  const std::vector<Frame>& frames = vm.frames();
+  if (frames.size() != calls.size() + 1) return false;
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    const Frame& caller = frames[i];
+    if (vm.program().files[caller.file]->spans[caller.position - 1].line != calls[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TextPlaces::TextPlaces(Vm& vm, BlockState& state, Parameters& parameters)
+    : vm_(vm), state_(state), text_values_(parameters) {
+  state_.around.contours = this;
+}
+
+Contour TextPlaces::contour(int first, int last) {
+  const Source& source = vm_.file().source;
+  const char* const end = source.text().data() + source.end();
+  Contour contour;
+  bool inside = false;
+  std::uint32_t line = source.begin_line();
+  for (const char* at = source.text().data() + source.begin(); at != end; ++line) {
+    const auto offset = static_cast<std::size_t>(at - source.text().data());
+    const std::string_view text = source.line_at(offset);
+    const auto number = block_number(text);
+    inside = inside || number == first;
+    const char* next = at;
+    BlockWords words;
+    const bool plain = inside &&
+                       read_plain_line(next, end, Surroundings::file_level, words, text_values_) &&
+                       text_values_.settings().empty() &&
+                       (words.letters & state_.channel_words.dialect().alias_letters()) == 0;
+    if (inside && !plain) {
+      contour.problem = "line " + std::to_string(line) + " of the contour is no plain block";
+      return contour;
+    }
+    if (inside && !words.empty()) contour.blocks.push_back({words, {vm_.frame().file, line}});
+    if (inside && number == last) return contour;
+    at = plain ? next : behind_line(at, end);
+  }
+  contour.problem = inside ? "the contour has no end N" + std::to_string(last)
+                           : "the program has no block N" + std::to_string(first);
+  return contour;
+}
+
+std::optional<TextPlaces::PlainPlace> TextPlaces::plain_place(std::uint32_t line) const {
+  const CompiledFile& current = vm_.file();
+  const char* const text = current.source.text().data();
+  for (std::size_t i = 0; i < current.code.size(); ++i) {
+    if (current.code[i].op != Op::plain_lines) continue;
+    const PlainLines& lines = current.plain_lines[current.code[i].operand];
+    PlainCursor cursor{text + lines.begin, text + lines.end, lines.first_line, lines.surroundings};
+    for (; !cursor.at_end() && cursor.line < line; ++cursor.line) {
+      cursor.at = behind_line(cursor.at, cursor.end);
+    }
+    if (cursor.line == line) return PlainPlace{cursor, static_cast<std::uint32_t>(i) + 1};
+  }
+  return std::nullopt;
+}
+
+// A contour is plain text: the run goes on in the piece that holds it.
+void TextPlaces::go_to(const PlainPlace& place) {
+  vm_.plain() = place.cursor;
+  vm_.frame().position = place.position;
+}
+
+void TextPlaces::go_behind_line(std::uint32_t line) {
+  if (const auto place = plain_place(line + 1)) go_to(*place);
+}
+
+void TextPlaces::run_contour(std::uint32_t first, std::uint32_t last) {
+  const auto begin = plain_place(first);
+  const auto end = plain_place(last + 1);
+  if (!begin || !end) return;
+  contour_return_ = ContourReturn{vm_.plain(), state_.modal.position_W};
+  vm_.plain() = begin->cursor;
+  vm_.plain().end = end->cursor.at;
+}
+
+// Back to the start point, away from the contour first.
+void TextPlaces::leave_contour() {
+  vm_.plain() = contour_return_->plain;
+  const AxisValues start_W = contour_return_->start_W;
+  contour_return_.reset();
+  ModalState& modal = state_.modal;
+  for (const std::size_t coordinate : {std::size_t{0}, std::size_t{2}}) {
+    const int found = state_.channel_words.geometry_axis(coordinate);
+    const auto axis = static_cast<std::size_t>(found);
+    if (found < 0 || modal.position_W[axis] == start_W[axis]) continue;
+    Move move;
+    move.words = axis_bit(axis);
+    move.path = modal.path;
+    modal.position_W[axis] = start_W[axis];
+    move.end = modal.position_W;
+    state_.queue.emit(move);
+  }
+}
+
+bool TextPlaces::enter(std::uint32_t line) {
+  const CompiledFile& current = vm_.file();
+  const std::vector<std::uint32_t>& entries = current.entries;
+  const auto plain = plain_place(line);
+  if (plain && std::binary_search(entries.begin(), entries.end(), plain->position - 1)) {
+    go_to(*plain);
+    return true;
+  }
+  const auto begins_before = [&](std::uint32_t entry, std::uint32_t wanted) {
+    return current.spans[entry].line < wanted;
+  };
+  const auto first = std::lower_bound(entries.begin(), entries.end(), line, begins_before);
+  if (first == entries.end() || current.spans[*first].line != line) return false;
+  vm_.frame().position = *first;
+  return true;
+}
+
+bool SearchStop::is_reached(Vm& vm, const TextPlaces& texts) {
+  const Frame& frame = vm.frame();
+  const PlainCursor& plain = vm.plain();
+  const std::uint32_t line = plain.at_end() ? vm.file().spans[frame.position].line : plain.line;
+  const bool is_there = frame.file == place_->file && line == place_->line && !texts.in_contour() &&
+                        is_called_from(vm, place_->calls);
+  const bool arrives = is_there && !was_there_;
+  was_there_ = is_there;
+  if (!arrives || --place_->passes > 0) return false;
+  place_.reset();
+  return true;
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,215 @@
+#include "lang/tree/directive_parser.h"
+
+#include <array>
+#include <utility>
+
+namespace stanok::lang {
+namespace {
+
+constexpr auto directives =
+    std::to_array<std::string_view>({"include", "kinematics", "workpiece", "workpiece_pos",
+                                     "feedlaw", "tool_overhang", "adaptive"});
+
+using ForceKind = ForceControl::Kind;
+
+struct AdaptiveForm {
+  std::string_view name;
+  ForceKind kind;
+  std::size_t least;  // values
+  std::size_t most;
+  std::string_view example;
+};
+
+constexpr auto adaptive_forms = std::to_array<AdaptiveForm>({
+    {"off", ForceKind::off, 0, 0, "`#adaptive (off)`"},
+    {"force", ForceKind::force, 1, 3,
+     "`#adaptive (force, P_z)` or `#adaptive (force, P_z, S_min, S_max)`"},
+    {"oscillate", ForceKind::oscillate, 2, 2, "`#adaptive (oscillate, P_osc, f)`"},
+    {"vibration", ForceKind::vibration_on, 0, 3,
+     "`#adaptive (vibration, on)`, `#adaptive (vibration, on, level, m_d, f)` or "
+     "`#adaptive (vibration, off)`"},
+});
+
+const AdaptiveForm* adaptive_form_called(std::string_view name) {
+  for (const AdaptiveForm& form : adaptive_forms) {
+    if (form.name == name) return &form;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+MaybeStatement DirectiveParser::parse_directive() {
+  const Span hash = scanner_.here();
+  scanner_.advance(1);
+  const std::string_view name = scanner_.name_ahead();
+  const Span span = joined(hash, scanner_.here(static_cast<std::uint32_t>(name.size())));
+  const std::string wanted = folded(name);
+  scanner_.advance(name.size());
+  if (wanted == "include") return parse_include();
+  if (wanted == "kinematics") return parse_kinematics();
+  if (wanted == "workpiece" || wanted == "workpiece_pos") {
+    return parse_workpiece(
+        wanted == "workpiece" ? WorkpieceForm::announcement : WorkpieceForm::position, span);
+  }
+  if (wanted == "tool_overhang") return parse_tool_overhang(span);
+  if (wanted == "feedlaw") return parse_feed_law(span);
+  if (wanted == "adaptive") return parse_adaptive(span);
+  Diagnostic& diagnostic = reporter_.error(
+      "E2010", span, "unknown directive `#" + std::string(name) + "`", "no such directive");
+  const std::string_view nearest = nearest_name(name, {directives.begin(), directives.end()});
+  if (!nearest.empty()) diagnostic.help.push_back("did you mean `#" + std::string(nearest) + "`?");
+  scanner_.skip_to_line_end();
+  return std::nullopt;
+}
+
+MaybeStatement DirectiveParser::parse_include() {
+  const Token file = scanner_.take(LineEnds::significant);
+  if (file.kind != TokenKind::string) {
+    cursor_.report_unexpected(file, "a file name in quotes after `#include`");
+    return std::nullopt;
+  }
+  if (!cursor_.at_file_level()) {
+    reporter_.error("E2012", file.span, "`#include` inside braces or O-lines",
+                    "belongs at file level");
+    return std::nullopt;
+  }
+  if (!cursor_.finish_line()) return std::nullopt;
+  if (included_functions_) {
+    functions_.merge(included_functions_(file.string));
+  }
+  Statement statement;
+  statement.kind = IncludeDirective{file.string, file.span};
+  return statement;
+}
+
+MaybeStatement DirectiveParser::parse_kinematics() {
+  cursor_.set_line_ends(LineEnds::significant);
+  KinematicsDirective directive;
+  const Span span = scanner_.here();
+  if (!cursor_.expect("(", "`#kinematics`")) return std::nullopt;
+  if (!expressions_.parse_list(")", directive.arguments) || !cursor_.finish_line())
+    return std::nullopt;
+  if (directive.arguments.size() != 2) {
+    reporter_
+        .error("E3005", span, "`#kinematics` takes two arguments",
+               "scheme and channel are expected")
+        .help.push_back("write e.g. `#kinematics (1, 1)`");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
+}
+
+MaybeStatement DirectiveParser::parse_macro_line() {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  const std::string name = folded(scanner_.name_ahead());
+  scanner_.skip_to_line_end();
+  std::string equivalent = "if (condition) { ... }";
+  if (name == "while" || name.starts_with("do") || name.starts_with("end")) {
+    equivalent = "while (condition) { ... }";
+  }
+  reporter_
+      .error("E2040", scanner_.span_from(start, line),
+             "macro lines of other controls are not supported in this release", "")
+      .help.push_back("write `" + equivalent + "`");
+  return std::nullopt;
+}
+
+MaybeStatement DirectiveParser::parse_tool_overhang(const Span& name) {
+  cursor_.set_line_ends(LineEnds::significant);
+  ToolOverhangDirective directive;
+  if (!cursor_.expect("(", "`#tool_overhang`")) return std::nullopt;
+  if (!expressions_.parse_list(")", directive.arguments) || !cursor_.finish_line())
+    return std::nullopt;
+  if (directive.arguments.size() > 2) {
+    reporter_
+        .error("E3005", name, "`#tool_overhang` takes a value and an axis",
+               "wrong number of arguments")
+        .help.push_back(
+            "write `#tool_overhang (35)`, `#tool_overhang (35, X)`, or `()` for the "
+            "value of the tool table");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
+}
+
+MaybeStatement DirectiveParser::parse_workpiece(WorkpieceForm form, const Span& name) {
+  const bool position = form == WorkpieceForm::position;
+  cursor_.set_line_ends(LineEnds::significant);
+  WorkpieceDirective directive;
+  directive.position = position;
+  const std::string text = position ? "`#workpiece_pos`" : "`#workpiece`";
+  if (!cursor_.expect("(", text)) return std::nullopt;
+  if (!expressions_.parse_list(")", directive.arguments) || !cursor_.finish_line())
+    return std::nullopt;
+  const std::size_t wanted = position ? 6 : 9;
+  if (directive.arguments.size() != wanted) {
+    reporter_
+        .error("E3005", name,
+               text + " takes " + std::to_string(wanted) + " arguments, not " +
+                   std::to_string(directive.arguments.size()),
+               "wrong number of arguments")
+        .help.push_back(position
+                            ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
+                            : "write `#workpiece (type, resolution, machining, X, Y, Z, zero_X, "
+                              "zero_Y, zero_Z)`");
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
+}
+
+// #adaptive: force control. `force`, `oscillate` and `off` take values, `vibration` says on or off
+// before them.
+MaybeStatement DirectiveParser::parse_adaptive(const Span& name) {
+  cursor_.set_line_ends(LineEnds::significant);
+  if (!cursor_.expect("(", "`#adaptive`")) return std::nullopt;
+  const Token word = scanner_.take(cursor_.line_ends());
+  const AdaptiveForm* const form =
+      word.kind == TokenKind::name ? adaptive_form_called(folded(word.text)) : nullptr;
+  if (form == nullptr) {
+    cursor_.report_unexpected(word, "`force`, `oscillate`, `vibration` or `off`");
+    return std::nullopt;
+  }
+  AdaptiveDirective directive{form->kind, {}};
+  if (form->kind == ForceKind::vibration_on && !parse_vibration_switch(directive))
+    return std::nullopt;
+  const bool good = cursor_.accept(",") ? expressions_.parse_list(")", directive.arguments)
+                                        : cursor_.expect(")", "the orders of `#adaptive`");
+  if (!good || !cursor_.finish_line()) return std::nullopt;
+  const std::size_t given = directive.arguments.size();
+  // The clamps come together, as do the values of the oscillation.
+  const bool has_some = given == 2 && form->most == 3;
+  const bool is_switched_off = directive.kind == ForceKind::vibration_off && given > 0;
+  const bool has_one_of_three = given == 1 && form->kind == ForceKind::vibration_on;
+  if (given < form->least || given > form->most || has_some || has_one_of_three ||
+      is_switched_off) {
+    reporter_
+        .error("E3005", name, "`#adaptive` does not take these values", "wrong number of values")
+        .help.push_back("write " + std::string(form->example));
+    return std::nullopt;
+  }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
+}
+
+bool DirectiveParser::parse_vibration_switch(AdaptiveDirective& directive) {
+  if (!cursor_.expect(",", "`vibration`")) return false;
+  const Token word = scanner_.take(cursor_.line_ends());
+  const std::string wanted = folded(word.text);
+  if (word.kind != TokenKind::name || (wanted != "on" && wanted != "off")) {
+    cursor_.report_unexpected(word, "`on` or `off`");
+    return false;
+  }
+  directive.kind = wanted == "on" ? ForceKind::vibration_on : ForceKind::vibration_off;
+  return true;
+}
+
+}  // namespace stanok::lang

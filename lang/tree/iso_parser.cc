@@ -1,0 +1,278 @@
+#include "lang/tree/iso_parser.h"
+
+#include <algorithm>
+
+#include "lang/feed_law/feed_law_words.h"
+#include "lang/text/limits.h"
+#include "lang/text/number.h"
+#include "lang/tree/comment_parser.h"
+#include "lang/words/later_word.h"
+#include "lang/words/named_address.h"
+
+namespace stanok::lang {
+
+bool IsoParser::is_named_address(std::string_view name) const {
+  std::size_t behind = name.size();
+  while (is_blank(scanner_.character(behind))) ++behind;
+  if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
+  if (!find_named_address(name).empty()) return true;
+  return channel_ != nullptr && channel_->axis_called(name) >= 0;
+}
+
+MaybeStatement IsoParser::parse_iso() {
+  IsoBlock block;
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  while (true) {
+    scanner_.skip_blanks(LineEnds::significant);
+    const char c = scanner_.character();
+    if (scanner_.at_line_end() || (c == '}' && cursor_.inside_braces())) break;
+    if (c == ';' && cursor_.inside_braces()) {
+      if (!end_iso_in_braces()) return std::nullopt;
+      break;
+    }
+    if (c == ';') {
+      scanner_.skip_line_comment();
+      break;
+    }
+    if (!parse_iso_part(block)) return std::nullopt;
+    if (scanner_.offset() - start > limits::block_bytes) scanner_.skip_to_line_end();
+  }
+  if (scanner_.offset() - start > limits::block_bytes) {
+    reporter_.error("E1007", {start, 1, line}, "the block is longer than 4096 bytes", "too long");
+    return std::nullopt;
+  }
+  if (!apply_aliases(block)) return std::nullopt;
+  Statement statement;
+  statement.kind = std::move(block);
+  return statement;
+}
+
+bool IsoParser::end_iso_in_braces() {
+  scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.at_line_end() || scanner_.character() == '}') return true;
+  reporter_
+      .error("E2004", scanner_.here(), "text behind the `;` of an ISO block inside braces",
+             "only `}` or a // comment may follow here")
+      .help.push_back("put each ISO block on its own line");
+  return false;
+}
+
+bool IsoParser::parse_iso_part(IsoBlock& block) {
+  cursor_.begin_operators();
+  const char c = scanner_.character();
+  if (c == '(') return parse_comment(cursor_, block);
+  if (c == '#') return parse_parameter_setting(block);
+  if (is_letter(c)) return parse_word(block);
+  if (c == '$') {
+    scanner_.advance(1);
+    auto value = brackets_.parse_value();
+    if (!value) return false;
+    block.spindle = std::move(*value);
+    return true;
+  }
+  if (c == '@' || c == '^' || c == ',') {
+    reporter_
+        .error("E2090", scanner_.here(),
+               std::string("`") + c + "` words are not supported in this release",
+               c == ',' ? "corner chamfer and rounding" : "polar coordinates")
+        .help.emplace_back(find_later_word({&c, 1})->instead);
+    return false;
+  }
+  if ((is_digit(c) || c == '.') && !block.words.empty()) {
+    reporter_.error("E1003", scanner_.here(), "blank inside a number", "a number goes on here")
+        .help.push_back("write the number without blanks, or the missing address");
+    return false;
+  }
+  if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) {
+    reporter_.error("E1001", scanner_.peek(LineEnds::significant).span, "illegal character",
+                    "only comments and strings may hold it");
+    return false;
+  }
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a word");
+  return false;
+}
+
+bool IsoParser::parse_word(IsoBlock& block) {
+  const std::string_view name = scanner_.name_ahead();
+  if (name.size() > 1 && is_name_start(name[1])) return parse_long_word(block, name);
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  IsoWord word;
+  word.name.letter = upper_case(name[0]);
+  if (word.name.letter == 'N' || word.name.letter == 'O') {
+    reporter_.error("E2006", scanner_.here(), "a block or program number inside a block",
+                    "must stand at the beginning of the line");
+    return false;
+  }
+  std::size_t digits = 1;
+  while (is_digit(scanner_.character(digits))) ++digits;
+  std::size_t behind = digits;
+  while (is_blank(scanner_.character(behind))) ++behind;
+  const bool equals = scanner_.character(behind) == '=' && scanner_.character(behind + 1) != '=';
+  if (equals && digits > 1) return parse_long_word(block, name.substr(0, digits));
+  scanner_.advance(equals ? behind + 1 : 1);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (equals) {
+    auto value = expressions_.parse_expression(LineEnds::significant);
+    if (!value) return false;
+    word.value = std::move(*value);
+  } else if (!parse_plain_value(word)) {
+    return false;
+  }
+  word.span = scanner_.span_from(start, line);
+  return add_word(block, std::move(word));
+}
+
+// A number, or a value of the RS274 kind.
+bool IsoParser::parse_plain_value(IsoWord& word) {
+  const char* const first = source_.text().data() + scanner_.offset();
+  const char* const end = source_.text().data() + source_.end();
+  const char* at = first;
+  word.value.span = scanner_.here();
+  if (!read_number(at, end, word.value.number, word.whole)) {
+    auto value = brackets_.parse_value();
+    if (value) word.value = std::move(*value);
+    return value.has_value();
+  }
+  scanner_.advance(static_cast<std::size_t>(at - first));
+  word.value.span.length = static_cast<std::uint32_t>(at - first);
+  if (scanner_.character() != '.') return true;
+  reporter_.error("E1002", scanner_.here(), "a number with two decimal points", "second point");
+  return false;
+}
+
+// H1=2, R5=..., S_n=0.1, X2=50, Xsin[30]
+bool IsoParser::parse_long_word(IsoBlock& block, std::string_view name) {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
+  const bool has_index = name.size() > 1 && is_digit(name[1]);
+  IsoWord word;
+  if (!has_index && !is_named_address(name)) {
+    if (bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
+      word.name.letter = upper_case(name[0]);
+      scanner_.advance(1);
+      auto value = brackets_.parse_value();
+      if (!value) return false;
+      word.value = std::move(*value);
+      word.span = scanner_.span_from(start, line);
+      return add_word(block, std::move(word));
+    }
+    reporter_.error("E2007", name_span, "unknown word `" + std::string(name) + "` in a block",
+                    "a word is a letter and a number, or a named address and `=`");
+    return false;
+  }
+  const char letter = upper_case(name[0]);
+  if (has_index && (letter == 'G' || letter == 'M')) {
+    reporter_
+        .error("E2011", name_span, "`" + std::string(name) + "=` is no word",
+               "a code takes no `=` behind its number")
+        .help.push_back("for spindle 2 write e.g. `M3 $2`");
+    return false;
+  }
+  const std::string_view address = has_index ? std::string_view() : find_named_address(name);
+  if (!address.empty() && !is_law_address(address)) {
+    reporter_.error("E2090", name_span,
+                    "`" + std::string(name) + "` is not supported in this release",
+                    "address of a spindle position");
+    return false;
+  }
+  scanner_.advance(name.size());
+  scanner_.skip_blanks(LineEnds::significant);
+  scanner_.advance(1);
+  auto value = expressions_.parse_expression(LineEnds::significant);
+  if (!value) return false;
+  word.span = scanner_.span_from(start, line);
+  word.value = std::move(*value);
+  if (has_index && letter == 'R') {
+    Expression target;
+    target.node = Node::r_parameter;
+    target.span = name_span;
+    for (const char digit : name.substr(1)) target.number = target.number * 10.0 + (digit - '0');
+    block.settings.push_back({std::move(target), std::move(word.value)});
+    return true;
+  }
+  word.name.name = address.empty() ? name : address;
+  if (address.empty()) {
+    std::transform(word.name.name.begin(), word.name.name.end(), word.name.name.begin(),
+                   upper_case);
+  }
+  return add_word(block, std::move(word));
+}
+
+// A letter that the machine file binds to a named address becomes a word of that address, unless a
+// code of the block takes the letter itself.
+bool IsoParser::apply_aliases(IsoBlock& block) {
+  const auto takes = [&](const IsoWord& code, char letter) {
+    const char kind = code.name.letter;
+    if ((kind != 'G' && kind != 'M') || code.name.code < 0) return false;
+    const Code* const row = find_code(kind, static_cast<CodeNumber>(code.name.code));
+    const bool macro_call = kind == 'G' && code.name.code == g(65);
+    return macro_call || dialect_.macro(kind, code.name.code) != nullptr ||
+           (row != nullptr && (row->words & letter_bit(letter)) != 0);
+  };
+  for (IsoWord& word : block.words) {
+    const char letter = word.name.letter;
+    const std::string_view address = dialect_.alias(letter);
+    const auto takes_letter = [&](const IsoWord& code) { return takes(code, letter); };
+    if (address.empty() || std::ranges::any_of(block.words, takes_letter)) continue;
+    if (std::ranges::any_of(block.words, [&](const IsoWord& other) {
+          return other.name.letter == 0 && other.name.name == address;
+        })) {
+      reporter_.error("E4001", word.span, "`" + std::string(address) + "` twice in one block",
+                      "second word of this address");
+      return false;
+    }
+    word.name.letter = 0;
+    word.name.name = address;
+  }
+  return true;
+}
+
+bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
+  const char letter = word.name.letter;
+  const bool is_code = letter == 'G' || letter == 'M';
+  if (is_code && word.value.node == Node::number) {
+    const double tenths = word.value.number * 10.0;
+    if (!is_integer(tenths) || tenths < 0.0 || tenths > 32767.0) {
+      reporter_.error("E4004", word.span, "unknown code", "no such code");
+      return false;
+    }
+    word.name.code = static_cast<int>(std::lround(tenths));
+  }
+  const auto same_name = [&](const IsoWord& other) {
+    return other.name.letter == letter && other.name.name == word.name.name;
+  };
+  const auto count = std::count_if(block.words.begin(), block.words.end(), same_name);
+  if (is_code ? count >= CodeList::capacity : count > 0) {
+    const std::string name = letter != 0 ? std::string(1, letter) : word.name.name;
+    reporter_.error(is_code ? "E4005" : "E4001", word.span,
+                    is_code ? "more than " + std::to_string(CodeList::capacity) + " `" + name +
+                                  "` words in one block"
+                            : "`" + name + "` twice in one block",
+                    is_code ? "one too many" : "second word of this address");
+    return false;
+  }
+  block.words.push_back(std::move(word));
+  return true;
+}
+
+bool IsoParser::parse_parameter_setting(IsoBlock& block) {
+  auto target = brackets_.parse_parameter_reference();
+  if (!target) return false;
+  scanner_.skip_blanks(LineEnds::significant);
+  if (scanner_.character() != '=') {
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`=` after the parameter");
+    return false;
+  }
+  scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
+  auto value = brackets_.parse_value();
+  if (!value) return false;
+  block.settings.push_back({std::move(*target), std::move(*value)});
+  return true;
+}
+
+}  // namespace stanok::lang
