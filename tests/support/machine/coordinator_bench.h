@@ -39,7 +39,7 @@ class CoordinatorBench {
     return links_[static_cast<std::size_t>(index)];
   }
 
-  channels::Signals inputs;
+  Signals inputs;
 
  private:
   static channels::ChannelFigures figures(int id, int first_axis) {
@@ -60,7 +60,7 @@ class CoordinatorBench {
 
   Ring<channels::Event> events_{256};
   channels::ReportBook reports_;
-  channels::Signals outputs_;
+  Signals outputs_;
   BenchSchemes schemes_ = bench_schemes();
   std::array<channels::ChannelLink, 2> links_;
   std::array<std::uint32_t, 2> resets_done_{};
