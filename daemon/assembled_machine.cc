@@ -1,5 +1,7 @@
 #include "daemon/assembled_machine.h"
 
+#include <spdlog/spdlog.h>
+
 namespace stanok::daemon {
 namespace {
 
@@ -31,8 +33,10 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
       recorder_(recorder),
       program_root_(std::move(program_root)),
       newest_(before_the_first_cycle(assembly.file().machine)),
-      foresight_(assembly.file(), std::move(program_roots),
-                 [this](recording::PathPreview path) { recorder_.show_path(std::move(path)); }) {}
+      foresight_(
+          assembly.file(), std::move(program_roots),
+          [this](recording::PathPreview path) { recorder_.show_path(std::move(path)); },
+          [](const std::string& obstacle) { spdlog::warn("{}", obstacle); }) {}
 
 void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
   const std::lock_guard lock(mutex_);

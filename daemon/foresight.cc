@@ -2,7 +2,6 @@
 
 #include <pthread.h>
 #include <sched.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <exception>
@@ -122,10 +121,12 @@ std::optional<double> Timeline::end_of(std::uint32_t run) const {
 }
 
 Foresight::Foresight(const config::MachineFile& file,
-                     std::vector<std::filesystem::path> program_roots, PathTaker take_path)
+                     std::vector<std::filesystem::path> program_roots, PathTaker take_path,
+                     ObstacleTaker take_obstacle)
     : file_(file),
       program_roots_(std::move(program_roots)),
       take_path_(std::move(take_path)),
+      take_obstacle_(std::move(take_obstacle)),
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 Foresight::~Foresight() {
@@ -168,9 +169,9 @@ void Foresight::work(const std::stop_token& stop) {
     try {
       keep(order.channel, simulate(order, stop));
     } catch (const std::exception& error) {
-      spdlog::warn("{} cannot be simulated beforehand: {}", order.program, error.what());
+      take_obstacle_(order.program + " cannot be simulated beforehand: " + error.what());
     } catch (...) {
-      spdlog::warn("{} cannot be simulated beforehand", order.program);
+      take_obstacle_(order.program + " cannot be simulated beforehand");
     }
     const std::lock_guard lock(mutex_);
     at_work_ = 0;

@@ -64,10 +64,12 @@ class Foresight {
 
   // Takes the path of a channel that the program of a simulation moved; called from another thread.
   using PathTaker = std::function<void(recording::PathPreview)>;
+  // Takes a line that says why a program cannot be simulated; called from another thread.
+  using ObstacleTaker = std::function<void(const std::string&)>;
 
   // `file` outlives it.
   Foresight(const config::MachineFile& file, std::vector<std::filesystem::path> program_roots,
-            PathTaker take_path);
+            PathTaker take_path, ObstacleTaker take_obstacle);
   ~Foresight();
   Foresight(const Foresight&) = delete;
   Foresight& operator=(const Foresight&) = delete;
@@ -105,6 +107,7 @@ class Foresight {
   const config::MachineFile& file_;
   std::vector<std::filesystem::path> program_roots_;
   PathTaker take_path_;
+  ObstacleTaker take_obstacle_;
   mutable std::mutex mutex_;
   std::condition_variable_any wakes_;
   std::map<int, Order> orders_;       // by channel

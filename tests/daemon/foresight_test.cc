@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -67,10 +68,13 @@ class ForesightTest : public ::testing::Test {
       config::read_machine_file(stanok::testing::source_folder() + "/config/machines/mill3.toml");
   std::mutex mutex;
   std::vector<recording::PathPreview> paths;
-  Foresight foresight{file, {folder.path()}, [this](recording::PathPreview path) {
+  Foresight foresight{file,
+                      {folder.path()},
+                      [this](recording::PathPreview path) {
                         const std::lock_guard lock(mutex);
                         paths.push_back(std::move(path));
-                      }};
+                      },
+                      [](const std::string& obstacle) { ADD_FAILURE() << obstacle; }};
   channels::CycleOutput now = [this] {
     channels::CycleOutput output;
     output.channel_count = static_cast<int>(file.machine.channels.size());
@@ -144,15 +148,19 @@ TEST_F(ForesightTest, EndsInAnEndlessLoopWithoutMotion) {
 }
 
 // As when memory ends: the daemon lives, and looks at the next program.
-TEST_F(ForesightTest, LivesOnAfterAnyException) {
+TEST_F(ForesightTest, LivesOnAfterAnyExceptionAndTellsOfIt) {
   std::atomic<bool> throws = true;
-  Foresight faulty{file, {folder.path()}, [&](const recording::PathPreview& path) {
+  std::promise<std::string> told;
+  Foresight faulty{file,
+                   {folder.path()},
+                   [&](const recording::PathPreview& path) {
                      static_cast<void>(path);
                      if (throws.exchange(false)) throw 42;
-                   }};
+                   },
+                   [&](const std::string& obstacle) { told.set_value(obstacle); }};
   write("a.nc", "G1 X1 F1000\nM30\n");
   faulty.look_at(1, "a.nc", now, file.machine.tables);
-  while (throws) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(told.get_future().get(), "a.nc cannot be simulated beforehand");
   EXPECT_FALSE(faulty.outlook(1, now).predicted_s);
   faulty.look_at(1, "a.nc", now, file.machine.tables);
   while (!faulty.outlook(1, now).predicted_s)
