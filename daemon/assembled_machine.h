@@ -65,10 +65,10 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   void foresee(int channel, const std::string& program) override {
     foresight_.look_at(channel, program, newest_output(), tables());
   }
-  void foreseen_begins(int channel, RunsOfChannels before) override {
+  void foreseen_begins(int channel, runtime::RunsOfChannels before) override {
     foresight_.begins(channel, std::move(before));
   }
-  [[nodiscard]] Outlook outlook(int channel) override {
+  [[nodiscard]] runtime::Outlook outlook(int channel) override {
     return foresight_.outlook(channel, newest_output());
   }
   [[nodiscard]] LoopFigures loop_figures() override;
@@ -107,7 +107,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   std::mutex mutex_;
   channels::CycleOutput newest_;
   RealTimeRights rights_;
-  Foresight foresight_;
+  runtime::Foresight foresight_;
 };
 
 }  // namespace stanok::daemon

@@ -44,7 +44,7 @@ Failure failure_of_load(const std::vector<channels::AlarmReport>& errors, int ch
 
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
   event.id = ++last_id_;
-  Pending pending{event, wait, std::move(answer), 0, runs_of(machine_.newest_output())};
+  Pending pending{event, wait, std::move(answer), 0, runtime::runs_of(machine_.newest_output())};
   if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(

@@ -47,8 +47,8 @@ class CommandDesk {
     channels::OperatorEvent event;
     WaitFor wait = WaitFor::accepted;
     Answer answer;
-    std::size_t diagnostics_before = 0;  // of loads, when the command was given
-    RunsOfChannels runs_before{};        // likewise
+    std::size_t diagnostics_before = 0;     // of loads, when the command was given
+    runtime::RunsOfChannels runs_before{};  // likewise
   };
   struct AwaitedRun {
     int channel = 0;

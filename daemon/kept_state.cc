@@ -6,8 +6,8 @@
 
 #include "config/positions_file.h"
 #include "config/tables_file.h"
-#include "daemon/axis_positions.h"
 #include "daemon/state_directory.h"
+#include "runtime/axis_positions.h"
 
 namespace stanok::daemon {
 namespace {
@@ -115,7 +115,7 @@ std::string PositionSnapshot::operator()(const channels::CycleOutput& newest) {
   const std::int64_t since_us = (newest.cycle - kept_cycle_) * machine_.cycle_us;
   if (newest.channel_count == 0 || (is_any_moving(newest) && since_us < moving_period_us))
     return kept_;
-  kept_ = positions_text(machine_, positions_of_axes(machine_, newest));
+  kept_ = positions_text(machine_, runtime::positions_of_axes(machine_, newest));
   kept_cycle_ = newest.cycle;
   return kept_;
 }

@@ -13,12 +13,12 @@
 #include "base/expected.h"
 #include "channels/machine/machine.h"
 #include "config/machine_file.h"
-#include "daemon/foresight.h"
 #include "daemon/real_time_loop.h"
 #include "daemon/real_time_rights.h"
 #include "drives/bus.h"
 #include "plant/fault.h"
 #include "recording/log_writer.h"
+#include "runtime/foresight.h"
 
 namespace stanok::daemon {
 
@@ -72,8 +72,8 @@ class RunningMachine {
   // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs
   // that were there when it was asked for; what is to be expected of a channel.
   virtual void foresee(int channel, const std::string& program) = 0;
-  virtual void foreseen_begins(int channel, RunsOfChannels before) = 0;
-  [[nodiscard]] virtual Outlook outlook(int channel) = 0;
+  virtual void foreseen_begins(int channel, runtime::RunsOfChannels before) = 0;
+  [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
 
   [[nodiscard]] virtual LoopFigures loop_figures() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;

@@ -266,7 +266,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
   json position = json::object();
   for (std::size_t k = 0; k < config.words.size(); ++k)
     position[config.words[k]] = output.point_W[k].value;
-  const Outlook outlook = machine_.outlook(config.id);
+  const runtime::Outlook outlook = machine_.outlook(config.id);
   json alarm = nullptr;
   if (output.state == ChannelState::alarm) {
     const auto last = std::find_if(books.alarms.rbegin(), books.alarms.rend(),

@@ -15,8 +15,8 @@
 
 #include "daemon/assembled_machine.h"
 #include "daemon/dispatch.h"
-#include "tests/daemon/temporary_directory.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 
@@ -126,7 +126,7 @@ class DaemonBench {
     Dispatch& dispatch;
   };
 
-  TemporaryDirectory here_;
+  stanok::testing::TemporaryDirectory here_;
   runtime::Assembly assembly_;
   Recorder recorder_;
   AssembledMachine machine_;

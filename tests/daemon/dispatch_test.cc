@@ -9,7 +9,7 @@
 #include "channels/contract/operator_action.h"
 #include "daemon/inventory.h"
 #include "tests/daemon/fake_machine.h"
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -521,7 +521,7 @@ TEST(DriveFault, NamesEveryFaultOfTheSimulation) {
 
 TEST(ProgramList, NamesFilesBeneathTheRootAndFollowsNoLinks) {
   namespace fs = std::filesystem;
-  const TemporaryDirectory root;
+  const stanok::testing::TemporaryDirectory root;
   fs::create_directories(root.path() / "sub" / ".hidden");
   std::ofstream(root.path() / "b.nc") << "M30\n";
   std::ofstream(root.path() / "sub" / "a.nc") << "G0X1\nM30\n";

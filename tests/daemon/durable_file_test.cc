@@ -11,7 +11,7 @@
 #include <iterator>
 #include <random>
 
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -36,7 +36,7 @@ class DurableFile : public ::testing::Test {
     return *read ? (*read)->text : "none";
   }
 
-  TemporaryDirectory folder;
+  stanok::testing::TemporaryDirectory folder;
 };
 
 TEST_F(DurableFile, ComesBackAsItWas) {

@@ -10,7 +10,7 @@
 
 #include "daemon/state_directory.h"
 #include "tests/daemon/fake_machine.h"
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -33,7 +33,7 @@ class KeptStateTest : public ::testing::Test {
     return config;
   }
 
-  TemporaryDirectory folder;
+  stanok::testing::TemporaryDirectory folder;
   FakeMachine machine;
   channels::CycleOutput now;
 };

@@ -10,7 +10,7 @@
 #include "daemon/signals.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/daemon/raw_client.h"
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -33,7 +33,7 @@ class ServerTest : public ::testing::Test {
     thread.join();
   }
 
-  TemporaryDirectory here;
+  stanok::testing::TemporaryDirectory here;
   FakeMachine machine;
   ListeningSocket socket;
   OperatorServer server;

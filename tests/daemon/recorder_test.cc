@@ -12,7 +12,7 @@
 
 #include "recording/log_contents.h"
 #include "tests/daemon/fake_machine.h"
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -48,7 +48,7 @@ class RecorderTest : public ::testing::Test {
     while (recorder.status().flight_file == before) std::this_thread::yield();
   }
 
-  TemporaryDirectory folder;
+  stanok::testing::TemporaryDirectory folder;
   config::MachineFile file = two_channel_machine();
   Recorder recorder{file, "a compiler", {.lcm_url = {}, .log_directory = folder.path() / "log"}};
   channels::CycleOutput output = FakeMachine().newest_output();

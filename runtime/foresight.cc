@@ -1,4 +1,4 @@
-#include "daemon/foresight.h"
+#include "runtime/foresight.h"
 
 #include <pthread.h>
 #include <sched.h>
@@ -7,16 +7,16 @@
 #include <exception>
 #include <utility>
 
-#include "daemon/axis_positions.h"
+#include "runtime/axis_positions.h"
 #include "runtime/simulation.h"
 
-namespace stanok::daemon {
+namespace stanok::runtime {
 namespace {
 
 constexpr std::size_t entries_max = 20'000;
 constexpr double machine_time_max_s = 48.0 * 3600.0;
 
-class TimelineWriter final : public runtime::CycleObserver {
+class TimelineWriter final : public CycleObserver {
  public:
   TimelineWriter(std::map<int, Timeline>& timelines, double cycle_s)
       : timelines_(timelines), cycle_s_(cycle_s) {}
@@ -34,7 +34,7 @@ class TimelineWriter final : public runtime::CycleObserver {
   double cycle_s_;
 };
 
-class PreviewGathering final : public runtime::CycleObserver {
+class PreviewGathering final : public CycleObserver {
  public:
   explicit PreviewGathering(const channels::MachineConfig& machine) {
     for (const channels::ChannelConfig& channel : machine.channels) {
@@ -167,7 +167,7 @@ void Foresight::work(const std::stop_token& stop) {
       is_outdated_ = false;
     }
     try {
-      keep(order.channel, simulate(order, stop));
+      keep(order.channel, foresee(order, stop));
     } catch (const std::exception& error) {
       take_obstacle_(order.program + " cannot be simulated beforehand: " + error.what());
     } catch (...) {
@@ -187,10 +187,10 @@ void Foresight::keep(int channel, std::optional<Foreseen> seen) {
 }
 
 // Nothing: it was given up, or is refused. Throws where it cannot be simulated.
-std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
-                                                       const std::stop_token& stop) {
+std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
+                                                      const std::stop_token& stop) {
   Foreseen seen;
-  runtime::SimulationOptions options;
+  SimulationOptions options;
   options.file = file_;
   options.file.machine.tables = order.tables;
   for (std::size_t k = 0; k < order.axes.size(); ++k)
@@ -208,7 +208,7 @@ std::optional<Foresight::Foreseen> Foresight::simulate(const Order& order,
         stop.stop_requested() || is_outdated_ || std::chrono::steady_clock::now() > give_up_at;
     return is_given_up;
   };
-  const auto result = runtime::simulate(options, {&writer, &previews}, interrupted);
+  const auto result = simulate(options, {&writer, &previews}, interrupted);
   if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
   seen.total_s = result.machine_time_s;
   if (!result.alarms.empty()) seen.alarm = result.alarms.front();
@@ -253,4 +253,4 @@ Outlook Foresight::outlook(int channel, const channels::CycleOutput& now) const 
   return outlook;
 }
 
-}  // namespace stanok::daemon
+}  // namespace stanok::runtime

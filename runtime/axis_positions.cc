@@ -1,8 +1,8 @@
-#include "daemon/axis_positions.h"
+#include "runtime/axis_positions.h"
 
 #include <algorithm>
 
-namespace stanok::daemon {
+namespace stanok::runtime {
 
 std::vector<double> positions_of_axes(const channels::MachineConfig& machine,
                                       const channels::CycleOutput& output) {
@@ -25,4 +25,4 @@ std::vector<double> positions_of_axes(const channels::MachineConfig& machine,
   return positions;
 }
 
-}  // namespace stanok::daemon
+}  // namespace stanok::runtime

@@ -1,5 +1,5 @@
 // What is known of a program before it runs.
-#include "daemon/foresight.h"
+#include "runtime/foresight.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 #include <mutex>
 #include <thread>
 
-#include "tests/daemon/temporary_directory.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/temporary_directory.h"
 
-namespace stanok::daemon {
+namespace stanok::runtime {
 namespace {
 
 TEST(Timeline, KnowsWhenABlockBegins) {
@@ -63,7 +63,7 @@ class ForesightTest : public ::testing::Test {
     return now.channels[static_cast<std::size_t>(index)];
   }
 
-  TemporaryDirectory folder;
+  stanok::testing::TemporaryDirectory folder;
   config::MachineFile file =
       config::read_machine_file(stanok::testing::source_folder() + "/config/machines/mill3.toml");
   std::mutex mutex;
@@ -174,4 +174,4 @@ TEST_F(ForesightTest, EndsAtOnceInTheMiddleOfASimulation) {
 }
 
 }  // namespace
-}  // namespace stanok::daemon
+}  // namespace stanok::runtime

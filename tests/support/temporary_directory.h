@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace stanok::daemon {
+namespace stanok::testing {
 
 class TemporaryDirectory {
  public:
@@ -29,4 +29,4 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-}  // namespace stanok::daemon
+}  // namespace stanok::testing

@@ -23,7 +23,7 @@
 #include "config/machine_file.h"
 #include "recording/path_preview.h"
 
-namespace stanok::daemon {
+namespace stanok::runtime {
 
 // Which run of each channel is the latest one, by channel id.
 using RunsOfChannels = std::map<int, std::uint32_t>;
@@ -100,7 +100,7 @@ class Foresight {
 
   void work(const std::stop_token& stop);
   void keep(int channel, std::optional<Foreseen> seen);
-  [[nodiscard]] std::optional<Foreseen> simulate(const Order& order, const std::stop_token& stop);
+  [[nodiscard]] std::optional<Foreseen> foresee(const Order& order, const std::stop_token& stop);
   [[nodiscard]] static std::optional<double> reached(const Foreseen& foreseen, int channel,
                                                      const channels::CycleOutput& now);
 
@@ -117,4 +117,4 @@ class Foresight {
   std::jthread thread_;
 };
 
-}  // namespace stanok::daemon
+}  // namespace stanok::runtime
