@@ -14,9 +14,8 @@
 #include "client/diagnostic_output.h"
 #include "client/job_options.h"
 #include "client/law_report.h"
-#include "client/noun_command.h"
 #include "client/output.h"
-#include "client/progress_line.h"
+#include "client/terminal/progress_line.h"
 #include "config/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
@@ -134,42 +133,7 @@ int run(const CheckOptions& options) {
   return exit_code;
 }
 
-// A machine file that can be read is summed up; ConfigError shows every fault of one that cannot.
-int check_machine(const std::string& path, bool as_json) {
-  const auto file = config::read_machine_file(path);
-  if (as_json) {
-    nlohmann::ordered_json json;
-    json["ok"] = true;
-    json["machine"] = file.machine.name;
-    json["axes"] = file.machine.axes.size();
-    json["channels"] = file.machine.channels.size();
-    write_json(json);
-    return 0;
-  }
-  write_data(fmt::format("{}: {} axes, {} channels, cycle {} us: {}\n", file.machine.name,
-                         file.machine.axes.size(), file.machine.channels.size(),
-                         file.machine.cycle_us,
-                         Terminal(STDOUT_FILENO).coloured("no errors", Colour::green)));
-  return 0;
-}
-
 }  // namespace
-
-void add_machine_check_command(CLI::App& app, int& exit_code) {
-  struct Options {
-    std::string path;
-    bool json = false;
-  };
-  auto options = std::make_shared<Options>();
-  CLI::App* command = noun_command(app, "machine", "the machine as a whole")
-                          .add_subcommand("check", "find errors of a machine file");
-  command->add_option("MACHINE", options->path, "machine file (TOML)")
-      ->type_name("FILE")
-      ->required();
-  command->add_flag("--json", options->json, "print JSON");
-  command->callback(
-      [options, &exit_code] { exit_code = check_machine(options->path, options->json); });
-}
 
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();

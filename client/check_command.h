@@ -1,5 +1,4 @@
-// `stanok check`: all that can be known of programs before a run; `stanok machine check`: the same
-// of a machine file.
+// `stanok check`: all that can be known of programs before a run.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,6 +6,5 @@
 namespace stanok::client {
 
 void add_check_command(CLI::App& app, int& exit_code);
-void add_machine_check_command(CLI::App& app, int& exit_code);
 
 }  // namespace stanok::client

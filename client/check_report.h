@@ -1,5 +1,4 @@
-// What `stanok check` found in each program: as a table, as JSON, and as a line that shows how far
-// it is.
+// What `stanok check` found in each program, as a table and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +26,5 @@ struct CheckedProgram {
 
 // {"files": [{"file", "blocks", "errors", "warnings", "seconds", "diagnostics"}], "totals": {...}}.
 [[nodiscard]] nlohmann::ordered_json summary_json(const std::vector<CheckedProgram>& programs);
-
-// "[=====>    ]  12 of 40  flange.nc", for a terminal of that many columns.
-[[nodiscard]] std::string progress_bar(std::size_t done, std::size_t all, const std::string& file,
-                                       std::size_t columns);
 
 }  // namespace stanok::client

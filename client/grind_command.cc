@@ -7,7 +7,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "client/check_report.h"
 #include "client/exit_codes.h"
 #include "client/grind_input.h"
 #include "client/grind_picture.h"
@@ -15,7 +14,7 @@
 #include "client/grind_report.h"
 #include "client/grind_study.h"
 #include "client/output.h"
-#include "client/progress_line.h"
+#include "client/terminal/progress_line.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/part_program.h"
 

@@ -5,6 +5,7 @@
 #include "client/grind_command.h"
 #include "client/interpret_command.h"
 #include "client/log_command.h"
+#include "client/offline/machine/machine_check_command.h"
 #include "client/self_commands.h"
 #include "client/simulate_command.h"
 #include "client/workpiece_follow_command.h"

@@ -126,12 +126,6 @@ std::string offsets_text(const json& result, const Terminal& terminal) {
 
 }  // namespace
 
-Colour state_colour(const std::string& state) {
-  if (state == "Active") return Colour::green;
-  if (state == "Interrupted") return Colour::yellow;
-  return Colour::plain;
-}
-
 std::string cell_text(const json& value) {
   if (value.is_null() || value.empty()) return "-";
   if (value.is_string()) return one_line(value.get<std::string>());

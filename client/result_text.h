@@ -19,7 +19,4 @@ namespace stanok::client {
 // A value in one cell: numbers short, lists and objects in one line, null as "-".
 [[nodiscard]] std::string cell_text(const nlohmann::json& value);
 
-// Colour that a channel's state is shown in.
-[[nodiscard]] Colour state_colour(const std::string& state);
-
 }  // namespace stanok::client

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "client/operator_client.h"
-#include "client/progress_line.h"
+#include "client/terminal/progress_line.h"
 
 namespace stanok::client {
 

@@ -50,4 +50,10 @@ std::string Terminal::coloured(std::string_view text, Colour colour) const {
   return std::string(escape_of(colour)) + std::string(text) + "\033[0m";
 }
 
+Colour state_colour(std::string_view state) {
+  if (state == "Active") return Colour::green;
+  if (state == "Interrupted") return Colour::yellow;
+  return Colour::plain;
+}
+
 }  // namespace stanok::client

@@ -38,4 +38,7 @@ class Terminal {
   TerminalSize size_;
 };
 
+// Colour that a channel's state is shown in.
+[[nodiscard]] Colour state_colour(std::string_view state);
+
 }  // namespace stanok::client

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "client/result_text.h"
 #include "client/screen_text.h"
 
 namespace stanok::client {

@@ -4,6 +4,7 @@
 
 #include "client/diagnostic_output.h"
 #include "client/screen_text.h"
+#include "client/terminal/progress_line.h"
 #include "client/text_table.h"
 
 namespace stanok::client {

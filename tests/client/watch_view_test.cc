@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "client/progress_line.h"
 #include "client/screen_text.h"
+#include "client/terminal/progress_line.h"
 #include "tests/client/fake_screen.h"
 
 namespace stanok::client {

@@ -14,9 +14,11 @@ namespace stanok::client {
 
 // What to print so that the text stands on the line at hand, cut to a terminal of so many columns.
 // ECMA-48 EL: erase to the end of the line.
-[[nodiscard]] inline std::string progress_text(const std::string& text, std::size_t columns) {
-  return "\r\033[K" + cut_to_columns(text, columns > 1 ? columns - 1 : 1);
-}
+[[nodiscard]] std::string progress_text(const std::string& text, std::size_t columns);
+
+// "[=====>    ]  12 of 40  flange.nc", for a terminal of that many columns.
+[[nodiscard]] std::string progress_bar(std::size_t done, std::size_t all, const std::string& file,
+                                       std::size_t columns);
 
 class ProgressLine {
  public:
