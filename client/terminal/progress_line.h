@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "client/output.h"
-#include "client/screen_text.h"
-#include "client/terminal.h"
+#include "client/terminal/output.h"
+#include "client/terminal/screen_text.h"
+#include "client/terminal/terminal.h"
 
 namespace stanok::client {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "client/noun_command.h"
-#include "client/output.h"
-#include "client/terminal.h"
+#include "client/terminal/noun_command.h"
+#include "client/terminal/output.h"
+#include "client/terminal/terminal.h"
 #include "config/machine_file.h"
 
 namespace stanok::client {
