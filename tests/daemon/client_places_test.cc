@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/operator_server.h"
+#include "daemon/server/operator_server.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/daemon/raw_client.h"
 #include "tests/support/temporary_directory.h"

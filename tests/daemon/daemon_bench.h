@@ -13,8 +13,8 @@
 #include <set>
 #include <string>
 
-#include "daemon/assembled_machine.h"
-#include "daemon/dispatch.h"
+#include "daemon/desk/dispatch.h"
+#include "daemon/start/assembled_machine.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 

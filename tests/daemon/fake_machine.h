@@ -9,7 +9,7 @@
 #include <mutex>
 #include <utility>
 
-#include "daemon/running_machine.h"
+#include "daemon/cycle/running_machine.h"
 
 namespace stanok::daemon {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "daemon/daemon.h"
+#include "daemon/start/daemon.h"
 #include "tests/daemon/raw_client.h"
 #include "tests/support/temporary_directory.h"
 

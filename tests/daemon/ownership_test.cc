@@ -7,8 +7,8 @@
 
 #include <fstream>
 
-#include "daemon/listening_socket.h"
-#include "daemon/state_directory.h"
+#include "daemon/host/state_directory.h"
+#include "daemon/server/listening_socket.h"
 #include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
