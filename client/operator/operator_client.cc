@@ -13,7 +13,6 @@
 #include <limits>
 
 #include "base/system_error.h"
-#include "channels/contract/operator_action.h"
 #include "client/terminal/interrupts.h"
 #include "protocol/json_rpc.h"
 #include "protocol/method_table.h"
@@ -55,9 +54,7 @@ int connected_descriptor(const std::filesystem::path& socket) {
 
 bool is_stop(std::string_view name) {
   const protocol::Method* method = protocol::find_method(name);
-  if (method == nullptr) return false;
-  const auto action = channels::operator_action(method->action);
-  return action && channels::is_stop(*action);
+  return method != nullptr && method->effect == protocol::Effect::stops;
 }
 
 // For poll: -1 waits for ever; rounded up, so that the deadline has passed when poll gives up.

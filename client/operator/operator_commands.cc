@@ -120,20 +120,8 @@ json value_of(const Parameter& parameter, const std::vector<std::string>& words)
   return nullptr;
 }
 
-// What makes sense for every channel at once: it stops, or clears what has stopped.
-bool can_be_called_for_all(const Method& method) {
-  constexpr auto names = std::to_array<std::string_view>(
-      {"program.hold", "program.stop", "program.reset", "alarm.ack"});
-  return std::find(names.begin(), names.end(), method.name) != names.end();
-}
-
 bool is_wait(const Parameter& parameter) {
   return parameter.name == "wait";
-}
-
-// Who types a line wants to know what came of it.
-bool waits_unless_told_otherwise(const Method& method) {
-  return method.name == "mdi";
 }
 
 OperatorCall call_of(const Method& method, const GivenOptions& given) {
@@ -162,6 +150,7 @@ OperatorCall call_of(const Method& method, const GivenOptions& given) {
 
 void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& given) {
   if (is_wait(parameter)) {
+    given.wait = parameter.usual == "done";
     command.add_flag("--wait,!--no-wait", given.wait,
                      given.wait ? "wait until the work is done; --no-wait: until it is accepted"
                                 : "wait until the work is done");
@@ -192,9 +181,8 @@ void add_method(CLI::App& app, const Method& method,
       verb.empty() ? app : noun_command(app, noun, std::string(protocol::noun_help(noun)));
   CLI::App* command = parent.add_subcommand(verb.empty() ? noun : verb, std::string(method.help));
   const auto given = std::make_shared<GivenOptions>();
-  given->wait = waits_unless_told_otherwise(method);
   for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
-  if (can_be_called_for_all(method))
+  if (method.reach == protocol::Reach::every_channel)
     command->add_flag("--all", given->every_channel, "every channel of the machine")
         ->excludes("--channel");
   add_common_options(*command, *given);

@@ -20,6 +20,7 @@ namespace stanok::client {
 namespace {
 
 using nlohmann::json;
+using protocol::Course;
 using protocol::Failure;
 
 constexpr double usual_timeout_s = 30.0;
@@ -29,14 +30,18 @@ bool waits_for_the_end(const OperatorCall& call) {
 }
 
 bool is_watching(const OperatorCall& call) {
-  return call.method->name == "channel.watch" || call.method->name == "subscribe";
+  return call.method->course == Course::reports;
 }
 
 // Compiling a program takes as long as the program is long; a run as long as it runs.
+bool takes_its_time(const OperatorCall& call) {
+  const Course course = call.method->course;
+  return waits_for_the_end(call) || course == Course::reports || course == Course::reads_program ||
+         course == Course::moves_axes;
+}
+
 OperatorClient::Deadline deadline_of(const OperatorCall& call) {
-  const bool is_long = waits_for_the_end(call) || is_watching(call) ||
-                       call.method->name == "program.load" || call.method->name == "program.run" ||
-                       call.method->name == "program.search" || call.method->name == "home";
+  const bool is_long = takes_its_time(call);
   const double seconds = call.timeout_s > 0.0 ? call.timeout_s : (is_long ? 0.0 : usual_timeout_s);
   if (seconds <= 0.0) return std::nullopt;
   return OperatorClient::Clock::now() + std::chrono::duration_cast<OperatorClient::Clock::duration>(
@@ -119,11 +124,11 @@ int tell_status(OperatorClient& client, const OperatorCall& call,
 
 // A channel that was taken is held as long as this command lasts.
 bool holds_channel(const OperatorCall& call) {
-  return call.method->name == "channel.control" && call.parameters.value("on", 1.0) != 0.0;
+  return call.method->course == Course::holds && call.parameters.value("on", 1.0) != 0.0;
 }
 
 bool is_leased(const OperatorCall& call) {
-  return call.method->name == "jog" && call.parameters.value("increment", 0.0) == 0.0;
+  return call.method->course == Course::repeats && call.parameters.value("increment", 0.0) == 0.0;
 }
 
 // Every channel is asked, whatever another one answered; the exit code is that of the first
@@ -183,8 +188,8 @@ int run_operator_call(const OperatorCall& call) {
   }
   const Terminal terminal(STDERR_FILENO);
   RunProgress progress(call.parameters.value("channel", 0.0), client.hello());
-  const bool takes_time = waits_for_the_end(call) || call.method->name == "home";
-  if (takes_time && terminal.is_terminal()) progress.follow(client);
+  const bool is_followed = waits_for_the_end(call) || call.method->course == Course::moves_axes;
+  if (is_followed && terminal.is_terminal()) progress.follow(client);
   const auto result = client.call(std::string(call.method->name), call.parameters, deadline);
   progress.clear();
   if (!result) {
