@@ -27,6 +27,10 @@ Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, i
   return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
 }
 
+Unexpected<Failure> no_such_drive(const std::string& drive) {
+  return fail(FailureKind::refused, "E6050", "no such drive: " + drive);
+}
+
 }  // namespace
 
 void log_command(const SessionState& session, const protocol::Request& request,
@@ -64,12 +68,17 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       report_(machine, notes_),
       started_(std::chrono::steady_clock::now()) {}
 
-const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
-  static const std::map<std::string_view, Query> table = {
+const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
+  static const std::map<std::string_view, Handler> table = {
       {"machine.status", [](Dispatch& d, const json&) { return d.report_.machine(); }},
       {"channel.list", [](Dispatch& d, const json&) { return d.report_.channel_list(); }},
       {"channel.status",
        [](Dispatch& d, const json& p) { return d.report_.channel(d.channel_or_first(p)); }},
+      {"channel.control", [](Dispatch& d, Call call) { d.control_channel(std::move(call)); }},
+      {"channel.watch",
+       [](Dispatch& d, const Call& call) {
+         return subscribe(call, {"channels", "events"}, d.channel_or_first(call.parameters));
+       }},
       {"program.list",
        [](Dispatch& d, const json&) { return program_list(d.machine_.program_root()); }},
       {"program.history",
@@ -78,20 +87,32 @@ const std::map<std::string_view, Dispatch::Query>& Dispatch::queries() {
        [](Dispatch& d, const json& p) { return d.report_.kinematics_list(d.channel_or_first(p)); }},
       {"kinematics.status",
        [](Dispatch& d, const json& p) { return d.report_.kinematics(d.channel_or_first(p)); }},
-      {"process.status",
-       [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
       {"drive.list", [](Dispatch& d, const json&) { return drive_list(d.machine_); }},
       {"drive.status", [](Dispatch& d, const json&) { return drive_status(d.machine_); }},
+      {"drive.reset", [](Dispatch& d, const Call& call) { return d.reset_drive(call); }},
+      {"drive.fault", [](Dispatch& d, const Call& call) { return d.make_drive_fail(call); }},
       {"alarm.list",
        [](Dispatch& d, const json& p) { return d.report_.alarms_standing(p.value("channel", 0)); }},
       {"alarm.history",
        [](Dispatch& d, const json& p) { return d.report_.alarm_history(p.value("channel", 0)); }},
       {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
+      {"tool.get", [](Dispatch& d, const Call& call) { return d.tool_get(call.parameters); }},
+      {"tool.load", [](Dispatch& d, Call call) { d.load_tables(std::move(call)); }},
       {"tool.save", [](Dispatch& d, const json&) { return tables_text(d.machine_); }},
       {"offset.list", [](Dispatch& d, const json&) { return offset_list(d.machine_); }},
+      {"process.status",
+       [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
       {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
+      {"workpiece.allow",
+       [](Dispatch& d, const Call& call) { return d.allow_workpieces(call.parameters); }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
+      {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
+      {"log.stop", [](Dispatch& d, const Call&) { return d.stop_log(); }},
+      {"subscribe",
+       [](Dispatch&, const Call& call) { return subscribe(call, call.parameters["topics"], 0); }},
+      {"session.role", [](Dispatch&, const Call& call) { return lower_role(call); }},
       {"system.info", [](Dispatch& d, const json&) { return d.system_info(); }},
+      {"system.shutdown", [](Dispatch& d, Call call) { d.shut_down(std::move(call)); }},
       {"rpc.discover",
        [](Dispatch&, const json&) { return protocol::discovery_document(protocol::version); }},
   };
@@ -102,45 +123,17 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   const Method* method = protocol::find_method(request.method);
   const auto parameters = admitted_parameters(machine_.file(), session.role, method, request);
   if (!parameters) return answer(Unexpected<Failure>(parameters.error()));
-  if (!method->action.empty()) {
-    // Sessions may go before the answer comes; the log entry must not need them.
-    return command(session, *method, *parameters,
-                   [who = session, request, answer = std::move(answer)](const Outcome& outcome) {
-                     log_command(who, request, outcome);
-                     answer(outcome);
-                   });
-  }
-  if (const auto query = queries().find(method->name); query != queries().end()) {
-    return answer(query->second(*this, *parameters));
-  }
-  if (method->name == "tool.get") return answer(tool_get(*parameters));
-  if (method->name == "tool.load") return load_tables(session, *parameters, std::move(answer));
-  if (method->name == "channel.control")
-    return control_channel(session, *parameters, std::move(answer));
-  if (protocol::noun(*method) == "log") {
-    const Outcome outcome = method->name == "log.start" ? start_log() : stop_log();
-    log_command(session, request, outcome);
-    return answer(outcome);
-  }
-  if (protocol::noun(*method) == "drive") {
-    const auto obstacle = control_.obstacle_to_all(session.id);
-    const Outcome outcome =
-        obstacle ? Unexpected<Failure>(*obstacle) : command_drive(*method, *parameters);
-    log_command(session, request, outcome);
-    return answer(outcome);
-  }
-  if (method->name == "workpiece.allow") {
-    const bool allowed = parameters->value("on", 1) != 0;
-    machine_.allow_workpieces(allowed);
-    log_command(session, request, json());
-    return answer(json{{"allowed", allowed}});
-  }
-  if (method->name == "system.shutdown") {
-    log_command(session, request, json());
-    answer(json{{"accepted", true}});
-    return on_shutdown_();
-  }
-  answer(change_session(session, *method, *parameters));
+  const Call call{session, *method, request, *parameters, std::move(answer)};
+  if (!method->action.empty()) return command(call);
+  const auto handler = handlers().find(method->name);
+  if (handler == handlers().end())
+    return call.answer(fail(FailureKind::internal, "", "nobody answers " + request.method));
+  if (const Query* query = std::get_if<Query>(&handler->second))
+    return call.answer((*query)(*this, call.parameters));
+  if (const Task* task = std::get_if<Task>(&handler->second)) return (*task)(*this, call);
+  const Outcome outcome = std::get<Order>(handler->second)(*this, call);
+  if (method->effect != protocol::Effect::looks) log_command(session, request, outcome);
+  call.answer(outcome);
 }
 
 void Dispatch::forget(int session) {
@@ -155,15 +148,15 @@ void Dispatch::note_control() {
 }
 
 // Answered when the cycle knows it: from then on nothing of others begins there.
-void Dispatch::control_channel(const SessionState& session, const json& parameters, Answer answer) {
-  const int channel = channel_or_first(parameters);
-  const bool takes = parameters.value("on", 1) != 0;
-  const auto obstacle = takes ? control_.take(channel, session) : std::nullopt;
-  if (obstacle) return answer(Unexpected<Failure>(*obstacle));
-  if (!takes) control_.give_back(channel, session.id);
+void Dispatch::control_channel(Call call) {
+  const int channel = channel_or_first(call.parameters);
+  const bool takes = call.parameters.value("on", 1) != 0;
+  const auto obstacle = takes ? control_.take(channel, call.session) : std::nullopt;
+  if (obstacle) return call.answer(Unexpected<Failure>(*obstacle));
+  if (!takes) control_.give_back(channel, call.session.id);
   note_control();
-  tell_control(channel, [this, channel, takes, id = session.id,
-                         answer = std::move(answer)](const Outcome& outcome) {
+  tell_control(channel, [this, channel, takes, id = call.session.id,
+                         answer = std::move(call.answer)](const Outcome& outcome) {
     if (!outcome && takes) {
       control_.give_back(channel, id);
       note_control();
@@ -210,19 +203,19 @@ Outcome Dispatch::stop_log() const {
   return json{{"path", stopped->string()}};
 }
 
-void Dispatch::load_tables(const SessionState& session, const json& parameters, Answer answer) {
-  const auto name = parameters.value("file", std::string("tables"));
-  const auto log_and_answer = [who = session, name,
-                               answer = std::move(answer)](const Outcome& outcome) {
+void Dispatch::load_tables(Call call) {
+  const auto name = call.parameters.value("file", std::string("tables"));
+  const auto log_and_answer = [who = call.session, name,
+                               answer = std::move(call.answer)](const Outcome& outcome) {
     protocol::Request request;
     request.method = "tool.load";
     request.parameters = {{"file", name}};
     log_command(who, request, outcome);
     answer(outcome);
   };
-  if (const auto obstacle = control_.obstacle_to_all(session.id))
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
     return log_and_answer(Unexpected<Failure>(*obstacle));
-  auto commands = commands_to_load(machine_, parameters["tables"].get<std::string>(), name);
+  auto commands = commands_to_load(machine_, call.parameters["tables"].get<std::string>(), name);
   if (!commands) return log_and_answer(Unexpected<Failure>(commands.error()));
   submit_one_by_one(desk_, std::move(*commands), log_and_answer);
 }
@@ -236,50 +229,67 @@ Outcome Dispatch::tool_get(const json& parameters) const {
       "the table has no tool " + std::to_string(number) + " with edge " + std::to_string(edge));
 }
 
-void Dispatch::command(const SessionState& session, const Method& method, const json& parameters,
-                       Answer answer) {
-  auto event = operator_event(machine_.file(), method, parameters);
-  if (!event) return answer(Unexpected<Failure>(event.error()));
-  event->stops_before = session.stops_before;
-  const channels::OperatorAction action = event->action;
-  if (const auto obstacle = control_.obstacle(action, event->channel, session.id))
-    return answer(Unexpected<Failure>(*obstacle));
-  const bool begins_run = action == channels::OperatorAction::program_run ||
-                          action == channels::OperatorAction::mdi ||
-                          action == channels::OperatorAction::program_start;
-  const bool waits = begins_run && parameters.value("wait", "accepted") == "done";
-  desk_.submit(*event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));
+// Sessions may go before the answer comes; the log entry must not need them.
+void Dispatch::command(const Call& call) {
+  const auto log_and_answer = [who = call.session, request = call.request,
+                               answer = call.answer](const Outcome& outcome) {
+    log_command(who, request, outcome);
+    answer(outcome);
+  };
+  auto event = operator_event(machine_.file(), call.method, call.parameters);
+  if (!event) return log_and_answer(Unexpected<Failure>(event.error()));
+  event->stops_before = call.session.stops_before;
+  if (const auto obstacle = control_.obstacle(event->action, event->channel, call.session.id))
+    return log_and_answer(Unexpected<Failure>(*obstacle));
+  const bool waits = call.method.effect == protocol::Effect::begins_motion &&
+                     call.parameters.value("wait", "accepted") == "done";
+  desk_.submit(*event, waits ? WaitFor::end_of_run : WaitFor::accepted, log_and_answer);
 }
 
 // Drives are reset and made to fail beside the cycle: what they then report enters it as feedback.
-Outcome Dispatch::command_drive(const Method& method, const json& parameters) {
-  const auto drive = parameters["drive"].get<std::string>();
-  const bool makes_fault = method.name == "drive.fault";
-  if (makes_fault && machine_.drive_choice() != "embedded") {
-    return fail(FailureKind::refused, "E6051",
-                "the drives are " + machine_.drive_choice() + ", not simulated by this daemon");
-  }
-  const bool is_done = makes_fault
-                           ? machine_.inject_fault(
-                                 drive, *plant::fault_named(parameters["fault"].get<std::string>()))
-                           : machine_.reset_drive(drive);
-  if (!is_done) return fail(FailureKind::refused, "E6050", "no such drive: " + drive);
+Outcome Dispatch::reset_drive(const Call& call) {
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
+    return Unexpected<Failure>(*obstacle);
+  const auto drive = call.parameters["drive"].get<std::string>();
+  if (!machine_.reset_drive(drive)) return no_such_drive(drive);
   return json{{"accepted", true}};
 }
 
-Outcome Dispatch::change_session(SessionState& session, const Method& method,
-                                 const json& parameters) {
-  if (method.name == "session.role") {
-    const auto wanted = parameters["role"] == "observer" ? protocol::Role::observer
-                                                         : protocol::Role::machine_operator;
-    session.role = std::min(session.role, wanted);
-    return json{{"role", protocol::role_name(session.role)}};
+Outcome Dispatch::make_drive_fail(const Call& call) {
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
+    return Unexpected<Failure>(*obstacle);
+  if (machine_.drive_choice() != "embedded") {
+    return fail(FailureKind::refused, "E6051",
+                "the drives are " + machine_.drive_choice() + ", not simulated by this daemon");
   }
-  const bool is_watch = method.name == "channel.watch";
-  const json topics = is_watch ? json::array({"channels", "events"}) : parameters["topics"];
-  const double rate_hz = parameters.value("rate_hz", usual_rate_hz);
-  const int channel = is_watch ? channel_or_first(parameters) : 0;
-  session.subscription = Subscription(topics, rate_hz, channel);
+  const auto drive = call.parameters["drive"].get<std::string>();
+  const auto fault = plant::fault_named(call.parameters["fault"].get<std::string>());
+  if (!machine_.inject_fault(drive, *fault)) return no_such_drive(drive);
+  return json{{"accepted", true}};
+}
+
+Outcome Dispatch::allow_workpieces(const json& parameters) {
+  const bool allowed = parameters.value("on", 1) != 0;
+  machine_.allow_workpieces(allowed);
+  return json{{"allowed", allowed}};
+}
+
+void Dispatch::shut_down(Call call) {
+  log_command(call.session, call.request, json());
+  call.answer(json{{"accepted", true}});
+  on_shutdown_();
+}
+
+Outcome Dispatch::lower_role(const Call& call) {
+  const auto wanted = call.parameters["role"] == "observer" ? protocol::Role::observer
+                                                            : protocol::Role::machine_operator;
+  call.session.role = std::min(call.session.role, wanted);
+  return json{{"role", protocol::role_name(call.session.role)}};
+}
+
+Outcome Dispatch::subscribe(const Call& call, const json& topics, int channel) {
+  const double rate_hz = call.parameters.value("rate_hz", usual_rate_hz);
+  call.session.subscription = Subscription(topics, rate_hz, channel);
   return json{{"topics", topics}, {"rate_hz", rate_hz}};
 }
 

@@ -1,7 +1,7 @@
 // Dispatch: one request of one session in, its answer out.
 //
-// Looks the method up in the command table, checks role and parameters, then answers itself, hands
-// the command to the machine (CommandDesk) or changes the session. No sockets; belongs to the
+// Looks the method up in the command table, checks role and parameters, then hands the command to
+// the machine (CommandDesk) or answers itself, by a line of `handlers`. No sockets; belongs to the
 // operator server's thread.
 #pragma once
 
@@ -9,6 +9,8 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
+#include <variant>
 
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
@@ -67,25 +69,39 @@ class Dispatch {
   [[nodiscard]] nlohmann::json snapshot(const Subscription& subscription) const;
 
  private:
+  // A request that was admitted.
+  struct Call {
+    SessionState& session;
+    const protocol::Method& method;
+    const protocol::Request& request;
+    const nlohmann::json& parameters;
+    Answer answer;
+  };
+  // What the daemon answers itself: what it sees; what it has done at once; a task that answers
+  // now or later.
   using Query = nlohmann::json (*)(Dispatch& self, const nlohmann::json& parameters);
-  // The methods that only look, by name.
-  [[nodiscard]] static const std::map<std::string_view, Query>& queries();
+  using Order = Outcome (*)(Dispatch& self, const Call& call);
+  using Task = void (*)(Dispatch& self, Call call);
+  using Handler = std::variant<Query, Order, Task>;
+  // By method: a line for every one that does not go to the machine.
+  [[nodiscard]] static const std::map<std::string_view, Handler>& handlers();
 
-  void command(const SessionState& session, const protocol::Method& method,
-               const nlohmann::json& parameters, Answer answer);
+  void command(const Call& call);
   void note_control();
-  void control_channel(const SessionState& session, const nlohmann::json& parameters,
-                       Answer answer);
+  void control_channel(Call call);
   void tell_control();
   void tell_control(int channel, Answer answer);
   [[nodiscard]] Outcome start_log() const;
   [[nodiscard]] Outcome stop_log() const;
-  void load_tables(const SessionState& session, const nlohmann::json& parameters, Answer answer);
+  void load_tables(Call call);
   [[nodiscard]] Outcome tool_get(const nlohmann::json& parameters) const;
-  [[nodiscard]] Outcome command_drive(const protocol::Method& method,
-                                      const nlohmann::json& parameters);
-  [[nodiscard]] Outcome change_session(SessionState& session, const protocol::Method& method,
-                                       const nlohmann::json& parameters);
+  [[nodiscard]] Outcome reset_drive(const Call& call);
+  [[nodiscard]] Outcome make_drive_fail(const Call& call);
+  [[nodiscard]] Outcome allow_workpieces(const nlohmann::json& parameters);
+  void shut_down(Call call);
+  [[nodiscard]] static Outcome lower_role(const Call& call);
+  [[nodiscard]] static Outcome subscribe(const Call& call, const nlohmann::json& topics,
+                                         int channel);
   [[nodiscard]] int channel_or_first(const nlohmann::json& parameters) const;
   [[nodiscard]] nlohmann::json system_info() const;
 

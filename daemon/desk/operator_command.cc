@@ -69,11 +69,6 @@ Expected<channels::OperatorEvent, Failure> operator_event(const config::MachineF
   return event;
 }
 
-bool is_stop(const protocol::Method& method) {
-  const auto action = channels::operator_action(method.action);
-  return action && channels::is_stop(*action);
-}
-
 int channel_or_first(const config::MachineFile& file, const json& parameters) {
   return parameters.value("channel", file.machine.channels.front().id);
 }

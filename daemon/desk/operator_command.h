@@ -23,9 +23,6 @@ namespace stanok::daemon {
     const config::MachineFile& file, const protocol::Method& method,
     const nlohmann::json& parameters);
 
-// Whether the method hands a stop to the cycle.
-[[nodiscard]] bool is_stop(const protocol::Method& method);
-
 // The channel that the parameters name, or the first one of the machine.
 [[nodiscard]] int channel_or_first(const config::MachineFile& file,
                                    const nlohmann::json& parameters);

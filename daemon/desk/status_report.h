@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "daemon/desk/channel_notes.h"
 #include "daemon/cycle/running_machine.h"
+#include "daemon/desk/channel_notes.h"
 
 namespace stanok::daemon {
 

@@ -19,7 +19,7 @@ Outcome refused_stop(const char* code, std::string text, int channel) {
 
 bool StopDesk::take(protocol::Role role, const protocol::Request& request, Answer answer) {
   const protocol::Method* method = protocol::find_method(request.method);
-  if (method == nullptr || !is_stop(*method)) return false;
+  if (method == nullptr || method->effect != protocol::Effect::stops) return false;
   const auto parameters = admitted_parameters(machine_.file(), role, method, request);
   if (!parameters) return answer(Unexpected<Failure>(parameters.error())), true;
   auto stop = operator_event(machine_.file(), *method, *parameters);

@@ -8,9 +8,9 @@
 #include <functional>
 #include <map>
 
+#include "daemon/cycle/running_machine.h"
 #include "daemon/desk/command_desk.h"
 #include "daemon/desk/operator_command.h"
-#include "daemon/cycle/running_machine.h"
 
 namespace stanok::daemon {
 
