@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/nearest_key.h"
+#include "base/nearest_name.h"
 
 namespace stanok::client {
 
@@ -25,7 +25,7 @@ std::string command_suggestion(const CLI::App& app, std::span<const std::string>
     }
     if (named == nullptr) {
       const std::vector<std::string_view> known(names.begin(), names.end());
-      const std::string_view nearest = config::nearest_key(words[i], known);
+      const std::string_view nearest = nearest_name(words[i], known);
       return nearest.empty() ? "" : "did you mean `" + path + " " + std::string(nearest) + "`?\n";
     }
     path += " " + words[i];

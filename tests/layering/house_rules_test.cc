@@ -22,7 +22,7 @@ constexpr std::size_t files_max = 40;  // of a folder
 // Folders that hold more, with the number that they may have. It only falls: new sources go into a
 // folder in them.
 const std::map<std::string, std::size_t> crowded_folders{
-    {"config", 44},
+    {"config", 42},
     {"motion", 75},
     {"plant", 42},
     {"recording", 49},

@@ -1,10 +1,18 @@
 // Optimal string alignment, row by row.
-#include "config/nearest_key.h"
+#include "base/nearest_name.h"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
-namespace stanok::config {
+namespace stanok {
+namespace {
+
+bool is_same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+}  // namespace
 
 int typing_distance(std::string_view a, std::string_view b) {
   const std::size_t width = b.size() + 1;
@@ -14,18 +22,20 @@ int typing_distance(std::string_view a, std::string_view b) {
   for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int replaced = at(i - 1, j - 1) + (a[i - 1] == b[j - 1] ? 0 : 1);
+      const int replaced = at(i - 1, j - 1) + (is_same_letter(a[i - 1], b[j - 1]) ? 0 : 1);
       at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, replaced});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      const bool swapped = i > 1 && j > 1 && is_same_letter(a[i - 1], b[j - 2]) &&
+                           is_same_letter(a[i - 2], b[j - 1]);
       if (swapped) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
     }
   }
   return at(a.size(), b.size());
 }
 
-std::string_view nearest_key(std::string_view name, std::span<const std::string_view> known) {
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known,
+                              int edits_max) {
   std::string_view nearest;
-  int fewest = static_cast<int>(std::max<std::size_t>(name.size() / 3, 1)) + 1;
+  int fewest = edits_max + 1;
   for (const std::string_view candidate : known) {
     const int distance = typing_distance(name, candidate);
     if (distance < fewest) {
@@ -36,4 +46,8 @@ std::string_view nearest_key(std::string_view name, std::span<const std::string_
   return nearest;
 }
 
-}  // namespace stanok::config
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known) {
+  return nearest_name(name, known, static_cast<int>(std::max<std::size_t>(name.size() / 3, 1)));
+}
+
+}  // namespace stanok

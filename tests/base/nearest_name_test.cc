@@ -1,11 +1,11 @@
 // The remedy for a typing error.
-#include "config/nearest_key.h"
+#include "base/nearest_name.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-namespace stanok::config {
+namespace stanok {
 namespace {
 
 TEST(TypingDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {
@@ -16,20 +16,22 @@ TEST(TypingDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {
   EXPECT_EQ(typing_distance("jrek", "jerk"), 1);
   EXPECT_EQ(typing_distance("", "jerk"), 4);
   EXPECT_EQ(typing_distance("kitten", "sitting"), 3);
+  EXPECT_EQ(typing_distance("WIHLE", "while"), 1);
 }
 
 constexpr std::array<std::string_view, 4> known{"min", "max", "velocity_max", "jerk_max"};
 
-TEST(NearestKey, IsTheOneMostLikelyMeant) {
-  EXPECT_EQ(nearest_key("velocitymax", known), "velocity_max");
-  EXPECT_EQ(nearest_key("jerkmax", known), "jerk_max");
-  EXPECT_EQ(nearest_key("mx", known), "max");
+TEST(NearestName, IsTheOneMostLikelyMeant) {
+  EXPECT_EQ(nearest_name("velocitymax", known), "velocity_max");
+  EXPECT_EQ(nearest_name("jerkmax", known), "jerk_max");
+  EXPECT_EQ(nearest_name("mx", known), "max");
 }
 
-TEST(NearestKey, IsNothingWhenTooMuchWouldHaveToChange) {
-  EXPECT_EQ(nearest_key("colour", known), "");
-  EXPECT_EQ(nearest_key("x", known), "");
+TEST(NearestName, IsNothingWhenTooMuchWouldHaveToChange) {
+  EXPECT_EQ(nearest_name("colour", known), "");
+  EXPECT_EQ(nearest_name("x", known), "");
+  EXPECT_EQ(nearest_name("velocitymax", known, 0), "");
 }
 
 }  // namespace
-}  // namespace stanok::config
+}  // namespace stanok
