@@ -1,9 +1,12 @@
 #include "client/command_line/completion.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <vector>
 
+#include "base/assert.h"
 #include "base/catalogue.h"
 #include "protocol/method_table.h"
 
@@ -55,7 +58,9 @@ std::string words_of(const CLI::App& command, const std::string& path) {
       for (const std::string_view choice : parameter.choices) words += std::string(choice) + " ";
     }
   }
-  if (path == "completion") words += "bash zsh fish ";
+  if (path == "completion") {
+    for (const std::string& shell : completion_shells()) words += shell + " ";
+  }
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) words += "--" + name + " ";
   }
@@ -114,141 +119,180 @@ std::string codes() {
   return list;
 }
 
-// The program names of the daemon at hand, one a line; nothing without one.
+// The program names of the daemon that runs, one a line; nothing without one.
 constexpr std::string_view programs =
-    "stanok program list --json --timeout 1 2>/dev/null | grep -o '\"name\":\"[^\"]*\"' | "
-    "cut -d'\"' -f4";
+    R"(stanok program list --json --timeout 1 2>/dev/null | grep -o '"name":"[^"]*"' | cut -d'"' -f4)";
 
-// The cases of bash and zsh are the same.
-std::string cases(const CLI::App& app) {
+// Words before the one that is completed that are no options nor their values name the command;
+// words that are no subcommand are its arguments: they are taken off. Bash and zsh have the same.
+constexpr std::string_view search_of_bash_and_zsh =
+    R"script(  local route="" offered="" argument=none word value=""
+  local valued="<VALUED>" filed="<FILED>"
+  for word in <WORDS BEFORE>; do
+    if [[ -n $value ]]; then value=""; continue; fi
+    case "$word" in
+    -*) [[ $valued == *"|$word|"* ]] && value="$word" ;;
+    *) route="${route:+$route }$word" ;;
+    esac
+  done
+  while :; do
+    case "$route" in
+<CASES>    *" "*) route="${route% *}"; continue ;;
+    *) route=""; continue ;;
+    esac
+    break
+  done
+  if [[ -n $value ]]; then
+    offered="" argument=none
+    [[ $filed == *"|$value|"* ]] && argument=file
+  fi
+)script";
+constexpr std::string_view case_of_bash_and_zsh =
+    R"(    "<PATH>") offered="<OFFERED>" argument=<ARGUMENT> ;;
+)";
+
+// What a shell needs: its script, and in it a case for each command. The names in brackets are
+// filled in.
+struct Shell {
+  std::string_view name;
+  std::string_view words_before;
+  std::string_view one_case;
+  std::string_view script;
+};
+
+constexpr auto shells = std::to_array<Shell>({
+    {"bash", R"("${COMP_WORDS[@]:1:COMP_CWORD-1}")", case_of_bash_and_zsh,
+     R"script(_stanok() {
+  local current="${COMP_WORDS[COMP_CWORD]}"
+<SEARCH>  case "$argument" in
+  program) offered="$offered $(<PROGRAMS>)" ;;
+  code) offered="$offered <CODES>" current="${current^^}" ;;
+  esac
+  mapfile -t COMPREPLY < <(compgen -W "$offered" -- "$current")
+  if [[ $argument == file ]]; then
+    compopt -o filenames 2>/dev/null
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "$current")
+  fi
+}
+complete -o bashdefault -o default -F _stanok stanok
+)script"},
+    {"zsh", R"("${(@)words[2,CURRENT-1]}")", case_of_bash_and_zsh,
+     R"script(#compdef stanok
+_stanok() {
+  emulate -L zsh
+<SEARCH>  case "$argument" in
+  program) offered="$offered $(<PROGRAMS>)" ;;
+  code) offered="$offered <CODES>" ;;
+  esac
+  compadd -- ${=offered}
+  [[ $argument == file ]] && _files
+  return 0
+}
+if [[ ${zsh_eval_context[-1]} == loadautofunc ]]; then
+  _stanok "$@"
+else
+  compdef _stanok stanok
+fi
+)script"},
+    {"fish", "", R"(      case '<PATH>'
+        set offered <OFFERED>
+        set argument <ARGUMENT>
+        break
+)",
+     R"script(function __stanok_offers
+  set -l valued '<VALUED>'
+  set -l filed '<FILED>'
+  set -l route
+  set -l value
+  set -l offered
+  set -l argument none
+  for word in (commandline -opc)[2..-1]
+    if test -n "$value"
+      set value
+      continue
+    end
+    if string match -q -- '-*' $word
+      string match -q -- "*|$word|*" $valued; and set value $word
+    else
+      set -a route $word
+    end
+  end
+  while true
+    switch (string join ' ' $route)
+<CASES>      case '*'
+        set -e route[-1]
+    end
+  end
+  if test -n "$value"
+    set offered
+    set argument none
+    string match -q -- "*|$value|*" $filed; and set argument file
+  end
+  for word in $offered
+    echo $word
+  end
+  switch $argument
+    case program
+      <PROGRAMS>
+    case code
+      string split -n ' ' '<CODES>'
+    case file
+      __fish_complete_path (commandline -ct)
+  end
+end
+complete -c stanok -f -a '(__stanok_offers)'
+)script"},
+});
+
+using Fillings = std::map<std::string_view, std::string>;
+
+// The text with every <NAME> of `fillings` replaced.
+std::string filled(std::string_view text, const Fillings& fillings) {
+  std::string done;
+  while (!text.empty()) {
+    const std::size_t begin = std::min(text.find('<'), text.size());
+    const std::size_t end = text.find('>', begin);
+    done += text.substr(0, begin);
+    text.remove_prefix(begin);
+    const auto filling = end == std::string_view::npos
+                             ? fillings.end()
+                             : fillings.find(text.substr(1, end - begin - 1));
+    const bool is_named = filling != fillings.end();
+    done += is_named ? std::string_view(filling->second) : text.substr(0, 1);
+    text.remove_prefix(is_named ? end - begin + 1 : std::min<std::size_t>(text.size(), 1));
+  }
+  return done;
+}
+
+std::string cases(const CLI::App& app, std::string_view one_case) {
   std::vector<Offer> rows;
   append_rows(rows, app, "");
   std::string text;
   for (const Offer& row : rows) {
-    text += "    \"" + row.path + "\") offered=\"" + row.words +
-            "\" argument=" + word_for(row.argument) + " ;;\n";
+    text +=
+        filled(one_case,
+               {{"PATH", row.path}, {"OFFERED", row.words}, {"ARGUMENT", word_for(row.argument)}});
   }
   return text;
 }
 
-// Words before the one at hand that are no options nor their values name the command; words that
-// are no subcommand are its arguments: they are taken off.
-std::string search(const CLI::App& app, std::string_view words_before) {
-  return "  local route=\"\" offered=\"\" argument=none word value=\"\"\n"
-         "  local valued=\"" +
-         options_with_value(app) + "\" filed=\"" + options_with_file(app) +
-         "\"\n"
-         "  for word in " +
-         std::string(words_before) +
-         "; do\n"
-         "    if [[ -n $value ]]; then value=\"\"; continue; fi\n"
-         "    case \"$word\" in\n"
-         "    -*) [[ $valued == *\"|$word|\"* ]] && value=\"$word\" ;;\n"
-         "    *) route=\"${route:+$route }$word\" ;;\n"
-         "    esac\n"
-         "  done\n"
-         "  while :; do\n"
-         "    case \"$route\" in\n" +
-         cases(app) +
-         "    *\" \"*) route=\"${route% *}\"; continue ;;\n"
-         "    *) route=\"\"; continue ;;\n"
-         "    esac\n"
-         "    break\n"
-         "  done\n"
-         "  if [[ -n $value ]]; then\n"
-         "    offered=\"\" argument=none\n"
-         "    [[ $filed == *\"|$value|\"* ]] && argument=file\n"
-         "  fi\n";
-}
-
 }  // namespace
 
-std::string bash_completion(const CLI::App& app) {
-  return "_stanok() {\n"
-         "  local current=\"${COMP_WORDS[COMP_CWORD]}\"\n" +
-         search(app, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"") +
-         "  case \"$argument\" in\n"
-         "  program) offered=\"$offered $(" +
-         std::string(programs) +
-         ")\" ;;\n"
-         "  code) offered=\"$offered " +
-         codes() +
-         "\" current=\"${current^^}\" ;;\n"
-         "  esac\n"
-         "  mapfile -t COMPREPLY < <(compgen -W \"$offered\" -- \"$current\")\n"
-         "  if [[ $argument == file ]]; then\n"
-         "    compopt -o filenames 2>/dev/null\n"
-         "    mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(compgen -f -- \"$current\")\n"
-         "  fi\n"
-         "}\n"
-         "complete -o bashdefault -o default -F _stanok stanok\n";
+std::vector<std::string> completion_shells() {
+  std::vector<std::string> names;
+  for (const Shell& shell : shells) names.emplace_back(shell.name);
+  return names;
 }
 
-std::string zsh_completion(const CLI::App& app) {
-  return "#compdef stanok\n"
-         "_stanok() {\n"
-         "  emulate -L zsh\n" +
-         search(app, "\"${(@)words[2,CURRENT-1]}\"") +
-         "  case \"$argument\" in\n"
-         "  program) offered=\"$offered $(" +
-         std::string(programs) +
-         ")\" ;;\n"
-         "  code) offered=\"$offered " +
-         codes() +
-         "\" ;;\n"
-         "  esac\n"
-         "  compadd -- ${=offered}\n"
-         "  [[ $argument == file ]] && _files\n"
-         "  return 0\n"
-         "}\n"
-         "if [[ ${zsh_eval_context[-1]} == loadautofunc ]]; then\n"
-         "  _stanok \"$@\"\n"
-         "else\n"
-         "  compdef _stanok stanok\n"
-         "fi\n";
-}
-
-std::string fish_completion(const CLI::App& app) {
-  std::vector<Offer> rows;
-  append_rows(rows, app, "");
-  std::string table;
-  for (const Offer& row : rows) {
-    table += "      case '" + row.path + "'\n        set offered " + row.words +
-             "\n        set argument " + word_for(row.argument) + "\n        break\n";
-  }
-  return "function __stanok_offers\n"
-         "  set -l valued '" +
-         options_with_value(app) + "'\n  set -l filed '" + options_with_file(app) +
-         "'\n"
-         "  set -l route\n  set -l value\n  set -l offered\n  set -l argument none\n"
-         "  for word in (commandline -opc)[2..-1]\n"
-         "    if test -n \"$value\"\n      set value\n      continue\n    end\n"
-         "    if string match -q -- '-*' $word\n"
-         "      string match -q -- \"*|$word|*\" $valued; and set value $word\n"
-         "    else\n      set -a route $word\n    end\n"
-         "  end\n"
-         "  while true\n"
-         "    switch (string join ' ' $route)\n" +
-         table +
-         "      case '*'\n        set -e route[-1]\n"
-         "    end\n"
-         "  end\n"
-         "  if test -n \"$value\"\n"
-         "    set offered\n    set argument none\n"
-         "    string match -q -- \"*|$value|*\" $filed; and set argument file\n"
-         "  end\n"
-         "  for word in $offered\n    echo $word\n  end\n"
-         "  switch $argument\n"
-         "    case program\n      " +
-         std::string(programs) +
-         "\n"
-         "    case code\n      string split -n ' ' '" +
-         codes() +
-         "'\n"
-         "    case file\n      __fish_complete_path (commandline -ct)\n"
-         "  end\n"
-         "end\n"
-         "complete -c stanok -f -a '(__stanok_offers)'\n";
+std::string completion_script(const CLI::App& app, std::string_view shell_name) {
+  const auto shell = std::ranges::find(shells, shell_name, &Shell::name);
+  STANOK_ASSERT(shell != shells.end());
+  Fillings fillings{
+      {"CASES", cases(app, shell->one_case)}, {"CODES", codes()},
+      {"FILED", options_with_file(app)},      {"PROGRAMS", std::string(programs)},
+      {"VALUED", options_with_value(app)},    {"WORDS BEFORE", std::string(shell->words_before)}};
+  fillings.emplace("SEARCH", filled(search_of_bash_and_zsh, fillings));
+  return filled(shell->script, fillings);
 }
 
 }  // namespace stanok::client

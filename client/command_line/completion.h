@@ -6,14 +6,16 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace stanok::client {
 
-// For bash: `eval "$(stanok completion bash)"`.
-[[nodiscard]] std::string bash_completion(const CLI::App& app);
-// For zsh: `eval "$(stanok completion zsh)"` behind compinit, or as the file _stanok of fpath.
-[[nodiscard]] std::string zsh_completion(const CLI::App& app);
-// For fish: `stanok completion fish | source`.
-[[nodiscard]] std::string fish_completion(const CLI::App& app);
+// "bash", "zsh", "fish".
+[[nodiscard]] std::vector<std::string> completion_shells();
+
+// For one of them: `eval "$(stanok completion bash)"`; `eval "$(stanok completion zsh)"` behind
+// compinit, or as the file _stanok of fpath; `stanok completion fish | source`.
+[[nodiscard]] std::string completion_script(const CLI::App& app, std::string_view shell);
 
 }  // namespace stanok::client

@@ -14,12 +14,8 @@ void add_completion_command(CLI::App& app) {
   const auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->callback([shell, &app] {
-    write_data(*shell == "zsh"    ? zsh_completion(app)
-               : *shell == "fish" ? fish_completion(app)
-                                  : bash_completion(app));
-  });
+      ->check(CLI::IsMember(completion_shells()));
+  command->callback([shell, &app] { write_data(completion_script(app, *shell)); });
 }
 
 void add_manual_command(CLI::App& app) {

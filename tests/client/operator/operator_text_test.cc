@@ -128,7 +128,7 @@ TEST(WatchView, PassesNotificationsOnAsJson) {
 TEST(BashCompletion, KnowsEveryNounVerbAndOption) {
   CLI::App app;
   add_operator_commands(app, [](const OperatorCall&) {});
-  const std::string script = bash_completion(app);
+  const std::string script = completion_script(app, "bash");
   for (const auto& method : protocol::methods()) {
     std::string path(method.name);
     std::replace(path.begin(), path.end(), '.', ' ');
