@@ -2,7 +2,8 @@
 //
 // JSON-RPC dispatch, the check of roles, `rpc.discover` with its schemas, the subcommands of
 // `stanok`, shell completion, manual pages and the list in docs/reference/protocol.md are all made
-// from these rows, which are in methods_of_*.cc. A method is called `noun.verb`; a noun
+// from these rows, which are in methods_of_*.cc
+// (docs/developer/how-to-add.md). A method is called `noun.verb`; a noun
 // without verbs is its own method.
 #pragma once
 
