@@ -30,12 +30,15 @@ std::string_view variable(const char* name) {
   return value == nullptr ? std::string_view{} : std::string_view(value);
 }
 
+Screen screen_at(int descriptor) {
+  if (isatty(descriptor) != 1) return Screen::none;
+  const bool shows_colours = variable("NO_COLOR").empty() && variable("TERM") != "dumb";
+  return shows_colours ? Screen::coloured : Screen::monochrome;
+}
+
 }  // namespace
 
-Terminal::Terminal(int descriptor)
-    : descriptor_(descriptor),
-      is_terminal_(isatty(descriptor) == 1),
-      has_colour_(is_terminal_ && variable("NO_COLOR").empty() && variable("TERM") != "dumb") {}
+Terminal::Terminal(int descriptor) : descriptor_(descriptor), screen_(screen_at(descriptor)) {}
 
 TerminalSize Terminal::size() const {
   winsize window{};
@@ -46,7 +49,7 @@ TerminalSize Terminal::size() const {
 }
 
 std::string Terminal::coloured(std::string_view text, Colour colour) const {
-  if (!has_colour_ || colour == Colour::plain) return std::string(text);
+  if (screen_ != Screen::coloured || colour == Colour::plain) return std::string(text);
   return std::string(escape_of(colour)) + std::string(text) + "\033[0m";
 }
 

@@ -12,6 +12,9 @@ namespace stanok::client {
 
 enum class Colour { plain, red, green, yellow, bold };
 
+// What a stream is connected to. None: a file or a pipe.
+enum class Screen { none, monochrome, coloured };
+
 struct TerminalSize {
   std::size_t columns = 80;
   std::size_t lines = 24;
@@ -21,10 +24,9 @@ class Terminal {
  public:
   // For the file descriptor of a standard stream.
   explicit Terminal(int descriptor);
-  Terminal(bool is_terminal, bool has_colour, TerminalSize size = {})
-      : is_terminal_(is_terminal), has_colour_(has_colour), size_(size) {}
+  explicit Terminal(Screen screen, TerminalSize size = {}) : screen_(screen), size_(size) {}
 
-  [[nodiscard]] bool is_terminal() const { return is_terminal_; }
+  [[nodiscard]] bool is_terminal() const { return screen_ != Screen::none; }
   // As it is now: a window may be made larger or smaller at any time. 80 x 24 where it is not
   // known.
   [[nodiscard]] TerminalSize size() const;
@@ -33,8 +35,7 @@ class Terminal {
 
  private:
   int descriptor_ = -1;  // -1: none, the size is fixed
-  bool is_terminal_;
-  bool has_colour_;
+  Screen screen_;
   TerminalSize size_;
 };
 

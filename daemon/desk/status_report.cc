@@ -354,11 +354,11 @@ json StatusReport::process(int channel) const {
 }
 
 json StatusReport::alarms_standing(int channel) const {
-  return alarm_rows(channel, true);
+  return alarm_rows(channel, AlarmChoice::active);
 }
 
 json StatusReport::alarm_history(int channel) const {
-  return alarm_rows(channel, false);
+  return alarm_rows(channel, AlarmChoice::all);
 }
 
 json StatusReport::program_history(int channel) const {
@@ -379,14 +379,14 @@ json StatusReport::program_history(int channel) const {
   return {{"runs", std::move(rows)}};
 }
 
-json StatusReport::alarm_rows(int channel, bool standing_only) const {
+json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   const auto output = machine_.newest_output();
   const auto alarms = machine_.alarms();
   json rows = json::array();
   for (std::size_t k = 0; k < alarms.size(); ++k) {
     if (channel != 0 && alarms[k].channel != channel) continue;
     const bool is_standing = stands(alarms[k], k, output);
-    if (standing_only && !is_standing) continue;
+    if (choice == AlarmChoice::active && !is_standing) continue;
     json row = alarm_json(alarms[k]);
     const auto notes = notes_.find(alarms[k].channel);
     row["acknowledged"] = notes != notes_.end() && k < notes->second.alarms_acknowledged;

@@ -41,11 +41,12 @@ class StatusReport {
     channels::TablesConfig tables;
     drives::BusStatus bus;
   };
+  enum class AlarmChoice : std::uint8_t { all, active };
   [[nodiscard]] Books books() const;
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
                                        const channels::ChannelOutput& output,
                                        const Books& books) const;
-  [[nodiscard]] nlohmann::json alarm_rows(int channel, bool standing_only) const;
+  [[nodiscard]] nlohmann::json alarm_rows(int channel, AlarmChoice choice) const;
   [[nodiscard]] bool stands(const channels::AlarmReport& alarm, std::size_t index,
                             const channels::CycleOutput& output) const;
 

@@ -114,7 +114,7 @@ std::string comparison_text(const process::CycleDesign& design) {
   add("continuous law", continuous_time_s(design));
   add("three steps 4:2:1", three_step_time_s(design));
   add("constant safe feed", design.constant_safe_time_s);
-  return table.text(Terminal(false, false));
+  return table.text(Terminal(Screen::none));
 }
 
 std::string verification_text(const Verification& verification) {
@@ -152,7 +152,7 @@ std::string law_text(const InfeedLaw& law) {
     table.add_row({fmt::format("{:.4f}", law[k].x_mm), fmt::format("{:.4f}", law[k + 1].x_mm),
                    feed(1.0), feed(seconds_per_minute)});
   }
-  return table.text(Terminal(false, false));
+  return table.text(Terminal(Screen::none));
 }
 
 }  // namespace

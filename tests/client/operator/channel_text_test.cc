@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-const Terminal into_a_pipe(false, false);
+const Terminal into_a_pipe(Screen::none);
 
 json mill_status() {
   return {

@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-const Terminal pipe_end(false, false);
-const Terminal colour_terminal(true, true);
+const Terminal pipe_end(Screen::none);
+const Terminal colour_terminal(Screen::coloured);
 
 TEST(TextTable, AlignsNumbersRightAndTextsLeft) {
   TextTable table({"id", "name"});
@@ -86,7 +86,8 @@ TEST(WatchView, PrintsOneLinePerChangeIntoAPipe) {
 }
 
 TEST(WatchView, ShowsAllChannelsInAnOverview) {
-  WatchView view(OutputForm::people, Terminal(true, false, {100, 24}), OperatorView::overview);
+  WatchView view(OutputForm::people, Terminal(Screen::monochrome, {100, 24}),
+                 OperatorView::overview);
   FakeScreen screen(100, 24);
   const json work = {{"id", 1},
                      {"name", "work"},

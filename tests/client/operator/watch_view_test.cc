@@ -41,7 +41,7 @@ std::vector<std::string> only(const json& status, const Terminal& terminal, Oper
 }
 
 TEST(WatchOnATerminal, LeavesNothingOfALongerPictureBehind) {
-  const Terminal terminal(true, true, {80, 24});
+  const Terminal terminal(Screen::coloured, {80, 24});
   for (const OperatorView kind : {OperatorView::answer, OperatorView::overview}) {
     WatchView view(OutputForm::people, terminal, kind);
     FakeScreen screen(80, 24);
@@ -57,7 +57,7 @@ TEST(WatchOnATerminal, LeavesNothingOfALongerPictureBehind) {
 
 TEST(WatchOnATerminal, DrawsAMovingChannelInPlaceAtEveryWidth) {
   for (std::size_t columns = 1; columns <= 200; ++columns) {
-    const Terminal terminal(true, true, {columns, 100});
+    const Terminal terminal(Screen::coloured, {columns, 100});
     for (const OperatorView kind : {OperatorView::answer, OperatorView::overview}) {
       WatchView view(OutputForm::people, terminal, kind);
       FakeScreen screen(columns, 100);
@@ -74,7 +74,7 @@ TEST(WatchOnATerminal, DrawsAMovingChannelInPlaceAtEveryWidth) {
 }
 
 TEST(WatchOnATerminal, TellsWhatHappensAboveThePicture) {
-  const Terminal terminal(true, false, {40, 60});
+  const Terminal terminal(Screen::monochrome, {40, 60});
   WatchView view(OutputForm::people, terminal);
   FakeScreen screen(40, 60);
   const json status = status_of({{"1", channel_of(1, 1.5, nullptr)}});
@@ -92,7 +92,7 @@ TEST(WatchOnATerminal, TellsWhatHappensAboveThePicture) {
 }
 
 TEST(WatchOnATerminal, CutsAPictureThatIsHigherThanTheWindow) {
-  const Terminal terminal(true, false, {80, 5});
+  const Terminal terminal(Screen::monochrome, {80, 5});
   WatchView view(OutputForm::people, terminal);
   FakeScreen screen(80, 5);
   for (int k = 0; k < 3; ++k)
@@ -108,7 +108,7 @@ TEST(WatchOnATerminal, KeepsItsPlaceThroughRandomPictures) {
   const auto up_to = [&](std::size_t n) { return random() % (n + 1); };
   for (int round = 0; round < 200; ++round) {
     const TerminalSize size{20 + up_to(100), 30 + up_to(30)};
-    PictureInPlace picture(Terminal(true, true, size));
+    PictureInPlace picture(Terminal(Screen::coloured, size));
     FakeScreen screen(size.columns, size.lines);
     std::string text;
     for (int k = 0; k < 6; ++k) {
@@ -118,14 +118,14 @@ TEST(WatchOnATerminal, KeepsItsPlaceThroughRandomPictures) {
       screen.write(picture.drawn(text));
     }
     FakeScreen fresh(size.columns, size.lines);
-    PictureInPlace alone(Terminal(true, true, size));
+    PictureInPlace alone(Terminal(Screen::coloured, size));
     fresh.write(alone.drawn(text));
     ASSERT_EQ(screen.lines(), fresh.lines()) << "seed " << seed << " round " << round;
   }
 }
 
 TEST(WatchOnATerminal, TakesNoOrdersFromATextOfAProgram) {
-  const Terminal terminal(true, false, {80, 24});
+  const Terminal terminal(Screen::monochrome, {80, 24});
   WatchView view(OutputForm::people, terminal, OperatorView::overview);
   FakeScreen screen(80, 24);
   screen.write(view.shown("event", {{"text", "\033[2Ja\nb\tc\x7F\xC2\x9B"}}));

@@ -23,7 +23,7 @@ const std::vector<CheckedProgram> checked_programs = {
     {"b.nc", {}, 30, 0.5}};
 
 TEST(CheckReport, SumsUpProgramsInATable) {
-  EXPECT_EQ(summary_table(checked_programs, Terminal(false, false)),
+  EXPECT_EQ(summary_table(checked_programs, Terminal(Screen::none)),
             "program                    blocks  errors  warnings  seconds\n"
             "a.nc                           12       1         1    0.250\n"
             "b.nc                           30       0         0    0.500\n"

@@ -36,13 +36,13 @@ std::vector<CheckedProgram> programs_with_laws() {
 }
 
 TEST(LawReport, IsATableOfBlocks) {
-  EXPECT_EQ(estimate_table(programs_with_laws(), Terminal(false, false)),
+  EXPECT_EQ(estimate_table(programs_with_laws(), Terminal(Screen::none)),
             "block   law            mm      increments  from  to   unit    s          closed form  "
             "cycle s  K_A  K_B  K_M\n"
             "a.nc:4  interrupted    10.000           4   120  120  mm/min     5.8000       5.8000  "
             "           2   10\n"
             "a.nc:7  cutting speed  10.000           4   120  120  mm/rev  >= 5.8000\n");
-  EXPECT_EQ(estimate_table({}, Terminal(false, false)), "no feed laws\n");
+  EXPECT_EQ(estimate_table({}, Terminal(Screen::none)), "no feed laws\n");
 }
 
 TEST(LawReport, KeepsTheDiagnosticsBesideTheLawsInJson) {
