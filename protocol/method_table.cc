@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "protocol/method_rows.h"
 
 namespace stanok::protocol {
@@ -37,6 +38,20 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"rpc", "the protocol itself"},
 });
 
+constexpr auto role_names = enum_names<Role>({
+    {Role::observer, "observer"},
+    {Role::machine_operator, "operator"},
+    {Role::integrator, "integrator"},
+});
+
+constexpr auto type_names = enum_names<ParameterType>({
+    {ParameterType::integer, "integer"},
+    {ParameterType::number, "number"},
+    {ParameterType::text, "string"},
+    {ParameterType::choice, "choice"},
+    {ParameterType::text_list, "list"},
+});
+
 }  // namespace
 
 std::span<const Method> methods() {
@@ -67,31 +82,15 @@ std::string_view noun_help(std::string_view noun) {
 }
 
 std::string_view role_name(Role role) {
-  switch (role) {
-    case Role::observer:
-      return "observer";
-    case Role::machine_operator:
-      return "operator";
-    case Role::integrator:
-      return "integrator";
-  }
-  return "";
+  return role_names[role];
+}
+
+std::optional<Role> role_named(std::string_view name) {
+  return role_names.value(name);
 }
 
 std::string_view type_name(ParameterType type) {
-  switch (type) {
-    case ParameterType::integer:
-      return "integer";
-    case ParameterType::number:
-      return "number";
-    case ParameterType::text:
-      return "string";
-    case ParameterType::choice:
-      return "choice";
-    case ParameterType::text_list:
-      return "list";
-  }
-  return "";
+  return type_names[type];
 }
 
 }  // namespace stanok::protocol

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -100,6 +101,7 @@ struct Method {
 [[nodiscard]] std::string_view noun_help(std::string_view noun);
 
 [[nodiscard]] std::string_view role_name(Role role);
+[[nodiscard]] std::optional<Role> role_named(std::string_view name);
 [[nodiscard]] std::string_view type_name(ParameterType type);
 
 }  // namespace stanok::protocol

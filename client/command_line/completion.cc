@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "base/catalogue.h"
+#include "base/enum_names.h"
 #include "protocol/method_table.h"
 
 namespace stanok::client {
@@ -16,19 +17,12 @@ namespace {
 // What an argument of a command is.
 enum class Argument { none, file, program, code };
 
-const char* word_for(Argument argument) {
-  switch (argument) {
-    case Argument::none:
-      return "none";
-    case Argument::file:
-      return "file";
-    case Argument::program:
-      return "program";
-    case Argument::code:
-      return "code";
-  }
-  return "";
-}
+constexpr auto argument_names = enum_names<Argument>({
+    {Argument::none, "none"},
+    {Argument::file, "file"},
+    {Argument::program, "program"},
+    {Argument::code, "code"},
+});
 
 // A command by its words: "program run".
 struct Offer {
@@ -269,9 +263,9 @@ std::string cases(const CLI::App& app, std::string_view one_case) {
   append_rows(rows, app, "");
   std::string text;
   for (const Offer& row : rows) {
-    text +=
-        filled(one_case,
-               {{"PATH", row.path}, {"OFFERED", row.words}, {"ARGUMENT", word_for(row.argument)}});
+    text += filled(one_case, {{"PATH", row.path},
+                              {"OFFERED", row.words},
+                              {"ARGUMENT", std::string(argument_names[row.argument])}});
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/catalogue.h"
+#include "base/enum_names.h"
 #include "client/terminal/output.h"
 
 namespace stanok::client {
@@ -18,23 +19,14 @@ struct ExplainOptions {
   bool json = false;
 };
 
-std::string_view words_of(Reaction reaction) {
-  switch (reaction) {
-    case Reaction::warning:
-      return "warning, nothing stops";
-    case Reaction::program_end:
-      return "the program ends after the prepared blocks";
-    case Reaction::program_abort:
-      return "the program ends at once";
-    case Reaction::feed_hold:
-      return "feed hold of the channel";
-    case Reaction::axis_stop:
-      return "the faulty axis stops, the others hold";
-    case Reaction::all_axes_off:
-      return "all axes off";
-  }
-  return "";
-}
+constexpr auto reaction_texts = enum_names<Reaction, 1>({
+    {Reaction::warning, "warning, nothing stops"},
+    {Reaction::program_end, "the program ends after the prepared blocks"},
+    {Reaction::program_abort, "the program ends at once"},
+    {Reaction::feed_hold, "feed hold of the channel"},
+    {Reaction::axis_stop, "the faulty axis stops, the others hold"},
+    {Reaction::all_axes_off, "all axes off"},
+});
 
 std::string upper(std::string code) {
   std::transform(code.begin(), code.end(), code.begin(),
@@ -70,7 +62,7 @@ std::string explanation(std::string code) {
   const CatalogueRow* row = find_in_catalogue(upper(std::move(code)));
   if (row == nullptr) return "";
   return std::string(row->code) + ": " + std::string(row->title) +
-         "\n  reaction: " + std::string(words_of(row->reaction)) +
+         "\n  reaction: " + std::string(reaction_texts[row->reaction]) +
          "\n  remedy:   " + std::string(row->remedy) + "\n  go on:    " + std::string(row->go_on) +
          "\n";
 }

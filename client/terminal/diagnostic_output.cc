@@ -2,29 +2,24 @@
 
 #include <unistd.h>
 
+#include "base/enum_names.h"
 #include "client/terminal/output.h"
 
 namespace stanok::client {
 namespace {
 
-const char* word_for(Severity severity) {
-  switch (severity) {
-    case Severity::error:
-      return "error";
-    case Severity::warning:
-      return "warning";
-    case Severity::note:
-      return "note";
-  }
-  return "";
-}
+constexpr auto severity_names = enum_names<Severity>({
+    {Severity::error, "error"},
+    {Severity::warning, "warning"},
+    {Severity::note, "note"},
+});
 
 }  // namespace
 
 nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
   nlohmann::ordered_json json;
   json["code"] = diagnostic.code;
-  json["severity"] = word_for(diagnostic.severity);
+  json["severity"] = severity_names[diagnostic.severity];
   json["file"] = diagnostic.place.file;
   json["line"] = diagnostic.place.line;
   json["column"] = diagnostic.place.column;

@@ -281,9 +281,8 @@ void Dispatch::shut_down(Call call) {
 }
 
 Outcome Dispatch::lower_role(const Call& call) {
-  const auto wanted = call.parameters["role"] == "observer" ? protocol::Role::observer
-                                                            : protocol::Role::machine_operator;
-  call.session.role = std::min(call.session.role, wanted);
+  const auto wanted = protocol::role_named(call.parameters["role"].get<std::string>());
+  call.session.role = std::min(call.session.role, wanted.value_or(call.session.role));
   return json{{"role", protocol::role_name(call.session.role)}};
 }
 

@@ -1,6 +1,7 @@
 // What `drive list` and `drive status` say.
 #include "daemon/desk/drive_report.h"
 
+#include "base/enum_names.h"
 #include "drives/modbus/exchange_plan.h"
 
 namespace stanok::daemon {
@@ -8,29 +9,17 @@ namespace {
 
 using nlohmann::json;
 
-const char* bus_word(drives::BusKind kind) {
-  switch (kind) {
-    case drives::BusKind::none:
-      return "none";
-    case drives::BusKind::modbus_tcp:
-      return "modbus-tcp";
-    case drives::BusKind::modbus_rtu:
-      return "modbus-rtu";
-  }
-  return "";
-}
+constexpr auto bus_names = enum_names<drives::BusKind>({
+    {drives::BusKind::none, "none"},
+    {drives::BusKind::modbus_tcp, "modbus-tcp"},
+    {drives::BusKind::modbus_rtu, "modbus-rtu"},
+});
 
-const char* kind_word(drives::DriveKind kind) {
-  switch (kind) {
-    case drives::DriveKind::position:
-      return "position";
-    case drives::DriveKind::velocity:
-      return "velocity";
-    case drives::DriveKind::on_off:
-      return "on_off";
-  }
-  return "";
-}
+constexpr auto drive_kind_names = enum_names<drives::DriveKind>({
+    {drives::DriveKind::position, "position"},
+    {drives::DriveKind::velocity, "velocity"},
+    {drives::DriveKind::on_off, "on_off"},
+});
 
 json counts_of(const drives::ErrorCounts& errors) {
   json counts = json::object();
@@ -83,14 +72,14 @@ json drive_list(const RunningMachine& machine) {
     list.push_back(
         {{"axis", drive.axis},
          {"unit", drive.unit},
-         {"kind", kind_word(drive.kind)},
+         {"kind", drive_kind_names[drive.kind]},
          {"requests", drives::exchange_plan(drive).size()},
          {"watchdog_ms", drive.watchdog_ms == 0 ? json(nullptr) : json(drive.watchdog_ms)},
          {"absolute_encoder", drive.absolute_encoder},
          {"position_scale", drive.map.position.scale},
          {"velocity_scale", drive.map.velocity.scale}});
   }
-  return {{"bus", bus_word(bus.kind)},
+  return {{"bus", bus_names[bus.kind]},
           {"poll_ms", bus.poll_ms},
           {"timeout_ms", bus.timeout_ms},
           {"drives", std::move(list)}};

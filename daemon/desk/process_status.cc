@@ -3,48 +3,36 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/enum_names.h"
+
 namespace stanok::daemon {
 namespace {
 
 using nlohmann::json;
 
-const char* law_word(motion::LawKind law) {
-  switch (law) {
-    case motion::LawKind::none:
-      return "";
-    case motion::LawKind::linear:
-      return "linear";
-    case motion::LawKind::modulated:
-      return "modulated";
-    case motion::LawKind::interrupted:
-      return "interrupted";
-    case motion::LawKind::curve:
-      return "curve";
-  }
-  return "";
-}
+constexpr auto law_names = enum_names<motion::LawKind>({
+    {motion::LawKind::none, ""},
+    {motion::LawKind::linear, "linear"},
+    {motion::LawKind::modulated, "modulated"},
+    {motion::LawKind::interrupted, "interrupted"},
+    {motion::LawKind::curve, "curve"},
+});
 
-const char* state_word(motion::ModuleState state) {
-  switch (state) {
-    case motion::ModuleState::reset:
-      return "reset";
-    case motion::ModuleState::ready:
-      return "ready";
-    case motion::ModuleState::running:
-      return "running";
-    case motion::ModuleState::fault:
-      return "fault";
-  }
-  return "";
-}
+constexpr auto module_state_names = enum_names<motion::ModuleState>({
+    {motion::ModuleState::reset, "reset"},
+    {motion::ModuleState::ready, "ready"},
+    {motion::ModuleState::running, "running"},
+    {motion::ModuleState::fault, "fault"},
+});
 
 // Laws that the cycle forms.
 json automatic_laws(const channels::ProcessOutput& process) {
   json rows = json::array();
   for (const auto& one : process.automatic) {
     if (one.law == motion::LawKind::none) continue;
-    rows.push_back(
-        {{"law", law_word(one.law)}, {"state", state_word(one.state)}, {"feed_part", one.part}});
+    rows.push_back({{"law", law_names[one.law]},
+                    {"state", module_state_names[one.state]},
+                    {"feed_part", one.part}});
   }
   return rows;
 }
@@ -57,21 +45,13 @@ json interruption(const channels::ProcessOutput& process) {
           {"rests", process.interruptions}};
 }
 
-const char* force_word(motion::ForceState state) {
-  switch (state) {
-    case motion::ForceState::off:
-      return "off";
-    case motion::ForceState::idle_power:
-      return "idle_power";
-    case motion::ForceState::holding:
-      return "holding";
-    case motion::ForceState::regulating:
-      return "regulating";
-    case motion::ForceState::fault:
-      return "fault";
-  }
-  return "";
-}
+constexpr auto force_state_names = enum_names<motion::ForceState>({
+    {motion::ForceState::off, "off"},
+    {motion::ForceState::idle_power, "idle_power"},
+    {motion::ForceState::holding, "holding"},
+    {motion::ForceState::regulating, "regulating"},
+    {motion::ForceState::fault, "fault"},
+});
 
 // JSON has no word for "not a number".
 json number_or_null(double value) {
@@ -82,7 +62,7 @@ json force_control(const channels::ProcessOutput& process) {
   if (!process.has_force_control) return nullptr;
   constexpr double s_per_min = 60.0;
   const motion::ForceStatus& force = process.force;
-  return {{"state", force_word(force.state)},
+  return {{"state", force_state_names[force.state]},
           {"force_set_n", force.force_now_n},
           {"force_n", force.force_n},
           {"power_w", number_or_null(force.power_w)},
@@ -106,7 +86,7 @@ json process_status(const channels::ChannelOutput& output) {
   const channels::ProcessOutput& process = output.process;
   const bool has_law = output.running && process.law != motion::LawKind::none;
   return {{"channel", output.id},
-          {"law", has_law ? json(law_word(process.law)) : json(nullptr)},
+          {"law", has_law ? json(law_names[process.law]) : json(nullptr)},
           {"increments", has_law ? process.increments : 0},
           {"stands", process.stands},
           {"interruption", interruption(process)},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/catalogue.h"
+#include "base/enum_names.h"
 #include "daemon/desk/channel_figures.h"
 #include "daemon/desk/process_status.h"
 
@@ -47,19 +48,12 @@ const char* program_status_word(const ChannelOutput& output) {
   return "";
 }
 
-const char* kind_word(lang::ChannelKind kind) {
-  switch (kind) {
-    case lang::ChannelKind::mill:
-      return "mill";
-    case lang::ChannelKind::lathe:
-      return "lathe";
-    case lang::ChannelKind::grind:
-      return "grind";
-    case lang::ChannelKind::master:
-      return "master";
-  }
-  return "";
-}
+constexpr auto channel_kind_names = enum_names<lang::ChannelKind>({
+    {lang::ChannelKind::mill, "mill"},
+    {lang::ChannelKind::lathe, "lathe"},
+    {lang::ChannelKind::grind, "grind"},
+    {lang::ChannelKind::master, "master"},
+});
 
 json percentiles_us(const Histogram& histogram) {
   const auto us = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-3; };
@@ -230,7 +224,7 @@ json StatusReport::channel_list() const {
     const ChannelOutput of_channel = output_of(output, channel.id);
     list.push_back({{"id", channel.id},
                     {"name", channel.name},
-                    {"kind", kind_word(channel.kind)},
+                    {"kind", channel_kind_names[channel.kind]},
                     {"axes", axis_names(config, channel)},
                     {"words", words_of(channel)},
                     {"scheme", of_channel.scheme},

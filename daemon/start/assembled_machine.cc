@@ -2,8 +2,17 @@
 
 #include <spdlog/spdlog.h>
 
+#include "base/enum_names.h"
+
 namespace stanok::daemon {
 namespace {
+
+constexpr auto drive_choice_names = enum_names<runtime::DriveChoice>({
+    {runtime::DriveChoice::ideal, "ideal"},
+    {runtime::DriveChoice::simulated, "simulated"},
+    {runtime::DriveChoice::embedded, "embedded"},
+    {runtime::DriveChoice::real, "real"},
+});
 
 // What is known of a machine of which no cycle has been: its axes are where they stood last, and no
 // drive has answered.
@@ -95,17 +104,7 @@ RealTimeRights AssembledMachine::real_time_rights() {
 }
 
 std::string AssembledMachine::drive_choice() {
-  switch (assembly_.drives()) {
-    case runtime::DriveChoice::ideal:
-      return "ideal";
-    case runtime::DriveChoice::simulated:
-      return "simulated";
-    case runtime::DriveChoice::embedded:
-      return "embedded";
-    case runtime::DriveChoice::real:
-      return "real";
-  }
-  return "";
+  return std::string(drive_choice_names[assembly_.drives()]);
 }
 
 }  // namespace stanok::daemon

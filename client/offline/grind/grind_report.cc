@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/enum_names.h"
 #include "client/terminal/text_table.h"
 #include "process/grinding/stability.h"
 
@@ -69,17 +70,11 @@ std::optional<double> three_step_time_s(const process::CycleDesign& design) {
   return design.three_step_time_s;
 }
 
-const char* word_of(process::Settling settling) {
-  switch (settling) {
-    case process::Settling::converged:
-      return "settled";
-    case process::Settling::grew:
-      return "ended as the error grew";
-    case process::Settling::ran_out:
-      return "ended with the last iteration";
-  }
-  return "";
-}
+constexpr auto settling_texts = enum_names<process::Settling>({
+    {process::Settling::converged, "settled"},
+    {process::Settling::grew, "ended as the error grew"},
+    {process::Settling::ran_out, "ended with the last iteration"},
+});
 
 std::string process_text(const process::DesignRequest& request) {
   const process::GrindingProcess& process = request.process;
@@ -97,7 +92,7 @@ std::string continuous_text(const OptimalLaw& law) {
   return fmt::format(
       "optimum     {:.3f} s as a continuous law; {} iterations, {}: error rms {:.2f} %, largest "
       "{:.2f} %\n",
-      law.run.time_s, law.iterations.size(), word_of(law.settling), 100.0 * law.best.rms,
+      law.run.time_s, law.iterations.size(), settling_texts[law.settling], 100.0 * law.best.rms,
       100.0 * law.best.worst);
 }
 

@@ -1,5 +1,6 @@
 #include "client/offline/interpret/feed_law_text.h"
 
+#include "base/enum_names.h"
 #include "client/offline/interpret/record_parts.h"
 
 namespace stanok::client {
@@ -7,21 +8,13 @@ namespace {
 
 using lang::FeedLaw;
 
-const char* name_of(FeedLaw::Kind kind) {
-  switch (kind) {
-    case FeedLaw::Kind::off:
-      return "off";
-    case FeedLaw::Kind::linear:
-      return "linear";
-    case FeedLaw::Kind::modulated:
-      return "modulated";
-    case FeedLaw::Kind::interrupted:
-      return "interrupted";
-    case FeedLaw::Kind::curve:
-      return "curve";
-  }
-  return "";
-}
+constexpr auto feed_law_names = enum_names<FeedLaw::Kind>({
+    {FeedLaw::Kind::off, "off"},
+    {FeedLaw::Kind::linear, "linear"},
+    {FeedLaw::Kind::modulated, "modulated"},
+    {FeedLaw::Kind::interrupted, "interrupted"},
+    {FeedLaw::Kind::curve, "curve"},
+});
 
 void append_speed(std::string& text, const FeedLaw& law) {
   const bool cutting = law.speed == FeedLaw::Speed::m_per_min;
@@ -57,7 +50,7 @@ void append_curve(std::string& text, const FeedLaw& law) {
 }  // namespace
 
 void append_feed_law(std::string& text, const FeedLaw& law) {
-  append(text, R"({{"law":"{}")", name_of(law.kind));
+  append(text, R"({{"law":"{}")", feed_law_names[law.kind]);
   const bool per_revolution = law.feed_mode == lang::FeedMode::per_revolution;
   if (law.gives_feed()) {
     append(text, R"(,"feed_unit":"{}")", per_revolution ? "mm/rev" : "mm/min");

@@ -27,20 +27,4 @@ void append_axes(std::string& text, const Words& words, const motion::Point& poi
   text += '}';
 }
 
-const char* action_name(lang::SpindleAction action) {
-  switch (action) {
-    case lang::SpindleAction::set_speed:
-      return "speed";
-    case lang::SpindleAction::clockwise:
-      return "clockwise";
-    case lang::SpindleAction::counter_clockwise:
-      return "counter_clockwise";
-    case lang::SpindleAction::stop:
-      return "stop";
-    case lang::SpindleAction::orient:
-      return "orient";
-  }
-  return "";
-}
-
 }  // namespace stanok::client

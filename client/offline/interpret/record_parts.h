@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "lang/contract/command.h"
 #include "motion/path.h"
 
@@ -25,6 +26,12 @@ void append(std::string& text, fmt::format_string<Arguments...> format, Argument
 void append_string(std::string& text, std::string_view value);
 // An object of the axes' coordinates.
 void append_axes(std::string& text, const Words& words, const motion::Point& point);
-[[nodiscard]] const char* action_name(lang::SpindleAction action);
+inline constexpr auto spindle_action_names = enum_names<lang::SpindleAction>({
+    {lang::SpindleAction::set_speed, "speed"},
+    {lang::SpindleAction::clockwise, "clockwise"},
+    {lang::SpindleAction::counter_clockwise, "counter_clockwise"},
+    {lang::SpindleAction::stop, "stop"},
+    {lang::SpindleAction::orient, "orient"},
+});
 
 }  // namespace stanok::client

@@ -1,155 +1,83 @@
 #include "client/offline/interpret/record_text.h"
 
+#include "base/enum_names.h"
 #include "client/offline/interpret/feed_law_text.h"
 #include "client/offline/interpret/record_parts.h"
 
 namespace stanok::client {
 namespace {
 
-const char* name_of(lang::FeedMode mode) {
-  switch (mode) {
-    case lang::FeedMode::per_minute:
-      return "per_minute";
-    case lang::FeedMode::per_revolution:
-      return "per_revolution";
-    case lang::FeedMode::inverse_time:
-      return "inverse_time";
-  }
-  return "";
-}
+constexpr auto feed_mode_names = enum_names<lang::FeedMode>({
+    {lang::FeedMode::per_minute, "per_minute"},
+    {lang::FeedMode::per_revolution, "per_revolution"},
+    {lang::FeedMode::inverse_time, "inverse_time"},
+});
 
-const char* name_of(lang::Plane plane) {
-  switch (plane) {
-    case lang::Plane::xy:
-      return "XY";
-    case lang::Plane::zx:
-      return "ZX";
-    case lang::Plane::yz:
-      return "YZ";
-  }
-  return "";
-}
+constexpr auto plane_names = enum_names<lang::Plane>({
+    {lang::Plane::xy, "XY"},
+    {lang::Plane::zx, "ZX"},
+    {lang::Plane::yz, "YZ"},
+});
 
-const char* name_of(lang::RequestKind kind) {
-  using lang::RequestKind;
-  switch (kind) {
-    case RequestKind::sync:
-      return "sync";
-    case RequestKind::kinematics:
-      return "kinematics";
-    case RequestKind::channel_load:
-      return "channel_load";
-    case RequestKind::channel_start:
-      return "channel_start";
-    case RequestKind::channel_run:
-      return "channel_run";
-    case RequestKind::channel_wait:
-      return "channel_wait";
-    case RequestKind::channel_stop:
-      return "channel_stop";
-    case RequestKind::channel_reset:
-      return "channel_reset";
-    case RequestKind::channel_state:
-      return "channel_state";
-    case RequestKind::spindle_to_axis:
-      return "spindle_to_axis";
-    case RequestKind::axis_to_spindle:
-      return "axis_to_spindle";
-    case RequestKind::terminate:
-      return "terminate";
-    case RequestKind::tool_table_write:
-      return "tool_table_write";
-    case RequestKind::offset_table_write:
-      return "offset_table_write";
-    case RequestKind::tool_table_read:
-      return "tool_table_read";
-    case RequestKind::offset_table_read:
-      return "offset_table_read";
-    case RequestKind::machine_value:
-      return "machine_value";
-    case RequestKind::probe_result:
-      return "probe_result";
-    case RequestKind::input_wait:
-      return "input_wait";
-    case RequestKind::mark_wait:
-      return "mark_wait";
-    case RequestKind::mark_state:
-      return "mark_state";
-    case RequestKind::shared_read:
-      return "shared_read";
-    case RequestKind::shared_write:
-      return "shared_write";
-    case RequestKind::shared_combine:
-      return "shared_combine";
-    case RequestKind::program_restart:
-      return "program_restart";
-  }
-  return "";
-}
+constexpr auto request_names = enum_names<lang::RequestKind>({
+    {lang::RequestKind::sync, "sync"},
+    {lang::RequestKind::kinematics, "kinematics"},
+    {lang::RequestKind::channel_load, "channel_load"},
+    {lang::RequestKind::channel_start, "channel_start"},
+    {lang::RequestKind::channel_run, "channel_run"},
+    {lang::RequestKind::channel_wait, "channel_wait"},
+    {lang::RequestKind::channel_stop, "channel_stop"},
+    {lang::RequestKind::channel_reset, "channel_reset"},
+    {lang::RequestKind::channel_state, "channel_state"},
+    {lang::RequestKind::spindle_to_axis, "spindle_to_axis"},
+    {lang::RequestKind::axis_to_spindle, "axis_to_spindle"},
+    {lang::RequestKind::terminate, "terminate"},
+    {lang::RequestKind::tool_table_write, "tool_table_write"},
+    {lang::RequestKind::offset_table_write, "offset_table_write"},
+    {lang::RequestKind::tool_table_read, "tool_table_read"},
+    {lang::RequestKind::offset_table_read, "offset_table_read"},
+    {lang::RequestKind::machine_value, "machine_value"},
+    {lang::RequestKind::probe_result, "probe_result"},
+    {lang::RequestKind::input_wait, "input_wait"},
+    {lang::RequestKind::mark_wait, "mark_wait"},
+    {lang::RequestKind::mark_state, "mark_state"},
+    {lang::RequestKind::shared_read, "shared_read"},
+    {lang::RequestKind::shared_write, "shared_write"},
+    {lang::RequestKind::shared_combine, "shared_combine"},
+    {lang::RequestKind::program_restart, "program_restart"},
+});
 
-const char* name_of(lang::OrientWay way) {
-  switch (way) {
-    case lang::OrientWay::shortest:
-      return "shortest";
-    case lang::OrientWay::clockwise:
-      return "clockwise";
-    case lang::OrientWay::counter_clockwise:
-      return "counter_clockwise";
-  }
-  return "";
-}
+constexpr auto orient_way_names = enum_names<lang::OrientWay>({
+    {lang::OrientWay::shortest, "shortest"},
+    {lang::OrientWay::clockwise, "clockwise"},
+    {lang::OrientWay::counter_clockwise, "counter_clockwise"},
+});
 
-const char* name_of(lang::Transformation transformation) {
-  switch (transformation) {
-    case lang::Transformation::off:
-      return "off";
-    case lang::Transformation::polar_face:
-      return "polar_face";
-    case lang::Transformation::cylinder:
-      return "cylinder";
-  }
-  return "";
-}
+constexpr auto transformation_names = enum_names<lang::Transformation>({
+    {lang::Transformation::off, "off"},
+    {lang::Transformation::polar_face, "polar_face"},
+    {lang::Transformation::cylinder, "cylinder"},
+});
 
-const char* name_of(lang::MarkCommand::Kind kind) {
-  switch (kind) {
-    case lang::MarkCommand::Kind::set:
-      return "mark_set";
-    case lang::MarkCommand::Kind::clear:
-      return "mark_clear";
-    case lang::MarkCommand::Kind::wait_soft:
-      return "mark_wait_soft";
-  }
-  return "";
-}
+constexpr auto mark_names = enum_names<lang::MarkCommand::Kind>({
+    {lang::MarkCommand::Kind::set, "mark_set"},
+    {lang::MarkCommand::Kind::clear, "mark_clear"},
+    {lang::MarkCommand::Kind::wait_soft, "mark_wait_soft"},
+});
 
-const char* name_of(lang::ForceControl::Kind kind) {
-  switch (kind) {
-    case lang::ForceControl::Kind::off:
-      return "off";
-    case lang::ForceControl::Kind::force:
-      return "force";
-    case lang::ForceControl::Kind::oscillate:
-      return "oscillate";
-    case lang::ForceControl::Kind::vibration_on:
-      return "vibration_on";
-    case lang::ForceControl::Kind::vibration_off:
-      return "vibration_off";
-  }
-  return "";
-}
+constexpr auto force_names = enum_names<lang::ForceControl::Kind>({
+    {lang::ForceControl::Kind::off, "off"},
+    {lang::ForceControl::Kind::force, "force"},
+    {lang::ForceControl::Kind::oscillate, "oscillate"},
+    {lang::ForceControl::Kind::vibration_on, "vibration_on"},
+    {lang::ForceControl::Kind::vibration_off, "vibration_off"},
+});
 
-const char* name_of(lang::LengthMode mode) {
-  switch (mode) {
-    case lang::LengthMode::off:
-      return "off";
-    case lang::LengthMode::length:
-      return "length";
-    case lang::LengthMode::tip:
-      return "tip";
-  }
-  return "";
-}
+constexpr auto length_mode_names = enum_names<lang::LengthMode>({
+    {lang::LengthMode::off, "off"},
+    {lang::LengthMode::length, "length"},
+    {lang::LengthMode::tip, "tip"},
+});
 
 // One overload per payload: appends the fields after "line".
 struct Fields {
@@ -166,7 +94,8 @@ struct Fields {
     text += R"(,"end":)";
     append_axes(text, words, block->end);
     if (arc) arc_fields(move);
-    if (!rapid) append(text, R"(,"feed":{},"feed_mode":"{}")", move.feed, name_of(move.feed_mode));
+    if (!rapid)
+      append(text, R"(,"feed":{},"feed_mode":"{}")", move.feed, feed_mode_names[move.feed_mode]);
   }
 
   void arc_fields(const lang::Move& move) const {
@@ -175,7 +104,7 @@ struct Fields {
     };
     append(text, R"(,"centre":{{"{}":{},"{}":{}}})", word(0), move.centre[0], word(1),
            move.centre[1]);
-    append(text, R"(,"plane":"{}","turns":{},"ccw":{})", name_of(move.plane), move.turns,
+    append(text, R"(,"plane":"{}","turns":{},"ccw":{})", plane_names[move.plane], move.turns,
            move.counter_clockwise);
   }
 
@@ -188,7 +117,7 @@ struct Fields {
     kind("spline");
     end_fields();
     append(text, R"(,"feed":{},"feed_mode":"{}","plane":"{}","degree":{},"points":[)",
-           spline.base.feed, name_of(spline.base.feed_mode), name_of(spline.base.plane),
+           spline.base.feed, feed_mode_names[spline.base.feed_mode], plane_names[spline.base.plane],
            spline.degree);
     for (std::size_t k = 0; k < spline.points.size(); ++k) {
       append(text, "{}[{},{}]", k == 0 ? "" : ",", spline.points[k][0], spline.points[k][1]);
@@ -217,8 +146,8 @@ struct Fields {
   }
   void operator()(const lang::TransformationChange& change) const {
     kind("offset");
-    append(text, R"(,"what":"transformation","mode":"{}","radius":{})", name_of(change.kind),
-           change.radius_mm);
+    append(text, R"(,"what":"transformation","mode":"{}","radius":{})",
+           transformation_names[change.kind], change.radius_mm);
   }
   void operator()(const lang::Dwell& dwell) const {
     kind("dwell");
@@ -226,14 +155,15 @@ struct Fields {
   }
   void operator()(const lang::SpindleCommand& spindle) const {
     kind("spindle");
-    append(text, R"(,"spindle":{},"action":"{}")", spindle.spindle, action_name(spindle.action));
+    append(text, R"(,"spindle":{},"action":"{}")", spindle.spindle,
+           spindle_action_names[spindle.action]);
     if (spindle.cutting_speed_m_per_min > 0.0) {
       append(text, R"(,"cutting_speed":{})", spindle.cutting_speed_m_per_min);
     } else {
       append(text, R"(,"speed":{})", spindle.speed_rev_per_min);
     }
     if (spindle.action != lang::SpindleAction::orient) return;
-    append(text, R"(,"angle":{},"way":"{}")", spindle.angle_deg, name_of(spindle.way));
+    append(text, R"(,"angle":{},"way":"{}")", spindle.angle_deg, orient_way_names[spindle.way]);
     if (spindle.timeout_s >= 0.0) append(text, R"(,"timeout":{})", spindle.timeout_s);
   }
   void operator()(const lang::CuttingSpeedMode& mode) const {
@@ -257,7 +187,7 @@ struct Fields {
   void operator()(const lang::ToolLength& length) const {
     kind("offset");
     append(text, R"(,"what":"tool_length","mode":"{}","tool":{},"offset":[{},{},{}])",
-           name_of(length.mode), length.tool, length.offset_mm[0], length.offset_mm[1],
+           length_mode_names[length.mode], length.tool, length.offset_mm[0], length.offset_mm[1],
            length.offset_mm[2]);
   }
   void operator()(const lang::FrameChange& frame) const {
@@ -278,8 +208,9 @@ struct Fields {
     append(text,
            R"(,"order":"{}","force":{},"feed_min":{},"feed_max":{},"per_revolution":{})"
            R"(,"oscillation":{},"frequency":{},"level":{},"mass":{})",
-           name_of(force.kind), force.force_n, force.feed_min, force.feed_max, force.per_revolution,
-           force.oscillation_n, force.oscillation_hz, force.level_um, force.reduced_mass_kg);
+           force_names[force.kind], force.force_n, force.feed_min, force.feed_max,
+           force.per_revolution, force.oscillation_n, force.oscillation_hz, force.level_um,
+           force.reduced_mass_kg);
   }
   void operator()(const lang::OutputCommand& output) const {
     kind("output");
@@ -293,7 +224,7 @@ struct Fields {
   }
   void operator()(const lang::MarkCommand& mark) const {
     kind("channel");
-    append(text, R"(,"what":"{}","number":{},"channels":{})", name_of(mark.kind), mark.id,
+    append(text, R"(,"what":"{}","number":{},"channels":{})", mark_names[mark.kind], mark.id,
            mark.channels);
   }
   void operator()(const lang::WorkpieceAnnouncement& workpiece) const {
@@ -329,7 +260,7 @@ struct Fields {
   void operator()(const lang::Request& request) const {
     const bool dispatch = request.kind != lang::RequestKind::sync;
     kind(dispatch ? "channel" : "sync");
-    append(text, R"(,"what":"{}")", name_of(request.kind));
+    append(text, R"(,"what":"{}")", request_names[request.kind]);
     if (!dispatch) return;
     append(text, R"(,"channel":{},"number":{},"text":)", request.channel, request.number);
     append_string(text, request.text);

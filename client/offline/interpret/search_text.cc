@@ -14,7 +14,7 @@ void append_spindles(std::string& text, const lang::SearchState& state) {
   for (const auto& [id, spindle] : state.spindles) {
     const auto speed = state.speeds.find(id);
     append(text, R"({}{{"spindle":{},"action":"{}","speed_rev_per_min":{}}})", comma, id,
-           action_name(spindle.action), speed == state.speeds.end() ? 0.0 : speed->second);
+           spindle_action_names[spindle.action], speed == state.speeds.end() ? 0.0 : speed->second);
     comma = ",";
   }
   text += ']';

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/enum_names.h"
 #include "client/terminal/text_table.h"
 
 namespace stanok::client {
@@ -51,30 +52,21 @@ std::string damage_text(const Damage& damage) {
   return {};
 }
 
-const char* name_of(DamageKind kind) {
-  switch (kind) {
-    case DamageKind::cut:
-      return "cut";
-    case DamageKind::unreadable:
-      return "unreadable";
-    case DamageKind::altered:
-      return "altered";
-  }
-  return "";
-}
+constexpr auto damage_names = enum_names<DamageKind>({
+    {DamageKind::cut, "cut"},
+    {DamageKind::unreadable, "unreadable"},
+    {DamageKind::altered, "altered"},
+});
+
+constexpr auto log_end_names = enum_names<recording::LogEnd>({
+    {recording::LogEnd::complete, "complete"},
+    {recording::LogEnd::next_piece, "next_piece"},
+    {recording::LogEnd::goes_on, "missing"},
+});
 
 // "unknown": of a log without checks.
-const char* name_of(const recording::LogCoverage& coverage) {
-  if (!coverage.has_checks) return "unknown";
-  switch (coverage.end) {
-    case recording::LogEnd::complete:
-      return "complete";
-    case recording::LogEnd::next_piece:
-      return "next_piece";
-    case recording::LogEnd::goes_on:
-      return "missing";
-  }
-  return "";
+std::string_view name_of(const recording::LogCoverage& coverage) {
+  return coverage.has_checks ? log_end_names[coverage.end] : "unknown";
 }
 
 std::string end_text(const recording::LogCoverage& coverage) {
@@ -167,7 +159,7 @@ nlohmann::ordered_json to_json(const LogContents& contents) {
   json["damage"] = nlohmann::ordered_json::array();
   for (const Damage& damage : contents.damage) {
     json["damage"].push_back(
-        {{"kind", name_of(damage.kind)}, {"offset", damage.offset}, {"bytes", damage.bytes}});
+        {{"kind", damage_names[damage.kind]}, {"offset", damage.offset}, {"bytes", damage.bytes}});
   }
   return json;
 }
