@@ -119,6 +119,12 @@ TEST(Layering, TheArrowsHaveNoWayBack) {
   }
 }
 
+// What asks a daemon over its socket may be built where no machine is known.
+TEST(Layering, TheOperatorsClientKnowsTheProtocolAndNoMachine) {
+  const std::set<std::string> known = {"base", "protocol", "client/terminal", "client/operator"};
+  EXPECT_EQ(read_layers(layering).at("client/operator"), known);
+}
+
 TEST(Layering, ABreachIsFoundAndNamed) {
   const Layers layers{
       {"base", {"base"}}, {"lang", {"base", "lang"}}, {"motion", {"base", "motion"}}};
