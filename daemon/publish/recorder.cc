@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/catalogue.h"
@@ -41,12 +41,10 @@ bool stops_the_machine(const channels::Event& event) {
 
 Recorder::Recorder(const config::MachineFile& file, const std::string& build,
                    const RecorderOptions& options)
-    : directory_(options.log_directory),
-      machine_(file.machine.name),
-      size_max_bytes_(file.recorder.size_mb * bytes_per_mb),
+    : logs_(options.log_directory, file.machine.name, file.recorder.size_mb * bytes_per_mb),
       cycle_us_(file.machine.cycle_us),
       refresh_period_(std::max<std::int64_t>(1, refresh_period_us / file.machine.cycle_us)) {
-  std::vector<recording::MessageSink*> sinks{&log_};
+  std::vector<recording::MessageSink*> sinks{&logs_.sink()};
   if (options.lcm_url) {
     publisher_ = std::make_unique<recording::Publisher>(*options.lcm_url);
     if (!publisher_->good()) {
@@ -58,20 +56,17 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
     flight_ = std::make_unique<recording::FlightRecorder>(
         static_cast<std::int64_t>(file.recorder.flight_s * us_per_s));
     sinks.push_back(flight_.get());
-    flight_files_ = std::make_unique<FlightFiles>(directory_, flight_name(machine_),
-                                                  [this](const auto& made) { note_flight(made); });
+    flight_files_ =
+        std::make_unique<FlightFiles>(options.log_directory, flight_name(file.machine.name),
+                                      [this](const auto& made) { note_flight(made); });
   }
   auto description = runtime::description_of(file, std::string(protocol::version), build);
   description.utime_start = wall_clock_us();
-  if (options.logs_from_start) {
-    status_.log_file = log_file_name(directory_, machine_);
-    auto log = open_log(status_.log_file);
-    if (!log) throw std::runtime_error(log.error().text);
-    log_.turn_to(std::move(*log), description.utime_start);
-  }
+  if (options.logs_from_start) logs_.begin(description.utime_start);
   stream_ = std::make_unique<recording::MessageStream>(std::move(description), std::move(sinks));
   runtime::record_setup({}, file, *stream_);
-  refresh_status();
+  refresh_publisher_status();
+  logs_.flush();
 }
 
 Recorder::~Recorder() {
@@ -85,50 +80,18 @@ std::int64_t Recorder::utime() const {
   return stream_->description().utime_start + cycle_ * cycle_us_;
 }
 
-Expected<std::unique_ptr<recording::LogWriter>, recording::LogError> Recorder::open_log(
-    const fs::path& file) const {
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  if (error)
-    return Unexpected<recording::LogError>(
-        recording::log_error("cannot create " + file.parent_path().string(), error.value()));
-  return recording::LogWriter::open(file, size_max_bytes_);
-}
-
 void Recorder::on_output(const channels::CycleOutput& output) {
   cycle_ = output.cycle;
   stream_->allow_workpieces(workpieces_allowed_);
-  if (log_turns_.load(std::memory_order_acquire)) turn_log();
+  logs_.turn(utime());
   if (has_new_paths_.load(std::memory_order_acquire)) take_new_paths();
   stream_->cycle(output);
   if (flight_due_cycle_ > 0 && cycle_ >= flight_due_cycle_) write_flight();
   if (output.cycle % refresh_period_ != 0) return;
   if (publisher_ && output.cycle % (reopen_periods * refresh_period_) == 0) open_bus_again();
-  if (auto* log = log_.writer()) static_cast<void>(log->flush());
-  refresh_status();
-  if (output.cycle % (reopen_periods * refresh_period_) == 0) look_after_folder();
-}
-
-// A folder that was removed takes its log along: told, and a new log begins in a new folder.
-void Recorder::look_after_folder() {
-  const std::lock_guard lock(mutex_);
-  std::error_code error;
-  const fs::path folder = fs::path(status_.log_file).parent_path();
-  if (status_.log_file.empty() || log_turns_ || folder.empty()) return;
-  if (fs::exists(folder, error) || error) return;
-  const fs::path file = log_file_name(folder, machine_);
-  auto log = open_log(file);
-  if (!log) {
-    if (!has_told_folder_) spdlog::error("the folder of the log is gone; {}", log.error().text);
-    has_told_folder_ = true;
-    return;
-  }
-  spdlog::error("the folder of the log {} is gone; a new one begins: {}", status_.log_file,
-                file.string());
-  has_told_folder_ = false;
-  next_log_ = std::move(*log);
-  status_.log_file = file;
-  log_turns_.store(true, std::memory_order_release);
+  refresh_publisher_status();
+  logs_.flush();
+  if (output.cycle % (reopen_periods * refresh_period_) == 0) logs_.look_after_folder();
 }
 
 void Recorder::open_bus_again() {
@@ -168,67 +131,24 @@ void Recorder::note_flight(const fs::path& file) {
   status_.flight_file = file;
 }
 
-std::optional<Expected<fs::path, recording::LogError>> Recorder::start_log() {
+void Recorder::refresh_publisher_status() {
+  if (!publisher_) return;
   const std::lock_guard lock(mutex_);
-  if (!status_.log_file.empty() || log_turns_) return std::nullopt;
-  fs::path file = log_file_name(directory_, machine_);
-  auto log = open_log(file);
-  if (!log) return Unexpected<recording::LogError>(log.error());
-  next_log_ = std::move(*log);
-  status_.log_file = file;
-  status_.log_error.clear();
-  log_turns_.store(true, std::memory_order_release);
-  return file;
-}
-
-std::optional<fs::path> Recorder::stop_log() {
-  const std::lock_guard lock(mutex_);
-  if (status_.log_file.empty()) return std::nullopt;
-  fs::path file = status_.log_file;
-  next_log_.reset();
-  status_.log_file.clear();
-  status_.log_bytes = 0;
-  status_.log_events = 0;
-  log_turns_.store(true, std::memory_order_release);
-  return file;
-}
-
-void Recorder::turn_log() {
-  const std::lock_guard lock(mutex_);
-  log_turns_ = false;
-  if (auto* log = log_.writer()) static_cast<void>(log->finish());
-  tell_error_of_log();
-  log_.turn_to(std::move(next_log_), utime());
-  has_told_error_ = false;
-}
-
-void Recorder::refresh_status() {
-  const std::lock_guard lock(mutex_);
-  if (publisher_) {
-    const recording::PublisherStatus& lcm = publisher_->status();
-    status_.lcm_url = lcm.url;
-    status_.lcm_open = lcm.open;
-    status_.lcm_sent = lcm.sent;
-    status_.lcm_lost = lcm.lost;
-  }
-  if (log_.writer() == nullptr || log_turns_) return;
-  const recording::LogStatus& log = log_.writer()->status();
-  status_.log_bytes = log.bytes;
-  status_.log_events = log.events;
-  tell_error_of_log();
-}
-
-// Once for each log; also of what was still on its way to the disk when the log was ended.
-void Recorder::tell_error_of_log() {
-  if (log_.writer() == nullptr || log_.writer()->flush() || has_told_error_) return;
-  status_.log_error = log_.writer()->status().error->text;
-  has_told_error_ = true;
-  spdlog::error("logging has stopped: {}", status_.log_error);
+  const recording::PublisherStatus& lcm = publisher_->status();
+  status_.lcm_url = lcm.url;
+  status_.lcm_open = lcm.open;
+  status_.lcm_sent = lcm.sent;
+  status_.lcm_lost = lcm.lost;
 }
 
 RecordingStatus Recorder::status() const {
+  LogFileStatus log = logs_.status();
   const std::lock_guard lock(mutex_);
   RecordingStatus status = status_;
+  status.log_file = std::move(log.file);
+  status.log_bytes = log.bytes;
+  status.log_events = log.events;
+  status.log_error = std::move(log.error);
   status.workpieces_allowed = workpieces_allowed_;
   return status;
 }

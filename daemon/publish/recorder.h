@@ -13,13 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "base/expected.h"
 #include "config/machine_file.h"
-#include "daemon/publish/flight_files.h"
-#include "daemon/publish/publisher_thread.h"
 #include "daemon/cycle/running_machine.h"
+#include "daemon/publish/flight_files.h"
+#include "daemon/publish/log_files.h"
+#include "daemon/publish/publisher_thread.h"
 #include "recording/flight_recorder.h"
-#include "recording/log_switch.h"
 #include "recording/message_stream.h"
 #include "recording/publisher.h"
 
@@ -45,10 +44,8 @@ class Recorder final : public CycleListener {
   void on_event(const channels::Event& event) override;
   void on_input(const channels::InputRecord& input) override { stream_->input(input); }
 
-  // Any thread. A new log file, which the next cycle begins; nothing: one is being written.
-  [[nodiscard]] std::optional<Expected<std::filesystem::path, recording::LogError>> start_log();
-  // Any thread. The log that ends; nothing: there is none.
-  [[nodiscard]] std::optional<std::filesystem::path> stop_log();
+  // Any thread: start, stop.
+  [[nodiscard]] LogFiles& logs() { return logs_; }
   // Any thread.
   [[nodiscard]] RecordingStatus status() const;
   // Any thread. Sent from the next output on.
@@ -57,39 +54,27 @@ class Recorder final : public CycleListener {
   void allow_workpieces(bool allowed) { workpieces_allowed_ = allowed; }
 
  private:
-  [[nodiscard]] Expected<std::unique_ptr<recording::LogWriter>, recording::LogError> open_log(
-      const std::filesystem::path& file) const;
-  void turn_log();
   void take_new_paths();
   void write_flight();
   void note_flight(const std::filesystem::path& file);
   void open_bus_again();
-  void look_after_folder();
-  void refresh_status();
-  void tell_error_of_log();
+  void refresh_publisher_status();
   [[nodiscard]] std::int64_t utime() const;
 
-  std::filesystem::path directory_;
-  std::string machine_;
-  std::int64_t size_max_bytes_;
+  LogFiles logs_;
   std::int64_t cycle_us_;
   std::unique_ptr<recording::Publisher> publisher_;
-  recording::LogSwitch log_;
   std::unique_ptr<recording::FlightRecorder> flight_;
   std::unique_ptr<recording::MessageStream> stream_;
   std::int64_t cycle_ = 0;             // of the latest output
   std::int64_t refresh_period_;        // cycles
   std::int64_t flight_due_cycle_ = 0;  // 0: nothing has happened
-  bool has_told_error_ = false;
-  bool has_told_folder_ = false;
   std::atomic<bool> workpieces_allowed_{false};
 
-  std::atomic<bool> log_turns_{false};  // to next_log_
   std::atomic<bool> has_new_paths_{false};
   mutable std::mutex mutex_;
-  std::unique_ptr<recording::LogWriter> next_log_;
   std::vector<recording::PathPreview> new_paths_;
-  RecordingStatus status_;
+  RecordingStatus status_;                     // but for the log
   std::unique_ptr<FlightFiles> flight_files_;  // last: its thread writes into the status
 };
 

@@ -9,10 +9,10 @@
 #include <mutex>
 
 #include "daemon/cycle/event_queue.h"
-#include "daemon/publish/publisher_thread.h"
 #include "daemon/cycle/real_time_loop.h"
-#include "daemon/publish/recorder.h"
 #include "daemon/cycle/running_machine.h"
+#include "daemon/publish/publisher_thread.h"
+#include "daemon/publish/recorder.h"
 #include "runtime/assembly.h"
 
 namespace stanok::daemon {
@@ -87,10 +87,10 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   void allow_workpieces(bool allowed) override { recorder_.allow_workpieces(allowed); }
   [[nodiscard]] std::optional<Expected<std::filesystem::path, recording::LogError>> start_log()
       override {
-    return recorder_.start_log();
+    return recorder_.logs().start();
   }
   [[nodiscard]] std::optional<std::filesystem::path> stop_log() override {
-    return recorder_.stop_log();
+    return recorder_.logs().stop();
   }
 
  private:

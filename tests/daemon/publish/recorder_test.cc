@@ -56,12 +56,12 @@ class RecorderTest : public ::testing::Test {
 };
 
 TEST_F(RecorderTest, BeginsANewLogWhenItsFolderIsRemoved) {
-  ASSERT_TRUE(recorder.start_log());
+  ASSERT_TRUE(recorder.logs().start());
   run(10);
   fs::remove_all(folder.path() / "log");
   run(10'000);
   ASSERT_EQ(files("fake").size(), 1U);
-  const auto log = recorder.stop_log();
+  const auto log = recorder.logs().stop();
   ASSERT_TRUE(log);
   EXPECT_EQ(*log, files("fake").front());
   run(10);
@@ -69,11 +69,11 @@ TEST_F(RecorderTest, BeginsANewLogWhenItsFolderIsRemoved) {
 }
 
 TEST_F(RecorderTest, SendsThePathThatAProgramWillTake) {
-  ASSERT_TRUE(recorder.start_log());
+  ASSERT_TRUE(recorder.logs().start());
   run(10);
   recorder.show_path({1, "part.nc", {{{1.0, 2.0, 3.0}, true, false}}});
   run(10);
-  const auto log = recorder.stop_log();
+  const auto log = recorder.logs().stop();
   ASSERT_TRUE(log);
   run(10);
   const auto contents = recording::read_contents(*log);
@@ -85,13 +85,13 @@ TEST_F(RecorderTest, SendsThePathThatAProgramWillTake) {
 
 TEST_F(RecorderTest, BeginsAndEndsALogOnDemand) {
   run(10);
-  EXPECT_FALSE(recorder.stop_log()) << "there is none";
-  const auto started = recorder.start_log();
+  EXPECT_FALSE(recorder.logs().stop()) << "there is none";
+  const auto started = recorder.logs().start();
   ASSERT_TRUE(started && *started);
   EXPECT_EQ(recorder.status().log_file, (*started)->string());
-  EXPECT_FALSE(recorder.start_log()) << "there is one";
+  EXPECT_FALSE(recorder.logs().start()) << "there is one";
   run(500);
-  EXPECT_EQ(recorder.stop_log(), **started);
+  EXPECT_EQ(recorder.logs().stop(), **started);
   run(500);
   const auto contents = recording::read_contents(**started);
   ASSERT_TRUE(contents);
@@ -102,7 +102,7 @@ TEST_F(RecorderTest, BeginsAndEndsALogOnDemand) {
 
 // What is still in the buffer does not fit on the disk any more when the log is ended.
 TEST_F(RecorderTest, SaysThatTheEndOfALogIsLost) {
-  const auto started = recorder.start_log();
+  const auto started = recorder.logs().start();
   ASSERT_TRUE(started && *started);
   run(100);
   rlimit before{};
@@ -110,7 +110,7 @@ TEST_F(RecorderTest, SaysThatTheEndOfALogIsLost) {
   const rlimit small{.rlim_cur = 16, .rlim_max = before.rlim_max};
   const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &small);
-  ASSERT_TRUE(recorder.stop_log());
+  ASSERT_TRUE(recorder.logs().stop());
   run(1);
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, ignored);
@@ -119,7 +119,7 @@ TEST_F(RecorderTest, SaysThatTheEndOfALogIsLost) {
 
 TEST_F(RecorderTest, SaysWhyALogCannotBeBegun) {
   std::ofstream(folder.path() / "log") << "a file where the folder should be";
-  const auto started = recorder.start_log();
+  const auto started = recorder.logs().start();
   ASSERT_TRUE(started);
   ASSERT_FALSE(*started);
   EXPECT_THAT(started->error().text, ::testing::HasSubstr("log"));
