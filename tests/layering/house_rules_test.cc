@@ -87,6 +87,41 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
   }
 }
 
+// Folders in which no function has a bool parameter: a call reads `rows(channel,
+// AlarmChoice::all)`, not `rows(channel, false)`. It only grows.
+const std::set<std::string> folders_without_bool_parameters{"client", "daemon", "protocol"};
+
+// Functions of a text with a bool parameter, but for plain setters: allow_workpieces(bool allowed).
+std::set<std::string> functions_with_bool_parameter(const std::string& text) {
+  static const std::regex function(R"((\w+)\(((?:[^(){};]*,)?\s*(?:const )?bool \w+[^(){};:]*)\))");
+  static const std::regex setter(R"((set|allow)_\w+\(bool \w+\))");
+  std::set<std::string> names;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), function);
+       match != std::sregex_iterator(); ++match) {
+    if (!std::regex_match((*match)[0].str(), setter)) names.insert((*match)[1].str());
+  }
+  return names;
+}
+
+TEST(HouseRules, NoCallSaysTrueOrFalseWithoutAName) {
+  for (const SourceFile& file : source_files(repository)) {
+    if (!folders_without_bool_parameters.contains(file.folder)) continue;
+    std::string text;
+    for (const std::string& line : file.lines) text += line.substr(0, line.find("//")) + "\n";
+    for (const std::string& name : functions_with_bool_parameter(text))
+      ADD_FAILURE() << file.path << ": " << name << " has a bool parameter: use an enumeration";
+  }
+}
+
+TEST(HouseRules, ABoolParameterIsFound) {
+  EXPECT_EQ(functions_with_bool_parameter("json rows(int channel,\n  bool all = true) const;\n"
+                                          "void set_single_block(bool on);\n"
+                                          "bool is_idle(int k);\nauto each(bool (*claim)(int));\n"
+                                          "for (const bool one : all) {}\n"
+                                          "Terminal(bool is_terminal, int size);\n"),
+            (std::set<std::string>{"Terminal", "rows"}));
+}
+
 // Parsers that recurse are called where the depth of the text was measured (base/text_bounds.h).
 TEST(HouseRules, TextsAreMeasuredBeforeTheyAreParsed) {
   const std::regex parser(R"((toml|json)::(parse|parse_file|accept|sax_parse|from_\w+)\()");
