@@ -57,7 +57,7 @@ void Session::start(OnFrame on_frame, OnEnd on_end) {
 }
 
 void Session::read() {
-  socket_.async_read_some(asio::buffer(received_),
+  socket_.async_read_some(asio::buffer(inflow_.received),
                           [self = shared_from_this()](const error_code& error, std::size_t bytes) {
                             if (error) return self->close();
                             self->take(bytes);
@@ -66,34 +66,34 @@ void Session::read() {
 }
 
 void Session::go_on() {
-  if (!socket_.is_open() || dropping_) return;
-  rests_ = frames_handed_on_ >= frames_handed_on_max;
-  if (!rests_) read();
+  if (!socket_.is_open() || farewell_.dropping) return;
+  inflow_.rests = inflow_.handed_on >= frames_handed_on_max;
+  if (!inflow_.rests) read();
 }
 
 void Session::frame_is_done_soon() {
   asio::post(socket_.get_executor(), [self = shared_from_this()] {
-    --self->frames_handed_on_;
-    if (!self->rests_) return;
-    self->frame_begun_ = now();
+    --self->inflow_.handed_on;
+    if (!self->inflow_.rests) return;
+    self->inflow_.frame_begun = now();
     self->go_on();
   });
 }
 
 void Session::take(std::size_t bytes) {
-  if (!frames_.is_within_frame()) frame_begun_ = now();
-  frames_.append({received_.data(), bytes});
+  if (!inflow_.frames.is_within_frame()) inflow_.frame_begun = now();
+  inflow_.frames.append({inflow_.received.data(), bytes});
   bool had_frame = false;
-  while (const auto frame = frames_.next()) {
-    if (dropping_ || !socket_.is_open()) return;
+  while (const auto frame = inflow_.frames.next()) {
+    if (farewell_.dropping || !socket_.is_open()) return;
     on_frame_(*this, *frame);
     had_frame = true;
   }
-  if (had_frame) frame_begun_ = now();
+  if (had_frame) inflow_.frame_begun = now();
 }
 
 void Session::send(std::string line) {
-  if (dropping_ || !socket_.is_open()) return;
+  if (farewell_.dropping || !socket_.is_open()) return;
   const bool was_empty = output_.empty();
   if (!output_.push(std::move(line)))
     return drop("E9009", "the client does not read what it is sent");
@@ -109,16 +109,16 @@ void Session::send_soon(std::string line) {
 
 void Session::turn_away(const std::string& code, const std::string& reason) {
   send(protocol::notification_line("dropped", {{"code", code}, {"reason", reason}}));
-  turned_away_ = true;
+  farewell_.turned_away = true;
   stay_for(last_word_time);
 }
 
 void Session::drop(const std::string& code, const std::string& reason) {
-  if (dropping_ || !socket_.is_open()) return;
+  if (farewell_.dropping || !socket_.is_open()) return;
   spdlog::warn("session {} ({}) is dropped: {}", id_, peer_, reason);
   const bool was_empty = output_.empty();
   output_.end_with(protocol::notification_line("dropped", {{"code", code}, {"reason", reason}}));
-  dropping_ = true;
+  farewell_.dropping = true;
   stay_for(last_word_time);
   if (was_empty) write();
 }
@@ -130,7 +130,7 @@ void Session::write() {
                       self->output_.pop_front();
                       self->has_room_for_status_ = self->output_.has_room_for_status();
                       if (!self->output_.empty()) return self->write();
-                      if (self->dropping_) self->close();
+                      if (self->farewell_.dropping) self->close();
                     });
 }
 

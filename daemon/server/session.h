@@ -39,19 +39,19 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] bool has_room_for_status() const { return has_room_for_status_; }
 
   // A frame is handed on to another thread, which tells when it is done with it.
-  void note_frame_handed_on() { ++frames_handed_on_; }
+  void note_frame_handed_on() { ++inflow_.handed_on; }
   void frame_is_done_soon();  // any thread
 
   // Tells the client that it has no place. Until `drop_overdue` ends it, frames still come.
   void turn_away(const std::string& code, const std::string& reason);
-  [[nodiscard]] bool is_turned_away() const { return turned_away_; }
-  void stay_for(std::chrono::seconds time) { last_word_until_ = now() + time; }
+  [[nodiscard]] bool is_turned_away() const { return farewell_.turned_away; }
+  void stay_for(std::chrono::seconds time) { farewell_.last_word_until = now() + time; }
 
   // Tells the client why, and ends the session when it has read that, or at `last_word_until`.
   void drop(const std::string& code, const std::string& reason);
-  [[nodiscard]] bool has_place() const { return !dropping_ && !turned_away_; }
+  [[nodiscard]] bool has_place() const { return !farewell_.dropping && !farewell_.turned_away; }
   [[nodiscard]] bool has_overstayed(Time now) const {
-    return !has_place() && now > last_word_until_;
+    return !has_place() && now > farewell_.last_word_until;
   }
   void close();
 
@@ -63,11 +63,26 @@ class Session : public std::enable_shared_from_this<Session> {
   [[nodiscard]] SessionState& state() { return state_; }
   // Whether a frame has been begun before `time` and is not finished.
   [[nodiscard]] bool has_frame_begun_before(Time time) const {
-    return frames_.is_within_frame() && !rests_ && frame_begun_ < time;
+    return inflow_.frames.is_within_frame() && !inflow_.rests && inflow_.frame_begun < time;
   }
 
  private:
   static constexpr int frames_handed_on_max = 16;
+  // What comes in.
+  struct Inflow {
+    std::array<char, 4096> received{};
+    protocol::FrameReader frames;
+    Time frame_begun{};
+    int handed_on = 0;   // frames, and not done
+    bool rests = false;  // reads on when some are done
+  };
+  // How the session ends.
+  struct Farewell {
+    bool dropping = false;
+    bool turned_away = false;
+    Time last_word_until{};
+  };
+
   [[nodiscard]] static Time now() { return std::chrono::steady_clock::now(); }
   void read();
   void go_on();
@@ -79,18 +94,12 @@ class Session : public std::enable_shared_from_this<Session> {
   int id_;
   std::string peer_;
   std::atomic<protocol::Role> role_;
-  protocol::FrameReader frames_;
-  int frames_handed_on_ = 0;  // and not done
-  bool rests_ = false;        // reads on when some are done
-  Time frame_begun_{};
+  Inflow inflow_;
   OutputQueue output_;
   std::atomic<bool> has_room_for_status_{true};
-  std::array<char, 4096> received_{};
   OnFrame on_frame_;
   OnEnd on_end_;
-  bool dropping_ = false;
-  bool turned_away_ = false;
-  Time last_word_until_{};
+  Farewell farewell_;
 };
 
 }  // namespace stanok::daemon
