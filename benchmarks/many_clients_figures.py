@@ -8,49 +8,16 @@ wake-up latency, overruns, and the largest resident memory of the daemon.
 
 usage: many_clients_figures.py STANOKD MACHINE_FILE [SECONDS]      (default 60)
 """
-import json
 import os
-import resource
 import selectors
-import socket
-import subprocess
 import sys
-import tempfile
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "support"))
+from running_daemon import Operator, allow_many_descriptors, connect, request, running_daemon  # noqa: E402
 
 CLIENTS = {"asking": 40, "silent": 10, "slow": 10, "knocking": 940}
 PROGRAM = "G21 G90 G17 G54\nG64 P0.01\n%sM30\n" % ("G1 X40 F3000\nG3 X0 Y0 I-20\n" * 2000)
-
-
-class Operator:
-    """One connection that waits for its answers."""
-
-    def __init__(self, path):
-        self.lines = connect(path).makefile("rw")
-        self.lines.readline()  # hello
-        self.last_id = 0
-
-    def ask(self, method, **parameters):
-        self.last_id += 1
-        self.lines.write(request(self.last_id, method, parameters))
-        self.lines.flush()
-        while True:
-            answer = json.loads(self.lines.readline())
-            if answer.get("id") == self.last_id:
-                break
-        if "error" in answer:
-            sys.exit(f"{method}: {answer['error']['message']}")
-        return answer["result"]
-
-
-def request(number, method, parameters):
-    return json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": parameters}) + "\n"
-
-
-def connect(path):
-    one = socket.socket(socket.AF_UNIX)
-    one.connect(path)
-    return one
 
 
 class Crowd:
@@ -59,12 +26,12 @@ class Crowd:
     def __init__(self, path):
         self.path, self.selector = path, selectors.DefaultSelector()
         self.answers, self.refusals, self.byte = 0, 0, 0
-        self.status = request(1, "channel.status", {"channel": 1}).encode()
-        self.drip = request(2, "system.info", {}).encode()
+        self.status = request(1, "channel.status", channel=1)
+        self.drip = request(2, "system.info")
         self.slow = [connect(path) for _ in range(CLIENTS["slow"])]
         self.silent = [connect(path) for _ in range(CLIENTS["silent"])]
         for one in self.silent:
-            one.sendall(request(1, "subscribe", {"topics": ["machine", "channels"], "rate_hz": 50}).encode())
+            one.sendall(request(1, "subscribe", topics=["machine", "channels"], rate_hz=50))
         for _ in range(CLIENTS["asking"]):
             self.add("asking").send(self.status)
         for _ in range(CLIENTS["knocking"]):
@@ -129,39 +96,25 @@ def main():
         sys.exit(__doc__)
     stanokd, machine = sys.argv[1:3]
     seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 60.0
-    most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
-    resource.setrlimit(resource.RLIMIT_NOFILE, (min(4096, most), most))
+    allow_many_descriptors()
     print(f"{'':18} {'cycle us: p50':>9} {'p99':>9} {'p99.9':>9} {'max':>9} {'late us: p50':>9}"
           f" {'p99':>9} {'p99.9':>9} {'max':>9} {'overruns':>9} {'MB':>9}")
     for title, crowded in (("no clients", False), ("1,000 clients", True)):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "op.sock")
-            with open(os.path.join(folder, "part.nc"), "w") as program:
-                program.write(PROGRAM)
-            daemon = subprocess.Popen([stanokd, "--machine", machine, "--drives", "embedded", "--lcm", "off",
-                                       "--state", os.path.join(folder, "state"), "--socket", path,
-                                       "--program-root", folder], stderr=subprocess.DEVNULL)
-            try:
-                while not os.path.exists(path):
-                    time.sleep(0.05)
-                time.sleep(0.5)
-                operator = Operator(path)
-                operator.ask("machine.on")
-                time.sleep(1.0)
-                operator.ask("program.run", program="part.nc", channel=1)
-                if crowded:
-                    crowd = Crowd(path)
-                    crowd.run(seconds)
-                    title += f", {crowd.answers / seconds:.0f} answers/s, {crowd.refusals / seconds:.0f} refusals/s"
-                else:
-                    time.sleep(seconds)
-                show(title, operator.ask("machine.status"), daemon.pid)
-                operator.ask("system.shutdown")
-                daemon.wait(20)
-            finally:
-                if daemon.poll() is None:
-                    daemon.kill()
-                    daemon.wait()
+        with running_daemon(stanokd, machine, PROGRAM) as daemon:
+            time.sleep(0.5)
+            operator = Operator(daemon.socket_path)
+            operator.ask("machine.on")
+            time.sleep(1.0)
+            operator.ask("program.run", program="part.nc", channel=1)
+            if crowded:
+                crowd = Crowd(daemon.socket_path)
+                crowd.run(seconds)
+                title += f", {crowd.answers / seconds:.0f} answers/s, {crowd.refusals / seconds:.0f} refusals/s"
+            else:
+                time.sleep(seconds)
+            show(title, operator.ask("machine.status"), daemon.process.pid)
+            operator.ask("system.shutdown")
+            daemon.process.wait(20)
 
 
 main()

@@ -10,16 +10,16 @@ that computes with real-time priority FIFO_OF_HOGS (needs the right to it; the m
 
 usage: stop_latency_figures.py STANOKD MACHINE_FILE [STOPS]      (default 200 a row)
 """
-import json
+import contextlib
 import multiprocessing
 import os
-import resource
 import selectors
-import socket
 import subprocess
 import sys
-import tempfile
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "support"))
+from running_daemon import Operator, allow_many_descriptors, connect, request, running_daemon  # noqa: E402
 
 ASKING, KNOCKING = 64, 936
 TABLE_KB = 900
@@ -27,41 +27,10 @@ FIFO_OF_HOGS = 50
 PROGRAM = "G21 G90 G17 G54\nG64 P0.01\n%sM30\n" % ("G1 X40 F3000\nG3 X0 Y0 I-20\n" * 20000)
 
 
-def request(number, method, **parameters):
-    return (json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": parameters}) + "\n").encode()
-
-
-def connect(path):
-    one = socket.socket(socket.AF_UNIX)
-    one.connect(path)
-    return one
-
-
-class Operator:
-    """One connection that waits for its answers."""
-
-    def __init__(self, path):
-        self.socket = connect(path)
-        self.lines = self.socket.makefile("rb")
-        self.last_id = 0
-
-    def ask(self, method, **parameters):
-        self.last_id += 1
-        self.socket.sendall(request(self.last_id, method, **parameters))
-        while True:
-            line = self.lines.readline()
-            if not line:
-                raise ConnectionError(method)
-            answer = json.loads(line)
-            if answer.get("id") == self.last_id:
-                return answer
-
-
 def crowd(path, ready):
     """64 that ask without pause, from the places they hold; 936 that find none: half of them knock again when they are
     let go, half are silent until then."""
-    most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
-    resource.setrlimit(resource.RLIMIT_NOFILE, (min(4096, most), most))
+    allow_many_descriptors()
     selector = selectors.DefaultSelector()
     question = request(1, "machine.status")
     for k in range(ASKING + KNOCKING):
@@ -126,70 +95,68 @@ def measure_hogged(stanokd, machine, stops):
 def stop_once(path):
     """Seconds from nothing to the answer of a hold."""
     begin = time.monotonic()
-    Operator(path).ask("program.hold", channel=1)
+    Operator(path).answer("program.hold", channel=1)
     return time.monotonic() - begin
 
 
+@contextlib.contextmanager
+def pipe_that_nobody_reads():
+    """The end to write to of a pipe that is full."""
+    read_end, write_end = os.pipe()
+    os.set_blocking(write_end, False)
+    try:
+        while True:
+            os.write(write_end, b"x" * 4096)
+    except BlockingIOError:
+        os.set_blocking(write_end, True)
+    try:
+        yield write_end
+    finally:
+        os.close(read_end)
+        os.close(write_end)
+
+
+@contextlib.contextmanager
+def rude_clients(path):
+    ready = multiprocessing.Event()
+    rude = multiprocessing.Process(target=crowd, args=(path, ready), daemon=True)
+    rude.start()
+    ready.wait()
+    try:
+        yield
+    finally:
+        rude.terminate()
+        rude.join()
+
+
+def seconds_of_stops(path, stops, load_table):
+    seconds = []
+    for k in range(stops):
+        if k % 20 == 0 and load_table():
+            time.sleep(0.1)
+        seconds.append(stop_once(path))
+        time.sleep(0.02)
+    return sorted(seconds)
+
+
 def measure(title, stanokd, machine, stops, crowded, unread, loading, hogs=()):
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "op.sock")
-        with open(os.path.join(folder, "part.nc"), "w") as program:
-            program.write(PROGRAM)
-        read_end, write_end = os.pipe()
-        if unread:
-            os.set_blocking(write_end, False)
-            try:
-                while True:
-                    os.write(write_end, b"x" * 4096)
-            except BlockingIOError:
-                os.set_blocking(write_end, True)
-        error = write_end if unread else subprocess.DEVNULL
-        daemon = subprocess.Popen([stanokd, "--machine", machine, "--drives", "embedded", "--lcm", "off", "--state",
-                                   os.path.join(folder, "state"), "--socket", path, "--program-root", folder],
-                                  stderr=error)
-        rude = None
-        try:
-            while not os.path.exists(path):
-                time.sleep(0.05)
-            time.sleep(0.5)
-            operator = Operator(path)
-            operator.ask("machine.on")
-            time.sleep(1.0)
-            operator.ask("program.run", program="part.nc", channel=1)
-            if crowded:
-                ready = multiprocessing.Event()
-                rude = multiprocessing.Process(target=crowd, args=(path, ready), daemon=True)
-                rude.start()
-                ready.wait()
-            if loading:
-                text = table()
-                load = request(99, "tool.load", tables=text, file="rude")
-            for one in hogs:
-                one.start()
-            seconds, busy = [], 0
-            for _ in range(stops):
-                if loading and busy == 0:
-                    operator.socket.sendall(load)
-                    time.sleep(0.1)
-                busy = (busy + 1) % 20
-                seconds.append(stop_once(path))
-                time.sleep(0.02)
-            seconds.sort()
-            last = len(seconds) - 1
-            row = [seconds[int(last * part)] * 1e3 for part in (0.5, 0.99, 1.0)]
-            print(f"{title:45} {row[0]:8.2f} {row[1]:8.2f} {row[2]:8.2f}", flush=True)
-        finally:
-            if rude:
-                rude.terminate()
-                rude.join()
-            daemon.terminate()
-            try:
-                daemon.wait(30)
-            except subprocess.TimeoutExpired:
-                daemon.kill()
-                daemon.wait()
-            os.close(read_end)
-            os.close(write_end)
+    with contextlib.ExitStack() as stack:
+        error = stack.enter_context(pipe_that_nobody_reads()) if unread else subprocess.DEVNULL
+        path = stack.enter_context(running_daemon(stanokd, machine, PROGRAM, error)).socket_path
+        time.sleep(0.5)
+        operator = Operator(path)
+        operator.ask("machine.on")
+        time.sleep(1.0)
+        operator.ask("program.run", program="part.nc", channel=1)
+        if crowded:
+            stack.enter_context(rude_clients(path))
+        load = request(99, "tool.load", tables=table(), file="rude")
+        for one in hogs:
+            one.start()
+        seconds = seconds_of_stops(path, stops, lambda: loading and not operator.socket.sendall(load))
+        last = len(seconds) - 1
+        row = [seconds[int(last * part)] * 1e3 for part in (0.5, 0.99, 1.0)]
+        print(f"{title:45} {row[0]:8.2f} {row[1]:8.2f} {row[2]:8.2f}", flush=True)
 
 
 def main():

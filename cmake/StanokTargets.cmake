@@ -30,8 +30,8 @@ endfunction()
 # stanok_library(<folder> [DEPENDS folder...] [LIBRARIES dependency...])
 # Static library stanok_<folder>, alias stanok::<folder>, from all sources of the folder except the main
 # functions; the DEPENDS of every folder are written to layering.txt for tests/layering. The folder of a folder can
-# be a library of its own, a module: lang/words becomes stanok_lang_words. A folder of modules has no sources beside
-# them; stanok_modules makes one target of them.
+# be a library of its own, a module: lang/words becomes stanok_lang_words, client/offline/log
+# stanok_client_offline_log. A folder of modules has no sources beside them; stanok_modules makes one target of them.
 function(stanok_library folder)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" target stanok_${folder})
@@ -75,8 +75,9 @@ function(stanok_modules folder)
   add_library(stanok::${folder} ALIAS stanok_${folder})
   set(line ${folder})
   foreach(module IN LISTS ARGN)
-    target_link_libraries(stanok_${folder} INTERFACE stanok_${folder}_${module})
     string(APPEND line " ${folder}/${module}")
+    string(REPLACE "/" "_" module ${module})
+    target_link_libraries(stanok_${folder} INTERFACE stanok_${folder}_${module})
   endforeach()
   set_property(GLOBAL APPEND PROPERTY STANOK_LAYERS "${line}")
 endfunction()

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "config/nearest_key.h"
+#include "base/nearest_name.h"
 
 namespace stanok::config {
 namespace {
@@ -165,7 +165,7 @@ void refuse_unknown_keys(const toml::table& table, const std::vector<std::string
                          const Scope& scope) {
   for (const auto& [key, node] : table) {
     if (std::ranges::find(known, key.str()) != known.end()) continue;
-    const std::string_view nearest = nearest_key(key.str(), known);
+    const std::string_view nearest = nearest_name(key.str(), known);
     scope.fault(key.source(), "unknown key " + quoted(key.str()) +
                                   (nearest.empty() ? "; the keys here are " + joined(known, ", ")
                                                    : "; did you mean " + quoted(nearest) + "?"));

@@ -53,7 +53,7 @@ json method_json(const Method& method) {
   return {{"name", method.name},
           {"summary", method.help},
           {"params", std::move(parameters)},
-          {"result", {{"name", "result"}, {"schema", result_schema(method.name)}}},
+          {"result", {{"name", "result"}, {"schema", result_schema(method)}}},
           {"x-role", role_name(method.role)}};
 }
 

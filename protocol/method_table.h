@@ -1,13 +1,15 @@
-// The operator's command table: every method once, with its parameters, the role it needs and one
-// line of help.
+// The operator's command table: one row for every method, with all that there is to say about it.
 //
-// JSON-RPC dispatch, `rpc.discover`, the subcommands of `stanok`, shell completion and the list in
-// docs/reference/protocol.md are all made from these rows. A method is called `noun.verb`; a noun
+// JSON-RPC dispatch, the check of roles, `rpc.discover` with its schemas, the subcommands of
+// `stanok`, shell completion, manual pages and the list in docs/reference/protocol.md are all made
+// from these rows, which are in methods_of_*.cc
+// (docs/developer/how-to-add.md). A method is called `noun.verb`; a noun
 // without verbs is its own method.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -45,17 +47,44 @@ struct Parameter {
   double minimum = 0.0;
   double maximum = std::numeric_limits<double>::max();
   std::span<const std::string_view> choices{};
+  std::string_view usual{};  // choice that `stanok` gives when the command line says nothing
   std::string_view help{};
 };
 
+// What a method does to the machine.
+enum class Effect : std::uint8_t {
+  looks,          // nothing: the right of observers
+  changes,        // sets something; by itself it moves no axis
+  begins_motion,  // something may begin to move, or get power
+  stops,          // only ever brings motion to rest: taken at once, whatever else goes on
+};
+
+// How long a method takes, and with it the command of `stanok`.
+enum class Course : std::uint8_t {
+  prompt,         // answered at once
+  reads_program,  // answered when a program has been read, as long as that may be
+  moves_axes,     // answered when axes have come to where they go
+  reports,        // notifications follow the answer
+  holds,          // what it takes is held as long as the connection lasts, unless `on` is 0
+  repeats,        // to be asked again and again, unless an increment is given
+};
+
+// Which channels the command of `stanok` can be given for.
+enum class Reach : std::uint8_t { one_channel, every_channel };  // every: with --all
+
+// Everything about a method.
 struct Method {
   std::string_view name;
   Role role = Role::observer;
-  std::string_view help{};
-  std::span<const Parameter> parameters{};
-  // Name of the channels::OperatorAction that the method hands to the real-time cycle; empty: the
-  // daemon answers itself.
+  Effect effect = Effect::looks;
+  Course course = Course::prompt;
+  Reach reach = Reach::one_channel;
+  // Name of the channels::OperatorAction that the method hands to the real-time cycle, whose rules
+  // say when it is admitted (channels/contract/command_rules.h); empty: the daemon answers itself.
   std::string_view action{};
+  std::span<const Parameter> parameters{};
+  std::string_view help{};
+  std::string_view result = R"({"accepted":"boolean"})";  // its shape: protocol/result_shapes.h
 };
 
 // In the order of the documentation; methods of a noun stand together.
@@ -72,6 +101,7 @@ struct Method {
 [[nodiscard]] std::string_view noun_help(std::string_view noun);
 
 [[nodiscard]] std::string_view role_name(Role role);
+[[nodiscard]] std::optional<Role> role_named(std::string_view name);
 [[nodiscard]] std::string_view type_name(ParameterType type);
 
 }  // namespace stanok::protocol

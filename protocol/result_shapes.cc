@@ -13,10 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// A shape is JSON with types in the place of values: "string", "integer", "number", "boolean",
-// "any", with a question mark where null stands for none; "$name" for a shape of its own; a list of
-// one shape for an array of it; an object with the member "*" for one with any names. A member
-// whose name ends with "?" may be left out.
+// What "$name" stands for.
 constexpr auto named_shapes = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"alarm", R"({"channel":"integer","cycle":"integer","code":"string","text":"string",
       "file":"string?","line":"integer?","column":"integer?","reaction":"integer?",
@@ -56,74 +53,10 @@ constexpr auto named_shapes = std::to_array<std::pair<std::string_view, std::str
       "errors_by_kind":"$counts"})"},
 });
 
-constexpr auto result_shapes = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"machine.status", R"({"name":"string","cycle_us":"integer","cycle":"integer",
-      "machine_time_s":"number","on":"boolean","idle":"boolean","drives":"string",
-      "rt":{"cycle_us":"$percentiles","latency_us":"$percentiles","overruns":"integer",
-            "periods_skipped":"integer"},
-      "real_time":{"scheduling":"string","memory_locked":"boolean","notes":["string"]},
-      "outputs_lost":"integer",
-      "channels":[{"id":"integer","name":"string","state":"string","program_status":"string"}]})"},
-    {"channel.list", R"({"channels":[{"id":"integer","name":"string","kind":"string",
-      "axes":["string"],"words":["string"],"scheme":"integer","state":"string",
-      "program_status":"string"}]})"},
-    {"channel.status", R"("$channel")"},
-    {"channel.control", R"({"channel":"integer","controlled_by":"string?"})"},
-    {"channel.watch", R"({"topics":["string"],"rate_hz":"number"})"},
-    {"subscribe", R"({"topics":["string"],"rate_hz":"number"})"},
-    {"program.run", R"("$end of run")"},
-    {"program.start", R"("$end of run")"},
-    {"mdi", R"("$end of run")"},
-    {"program.list", R"({"root":"string","programs":[{"name":"string","bytes":"integer"}],
-      "complete":"boolean"})"},
-    {"program.history", R"({"runs":[{"channel":"integer","program":"string","blocks":"integer",
-      "time_s":"number","path_mm":"number","ended":"boolean","ok":"boolean"}]})"},
-    {"program.search", R"({"target":"string","calculated":"boolean"})"},
-    {"kinematics.list", R"({"channel":"integer","schemes":[{"id":"integer","type":"string",
-      "file":"string?","axes":["string"],"active":"boolean"}]})"},
-    {"kinematics.status", R"({"channel":"integer","scheme":"integer","type":"string?",
-      "axes":[{"name":"string","takes_part":"boolean","enabled":"boolean","brake":"boolean"}]})"},
-    {"drive.list", R"({"bus":"string","poll_ms":"number","timeout_ms":"number",
-      "drives":[{"axis":"string","unit":"integer","kind":"string","requests":"integer",
-                 "watchdog_ms":"integer?","absolute_encoder":"boolean","position_scale":"number",
-                 "velocity_scale":"number"}]})"},
-    {"drive.status", R"({"choice":"string","endpoint":"string?","connected":"boolean",
-      "connections":"integer","exchanges":"integer","errors":"$counts",
-      "round_trip_us":"$percentiles",
-      "vibration":[{"sensor":"string","amplitude_um":"number","frequency_hz":"number",
-                    "samples":"integer","lost":"integer","errors":"integer"}],
-      "axes":["$drive"]})"},
-    {"alarm.list", R"({"alarms":["$alarm"]})"},
-    {"alarm.history", R"({"alarms":["$alarm"]})"},
-    {"tool.list", R"({"tools":["$tool"]})"},
-    {"tool.get", R"("$tool")"},
-    {"tool.load", R"({"values":"integer"})"},
-    {"tool.save", R"({"tables":"string"})"},
-    {"offset.list", R"({"axes":["string"],"offsets":{"*":"$numbers"}})"},
-    {"process.status", R"({"channel":"integer","law":"string?","increments":"integer",
-      "stands":"boolean","interruption":"any","automatic":["any"],"adaptive":"any",
-      "feed_mm_min":"number","feed_mm_rev":"number","spindle_rev_min":"number",
-      "cutting_speed_m_min":"number"})"},
-    {"workpiece.allow", R"({"allowed":"boolean"})"},
-    {"workpiece.status", R"({"allowed":"boolean","workpieces":[{"channel":"integer",
-      "tool":"integer"}]})"},
-    {"log.status", R"({"lcm":{"url":"string?","open":"boolean","sent":"integer","lost":"integer"},
-      "file":{"path":"string?","bytes":"integer","events":"integer","error":"string?"},
-      "flight":"string?","outputs_lost":"integer"})"},
-    {"log.start", R"({"path":"string"})"},
-    {"log.stop", R"({"path":"string"})"},
-    {"system.info", R"({"server":"string","version":"string","api":"integer","build":"string",
-      "pid":"integer","uptime_s":"number"})"},
-    {"session.role", R"({"role":"string"})"},
-    {"rpc.discover", R"({"openrpc":"string","info":{"title":"string","version":"string"},
-      "methods":["any"]})"},
-});
-
-template <class Rows>
-std::string_view shape_of(const Rows& rows, std::string_view name, std::string_view otherwise) {
-  const auto row =
-      std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.first == name; });
-  return row == rows.end() ? otherwise : row->second;
+std::string_view named_shape(std::string_view name) {
+  const auto row = std::find_if(named_shapes.begin(), named_shapes.end(),
+                                [&](const auto& one) { return one.first == name; });
+  return row == named_shapes.end() ? "\"any\"" : row->second;
 }
 
 json schema_of(const json& shape);
@@ -135,8 +68,7 @@ json or_null(json schema) {
 json schema_of_type(std::string type) {
   if (type.ends_with('?')) return or_null(schema_of_type(type.substr(0, type.size() - 1)));
   if (type == "any") return json::object();
-  if (type.starts_with('$'))
-    return schema_of(json_from_text(shape_of(named_shapes, type.substr(1), "\"any\"")));
+  if (type.starts_with('$')) return schema_of(json_from_text(named_shape(type.substr(1))));
   return {{"type", type}};
 }
 
@@ -165,9 +97,8 @@ json schema_of(const json& shape) {
 
 }  // namespace
 
-json result_schema(std::string_view method) {
-  constexpr std::string_view only_accepted = R"({"accepted":"boolean"})";
-  return schema_of(json_from_text(shape_of(result_shapes, method, only_accepted)));
+json result_schema(const Method& method) {
+  return schema_of(json_from_text(method.result));
 }
 
 }  // namespace stanok::protocol

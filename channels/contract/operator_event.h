@@ -53,7 +53,7 @@ struct OperatorEvent {
   std::uint64_t id = 0;  // of the reply; 0: nobody waits for one
   OperatorAction action = OperatorAction::program_hold;
   std::int32_t channel = 0;  // 0: the machine
-  // Stops that had been taken when this was asked for (daemon/event_queue.h).
+  // Stops that had been taken when this was asked for (daemon/cycle/event_queue.h).
   std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
   std::int32_t number = 0;
   double value = 0.0;

@@ -2,32 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "base/nearest_name.h"
 #include "lang/text/limits.h"
 
 namespace stanok::lang {
-namespace {
-
-// Levenshtein distance, case-insensitive.
-std::size_t edits(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t k = 0; k < to.size(); ++k) {
-      const bool same = lower_case(from[i]) == lower_case(to[k]);
-      const std::size_t replaced = diagonal + (same ? 0 : 1);
-      diagonal = row[k + 1];
-      row[k + 1] = std::min({replaced, row[k] + 1, row[k + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 Diagnostic diagnostic_at(const Source& source, std::string_view code, const Span& span,
                          std::string message, std::string label) {
@@ -54,16 +34,8 @@ Span span_of_line(const Source& source, std::uint32_t line) {
 
 std::string_view nearest_name(std::string_view name,
                               const std::vector<std::string_view>& candidates) {
-  std::string_view best;
-  std::size_t best_edits = name.size() <= 3 ? 2 : 3;
-  for (const std::string_view candidate : candidates) {
-    const std::size_t count = edits(name, candidate);
-    if (count < best_edits) {
-      best = candidate;
-      best_edits = count;
-    }
-  }
-  return best;
+  const int edits_max = name.size() <= 3 ? 1 : 2;
+  return stanok::nearest_name(name, candidates, edits_max);
 }
 
 Diagnostic& Reporter::error(std::string_view code, const Span& span, std::string message,

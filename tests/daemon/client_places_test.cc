@@ -6,10 +6,10 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/operator_server.h"
+#include "daemon/server/operator_server.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/daemon/raw_client.h"
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -26,7 +26,7 @@ class ClientPlaces : public ::testing::Test {
     thread.join();
   }
 
-  TemporaryDirectory here;
+  stanok::testing::TemporaryDirectory here;
   FakeMachine machine;
   ListeningSocket socket{here.path() / "test.sock"};
   OperatorServer server{socket,

@@ -85,16 +85,27 @@ class Scene {
   }
 };
 
+// Values for what a row requires, from the row.
+json required_parameters(const protocol::Method& method) {
+  json parameters = json::object();
+  for (const protocol::Parameter& parameter : method.parameters) {
+    if (parameter.presence == protocol::Presence::optional) continue;
+    if (parameter.choices.empty()) {
+      parameters[std::string(parameter.name)] =
+          std::clamp(1.0, parameter.minimum, parameter.maximum);
+    } else {
+      parameters[std::string(parameter.name)] = parameter.choices.front();
+    }
+  }
+  return parameters;
+}
+
 // Parameters with which the method has an effect.
-json parameters_of(std::string_view method) {
+json parameters_of(const protocol::Method& method) {
   static const std::map<std::string_view, json> table = {
       {"program.load", {{"program", "long.nc"}}},
       {"program.run", {{"program", "long.nc"}}},
       {"program.search", {{"target", "3"}}},
-      {"program.optional_stop", {{"on", 1}}},
-      {"program.step", {{"on", 1}}},
-      {"program.skip", {{"level", 1}}},
-      {"program.unskip", {{"level", 1}}},
       {"override.feed", {{"percent", 80}}},
       {"override.rapid", {{"percent", 80}}},
       {"override.spindle", {{"percent", 80}}},
@@ -107,14 +118,30 @@ json parameters_of(std::string_view method) {
       {"process.automatic", {{"law", "linear"}, {"on", 1}}},
       {"process.adaptive", {{"action", "off"}}},
   };
-  const auto row = table.find(method);
-  return row == table.end() ? json::object() : row->second;
+  const auto row = table.find(method.name);
+  return row == table.end() ? required_parameters(method) : row->second;
 }
 
 // Admitted, and of no use: the machine has no automatic feed law and no force control, and when its
 // drives are off no program is loaded here.
 bool has_no_object(std::string_view code) {
   return code == "E6030" || code == "E6060" || code == "E6005";
+}
+
+// The command table is read where the machine is not known: what it says of a method is what the
+// machine holds of its action.
+TEST(CommandTableEffects, AreThoseOfTheActions) {
+  for (const protocol::Method& method : protocol::methods()) {
+    SCOPED_TRACE(method.name);
+    if (method.action.empty()) {
+      EXPECT_NE(method.effect, protocol::Effect::stops) << "only the cycle stops";
+      continue;
+    }
+    const auto action = channels::operator_action(method.action);
+    ASSERT_TRUE(action.has_value());
+    EXPECT_EQ(method.effect == protocol::Effect::stops, channels::is_stop(*action));
+    EXPECT_EQ(method.effect == protocol::Effect::begins_motion, channels::begins_motion(*action));
+  }
 }
 
 class CommandTable : public ::testing::TestWithParam<Situation> {};
@@ -128,7 +155,7 @@ TEST_P(CommandTable, IsWhatADaemonAnswers) {
     ASSERT_TRUE(action.has_value());
     const std::string_view wanted = channels::refusal_code(*action, GetParam());
     Scene scene(GetParam());
-    const auto answer = scene.bench.answer(std::string(method.name), parameters_of(method.name),
+    const auto answer = scene.bench.answer(std::string(method.name), parameters_of(method),
                                            wanted.empty() ? answered_within : 1);
     if (!wanted.empty()) {
       ASSERT_TRUE(answer.has_value()) << "a refusal is told at once";

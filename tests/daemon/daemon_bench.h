@@ -13,10 +13,10 @@
 #include <set>
 #include <string>
 
-#include "daemon/assembled_machine.h"
-#include "daemon/dispatch.h"
-#include "tests/daemon/temporary_directory.h"
+#include "daemon/desk/dispatch.h"
+#include "daemon/start/assembled_machine.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 
@@ -126,7 +126,7 @@ class DaemonBench {
     Dispatch& dispatch;
   };
 
-  TemporaryDirectory here_;
+  stanok::testing::TemporaryDirectory here_;
   runtime::Assembly assembly_;
   Recorder recorder_;
   AssembledMachine machine_;

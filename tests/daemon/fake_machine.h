@@ -9,7 +9,7 @@
 #include <mutex>
 #include <utility>
 
-#include "daemon/running_machine.h"
+#include "daemon/cycle/running_machine.h"
 
 namespace stanok::daemon {
 
@@ -131,8 +131,8 @@ class FakeMachine final : public RunningMachine {
     return std::exchange(log_file, std::nullopt);
   }
   void foresee(int, const std::string& program) override { looked_at.push_back(program); }
-  void foreseen_begins(int, RunsOfChannels) override {}
-  [[nodiscard]] Outlook outlook(int) override { return expected; }
+  void foreseen_begins(int, runtime::RunsOfChannels) override {}
+  [[nodiscard]] runtime::Outlook outlook(int) override { return expected; }
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
@@ -148,7 +148,7 @@ class FakeMachine final : public RunningMachine {
   channels::BlockReport block_report;
   std::optional<std::filesystem::path> log_file;
   std::vector<std::string> looked_at;  // programs
-  Outlook expected;
+  runtime::Outlook expected;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
 

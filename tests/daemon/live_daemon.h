@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
-#include "daemon/daemon.h"
+#include "daemon/start/daemon.h"
 #include "tests/daemon/raw_client.h"
-#include "tests/daemon/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 
@@ -70,7 +70,7 @@ class LiveDaemon {
            "[[channel]]\nid = 2\nname = \"master\"\nkind = \"master\"\n";
   }
 
-  TemporaryDirectory here_;
+  stanok::testing::TemporaryDirectory here_;
   int exit_code_ = -1;
   std::thread thread_;
 };

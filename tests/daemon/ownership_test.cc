@@ -7,9 +7,9 @@
 
 #include <fstream>
 
-#include "daemon/listening_socket.h"
-#include "daemon/state_directory.h"
-#include "tests/daemon/temporary_directory.h"
+#include "daemon/host/state_directory.h"
+#include "daemon/server/listening_socket.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::daemon {
 namespace {
@@ -28,13 +28,13 @@ void leave_stale_socket(const fs::path& path) {
 }
 
 TEST(StateDirectory, IsMadeWhenItIsAbsent) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   const StateDirectory state(here.path() / "a" / "b");
   EXPECT_TRUE(fs::is_directory(here.path() / "a" / "b"));
 }
 
 TEST(StateDirectory, BelongsToOneDaemonAndNamesItsPid) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   const StateDirectory first(here.path());
   try {
     const StateDirectory second(here.path());
@@ -46,7 +46,7 @@ TEST(StateDirectory, BelongsToOneDaemonAndNamesItsPid) {
 
 // Who can open a file, even to read, can lock it, and keep the daemon from starting.
 TEST(StateDirectory, CanBeLockedByNobodyElse) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   const fs::path lock = here.path() / "stanokd.lock";
   std::ofstream(lock) << "1\n";
   fs::permissions(lock, fs::perms(0666));
@@ -55,7 +55,7 @@ TEST(StateDirectory, CanBeLockedByNobodyElse) {
 }
 
 TEST(StateDirectory, IsFreeAgainWhenItsDaemonHasGone) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   {
     const StateDirectory first(here.path());
   }
@@ -63,14 +63,14 @@ TEST(StateDirectory, IsFreeAgainWhenItsDaemonHasGone) {
 }
 
 TEST(StateDirectory, CannotBeAFile) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   std::ofstream(here.path() / "file") << "x";
   EXPECT_THROW(const StateDirectory state(here.path() / "file" / "state"), StateDirectoryError);
   EXPECT_THROW(const StateDirectory state(here.path() / "file"), StateDirectoryError);
 }
 
 TEST(ListeningSocket, IsOpenToOwnerAndGroupOnly) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   const ListeningSocket socket(here.path() / "s.sock");
   struct stat status{};
   ASSERT_EQ(::stat(socket.path().c_str(), &status), 0);
@@ -79,7 +79,7 @@ TEST(ListeningSocket, IsOpenToOwnerAndGroupOnly) {
 }
 
 TEST(ListeningSocket, GoesWithItsDaemon) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   {
     const ListeningSocket socket(here.path() / "s.sock");
   }
@@ -87,27 +87,27 @@ TEST(ListeningSocket, GoesWithItsDaemon) {
 }
 
 TEST(ListeningSocket, TakesTheWayOfADeadOne) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   leave_stale_socket(here.path() / "s.sock");
   EXPECT_NO_THROW(const ListeningSocket socket(here.path() / "s.sock"));
 }
 
 TEST(ListeningSocket, LeavesALivingOneAlone) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   const ListeningSocket first(here.path() / "s.sock");
   EXPECT_THROW(const ListeningSocket second(here.path() / "s.sock"), SocketError);
   EXPECT_TRUE(fs::exists(first.path()));
 }
 
 TEST(ListeningSocket, DoesNotRemoveWhatIsNoSocket) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   std::ofstream(here.path() / "s.sock") << "precious";
   EXPECT_THROW(const ListeningSocket socket(here.path() / "s.sock"), SocketError);
   EXPECT_TRUE(fs::exists(here.path() / "s.sock"));
 }
 
 TEST(ListeningSocket, LeavesTheSocketOfItsSuccessor) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   const fs::path path = here.path() / "s.sock";
   {
     const ListeningSocket first(path);
@@ -118,7 +118,7 @@ TEST(ListeningSocket, LeavesTheSocketOfItsSuccessor) {
 }
 
 TEST(ListeningSocket, SaysThatItsNameIsTooLong) {
-  const TemporaryDirectory here;
+  const stanok::testing::TemporaryDirectory here;
   EXPECT_THROW(const ListeningSocket socket(here.path() / std::string(120, 's')), SocketError);
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "config/positions_file.h"
-#include "daemon/kept_state.h"
+#include "daemon/start/kept_state.h"
 #include "tests/daemon/daemon_bench.h"
 
 namespace stanok::daemon {

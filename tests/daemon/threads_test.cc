@@ -6,8 +6,8 @@
 #include <latch>
 #include <stdexcept>
 
-#include "daemon/preparation_threads.h"
-#include "daemon/publisher_thread.h"
+#include "daemon/cycle/preparation_threads.h"
+#include "daemon/publish/publisher_thread.h"
 
 namespace stanok::daemon {
 namespace {

@@ -32,14 +32,16 @@ std::optional<std::string> included_file(const std::string& line) {
   return std::nullopt;
 }
 
-// The library to which a file belongs: its folder, or for a module the folder in its folder.
+// The library to which a file belongs: the innermost folder around it that is one, a module; or the
+// first part of its path.
 std::string library_of(const Layers& layers, const std::string& file) {
-  const std::size_t first = file.find('/');
-  const std::string folder = file.substr(0, first);
+  const std::string folder = file.substr(0, file.find('/'));
   if (folder == "stanok_messages") return "messages";
-  if (first == std::string::npos) return folder;
-  const std::string module = file.substr(0, file.find('/', first + 1));
-  return layers.contains(module) ? module : folder;
+  for (std::size_t end = file.rfind('/'); end != std::string::npos && end > 0;
+       end = file.rfind('/', end - 1)) {
+    if (layers.contains(file.substr(0, end))) return file.substr(0, end);
+  }
+  return folder;
 }
 
 bool has_modules(const Layers& layers, const std::string& folder) {
@@ -117,6 +119,12 @@ TEST(Layering, TheArrowsHaveNoWayBack) {
   }
 }
 
+// What asks a daemon over its socket may be built where no machine is known.
+TEST(Layering, TheOperatorsClientKnowsTheProtocolAndNoMachine) {
+  const std::set<std::string> known = {"base", "protocol", "client/terminal", "client/operator"};
+  EXPECT_EQ(read_layers(layering).at("client/operator"), known);
+}
+
 TEST(Layering, ABreachIsFoundAndNamed) {
   const Layers layers{
       {"base", {"base"}}, {"lang", {"base", "lang"}}, {"motion", {"base", "motion"}}};
@@ -147,6 +155,9 @@ TEST(Layering, AClimbBetweenModulesIsFoundAndNamed) {
   EXPECT_TRUE(has_modules(layers, "lang"));
   EXPECT_FALSE(has_modules(layers, "motion"));
   EXPECT_EQ(library_of(layers, "lang/loose.h"), "lang");
+  EXPECT_EQ(library_of(layers, "lang/words/deeper/code_table.h"), "lang/words");
+  EXPECT_EQ(library_of({{"lang/words/deeper", {}}}, "lang/words/deeper/code_table.h"),
+            "lang/words/deeper");
 }
 
 TEST(Layering, GeneratedMessagesCountAsTheFolderOfTheirTypes) {

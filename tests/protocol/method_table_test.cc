@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -53,7 +54,31 @@ TEST(MethodTable, PutsRequiredParametersFirst) {
 
 TEST(MethodTable, LetsObserversChangeNothing) {
   for (const Method& method : methods()) {
-    EXPECT_TRUE(method.action.empty() || method.role != Role::observer) << method.name;
+    EXPECT_EQ(method.effect == Effect::looks, method.role == Role::observer) << method.name;
+    EXPECT_TRUE(method.action.empty() || method.effect != Effect::looks) << method.name;
+  }
+}
+
+TEST(MethodTable, NamesWhatIsUsualAmongTheChoices) {
+  for (const Method& method : methods()) {
+    for (const Parameter& parameter : method.parameters) {
+      EXPECT_TRUE(parameter.usual.empty() ||
+                  std::ranges::find(parameter.choices, parameter.usual) != parameter.choices.end())
+          << method.name << " " << parameter.name;
+    }
+  }
+}
+
+// `stanok` gives each channel in turn, and renews what has no increment.
+TEST(MethodTable, HasTheParametersThatItsCoursesNeed) {
+  const auto has = [](const Method& method, std::string_view name) {
+    return std::ranges::any_of(method.parameters,
+                               [&](const Parameter& one) { return one.name == name; });
+  };
+  for (const Method& method : methods()) {
+    EXPECT_TRUE(method.reach != Reach::every_channel || has(method, "channel")) << method.name;
+    EXPECT_TRUE(method.course != Course::repeats || has(method, "increment")) << method.name;
+    EXPECT_TRUE(method.course != Course::holds || has(method, "on")) << method.name;
   }
 }
 

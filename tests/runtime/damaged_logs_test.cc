@@ -55,11 +55,7 @@ Judgement judgement_of(const std::filesystem::path& log) {
 
 // Up to the cut everything is verified; the log as a whole is not.
 TEST(Replay, OfALogThatWasCutGoesToTheCut) {
-  RecordedByChance run("mill3.toml", DriveChoice::ideal, 4);
-  run.program("contour.nc", contour);
-  run.ask(OperatorAction::program_run, 1, "contour.nc");
-  run.run(1500);
-  run.close();
+  const RecordedContour run(DriveChoice::ideal, 4, 1500);
   std::filesystem::resize_file(run.path(), std::filesystem::file_size(run.path()) / 2 + 11);
   const ReplayResult result = replay(run.path(), {});
   EXPECT_FALSE(result.difference);
@@ -74,11 +70,7 @@ TEST(Replay, OfALogThatWasCutGoesToTheCut) {
 
 // Cut between two events, as far as the machine is known: never a difference, never whole.
 TEST(Replay, OfALogThatWasCutBetweenEventsSaysSo) {
-  RecordedByChance run("mill3.toml", DriveChoice::ideal, 12);
-  run.program("contour.nc", contour);
-  run.ask(OperatorAction::program_run, 1, "contour.nc");
-  run.run(300);
-  run.close();
+  const RecordedContour run(DriveChoice::ideal, 12, 300);
   std::vector<std::int64_t> begins;
   auto reader = recording::LogReader::open(run.path());
   while (const auto event = reader->next()) begins.push_back(event->offset);
@@ -95,11 +87,7 @@ TEST(Replay, OfALogThatWasCutBetweenEventsSaysSo) {
 
 // Any byte: nothing of what is damaged is used, so that no difference is told that there was not.
 TEST(Replay, NoticesAnyByteThatChanges) {
-  RecordedByChance run("mill3.toml", DriveChoice::simulated, 13);
-  run.program("contour.nc", contour);
-  run.ask(OperatorAction::program_run, 1, "contour.nc");
-  run.run(200);
-  run.close();
+  RecordedContour run(DriveChoice::simulated, 13, 200);
   EXPECT_TRUE(judgement_of(run.path()).is_same);
   std::fstream file(run.path(), std::ios::binary | std::ios::in | std::ios::out);
   const auto size = static_cast<int>(std::filesystem::file_size(run.path()));
@@ -123,11 +111,7 @@ TEST(Replay, NoticesAnyByteThatChanges) {
 
 // As stanok 0.1.0 made them.
 TEST(Replay, OfALogWithoutCheckSumsSaysWhatIsNotCovered) {
-  RecordedByChance run("mill3.toml", DriveChoice::ideal, 14);
-  run.program("contour.nc", contour);
-  run.ask(OperatorAction::program_run, 1, "contour.nc");
-  run.run(500);
-  run.close();
+  const RecordedContour run(DriveChoice::ideal, 14, 500);
   const ReplayResult result = replay(without_checks(run.path()), {});
   EXPECT_TRUE(result.is_same());
   EXPECT_FALSE(result.has_checks);

@@ -110,6 +110,22 @@ class RecordedByChance {
   bool moved_ = false;
 };
 
+inline constexpr const char* contour =
+    "#1=0\nG64 P0.05\nM3 S1000\nwhile (#1 < 60) {\n"
+    "G1 X[40*cos[#1*12]] Y[40*sin[#1*12]] F6000\n#1=[#1+1]\n}\nM5\nG0 X0 Y0\nM30\n";
+
+// The contour on the mill for so many cycles, its log closed.
+class RecordedContour : public RecordedByChance {
+ public:
+  RecordedContour(DriveChoice drives, std::uint64_t seed, int cycles)
+      : RecordedByChance("mill3.toml", drives, seed) {
+    program("contour.nc", contour);
+    ask(OperatorAction::program_run, 1, "contour.nc");
+    run(cycles);
+    close();
+  }
+};
+
 // A copy of a log in which every message of one type went through `change`.
 template <class Message, class Change>
 std::filesystem::path changed(const std::filesystem::path& log, recording::Topic topic,
@@ -136,9 +152,5 @@ std::filesystem::path changed(const std::filesystem::path& log, recording::Topic
   EXPECT_TRUE((*writer)->flush());
   return copy;
 }
-
-inline constexpr const char* contour =
-    "#1=0\nG64 P0.05\nM3 S1000\nwhile (#1 < 60) {\n"
-    "G1 X[40*cos[#1*12]] Y[40*sin[#1*12]] F6000\n#1=[#1+1]\n}\nM5\nG0 X0 Y0\nM30\n";
 
 }  // namespace stanok::runtime

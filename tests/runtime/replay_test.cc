@@ -167,11 +167,7 @@ TEST(Replay, OfAChannelThatASessionHadToItselfIsTheSame) {
 
 // A log with one bit of one set-point changed: its cycle, channel and axis are named.
 TEST(Replay, FindsOneChangedBit) {
-  RecordedByChance run("mill3.toml", DriveChoice::ideal, 3);
-  run.program("contour.nc", contour);
-  run.ask(OperatorAction::program_run, 1, "contour.nc");
-  run.run(2000);
-  run.close();
+  const RecordedContour run(DriveChoice::ideal, 3, 2000);
   constexpr std::int64_t changed_cycle = 1234;
   const auto copy =
       changed<setpoint_t>(run.path(), recording::Topic::setpoint, [](setpoint_t& one) {
@@ -188,11 +184,7 @@ TEST(Replay, FindsOneChangedBit) {
 
 // Inputs that no machine of this description can have had: told, and nothing worse.
 TEST(Replay, OfALogWithForeignInputsIsRefused) {
-  RecordedByChance run("mill3.toml", DriveChoice::simulated, 6);
-  run.program("contour.nc", contour);
-  run.ask(OperatorAction::program_run, 1, "contour.nc");
-  run.run(500);
-  run.close();
+  const RecordedContour run(DriveChoice::simulated, 6, 500);
   for (const int method : {-1, 200, 256, 1 << 30}) {
     const auto copy = changed<input_t>(run.path(), recording::Topic::input,
                                        [&](input_t& input) { input.method = method; });

@@ -1,0 +1,78 @@
+#include "client/command_line/explain_command.h"
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/catalogue.h"
+#include "base/enum_names.h"
+#include "client/terminal/output.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+struct ExplainOptions {
+  std::string code;
+  bool json = false;
+};
+
+constexpr auto reaction_texts = enum_names<Reaction, 1>({
+    {Reaction::warning, "warning, nothing stops"},
+    {Reaction::program_end, "the program ends after the prepared blocks"},
+    {Reaction::program_abort, "the program ends at once"},
+    {Reaction::feed_hold, "feed hold of the channel"},
+    {Reaction::axis_stop, "the faulty axis stops, the others hold"},
+    {Reaction::all_axes_off, "all axes off"},
+});
+
+std::string upper(std::string code) {
+  std::transform(code.begin(), code.end(), code.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return code;
+}
+
+json row_json(const CatalogueRow& row) {
+  return {{"code", row.code},
+          {"title", row.title},
+          {"reaction", static_cast<int>(row.reaction)},
+          {"remedy", row.remedy},
+          {"go_on", row.go_on}};
+}
+
+int explain(const ExplainOptions& options) {
+  const CatalogueRow* row = find_in_catalogue(upper(options.code));
+  if (row == nullptr) {
+    write_message("no such code: " + options.code + "\n");
+    return 1;
+  }
+  if (options.json) {
+    write_json(row_json(*row));
+  } else {
+    write_data(explanation(options.code));
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string explanation(std::string code) {
+  const CatalogueRow* row = find_in_catalogue(upper(std::move(code)));
+  if (row == nullptr) return "";
+  return std::string(row->code) + ": " + std::string(row->title) +
+         "\n  reaction: " + std::string(reaction_texts[row->reaction]) +
+         "\n  remedy:   " + std::string(row->remedy) + "\n  go on:    " + std::string(row->go_on) +
+         "\n";
+}
+
+void add_explain_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = app.add_subcommand("explain", "what a code means and what to do");
+  command->add_option("CODE", options->code, "code of the catalogue, as E7001")->required();
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options, &exit_code] { exit_code = explain(*options); });
+}
+
+}  // namespace stanok::client

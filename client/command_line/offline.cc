@@ -1,0 +1,28 @@
+#include "client/command_line/offline.h"
+
+#include "client/command_line/explain_command.h"
+#include "client/command_line/self_commands.h"
+#include "client/offline/check/check_command.h"
+#include "client/offline/grind/grind_command.h"
+#include "client/offline/interpret/interpret_command.h"
+#include "client/offline/log/log_command.h"
+#include "client/offline/machine/machine_check_command.h"
+#include "client/offline/simulate/simulate_command.h"
+#include "client/offline/workpiece/workpiece_follow_command.h"
+
+namespace stanok::client {
+
+void add_offline_commands(CLI::App& app, int& exit_code) {
+  add_check_command(app, exit_code);
+  add_machine_check_command(app, exit_code);
+  add_interpret_command(app, exit_code);
+  add_simulate_command(app, exit_code);
+  add_log_commands(app, exit_code);
+  add_workpiece_follow_command(app, exit_code);
+  add_grind_commands(app, exit_code);
+  add_explain_command(app, exit_code);
+  add_completion_command(app);
+  add_manual_command(app);
+}
+
+}  // namespace stanok::client

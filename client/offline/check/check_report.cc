@@ -1,0 +1,87 @@
+#include "client/offline/check/check_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "client/terminal/diagnostic_output.h"
+#include "client/terminal/screen_text.h"
+#include "client/terminal/text_table.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Totals {
+  std::uint64_t blocks = 0;
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  double seconds = 0.0;
+};
+
+std::size_t count_of(const Diagnostics& diagnostics, Severity severity) {
+  return static_cast<std::size_t>(
+      std::count_if(diagnostics.begin(), diagnostics.end(),
+                    [severity](const Diagnostic& d) { return d.severity == severity; }));
+}
+
+Totals totals_of(const CheckedProgram& program) {
+  return {program.blocks, count_of(program.diagnostics, Severity::error),
+          count_of(program.diagnostics, Severity::warning), program.seconds};
+}
+
+Totals totals_of(const std::vector<CheckedProgram>& programs) {
+  Totals sum;
+  for (const CheckedProgram& program : programs) {
+    const Totals one = totals_of(program);
+    sum.blocks += one.blocks;
+    sum.errors += one.errors;
+    sum.warnings += one.warnings;
+    sum.seconds += one.seconds;
+  }
+  return sum;
+}
+
+std::vector<std::string> cells(const std::string& name, const Totals& totals) {
+  return {name, std::to_string(totals.blocks), std::to_string(totals.errors),
+          std::to_string(totals.warnings), fmt::format("{:.3f}", totals.seconds)};
+}
+
+ordered_json fields(const Totals& totals) {
+  return {{"blocks", totals.blocks},
+          {"errors", totals.errors},
+          {"warnings", totals.warnings},
+          {"seconds", totals.seconds}};
+}
+
+}  // namespace
+
+std::string summary_table(const std::vector<CheckedProgram>& programs, const Terminal& terminal) {
+  TextTable table({"program", "blocks", "errors", "warnings", "seconds"});
+  for (const CheckedProgram& program : programs) {
+    table.add_row(cells(program.file, totals_of(program)));
+  }
+  const auto faulty = std::count_if(programs.begin(), programs.end(), [](const CheckedProgram& p) {
+    return has_errors(p.diagnostics);
+  });
+  const std::string sum = fmt::format("{} programs, {} with errors", programs.size(), faulty);
+  table.add_row(cells(sum, totals_of(programs)));
+  return table.text(terminal);
+}
+
+ordered_json summary_json(const std::vector<CheckedProgram>& programs) {
+  ordered_json json;
+  json["files"] = ordered_json::array();
+  for (const CheckedProgram& program : programs) {
+    ordered_json one = {{"file", program.file}};
+    one.update(fields(totals_of(program)));
+    one["diagnostics"] = ordered_json::array();
+    for (const Diagnostic& d : program.diagnostics) one["diagnostics"].push_back(to_json(d));
+    json["files"].push_back(std::move(one));
+  }
+  json["totals"] = fields(totals_of(programs));
+  return json;
+}
+
+}  // namespace stanok::client

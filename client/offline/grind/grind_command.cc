@@ -1,0 +1,298 @@
+#include "client/offline/grind/grind_command.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "client/offline/grind/grind_input.h"
+#include "client/offline/grind/grind_picture.h"
+#include "client/offline/grind/grind_program.h"
+#include "client/offline/grind/grind_report.h"
+#include "client/offline/grind/grind_study.h"
+#include "client/terminal/exit_codes.h"
+#include "client/terminal/output.h"
+#include "client/terminal/progress_line.h"
+#include "process/grinding/control_file.h"
+#include "process/grinding/part_program.h"
+
+namespace stanok::client {
+namespace {
+
+namespace fs = std::filesystem;
+using process::ControlFile;
+using process::CycleDesign;
+using process::DesignRequest;
+
+constexpr double verified_time_max_s = 3600.0;  // of a table that is verified
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error("cannot write " + path + "; check folder and permissions");
+}
+
+void show_iterations(DesignRequest& request, ProgressLine& progress) {
+  request.optimiser.on_iteration = [&progress](const process::Iteration& iteration) {
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "iteration %d: error %.2f %%, at most %.2f %%",
+                  iteration.number, 100.0 * iteration.rms, 100.0 * iteration.worst);
+    progress.show(text.data());
+  };
+}
+
+void print_findings(const process::Findings& findings) {
+  const Terminal terminal(STDERR_FILENO);
+  for (const process::Finding& finding : findings) {
+    const Colour colour = finding.is_error() ? Colour::red : Colour::yellow;
+    write_message(terminal.coloured(to_text(finding), colour));
+  }
+}
+
+void draw_pictures(const GrindOptions& options, const DesignRequest& request,
+                   const CycleDesign& design) {
+  const process::OptimalLaw& optimum = design.continuous;
+  const bool has_optimum = !optimum.law.empty();
+  const process::PlungeRun& run = design.verification.run;
+  if (!options.picture.empty() && !run.samples.empty()) {
+    draw_picture({request, design.law, run, has_optimum ? &optimum : nullptr}, options.picture);
+  }
+  if (!options.optimum_picture.empty() && has_optimum) {
+    draw_picture({request, optimum.law, optimum.run}, options.optimum_picture);
+  }
+}
+
+int report(const GrindOptions& options, const DesignRequest& request, const CycleDesign& design) {
+  const GrindReport grind_report{request, design};
+  draw_pictures(options, request, design);
+  const process::Findings& findings = design.verification.findings;
+  if (options.json) {
+    write_json(to_json(grind_report));
+  } else {
+    write_data(to_text(grind_report, Terminal(STDOUT_FILENO)));
+    print_findings(findings);
+  }
+  return process::has_errors(findings) ? exit_failed : 0;
+}
+
+void write_program(const std::string& path, const GrindOptions& options,
+                   const DesignRequest& request, const process::InfeedLaw& law) {
+  process::ProgramOptions program = program_options(request.process, law, options.machine);
+  program.title = fs::path(options.input).filename().string();
+  program.spark_out_s =
+      request.simulation.spark_out_revolutions * process::revolution_s(request.process);
+  program.gauge_margin_mm = options.gauge_margin_mm;
+  write_text(path, process::part_program(request.process, law, program));
+}
+
+int refused(const GrindOptions& options, const process::Findings& findings) {
+  if (options.json) write_json(refusal_json(findings));
+  if (!options.json) print_findings(findings);
+  return exit_failed;
+}
+
+int run_design(const GrindOptions& options) {
+  auto input = read_input(options);
+  if (!input) return exit_failed;
+  ProgressLine progress;
+  show_iterations(input->request, progress);
+  const auto design = process::design_cycle(input->request);
+  progress.clear();
+  if (!design) return refused(options, design.error());
+  if (!options.out.empty()) {
+    ControlFile file = input->control.value_or(ControlFile{input->request.process, {}, {}});
+    file.law = design->law;
+    write_text(options.out, process::control_text(file));
+  }
+  if (!options.program.empty()) {
+    write_program(options.program, options, input->request, design->law);
+  }
+  return report(options, input->request, *design);
+}
+
+int run_verify(const GrindOptions& options) {
+  auto input = read_control_input(options);
+  if (!input) return exit_failed;
+  if (!options.out.empty()) write_text(options.out, process::control_text(*input->control));
+  input->request.simulation.time_max_s = verified_time_max_s;
+  ProgressLine progress;
+  show_iterations(input->request, progress);
+  const CycleDesign design = process::assessed_cycle(input->request, input->control->law);
+  progress.clear();
+  return report(options, input->request, design);
+}
+
+int run_program(const GrindOptions& options) {
+  const auto input = read_control_input(options);
+  if (!input) return exit_failed;
+  const DesignRequest& request = input->request;
+  const process::InfeedLaw& law = input->control->law;
+  write_program(options.program, options, request, law);
+  const process::Findings findings =
+      process::verify_cycle(request.process, law, request.simulation, request.limits).findings;
+  print_findings(findings);
+  return process::has_errors(findings) ? exit_failed : 0;
+}
+
+int run_study_command(const GrindOptions& options) {
+  std::vector<Variation> variations;
+  for (const std::string& text : options.variations) {
+    const auto variation = read_variation(text);
+    if (!variation) {
+      throw CLI::ValidationError("--vary", "'" + text +
+                                               "' is not KEY=FROM:TO:COUNT with a key of the "
+                                               "process file, as stiffness=2e7:4e7:100");
+    }
+    variations.push_back(*variation);
+  }
+  const double size = study_size(variations);
+  if (size > study_points_max) {
+    throw CLI::ValidationError("--vary", "more than a million designs");
+  }
+  auto input = read_input(options);
+  if (!input) return exit_failed;
+  ProgressLine progress;
+  const auto show = [&](std::size_t done) {
+    constexpr std::size_t columns = 79;
+    progress.show(progress_bar(done, static_cast<std::size_t>(size), "designs", columns));
+  };
+  const std::vector<StudyPoint> points = run_study(input->request, variations, show);
+  progress.clear();
+  const std::string text = study_csv(variations, points);
+  if (options.out.empty()) {
+    write_data(text);
+  } else {
+    write_text(options.out, text);
+  }
+  return 0;
+}
+
+// What is wrong with the name of a picture.
+std::string picture_name_fault(const std::string& name) {
+  const std::string extension = fs::path(name).extension().string();
+  const bool is_known = extension == ".svg" || extension == ".png";
+  return is_known ? "" : "a picture ends in .svg or .png";
+}
+
+void add_process_options(CLI::App& command, GrindOptions& options) {
+  command.add_flag("--exact", options.exact, "removal Q = a R instead of the paper's triangle");
+  command
+      .add_option("--burn-margin", options.burn_margin,
+                  "part by which the removal may exceed the burn line (0.05)")
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      .add_option("--spark-out", options.spark_out_revolutions,
+                  "revolutions of the part after the last X")
+      ->check(CLI::Range(0.0, 1000.0));
+  command.add_option("--time-step", options.time_step_s, "of the simulation, s (0.0005)")
+      ->check(CLI::Range(1e-6, 0.0005));
+}
+
+void add_result_options(CLI::App& command, GrindOptions& options) {
+  command.add_option("--out", options.out, "control file to write")->type_name("FILE");
+  command.add_option("--picture", options.picture, "picture of the cycle, .svg or .png")
+      ->type_name("FILE")
+      ->check(picture_name_fault);
+  command
+      .add_option("--optimum-picture", options.optimum_picture,
+                  "picture of the continuous law, .svg or .png")
+      ->type_name("FILE")
+      ->check(picture_name_fault);
+  command.add_flag("--json", options.json, "print JSON");
+}
+
+void add_machine_options(CLI::App& command, GrindOptions& options) {
+  command
+      .add_option("--gauge", options.gauge_margin_mm,
+                  "the gauge ends the last feed, at most this far below the last X, mm")
+      ->check(CLI::Range(0.001, 1.0));
+  command
+      .add_option("--machine", options.machine.machine_file,
+                  "machine file: spindles of its grind channel")
+      ->type_name("FILE");
+  command.add_option("--channel", options.machine.channel, "channel of the machine")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--wheel-speed", options.machine.wheel_speed_m_per_s,
+                  "surface speed of the wheel, m/s (35)")
+      ->check(CLI::Range(1.0, 200.0));
+}
+
+void add_staircase_options(CLI::App& command, GrindOptions& options) {
+  command.add_option("--points", options.points, "number of switch points; else as many as pay")
+      ->check(CLI::Range(0, process::switch_points_max));
+  command.add_option("--at", options.at_mm, "their X in mm, falling: 0.26,0.09,0.02")
+      ->delimiter(',')
+      ->excludes("--points");
+  command.add_option("--decimals", options.decimals, "of X and feeds in the table; else 4 or more")
+      ->check(CLI::Range(3, 7));
+}
+
+void add_iteration_options(CLI::App& command, GrindOptions& options) {
+  command.add_option("--koc", options.feedback, "gain of the iteration, below 1 (0.5)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--iterations", options.iterations, "at most; 0: the constant feed (40)")
+      ->check(CLI::Range(0, 1000));
+  command.add_flag("--force", options.force, "iterate on, also with a gain that is not stable");
+}
+
+using Run = int (*)(const GrindOptions&);
+
+}  // namespace
+
+void add_grind_commands(CLI::App& app, int& exit_code) {
+  CLI::App* noun = app.add_subcommand("grind", "plunge grinding cycles");
+  noun->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help, Run run) {
+    const auto options = std::make_shared<GrindOptions>();
+    CLI::App* command = noun->add_subcommand(name, help);
+    command->callback([options, run, &exit_code] { exit_code = run(*options); });
+    return std::pair(command, options);
+  };
+  const auto [design, of_design] =
+      add("design", "infeed cycle of a process: optimum, table, program", &run_design);
+  design->add_option("PROCESS", of_design->input, "process file (.toml) or control file")
+      ->type_name("FILE")
+      ->required();
+  design->add_option("--program", of_design->program, "part program to write")->type_name("FILE");
+  add_process_options(*design, *of_design);
+  add_staircase_options(*design, *of_design);
+  add_iteration_options(*design, *of_design);
+  add_result_options(*design, *of_design);
+  add_machine_options(*design, *of_design);
+
+  const auto [verify, of_verify] =
+      add("verify", "simulate the cycle of a control file and judge it", &run_verify);
+  verify->add_option("CONTROL_FILE", of_verify->input, "control file")
+      ->type_name("FILE")
+      ->required();
+  add_process_options(*verify, *of_verify);
+  add_result_options(*verify, *of_verify);
+
+  const auto [program, of_program] = add("program", "part program of a control file", &run_program);
+  program->add_option("CONTROL_FILE", of_program->input, "control file")
+      ->type_name("FILE")
+      ->required();
+  program->add_option("-o,--out", of_program->program, "part program to write")
+      ->type_name("FILE")
+      ->required();
+  program
+      ->add_option("--spark-out", of_program->spark_out_revolutions, "revolutions after the last X")
+      ->check(CLI::Range(0.0, 1000.0));
+  add_machine_options(*program, *of_program);
+
+  const auto [study, of_study] =
+      add("study", "designs over varied numbers of a process, as CSV", &run_study_command);
+  study->add_option("PROCESS", of_study->input, "process file (.toml) or control file")
+      ->type_name("FILE")
+      ->required();
+  study->add_option("--vary", of_study->variations, "KEY=FROM:TO:COUNT, several times")->required();
+  study->add_option("--out", of_study->out, "CSV file; else stdout")->type_name("FILE");
+  add_process_options(*study, *of_study);
+  add_staircase_options(*study, *of_study);
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,173 @@
+#include "client/offline/grind/grind_study.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "process/grinding/number_text.h"
+
+namespace stanok::client {
+namespace {
+
+using process::CycleDesign;
+using process::DesignRequest;
+using process::Findings;
+
+constexpr const char* allowance_key = "allowance";
+constexpr int count_max = 100'000;
+
+// The number of the request that a key names; nullptr: none.
+double* quantity_of(DesignRequest& request, const std::string& key) {
+  if (key == allowance_key) return &request.allowance_mm;
+  for (const process::ProcessQuantity& quantity : process::process_quantities()) {
+    if (quantity.key == key) return &(request.process.*quantity.value);
+  }
+  return nullptr;
+}
+
+// The next number of a text up to a colon or its end, taken off the text.
+template <class Number>
+bool take(std::string_view& text, Number& value) {
+  const std::string_view part = text.substr(0, text.find(':'));
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+  if (error != std::errc() || end != part.data() + part.size()) return false;
+  text.remove_prefix(std::min(part.size() + 1, text.size()));
+  return true;
+}
+
+std::string first_error(const Findings& findings) {
+  const auto error = std::ranges::find_if(findings, &process::Finding::is_error);
+  return error == findings.end() ? "" : error->code + " " + error->text;
+}
+
+StudyPoint studied(DesignRequest request, const std::vector<Variation>& variations,
+                   std::size_t index) {
+  StudyPoint point{.values = std::vector<double>(variations.size())};
+  for (std::size_t k = variations.size(); k-- > 0;) {
+    const auto count = static_cast<std::size_t>(variations[k].count);
+    point.values[k] = variations[k].value(static_cast<int>(index % count));
+    index /= count;
+    *quantity_of(request, variations[k].key) = point.values[k];
+  }
+  auto design = process::design_cycle(request);
+  if (!design) {
+    point.finding = first_error(design.error());
+    return point;
+  }
+  point.finding = first_error(design->verification.findings);
+  design->verification.run.samples = {};
+  point.design = std::move(*design);
+  return point;
+}
+
+std::string quoted(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) {
+    cell += c;
+    if (c == '"') cell += c;
+  }
+  return cell + "\"";
+}
+
+std::string cells(const CycleDesign& design) {
+  const process::Verification& verification = design.verification;
+  std::string text;
+  const auto add = [&](double value) { text += "," + process::number_text(value); };
+  add(verification.run.time_s);
+  add(design.least_time_s);
+  add(design.constant_safe_time_s);
+  add(static_cast<double>(design.law.size()) / 2.0);
+  add(verification.boundary.ratio);
+  add(verification.run.residual_mm);
+  for (const process::SizeError& error : verification.size_errors) add(error.error_mm);
+  return text;
+}
+
+}  // namespace
+
+double Variation::value(int index) const {
+  return count == 1 ? from : std::lerp(from, to, static_cast<double>(index) / (count - 1));
+}
+
+std::optional<Variation> read_variation(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos) return std::nullopt;
+  Variation variation{.key = text.substr(0, sign)};
+  DesignRequest any;
+  if (quantity_of(any, variation.key) == nullptr) return std::nullopt;
+  std::string_view rest = std::string_view(text).substr(sign + 1);
+  const bool is_read =
+      take(rest, variation.from) && take(rest, variation.to) && take(rest, variation.count);
+  const bool is_finite = std::isfinite(variation.from) && std::isfinite(variation.to);
+  if (!is_read || !rest.empty() || !is_finite) return std::nullopt;
+  if (variation.count < 1 || variation.count > count_max) return std::nullopt;
+  return variation;
+}
+
+double study_size(const std::vector<Variation>& variations) {
+  double size = 1.0;
+  for (const Variation& variation : variations) size *= variation.count;
+  return size;
+}
+
+std::vector<StudyPoint> run_study(const DesignRequest& request,
+                                  const std::vector<Variation>& variations,
+                                  const std::function<void(std::size_t)>& show) {
+  DesignRequest design = request;
+  design.comparison = process::Comparison::none;
+  std::vector<StudyPoint> points(static_cast<std::size_t>(study_size(variations)));
+  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> done = 0;
+  std::mutex fault_mutex;
+  std::exception_ptr fault;  // of a thread, for who called
+  const auto work = [&] {
+    for (std::size_t index = next++; index < points.size(); index = next++) {
+      try {
+        points[index] = studied(design, variations, index);
+      } catch (...) {
+        const std::scoped_lock lock(fault_mutex);
+        fault = std::current_exception();
+      }
+      ++done;
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k) {
+      threads.emplace_back(work);
+    }
+    constexpr std::chrono::milliseconds between_shows(100);
+    while (done < points.size()) {
+      show(done);
+      std::this_thread::sleep_for(between_shows);
+    }
+  }
+  if (fault) std::rethrow_exception(fault);
+  show(points.size());
+  return points;
+}
+
+std::string study_csv(const std::vector<Variation>& variations,
+                      const std::vector<StudyPoint>& points) {
+  std::string text;
+  for (const Variation& variation : variations) text += variation.key + ",";
+  text +=
+      "cycle_time_s,lower_bound_s,constant_safe_s,feeds,q_over_d_max,residual_mm,"
+      "size_error_soft_mm,size_error_stiff_mm,finding\n";
+  for (const StudyPoint& point : points) {
+    std::string line;
+    for (const double value : point.values) {
+      line += (line.empty() ? "" : ",") + process::number_text(value);
+    }
+    line += point.design ? cells(*point.design) : ",,,,,,,,";
+    text += line + "," + (point.finding.empty() ? "" : quoted(point.finding)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace stanok::client

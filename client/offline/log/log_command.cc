@@ -1,0 +1,228 @@
+#include "client/offline/log/log_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "client/offline/log/log_text.h"
+#include "client/terminal/exit_codes.h"
+#include "client/terminal/interrupts.h"
+#include "client/terminal/noun_command.h"
+#include "client/terminal/output.h"
+#include "recording/log_contents.h"
+#include "recording/log_export.h"
+#include "recording/log_play.h"
+#include "recording/log_plot.h"
+#include "recording/publisher.h"
+#include "runtime/replay.h"
+
+namespace stanok::client {
+namespace {
+
+struct LogOptions {
+  std::string file;
+  std::string out;
+  int channel = 0;  // 0: not given
+  std::string lcm;
+  double speed = 1.0;
+  bool json = false;
+};
+
+template <class Value>
+Value value_or_throw(Expected<Value, recording::LogError> result) {
+  if (!result) throw std::runtime_error(result.error().text);
+  return std::move(*result);
+}
+
+std::string channel_list(const recording::LogContents& contents) {
+  std::string list;
+  for (const auto& [channel, name] : contents.setpoint_channels) {
+    list += (list.empty() ? "" : ", ") + std::to_string(channel);
+  }
+  return list.empty() ? "none" : list;
+}
+
+// The channels to work on: the one that was asked for, or all with set-points.
+std::vector<int> chosen_channels(const recording::LogContents& contents, int channel) {
+  std::vector<int> channels;
+  for (const auto& [number, name] : contents.setpoint_channels) {
+    if (channel == 0 || number == channel) channels.push_back(number);
+  }
+  if (channels.empty()) {
+    throw std::runtime_error("no set-points of " +
+                             (channel == 0 ? "any channel" : "channel " + std::to_string(channel)) +
+                             "; channels with set-points: " + channel_list(contents));
+  }
+  return channels;
+}
+
+void warn_when_damaged(const recording::LogContents& contents, const std::string& file) {
+  if (contents.is_sound()) return;
+  write_message("warning: " + file + " is damaged; what can be read is used (stanok log info " +
+                file + ")\n");
+}
+
+int print_contents(const LogOptions& options) {
+  const auto contents = value_or_throw(recording::read_contents(options.file));
+  if (options.json) {
+    write_json(to_json(contents));
+  } else {
+    write_data(text_of(contents, Terminal(STDOUT_FILENO)));
+  }
+  return contents.is_sound() && !contents.is_cut() ? 0 : exit_failed;
+}
+
+int export_csv(const LogOptions& options) {
+  const auto contents = value_or_throw(recording::read_contents(options.file));
+  const auto channels = chosen_channels(contents, options.channel);
+  if (channels.size() > 1) {
+    throw std::runtime_error("the log has set-points of channels " + channel_list(contents) +
+                             "; choose one with --channel");
+  }
+  warn_when_damaged(contents, options.file);
+  const bool to_stdout = options.out == "-";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> csv(
+      to_stdout ? stdout : std::fopen(options.out.c_str(), "w"),
+      to_stdout ? &std::fflush : &std::fclose);
+  if (csv == nullptr) throw std::runtime_error("cannot write " + options.out);
+  const auto rows = value_or_throw(
+      recording::export_setpoints(options.file, contents, channels.front(), csv.get()));
+  write_message(fmt::format("{} rows\n", rows));
+  return 0;
+}
+
+int plot(const LogOptions& options) {
+  const auto contents = value_or_throw(recording::read_contents(options.file));
+  const auto channels = chosen_channels(contents, options.channel);
+  warn_when_damaged(contents, options.file);
+  for (const int channel : channels) {
+    const auto pictures =
+        value_or_throw(recording::plot_channel(options.file, contents, channel, options.out));
+    for (const std::string& picture : pictures) write_data(picture + "\n");
+  }
+  return 0;
+}
+
+const char* verdict_of(const runtime::ReplayResult& result) {
+  if (result.difference) return "differs";
+  if (result.is_damaged) return "damaged";
+  if (result.lost_cycle) return "records_lost";
+  return result.is_cut ? "cut" : "same";
+}
+
+int exit_code_of(const runtime::ReplayResult& result) {
+  if (result.difference || result.is_damaged) return exit_failed;
+  if (result.lost_cycle) return exit_log_with_losses;
+  return result.is_cut ? exit_log_was_cut : 0;
+}
+
+nlohmann::json replay_json(const runtime::ReplayResult& result) {
+  nlohmann::json json{{"ok", result.is_same()},
+                      {"verdict", verdict_of(result)},
+                      {"cycles", result.cycles},
+                      {"setpoints", result.setpoints},
+                      {"complete", result.is_complete()},
+                      {"covered", result.has_checks},
+                      {"remarks", result.remarks},
+                      {"lost_from_cycle", nullptr},
+                      {"difference", nullptr}};
+  if (result.lost_cycle) json["lost_from_cycle"] = *result.lost_cycle;
+  if (result.difference) {
+    const runtime::SetpointDifference& first = *result.difference;
+    json["difference"] = {{"cycle", first.cycle},       {"channel", first.channel},
+                          {"field", first.field},       {"recorded", first.recorded},
+                          {"repeated", first.repeated}, {"ulps", first.units_in_last_place}};
+  }
+  return json;
+}
+
+int verify(const LogOptions& options) {
+  const bool shows_progress = isatty(STDERR_FILENO) != 0;
+  const auto result = runtime::replay(options.file, [&](double part) {
+    if (shows_progress) write_message(fmt::format("\r\033[K{:3.0f} %", 100.0 * part));
+  });
+  if (shows_progress) write_message("\r\033[K");
+  for (const std::string& remark : result.remarks) write_message("warning: " + remark + "\n");
+  if (options.json) {
+    write_json(replay_json(result));
+  } else if (result.difference) {
+    const runtime::SetpointDifference& first = *result.difference;
+    write_data(fmt::format(
+        "differs in cycle {}, channel {}, {}: recorded {:.17g}, repeated {:.17g} ({} ULPs)\n",
+        first.cycle, first.channel, first.field, first.recorded, first.repeated,
+        first.units_in_last_place));
+  } else {
+    write_data(fmt::format("{} set-points of {} cycles are the same, bit for bit\n",
+                           result.setpoints, result.cycles));
+  }
+  return exit_code_of(result);
+}
+
+int play(const LogOptions& options) {
+  recording::Publisher bus(options.lcm);
+  if (!bus.good())
+    throw std::runtime_error("LCM " + bus.status().url + " cannot be opened; see --lcm");
+  catch_interrupts();
+  const auto result = value_or_throw(
+      recording::play(options.file, options.speed, bus, [] { return is_interrupted(); }));
+  write_message(fmt::format("{} messages of {:.3f} s on {}\n", result.messages, result.recorded_s,
+                            bus.status().url));
+  for (const recording::Damage& damage : result.damage) {
+    write_message(
+        fmt::format("warning: {} at byte {}: {} bytes were left out\n",
+                    damage.kind == recording::DamageKind::cut ? "the log is cut" : "damage",
+                    damage.offset, damage.bytes));
+  }
+  if (is_interrupted()) return exit_interrupted;
+  return result.damage.empty() ? 0 : exit_failed;
+}
+
+}  // namespace
+
+void add_log_commands(CLI::App& app, int& exit_code) {
+  CLI::App& noun = noun_command(app, "log", "log files and recorder");
+  const auto add = [&](const char* verb, const char* help, int (*job)(const LogOptions&)) {
+    const auto options = std::make_shared<LogOptions>();
+    CLI::App* command = noun.add_subcommand(verb, help);
+    command->add_option("FILE", options->file, "LCM log")->type_name("FILE")->required();
+    command->callback([options, job, &exit_code] { exit_code = job(*options); });
+    return std::pair(command, options);
+  };
+  const auto [info, info_options] =
+      add("info", "what a log file holds, and its damage", &print_contents);
+  info->add_flag("--json", info_options->json, "print JSON");
+
+  const auto [csv, csv_options] = add("export", "set-points of a log file as CSV", &export_csv);
+  csv->add_option("--csv", csv_options->out, "file to write; - is the standard output")
+      ->type_name("FILE")
+      ->required();
+  csv->add_option("--channel", csv_options->channel, "channel of the machine")
+      ->check(CLI::PositiveNumber);
+
+  const auto [pictures, plot_options] =
+      add("plot", "pictures of a log file: path, speed, axes (PNG and SVG, by gnuplot)", &plot);
+  pictures->add_option("--out", plot_options->out, "directory for the pictures")
+      ->type_name("FOLDER")
+      ->required();
+  pictures->add_option("--channel", plot_options->channel, "channel of the machine; else all")
+      ->check(CLI::PositiveNumber);
+
+  const auto [again, verify_options] = add(
+      "verify", "repeat the run of a log from its inputs and compare every set-point bit for bit",
+      &verify);
+  again->add_flag("--json", verify_options->json, "print JSON");
+
+  const auto [bus, play_options] = add("play", "publish a log on the LCM bus once more", &play);
+  bus->add_option("--speed", play_options->speed, "1: as recorded; 0: as fast as it goes")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  bus->add_option("--lcm", play_options->lcm,
+                  "LCM URL; else LCM_DEFAULT_URL, else the local multicast group")
+      ->type_name("URL");
+}
+
+}  // namespace stanok::client

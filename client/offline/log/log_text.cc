@@ -1,0 +1,167 @@
+#include "client/offline/log/log_text.h"
+
+#include <fmt/format.h>
+
+#include "base/enum_names.h"
+#include "client/terminal/text_table.h"
+
+namespace stanok::client {
+namespace {
+
+using recording::ChannelContents;
+using recording::Damage;
+using recording::DamageKind;
+using recording::LogContents;
+using recording::LogDescription;
+
+// Of any two times, as a damaged log may have them.
+double seconds_between(std::int64_t first_utime, std::int64_t utime) {
+  return (static_cast<double>(utime) - static_cast<double>(first_utime)) * 1e-6;
+}
+
+std::string axes_text(const recording::ChannelDescription& channel) {
+  std::string text;
+  for (const auto& axis : channel.axes) {
+    text += (text.empty() ? "" : " ") + axis.name;
+    if (axis.word != axis.name) text += "=" + axis.word;
+  }
+  return text.empty() ? "no axes" : text;
+}
+
+std::string description_text(const LogDescription& log) {
+  std::string text = fmt::format("machine  {}, cycle {} us\n", log.machine, log.cycle_us);
+  text += fmt::format("made by  stanok {}, {}, {}\n", log.version, log.build, log.libm);
+  for (const auto& channel : log.channels) {
+    text += fmt::format("channel  {}: {}\n", channel.id, axes_text(channel));
+  }
+  return text;
+}
+
+std::string damage_text(const Damage& damage) {
+  switch (damage.kind) {
+    case DamageKind::cut:
+      return fmt::format("the file is cut: {} bytes from byte {} are no event", damage.bytes,
+                         damage.offset);
+    case DamageKind::unreadable:
+      return fmt::format("damaged: {} bytes from byte {} were skipped", damage.bytes,
+                         damage.offset);
+    case DamageKind::altered:
+      return fmt::format("damaged: among {} bytes from byte {} are some that are not as written",
+                         damage.bytes, damage.offset);
+  }
+  return {};
+}
+
+constexpr auto damage_names = enum_names<DamageKind>({
+    {DamageKind::cut, "cut"},
+    {DamageKind::unreadable, "unreadable"},
+    {DamageKind::altered, "altered"},
+});
+
+constexpr auto log_end_names = enum_names<recording::LogEnd>({
+    {recording::LogEnd::complete, "complete"},
+    {recording::LogEnd::next_piece, "next_piece"},
+    {recording::LogEnd::goes_on, "missing"},
+});
+
+// "unknown": of a log without checks.
+std::string_view name_of(const recording::LogCoverage& coverage) {
+  return coverage.has_checks ? log_end_names[coverage.end] : "unknown";
+}
+
+std::string end_text(const recording::LogCoverage& coverage) {
+  if (!coverage.has_checks)
+    return "recorded without check sums, as by stanok 0.1.0: changed bytes are not noticed\n";
+  switch (coverage.end) {
+    case recording::LogEnd::complete:
+      return "";
+    case recording::LogEnd::next_piece:
+      return "the recording goes on in its next piece\n";
+    case recording::LogEnd::goes_on:
+      return "no trailer: the recording was cut (power failure, kill, full disk) or still goes "
+             "on\n";
+  }
+  return "";
+}
+
+std::string fault_text(const LogContents& contents, const Terminal& terminal) {
+  std::string text;
+  for (const Damage& damage : contents.damage) {
+    text += terminal.coloured(damage_text(damage), Colour::red) + "\n";
+  }
+  for (const auto& [name, channel] : contents.channels) {
+    if (channel.undecodable > 0) {
+      const std::string line = fmt::format("damaged: {} messages of {} are no {}",
+                                           channel.undecodable, name, channel.type);
+      text += terminal.coloured(line, Colour::red) + "\n";
+    }
+    if (channel.missing > 0) {
+      const std::string line = fmt::format("missing: {} messages of {}", channel.missing, name);
+      text += terminal.coloured(line, Colour::yellow) + "\n";
+    }
+  }
+  if (text.empty()) text = "no damage, nothing missing\n";
+  return text + end_text(contents.coverage);
+}
+
+}  // namespace
+
+std::string text_of(const LogContents& contents, const Terminal& terminal) {
+  std::string text = contents.description ? description_text(*contents.description)
+                                          : "the log does not describe its machine\n";
+  text += fmt::format("span     {:.3f} s, {} events, {} bytes\n\n",
+                      seconds_between(contents.utime_first, contents.utime_last), contents.events,
+                      contents.bytes);
+  TextTable table({"LCM channel", "type", "messages", "bytes", "from [s]", "to [s]"});
+  for (const auto& [name, channel] : contents.channels) {
+    table.add_row(
+        {name, channel.type, std::to_string(channel.messages), std::to_string(channel.bytes),
+         fmt::format("{:.3f}", seconds_between(contents.utime_first, channel.utime_first)),
+         fmt::format("{:.3f}", seconds_between(contents.utime_first, channel.utime_last))});
+  }
+  return text + table.text(terminal) + "\n" + fault_text(contents, terminal);
+}
+
+nlohmann::ordered_json to_json(const LogContents& contents) {
+  nlohmann::ordered_json json;
+  json["ok"] = contents.is_sound() && !contents.is_cut();
+  json["covered"] = contents.coverage.has_checks;
+  json["end"] = name_of(contents.coverage);
+  json["events"] = contents.events;
+  json["bytes"] = contents.bytes;
+  json["utime_first"] = contents.utime_first;
+  json["utime_last"] = contents.utime_last;
+  json["machine"] = nullptr;
+  if (const auto& log = contents.description) {
+    json["machine"] = log->machine;
+    json["cycle_us"] = log->cycle_us;
+    json["version"] = log->version;
+    json["build"] = log->build;
+    json["libm"] = log->libm;
+    json["config_hash"] = fmt::format("{:016x}", log->config_hash);
+    json["axes"] = nlohmann::ordered_json::object();
+    for (const auto& channel : log->channels) {
+      auto& names = json["axes"][std::to_string(channel.id)] = nlohmann::ordered_json::array();
+      for (const auto& axis : channel.axes) names.push_back(axis.name);
+    }
+  }
+  json["channels"] = nlohmann::ordered_json::array();
+  for (const auto& [name, channel] : contents.channels) {
+    json["channels"].push_back({{"name", name},
+                                {"type", channel.type},
+                                {"messages", channel.messages},
+                                {"bytes", channel.bytes},
+                                {"missing", channel.missing},
+                                {"undecodable", channel.undecodable},
+                                {"utime_first", channel.utime_first},
+                                {"utime_last", channel.utime_last}});
+  }
+  json["damage"] = nlohmann::ordered_json::array();
+  for (const Damage& damage : contents.damage) {
+    json["damage"].push_back(
+        {{"kind", damage_names[damage.kind]}, {"offset", damage.offset}, {"bytes", damage.bytes}});
+  }
+  return json;
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,62 @@
+#include "client/offline/simulate/operator_events_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "channels/contract/operator_action.h"
+#include "protocol/json_rpc.h"
+#include "protocol/machine_request.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+runtime::TimedEvent timed_event(const json& line) {
+  const std::string name = line.at("method").get<std::string>();
+  const protocol::Method* method = protocol::find_method(name);
+  if (method == nullptr || method->action.empty()) {
+    throw std::invalid_argument("'" + name + "' is no method that enters the cycle");
+  }
+  const json parameters = line.contains("params") ? line.at("params") : json::object();
+  const auto checked = protocol::checked_parameters(*method, parameters);
+  if (!checked) throw std::invalid_argument(checked.error().message);
+  const protocol::MachineRequest request = protocol::machine_request(*method, *checked);
+  const auto action = channels::operator_action(request.action);
+  if (!action) throw std::invalid_argument("'" + name + "' is not supported in a simulation");
+  runtime::TimedEvent event;
+  event.cycle = line.at("cycle").get<std::int64_t>();
+  event.event.action = *action;
+  event.event.channel = request.channel;
+  event.event.number = request.number;
+  event.event.value = request.value;
+  event.event.value_2 = request.value_2;
+  event.event.text = FixedText<256>(request.text);
+  return event;
+}
+
+}  // namespace
+
+std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  std::vector<runtime::TimedEvent> events;
+  std::string text;
+  for (int line = 1; std::getline(file, text); ++line) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      const json event = protocol::json_from_text(text);
+      if (event.is_discarded()) throw std::invalid_argument("the line is no JSON text");
+      events.push_back(timed_event(event));
+    } catch (const std::exception& reason) {
+      throw std::runtime_error(path + ":" + std::to_string(line) + ": " + reason.what());
+    }
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
+  return events;
+}
+
+}  // namespace stanok::client

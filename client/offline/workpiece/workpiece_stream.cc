@@ -1,0 +1,124 @@
+#include "client/offline/workpiece/workpiece_stream.h"
+
+#include <filesystem>
+#include <stanok_messages/process_status_t.hpp>
+#include <stanok_messages/program_read_t.hpp>
+#include <stanok_messages/tool_t.hpp>
+#include <stanok_messages/workpiece_t.hpp>
+
+#include "lang/run/interpreter.h"
+#include "recording/channel_names.h"
+#include "recording/decode.h"
+#include "recording/encode.h"
+#include "recording/encode_tool_row.h"
+
+namespace stanok::client {
+namespace {
+
+using recording::Topic;
+
+// LOG_META belongs to the machine: what stands before it begins all names of the machine.
+std::string prefix_of(const std::string& machine) {
+  const std::string name = recording::ChannelNames(machine).name(0, Topic::log_meta);
+  return name.substr(0, name.size() - recording::name_of(Topic::log_meta).size());
+}
+
+}  // namespace
+
+WorkpieceStream::WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max,
+                                 const lang::Files* texts)
+    : texts_(texts), prefix_(prefix_of(machine.name)), cycle_s_(machine.cycle_us * 1e-6) {
+  for (const channels::ChannelConfig& channel : machine.channels) {
+    channels_[channel.id].feed = std::make_unique<ChannelFeed>(
+        machine, channel, memory_max,
+        [id = channel.id](const std::string& code, const std::string& text) {
+          complain(id, code, text);
+        });
+  }
+}
+
+WorkpieceStream::Followed* WorkpieceStream::followed(int channel) {
+  const auto found = channels_.find(channel);
+  return found == channels_.end() ? nullptr : &found->second;
+}
+
+void WorkpieceStream::take(std::string_view channel_name, std::span<const std::uint8_t> bytes) {
+  if (!channel_name.starts_with(prefix_)) return;
+  const std::string_view topic = recording::topic_of(channel_name);
+  const auto on = [&](Topic wanted) { return topic == recording::name_of(wanted); };
+  if (on(Topic::setpoint)) {
+    if (const auto message = recording::decode<setpoint_t>(bytes)) follow(*message);
+  } else if (on(Topic::tool)) {
+    const auto message = recording::decode<tool_t>(bytes);
+    Followed* channel = message ? followed(message->channel) : nullptr;
+    if (channel != nullptr) channel->tool = {message->number, message->edge};
+  } else if (on(Topic::tool_row)) {
+    const auto message = recording::decode<tool_row_t>(bytes);
+    const auto row = message ? recording::from_tool_row(*message) : std::nullopt;
+    Followed* channel = row ? followed(message->channel) : nullptr;
+    if (channel != nullptr) channel->feed->hear_of_tool(*row);
+  } else if (on(Topic::process)) {
+    const auto message = recording::decode<process_status_t>(bytes);
+    Followed* channel = message ? followed(message->channel) : nullptr;
+    if (channel != nullptr) channel->spindle_rev_per_min = message->spindle_speed;
+  } else if (on(Topic::workpiece)) {
+    const auto message = recording::decode<workpiece_t>(bytes);
+    Followed* channel = message ? followed(message->channel) : nullptr;
+    if (channel != nullptr) channel->news = news_of(*message);
+  } else if (on(Topic::program_read)) {
+    const auto message = recording::decode<program_read_t>(bytes);
+    if (message && message->found != 0 && message->from[0] == 0)
+      program_ = recording::text_of(message->name);
+  }
+}
+
+void WorkpieceStream::follow(const setpoint_t& setpoint) {
+  Followed* channel = followed(setpoint.channel);
+  if (channel == nullptr) return;
+  time_s_ = static_cast<double>(setpoint.cycle) * cycle_s_;
+  const simulation::Sample sample =
+      sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
+  if (!channel->files.contains(sample.origin.run))
+    channel->files[sample.origin.run] = files_of_program();
+  if (!channel->feed->has_heard(channel->news.announcements))
+    channel->feed->hear(channel->news, sample);
+  channel->feed->follow(sample);
+}
+
+// The program itself comes first.
+std::vector<std::string> WorkpieceStream::files_of_program() const {
+  if (texts_ != nullptr && !program_.empty()) {
+    Diagnostics warnings;
+    const auto program = lang::compile(program_, *texts_, nullptr, warnings);
+    if (program) return lang::file_names(**program);
+  }
+  return {std::filesystem::path(program_).filename().string()};
+}
+
+std::vector<NamedWorkpiece> WorkpieceStream::workpieces() {
+  const FileNames name_of = names();
+  std::vector<NamedWorkpiece> named;
+  for (auto& [id, channel] : channels_) {
+    channel.feed->follower().flush();
+    for (const auto& workpiece : channel.feed->follower().workpieces()) {
+      named.push_back({workpiece.get(), title_of(*workpiece, name_of, id)});
+    }
+  }
+  return named;
+}
+
+FileNames WorkpieceStream::names() const {
+  std::map<std::pair<int, std::uint32_t>, std::vector<std::string>> files;
+  for (const auto& [id, channel] : channels_) {
+    for (const auto& [run, names] : channel.files) files[{id, run}] = names;
+  }
+  return [files = std::move(files)](const simulation::Origin& origin) {
+    const auto found = files.find({origin.channel, origin.run});
+    if (found == files.end()) return std::string();
+    const std::vector<std::string>& names = found->second;
+    if (origin.file < names.size()) return names[origin.file];
+    return names.front() + " (file " + std::to_string(origin.file) + " of it)";
+  };
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,59 @@
+// WorkpieceStream: the virtual workpieces of a machine out of its LCM messages, recorded or live.
+//
+// Set-points lead the tools, TOOL says which, TOOL_ROW how they are, PROCESS whether the spindle
+// turns, WORKPIECE what is cut; program texts give names to the runs. Messages of other machines
+// are left alone.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <stanok_messages/setpoint_t.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/offline/workpiece/workpiece_feed.h"
+#include "client/offline/workpiece/workpiece_output.h"
+#include "lang/contract/environment.h"
+
+namespace stanok::client {
+
+class WorkpieceStream {
+ public:
+  // `machine` and `texts` outlive it. `texts`: of the programs, for the names of files that they
+  // include and call; nullptr: not to be had.
+  WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max,
+                  const lang::Files* texts = nullptr);
+
+  // A message on the LCM channel of that name.
+  void take(std::string_view channel_name, std::span<const std::uint8_t> bytes);
+
+  // Machine time of the latest set-point, s.
+  [[nodiscard]] double time_s() const { return time_s_; }
+  // All workpieces, cut as far as the messages go.
+  [[nodiscard]] std::vector<NamedWorkpiece> workpieces();
+  [[nodiscard]] FileNames names() const;
+
+ private:
+  struct Followed {
+    std::unique_ptr<ChannelFeed> feed;
+    WorkpieceNews news;
+    channels::ToolAtWork tool;
+    double spindle_rev_per_min = 0.0;
+    std::map<std::uint32_t, std::vector<std::string>> files;  // of the programs, by run
+  };
+
+  [[nodiscard]] Followed* followed(int channel);
+  void follow(const setpoint_t& setpoint);
+  [[nodiscard]] std::vector<std::string> files_of_program() const;
+
+  const lang::Files* texts_;
+  std::string prefix_;  // of the names of the machine's channels
+  double cycle_s_;
+  double time_s_ = 0.0;
+  std::map<int, Followed> channels_;
+  std::string program_;  // read last for an operator or a channel, not for another program
+};
+
+}  // namespace stanok::client

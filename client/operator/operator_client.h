@@ -1,0 +1,76 @@
+// OperatorClient: a blocking connection to a running daemon over its unix socket.
+//
+// One thread. Notifications that arrive while an answer is awaited go to the listener, in their
+// order. Waiting ends early when the process was interrupted (client/terminal/interrupts.h).
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "base/expected.h"
+#include "protocol/failure.h"
+#include "protocol/frame_reader.h"
+
+namespace stanok::client {
+
+// No daemon there, or it went away.
+class ConnectionError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Somebody pressed Ctrl-C.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+class OperatorClient {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Deadline = std::optional<Clock::time_point>;  // nothing: wait for ever
+  using Listener = std::function<void(const std::string& method, const nlohmann::json& parameters)>;
+
+  // Connects and waits for the daemon's hello. A daemon that has no place left still takes stops.
+  // Throws ConnectionError.
+  explicit OperatorClient(const std::filesystem::path& socket);
+  ~OperatorClient();
+  OperatorClient(const OperatorClient&) = delete;
+  OperatorClient& operator=(const OperatorClient&) = delete;
+
+  [[nodiscard]] const nlohmann::json& hello() const { return hello_; }
+
+  void on_notification(Listener listener) { listener_ = std::move(listener); }
+
+  // Sends a request and waits for its answer. Throws ConnectionError and Interrupted.
+  [[nodiscard]] Expected<nlohmann::json, protocol::Failure> call(const std::string& method,
+                                                                 const nlohmann::json& parameters,
+                                                                 Deadline deadline);
+
+  // Feeds notifications to the listener until the deadline. Throws ConnectionError and Interrupted.
+  void listen(Deadline deadline);
+
+ private:
+  // The next message; nothing when the deadline has passed.
+  [[nodiscard]] std::optional<nlohmann::json> receive(Deadline deadline);
+  void send(const std::string& line);
+  void deliver(const nlohmann::json& message) const;
+
+  int descriptor_ = -1;
+  int last_id_ = 0;
+  protocol::FrameReader frames_;
+  nlohmann::json hello_;                    // empty: there was no place
+  std::optional<std::string> turned_away_;  // why
+  Listener listener_;
+};
+
+// The socket to use: the one named, else $STANOK_SOCKET, else the only one there is. Throws
+// ConnectionError when there is none, or more than one.
+[[nodiscard]] std::filesystem::path choose_socket(const std::string& named);
+
+}  // namespace stanok::client

@@ -1,0 +1,162 @@
+#include "client/operator/result_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "client/operator/channel_text.h"
+#include "client/terminal/screen_text.h"
+#include "client/terminal/text_table.h"
+#include "protocol/json_text.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+// How the list of a method is shown: its member, and the columns by JSON member.
+struct ListView {
+  std::string_view method;
+  std::string_view member;
+  std::vector<std::string> columns;
+};
+
+const std::vector<ListView>& list_views() {
+  static const std::vector<ListView> views = {
+      {"machine.status", "channels", {"id", "name", "state", "program_status"}},
+      {"channel.list",
+       "channels",
+       {"id", "name", "kind", "axes", "scheme", "state", "program_status"}},
+      {"program.list", "programs", {"name", "bytes"}},
+      {"program.history",
+       "runs",
+       {"channel", "program", "blocks", "time_s", "path_mm", "ended", "ok"}},
+      {"kinematics.list", "schemes", {"id", "type", "axes", "active", "file"}},
+      {"kinematics.status", "axes", {"name", "takes_part", "enabled", "brake"}},
+      {"drive.list",
+       "drives",
+       {"axis", "unit", "kind", "requests", "watchdog_ms", "position_scale", "velocity_scale"}},
+      {"drive.status",
+       "axes",
+       {"axis", "state", "fault_code", "position", "power_w", "temperature_c", "referenced",
+        "in_contact", "answers", "errors"}},
+      {"alarm.list", "alarms", {"channel", "cycle", "code", "file", "line", "text"}},
+      {"alarm.history",
+       "alarms",
+       {"channel", "cycle", "code", "file", "line", "text", "acknowledged"}},
+      {"tool.list",
+       "tools",
+       {"number", "edge", "name", "kind", "length", "radius", "corner_radius", "wear_length",
+        "wear_radius"}},
+  };
+  return views;
+}
+
+// Members of single objects that come first, in this order; the others follow by name.
+constexpr auto first_members = std::to_array<std::string_view>(
+    {"id", "name", "state", "program_status", "held_by", "alarm", "program", "run", "line", "block",
+     "scheme", "position", "feed_mm_s", "speed_mm_s", "override", "remaining_s"});
+
+std::string number_text(double value) {
+  if (value == std::floor(value) && std::abs(value) < 1e9)
+    return std::to_string(static_cast<long>(value));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4f", value);
+  return text.data() == std::string_view("-0.0000") ? "0" : text.data();
+}
+
+std::vector<std::string> members_in_order(const json& object) {
+  std::vector<std::string> names;
+  for (const std::string_view name : first_members) {
+    if (object.contains(std::string(name))) names.emplace_back(name);
+  }
+  for (const auto& [name, value] : object.items()) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+std::string object_text(const json& object, std::string_view left_out, const Terminal& terminal) {
+  std::string text;
+  std::size_t widest = 0;
+  const auto names = members_in_order(object);
+  for (const std::string& name : names) widest = std::max(widest, screen_columns(name));
+  for (const std::string& name : names) {
+    if (name == left_out) continue;
+    const std::string cell = cell_text(object[name]);
+    const Colour colour = name == "state" ? state_colour(cell) : Colour::plain;
+    text += name + std::string(widest - screen_columns(name), ' ') + "  " +
+            terminal.coloured(cell, colour) + "\n";
+  }
+  return text;
+}
+
+std::string list_text(const ListView& view, const json& list, const Terminal& terminal) {
+  TextTable table(view.columns);
+  for (const json& entry : list) {
+    std::vector<std::string> cells;
+    cells.reserve(view.columns.size());
+    for (const std::string& column : view.columns)
+      cells.push_back(cell_text(entry.value(column, json())));
+    table.add_row(std::move(cells));
+  }
+  return table.text(terminal);
+}
+
+// A row for each work offset, a column for each axis in the order of the machine file, and R, the
+// rotation, where one has it.
+std::string offsets_text(const json& result, const Terminal& terminal) {
+  std::vector<std::string> axes = result.value("axes", std::vector<std::string>{});
+  const json offsets = result.value("offsets", json::object());
+  const bool is_turned = std::any_of(offsets.begin(), offsets.end(),
+                                     [](const json& row) { return row.contains("R"); });
+  if (is_turned) axes.emplace_back("R");
+  std::vector<std::string> headings{"offset"};
+  headings.insert(headings.end(), axes.begin(), axes.end());
+  TextTable table(headings);
+  for (const auto& [name, row] : offsets.items()) {
+    std::vector<std::string> cells{name};
+    for (const std::string& axis : axes) cells.push_back(number_text(row.value(axis, 0.0)));
+    table.add_row(std::move(cells));
+  }
+  return table.text(terminal);
+}
+
+}  // namespace
+
+std::string cell_text(const json& value) {
+  if (value.is_null() || value.empty()) return "-";
+  if (value.is_string()) return one_line(value.get<std::string>());
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_integer()) return protocol::json_text(value);
+  if (value.is_number()) return number_text(value.get<double>());
+  std::string text;
+  if (value.is_array()) {
+    for (const json& entry : value) text += (text.empty() ? "" : ", ") + cell_text(entry);
+    return text;
+  }
+  for (const auto& [name, member] : value.items()) {
+    text += (text.empty() ? "" : "  ") + name + " " + cell_text(member);
+  }
+  return text;
+}
+
+std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {
+  if (result == json{{"accepted", true}}) return "";
+  if (method == "channel.status") return channel_text(result, terminal);
+  if (method == "offset.list") return offsets_text(result, terminal);
+  if (method == "tool.save") return result.value("tables", "");
+  const auto& views = list_views();
+  const auto view = std::find_if(views.begin(), views.end(),
+                                 [&](const ListView& v) { return v.method == method; });
+  if (view == views.end() || !result.contains(std::string(view->member))) {
+    return result.is_object() ? object_text(result, "", terminal) : cell_text(result) + "\n";
+  }
+  const std::string head = object_text(result, view->member, terminal);
+  return head + (head.empty() ? "" : "\n") +
+         list_text(*view, result[std::string(view->member)], terminal);
+}
+
+}  // namespace stanok::client

@@ -1,0 +1,169 @@
+#include "client/terminal/screen_text.h"
+
+#include <clocale>
+#include <cwchar>
+
+#include "base/utf8.h"
+
+namespace stanok::client {
+namespace {
+
+constexpr char escape = '\033';
+constexpr std::size_t indent = 2;
+
+// A character or a whole colour sequence, and the columns it takes.
+struct Glyph {
+  std::string_view text;
+  std::size_t columns = 0;
+};
+
+wchar_t code_point(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1) return static_cast<wchar_t>(byte(0));
+  constexpr std::size_t longest = 4;
+  const unsigned lead_bits = 0x7FU >> character.size();
+  unsigned point = byte(0) & lead_bits;
+  for (std::size_t i = 1; i < character.size() && i < longest; ++i)
+    point = point << 6U | (byte(i) & 0x3FU);
+  return static_cast<wchar_t>(point);
+}
+
+// wcwidth asks the locale; C.UTF-8 is part of the C library. It is not asked for before a character
+// needs it: where LOCPATH names a folder without it the C library loses the memory of the attempt.
+std::size_t columns_of(std::string_view character) {
+  if (character.size() == 1) return 1;
+  static const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+  if (utf8 == nullptr) return 1;
+  const locale_t before = uselocale(utf8);
+  const int columns = wcwidth(code_point(character));
+  uselocale(before);
+  return columns < 0 ? 1 : static_cast<std::size_t>(columns);
+}
+
+Glyph glyph_at(std::string_view text, std::size_t at) {
+  if (text[at] == escape) {
+    const std::size_t end = text.find('m', at);
+    if (end != std::string_view::npos) return {text.substr(at, end + 1 - at), 0};
+  }
+  const std::size_t length = character_length(text, at);
+  const std::string_view character = text.substr(at, length == 0 ? 1 : length);
+  return {character, columns_of(character)};
+}
+
+// Fills lines of a width, and begins the next one at the latest blank.
+class LineBreaker {
+ public:
+  explicit LineBreaker(std::size_t columns)
+      : columns_(columns), indent_(columns > 2 * indent ? indent : 0) {}
+
+  void add(const Glyph& glyph) {
+    if (used_ + glyph.columns > columns_ && used_ > start_) begin_line(glyph);
+    const bool is_blank = glyph.text == " ";
+    if (is_blank && used_ == start_ && !lines_.empty()) return;  // at the begin of a further line
+    line_ += glyph.text;
+    used_ += glyph.columns;
+    if (is_blank) {
+      blank_ = line_.size();
+      used_at_blank_ = used_;
+    }
+  }
+
+  std::vector<std::string> take() {
+    end_line(line_);
+    return std::move(lines_);
+  }
+
+ private:
+  void end_line(std::string line) {
+    const std::size_t last = line.find_last_not_of(' ');
+    line.erase(last == std::string::npos ? 0 : last + 1);
+    lines_.push_back(std::move(line));
+  }
+
+  void begin_line(const Glyph& glyph) {
+    const bool breaks_here = blank_ == 0 || glyph.text == " ";
+    const std::string rest = breaks_here ? std::string() : line_.substr(blank_);
+    end_line(breaks_here ? line_ : line_.substr(0, blank_));
+    used_ = indent_ + (breaks_here ? 0 : used_ - used_at_blank_);
+    start_ = indent_;
+    line_ = std::string(indent_, ' ') + rest;
+    blank_ = 0;
+  }
+
+  std::size_t columns_;
+  std::size_t indent_;
+  std::vector<std::string> lines_;
+  std::string line_;
+  std::size_t start_ = 0;  // columns of the indent of the line at hand
+  std::size_t used_ = 0;
+  std::size_t blank_ = 0;  // behind the latest blank; 0: none
+  std::size_t used_at_blank_ = 0;
+};
+
+}  // namespace
+
+std::size_t screen_columns(std::string_view text) {
+  std::size_t columns = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const Glyph glyph = glyph_at(text, at);
+    columns += glyph.columns;
+    at += glyph.text.size();
+  }
+  return columns;
+}
+
+std::string one_line(std::string_view text) {
+  constexpr char delete_character = 0x7F;
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const std::string_view character = text.substr(at, length == 0 ? 1 : length);
+    const char first = character.front();
+    const bool is_c1 = length == 2 && first == '\xC2' &&
+                       static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
+    const bool is_control =
+        length == 0 || is_c1 ||
+        (length == 1 && ((first >= 0 && first < ' ') || first == delete_character));
+    if (first == '\n' || first == '\t') {
+      line += ' ';
+    } else {
+      line += is_control ? replacement_character : character;
+    }
+    at += character.size();
+  }
+  return line;
+}
+
+std::vector<std::string> broken_lines(std::string_view text, std::size_t columns) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    LineBreaker breaker(columns);
+    for (std::size_t at = 0; at < line.size();) {
+      const Glyph glyph = glyph_at(line, at);
+      breaker.add(glyph);
+      at += glyph.text.size();
+    }
+    for (std::string& one : breaker.take()) lines.push_back(std::move(one));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+std::string cut_to_columns(std::string_view text, std::size_t columns) {
+  if (screen_columns(text) <= columns) return std::string(text);
+  constexpr std::string_view left_out = "...";
+  if (columns <= left_out.size()) return std::string(left_out.substr(0, columns));
+  std::size_t used = left_out.size();
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const Glyph glyph = glyph_at(text, at);
+    if (used + glyph.columns > columns) break;
+    used += glyph.columns;
+    at += glyph.text.size();
+  }
+  return std::string(text.substr(0, at)) + std::string(left_out);
+}
+
+}  // namespace stanok::client

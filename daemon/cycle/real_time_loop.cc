@@ -1,0 +1,46 @@
+#include "daemon/cycle/real_time_loop.h"
+
+#include <algorithm>
+
+namespace stanok::daemon {
+namespace {
+
+constexpr std::int64_t figures_period_ns = 100'000'000;
+
+}  // namespace
+
+RealTimeLoop::RealTimeLoop(CyclicWork& work, CycleClock& clock, std::int64_t period_ns)
+    : work_(work),
+      clock_(clock),
+      period_ns_(period_ns),
+      cycles_between_figures_(std::max<std::int64_t>(1, figures_period_ns / period_ns)) {}
+
+void RealTimeLoop::run() {
+  due_ns_ = clock_.now_ns() + period_ns_;
+  while (!stopping_.load(std::memory_order_relaxed)) run_once();
+  published_.write(figures_);
+}
+
+void RealTimeLoop::run_once() {
+  clock_.sleep_until(due_ns_);
+  const std::int64_t woken_ns = clock_.now_ns();
+  work_.cycle();
+  const std::int64_t done_ns = clock_.now_ns();
+  figures_.latency.add(woken_ns - due_ns_);
+  figures_.cycle_time.add(done_ns - woken_ns);
+  ++figures_.cycles;
+  due_ns_ += period_ns_;
+  skip_passed_wake_ups(done_ns);
+  if (figures_.cycles % cycles_between_figures_ == 0) published_.write(figures_);
+}
+
+void RealTimeLoop::skip_passed_wake_ups(std::int64_t now_ns) {
+  if (now_ns <= due_ns_) return;
+  const std::int64_t passed = (now_ns - due_ns_ + period_ns_ - 1) / period_ns_;
+  due_ns_ += passed * period_ns_;
+  ++figures_.overruns;
+  figures_.periods_skipped += passed;
+  work_.note_overrun(passed);
+}
+
+}  // namespace stanok::daemon

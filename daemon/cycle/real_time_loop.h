@@ -1,0 +1,67 @@
+// RealTimeLoop: calls the machine's cycle once per period, at absolute times.
+//
+// Wake-up k is due at start + k periods, whatever happened before; latenesses do not add up. A
+// cycle that is not done when the next one is due is an overrun: the wake-ups that have passed are
+// counted and left out, never made up for in a burst. What a cycle does is the affair of
+// CyclicWork, which allocates, locks and waits for nothing (docs/integrator/realtime.md).
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "base/histogram.h"
+#include "base/latest.h"
+#include "base/rt_safe.h"
+#include "daemon/cycle/cycle_clock.h"
+
+namespace stanok::daemon {
+
+class CyclicWork {
+ public:
+  CyclicWork() = default;
+  virtual ~CyclicWork() = default;
+  CyclicWork(const CyclicWork&) = delete;
+  CyclicWork& operator=(const CyclicWork&) = delete;
+
+  // Read the process image, update all channels, write set-points.
+  virtual void cycle() RT_SAFE = 0;
+  // `periods` wake-ups were left out before the next cycle.
+  virtual void note_overrun(std::int64_t periods) RT_SAFE = 0;
+};
+
+struct LoopFigures {
+  std::int64_t cycles = 0;
+  std::int64_t overruns = 0;
+  std::int64_t periods_skipped = 0;
+  Histogram latency;     // from the time due to the wake-up, ns
+  Histogram cycle_time;  // from the wake-up to the end of the cycle, ns
+};
+
+class RealTimeLoop {
+ public:
+  // `work` and `clock` outlive the loop.
+  RealTimeLoop(CyclicWork& work, CycleClock& clock, std::int64_t period_ns);
+
+  // Returns after `stop`.
+  void run();
+  // Any thread, signal handlers too.
+  void stop() { stopping_.store(true, std::memory_order_relaxed); }
+
+  // Figures of at most 100 ms ago. One reader thread.
+  [[nodiscard]] const LoopFigures& figures() { return published_.read(); }
+
+ private:
+  void run_once();
+  void skip_passed_wake_ups(std::int64_t now_ns);
+
+  CyclicWork& work_;
+  CycleClock& clock_;
+  std::int64_t period_ns_;
+  std::int64_t cycles_between_figures_;
+  std::int64_t due_ns_ = 0;
+  LoopFigures figures_;
+  Latest<LoopFigures> published_;
+  std::atomic<bool> stopping_{false};
+};
+
+}  // namespace stanok::daemon

@@ -1,0 +1,100 @@
+// RunningMachine: what the operator's side may ask of the machine that runs.
+//
+// Everything here is called from the operator server's thread, but for what stops and the orderly
+// end need, which is the reception's; nothing of it waits for the cycle. Tests put a machine of
+// their own behind it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/expected.h"
+#include "channels/machine/machine.h"
+#include "config/machine_file.h"
+#include "daemon/cycle/real_time_loop.h"
+#include "daemon/host/real_time_rights.h"
+#include "drives/bus.h"
+#include "plant/fault.h"
+#include "recording/log_writer.h"
+#include "runtime/foresight.h"
+
+namespace stanok::daemon {
+
+// Where the records of the machine go.
+struct RecordingStatus {
+  std::string lcm_url;  // empty: switched off
+  bool lcm_open = false;
+  std::int64_t lcm_sent = 0;
+  std::int64_t lcm_lost = 0;
+  std::string log_file;  // empty: no log is written
+  std::int64_t log_bytes = 0;
+  std::int64_t log_events = 0;
+  std::string log_error;  // why logging stopped; empty: it did not
+  bool workpieces_allowed = false;
+  std::string flight_file;  // what the flight recorder wrote last; empty: nothing
+};
+
+class RunningMachine {
+ public:
+  RunningMachine() = default;
+  virtual ~RunningMachine() = default;
+  RunningMachine(const RunningMachine&) = delete;
+  RunningMachine& operator=(const RunningMachine&) = delete;
+
+  [[nodiscard]] virtual const config::MachineFile& file() const = 0;
+  [[nodiscard]] virtual const std::filesystem::path& program_root() const = 0;
+
+  // Into the next cycle. False: no room.
+  [[nodiscard]] virtual bool submit(const channels::OperatorEvent& event) = 0;
+  // The same for a stop; reception's thread. Waits for nothing at all.
+  [[nodiscard]] virtual bool submit_stop(const channels::OperatorEvent& stop) = 0;
+  // The next reply to one; reception's thread. Waits for nothing at all.
+  [[nodiscard]] virtual std::optional<channels::OperatorReply> stop_reply() = 0;
+  // How many of them were taken so far; reception's thread.
+  [[nodiscard]] virtual std::uint64_t stops_taken() = 0;
+  // Cycles so far; any thread.
+  [[nodiscard]] virtual std::int64_t cycles() = 0;
+
+  // The output of the newest cycle that has been handed on; cycle 0 before the first one.
+  [[nodiscard]] virtual channels::CycleOutput newest_output() = 0;
+  [[nodiscard]] virtual std::vector<channels::RunReport> runs() = 0;
+  [[nodiscard]] virtual std::vector<channels::AlarmReport> alarms() = 0;
+  [[nodiscard]] virtual std::vector<channels::AlarmReport> load_diagnostics() = 0;
+  [[nodiscard]] virtual channels::TablesConfig tables() = 0;
+  // Where the next run of a channel begins; nothing: at the first block.
+  [[nodiscard]] virtual std::optional<channels::SearchReport> search(int channel) = 0;
+
+  // The block at hand of a channel, as its output tells it.
+  [[nodiscard]] virtual channels::BlockReport block(const channels::ChannelOutput& output) = 0;
+
+  // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs
+  // that were there when it was asked for; what is to be expected of a channel.
+  virtual void foresee(int channel, const std::string& program) = 0;
+  virtual void foreseen_begins(int channel, runtime::RunsOfChannels before) = 0;
+  [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
+
+  [[nodiscard]] virtual LoopFigures loop_figures() = 0;
+  [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
+  // Outputs and inputs of cycles that the recorder was too late for.
+  [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;
+  [[nodiscard]] virtual std::uint64_t inputs_lost() = 0;
+  // "ideal", "embedded", "real".
+  [[nodiscard]] virtual std::string drive_choice() = 0;
+  [[nodiscard]] virtual drives::BusStatus drive_status() = 0;
+  // Acknowledges the fault of a drive. False: no such drive.
+  [[nodiscard]] virtual bool reset_drive(const std::string& drive) = 0;
+  // Makes an embedded drive fail, or work again. False: no such drive.
+  [[nodiscard]] virtual bool inject_fault(const std::string& drive, plant::FaultKind fault) = 0;
+  [[nodiscard]] virtual RecordingStatus recording_status() = 0;
+  // Announcements of workpieces are recorded and published only while they are allowed.
+  virtual void allow_workpieces(bool allowed) = 0;
+  // The new log file, or why it cannot be made; nothing: one is being written.
+  [[nodiscard]] virtual std::optional<Expected<std::filesystem::path, recording::LogError>>
+  start_log() = 0;
+  // The log file that ends; nothing: there is none.
+  [[nodiscard]] virtual std::optional<std::filesystem::path> stop_log() = 0;
+};
+
+}  // namespace stanok::daemon

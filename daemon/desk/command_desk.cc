@@ -1,0 +1,194 @@
+#include "daemon/desk/command_desk.h"
+
+#include <algorithm>
+
+#include "daemon/desk/search_report.h"
+
+namespace stanok::daemon {
+namespace {
+
+using channels::OperatorAction;
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+
+constexpr auto standing_cycle_max = std::chrono::seconds(2);
+
+bool loads_program(OperatorAction action) {
+  return action == OperatorAction::program_load || action == OperatorAction::program_run;
+}
+
+bool begins_program(OperatorAction action) {
+  return action == OperatorAction::program_run || action == OperatorAction::program_start;
+}
+
+// Its refusal is told with a place.
+bool reads_program(OperatorAction action) {
+  return loads_program(action) || action == OperatorAction::program_search ||
+         action == OperatorAction::mdi;
+}
+
+Failure failure_of(FailureKind kind, const char* code, std::string text, int channel) {
+  return {kind, code, std::move(text), channel, {}};
+}
+
+// The first error of a program that was refused, with a word on the others.
+Failure failure_of_load(const std::vector<channels::AlarmReport>& errors, int channel) {
+  const Diagnostic& first = errors.front().diagnostic;
+  std::string text = first.message;
+  if (errors.size() > 1) text += " (and " + std::to_string(errors.size() - 1) + " more)";
+  return {FailureKind::program_error, first.code, text, channel, first.place};
+}
+
+}  // namespace
+
+void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
+  event.id = ++last_id_;
+  Pending pending{event, wait, std::move(answer), 0, runtime::runs_of(machine_.newest_output())};
+  if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
+  if (!machine_.submit(event)) {
+    return pending.answer(Unexpected<Failure>(
+        failure_of(FailureKind::refused, "E9007", "too many requests at once", event.channel)));
+  }
+  pending_.emplace(event.id, std::move(pending));
+}
+
+void CommandDesk::on_reply(const channels::OperatorReply& reply) {
+  auto node = pending_.extract(reply.id);
+  if (node.empty()) return;  // answered already, because the cycle had stood
+  Pending& pending = node.mapped();
+  if (!reply.ok) return pending.answer(Unexpected<Failure>(refusal(pending, reply)));
+  note_acceptance(pending.event);
+  if (loads_program(pending.event.action))
+    machine_.foresee(pending.event.channel, std::string(pending.event.text.view()));
+  if (begins_program(pending.event.action))
+    machine_.foreseen_begins(pending.event.channel, std::move(pending.runs_before));
+  if (pending.wait == WaitFor::end_of_run) {
+    return await_run(pending.event.channel, std::move(pending.answer));
+  }
+  const auto search = pending.event.action == OperatorAction::program_search
+                          ? machine_.search(pending.event.channel)
+                          : std::nullopt;
+  pending.answer(search ? search_json(*search) : json{{"accepted", true}});
+}
+
+Failure CommandDesk::refusal(const Pending& pending, const channels::OperatorReply& reply) const {
+  const int channel = pending.event.channel;
+  if (reads_program(pending.event.action) && reply.code.empty()) {
+    std::vector<channels::AlarmReport> errors;
+    const auto diagnostics = machine_.load_diagnostics();
+    for (std::size_t k = pending.diagnostics_before; k < diagnostics.size(); ++k) {
+      const bool is_ours = diagnostics[k].channel == channel;
+      if (is_ours && diagnostics[k].diagnostic.severity == Severity::error)
+        errors.push_back(diagnostics[k]);
+    }
+    if (!errors.empty()) return failure_of_load(errors, channel);
+  }
+  const std::string code(reply.code.view());
+  return {FailureKind::refused, code, std::string(reply.text.view()), channel, {}};
+}
+
+void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
+  const std::size_t alarms = machine_.alarms().size();
+  for (const auto& channel : machine_.file().machine.channels) {
+    if (event.channel != 0 && event.channel != channel.id) continue;
+    ChannelNotes& notes = notes_[channel.id];
+    if (loads_program(event.action)) notes.program = event.text.view();
+    if (event.action == OperatorAction::override_rapid)
+      notes.rapid_override_percent = event.value * 100.0;
+    if (event.action == OperatorAction::override_spindle) {
+      notes.spindle_override_percent = event.value * 100.0;
+    }
+    if (event.action == OperatorAction::alarm_acknowledge ||
+        event.action == OperatorAction::program_reset) {
+      notes.alarms_acknowledged = alarms;
+      if (event.action == OperatorAction::program_reset || !is_in_alarm(channel.id))
+        notes.alarms_cleared = alarms;
+    }
+  }
+}
+
+bool CommandDesk::is_in_alarm(int channel) const {
+  const channels::CycleOutput output = machine_.newest_output();
+  return std::any_of(output.channels.begin(), output.channels.begin() + output.channel_count,
+                     [&](const channels::ChannelOutput& one) {
+                       return one.id == channel && one.state == channels::ChannelState::alarm;
+                     });
+}
+
+void CommandDesk::await_run(int channel, Answer answer) {
+  const auto runs = machine_.runs();
+  const auto last = std::find_if(runs.rbegin(), runs.rend(),
+                                 [&](const auto& run) { return run.channel == channel; });
+  if (last == runs.rend()) {
+    return answer(Unexpected<Failure>(
+        failure_of(FailureKind::internal, "", "the machine has no record of the run", channel)));
+  }
+  awaited_.push_back({channel, last->run, std::move(answer)});
+}
+
+void CommandDesk::tick(SteadyTime now) {
+  if (!awaited_.empty()) answer_ended_runs();
+  watch_cycle(now);
+}
+
+// An ended run is looked at once more at the next tick: its alarm is told right behind its end. It
+// counts as ended when the outputs that have been handed on have come so far: who hears of the end
+// finds the axes at it, however late the publisher is.
+void CommandDesk::answer_ended_runs() {
+  const auto runs = machine_.runs();
+  std::vector<AwaitedRun> still_awaited;
+  for (AwaitedRun& awaited : awaited_) {
+    const auto run = std::find_if(runs.rbegin(), runs.rend(), [&](const auto& report) {
+      return report.channel == awaited.channel && report.run == awaited.run;
+    });
+    const bool has_ended =
+        run != runs.rend() && run->ended && machine_.newest_output().cycle >= run->end_cycle;
+    if (has_ended && awaited.seen_ended) {
+      awaited.answer(outcome_of(*run, machine_.alarms(), machine_.file().machine.cycle_us * 1e-6));
+      continue;
+    }
+    awaited.seen_ended = has_ended;
+    still_awaited.push_back(std::move(awaited));
+  }
+  awaited_ = std::move(still_awaited);
+}
+
+void CommandDesk::watch_cycle(SteadyTime now) {
+  const std::int64_t cycle = machine_.newest_output().cycle;
+  if (cycle != newest_cycle_ || newest_cycle_seen_ == SteadyTime{}) {
+    newest_cycle_ = cycle;
+    newest_cycle_seen_ = now;
+  }
+  if (now - newest_cycle_seen_ < standing_cycle_max) return;
+  std::map<std::uint64_t, Pending> given_up;
+  given_up.swap(pending_);
+  for (const auto& [id, pending] : given_up) {
+    pending.answer(Unexpected<Failure>(failure_of(FailureKind::timed_out, "E9006",
+                                                  "the machine does not answer: its cycle stands",
+                                                  pending.event.channel)));
+  }
+}
+
+Outcome outcome_of(const channels::RunReport& run, const std::vector<channels::AlarmReport>& alarms,
+                   double cycle_s) {
+  if (run.ok) {
+    return json{{"program", run.program},
+                {"ok", true},
+                {"blocks", run.blocks},
+                {"path_mm", run.path_mm},
+                {"time_s", static_cast<double>(run.end_cycle - run.start_cycle) * cycle_s}};
+  }
+  const auto alarm = std::find_if(alarms.rbegin(), alarms.rend(), [&](const auto& report) {
+    return report.channel == run.channel && report.cycle >= run.start_cycle;
+  });
+  if (alarm == alarms.rend()) {
+    return Unexpected<Failure>(failure_of(FailureKind::refused, "E9010",
+                                          "the program was ended before its end", run.channel));
+  }
+  const Diagnostic& diagnostic = alarm->diagnostic;
+  return Unexpected<Failure>(Failure{protocol::kind_of_alarm(diagnostic.code), diagnostic.code,
+                                     diagnostic.message, run.channel, diagnostic.place});
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,329 @@
+#include "daemon/desk/dispatch.h"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "daemon/desk/drive_report.h"
+#include "daemon/desk/inventory.h"
+#include "daemon/desk/operator_command.h"
+#include "daemon/desk/table_loading.h"
+#include "protocol/discovery.h"
+#include "protocol/json_text.h"
+#include "protocol/version.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+using protocol::Method;
+
+constexpr double usual_rate_hz = 10.0;
+
+Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, int channel = 0) {
+  return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
+}
+
+Unexpected<Failure> no_such_drive(const std::string& drive) {
+  return fail(FailureKind::refused, "E6050", "no such drive: " + drive);
+}
+
+}  // namespace
+
+void log_command(const SessionState& session, const protocol::Request& request,
+                 const Outcome& outcome) {
+  const std::string parameters = protocol::json_text(request.parameters);
+  if (outcome) {
+    spdlog::info("session {} ({}): {} {}: done", session.id, session.peer, request.method,
+                 parameters);
+  } else {
+    spdlog::warn("session {} ({}): {} {}: {} {}", session.id, session.peer, request.method,
+                 parameters, outcome.error().code, outcome.error().message);
+  }
+}
+
+json greeting(const config::MachineFile& file, const SessionState& session) {
+  json channels = json::array();
+  for (const auto& channel : file.machine.channels) {
+    channels.push_back({{"id", channel.id}, {"name", channel.name}});
+  }
+  return {{"server", "stanokd"},
+          {"version", protocol::version},
+          {"api", protocol::api_version},
+          {"machine", file.machine.name},
+          {"channels", std::move(channels)},
+          {"session", session.id},
+          {"role", protocol::role_name(session.role)}};
+}
+
+Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
+                   std::function<void()> on_shutdown)
+    : machine_(machine),
+      description_(std::move(description)),
+      on_shutdown_(std::move(on_shutdown)),
+      desk_(machine, notes_),
+      report_(machine, notes_),
+      started_(std::chrono::steady_clock::now()) {}
+
+const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
+  static const std::map<std::string_view, Handler> table = {
+      {"machine.status", [](Dispatch& d, const json&) { return d.report_.machine(); }},
+      {"channel.list", [](Dispatch& d, const json&) { return d.report_.channel_list(); }},
+      {"channel.status",
+       [](Dispatch& d, const json& p) { return d.report_.channel(d.channel_or_first(p)); }},
+      {"channel.control", [](Dispatch& d, Call call) { d.control_channel(std::move(call)); }},
+      {"channel.watch",
+       [](Dispatch& d, const Call& call) {
+         return subscribe(call, {"channels", "events"}, d.channel_or_first(call.parameters));
+       }},
+      {"program.list",
+       [](Dispatch& d, const json&) { return program_list(d.machine_.program_root()); }},
+      {"program.history",
+       [](Dispatch& d, const json& p) { return d.report_.program_history(p.value("channel", 0)); }},
+      {"kinematics.list",
+       [](Dispatch& d, const json& p) { return d.report_.kinematics_list(d.channel_or_first(p)); }},
+      {"kinematics.status",
+       [](Dispatch& d, const json& p) { return d.report_.kinematics(d.channel_or_first(p)); }},
+      {"drive.list", [](Dispatch& d, const json&) { return drive_list(d.machine_); }},
+      {"drive.status", [](Dispatch& d, const json&) { return drive_status(d.machine_); }},
+      {"drive.reset", [](Dispatch& d, const Call& call) { return d.reset_drive(call); }},
+      {"drive.fault", [](Dispatch& d, const Call& call) { return d.make_drive_fail(call); }},
+      {"alarm.list",
+       [](Dispatch& d, const json& p) { return d.report_.alarms_standing(p.value("channel", 0)); }},
+      {"alarm.history",
+       [](Dispatch& d, const json& p) { return d.report_.alarm_history(p.value("channel", 0)); }},
+      {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
+      {"tool.get", [](Dispatch& d, const Call& call) { return d.tool_get(call.parameters); }},
+      {"tool.load", [](Dispatch& d, Call call) { d.load_tables(std::move(call)); }},
+      {"tool.save", [](Dispatch& d, const json&) { return tables_text(d.machine_); }},
+      {"offset.list", [](Dispatch& d, const json&) { return offset_list(d.machine_); }},
+      {"process.status",
+       [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
+      {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
+      {"workpiece.allow",
+       [](Dispatch& d, const Call& call) { return d.allow_workpieces(call.parameters); }},
+      {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
+      {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
+      {"log.stop", [](Dispatch& d, const Call&) { return d.stop_log(); }},
+      {"subscribe",
+       [](Dispatch&, const Call& call) { return subscribe(call, call.parameters["topics"], 0); }},
+      {"session.role", [](Dispatch&, const Call& call) { return lower_role(call); }},
+      {"system.info", [](Dispatch& d, const json&) { return d.system_info(); }},
+      {"system.shutdown", [](Dispatch& d, Call call) { d.shut_down(std::move(call)); }},
+      {"rpc.discover",
+       [](Dispatch&, const json&) { return protocol::discovery_document(protocol::version); }},
+  };
+  return table;
+}
+
+void Dispatch::handle(SessionState& session, const protocol::Request& request, Answer answer) {
+  const Method* method = protocol::find_method(request.method);
+  const auto parameters = admitted_parameters(machine_.file(), session.role, method, request);
+  if (!parameters) return answer(Unexpected<Failure>(parameters.error()));
+  const Call call{session, *method, request, *parameters, std::move(answer)};
+  if (!method->action.empty()) return command(call);
+  const auto handler = handlers().find(method->name);
+  if (handler == handlers().end())
+    return call.answer(fail(FailureKind::internal, "", "nobody answers " + request.method));
+  if (const Query* query = std::get_if<Query>(&handler->second))
+    return call.answer((*query)(*this, call.parameters));
+  if (const Task* task = std::get_if<Task>(&handler->second)) return (*task)(*this, call);
+  const Outcome outcome = std::get<Order>(handler->second)(*this, call);
+  if (method->effect != protocol::Effect::looks) log_command(session, request, outcome);
+  call.answer(outcome);
+}
+
+void Dispatch::forget(int session) {
+  control_.forget(session);
+  note_control();
+  tell_control();
+}
+
+void Dispatch::note_control() {
+  for (const auto& channel : machine_.file().machine.channels)
+    notes_[channel.id].controlled_by = control_.holder(channel.id);
+}
+
+// Answered when the cycle knows it: from then on nothing of others begins there.
+void Dispatch::control_channel(Call call) {
+  const int channel = channel_or_first(call.parameters);
+  const bool takes = call.parameters.value("on", 1) != 0;
+  const auto obstacle = takes ? control_.take(channel, call.session) : std::nullopt;
+  if (obstacle) return call.answer(Unexpected<Failure>(*obstacle));
+  if (!takes) control_.give_back(channel, call.session.id);
+  note_control();
+  tell_control(channel, [this, channel, takes, id = call.session.id,
+                         answer = std::move(call.answer)](const Outcome& outcome) {
+    if (!outcome && takes) {
+      control_.give_back(channel, id);
+      note_control();
+    }
+    if (!outcome) return answer(outcome);
+    answer(json{{"channel", channel}, {"controlled_by", control_.holder(channel)}});
+  });
+}
+
+// Sessions end without a word, and an order may find no room: what the cycle was not told yet.
+void Dispatch::tell_control() {
+  for (const auto& channel : machine_.file().machine.channels) {
+    if (told_control_[channel.id] != control_.session_with(channel.id))
+      tell_control(channel.id, [](const Outcome&) {});
+  }
+}
+
+void Dispatch::tell_control(int channel, Answer answer) {
+  constexpr int not_known = -1;
+  channels::OperatorEvent event;
+  event.action = channels::OperatorAction::channel_control;
+  event.channel = channel;
+  event.number = control_.session_with(channel);
+  told_control_[channel] = event.number;
+  desk_.submit(event, WaitFor::accepted,
+               [this, channel, answer = std::move(answer)](const Outcome& outcome) {
+                 if (!outcome) told_control_[channel] = not_known;
+                 answer(outcome);
+               });
+}
+
+Outcome Dispatch::start_log() const {
+  const auto started = machine_.start_log();
+  if (!started)
+    return fail(FailureKind::refused, "E9011",
+                "a log is being written: " + machine_.recording_status().log_file);
+  if (!*started) return fail(FailureKind::refused, "E9013", started->error().text);
+  return json{{"path", (*started)->string()}};
+}
+
+Outcome Dispatch::stop_log() const {
+  const auto stopped = machine_.stop_log();
+  if (!stopped) return fail(FailureKind::refused, "E9012", "no log is being written");
+  return json{{"path", stopped->string()}};
+}
+
+void Dispatch::load_tables(Call call) {
+  const auto name = call.parameters.value("file", std::string("tables"));
+  const auto log_and_answer = [who = call.session, name,
+                               answer = std::move(call.answer)](const Outcome& outcome) {
+    protocol::Request request;
+    request.method = "tool.load";
+    request.parameters = {{"file", name}};
+    log_command(who, request, outcome);
+    answer(outcome);
+  };
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
+    return log_and_answer(Unexpected<Failure>(*obstacle));
+  auto commands = commands_to_load(machine_, call.parameters["tables"].get<std::string>(), name);
+  if (!commands) return log_and_answer(Unexpected<Failure>(commands.error()));
+  submit_one_by_one(desk_, std::move(*commands), log_and_answer);
+}
+
+Outcome Dispatch::tool_get(const json& parameters) const {
+  const int number = parameters.value("number", 0);
+  const int edge = parameters.value("edge", 1);
+  if (const auto tool = tool_edge(machine_, number, edge)) return *tool;
+  return fail(
+      FailureKind::refused, "E5021",
+      "the table has no tool " + std::to_string(number) + " with edge " + std::to_string(edge));
+}
+
+// Sessions may go before the answer comes; the log entry must not need them.
+void Dispatch::command(const Call& call) {
+  const auto log_and_answer = [who = call.session, request = call.request,
+                               answer = call.answer](const Outcome& outcome) {
+    log_command(who, request, outcome);
+    answer(outcome);
+  };
+  auto event = operator_event(machine_.file(), call.method, call.parameters);
+  if (!event) return log_and_answer(Unexpected<Failure>(event.error()));
+  event->stops_before = call.session.stops_before;
+  if (const auto obstacle = control_.obstacle(event->action, event->channel, call.session.id))
+    return log_and_answer(Unexpected<Failure>(*obstacle));
+  const bool waits = call.method.effect == protocol::Effect::begins_motion &&
+                     call.parameters.value("wait", "accepted") == "done";
+  desk_.submit(*event, waits ? WaitFor::end_of_run : WaitFor::accepted, log_and_answer);
+}
+
+// Drives are reset and made to fail beside the cycle: what they then report enters it as feedback.
+Outcome Dispatch::reset_drive(const Call& call) {
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
+    return Unexpected<Failure>(*obstacle);
+  const auto drive = call.parameters["drive"].get<std::string>();
+  if (!machine_.reset_drive(drive)) return no_such_drive(drive);
+  return json{{"accepted", true}};
+}
+
+Outcome Dispatch::make_drive_fail(const Call& call) {
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
+    return Unexpected<Failure>(*obstacle);
+  if (machine_.drive_choice() != "embedded") {
+    return fail(FailureKind::refused, "E6051",
+                "the drives are " + machine_.drive_choice() + ", not simulated by this daemon");
+  }
+  const auto drive = call.parameters["drive"].get<std::string>();
+  const auto fault = plant::fault_named(call.parameters["fault"].get<std::string>());
+  if (!machine_.inject_fault(drive, *fault)) return no_such_drive(drive);
+  return json{{"accepted", true}};
+}
+
+Outcome Dispatch::allow_workpieces(const json& parameters) {
+  const bool allowed = parameters.value("on", 1) != 0;
+  machine_.allow_workpieces(allowed);
+  return json{{"allowed", allowed}};
+}
+
+void Dispatch::shut_down(Call call) {
+  log_command(call.session, call.request, json());
+  call.answer(json{{"accepted", true}});
+  on_shutdown_();
+}
+
+Outcome Dispatch::lower_role(const Call& call) {
+  const auto wanted = protocol::role_named(call.parameters["role"].get<std::string>());
+  call.session.role = std::min(call.session.role, wanted.value_or(call.session.role));
+  return json{{"role", protocol::role_name(call.session.role)}};
+}
+
+Outcome Dispatch::subscribe(const Call& call, const json& topics, int channel) {
+  const double rate_hz = call.parameters.value("rate_hz", usual_rate_hz);
+  call.session.subscription = Subscription(topics, rate_hz, channel);
+  return json{{"topics", topics}, {"rate_hz", rate_hz}};
+}
+
+int Dispatch::channel_or_first(const json& parameters) const {
+  return daemon::channel_or_first(machine_.file(), parameters);
+}
+
+json Dispatch::snapshot(const Subscription& subscription) const {
+  json state = json::object();
+  if (subscription.wants("machine")) state["machine"] = report_.machine();
+  if (subscription.wants("drives")) state["drives"] = drive_status(machine_);
+  if (!subscription.wants("channels")) return state;
+  if (subscription.channel() == 0) {
+    state["channels"] = report_.channels();
+  } else {
+    state["channels"][std::to_string(subscription.channel())] =
+        report_.channel(subscription.channel());
+  }
+  return state;
+}
+
+json Dispatch::system_info() const {
+  const auto uptime = std::chrono::steady_clock::now() - started_;
+  return {{"server", "stanokd"},
+          {"version", protocol::version},
+          {"api", protocol::api_version},
+          {"build", description_.build},
+          {"pid", getpid()},
+          {"uptime_s", std::chrono::duration<double>(uptime).count()},
+          {"machine", machine_.file().machine.name},
+          {"machine_file", machine_.file().path.string()},
+          {"state_directory", description_.state_directory.string()},
+          {"socket", description_.socket.string()},
+          {"program_root", machine_.program_root().string()},
+          {"clients", clients_}};
+}
+
+}  // namespace stanok::daemon

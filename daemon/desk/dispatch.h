@@ -1,0 +1,120 @@
+// Dispatch: one request of one session in, its answer out.
+//
+// Looks the method up in the command table, checks role and parameters, then hands the command to
+// the machine (CommandDesk) or answers itself, by a line of `handlers`. No sockets; belongs to the
+// operator server's thread.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "daemon/desk/channel_control.h"
+#include "daemon/desk/command_desk.h"
+#include "daemon/desk/status_report.h"
+#include "daemon/desk/subscription.h"
+#include "protocol/json_rpc.h"
+
+namespace stanok::daemon {
+
+// Who asks, and what was agreed with it.
+struct SessionState {
+  int id = 0;
+  protocol::Role role = protocol::Role::observer;
+  std::string peer;  // for logs: "uid 1000, pid 4711"
+  Subscription subscription;
+  // Stops that the daemon had taken when the request at hand came in.
+  std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
+};
+
+// Parameters of the server's first message; any thread.
+[[nodiscard]] nlohmann::json greeting(const config::MachineFile& file, const SessionState& session);
+
+// Every command and its outcome, in the daemon's own log; any thread.
+void log_command(const SessionState& session, const protocol::Request& request,
+                 const Outcome& outcome);
+
+// What the daemon knows of itself, for system.info.
+struct DaemonDescription {
+  std::string build;
+  std::filesystem::path state_directory;
+  std::filesystem::path socket;
+};
+
+class Dispatch {
+ public:
+  // All outlive the dispatch. `on_shutdown` begins the orderly end and returns.
+  Dispatch(RunningMachine& machine, DaemonDescription description,
+           std::function<void()> on_shutdown);
+
+  // Calls `answer` once, now or later; the session may be gone by then.
+  void handle(SessionState& session, const protocol::Request& request, Answer answer);
+
+  void on_reply(const channels::OperatorReply& reply) { desk_.on_reply(reply); }
+  void tick(SteadyTime now) {
+    tell_control();
+    desk_.tick(now);
+  }
+  void set_clients(std::size_t clients) { clients_ = clients; }
+  // The session has ended.
+  void forget(int session);
+
+  // A stop that the reception took was accepted.
+  void note_stop(const channels::OperatorEvent& stop) { desk_.note_acceptance(stop); }
+
+  // What a subscription shows.
+  [[nodiscard]] nlohmann::json snapshot(const Subscription& subscription) const;
+
+ private:
+  // A request that was admitted.
+  struct Call {
+    SessionState& session;
+    const protocol::Method& method;
+    const protocol::Request& request;
+    const nlohmann::json& parameters;
+    Answer answer;
+  };
+  // What the daemon answers itself: what it sees; what it has done at once; a task that answers
+  // now or later.
+  using Query = nlohmann::json (*)(Dispatch& self, const nlohmann::json& parameters);
+  using Order = Outcome (*)(Dispatch& self, const Call& call);
+  using Task = void (*)(Dispatch& self, Call call);
+  using Handler = std::variant<Query, Order, Task>;
+  // By method: a line for every one that does not go to the machine.
+  [[nodiscard]] static const std::map<std::string_view, Handler>& handlers();
+
+  void command(const Call& call);
+  void note_control();
+  void control_channel(Call call);
+  void tell_control();
+  void tell_control(int channel, Answer answer);
+  [[nodiscard]] Outcome start_log() const;
+  [[nodiscard]] Outcome stop_log() const;
+  void load_tables(Call call);
+  [[nodiscard]] Outcome tool_get(const nlohmann::json& parameters) const;
+  [[nodiscard]] Outcome reset_drive(const Call& call);
+  [[nodiscard]] Outcome make_drive_fail(const Call& call);
+  [[nodiscard]] Outcome allow_workpieces(const nlohmann::json& parameters);
+  void shut_down(Call call);
+  [[nodiscard]] static Outcome lower_role(const Call& call);
+  [[nodiscard]] static Outcome subscribe(const Call& call, const nlohmann::json& topics,
+                                         int channel);
+  [[nodiscard]] int channel_or_first(const nlohmann::json& parameters) const;
+  [[nodiscard]] nlohmann::json system_info() const;
+
+  RunningMachine& machine_;
+  DaemonDescription description_;
+  std::function<void()> on_shutdown_;
+  NotesOfChannels notes_;
+  ChannelControl control_;
+  std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
+  CommandDesk desk_;
+  StatusReport report_;
+  std::size_t clients_ = 0;
+  SteadyTime started_;
+};
+
+}  // namespace stanok::daemon

@@ -1,0 +1,150 @@
+#include "daemon/desk/inventory.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <system_error>
+#include <vector>
+
+#include "config/tables_file.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int folder_depth_max = 16;
+
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().starts_with('.');
+}
+
+}  // namespace
+
+json tool_json(const channels::ToolEdge& tool) {
+  return {{"number", tool.number},
+          {"edge", tool.edge},
+          {"name", tool.name},
+          {"kind", tool.kind},
+          {"length", tool.length},
+          {"length_x", tool.length_x},
+          {"length_y", tool.length_y},
+          {"radius", tool.radius},
+          {"corner_radius", tool.corner_radius},
+          {"wear_length", tool.wear_length},
+          {"wear_radius", tool.wear_radius},
+          {"overhang", tool.overhang},
+          {"flute_length", tool.flute_length},
+          {"shank_diameter", tool.shank_diameter},
+          {"holder_diameter", tool.holder_diameter},
+          {"holder_length", tool.holder_length},
+          {"orientation", tool.orientation},
+          {"angle_front", tool.angle_front},
+          {"angle_back", tool.angle_back},
+          {"point_angle", tool.point_angle},
+          {"taper_angle", tool.taper_angle}};
+}
+
+json tool_list(RunningMachine& machine) {
+  json tools = json::array();
+  for (const channels::ToolEdge& tool : machine.tables().tools) tools.push_back(tool_json(tool));
+  return {{"tools", std::move(tools)}};
+}
+
+std::optional<json> tool_edge(RunningMachine& machine, int number, int edge) {
+  for (const channels::ToolEdge& tool : machine.tables().tools) {
+    if (tool.number == number && tool.edge == edge) return tool_json(tool);
+  }
+  return std::nullopt;
+}
+
+json tables_text(RunningMachine& machine) {
+  return {{"tables", config::to_toml(machine.tables())}};
+}
+
+json offset_list(RunningMachine& machine) {
+  constexpr auto of_every_machine = std::to_array<const char*>(
+      {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
+  std::map<std::string, channels::AxisRow> offsets = machine.tables().offsets;
+  for (const char* name : of_every_machine) offsets.try_emplace(name);
+  json axes = json::array();
+  for (const channels::AxisConfig& axis : machine.file().machine.axes) {
+    axes.push_back(axis.name);
+    for (auto& [name, row] : offsets) row.try_emplace(axis.name, 0.0);
+  }
+  return {{"axes", std::move(axes)}, {"offsets", std::move(offsets)}};
+}
+
+json workpiece_status(RunningMachine& machine) {
+  const channels::CycleOutput output = machine.newest_output();
+  json workpieces = json::array();
+  for (int k = 0; k < output.channel_count; ++k) {
+    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+    const channels::Workpiece& workpiece = channel.workpiece;
+    if (workpiece.announcements == 0) continue;
+    json row{{"channel", channel.id}, {"tool", channel.tool.number}};
+    if (workpiece.has_shape) {
+      row["shape"] = workpiece.shape.type == 0 ? "box" : "cylinder";
+      row["machining"] = workpiece.shape.machining_type == 0 ? "milling" : "turning";
+      row["size"] = workpiece.shape.size_mm;
+      row["zero"] = workpiece.shape.zero_mm;
+      row["resolution"] = workpiece.shape.screen_resolution_mm;
+    }
+    if (workpiece.has_position) {
+      row["position"] = workpiece.position.position_mm;
+      row["angles"] = workpiece.position.angles_deg;
+    }
+    workpieces.push_back(std::move(row));
+  }
+  return {{"allowed", machine.recording_status().workpieces_allowed},
+          {"workpieces", std::move(workpieces)}};
+}
+
+json log_status(RunningMachine& machine) {
+  const RecordingStatus status = machine.recording_status();
+  const auto text = [](const std::string& value) {
+    return value.empty() ? json(nullptr) : json(value);
+  };
+  return {{"lcm",
+           {{"url", text(status.lcm_url)},
+            {"open", status.lcm_open},
+            {"sent", status.lcm_sent},
+            {"lost", status.lcm_lost}}},
+          {"file",
+           {{"path", text(status.log_file)},
+            {"bytes", status.log_bytes},
+            {"events", status.log_events},
+            {"error", text(status.log_error)}}},
+          {"flight", text(status.flight_file)},
+          {"outputs_lost", machine.outputs_lost()},
+          {"inputs_lost", machine.inputs_lost()}};
+}
+
+json program_list(const fs::path& root, std::size_t files_max) {
+  std::vector<std::pair<std::string, std::uintmax_t>> files;
+  bool is_complete = true;
+  std::error_code error;
+  auto entry =
+      fs::recursive_directory_iterator(root, fs::directory_options::skip_permission_denied, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    if (is_hidden(entry->path()) || entry.depth() >= folder_depth_max) {
+      entry.disable_recursion_pending();
+      continue;
+    }
+    std::error_code unreadable;
+    if (entry->symlink_status(unreadable).type() != fs::file_type::regular) continue;
+    if (files.size() == files_max) {
+      is_complete = false;
+      break;
+    }
+    files.emplace_back(fs::relative(entry->path(), root, unreadable).generic_string(),
+                       entry->file_size(unreadable));
+  }
+  std::sort(files.begin(), files.end());
+  json programs = json::array();
+  for (const auto& [name, bytes] : files) programs.push_back({{"name", name}, {"bytes", bytes}});
+  return {{"root", root.string()}, {"programs", std::move(programs)}, {"complete", is_complete}};
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,76 @@
+#include "daemon/desk/operator_command.h"
+
+#include <algorithm>
+
+#include "channels/contract/operator_action.h"
+#include "protocol/machine_request.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+
+Unexpected<Failure> not_admitted(FailureKind kind, const char* code, std::string text,
+                                 int channel = 0) {
+  return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
+}
+
+bool has_channel(const config::MachineFile& file, int id) {
+  return std::ranges::any_of(file.machine.channels,
+                             [&](const auto& channel) { return channel.id == id; });
+}
+
+// Commands that make sense for the machine as a whole name no channel.
+bool concerns_machine(const protocol::Method& method) {
+  return protocol::noun(method) == "machine";
+}
+
+}  // namespace
+
+Expected<json, Failure> admitted_parameters(const config::MachineFile& file, protocol::Role role,
+                                            const protocol::Method* method,
+                                            const protocol::Request& request) {
+  if (method == nullptr) {
+    return not_admitted(FailureKind::method_not_found, "E9002",
+                        "unknown method \"" + request.method + "\"");
+  }
+  if (role < method->role) {
+    return not_admitted(FailureKind::not_permitted, "E9004",
+                        request.method + " needs the role " +
+                            std::string(protocol::role_name(method->role)) + "; this session is " +
+                            std::string(protocol::role_name(role)));
+  }
+  auto parameters = protocol::checked_parameters(*method, request.parameters);
+  if (!parameters) return parameters;
+  const int channel = parameters->value("channel", 0);
+  if (channel != 0 && !has_channel(file, channel)) {
+    return not_admitted(FailureKind::refused, "E6001",
+                        "no such channel: " + std::to_string(channel), channel);
+  }
+  return parameters;
+}
+
+Expected<channels::OperatorEvent, Failure> operator_event(const config::MachineFile& file,
+                                                          const protocol::Method& method,
+                                                          const json& parameters) {
+  const protocol::MachineRequest request = protocol::machine_request(method, parameters);
+  const auto action = channels::operator_action(request.action);
+  if (!action)
+    return not_admitted(FailureKind::internal, "", "no action " + std::string(request.action));
+  channels::OperatorEvent event;
+  event.action = *action;
+  event.channel = concerns_machine(method) ? 0 : channel_or_first(file, parameters);
+  event.number = request.number;
+  event.value = request.value;
+  event.value_2 = request.value_2;
+  event.text = FixedText<256>(request.text);
+  return event;
+}
+
+int channel_or_first(const config::MachineFile& file, const json& parameters) {
+  return parameters.value("channel", file.machine.channels.front().id);
+}
+
+}  // namespace stanok::daemon

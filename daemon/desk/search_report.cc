@@ -1,0 +1,82 @@
+#include "daemon/desk/search_report.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+
+const char* turning_word(const lang::SearchState& state, int spindle) {
+  const auto found = state.spindles.find(spindle);
+  if (found == state.spindles.end()) return "stop";
+  switch (found->second.action) {
+    case lang::SpindleAction::clockwise:
+      return "clockwise";
+    case lang::SpindleAction::counter_clockwise:
+      return "counter_clockwise";
+    case lang::SpindleAction::orient:
+      return "orient";
+    case lang::SpindleAction::set_speed:
+    case lang::SpindleAction::stop:
+      return "stop";
+  }
+  return "";
+}
+
+json spindles_json(const lang::SearchState& state) {
+  json spindles = json::array();
+  std::set<int> known;
+  for (const auto& [id, command] : state.spindles) known.insert(id);
+  for (const auto& [id, speed] : state.speeds) known.insert(id);
+  for (const int id : known) {
+    const auto speed = state.speeds.find(id);
+    json spindle = {{"spindle", id},
+                    {"turns", turning_word(state, id)},
+                    {"speed_rev_per_min", speed == state.speeds.end() ? 0.0 : speed->second}};
+    const auto mode = state.cutting_speeds.find(id);
+    if (mode != state.cutting_speeds.end() && mode->second.constant)
+      spindle["cutting_speed_m_per_min"] = mode->second.speed_m_per_min;
+    spindles.push_back(std::move(spindle));
+  }
+  return spindles;
+}
+
+json omissions_json(const lang::SearchState& state) {
+  json list = json::array();
+  for (const auto& omission : state.omissions)
+    list.push_back(
+        {{"what", omission.what}, {"count", omission.count}, {"first_line", omission.first.line}});
+  return list;
+}
+
+std::string coolant_text(const lang::CoolantCommand& coolant) {
+  if (coolant.mist) return coolant.flood ? "mist and flood" : "mist";
+  return coolant.flood ? "flood" : "off";
+}
+
+json by_word(const std::vector<std::string>& words, const std::vector<double>& values) {
+  json object = json::object();
+  for (std::size_t k = 0; k < values.size(); ++k) object[words[k]] = values[k];
+  return object;
+}
+
+}  // namespace
+
+json search_json(const channels::SearchReport& report) {
+  const lang::SearchState& state = report.state;
+  json result = {{"target", report.file + ":" + std::to_string(report.line)},
+                 {"calculated", state.calculated}};
+  if (!state.calculated) return result;
+  result["position"] = by_word(report.words, report.position);
+  result["stands_at"] = by_word(report.words, report.stands_at);
+  result["work_offset"] = state.frame.work_offset;
+  result["tool"] = state.tool;
+  result["tool_prepared"] = state.tool_prepared;
+  result["spindles"] = spindles_json(state);
+  result["coolant"] = coolant_text(state.coolant);
+  result["feed_law"] = state.feed_law.kind != lang::FeedLaw::Kind::off;
+  result["force_control"] = !state.force_orders.empty();
+  result["not_executed"] = omissions_json(state);
+  return result;
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,402 @@
+#include "daemon/desk/status_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/catalogue.h"
+#include "base/enum_names.h"
+#include "daemon/desk/channel_figures.h"
+#include "daemon/desk/process_status.h"
+
+namespace stanok::daemon {
+namespace {
+
+using channels::ChannelOutput;
+using channels::ChannelState;
+using nlohmann::json;
+
+constexpr double s_per_min = 60.0;
+
+// OPC 40501, channel state machine.
+const char* channel_state_word(ChannelState state) {
+  switch (state) {
+    case ChannelState::idle:
+    case ChannelState::ready:
+      return "Reset";
+    case ChannelState::running:
+      return "Active";
+    case ChannelState::held:
+    case ChannelState::alarm:
+      return "Interrupted";
+  }
+  return "";
+}
+
+// OPC 40502, program status.
+const char* program_status_word(const ChannelOutput& output) {
+  switch (output.state) {
+    case ChannelState::idle:
+    case ChannelState::ready:
+      return "Stopped";
+    case ChannelState::running:
+      return output.waiting ? "Waiting" : "Running";
+    case ChannelState::held:
+      return "Interrupted";
+    case ChannelState::alarm:
+      return "Canceled";
+  }
+  return "";
+}
+
+constexpr auto channel_kind_names = enum_names<lang::ChannelKind>({
+    {lang::ChannelKind::mill, "mill"},
+    {lang::ChannelKind::lathe, "lathe"},
+    {lang::ChannelKind::grind, "grind"},
+    {lang::ChannelKind::master, "master"},
+});
+
+json percentiles_us(const Histogram& histogram) {
+  const auto us = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-3; };
+  return {{"p50", us(histogram.percentile(0.5))},
+          {"p99", us(histogram.percentile(0.99))},
+          {"p999", us(histogram.percentile(0.999))},
+          {"max", us(histogram.max())}};
+}
+
+json text_or_null(const std::string& text) {
+  return text.empty() ? json(nullptr) : json(text);
+}
+
+json number_or_null(int number) {
+  return number == 0 ? json(nullptr) : json(number);
+}
+
+json number_or_null(const std::optional<double>& number) {
+  return number ? json(*number) : json(nullptr);
+}
+
+json alarm_json(const channels::AlarmReport& alarm) {
+  const CatalogueRow* row = find_in_catalogue(alarm.diagnostic.code);
+  return {{"channel", alarm.channel},
+          {"cycle", alarm.cycle},
+          {"code", alarm.diagnostic.code},
+          {"text", alarm.diagnostic.message},
+          {"file", text_or_null(alarm.diagnostic.place.file)},
+          {"line", number_or_null(alarm.diagnostic.place.line)},
+          {"column", number_or_null(alarm.diagnostic.place.column)},
+          {"reaction", row == nullptr ? json(nullptr) : json(static_cast<int>(row->reaction))},
+          {"remedy", row == nullptr ? json(nullptr) : json(row->remedy)}};
+}
+
+const channels::ChannelConfig& config_of(const channels::MachineConfig& machine, int channel) {
+  return *std::find_if(machine.channels.begin(), machine.channels.end(),
+                       [&](const auto& config) { return config.id == channel; });
+}
+
+// Where the next run begins, when that is not the first block.
+json begins_at(const std::optional<channels::SearchReport>& search) {
+  return search ? json(search->file + ":" + std::to_string(search->line)) : json(nullptr);
+}
+
+json words_of(const channels::ChannelConfig& config) {
+  return config.words;
+}
+
+json axis_names(const channels::MachineConfig& machine, const channels::ChannelConfig& config) {
+  json names = json::array();
+  for (const int axis : config.axes)
+    names.push_back(machine.axes[static_cast<std::size_t>(axis)].name);
+  return names;
+}
+
+// Whether a drive in contact says that the position belongs to the machine. An axis that its drive
+// does not hold must be where it is shown, too: it may have been moved meanwhile.
+bool is_verified(const channels::AxisConfig& config, const ChannelOutput& output,
+                 std::size_t axis) {
+  if (!output.has_feedback) return true;
+  const channels::AxisFeedback& feedback = output.feedback[axis];
+  const double apart = std::abs(feedback.position - output.axes[axis].position);
+  return feedback.valid && feedback.referenced &&
+         (feedback.enabled || apart <= config.following_error_max);
+}
+
+// Of the scheme with this number, bit k: axis k of the channel takes part; all do where there is
+// none.
+unsigned participants_of(const channels::ChannelConfig& config, int scheme) {
+  const auto at = std::find_if(config.schemes.begin(), config.schemes.end(),
+                               [&](const auto& one) { return one.id == scheme; });
+  if (at == config.schemes.end()) return ~0U;
+  unsigned axes = 0;
+  for (const int axis : at->axes) axes |= 1U << static_cast<unsigned>(axis);
+  return axes;
+}
+
+json axes_json(const channels::MachineConfig& machine, const channels::ChannelConfig& config,
+               const ChannelOutput& output) {
+  json axes = json::object();
+  const unsigned participants = participants_of(config, output.scheme);
+  for (std::size_t k = 0; k < config.axes.size(); ++k) {
+    const channels::AxisConfig& axis = machine.axes[static_cast<std::size_t>(config.axes[k])];
+    axes[axis.name] = {{"position", output.axes[k].position},
+                       {"verified", is_verified(axis, output, k)},
+                       {"takes_part", (participants >> k & 1U) != 0},
+                       {"enabled", output.drives[k].enabled},
+                       {"brake", output.drives[k].brake_closed}};
+  }
+  return axes;
+}
+
+bool any_drive_enabled(const channels::CycleOutput& output) {
+  for (int c = 0; c < output.channel_count; ++c) {
+    const ChannelOutput& channel = output.channels[static_cast<std::size_t>(c)];
+    const auto end = channel.drives.begin() + channel.axis_count;
+    if (std::any_of(channel.drives.begin(), end, [](const auto& d) { return d.enabled; }))
+      return true;
+  }
+  return false;
+}
+
+bool is_at_rest(const channels::CycleOutput& output) {
+  return std::none_of(output.channels.begin(), output.channels.begin() + output.channel_count,
+                      [](const ChannelOutput& c) { return c.moving || c.running; });
+}
+
+// The program of the run at hand, or of the last one; the one that is loaded else.
+std::string program_of(const ChannelOutput& output, const std::vector<channels::RunReport>& runs,
+                       const std::string& loaded) {
+  if (!output.running && !loaded.empty()) return loaded;
+  const auto run = std::find_if(runs.rbegin(), runs.rend(), [&](const auto& report) {
+    return report.channel == output.id && report.run == output.run;
+  });
+  return run == runs.rend() || run->program.empty() ? loaded : run->program;
+}
+
+}  // namespace
+
+ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
+  const auto end = output.channels.begin() + output.channel_count;
+  const auto found = std::find_if(output.channels.begin(), end,
+                                  [&](const ChannelOutput& c) { return c.id == channel; });
+  if (found != end) return *found;
+  ChannelOutput none;
+  none.id = channel;
+  return none;
+}
+
+json StatusReport::machine() const {
+  const auto& config = machine_.file().machine;
+  const auto output = machine_.newest_output();
+  const LoopFigures figures = machine_.loop_figures();
+  const RealTimeRights rights = machine_.real_time_rights();
+  json channels = json::array();
+  for (const auto& channel : config.channels) {
+    const ChannelOutput of_channel = output_of(output, channel.id);
+    channels.push_back({{"id", channel.id},
+                        {"name", channel.name},
+                        {"state", channel_state_word(of_channel.state)},
+                        {"program_status", program_status_word(of_channel)}});
+  }
+  return {{"name", config.name},
+          {"cycle_us", config.cycle_us},
+          {"cycle", output.cycle},
+          {"machine_time_s", static_cast<double>(output.cycle) * config.cycle_us * 1e-6},
+          {"on", any_drive_enabled(output)},
+          {"idle", is_at_rest(output)},
+          {"drives", machine_.drive_choice()},
+          {"rt",
+           {{"cycle_us", percentiles_us(figures.cycle_time)},
+            {"latency_us", percentiles_us(figures.latency)},
+            {"overruns", figures.overruns},
+            {"periods_skipped", figures.periods_skipped}}},
+          {"real_time",
+           {{"scheduling", rights.has_fifo_scheduling ? "fifo" : "other"},
+            {"memory_locked", rights.has_locked_memory},
+            {"notes", rights.notes}}},
+          {"outputs_lost", machine_.outputs_lost()},
+          {"channels", std::move(channels)}};
+}
+
+json StatusReport::channel_list() const {
+  const auto& config = machine_.file().machine;
+  const auto output = machine_.newest_output();
+  json list = json::array();
+  for (const auto& channel : config.channels) {
+    const ChannelOutput of_channel = output_of(output, channel.id);
+    list.push_back({{"id", channel.id},
+                    {"name", channel.name},
+                    {"kind", channel_kind_names[channel.kind]},
+                    {"axes", axis_names(config, channel)},
+                    {"words", words_of(channel)},
+                    {"scheme", of_channel.scheme},
+                    {"state", channel_state_word(of_channel.state)},
+                    {"program_status", program_status_word(of_channel)}});
+  }
+  return {{"channels", std::move(list)}};
+}
+
+json StatusReport::channel(int id) const {
+  return channel(config_of(machine_.file().machine, id), output_of(machine_.newest_output(), id),
+                 books());
+}
+
+json StatusReport::channels() const {
+  const auto output = machine_.newest_output();
+  const Books of_machine = books();
+  json all = json::object();
+  for (const auto& config : machine_.file().machine.channels) {
+    all[std::to_string(config.id)] = channel(config, output_of(output, config.id), of_machine);
+  }
+  return all;
+}
+
+StatusReport::Books StatusReport::books() const {
+  return {machine_.alarms(), machine_.runs(), machine_.tables(), machine_.drive_status()};
+}
+
+json StatusReport::channel(const channels::ChannelConfig& config, const ChannelOutput& output,
+                           const Books& books) const {
+  const auto notes_at = notes_.find(config.id);
+  const ChannelNotes notes = notes_at == notes_.end() ? ChannelNotes{} : notes_at->second;
+  json position = json::object();
+  for (std::size_t k = 0; k < config.words.size(); ++k)
+    position[config.words[k]] = output.point_W[k].value;
+  const runtime::Outlook outlook = machine_.outlook(config.id);
+  json alarm = nullptr;
+  if (output.state == ChannelState::alarm) {
+    const auto last = std::find_if(books.alarms.rbegin(), books.alarms.rend(),
+                                   [&](const auto& report) { return report.channel == config.id; });
+    if (last != books.alarms.rend()) alarm = alarm_json(*last);
+  }
+  const channels::BlockReport block = machine_.block(output);
+  return {{"id", config.id},
+          {"name", config.name},
+          {"words", words_of(config)},
+          {"axis_names", axis_names(machine_.file().machine, config)},
+          {"state", channel_state_word(output.state)},
+          {"program_status", program_status_word(output)},
+          {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
+          {"controlled_by", text_or_null(notes.controlled_by)},
+          {"alarm", std::move(alarm)},
+          {"program", text_or_null(program_of(output, books.runs, notes.program))},
+          {"run", output.run},
+          {"line", output.tag.line},
+          {"block", output.tag.block},
+          {"scheme", output.scheme},
+          {"position", std::move(position)},
+          {"to_go", distance_to_go(config, output, block)},
+          {"axes", axes_json(machine_.file().machine, config, output)},
+          {"feed_mm_s", output.feed_commanded},
+          {"speed_mm_s", output.path_speed},
+          {"feed_mm_min", output.feed_commanded * s_per_min},
+          {"feed_mm_rev", output.process.feed_mm_per_rev},
+          {"speed_mm_min", output.path_speed * s_per_min},
+          {"g_codes", lang::names_of(block.codes, 'G')},
+          {"m_codes", lang::names_of(block.codes, 'M')},
+          {"tool", tool_at_work(output.tool, books.tables)},
+          {"spindles", spindles_of(config, output, books.bus)},
+          {"override",
+           {{"feed", output.feed_override * 100.0},
+            {"rapid", notes.rapid_override_percent},
+            {"spindle", notes.spindle_override_percent}}},
+          {"begins_at", begins_at(machine_.search(config.id))},
+          {"predicted_s", number_or_null(outlook.predicted_s)},
+          {"remaining_s", number_or_null(outlook.remaining_s)},
+          {"foreseen", outlook.foreseen ? alarm_json(*outlook.foreseen) : json(nullptr)}};
+}
+
+json StatusReport::kinematics_list(int channel) const {
+  const auto& config = config_of(machine_.file().machine, channel);
+  const int active = output_of(machine_.newest_output(), channel).scheme;
+  json schemes = json::array();
+  for (const auto& scheme : config.schemes) {
+    json axes = json::array();
+    for (const int axis : scheme.axes)
+      axes.push_back(config.words.at(static_cast<std::size_t>(axis)));
+    schemes.push_back({{"id", scheme.id},
+                       {"type", scheme.type},
+                       {"file", text_or_null(scheme.file)},
+                       {"axes", std::move(axes)},
+                       {"active", scheme.id == active}});
+  }
+  return {{"channel", channel}, {"schemes", std::move(schemes)}};
+}
+
+json StatusReport::kinematics(int channel) const {
+  const auto& machine = machine_.file().machine;
+  const auto& config = config_of(machine, channel);
+  const auto output = output_of(machine_.newest_output(), channel);
+  const auto scheme = std::find_if(config.schemes.begin(), config.schemes.end(),
+                                   [&](const auto& s) { return s.id == output.scheme; });
+  json axes = json::array();
+  for (std::size_t k = 0; k < config.axes.size(); ++k) {
+    const bool takes_part =
+        scheme != config.schemes.end() && std::find(scheme->axes.begin(), scheme->axes.end(),
+                                                    static_cast<int>(k)) != scheme->axes.end();
+    axes.push_back({{"name", machine.axes[static_cast<std::size_t>(config.axes[k])].name},
+                    {"takes_part", takes_part},
+                    {"enabled", output.drives[k].enabled},
+                    {"brake", output.drives[k].brake_closed}});
+  }
+  return {{"channel", channel},
+          {"scheme", output.scheme},
+          {"type", scheme == config.schemes.end() ? json(nullptr) : json(scheme->type)},
+          {"axes", std::move(axes)}};
+}
+
+json StatusReport::process(int channel) const {
+  return process_status(output_of(machine_.newest_output(), channel));
+}
+
+json StatusReport::alarms_standing(int channel) const {
+  return alarm_rows(channel, AlarmChoice::active);
+}
+
+json StatusReport::alarm_history(int channel) const {
+  return alarm_rows(channel, AlarmChoice::all);
+}
+
+json StatusReport::program_history(int channel) const {
+  const double cycle_s = machine_.file().machine.cycle_us * 1e-6;
+  const std::int64_t now = machine_.newest_output().cycle;
+  json rows = json::array();
+  for (const channels::RunReport& run : machine_.runs()) {
+    if (channel != 0 && run.channel != channel) continue;
+    const std::int64_t end = run.ended ? run.end_cycle : now;
+    rows.push_back({{"channel", run.channel},
+                    {"program", run.program},
+                    {"blocks", run.blocks},
+                    {"time_s", static_cast<double>(end - run.start_cycle) * cycle_s},
+                    {"path_mm", run.path_mm},
+                    {"ended", run.ended},
+                    {"ok", run.ok}});
+  }
+  return {{"runs", std::move(rows)}};
+}
+
+json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
+  const auto output = machine_.newest_output();
+  const auto alarms = machine_.alarms();
+  json rows = json::array();
+  for (std::size_t k = 0; k < alarms.size(); ++k) {
+    if (channel != 0 && alarms[k].channel != channel) continue;
+    const bool is_standing = stands(alarms[k], k, output);
+    if (choice == AlarmChoice::active && !is_standing) continue;
+    json row = alarm_json(alarms[k]);
+    const auto notes = notes_.find(alarms[k].channel);
+    row["acknowledged"] = notes != notes_.end() && k < notes->second.alarms_acknowledged;
+    rows.push_back(std::move(row));
+  }
+  return {{"alarms", std::move(rows)}};
+}
+
+// An alarm stands until somebody has acknowledged it, and as long as its channel is in that state;
+// what a reset has cleared does not come back with the next one.
+bool StatusReport::stands(const channels::AlarmReport& alarm, std::size_t index,
+                          const channels::CycleOutput& output) const {
+  const auto notes = notes_.find(alarm.channel);
+  if (notes != notes_.end() && index < notes->second.alarms_cleared) return false;
+  const bool is_acknowledged = notes != notes_.end() && index < notes->second.alarms_acknowledged;
+  return !is_acknowledged || output_of(output, alarm.channel).state == ChannelState::alarm;
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,60 @@
+// StatusReport: the state of the machine as JSON, as the methods that only look answer it.
+//
+// The members are those of docs/reference/protocol.md, "Results". States carry the words of OPC
+// 40501 (channel state) and OPC 40502 (program status). Belongs to the operator server's thread.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "daemon/cycle/running_machine.h"
+#include "daemon/desk/channel_notes.h"
+
+namespace stanok::daemon {
+
+class StatusReport {
+ public:
+  // Both outlive the report.
+  StatusReport(RunningMachine& machine, const NotesOfChannels& notes)
+      : machine_(machine), notes_(notes) {}
+
+  [[nodiscard]] nlohmann::json machine() const;
+  [[nodiscard]] nlohmann::json channel_list() const;
+  // Of a channel that exists.
+  [[nodiscard]] nlohmann::json channel(int id) const;
+  // All channels by their number, as subscriptions send them.
+  [[nodiscard]] nlohmann::json channels() const;
+  [[nodiscard]] nlohmann::json kinematics_list(int channel) const;
+  [[nodiscard]] nlohmann::json kinematics(int channel) const;
+  // Feed law, feed and speed of the cutting process.
+  [[nodiscard]] nlohmann::json process(int channel) const;
+  // `channel` 0: of all channels.
+  [[nodiscard]] nlohmann::json alarms_standing(int channel) const;
+  [[nodiscard]] nlohmann::json alarm_history(int channel) const;
+  // Runs of one channel, or of all for 0, in the order of their start.
+  [[nodiscard]] nlohmann::json program_history(int channel) const;
+
+ private:
+  // What the machine has beside its newest output.
+  struct Books {
+    std::vector<channels::AlarmReport> alarms;
+    std::vector<channels::RunReport> runs;
+    channels::TablesConfig tables;
+    drives::BusStatus bus;
+  };
+  enum class AlarmChoice : std::uint8_t { all, active };
+  [[nodiscard]] Books books() const;
+  [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
+                                       const channels::ChannelOutput& output,
+                                       const Books& books) const;
+  [[nodiscard]] nlohmann::json alarm_rows(int channel, AlarmChoice choice) const;
+  [[nodiscard]] bool stands(const channels::AlarmReport& alarm, std::size_t index,
+                            const channels::CycleOutput& output) const;
+
+  RunningMachine& machine_;
+  const NotesOfChannels& notes_;
+};
+
+// Output of a channel by its id; the output of a channel that has none yet is all zeros.
+[[nodiscard]] channels::ChannelOutput output_of(const channels::CycleOutput& output, int channel);
+
+}  // namespace stanok::daemon

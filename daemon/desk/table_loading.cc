@@ -1,0 +1,170 @@
+#include "daemon/desk/table_loading.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "channels/stores/live_tables.h"
+#include "config/config_error.h"
+#include "config/tables_file.h"
+#include "daemon/desk/inventory.h"
+#include "protocol/json_text.h"
+
+namespace stanok::daemon {
+namespace {
+
+using channels::OperatorAction;
+using channels::OperatorEvent;
+using channels::TablesConfig;
+using channels::ToolEdge;
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+
+Failure failure_of(const config::ConfigError& error) {
+  const config::ConfigFault& first = error.faults().front();
+  std::string text = first.text;
+  if (error.faults().size() > 1)
+    text += " (and " + std::to_string(error.faults().size() - 1) + " more)";
+  Failure failure{FailureKind::program_error, "E9014", std::move(text), 0, {}};
+  failure.place.file = first.file;
+  failure.place.line = static_cast<int>(first.line);
+  failure.place.column = static_cast<int>(first.column);
+  return failure;
+}
+
+OperatorEvent command(OperatorAction action, const std::string& text, double value) {
+  OperatorEvent event;
+  event.action = action;
+  event.text = FixedText<256>(text);
+  event.value = value;
+  return event;
+}
+
+// An edge that no table names is there with zeros.
+json edge_now(const TablesConfig& tables, int number, int edge) {
+  const auto found = std::ranges::find_if(tables.tools, [&](const ToolEdge& tool) {
+    return tool.number == number && tool.edge == edge;
+  });
+  ToolEdge plain;
+  plain.number = number;
+  plain.edge = edge;
+  return tool_json(found == tables.tools.end() ? plain : *found);
+}
+
+Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wanted,
+                                                              const TablesConfig& now) {
+  const json before = edge_now(now, wanted.number, wanted.edge);
+  const json after = tool_json(wanted);
+  std::vector<OperatorEvent> commands;
+  for (const auto& [key, value] : after.items()) {
+    if (before.at(key) == value) continue;
+    if (channels::tool_value_named(key) == 0) {
+      return Unexpected<Failure>(Failure{FailureKind::refused,
+                                         "E9015",
+                                         "tool " + std::to_string(wanted.number) + ", edge " +
+                                             std::to_string(wanted.edge) + ": " + key + " is " +
+                                             protocol::json_text(before.at(key)) + " here and " +
+                                             protocol::json_text(value) + " in the text",
+                                         0,
+                                         {}});
+    }
+    OperatorEvent set = command(OperatorAction::tool_set, key, value.get<double>());
+    set.number = wanted.number;
+    set.value_2 = wanted.edge;
+    commands.push_back(set);
+  }
+  return commands;
+}
+
+// What is not named is zero.
+double value_in(const std::map<std::string, channels::AxisRow>& rows, const std::string& name,
+                const std::string& axis) {
+  const auto row = rows.find(name);
+  if (row == rows.end()) return 0.0;
+  const auto value = row->second.find(axis);
+  return value == row->second.end() ? 0.0 : value->second;
+}
+
+// Programs store them (G28.1); a text that has others cannot be loaded.
+std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
+                                                 const TablesConfig& now) {
+  for (const auto& [channel, points] : wanted.reference_points) {
+    const auto of_channel = now.reference_points.find(channel);
+    for (const auto& [name, row] : points) {
+      for (const auto& [axis, value] : row) {
+        const bool has_any = of_channel != now.reference_points.end();
+        const double before = has_any ? value_in(of_channel->second, name, axis) : 0.0;
+        if (value == before) continue;
+        std::string text = "reference point " + name;
+        text.append(" of channel ").append(std::to_string(channel)).append(": ").append(axis);
+        text.append(" is ").append(protocol::json_text(json(before))).append(" here and ");
+        text.append(protocol::json_text(json(value))).append(" in the text");
+        return Failure{FailureKind::refused, "E9015", std::move(text), 0, {}};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// What is left of a loading, shared by the answers of its commands.
+struct Loading {
+  CommandDesk& desk;
+  std::vector<OperatorEvent> commands;
+  Answer answer;
+  std::size_t done = 0;
+};
+
+void submit_next(const std::shared_ptr<Loading>& loading) {
+  if (loading->done == loading->commands.size())
+    return loading->answer(json{{"values", loading->done}});
+  loading->desk.submit(
+      loading->commands[loading->done], WaitFor::accepted, [loading](const Outcome& outcome) {
+        if (outcome) {
+          ++loading->done;
+          return submit_next(loading);
+        }
+        Failure failure = outcome.error();
+        failure.message += "; " + std::to_string(loading->done) + " of " +
+                           std::to_string(loading->commands.size()) + " values were written before";
+        loading->answer(Unexpected<Failure>(std::move(failure)));
+      });
+}
+
+}  // namespace
+
+Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& machine,
+                                                               const std::string& text,
+                                                               const std::string& name) {
+  const TablesConfig now = machine.tables();
+  TablesConfig wanted;
+  try {
+    wanted =
+        config::read_tables_text(text, name, config::names_of_axes(machine.file().machine), now);
+  } catch (const config::ConfigError& error) {
+    return Unexpected<Failure>(failure_of(error));
+  }
+  if (auto refusal = change_of_reference_point(wanted, now))
+    return Unexpected<Failure>(std::move(*refusal));
+  std::vector<OperatorEvent> commands;
+  for (const ToolEdge& tool : wanted.tools) {
+    const auto changes = changes_of_tool(tool, now);
+    if (!changes) return changes;
+    commands.insert(commands.end(), changes->begin(), changes->end());
+  }
+  for (const auto& [offset, values] : wanted.offsets) {
+    for (const auto& [axis, value] : values) {
+      if (value == value_in(now.offsets, offset, axis)) continue;
+      std::string place = offset;
+      place.append(" ").append(axis);
+      commands.push_back(command(OperatorAction::offset_set, place, value));
+    }
+  }
+  return commands;
+}
+
+void submit_one_by_one(CommandDesk& desk, std::vector<OperatorEvent> commands, Answer answer) {
+  submit_next(std::make_shared<Loading>(Loading{desk, std::move(commands), std::move(answer)}));
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,97 @@
+#include "daemon/publish/flight_files.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "base/assert.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t flights_max = 10;  // files; older ones are removed
+
+// By the time of writing: of one second the names do not sort by time.
+void keep_newest(const fs::path& directory, const std::string& name) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    if (!entry.path().filename().string().starts_with(name + "-")) continue;
+    std::error_code gone;
+    files.emplace_back(fs::last_write_time(entry.path(), gone), entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  for (std::size_t k = 0; k + flights_max < files.size(); ++k) fs::remove(files[k].second, error);
+}
+
+}  // namespace
+
+FlightFiles::FlightFiles(fs::path directory, std::string name,
+                         std::function<void(const fs::path&)> written)
+    : directory_(std::move(directory)),
+      name_(std::move(name)),
+      written_(std::move(written)),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+FlightFiles::~FlightFiles() = default;
+
+bool FlightFiles::is_idle() {
+  const std::lock_guard lock(mutex_);
+  return !next_;
+}
+
+void FlightFiles::write(recording::FlightRecording&& recording) {
+  const std::lock_guard lock(mutex_);
+  STANOK_ASSERT(!next_);
+  next_ = std::move(recording);
+  news_.notify_one();
+}
+
+void FlightFiles::run(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (news_.wait(lock, stop, [this] { return next_.has_value(); })) {
+    lock.unlock();
+    try {
+      write_now(*next_);
+    } catch (const std::exception& fault) {
+      spdlog::error("the flight recorder: {}", fault.what());
+    }
+    lock.lock();
+    next_.reset();
+  }
+}
+
+void FlightFiles::write_now(const recording::FlightRecording& recording) const {
+  const fs::path file = log_file_name(directory_, name_);
+  std::error_code error;
+  fs::create_directories(directory_, error);
+  const auto written = recording.write(file);
+  if (!written) return spdlog::error("the flight recorder: {}", written.error().text);
+  keep_newest(directory_, name_);
+  spdlog::warn("a fault has stopped the machine: its last seconds are in {}", file.string());
+  written_(file);
+}
+
+fs::path log_file_name(const fs::path& directory, const std::string& name) {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &utc);
+  const std::string stem = name + "-" + text.data();
+  fs::path file = directory / (stem + ".lcm");
+  std::error_code error;
+  for (int n = 2; fs::exists(file, error); ++n)
+    file = directory / (stem + "-" + std::to_string(n) + ".lcm");
+  return file;
+}
+
+}  // namespace stanok::daemon

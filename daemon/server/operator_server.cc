@@ -1,0 +1,210 @@
+#include "daemon/server/operator_server.h"
+
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <map>
+#include <thread>
+#include <vector>
+
+#include "daemon/desk/stop_desk.h"
+#include "daemon/server/session.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using nlohmann::json;
+
+constexpr auto tick_period = std::chrono::milliseconds(10);
+constexpr auto socket_look_period = std::chrono::milliseconds(500);
+
+json event_json(const channels::Event& event) {
+  const auto text_or_null = [](std::string_view text) {
+    return text.empty() ? json(nullptr) : json(text);
+  };
+  return {{"cycle", event.cycle},
+          {"channel", event.channel},
+          {"code", text_or_null(event.code.view())},
+          {"text", event.text.view()},
+          {"line", event.tag.line}};
+}
+
+}  // namespace
+
+struct OperatorServer::Parts final : Counter {
+  Parts(ListeningSocket& listening, RunningMachine& machine, DaemonDescription description,
+        const ServerLimits& limits)
+      : reception(listening, machine, *this, limits),
+        timer(io),
+        socket(listening),
+        dispatch(machine, std::move(description), [this] { reception.end(); }) {}
+
+  // From the reception's thread.
+  void on_arrival(std::shared_ptr<Session> session) override;
+  void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+                std::uint64_t stops_before) override;
+  void on_departure(int session) override;
+  void on_stop_accepted(const channels::OperatorEvent& stop) override;
+  void on_end() override { io.stop(); }
+
+  void answer_frame(const std::shared_ptr<Session>& session, const protocol::Frame& frame,
+                    std::uint64_t stops_before);
+  void serve();
+  void tick();
+  void look_after_socket(SteadyTime now);
+  void push_status(SteadyTime now);
+  void push_event(const channels::Event& event);
+
+  // First: what the other members still hold of its sessions goes before it.
+  Reception reception;
+  asio::io_context io{1};
+  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
+  asio::steady_timer timer;
+  ListeningSocket& socket;
+  SteadyTime next_look_at_socket{};
+  Dispatch dispatch;
+  std::map<int, std::shared_ptr<Session>> sessions;
+};
+
+void OperatorServer::Parts::on_arrival(std::shared_ptr<Session> session) {
+  asio::post(io,
+             [this, session = std::move(session)] { sessions.emplace(session->id(), session); });
+}
+
+void OperatorServer::Parts::on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+                                     std::uint64_t stops_before) {
+  asio::post(io, [this, session = std::move(session), frame = std::move(frame), stops_before] {
+    answer_frame(session, frame, stops_before);
+    session->frame_is_done_soon();
+  });
+}
+
+void OperatorServer::Parts::on_departure(int session) {
+  asio::post(io, [this, session] {
+    sessions.erase(session);
+    dispatch.forget(session);
+  });
+}
+
+void OperatorServer::Parts::on_stop_accepted(const channels::OperatorEvent& stop) {
+  asio::post(io, [this, stop] { dispatch.note_stop(stop); });
+}
+
+void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session,
+                                         const protocol::Frame& frame, std::uint64_t stops_before) {
+  const auto request = protocol::parse_request(frame.text);
+  if (!request) {
+    return session->send_soon(protocol::failure_line(request.error().id, request.error().failure));
+  }
+  dispatch.set_clients(reception.clients());
+  session->state().stops_before = stops_before;
+  dispatch.handle(session->state(), *request,
+                  [asker = std::weak_ptr<Session>(session), id = request->id,
+                   wanted = request->wants_answer](const Outcome& outcome) {
+                    const auto alive = asker.lock();
+                    if (alive) alive->note_role(alive->state().role);
+                    if (!alive || !wanted) return;
+                    alive->send_soon(outcome ? protocol::answer_line(id, *outcome)
+                                             : protocol::failure_line(id, outcome.error()));
+                  });
+}
+
+void OperatorServer::Parts::tick() {
+  timer.expires_after(tick_period);
+  timer.async_wait([this](const error_code& error) {
+    if (error) return;
+    tick();
+    const auto now = std::chrono::steady_clock::now();
+    dispatch.tick(now);
+    push_status(now);
+    look_after_socket(now);
+  });
+}
+
+// A file that somebody has removed keeps no new client out for long.
+void OperatorServer::Parts::look_after_socket(SteadyTime now) {
+  if (now < next_look_at_socket) return;
+  next_look_at_socket = now + socket_look_period;
+  if (socket.is_there()) return;
+  try {
+    socket.renew();
+    spdlog::error("the socket {} was removed; there is a new one", socket.path().string());
+    reception.listen_on(socket.release());
+  } catch (const SocketError& error) {
+    spdlog::error("the socket was removed: {}; tried again", error.what());
+  }
+}
+
+void OperatorServer::Parts::push_status(SteadyTime now) {
+  for (const auto& [id, session] : sessions) {
+    Subscription& subscription = session->state().subscription;
+    if (!subscription.is_due(now) || !session->has_room_for_status()) continue;
+    if (auto status = subscription.status(dispatch.snapshot(subscription), now)) {
+      session->send_soon(protocol::notification_line("status", *status));
+    }
+  }
+}
+
+void OperatorServer::Parts::push_event(const channels::Event& event) {
+  for (const auto& [id, session] : sessions) {
+    Subscription& subscription = session->state().subscription;
+    const bool is_elsewhere =
+        subscription.channel() != 0 && event.channel != subscription.channel();
+    if (!subscription.wants("events") || is_elsewhere) continue;
+    json parameters = event_json(event);
+    parameters["seq"] = subscription.next_seq();
+    session->send_soon(protocol::notification_line("event", parameters));
+  }
+}
+
+// Until the reception ends it. A fault costs the request that led to it; the machine is stopped.
+void OperatorServer::Parts::serve() {
+  while (!io.stopped()) {
+    try {
+      io.run();
+    } catch (const std::exception& fault) {
+      reception.fail();
+      spdlog::critical("the operator server: {}; the machine is stopped", fault.what());
+    }
+  }
+}
+
+OperatorServer::OperatorServer(ListeningSocket& socket, RunningMachine& machine,
+                               DaemonDescription description, ServerLimits limits)
+    : parts_(std::make_unique<Parts>(socket, machine, std::move(description), limits)) {}
+
+OperatorServer::~OperatorServer() = default;
+
+void OperatorServer::run() {
+  const std::jthread reception([parts = parts_.get()] { parts->reception.run(); });
+  parts_->tick();
+  parts_->serve();
+}
+
+void OperatorServer::end() {
+  parts_->reception.end();
+}
+
+void OperatorServer::fail() {
+  parts_->reception.fail();
+}
+
+bool OperatorServer::has_failed() const {
+  return parts_->reception.has_failed();
+}
+
+void OperatorServer::on_event(const channels::Event& event) {
+  asio::post(parts_->io, [parts = parts_.get(), event] { parts->push_event(event); });
+}
+
+void OperatorServer::on_reply(const channels::OperatorReply& reply) {
+  if (StopDesk::is_ours(reply)) return parts_->reception.on_reply(reply);
+  asio::post(parts_->io, [parts = parts_.get(), reply] { parts->dispatch.on_reply(reply); });
+}
+
+}  // namespace stanok::daemon

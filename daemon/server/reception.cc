@@ -1,0 +1,299 @@
+#include "daemon/server/reception.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <map>
+#include <thread>
+#include <vector>
+
+#include "daemon/desk/stop_desk.h"
+#include "daemon/host/processor_share.h"
+#include "daemon/host/real_time_rights.h"
+#include "daemon/host/signals.h"
+#include "daemon/server/orderly_end.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using protocol::FailureKind;
+using LocalSocket = asio::local::stream_protocol;
+
+constexpr int reception_priority = 70;  // below the cycle, above the drive buses
+constexpr auto round = std::chrono::milliseconds(10);
+constexpr auto cycle_wait = std::chrono::milliseconds(1);  // until the cycle may have replied
+constexpr auto round_share = std::chrono::milliseconds(5);
+// When the system has no descriptors left, accepting is tried again after this time.
+constexpr auto accept_retry_pause = std::chrono::milliseconds(20);
+// A stop is shorter; what is longer goes the way of all requests.
+constexpr std::size_t stop_bytes_max = 4096;
+// Who was turned away and sent a stop may wait for its answer.
+constexpr auto answer_time = std::chrono::seconds(30);
+
+std::string oversize_answer() {
+  return protocol::failure_line(
+      nullptr, {FailureKind::invalid_request, "E9001", "a request has at most 1 MiB", 0, {}});
+}
+
+}  // namespace
+
+struct Reception::Parts {
+  Parts(ListeningSocket& socket, RunningMachine& used, Counter& told, const ServerLimits& given)
+      : limits(given),
+        machine(used),
+        counter(told),
+        acceptor(io, LocalSocket(), socket.release()),
+        pause(io),
+        signals(io),
+        stops(used,
+              [this](const channels::OperatorEvent& stop) { counter.on_stop_accepted(stop); }),
+        ending(used, stops) {
+    for (const int number : ending_signals()) signals.add(number);
+    await_signal();
+  }
+
+  void accept();
+  void admit(LocalSocket::socket socket);
+  void take_frame(Session& session, const protocol::Frame& frame);
+  [[nodiscard]] bool take_stop(Session& session, const protocol::Frame& frame);
+  void count_clients();
+  [[nodiscard]] bool make_room();
+  [[nodiscard]] bool end_oldest_turned_away();
+  void forget(int id);
+  void await_signal();
+  void begin_end(const std::string& why);
+  void serve_one_round();
+  [[nodiscard]] bool step_end();
+  void drop_overdue();
+  [[nodiscard]] std::vector<std::shared_ptr<Session>> all_sessions() const;
+
+  ServerLimits limits;
+  RunningMachine& machine;
+  Counter& counter;
+  asio::io_context io{1};
+  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
+  LocalSocket::acceptor acceptor;
+  asio::steady_timer pause;
+  asio::signal_set signals;
+  StopDesk stops;
+  OrderlyEnd ending;
+  ProcessorShare share{round_share, round};
+  std::map<int, std::shared_ptr<Session>> sessions;  // by id: the oldest first
+  int last_session = 0;
+  std::atomic<std::size_t> clients{0};
+  std::atomic<bool> end_asked{false};
+  std::atomic<bool> failed{false};
+};
+
+void Reception::Parts::accept() {
+  acceptor.async_accept([this](const error_code& error, LocalSocket::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (!error) {
+      admit(std::move(socket));
+      return accept();
+    }
+    // Somebody without a place gives up a descriptor for who knocks now.
+    const bool has_room = end_oldest_turned_away();
+    if (!has_room) spdlog::warn("cannot accept a client: {}", error.message());
+    pause.expires_after(has_room ? std::chrono::milliseconds(0) : accept_retry_pause);
+    pause.async_wait([this](const error_code& stopped) {
+      if (!stopped) accept();
+    });
+  });
+}
+
+void Reception::Parts::admit(LocalSocket::socket socket) {
+  const auto session = std::make_shared<Session>(std::move(socket), ++last_session);
+  const bool has_room = clients < limits.clients_max || make_room();
+  sessions.emplace(session->id(), session);
+  session->start([this](Session& from, const protocol::Frame& frame) { take_frame(from, frame); },
+                 [this](int id) { forget(id); });
+  if (has_room) {
+    session->send(protocol::notification_line("hello", greeting(machine.file(), session->state())));
+    counter.on_arrival(session);
+  } else {
+    session->turn_away("E9008", "too many clients");
+    if (sessions.size() > limits.clients_max + limits.turned_away_max)
+      static_cast<void>(end_oldest_turned_away());
+  }
+  count_clients();
+}
+
+// Who has been told to go lingers until it has read that, but has no place any more.
+void Reception::Parts::count_clients() {
+  clients = static_cast<std::size_t>(
+      std::count_if(sessions.begin(), sessions.end(),
+                    [](const auto& entry) { return entry.second->has_place(); }));
+}
+
+// Ends the session of the observer who has been here longest.
+bool Reception::Parts::make_room() {
+  const auto observer = std::find_if(sessions.begin(), sessions.end(), [](const auto& entry) {
+    return entry.second->has_place() && entry.second->role() == protocol::Role::observer;
+  });
+  if (observer == sessions.end()) return false;
+  observer->second->drop("E9008", "an operator needs the place");
+  return true;
+}
+
+bool Reception::Parts::end_oldest_turned_away() {
+  const auto oldest = std::find_if(sessions.begin(), sessions.end(), [](const auto& entry) {
+    return entry.second->is_turned_away();
+  });
+  if (oldest == sessions.end()) return false;
+  const auto session = oldest->second;
+  session->close();
+  return true;
+}
+
+void Reception::Parts::forget(int id) {
+  sessions.erase(id);
+  count_clients();
+  counter.on_departure(id);
+}
+
+void Reception::Parts::take_frame(Session& session, const protocol::Frame& frame) {
+  if (frame.kind == protocol::FrameKind::oversize) return session.send(oversize_answer());
+  if (take_stop(session, frame) || session.is_turned_away()) return;
+  session.note_frame_handed_on();
+  counter.on_frame(session.shared_from_this(), frame, machine.stops_taken());
+}
+
+// False: it is none. What cannot be read is answered where all requests are.
+bool Reception::Parts::take_stop(Session& session, const protocol::Frame& frame) {
+  if (frame.text.size() > stop_bytes_max) return false;
+  const auto request = protocol::parse_request(frame.text);
+  if (!request) return false;
+  const auto answer = [asker = session.weak_from_this(),
+                       request = *request](const Outcome& outcome) {
+    const auto alive = asker.lock();
+    if (!alive) return;
+    SessionState who;
+    who.id = alive->id();
+    who.peer = alive->peer();
+    log_command(who, request, outcome);
+    if (!request.wants_answer) return;
+    alive->send(outcome ? protocol::answer_line(request.id, *outcome)
+                        : protocol::failure_line(request.id, outcome.error()));
+  };
+  const bool is_stop = stops.take(session.role(), *request, answer);
+  if (is_stop && session.is_turned_away()) session.stay_for(answer_time);
+  return is_stop;
+}
+
+// Sessions may end while something is sent to them; the copy keeps the loop whole.
+std::vector<std::shared_ptr<Session>> Reception::Parts::all_sessions() const {
+  std::vector<std::shared_ptr<Session>> all;
+  all.reserve(sessions.size());
+  for (const auto& [id, session] : sessions) all.push_back(session);
+  return all;
+}
+
+void Reception::Parts::drop_overdue() {
+  const auto now = std::chrono::steady_clock::now();
+  for (const auto& session : all_sessions()) {
+    if (session->has_overstayed(now)) {
+      session->close();
+    } else if (session->has_frame_begun_before(now - limits.frame_time_max)) {
+      session->drop("E9001", "a request was begun and not finished in time");
+      count_clients();
+    }
+  }
+}
+
+void Reception::Parts::await_signal() {
+  signals.async_wait([this](const error_code& error, int number) {
+    if (error) return;
+    begin_end("by " + signal_name(number));
+    await_signal();
+  });
+}
+
+// A second reason hastens nothing: a terminal that is closed sends several signals.
+void Reception::Parts::begin_end(const std::string& why) {
+  if (ending.has_begun()) return spdlog::info("asked to end {}, while ending", why);
+  ending.begin(std::chrono::steady_clock::now());
+  spdlog::info("ending {}: feed hold, then drives off", why);
+}
+
+// Nothing here allocates: it must work when there is no memory left.
+bool Reception::Parts::step_end() {
+  const auto now = std::chrono::steady_clock::now();
+  if (failed || end_asked.exchange(false)) {
+    if (!ending.has_begun()) begin_end("on request");
+  }
+  return ending.step(now);
+}
+
+void Reception::Parts::serve_one_round() {
+  const auto end = std::chrono::steady_clock::now() + round;
+  for (auto now = std::chrono::steady_clock::now(); now < end;
+       now = std::chrono::steady_clock::now()) {
+    io.run_one_until(stops.waits_for_reply() ? std::min(end, now + cycle_wait) : end);
+    while (const auto reply = machine.stop_reply()) stops.on_reply(*reply);
+    share.rest_when_used_up();
+  }
+  stops.tick(std::chrono::steady_clock::now());
+  drop_overdue();
+}
+
+Reception::Reception(ListeningSocket& socket, RunningMachine& machine, Counter& counter,
+                     const ServerLimits& limits)
+    : parts_(std::make_unique<Parts>(socket, machine, counter, limits)) {}
+
+Reception::~Reception() = default;
+
+void Reception::run() {
+  prefer_this_thread(reception_priority);
+  parts_->accept();
+  while (!parts_->step_end()) {
+    try {
+      parts_->serve_one_round();
+    } catch (const std::exception& fault) {
+      spdlog::critical("the reception of clients: {}; the machine is stopped", fault.what());
+      parts_->failed = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  for (const auto& session : parts_->all_sessions()) session->close();
+  parts_->counter.on_end();
+}
+
+void Reception::end() {
+  parts_->end_asked = true;
+}
+
+void Reception::fail() {
+  parts_->failed = true;
+}
+
+bool Reception::has_failed() const {
+  return parts_->failed;
+}
+
+std::size_t Reception::clients() const {
+  return parts_->clients;
+}
+
+void Reception::listen_on(int descriptor) {
+  asio::post(parts_->io, [parts = parts_.get(), descriptor] {
+    error_code ignored;
+    ignored = parts->acceptor.close(ignored);
+    parts->acceptor = LocalSocket::acceptor(parts->io, LocalSocket(), descriptor);
+    parts->accept();
+  });
+}
+
+void Reception::on_reply(const channels::OperatorReply& reply) {
+  asio::post(parts_->io, [parts = parts_.get(), reply] { parts->stops.on_reply(reply); });
+}
+
+}  // namespace stanok::daemon

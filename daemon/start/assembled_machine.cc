@@ -1,0 +1,110 @@
+#include "daemon/start/assembled_machine.h"
+
+#include <spdlog/spdlog.h>
+
+#include "base/enum_names.h"
+
+namespace stanok::daemon {
+namespace {
+
+constexpr auto drive_choice_names = enum_names<runtime::DriveChoice>({
+    {runtime::DriveChoice::ideal, "ideal"},
+    {runtime::DriveChoice::simulated, "simulated"},
+    {runtime::DriveChoice::embedded, "embedded"},
+    {runtime::DriveChoice::real, "real"},
+});
+
+// What is known of a machine of which no cycle has been: its axes are where they stood last, and no
+// drive has answered.
+channels::CycleOutput before_the_first_cycle(const channels::MachineConfig& machine) {
+  channels::CycleOutput output;
+  for (const channels::ChannelConfig& config : machine.channels) {
+    const auto index = static_cast<std::size_t>(output.channel_count++);
+    channels::ChannelOutput& channel = output.channels.at(index);
+    channel.id = config.id;
+    channel.axis_count = static_cast<std::int32_t>(config.axes.size());
+    channel.scheme = config.scheme;
+    channel.has_feedback = true;
+    for (std::size_t k = 0; k < config.axes.size(); ++k)
+      channel.axes[k].position = machine.axes[static_cast<std::size_t>(config.axes[k])].start;
+  }
+  return output;
+}
+
+}  // namespace
+
+AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
+                                   std::filesystem::path program_root,
+                                   std::vector<std::filesystem::path> program_roots)
+    : assembly_(assembly),
+      machine_(assembly.machine()),
+      replies_(assembly.machine().replies()),
+      recorder_(recorder),
+      program_root_(std::move(program_root)),
+      newest_(before_the_first_cycle(assembly.file().machine)),
+      foresight_(
+          assembly.file(), std::move(program_roots),
+          [this](recording::PathPreview path) { recorder_.show_path(std::move(path)); },
+          [](const std::string& obstacle) { spdlog::warn("{}", obstacle); }) {}
+
+void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
+  const std::lock_guard lock(mutex_);
+  rights_ = rights;
+}
+
+void AssembledMachine::cycle() RT_SAFE {
+  const EventQueue::Taken taken = events_.take();
+  cycles_.store(assembly_.cycle(taken.events).cycle, std::memory_order_relaxed);
+  refuse_overtaken(taken.overtaken);
+}
+
+void AssembledMachine::refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE {
+  for (const channels::OperatorEvent& event : events) {
+    channels::OperatorReply reply;
+    reply.id = event.id;
+    reply.ok = false;
+    reply.code = FixedText<8>("E6072");
+    reply.text = FixedText<240>("a stop was asked for after this and came first");
+    // A full ring loses the answer, as it does in the coordinator; the desk answers in the end.
+    static_cast<void>(replies_.push(reply));
+  }
+}
+
+std::optional<channels::OperatorReply> AssembledMachine::stop_reply() {
+  channels::OperatorReply reply;
+  if (!assembly_.machine().stop_replies().pop(reply)) return std::nullopt;
+  return reply;
+}
+
+void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
+  channels::InputRecord record;
+  record.cycle = cycles_;
+  record.kind = channels::InputKind::overrun;
+  record.value = static_cast<double>(periods);
+  machine_.record(record);
+}
+
+void AssembledMachine::on_output(const channels::CycleOutput& output) {
+  const std::lock_guard lock(mutex_);
+  newest_ = output;
+}
+
+channels::CycleOutput AssembledMachine::newest_output() {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+LoopFigures AssembledMachine::loop_figures() {
+  return loop_ == nullptr ? LoopFigures{} : loop_->figures();
+}
+
+RealTimeRights AssembledMachine::real_time_rights() {
+  const std::lock_guard lock(mutex_);
+  return rights_;
+}
+
+std::string AssembledMachine::drive_choice() {
+  return std::string(drive_choice_names[assembly_.drives()]);
+}
+
+}  // namespace stanok::daemon

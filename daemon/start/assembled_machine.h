@@ -1,0 +1,113 @@
+// AssembledMachine: the runtime's assembly between the real-time loop and the operator's side.
+//
+// The loop calls `cycle`; the publisher thread brings the outputs; the operator server asks through
+// RunningMachine. What passes from one to the other are the event queue, the newest output under a
+// lock outside of real time, and the figures of the loop.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+
+#include "daemon/cycle/event_queue.h"
+#include "daemon/cycle/real_time_loop.h"
+#include "daemon/cycle/running_machine.h"
+#include "daemon/publish/publisher_thread.h"
+#include "daemon/publish/recorder.h"
+#include "runtime/assembly.h"
+
+namespace stanok::daemon {
+
+class AssembledMachine final : public RunningMachine, public CyclicWork, public CycleListener {
+ public:
+  // All outlive the machine.
+  AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
+                   std::filesystem::path program_root,
+                   std::vector<std::filesystem::path> program_roots);
+
+  // To be told before the server starts.
+  void set_loop(RealTimeLoop& loop) { loop_ = &loop; }
+  // Any thread.
+  void set_real_time_rights(const RealTimeRights& rights);
+
+  void cycle() RT_SAFE override;
+  void note_overrun(std::int64_t periods) RT_SAFE override;
+
+  void on_output(const channels::CycleOutput& output) override;
+
+  [[nodiscard]] const config::MachineFile& file() const override { return assembly_.file(); }
+  [[nodiscard]] const std::filesystem::path& program_root() const override { return program_root_; }
+  [[nodiscard]] bool submit(const channels::OperatorEvent& event) override {
+    return events_.put(event);
+  }
+  [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
+    return events_.put_stop(stop);
+  }
+  [[nodiscard]] std::optional<channels::OperatorReply> stop_reply() override;
+  [[nodiscard]] std::uint64_t stops_taken() override { return events_.stops_put(); }
+  [[nodiscard]] std::int64_t cycles() override { return cycles_; }
+  [[nodiscard]] channels::CycleOutput newest_output() override;
+  [[nodiscard]] std::vector<channels::RunReport> runs() override {
+    return assembly_.machine().runs();
+  }
+  [[nodiscard]] std::vector<channels::AlarmReport> alarms() override {
+    return assembly_.machine().alarms();
+  }
+  [[nodiscard]] std::optional<channels::SearchReport> search(int channel) override {
+    return assembly_.machine().search(channel);
+  }
+  [[nodiscard]] channels::BlockReport block(const channels::ChannelOutput& output) override {
+    return assembly_.machine().block(output.id, output.tag, output.running);
+  }
+  [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
+    return assembly_.machine().load_diagnostics();
+  }
+  [[nodiscard]] channels::TablesConfig tables() override { return assembly_.machine().tables(); }
+  void foresee(int channel, const std::string& program) override {
+    foresight_.look_at(channel, program, newest_output(), tables());
+  }
+  void foreseen_begins(int channel, runtime::RunsOfChannels before) override {
+    foresight_.begins(channel, std::move(before));
+  }
+  [[nodiscard]] runtime::Outlook outlook(int channel) override {
+    return foresight_.outlook(channel, newest_output());
+  }
+  [[nodiscard]] LoopFigures loop_figures() override;
+  [[nodiscard]] RealTimeRights real_time_rights() override;
+  [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
+  [[nodiscard]] std::uint64_t inputs_lost() override { return machine_.inputs_lost(); }
+  [[nodiscard]] std::string drive_choice() override;
+  [[nodiscard]] drives::BusStatus drive_status() override { return assembly_.drive_status(); }
+  [[nodiscard]] bool reset_drive(const std::string& drive) override {
+    return assembly_.reset_drive(drive);
+  }
+  [[nodiscard]] bool inject_fault(const std::string& drive, plant::FaultKind fault) override {
+    return assembly_.inject_fault(drive, fault);
+  }
+  [[nodiscard]] RecordingStatus recording_status() override { return recorder_.status(); }
+  void allow_workpieces(bool allowed) override { recorder_.allow_workpieces(allowed); }
+  [[nodiscard]] std::optional<Expected<std::filesystem::path, recording::LogError>> start_log()
+      override {
+    return recorder_.logs().start();
+  }
+  [[nodiscard]] std::optional<std::filesystem::path> stop_log() override {
+    return recorder_.logs().stop();
+  }
+
+ private:
+  void refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE;
+
+  runtime::Assembly& assembly_;
+  channels::Machine& machine_;  // of the assembly
+  Ring<channels::OperatorReply>& replies_;
+  Recorder& recorder_;
+  std::filesystem::path program_root_;
+  EventQueue events_;
+  std::atomic<std::int64_t> cycles_{0};
+  RealTimeLoop* loop_ = nullptr;
+  std::mutex mutex_;
+  channels::CycleOutput newest_;
+  RealTimeRights rights_;
+  runtime::Foresight foresight_;
+};
+
+}  // namespace stanok::daemon

@@ -1,0 +1,166 @@
+#include "daemon/start/daemon.h"
+
+#include <spdlog/spdlog.h>
+#include <sys/stat.h>
+
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "daemon/cycle/preparation_threads.h"
+#include "daemon/host/signals.h"
+#include "daemon/host/state_directory.h"
+#include "daemon/server/operator_server.h"
+#include "daemon/start/assembled_machine.h"
+#include "daemon/start/kept_state.h"
+#include "protocol/socket_location.h"
+#include "protocol/version.h"
+#include "runtime/standard_cycles.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t ns_per_us = 1000;
+constexpr int real_time_priority =
+    80;  // above what the system runs by default, below its watchdogs
+constexpr int drive_bus_priority = 60;
+constexpr int exit_machine_fault = 7;
+
+std::string build_description() {
+#ifdef __OPTIMIZE__
+  constexpr const char* kind = "optimised";
+#else
+  constexpr const char* kind = "not optimised";
+#endif
+#ifdef __clang__
+  return "clang " + std::string(__clang_version__) + ", " + kind;
+#else
+  return "g++ " + std::string(__VERSION__) + ", " + kind;
+#endif
+}
+
+RecorderOptions recorder_options(const DaemonOptions& options, const config::MachineFile& file,
+                                 const fs::path& state) {
+  RecorderOptions chosen;
+  if (options.lcm != "off") chosen.lcm_url = options.lcm.empty() ? file.lcm_url : options.lcm;
+  chosen.logs_from_start = !options.log_directory.empty();
+  chosen.log_directory = file.recorder.directory.empty() ? state / "log" : file.recorder.directory;
+  if (chosen.logs_from_start) chosen.log_directory = options.log_directory;
+  return chosen;
+}
+
+runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
+                                          const config::MachineFile& file,
+                                          const fs::path& program_root) {
+  runtime::AssemblyOptions chosen;
+  chosen.file = file;
+  chosen.drives = options.drives.value_or(runtime::DriveChoice::embedded);
+  chosen.program_roots = runtime::standard_cycle_folders();
+  chosen.program_roots.insert(chosen.program_roots.begin(), program_root);
+  return chosen;
+}
+
+// Where nobody has said what others may write (umask 000), they may write nothing.
+void protect_files_from_others() {
+  constexpr ::mode_t usual = 0022;
+  const ::mode_t given = ::umask(usual);
+  if ((given & S_IWOTH) != 0) ::umask(given);
+}
+
+// The real-time thread; its rights are taken before its first cycle and told once.
+class RealTimeThread {
+ public:
+  RealTimeThread(RealTimeLoop& loop, AssembledMachine& machine)
+      : loop_(loop), thread_([&loop, &machine] {
+          const RealTimeRights rights = take_real_time_rights(real_time_priority);
+          for (const std::string& note : rights.notes) spdlog::warn("real time: {}", note);
+          machine.set_real_time_rights(rights);
+          loop.run();
+        }) {}
+  ~RealTimeThread() {
+    loop_.stop();
+    thread_.join();
+  }
+  RealTimeThread(const RealTimeThread&) = delete;
+  RealTimeThread& operator=(const RealTimeThread&) = delete;
+
+ private:
+  RealTimeLoop& loop_;
+  std::thread thread_;
+};
+
+CycleRings rings_of(runtime::Assembly& assembly) {
+  channels::Machine& machine = assembly.machine();
+  return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies(),
+          [&assembly] { return assembly.program_reads(); }};
+}
+
+// The drive bus runs while this lives. Late answers trip the drives' watchdogs.
+struct RunningDrives {
+  explicit RunningDrives(runtime::Assembly& used) : assembly(used) {
+    const FifoForNewThreads fifo(drive_bus_priority);
+    assembly.start();
+  }
+  ~RunningDrives() { assembly.stop(); }
+  RunningDrives(const RunningDrives&) = delete;
+  RunningDrives& operator=(const RunningDrives&) = delete;
+  runtime::Assembly& assembly;
+};
+
+}  // namespace
+
+int run_daemon(const DaemonOptions& options) {
+  ignore_harmless_signals();
+  protect_files_from_others();
+  config::MachineFile file = config::read_machine_file(options.machine_file);
+  const std::string& name = file.machine.name;
+  const fs::path program_root =
+      options.program_root.empty() ? fs::current_path() : fs::absolute(options.program_root);
+  const StateDirectory state(options.state_directory.empty()
+                                 ? protocol::default_state_directory(name)
+                                 : options.state_directory);
+  load_state(state.path(), file.machine);
+  ListeningSocket socket(options.socket.empty() ? protocol::default_socket(name, state.path())
+                                                : options.socket);
+
+  std::optional<FifoForNewThreads> fifo(drive_bus_priority);  // the server of embedded drives
+  std::atomic<bool> ends{false};  // nothing waits for a program that is being compiled
+  runtime::AssemblyOptions assembled = assembly_options(options, file, program_root);
+  assembled.machine.gives_up = [&ends] { return ends.load(std::memory_order_relaxed); };
+  runtime::Assembly assembly(assembled);
+  fifo.reset();
+  Recorder recorder(file, build_description(), recorder_options(options, file, state.path()));
+  AssembledMachine machine(assembly, recorder, program_root, assembled.program_roots);
+  MonotonicClock clock;
+  RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);
+  machine.set_loop(loop);
+  OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()});
+
+  // First the stop: what is said may need memory.
+  const auto fail = [&](std::string_view who, std::string_view reason) {
+    server.fail();
+    ends = true;
+    spdlog::critical("{}: {}; the machine is stopped", who, reason);
+  };
+  const KeptState kept(state.path(), machine);
+  const RunningDrives drives(assembly);
+  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server},
+                                  [&](std::string_view reason) { fail("publisher", reason); });
+  const PreparationThreads preparation(
+      static_cast<int>(file.machine.channels.size()),
+      [&](int index) { return assembly.machine().prepare(index); },
+      [&](int index, std::string_view reason) {
+        fail(file.machine.channels[static_cast<std::size_t>(index)].name, reason);
+      });
+  const RealTimeThread real_time(loop, machine);
+  spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
+               file.machine.cycle_us, machine.drive_choice(), socket.path().string());
+  server.run();
+  ends = true;
+  spdlog::info("stanokd ends");
+  return server.has_failed() ? exit_machine_fault : 0;
+}
+
+}  // namespace stanok::daemon

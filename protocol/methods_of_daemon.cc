@@ -1,0 +1,81 @@
+// Rows of the command table: records, sessions and the daemon itself.
+#include <array>
+
+#include "protocol/method_rows.h"
+
+namespace stanok::protocol::rows {
+namespace {
+
+constexpr auto topic_choices =
+    std::to_array<std::string_view>({"machine", "channels", "drives", "events"});
+
+constexpr auto role_choices = std::to_array<std::string_view>({"observer", "operator"});
+
+constexpr Parameter topics{.name = "topics",
+                           .type = ParameterType::text_list,
+                           .presence = Presence::required,
+                           .spelling = Spelling::positional,
+                           .maximum = topic_choices.size(),
+                           .choices = topic_choices,
+                           .help = "what to be told of; an empty list ends the subscription"};
+
+constexpr Parameter lower_role{.name = "role",
+                               .type = ParameterType::choice,
+                               .presence = Presence::required,
+                               .spelling = Spelling::positional,
+                               .choices = role_choices,
+                               .help = "role to go down to; there is no way back up"};
+
+constexpr std::array of_subscription{topics, rate};
+constexpr std::array of_role{lower_role};
+
+constexpr auto daemon_rows = std::to_array<Method>({
+    {.name = "log.status",
+     .help = "recorder and LCM publisher: file, bytes, what was lost",
+     .result = R"({"lcm":{"url":"string?","open":"boolean","sent":"integer","lost":"integer"},
+      "file":{"path":"string?","bytes":"integer","events":"integer","error":"string?"},
+      "flight":"string?","outputs_lost":"integer"})"},
+    {.name = "log.start",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .help = "begin a new log file",
+     .result = R"({"path":"string"})"},
+    {.name = "log.stop",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .help = "end the log file",
+     .result = R"({"path":"string"})"},
+
+    {.name = "subscribe",
+     .course = Course::reports,
+     .parameters = of_subscription,
+     .help = "a snapshot, then what changes, as notifications",
+     .result = R"({"topics":["string"],"rate_hz":"number"})"},
+
+    {.name = "session.role",
+     .parameters = of_role,
+     .help = "give up rights of this connection",
+     .result = R"({"role":"string"})"},
+
+    {.name = "system.info",
+     .help = "version, build, process, files, clients",
+     .result = R"({"server":"string","version":"string","api":"integer","build":"string",
+      "pid":"integer","uptime_s":"number"})"},
+    {.name = "system.shutdown",
+     .role = integrator,
+     .effect = Effect::changes,
+     .help = "feed hold, drives off, orderly end of the daemon"},
+
+    {.name = "rpc.discover",
+     .help = "this table as an OpenRPC document",
+     .result = R"({"openrpc":"string","info":{"title":"string","version":"string"},
+      "methods":["any"]})"},
+});
+
+}  // namespace
+
+std::span<const Method> daemon_methods() {
+  return daemon_rows;
+}
+
+}  // namespace stanok::protocol::rows

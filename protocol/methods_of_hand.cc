@@ -1,0 +1,82 @@
+// Rows of the command table: single lines and axes moved by hand.
+#include <array>
+
+#include "protocol/method_rows.h"
+
+namespace stanok::protocol::rows {
+namespace {
+
+constexpr Parameter line = required_text("text", "one complete statement");
+
+constexpr Parameter jogged_axis =
+    required_text("axis", "axis of the machine, as in the machine file");
+
+constexpr Parameter jog_velocity{.name = "velocity",
+                                 .type = ParameterType::number,
+                                 .presence = Presence::required,
+                                 .carries = Carries::value,
+                                 .unit = "mm/s, deg/s",
+                                 .minimum = -velocity_limit,
+                                 .maximum = velocity_limit,
+                                 .help = "its sign is the direction"};
+
+constexpr Parameter jog_increment{.name = "increment",
+                                  .type = ParameterType::number,
+                                  .carries = Carries::value_2,
+                                  .unit = "mm, deg",
+                                  .minimum = 0,
+                                  .maximum = velocity_limit,
+                                  .help = "way to go; without it as long as the jog is renewed"};
+
+constexpr Parameter homed_axis{.name = "axis",
+                               .type = ParameterType::text,
+                               .carries = Carries::text,
+                               .minimum = 1,
+                               .maximum = text_bytes_max,
+                               .help = "one axis only; default: all of the channel"};
+
+// Who types a line wants to know what came of it.
+constexpr Parameter wait_as_usual = [] {
+  Parameter parameter = wait;
+  parameter.usual = "done";
+  return parameter;
+}();
+constexpr std::array of_line{line, channel, wait_as_usual};
+constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, channel};
+constexpr std::array of_home{homed_axis, channel};
+
+constexpr auto hand_rows = std::to_array<Method>({
+    {.name = "mdi",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "mdi",
+     .parameters = of_line,
+     .help = "execute one line of program text: a block or a statement",
+     .result = R"("$end of run")"},
+
+    {.name = "jog",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .course = Course::repeats,
+     .action = "jog",
+     .parameters = of_jog,
+     .help = "move an axis by hand: by an increment, or for 200 ms, to be asked again while it "
+             "shall go on"},
+
+    {.name = "home",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .course = Course::moves_axes,
+     .action = "home",
+     .parameters = of_home,
+     .help = "find the reference marks of the axes of a channel, in their order; answers when it "
+             "is done"},
+});
+
+}  // namespace
+
+std::span<const Method> hand_methods() {
+  return hand_rows;
+}
+
+}  // namespace stanok::protocol::rows

@@ -1,0 +1,75 @@
+// Rows of the command table: the machine as a whole and its channels.
+#include <array>
+
+#include "protocol/method_rows.h"
+
+namespace stanok::protocol::rows {
+namespace {
+
+constexpr Parameter control{.name = "on",
+                            .type = ParameterType::integer,
+                            .spelling = Spelling::positional,
+                            .minimum = 0,
+                            .maximum = 1,
+                            .help = "1 take it, the default; 0 give it back"};
+
+constexpr std::array of_control{control, channel};
+constexpr std::array of_watch{channel, rate};
+
+constexpr auto machine_rows = std::to_array<Method>({
+    {.name = "machine.on",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "machine_on",
+     .help = "switch on the drives of the axes that take part"},
+    {.name = "machine.off",
+     .role = machine_operator,
+     .effect = Effect::stops,
+     .action = "machine_off",
+     .help = "stop all channels and switch the drives off"},
+    {.name = "machine.estop",
+     .role = machine_operator,
+     .effect = Effect::stops,
+     .action = "machine_estop",
+     .help = "stop along the path at once, then drives off; always accepted"},
+    {.name = "machine.status",
+     .help = "cycle, drives, real-time figures, state of every channel",
+     .result = R"({"name":"string","cycle_us":"integer","cycle":"integer",
+      "machine_time_s":"number","on":"boolean","idle":"boolean","drives":"string",
+      "rt":{"cycle_us":"$percentiles","latency_us":"$percentiles","overruns":"integer",
+            "periods_skipped":"integer"},
+      "real_time":{"scheduling":"string","memory_locked":"boolean","notes":["string"]},
+      "outputs_lost":"integer",
+      "channels":[{"id":"integer","name":"string","state":"string","program_status":"string"}]})"},
+
+    {.name = "channel.list",
+     .help = "channels with kind, axes, scheme and state",
+     .result = R"({"channels":[{"id":"integer","name":"string","kind":"string",
+      "axes":["string"],"words":["string"],"scheme":"integer","state":"string",
+      "program_status":"string"}]})"},
+    {.name = "channel.status",
+     .parameters = of_channel,
+     .help = "state, program, block, position, feed and overrides of a channel",
+     .result = R"("$channel")"},
+    {.name = "channel.control",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .course = Course::holds,
+     .parameters = of_control,
+     .help =
+         "have a channel to oneself until the connection ends; stops are never refused to others",
+     .result = R"({"channel":"integer","controlled_by":"string?"})"},
+    {.name = "channel.watch",
+     .course = Course::reports,
+     .parameters = of_watch,
+     .help = "status of a channel as it changes",
+     .result = R"({"topics":["string"],"rate_hz":"number"})"},
+});
+
+}  // namespace
+
+std::span<const Method> machine_methods() {
+  return machine_rows;
+}
+
+}  // namespace stanok::protocol::rows

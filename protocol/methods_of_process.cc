@@ -1,0 +1,134 @@
+// Rows of the command table: the cutting process and the virtual workpiece.
+#include <array>
+
+#include "protocol/method_rows.h"
+
+namespace stanok::protocol::rows {
+namespace {
+
+constexpr double interruption_mm_max = 10000.0;
+
+constexpr Parameter fictitious_path{.name = "la",
+                                    .type = ParameterType::number,
+                                    .presence = Presence::required,
+                                    .carries = Carries::value,
+                                    .unit = "mm",
+                                    .minimum = 0,
+                                    .maximum = interruption_mm_max,
+                                    .help =
+                                        "fictitious path L_A along which the axes rest; 0 ends "
+                                        "the interruption"};
+
+constexpr Parameter real_path{.name = "lb",
+                              .type = ParameterType::number,
+                              .carries = Carries::value_2,
+                              .unit = "mm",
+                              .minimum = 0,
+                              .maximum = interruption_mm_max,
+                              .help = "path at feed L_B from one rest to the next"};
+
+constexpr auto automatic_laws = std::to_array<std::string_view>({"modulated", "linear"});
+
+constexpr Parameter automatic_law{
+    .name = "law",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .carries = Carries::text,
+    .choices = automatic_laws,
+    .help = "modulated: acts on the vibration; linear: on the power of the spindle"};
+
+// Their places are channels::ForceAction.
+constexpr auto force_actions = std::to_array<std::string_view>({"off", "on", "set"});
+
+constexpr Parameter force_action{
+    .name = "action",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .carries = Carries::number,
+    .choices = force_actions,
+    .help = "on: with the force given, or ordered last; set: change one value"};
+
+constexpr auto force_quantities =
+    std::to_array<std::string_view>({"force", "level", "mass", "frequency"});
+
+constexpr Parameter force_quantity{
+    .name = "quantity",
+    .type = ParameterType::choice,
+    .spelling = Spelling::positional,
+    .carries = Carries::text,
+    .choices = force_quantities,
+    .help =
+        "cutting force P_z; permissible vibration; reduced mass and frequency of the "
+        "oscillation that is formed from the vibration"};
+
+constexpr double force_value_max = 1e6;
+
+constexpr Parameter force_value{.name = "value",
+                                .type = ParameterType::number,
+                                .spelling = Spelling::positional,
+                                .carries = Carries::value,
+                                .unit = "N, um, kg, Hz",
+                                .minimum = 0,
+                                .maximum = force_value_max,
+                                .help = "of the quantity; above 0"};
+
+constexpr Parameter allowance{.name = "on",
+                              .type = ParameterType::integer,
+                              .spelling = Spelling::positional,
+                              .minimum = 0,
+                              .maximum = 1,
+                              .help = "1 allow, the default; 0 no more"};
+
+constexpr std::array of_interruption{fictitious_path, real_path, channel};
+constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
+constexpr std::array of_force_control{force_action, force_quantity, force_value, channel};
+constexpr std::array of_allowance{allowance};
+
+constexpr auto process_rows = std::to_array<Method>({
+    {.name = "process.status",
+     .parameters = of_channel,
+     .help = "feed law, feed, spindle, cutting speed and force control",
+     .result = R"({"channel":"integer","law":"string?","increments":"integer",
+      "stands":"boolean","interruption":"any","automatic":["any"],"adaptive":"any",
+      "feed_mm_min":"number","feed_mm_rev":"number","spindle_rev_min":"number",
+      "cutting_speed_m_min":"number"})"},
+    {.name = "process.interrupt",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "process_interrupt",
+     .parameters = of_interruption,
+     .help = "interrupt the feed: at once, then after each L_B of path, for the time of L_A"},
+    {.name = "process.automatic",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "process_automatic",
+     .parameters = of_automatic_law,
+     .help = "whether the channel forms a feed law of its own from a sensor"},
+    {.name = "process.adaptive",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "process_adaptive",
+     .parameters = of_force_control,
+     .help = "adaptive control of the cutting force: on, off, or change one of its values"},
+
+    {.name = "workpiece.status",
+     .help = "whether announcements of workpieces are published, and the latest of every channel",
+     .result = R"({"allowed":"boolean","workpieces":[{"channel":"integer",
+      "tool":"integer"}]})"},
+    {.name = "workpiece.allow",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .parameters = of_allowance,
+     .help = "publish what programs announce with #workpiece, for viewers that follow the cut",
+     .result = R"({"allowed":"boolean"})"},
+});
+
+}  // namespace
+
+std::span<const Method> process_methods() {
+  return process_rows;
+}
+
+}  // namespace stanok::protocol::rows

@@ -1,0 +1,256 @@
+#include "runtime/foresight.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "runtime/axis_positions.h"
+#include "runtime/simulation.h"
+
+namespace stanok::runtime {
+namespace {
+
+constexpr std::size_t entries_max = 20'000;
+constexpr double machine_time_max_s = 48.0 * 3600.0;
+
+class TimelineWriter final : public CycleObserver {
+ public:
+  TimelineWriter(std::map<int, Timeline>& timelines, double cycle_s)
+      : timelines_(timelines), cycle_s_(cycle_s) {}
+
+  void observe(const channels::CycleOutput& output) override {
+    const double t = static_cast<double>(output.cycle) * cycle_s_;
+    for (int k = 0; k < output.channel_count; ++k) {
+      const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+      if (channel.running) timelines_[channel.id].add(channel.run, channel.tag.block, t);
+    }
+  }
+
+ private:
+  std::map<int, Timeline>& timelines_;
+  double cycle_s_;
+};
+
+class PreviewGathering final : public CycleObserver {
+ public:
+  explicit PreviewGathering(const channels::MachineConfig& machine) {
+    for (const channels::ChannelConfig& channel : machine.channels) {
+      if (!channel.axes.empty())
+        writers_.emplace(channel.id, recording::PreviewWriter(channel.words));
+    }
+  }
+
+  void observe(const channels::CycleOutput& output) override {
+    for (int k = 0; k < output.channel_count; ++k) {
+      const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+      const auto writer = writers_.find(channel.id);
+      if (writer != writers_.end()) writer->second.add(channel);
+    }
+  }
+
+  void hand_to(const Foresight::PathTaker& take_path, const std::string& program) {
+    for (auto& [channel, writer] : writers_) {
+      auto points = writer.take();
+      if (!points.empty()) take_path({channel, program, std::move(points)});
+    }
+  }
+
+ private:
+  std::map<int, recording::PreviewWriter> writers_;
+};
+
+// Never in the way of anything else.
+void become_idle_class() {
+  const sched_param none{};
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none));
+}
+
+const channels::ChannelOutput* output_with_id(const channels::CycleOutput& output, int id) {
+  const auto end = output.channels.begin() + output.channel_count;
+  const auto found =
+      std::find_if(output.channels.begin(), end, [id](const auto& one) { return one.id == id; });
+  return found == end ? nullptr : &*found;
+}
+
+}  // namespace
+
+RunsOfChannels runs_of(const channels::CycleOutput& output) {
+  RunsOfChannels runs;
+  for (int k = 0; k < output.channel_count; ++k) {
+    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+    runs[channel.id] = channel.run;
+  }
+  return runs;
+}
+
+void Timeline::add(std::uint32_t run, std::uint64_t block, double t) {
+  ends_[run] = t;
+  if (!entries_.empty()) {
+    const Entry& last = entries_.back();
+    const bool is_same = last.run == run && last.block == block;
+    if (is_same || (last.run == run && t - last.t < spacing_s_)) return;
+  }
+  entries_.push_back({run, block, t});
+  if (entries_.size() > entries_max) thin_out();
+}
+
+void Timeline::thin_out() {
+  spacing_s_ *= 2.0;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < entries_.size(); k += 2) entries_[kept++] = entries_[k];
+  entries_.resize(kept);
+}
+
+std::optional<double> Timeline::at(std::uint32_t run, std::uint64_t block) const {
+  if (!ends_.contains(run)) return std::nullopt;
+  const auto is_before = [](const Entry& entry,
+                            const std::pair<std::uint32_t, std::uint64_t>& key) {
+    return std::pair(entry.run, entry.block) <= key;
+  };
+  const auto behind =
+      std::lower_bound(entries_.begin(), entries_.end(), std::pair(run, block), is_before);
+  return behind == entries_.begin() ? 0.0 : (behind - 1)->t;
+}
+
+std::optional<double> Timeline::end_of(std::uint32_t run) const {
+  const auto end = ends_.find(run);
+  return end == ends_.end() ? std::nullopt : std::optional(end->second);
+}
+
+Foresight::Foresight(const config::MachineFile& file,
+                     std::vector<std::filesystem::path> program_roots, PathTaker take_path,
+                     ObstacleTaker take_obstacle)
+    : file_(file),
+      program_roots_(std::move(program_roots)),
+      take_path_(std::move(take_path)),
+      take_obstacle_(std::move(take_obstacle)),
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+Foresight::~Foresight() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+void Foresight::look_at(int channel, const std::string& program, const channels::CycleOutput& now,
+                        channels::TablesConfig tables) {
+  Order order{channel, program, positions_of_axes(file_.machine, now), {}, std::move(tables)};
+  for (const channels::ChannelConfig& config : file_.machine.channels) {
+    const channels::ChannelOutput* output = output_with_id(now, config.id);
+    if (output == nullptr) continue;
+    if (output->scheme != 0) order.schemes.emplace_back(config.id, output->scheme);
+  }
+  const std::lock_guard lock(mutex_);
+  foreseen_.erase(channel);
+  orders_[channel] = std::move(order);
+  if (at_work_ == channel) is_outdated_ = true;
+  wakes_.notify_one();
+}
+
+void Foresight::begins(int channel, RunsOfChannels before) {
+  const std::lock_guard lock(mutex_);
+  foreseen_[channel].before = std::move(before);
+}
+
+// The root of the thread: what cannot be foreseen is no reason to end a machine at work.
+void Foresight::work(const std::stop_token& stop) {
+  become_idle_class();
+  while (!stop.stop_requested()) {
+    Order order;
+    {
+      std::unique_lock lock(mutex_);
+      if (!wakes_.wait(lock, stop, [this] { return !orders_.empty(); })) return;
+      order = std::move(orders_.extract(orders_.begin()).mapped());
+      at_work_ = order.channel;
+      is_outdated_ = false;
+    }
+    try {
+      keep(order.channel, foresee(order, stop));
+    } catch (const std::exception& error) {
+      take_obstacle_(order.program + " cannot be simulated beforehand: " + error.what());
+    } catch (...) {
+      take_obstacle_(order.program + " cannot be simulated beforehand");
+    }
+    const std::lock_guard lock(mutex_);
+    at_work_ = 0;
+  }
+}
+
+void Foresight::keep(int channel, std::optional<Foreseen> seen) {
+  const std::lock_guard lock(mutex_);
+  if (!seen || is_outdated_) return;
+  Foreseen& kept = foreseen_[channel];
+  seen->before = std::move(kept.before);
+  kept = std::move(*seen);
+}
+
+// Nothing: it was given up, or is refused. Throws where it cannot be simulated.
+std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
+                                                      const std::stop_token& stop) {
+  Foreseen seen;
+  SimulationOptions options;
+  options.file = file_;
+  options.file.machine.tables = order.tables;
+  for (std::size_t k = 0; k < order.axes.size(); ++k)
+    options.file.machine.axes[k].start = order.axes[k];
+  options.program_roots = program_roots_;
+  options.programs = {{order.channel, order.program}};
+  options.schemes = order.schemes;
+  options.until_s = machine_time_max_s;
+  TimelineWriter writer(seen.timelines, file_.machine.cycle_us * 1e-6);
+  PreviewGathering previews(file_.machine);
+  const auto give_up_at = std::chrono::steady_clock::now() + wall_max;
+  bool is_given_up = false;
+  const auto interrupted = [&] {
+    is_given_up =
+        stop.stop_requested() || is_outdated_ || std::chrono::steady_clock::now() > give_up_at;
+    return is_given_up;
+  };
+  const auto result = simulate(options, {&writer, &previews}, interrupted);
+  if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
+  seen.total_s = result.machine_time_s;
+  if (!result.alarms.empty()) seen.alarm = result.alarms.front();
+  previews.hand_to(take_path_, order.program);
+  seen.is_known = true;
+  return seen;
+}
+
+// How far in the time of the simulation a channel has come.
+std::optional<double> Foresight::reached(const Foreseen& foreseen, int channel,
+                                         const channels::CycleOutput& now) {
+  const channels::ChannelOutput* output = output_with_id(now, channel);
+  const auto timeline = foreseen.timelines.find(channel);
+  const auto before = foreseen.before.find(channel);
+  if (output == nullptr || timeline == foreseen.timelines.end() ||
+      before == foreseen.before.end() || !output->running || output->run <= before->second)
+    return std::nullopt;
+  return timeline->second.at(output->run - before->second, output->tag.block);
+}
+
+Outlook Foresight::outlook(int channel, const channels::CycleOutput& now) const {
+  const std::lock_guard lock(mutex_);
+  Outlook outlook;
+  const auto own = foreseen_.find(channel);
+  if (own != foreseen_.end() && own->second.is_known) {
+    outlook.predicted_s = own->second.total_s;
+    outlook.foreseen = own->second.alarm;
+    // The master waits while its workers come on.
+    std::optional<double> farthest = reached(own->second, channel, now);
+    if (!farthest) return outlook;
+    for (const auto& [id, timeline] : own->second.timelines)
+      farthest = std::max(*farthest, reached(own->second, id, now).value_or(0.0));
+    outlook.remaining_s = own->second.total_s - *farthest;
+    return outlook;
+  }
+  for (const auto& [owner, foreseen] : foreseen_) {
+    const auto t = reached(foreseen, channel, now);
+    if (!foreseen.is_known || !t || !reached(foreseen, owner, now)) continue;
+    const std::uint32_t run = output_with_id(now, channel)->run - foreseen.before.at(channel);
+    outlook.remaining_s = foreseen.timelines.at(channel).end_of(run).value_or(*t) - *t;
+  }
+  return outlook;
+}
+
+}  // namespace stanok::runtime

@@ -1,0 +1,62 @@
+// Tool, spindles and distance to go, as a status shows them.
+#include "daemon/desk/channel_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+
+TEST(ChannelFigures, NameTheToolOfTheTable) {
+  channels::TablesConfig tables;
+  tables.tools.resize(2);
+  tables.tools[0].number = 5;
+  tables.tools[0].name = "mill 10";
+  tables.tools[1].number = 5;
+  tables.tools[1].edge = 2;
+  EXPECT_EQ(tool_at_work({5, 1}, tables), (json{{"number", 5}, {"edge", 1}, {"name", "mill 10"}}));
+  EXPECT_TRUE(tool_at_work({5, 2}, tables)["name"].is_null());
+  EXPECT_TRUE(tool_at_work({0, 1}, tables)["name"].is_null());
+}
+
+TEST(ChannelFigures, TellSpindlesAsCommandedAndAsMeasured) {
+  channels::ChannelConfig config;
+  config.spindles = {1, 2, 3};
+  channels::ChannelOutput output;
+  output.process.spindles[0] = {.id = 1, .rev_per_min = 1200.0};
+  output.process.spindles[1] = {.id = 2, .rev_per_min = -50.0};
+  output.process.spindles[2] = {.id = 3, .rev_per_min = 0.0};
+  drives::BusStatus bus;
+  bus.axes.resize(2);
+  bus.axes[0].axis = "S1";
+  bus.axes[0].in_contact = true;
+  bus.axes[0].feedback.velocity = 1198.5;
+  bus.axes[1].axis = "S2";
+  const json spindles = spindles_of(config, output, bus);
+  EXPECT_EQ(spindles[0], (json{{"id", 1},
+                               {"direction", "clockwise"},
+                               {"commanded_rev_min", 1200.0},
+                               {"actual_rev_min", 1198.5}}));
+  EXPECT_EQ(spindles[1]["direction"], "counter-clockwise");
+  EXPECT_TRUE(spindles[1]["actual_rev_min"].is_null()) << "its drive does not answer";
+  EXPECT_EQ(spindles[2]["direction"], "stopped");
+}
+
+TEST(ChannelFigures, GoToTheEndOfTheBlock) {
+  channels::ChannelConfig config;
+  config.words = {"X", "Y"};
+  channels::ChannelOutput output;
+  output.point_W[0].value = 2.0;
+  channels::BlockReport block;
+  EXPECT_TRUE(distance_to_go(config, output, block).is_null()) << "no program runs";
+  output.running = true;
+  EXPECT_EQ(distance_to_go(config, output, block), (json{{"X", 0.0}, {"Y", 0.0}}));
+  block.end_W = motion::Point{10.0, -1.0};
+  EXPECT_EQ(distance_to_go(config, output, block), (json{{"X", 8.0}, {"Y", -1.0}}));
+}
+
+}  // namespace
+}  // namespace stanok::daemon

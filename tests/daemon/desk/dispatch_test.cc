@@ -1,0 +1,540 @@
+// Dispatch: roles, parameters, queries, commands and their answers, against a fake machine.
+#include "daemon/desk/dispatch.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <optional>
+
+#include "channels/contract/operator_action.h"
+#include "daemon/desk/inventory.h"
+#include "tests/daemon/fake_machine.h"
+#include "tests/support/temporary_directory.h"
+
+namespace stanok::daemon {
+namespace {
+
+using channels::OperatorAction;
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+using protocol::Role;
+using namespace std::chrono_literals;
+
+class DispatchTest : public ::testing::Test {
+ protected:
+  DispatchTest() { session.role = Role::integrator; }
+
+  // The answer; nothing while it is still to come.
+  std::shared_ptr<std::optional<Outcome>> ask(const std::string& method,
+                                              json parameters = json::object()) {
+    const auto slot = std::make_shared<std::optional<Outcome>>();
+    protocol::Request request;
+    request.id = 1;
+    request.method = method;
+    request.parameters = std::move(parameters);
+    dispatch.handle(session, request, [slot](const Outcome& outcome) {
+      EXPECT_FALSE(slot->has_value()) << "answered twice";
+      *slot = outcome;
+    });
+    return slot;
+  }
+  json result(const std::string& method, json parameters = json::object()) {
+    const auto slot = ask(method, std::move(parameters));
+    EXPECT_TRUE(slot->has_value() && slot->value().has_value()) << method;
+    return slot->has_value() && slot->value() ? *slot->value() : json();
+  }
+  Failure failure(const std::string& method, json parameters = json::object()) {
+    const auto slot = ask(method, std::move(parameters));
+    EXPECT_TRUE(slot->has_value() && !slot->value().has_value()) << method;
+    return slot->has_value() && !slot->value() ? slot->value().error() : Failure{};
+  }
+  void tick(std::chrono::milliseconds after) { dispatch.tick(SteadyTime{} + 1h + after); }
+
+  FakeMachine machine;
+  bool shutdown_asked = false;
+  SessionState session;
+  Dispatch dispatch{machine, {"test", "/state", "/socket"}, [this] { shutdown_asked = true; }};
+};
+
+// Of two sessions one has channel 1; only stops of the other one pass.
+TEST_F(DispatchTest, GivesAChannelToOneSession) {
+  session.id = 3;
+  session.peer = "uid 1000, pid 77";
+  const auto taken = ask("channel.control");
+  EXPECT_FALSE(taken->has_value()) << "answered when the cycle knows it";
+  EXPECT_EQ(machine.submitted().at(0).action, OperatorAction::channel_control);
+  EXPECT_EQ(machine.submitted().at(0).number, 3);
+  dispatch.on_reply(accepted(machine.submitted().at(0).id));
+  EXPECT_EQ(taken->value().value()["controlled_by"], "session 3 (uid 1000, pid 77)");
+  EXPECT_EQ(result("channel.status")["controlled_by"], "session 3 (uid 1000, pid 77)");
+  session.id = 4;
+  for (const auto& [method, parameters] :
+       std::map<std::string, json>{{"program.run", {{"program", "a.nc"}}},
+                                   {"jog", {{"axis", "X"}, {"velocity", 1.0}}},
+                                   {"override.feed", {{"percent", 50}}}})
+    EXPECT_EQ(failure(method, parameters).code, "E6080") << method;
+  EXPECT_EQ(failure("channel.control").code, "E6080");
+  EXPECT_EQ(machine.submitted().size(), 1u);
+  for (const char* method : {"program.hold", "program.stop", "program.reset", "machine.estop"})
+    static_cast<void>(ask(method));
+  EXPECT_EQ(machine.submitted().size(), 5u) << "stops are for everybody";
+  static_cast<void>(ask("override.feed", {{"percent", 50}, {"channel", 2}}));
+  EXPECT_EQ(machine.submitted().size(), 6u) << "another channel";
+  static_cast<void>(ask("channel.control", {{"on", 0}}));
+  EXPECT_EQ(failure("override.feed", {{"percent", 50}}).code, "E6080") << "it is not its own";
+  dispatch.forget(3);
+  EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
+  EXPECT_EQ(machine.submitted().back().action, OperatorAction::channel_control);
+  EXPECT_EQ(machine.submitted().back().number, 0) << "the cycle is told";
+  static_cast<void>(ask("override.feed", {{"percent", 50}}));
+  EXPECT_EQ(machine.submitted().back().action, OperatorAction::override_feed);
+}
+
+// What concerns all channels is refused when somebody else has any of them.
+TEST_F(DispatchTest, ControlOfAChannelCoversWhatAllChannelsShare) {
+  session.id = 3;
+  static_cast<void>(ask("channel.control", {{"channel", 2}}));
+  const auto ask_all = [&](const auto& check) {
+    for (const auto& [method, parameters] : std::map<std::string, json>{
+             {"machine.on", json::object()},
+             {"tool.set", {{"number", 4}, {"key", "length"}, {"value", 1.0}}},
+             {"offset.set", {{"offset", "G54"}, {"axis", "X2"}, {"value", 1.0}}},
+             {"tool.load", {{"tables", "[offset.G54]\nX2 = 1.0\n"}}},
+             {"drive.reset", {{"drive", "X"}}}})
+      check(method, parameters);
+  };
+  session.id = 4;
+  ask_all([&](const std::string& method, const json& parameters) {
+    EXPECT_EQ(failure(method, parameters).code, "E6080") << method;
+  });
+  EXPECT_EQ(machine.submitted().size(), 1u);
+  static_cast<void>(ask("machine.off"));
+  EXPECT_EQ(machine.submitted().size(), 2u) << "a stop";
+  session.id = 3;
+  ask_all([&](const std::string& method, const json& parameters) {
+    const auto slot = ask(method, parameters);
+    EXPECT_TRUE(!slot->has_value() || slot->value().has_value()) << method;
+  });
+}
+
+// Who has asked and whom the cycle did not hear has no control; the cycle is told until it hears.
+TEST_F(DispatchTest, TellsTheCycleWhoHasAChannelUntilItHears) {
+  session.id = 3;
+  machine.is_full = true;
+  EXPECT_EQ(failure("channel.control").code, "E9007");
+  EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
+  machine.is_full = false;
+  tick(0ms);
+  EXPECT_EQ(machine.submitted().back().number, 0);
+  static_cast<void>(ask("channel.control"));
+  EXPECT_EQ(machine.submitted().back().number, 3);
+  machine.is_full = true;
+  dispatch.forget(3);
+  EXPECT_EQ(machine.submitted().back().number, 3);
+  machine.is_full = false;
+  tick(10ms);
+  EXPECT_EQ(machine.submitted().back().number, 0);
+  const std::size_t told = machine.submitted().size();
+  tick(20ms);
+  EXPECT_EQ(machine.submitted().size(), told) << "once";
+}
+
+TEST_F(DispatchTest, ObeysTheRoleOfEveryMethod) {
+  for (const protocol::Method& method : protocol::methods()) {
+    for (const Role role : {Role::observer, Role::machine_operator, Role::integrator}) {
+      session.role = role;
+      const auto slot = ask(std::string(method.name), {{"nonsense", 1}});
+      ASSERT_TRUE(slot->has_value() && !slot->value().has_value()) << method.name;
+      const FailureKind kind = slot->value().error().kind;
+      EXPECT_EQ(kind == FailureKind::not_permitted, role < method.role) << method.name;
+    }
+  }
+}
+
+TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
+  for (const protocol::Method& method : protocol::methods()) {
+    json parameters = json::object();
+    for (const auto& parameter : method.parameters) {
+      if (parameter.presence == protocol::Presence::optional) continue;
+      if (parameter.spelling == protocol::Spelling::file) {
+        parameters[std::string(parameter.name)] = "[offset.G54]\n";
+      } else if (parameter.type == protocol::ParameterType::text) {
+        parameters[std::string(parameter.name)] = "a.nc";
+      } else if (parameter.type == protocol::ParameterType::choice) {
+        parameters[std::string(parameter.name)] = parameter.choices.front();
+      } else if (parameter.type == protocol::ParameterType::text_list) {
+        parameters[std::string(parameter.name)] = json::array({parameter.choices.front()});
+      } else {
+        parameters[std::string(parameter.name)] = parameter.maximum;
+      }
+    }
+    session.role = Role::integrator;
+    const std::size_t before = machine.submitted().size();
+    const auto slot = ask(std::string(method.name), parameters);
+    if (method.name == "channel.control")  // answered when the cycle knows it
+      dispatch.on_reply(accepted(machine.submitted().back().id));
+    if (method.action.empty()) {
+      ASSERT_TRUE(slot->has_value()) << method.name;
+      EXPECT_TRUE(slot->value().has_value())
+          << method.name << ": " << slot->value().error().message;
+    } else {
+      ASSERT_EQ(machine.submitted().size(), before + 1) << method.name;
+      EXPECT_EQ(channels::name_of(machine.submitted().back().action), method.action);
+      dispatch.on_reply(accepted(machine.submitted().back().id));
+      ASSERT_TRUE(slot->has_value()) << method.name;
+      EXPECT_EQ(*slot->value(), json({{"accepted", true}}));
+    }
+  }
+  EXPECT_TRUE(shutdown_asked);
+}
+
+TEST_F(DispatchTest, SaysWhatIsUnknown) {
+  EXPECT_EQ(failure("machine.fly").kind, FailureKind::method_not_found);
+  EXPECT_EQ(failure("machine.fly").code, "E9002");
+  EXPECT_EQ(failure("channel.status", {{"chanel", 1}}).code, "E9003");
+  EXPECT_EQ(failure("channel.status", {{"channel", 3}}).code, "E6001");
+  EXPECT_EQ(failure("program.hold", {{"channel", 3}}).code, "E6001");
+}
+
+TEST_F(DispatchTest, ShowsAChannelWithTheWordsOfOpc) {
+  struct Case {
+    channels::ChannelState state;
+    bool waiting;
+    const char* state_word;
+    const char* program_word;
+  };
+  using channels::ChannelState;
+  for (const Case& c : {Case{ChannelState::idle, false, "Reset", "Stopped"},
+                        Case{ChannelState::ready, false, "Reset", "Stopped"},
+                        Case{ChannelState::running, false, "Active", "Running"},
+                        Case{ChannelState::running, true, "Active", "Waiting"},
+                        Case{ChannelState::held, false, "Interrupted", "Interrupted"},
+                        Case{ChannelState::alarm, false, "Interrupted", "Canceled"}}) {
+    machine.output.channels[0].state = c.state;
+    machine.output.channels[0].waiting = c.waiting;
+    const json status = result("channel.status");
+    EXPECT_EQ(status["state"], c.state_word);
+    EXPECT_EQ(status["program_status"], c.program_word);
+  }
+  machine.output.channels[0].point_W[0].value = 12.5;
+  machine.output.channels[0].axes[0].position = -3.25;
+  machine.output.channels[0].feed_override = 0.75;
+  const json status = result("channel.status", {{"channel", 1}});
+  EXPECT_EQ(status["position"], json({{"X", 12.5}, {"B", 0.0}}));
+  EXPECT_EQ(status["axes"]["X2"]["position"], -3.25);
+  EXPECT_EQ(status["override"]["feed"], 75.0);
+  for (const char* member :
+       {"id", "name", "state", "program_status", "alarm", "program", "line", "block", "scheme",
+        "position", "feed_mm_s", "override", "remaining_s"}) {
+    EXPECT_TRUE(status.contains(member)) << member;
+  }
+}
+
+TEST_F(DispatchTest, RemembersOverridesThatTheMachineTook) {
+  const auto slot = ask("override.rapid", {{"percent", 40}});
+  EXPECT_EQ(result("channel.status")["override"]["rapid"], 100.0);
+  ASSERT_EQ(machine.submitted().size(), 1U);
+  EXPECT_DOUBLE_EQ(machine.submitted()[0].value, 0.4);
+  dispatch.on_reply(accepted(machine.submitted()[0].id));
+  EXPECT_EQ(result("channel.status")["override"]["rapid"], 40.0);
+}
+
+TEST_F(DispatchTest, PassesARefusalOfTheMachineOn) {
+  const auto slot = ask("program.start", {{"channel", 2}});
+  EXPECT_EQ(machine.submitted()[0].channel, 2);
+  dispatch.on_reply(refused(machine.submitted()[0].id, "E6005", "no program is loaded"));
+  ASSERT_TRUE(slot->has_value());
+  EXPECT_EQ(slot->value().error().kind, FailureKind::refused);
+  EXPECT_EQ(slot->value().error().code, "E6005");
+  EXPECT_EQ(slot->value().error().channel, 2);
+}
+
+TEST_F(DispatchTest, TellsTheFirstErrorOfAProgramWithItsPlace) {
+  const auto error_at = [](int line, const char* code) {
+    channels::AlarmReport report;
+    report.channel = 1;
+    report.diagnostic.code = code;
+    report.diagnostic.message = "unknown word";
+    report.diagnostic.place = {"part.nc", line, 5, line, 6};
+    return report;
+  };
+  machine.diagnostics = {error_at(1, "E1111")};  // of an earlier load
+  const auto slot = ask("program.load", {{"program", "part.nc"}});
+  machine.diagnostics.push_back(error_at(12, "E1002"));
+  machine.diagnostics.push_back(error_at(13, "E1003"));
+  dispatch.on_reply(refused(machine.submitted()[0].id, "", "part.nc"));
+  ASSERT_TRUE(slot->has_value());
+  const Failure failure = slot->value().error();
+  EXPECT_EQ(failure.kind, FailureKind::program_error);
+  EXPECT_EQ(failure.code, "E1002");
+  EXPECT_EQ(failure.place.line, 12);
+  EXPECT_EQ(failure.message, "unknown word (and 1 more)");
+}
+
+class WaitForTheEnd : public DispatchTest {
+ protected:
+  void begin() {
+    slot = ask("program.run", {{"program", "part.nc"}, {"wait", "done"}});
+    channels::RunReport report;
+    report.channel = 1;
+    report.run = 4;
+    report.program = "part.nc";
+    report.start_cycle = 1000;
+    machine.run_reports = {report};
+    dispatch.on_reply(accepted(machine.submitted()[0].id));
+    EXPECT_FALSE(slot->has_value());
+    tick(10ms);
+    EXPECT_FALSE(slot->has_value()) << "the run is not over";
+  }
+  void end(bool ok) {
+    machine.run_reports[0].ended = true;
+    machine.run_reports[0].ok = ok;
+    machine.run_reports[0].blocks = 7;
+    machine.run_reports[0].end_cycle = 3500;
+    machine.output.cycle = 3499;
+    tick(20ms);
+    tick(30ms);
+    EXPECT_FALSE(slot->has_value()) << "the axes are not yet seen at the end";
+    machine.output.cycle = 3500;
+    tick(40ms);
+    tick(50ms);
+    ASSERT_TRUE(slot->has_value());
+  }
+  std::shared_ptr<std::optional<Outcome>> slot;
+};
+
+TEST_F(WaitForTheEnd, AnswersWithTheFiguresOfTheRun) {
+  begin();
+  end(true);
+  const json done = *slot->value();
+  EXPECT_EQ(done["program"], "part.nc");
+  EXPECT_EQ(done["blocks"], 7);
+  EXPECT_DOUBLE_EQ(done["time_s"], 2.5);  // 2500 cycles of 1 ms
+}
+
+TEST_F(WaitForTheEnd, AnswersWithTheAlarmThatEndedIt) {
+  begin();
+  channels::AlarmReport alarm;
+  alarm.channel = 1;
+  alarm.cycle = 3500;
+  alarm.diagnostic.code = "A3001";
+  alarm.diagnostic.message = "following error";
+  machine.alarm_reports = {alarm};
+  end(false);
+  EXPECT_EQ(slot->value().error().kind, FailureKind::machine_fault);
+  EXPECT_EQ(slot->value().error().code, "A3001");
+}
+
+TEST_F(WaitForTheEnd, SaysThatSomebodyElseEndedIt) {
+  begin();
+  end(false);
+  EXPECT_EQ(slot->value().error().code, "E9010");
+}
+
+TEST_F(DispatchTest, SaysWhenTheQueueIsFull) {
+  machine.is_full = true;
+  EXPECT_EQ(failure("program.start").code, "E9007");
+}
+
+TEST_F(DispatchTest, GivesUpWhenTheCycleStands) {
+  tick(0ms);
+  const auto slot = ask("program.start");
+  tick(1900ms);
+  EXPECT_FALSE(slot->has_value());
+  machine.output.cycle = 2;
+  tick(2100ms);
+  tick(4000ms);
+  EXPECT_FALSE(slot->has_value()) << "it goes on, however slowly";
+  tick(4200ms);
+  ASSERT_TRUE(slot->has_value());
+  EXPECT_EQ(slot->value().error().code, "E9006");
+  dispatch.on_reply(accepted(machine.submitted()[0].id));  // too late: nobody is asked twice
+}
+
+TEST_F(DispatchTest, ListsAlarmsUntilTheyAreAcknowledged) {
+  channels::AlarmReport alarm;
+  alarm.channel = 1;
+  alarm.diagnostic.code = "E7001";
+  alarm.diagnostic.place = {"part.nc", 3, 1, 3, 2};
+  machine.alarm_reports = {alarm};
+  const json standing = result("alarm.list");
+  ASSERT_EQ(standing["alarms"].size(), 1U);
+  EXPECT_EQ(standing["alarms"][0]["line"], 3);
+  EXPECT_FALSE(standing["alarms"][0]["remedy"].get<std::string>().empty());
+  machine.output.channels[0].state = channels::ChannelState::alarm;
+  const auto slot = ask("alarm.ack");
+  dispatch.on_reply(accepted(machine.submitted()[0].id));
+  EXPECT_EQ(result("alarm.list")["alarms"].size(), 1U) << "the channel still has it";
+  EXPECT_EQ(result("alarm.history")["alarms"][0]["acknowledged"], true);
+  machine.output.channels[0].state = channels::ChannelState::idle;
+  EXPECT_TRUE(result("alarm.list")["alarms"].empty());
+}
+
+// What was reset does not come back with the next alarm; what was acknowledged in an alarm stands
+// with it.
+TEST_F(DispatchTest, AnAlarmThatWasResetDoesNotComeBackWithTheNext) {
+  const auto raise = [&](const char* code) {
+    channels::AlarmReport alarm;
+    alarm.channel = 1;
+    alarm.diagnostic.code = code;
+    machine.alarm_reports.push_back(alarm);
+    machine.output.channels[0].state = channels::ChannelState::alarm;
+  };
+  const auto accept = [&](const char* method) {
+    static_cast<void>(ask(method));
+    dispatch.on_reply(accepted(machine.submitted().back().id));
+  };
+  const auto standing = [&] {
+    std::vector<std::string> codes;
+    const json list = result("alarm.list");
+    for (const json& row : list["alarms"]) codes.push_back(row["code"]);
+    return codes;
+  };
+  raise("E5101");
+  machine.output.channels[0].state = channels::ChannelState::idle;
+  accept("program.reset");
+  EXPECT_TRUE(standing().empty());
+  raise("U1006");
+  EXPECT_EQ(standing(), std::vector<std::string>{"U1006"});
+  accept("alarm.ack");
+  EXPECT_EQ(standing(), std::vector<std::string>{"U1006"}) << "the channel is in that state";
+  machine.output.channels[0].state = channels::ChannelState::idle;
+  EXPECT_TRUE(standing().empty());
+  accept("alarm.ack");
+  raise("E6003");
+  EXPECT_EQ(standing(), std::vector<std::string>{"E6003"});
+  EXPECT_EQ(result("alarm.history")["alarms"].size(), 3u);
+}
+
+TEST_F(DispatchTest, TellsTheErrorOfALineWithTheKindOfAProgramsErrors) {
+  const auto slot = ask("mdi", {{"text", "G1 X1 F"}});
+  channels::AlarmReport report;
+  report.channel = 1;
+  report.diagnostic.code = "E2001";
+  machine.diagnostics = {report};
+  dispatch.on_reply(refused(machine.submitted()[0].id, "", "mdi"));
+  ASSERT_TRUE(slot->has_value());
+  EXPECT_EQ(slot->value().error().kind, FailureKind::program_error);
+  EXPECT_EQ(slot->value().error().code, "E2001");
+}
+
+TEST_F(DispatchTest, LetsRolesGoDownOnly) {
+  EXPECT_EQ(result("session.role", {{"role", "observer"}})["role"], "observer");
+  EXPECT_EQ(result("session.role", {{"role", "operator"}})["role"], "observer");
+  EXPECT_EQ(failure("program.hold").kind, FailureKind::not_permitted);
+}
+
+TEST_F(DispatchTest, NamesTheFirstChannelWhenNoneIsNamedAndNoneForTheMachine) {
+  ask("program.hold");
+  EXPECT_EQ(machine.submitted().back().channel, 1);
+  ask("machine.estop");
+  EXPECT_EQ(machine.submitted().back().channel, 0);
+}
+
+TEST_F(DispatchTest, ShowsSchemesAndTheirAxes) {
+  const json list = result("kinematics.list");
+  ASSERT_EQ(list["schemes"].size(), 2U);
+  EXPECT_EQ(list["schemes"][0]["active"], true);
+  EXPECT_EQ(list["schemes"][1]["axes"], json::array({"X", "B"}));
+  const json active = result("kinematics.status");
+  EXPECT_EQ(active["scheme"], 1);
+  EXPECT_EQ(active["axes"][0]["takes_part"], true);
+  EXPECT_EQ(active["axes"][1]["takes_part"], false);
+}
+
+TEST_F(DispatchTest, ShowsTheCuttingProcess) {
+  channels::ChannelOutput& channel = machine.output.channels[0];
+  channel.running = true;
+  channel.process.law = motion::LawKind::modulated;
+  channel.process.increments = 12;
+  channel.process.feed_mm_per_min = 150.0;
+  channel.process.feed_mm_per_rev = 0.25;
+  channel.process.spindle_rev_per_min = 600.0;
+  channel.process.cutting_speed_m_per_min = 94.2;
+  const json process = result("process.status");
+  EXPECT_EQ(process["law"], "modulated");
+  EXPECT_EQ(process["increments"], 12);
+  EXPECT_EQ(process["feed_mm_min"], 150.0);
+  EXPECT_EQ(process["feed_mm_rev"], 0.25);
+  EXPECT_EQ(process["spindle_rev_min"], 600.0);
+  channel.running = false;
+  EXPECT_TRUE(result("process.status")["law"].is_null());
+}
+
+TEST_F(DispatchTest, BeginsAndEndsLogs) {
+  EXPECT_EQ(failure("log.stop").code, "E9012");
+  EXPECT_EQ(result("log.start")["path"], "mill.lcm");
+  EXPECT_EQ(failure("log.start").code, "E9011");
+  EXPECT_EQ(result("log.stop")["path"], "mill.lcm");
+}
+
+TEST_F(DispatchTest, ShowsOneToolAndSaysWhichThereIsNot) {
+  EXPECT_EQ(result("tool.get", {{"number", 32000}})["length"], 77.5);
+  EXPECT_EQ(failure("tool.get", {{"number", 5}}).code, "E5021");
+  EXPECT_EQ(failure("tool.get", {{"number", 32000}, {"edge", 2}}).code, "E5021");
+}
+
+TEST_F(DispatchTest, AllowsWorkpiecesAndShowsThem) {
+  EXPECT_EQ(result("workpiece.status"), json({{"allowed", false}, {"workpieces", json::array()}}));
+  EXPECT_EQ(result("workpiece.allow"), json({{"allowed", true}}));
+  machine.change([](FakeMachine& changed) {
+    channels::Workpiece& workpiece = changed.output.channels[0].workpiece;
+    workpiece.announcements = 1;
+    workpiece.has_shape = true;
+    workpiece.shape.size_mm = {80.0, 60.0, 20.0};
+  });
+  const json status = result("workpiece.status");
+  EXPECT_TRUE(status["allowed"]);
+  ASSERT_EQ(status["workpieces"].size(), 1U);
+  EXPECT_EQ(status["workpieces"][0]["shape"], "box");
+  EXPECT_EQ(status["workpieces"][0]["size"], json({80.0, 60.0, 20.0}));
+  EXPECT_EQ(result("workpiece.allow", {{"on", 0}}), json({{"allowed", false}}));
+}
+
+TEST_F(DispatchTest, ResetsDrivesByName) {
+  EXPECT_EQ(result("drive.reset", {{"drive", "X"}}), json({{"accepted", true}}));
+  EXPECT_EQ(machine.resets, std::vector<std::string>{"X"});
+  EXPECT_EQ(failure("drive.reset", {{"drive", "Q"}}).code, "E6050");
+  EXPECT_EQ(failure("drive.reset").code, "E9003");
+}
+
+TEST_F(DispatchTest, MakesSimulatedDrivesFailAndNoOthers) {
+  session.role = Role::integrator;
+  EXPECT_EQ(result("drive.fault", {{"drive", "X"}, {"fault", "stuck"}}),
+            json({{"accepted", true}}));
+  ASSERT_EQ(machine.faults.size(), 1U);
+  EXPECT_EQ(machine.faults[0].second, plant::FaultKind::stuck);
+  EXPECT_EQ(failure("drive.fault", {{"drive", "X"}, {"fault", "asleep"}}).code, "E9003");
+  EXPECT_EQ(failure("drive.fault", {{"drive", "Q"}, {"fault", "off"}}).code, "E6050");
+  machine.choice = "real";
+  EXPECT_EQ(failure("drive.fault", {{"drive", "X"}, {"fault", "off"}}).code, "E6051");
+}
+
+// The choices of the command are the faults there are.
+TEST(DriveFault, NamesEveryFaultOfTheSimulation) {
+  const protocol::Method* method = protocol::find_method("drive.fault");
+  const auto choices = method->parameters[1].choices;
+  ASSERT_EQ(choices.size(), plant::fault_kind_count);
+  for (const std::string_view choice : choices) EXPECT_TRUE(plant::fault_named(choice)) << choice;
+}
+
+TEST(ProgramList, NamesFilesBeneathTheRootAndFollowsNoLinks) {
+  namespace fs = std::filesystem;
+  const stanok::testing::TemporaryDirectory root;
+  fs::create_directories(root.path() / "sub" / ".hidden");
+  std::ofstream(root.path() / "b.nc") << "M30\n";
+  std::ofstream(root.path() / "sub" / "a.nc") << "G0X1\nM30\n";
+  std::ofstream(root.path() / "sub" / ".hidden" / "c.nc") << "x";
+  fs::create_symlink("/etc/passwd", root.path() / "link.nc");
+  fs::create_directory_symlink("/", root.path() / "all");
+  const json list = program_list(root.path());
+  EXPECT_EQ(list["programs"],
+            json::parse(R"([{"name":"b.nc","bytes":4},{"name":"sub/a.nc","bytes":9}])"));
+  EXPECT_EQ(list["complete"], true);
+  EXPECT_EQ(program_list(root.path(), 1)["complete"], false);
+  EXPECT_TRUE(program_list("/nonexistent")["programs"].empty());
+}
+
+}  // namespace
+}  // namespace stanok::daemon

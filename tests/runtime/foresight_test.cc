@@ -1,0 +1,177 @@
+// What is known of a program before it runs.
+#include "runtime/foresight.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include "tests/support/project_folders.h"
+#include "tests/support/temporary_directory.h"
+
+namespace stanok::runtime {
+namespace {
+
+TEST(Timeline, KnowsWhenABlockBegins) {
+  Timeline timeline;
+  timeline.add(1, 1, 0.0);
+  timeline.add(1, 1, 0.9);
+  timeline.add(1, 2, 1.0);
+  timeline.add(1, 5, 3.0);
+  timeline.add(2, 1, 4.0);
+  timeline.add(2, 1, 6.0);
+  EXPECT_EQ(timeline.at(1, 1), 0.0);
+  EXPECT_EQ(timeline.at(1, 2), 1.0);
+  EXPECT_EQ(timeline.at(1, 4), 1.0) << "of the block before it";
+  EXPECT_EQ(timeline.at(1, 9), 3.0);
+  EXPECT_EQ(timeline.at(2, 1), 4.0);
+  EXPECT_EQ(timeline.at(3, 1), std::nullopt);
+  EXPECT_EQ(timeline.end_of(1), 3.0);
+  EXPECT_EQ(timeline.end_of(2), 6.0);
+}
+
+// A million blocks in a bounded memory, to a thousandth of the whole.
+TEST(Timeline, StaysSmallAndTrue) {
+  Timeline timeline;
+  for (int block = 1; block <= 1'000'000; ++block)
+    timeline.add(1, static_cast<std::uint64_t>(block), 0.01 * block);
+  for (const int block : {1000, 250'000, 999'000})
+    EXPECT_NEAR(*timeline.at(1, static_cast<std::uint64_t>(block)), 0.01 * block, 10.0);
+}
+
+class ForesightTest : public ::testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder.path() / name) << text;
+  }
+  Outlook wait_for_prediction(int channel = 1) {
+    for (int n = 0; n < 3000; ++n) {
+      const Outlook outlook = foresight.outlook(channel, now);
+      if (outlook.predicted_s) return outlook;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ADD_FAILURE() << "nothing is foreseen";
+    return {};
+  }
+  channels::ChannelOutput& output(int index) {
+    return now.channels[static_cast<std::size_t>(index)];
+  }
+
+  stanok::testing::TemporaryDirectory folder;
+  config::MachineFile file =
+      config::read_machine_file(stanok::testing::source_folder() + "/config/machines/mill3.toml");
+  std::mutex mutex;
+  std::vector<recording::PathPreview> paths;
+  Foresight foresight{file,
+                      {folder.path()},
+                      [this](recording::PathPreview path) {
+                        const std::lock_guard lock(mutex);
+                        paths.push_back(std::move(path));
+                      },
+                      [](const std::string& obstacle) { ADD_FAILURE() << obstacle; }};
+  channels::CycleOutput now = [this] {
+    channels::CycleOutput output;
+    output.channel_count = static_cast<int>(file.machine.channels.size());
+    for (std::size_t k = 0; k < file.machine.channels.size(); ++k) {
+      output.channels[k].id = file.machine.channels[k].id;
+      output.channels[k].scheme = file.machine.channels[k].scheme;
+    }
+    return output;
+  }();
+};
+
+TEST_F(ForesightTest, PredictsTheTimeOfAProgramAndWhatIsLeftOfIt) {
+  write("a.nc", "G4 P1\nG4 P2\nG4 P3\nM30\n");
+  foresight.look_at(1, "a.nc", now, file.machine.tables);
+  EXPECT_NEAR(*wait_for_prediction().predicted_s, 6.0, 0.1);
+  EXPECT_FALSE(foresight.outlook(1, now).remaining_s) << "it does not run yet";
+  foresight.begins(1, {{1, 7}});
+  output(0).running = true;
+  output(0).run = 8;
+  for (const auto& [block, left] : std::map<std::uint64_t, double>{{1, 6.0}, {2, 5.0}, {3, 3.0}}) {
+    output(0).tag.block = block;
+    EXPECT_NEAR(foresight.outlook(1, now).remaining_s.value_or(-1.0), left, 0.1) << block;
+  }
+}
+
+TEST_F(ForesightTest, TellsTheAlarmThatAProgramWouldRaise) {
+  write("far.nc", "G0 X1\nG0 X100000\nM30\n");
+  foresight.look_at(1, "far.nc", now, file.machine.tables);
+  const auto foreseen = wait_for_prediction().foreseen;
+  ASSERT_TRUE(foreseen);
+  EXPECT_EQ(foreseen->diagnostic.code, "E5101");
+  EXPECT_EQ(foreseen->diagnostic.place.line, 2);
+}
+
+TEST_F(ForesightTest, HandsOnThePathOfTheTip) {
+  write("round.nc", "G21 G90 G17 G54\nG0 X20 Y0 Z5\nG1 Z0 F1000\nG2 I-20\nM30\n");
+  foresight.look_at(1, "round.nc", now, file.machine.tables);
+  static_cast<void>(wait_for_prediction());
+  const std::lock_guard lock(mutex);
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_EQ(paths[0].channel, 1);
+  EXPECT_EQ(paths[0].program, "round.nc");
+  double greatest_y = 0.0;
+  double smallest_x = 0.0;
+  for (const recording::PreviewPoint& one : paths[0].points) {
+    if (one.rapid) continue;
+    EXPECT_NEAR(std::hypot(one.point[0], one.point[1]), 20.0, 1e-5);
+    greatest_y = std::max(greatest_y, one.point[1]);
+    smallest_x = std::min(smallest_x, one.point[0]);
+  }
+  EXPECT_NEAR(greatest_y, 20.0, 0.02);
+  EXPECT_NEAR(smallest_x, -20.0, 0.02);
+}
+
+TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {
+  write("a.nc", "G4 P50\nM30\n");
+  write("b.nc", "G4 P2\nM30\n");
+  foresight.look_at(1, "a.nc", now, file.machine.tables);
+  foresight.look_at(1, "b.nc", now, file.machine.tables);
+  EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
+}
+
+// Neither moves nor ends: the simulation never comes to a cycle.
+TEST_F(ForesightTest, EndsInAnEndlessLoopWithoutMotion) {
+  write("endless.nc", "while (1 > 0) {\n}\nM30\n");
+  foresight.look_at(1, "endless.nc", now, file.machine.tables);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  write("b.nc", "G4 P2\nM30\n");
+  foresight.look_at(1, "b.nc", now, file.machine.tables);
+  EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
+}
+
+// As when memory ends: the daemon lives, and looks at the next program.
+TEST_F(ForesightTest, LivesOnAfterAnyExceptionAndTellsOfIt) {
+  std::atomic<bool> throws = true;
+  std::promise<std::string> told;
+  Foresight faulty{file,
+                   {folder.path()},
+                   [&](const recording::PathPreview& path) {
+                     static_cast<void>(path);
+                     if (throws.exchange(false)) throw 42;
+                   },
+                   [&](const std::string& obstacle) { told.set_value(obstacle); }};
+  write("a.nc", "G1 X1 F1000\nM30\n");
+  faulty.look_at(1, "a.nc", now, file.machine.tables);
+  EXPECT_EQ(told.get_future().get(), "a.nc cannot be simulated beforehand");
+  EXPECT_FALSE(faulty.outlook(1, now).predicted_s);
+  faulty.look_at(1, "a.nc", now, file.machine.tables);
+  while (!faulty.outlook(1, now).predicted_s)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+TEST_F(ForesightTest, EndsAtOnceInTheMiddleOfASimulation) {
+  write("endless.nc", "while (1 > 0) {\n  G4 P0.001\n}\nM30\n");
+  foresight.look_at(1, "endless.nc", now, file.machine.tables);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+}  // namespace
+}  // namespace stanok::runtime

@@ -1,0 +1,101 @@
+"""A stanokd with embedded drives in a folder of its own, and connections to it.
+
+    with running_daemon(stanokd, machine_file, PROGRAM) as daemon:
+        operator = Operator(daemon.socket_path)
+        operator.ask("machine.on")
+
+The folder has PROGRAM as part.nc; the daemon ends with the block.
+"""
+import contextlib
+import json
+import os
+import resource
+import socket
+import subprocess
+import tempfile
+import time
+
+
+class Refused(Exception):
+    """The daemon answered with an error."""
+
+
+def request(number, method, /, **parameters):
+    """A request as the bytes of its line."""
+    return (json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": parameters}) + "\n").encode()
+
+
+def connect(path):
+    one = socket.socket(socket.AF_UNIX)
+    one.connect(path)
+    return one
+
+
+class Operator:
+    """One connection that waits for its answers."""
+
+    def __init__(self, path):
+        self.socket = connect(path)
+        self.lines = self.socket.makefile("rb")
+        self.last_id = 0
+
+    def answer(self, method, /, **parameters):
+        """The whole answer: with "result" or "error"."""
+        self.last_id += 1
+        self.socket.sendall(request(self.last_id, method, **parameters))
+        while True:
+            line = self.lines.readline()
+            if not line:
+                raise ConnectionError(method)
+            message = json.loads(line)
+            if message.get("id") == self.last_id:
+                return message
+
+    def ask(self, method, /, **parameters):
+        """The result; raises Refused."""
+        message = self.answer(method, **parameters)
+        if "error" in message:
+            raise Refused(f"{method}: {message['error']['message']}")
+        return message["result"]
+
+
+class Daemon:
+    def __init__(self, process, socket_path):
+        self.process, self.socket_path = process, socket_path
+
+
+def wait_for_socket(process, path):
+    while True:
+        if process.poll() is not None:
+            raise RuntimeError("the daemon did not start")
+        try:
+            return connect(path).close()
+        except OSError:
+            time.sleep(0.05)
+
+
+@contextlib.contextmanager
+def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL):
+    """`error`: where the log of the daemon goes."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "op.sock")
+        with open(os.path.join(folder, "part.nc"), "w", encoding="utf-8") as part:
+            part.write(program)
+        process = subprocess.Popen([stanokd, "--machine", machine_file, "--drives", "embedded", "--lcm", "off",
+                                    "--state", os.path.join(folder, "state"), "--socket", path,
+                                    "--program-root", folder], stderr=error)
+        try:
+            wait_for_socket(process, path)
+            yield Daemon(process, path)
+        finally:
+            process.terminate()
+            try:
+                process.wait(30)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+
+def allow_many_descriptors():
+    most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    resource.setrlimit(resource.RLIMIT_NOFILE, (min(4096, most), most))
