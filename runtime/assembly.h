@@ -18,7 +18,7 @@
 #include "config/machine_file.h"
 #include "drives/bus.h"
 #include "plant/fault.h"
-#include "recording/encode_inputs.h"
+#include "recording/format/encode_inputs.h"
 #include "runtime/process_plant.h"
 
 namespace stanok::runtime {

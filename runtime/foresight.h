@@ -21,7 +21,7 @@
 
 #include "channels/machine/machine.h"
 #include "config/machine_file.h"
-#include "recording/path_preview.h"
+#include "recording/format/path_preview.h"
 
 namespace stanok::runtime {
 

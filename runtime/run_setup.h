@@ -7,7 +7,7 @@
 
 #include "channels/machine/machine.h"
 #include "config/machine_file.h"
-#include "recording/message_stream.h"
+#include "recording/stream/message_stream.h"
 
 namespace stanok::runtime {
 

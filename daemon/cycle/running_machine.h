@@ -17,7 +17,7 @@
 #include "daemon/host/real_time_rights.h"
 #include "drives/bus.h"
 #include "plant/fault.h"
-#include "recording/log_writer.h"
+#include "recording/log/log_writer.h"
 #include "runtime/foresight.h"
 
 namespace stanok::daemon {

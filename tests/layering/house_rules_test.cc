@@ -25,7 +25,6 @@ const std::map<std::string, std::size_t> crowded_folders{
     {"config", 42},
     {"motion", 75},
     {"plant", 42},
-    {"recording", 49},
 };
 
 bool is_code_of_the_runtime(const SourceFile& file) {

@@ -15,7 +15,7 @@
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
 #include "config/machine_file.h"
-#include "recording/log_reader.h"
+#include "recording/log/log_reader.h"
 #include "runtime/recorded_run.h"
 
 namespace stanok::client {
