@@ -17,7 +17,7 @@
 #include "channels/machine/machine.h"
 #include "config/machine_file.h"
 #include "drives/bus.h"
-#include "plant/fault.h"
+#include "plant/drive/fault.h"
 #include "recording/format/encode_inputs.h"
 #include "runtime/process_plant.h"
 

@@ -16,7 +16,7 @@
 #include "daemon/cycle/real_time_loop.h"
 #include "daemon/host/real_time_rights.h"
 #include "drives/bus.h"
-#include "plant/fault.h"
+#include "plant/drive/fault.h"
 #include "recording/log/log_writer.h"
 #include "runtime/foresight.h"
 

@@ -24,7 +24,6 @@ constexpr std::size_t files_max = 40;  // of a folder
 const std::map<std::string, std::size_t> crowded_folders{
     {"config", 42},
     {"motion", 75},
-    {"plant", 42},
 };
 
 bool is_code_of_the_runtime(const SourceFile& file) {
