@@ -6,7 +6,7 @@
 
 #include "channels/contract/machine_config.h"
 #include "config/key_table.h"
-#include "config/machine_file.h"
+#include "config/sections/machine_description.h"
 #include "drives/bus_config.h"
 
 namespace stanok::config {

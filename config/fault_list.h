@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "config/config_error.h"
-#include "config/machine_file.h"
+#include "config/text/source_file.h"
 
 namespace stanok::config {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "config/key_table.h"
-#include "config/machine_file.h"
+#include "config/sections/machine_description.h"
 
 namespace stanok::config {
 
