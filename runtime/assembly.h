@@ -15,7 +15,7 @@
 #include "base/ring.h"
 #include "base/rt_safe.h"
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "drives/bus.h"
 #include "plant/drive/fault.h"
 #include "recording/format/encode_inputs.h"

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "recording/format/path_preview.h"
 
 namespace stanok::runtime {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "drives/vibration.h"
 #include "plant/cutting/cutting_process.h"
 #include "plant/drive/simulated_drive.h"

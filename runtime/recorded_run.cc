@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "base/utf8.h"
-#include "config/tables_file.h"
+#include "config/files/tables_file.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 

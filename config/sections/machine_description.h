@@ -1,5 +1,5 @@
 // What a machine file says, as the structs that its sections fill: the machine, its drives, the
-// recorder and the plant behind simulated drives. config/machine_file.h reads it.
+// recorder and the plant behind simulated drives. config/files/machine_file.h reads it.
 #pragma once
 
 #include <filesystem>

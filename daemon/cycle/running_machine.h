@@ -12,7 +12,7 @@
 
 #include "base/expected.h"
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "daemon/cycle/real_time_loop.h"
 #include "daemon/host/real_time_rights.h"
 #include "drives/bus.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "daemon/cycle/running_machine.h"
 #include "daemon/publish/flight_files.h"
 #include "daemon/publish/log_files.h"

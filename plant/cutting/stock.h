@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/rt_safe.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 
 namespace stanok::plant {
 

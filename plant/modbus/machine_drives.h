@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "drives/bus_config.h"
 #include "plant/mechanics/plant_config.h"
 #include "plant/modbus/drive_bank.h"

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/utf8.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "plant/modbus/drive_console.h"
 #include "plant/modbus/machine_drives.h"
 #include "plant/modbus/modbus_server.h"
