@@ -1,10 +1,12 @@
 // Events and reports that find no place are counted, and people are told.
 #include "channels/stores/event_book.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "channels/stores/report_book.h"
 #include "tests/support/machine/coordinator_bench.h"
+#include "tests/support/machine/machine_bench.h"
 
 namespace stanok::channels {
 namespace {
@@ -52,6 +54,16 @@ TEST(EventBook, ReportsThatFindNoPlaceAreCounted) {
   reports.put(AlarmRecord{});
   reports.name_run(1, 1, "part.nc", {});
   EXPECT_EQ(reports.alarms().size() + reports.lost(), 301U);
+}
+
+// Every emergency stop is an alarm of both channels; nobody looks at the history meanwhile.
+TEST(EventBook, AHistoryThatIsNotWholeIsTold) {
+  stanok::testing::MachineBench bench;
+  for (int stop = 0; stop < 200; ++stop) {
+    bench.ask(OperatorAction::machine_estop, 0);
+    bench.cycle();
+  }
+  EXPECT_THAT(bench.event_codes(), ::testing::Contains("W722"));
 }
 
 // The preparation of a channel does not take what it is told: the channel stops by a fault.
