@@ -371,6 +371,12 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "see what keeps the recorder from its work: a slow disk, a computer with too much to do; log "
      "status counts the losses",
      "motion is not touched; stanok log verify repeats the log up to the named cycle"},
+    {"W721", "messages that are missing", Reaction::warning,
+     "see what keeps the daemon from its work: a computer with too much to do",
+     "motion is not touched; alarm history has the alarms among them"},
+    {"W722", "a history that is not whole", Reaction::warning,
+     "see what keeps the daemon from its work: a computer with too much to do",
+     "motion is not touched; the recorded log has every run and alarm"},
     {"W810", "a feed above what the axes can do", Reaction::warning,
      "see the text for the block and the limit; the path runs as fast as the axes can",
      "nothing needs to be done"},

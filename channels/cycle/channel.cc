@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "channels/cycle/force_terms.h"
 
@@ -42,6 +43,8 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   work_marks();
   announce();
   name_program();
+  if (std::exchange(link.has_lost_notice, false))
+    run.fault({{"A9001"}, {"the preparation of the channel has not taken what it was told"}});
   if (run.takes_power_off()) power(Power::off);
 }
 

@@ -22,7 +22,7 @@ void ChannelLog::tell(std::string_view code, std::string_view text, const motion
   event.code = FixedText<8>(code);
   event.tag = tag;
   event.text = FixedText<240>(text);
-  static_cast<void>(events_.push(event));
+  events_.put(event);
 }
 
 void ChannelLog::alarm(std::string_view code, std::string_view text, const motion::BlockTag& tag)
@@ -35,7 +35,7 @@ void ChannelLog::alarm(std::string_view code, std::string_view text, const motio
   record.text = FixedText<1024>(text);
   record.file = file_name(tag);
   last_alarm_ = {runs_.run(), tag.line, record.code, record.file};
-  static_cast<void>(alarms_.push(record));
+  reports_.put(record);
   tell(code, headline(text), tag);
 }
 

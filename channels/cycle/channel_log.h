@@ -1,26 +1,27 @@
 // ChannelLog: what a channel tells people: events, and alarms with the place in the program.
 //
-// Thread: the real-time cycle. Owner: the channel. What finds no place in a ring is lost.
+// Thread: the real-time cycle. Owner: the channel. What finds no place is counted where it goes.
 #pragma once
 
 #include <string_view>
 
-#include "base/ring.h"
 #include "base/rt_safe.h"
 #include "channels/axes/channel_figures.h"
 #include "channels/contract/output.h"
 #include "channels/cycle/channel_terms.h"
 #include "channels/cycle/run_book.h"
 #include "channels/messages/channel_link.h"
+#include "channels/stores/event_book.h"
+#include "channels/stores/report_book.h"
 
 namespace stanok::channels {
 
 class ChannelLog {
  public:
   // All outlive the log.
-  ChannelLog(std::int32_t channel, const RunBook& runs, const ChannelLink& link,
-             Ring<Event>& events, Ring<AlarmRecord>& alarms)
-      : channel_(channel), runs_(runs), link_(link), events_(events), alarms_(alarms) {}
+  ChannelLog(std::int32_t channel, const RunBook& runs, const ChannelLink& link, EventBook& events,
+             ReportBook& reports)
+      : channel_(channel), runs_(runs), link_(link), events_(events), reports_(reports) {}
 
   // An event, now: a message, or with a code a warning or alarm.
   void tell(std::string_view code, std::string_view text, const motion::BlockTag& tag) RT_SAFE;
@@ -35,8 +36,8 @@ class ChannelLog {
   std::int32_t channel_;
   const RunBook& runs_;
   const ChannelLink& link_;
-  Ring<Event>& events_;
-  Ring<AlarmRecord>& alarms_;
+  EventBook& events_;
+  ReportBook& reports_;
   ChannelAlarm last_alarm_;
 };
 

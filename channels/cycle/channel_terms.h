@@ -6,6 +6,7 @@
 
 #include "channels/contract/output.h"
 #include "channels/messages/item.h"
+#include "channels/stores/event_book.h"
 #include "channels/stores/report_book.h"
 
 namespace stanok::channels {
@@ -42,7 +43,7 @@ struct ChannelAlarm {
 
 // Where events, alarms and run records go; owned by the machine.
 struct CycleBooks {
-  Ring<Event>* events = nullptr;
+  EventBook* events = nullptr;
   ReportBook* reports = nullptr;
   Signals* outputs = nullptr;
   const Signals* inputs = nullptr;  // of this cycle

@@ -259,7 +259,7 @@ void ItemWorker::answer(const ChannelAnswer& answer) RT_SAFE {
   notice.code = answer.code;
   notice.text = answer.text;
   notice.axes_M = parts_.motion.axes_M();
-  static_cast<void>(parts_.link.notices.push(notice));
+  parts_.link.tell(notice);
 }
 
 void ItemWorker::give_up() RT_SAFE {
@@ -301,7 +301,7 @@ void ItemWorker::begin_run(Job job) RT_SAFE {
   }
   parts_.run.begin_run();
   const NoticeKind kind = job == Job::line ? NoticeKind::start_line : NoticeKind::start;
-  static_cast<void>(parts_.link.notices.push(notice_of_start(kind)));
+  parts_.link.tell(notice_of_start(kind));
 }
 
 void ItemWorker::begin_switch(int scheme) RT_SAFE {

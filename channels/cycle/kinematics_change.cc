@@ -13,7 +13,7 @@ void KinematicsChange::begin(int scheme) RT_SAFE {
   notice.number = scheme;
   notice.axes_M = motion_.axes_M();
   notice.enabled = axes_.enabled();
-  static_cast<void>(link_.notices.push(notice));
+  link_.tell(notice);
 }
 
 double KinematicsChange::begin_step(const Item& step) RT_SAFE {

@@ -10,7 +10,7 @@ void LoadDesk::begin(const ShortText& text, Job job) RT_SAFE {
   notice.load = program_;
   if (job == Job::program) notice.number = ++begun_;
   notice.text = ReasonText(text.view());
-  static_cast<void>(link_.notices.push(notice));
+  link_.tell(notice);
 }
 
 void LoadDesk::begin_search(Notice start, const ShortText& target) RT_SAFE {
@@ -18,7 +18,7 @@ void LoadDesk::begin_search(Notice start, const ShortText& target) RT_SAFE {
   job_ = Job::search;
   start.kind = NoticeKind::search;
   start.text = ReasonText(target.view());
-  static_cast<void>(link_.notices.push(start));
+  link_.tell(start);
 }
 
 void LoadDesk::take(const Item& load_done) RT_SAFE {

@@ -14,7 +14,7 @@ void RunBook::begin(const motion::InterpolatorOutput& path) RT_SAFE {
   path_mm_ = 0.0;
   lookahead_max_ = 0;
   blocks_ = 0;
-  static_cast<void>(records_.push(record(path)));
+  reports_.put(record(path));
 }
 
 void RunBook::advance(const motion::InterpolatorOutput& path, std::uint32_t lookahead_blocks)
@@ -32,7 +32,7 @@ void RunBook::end(RunResult result, std::uint64_t blocks, const motion::Interpol
   ended.ended = true;
   ended.ok = result == RunResult::succeeded;
   ended.blocks = blocks;
-  static_cast<void>(records_.push(ended));
+  reports_.put(ended);
 }
 
 bool RunBook::ended_well(std::uint32_t run) const RT_SAFE {

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 
-#include "base/ring.h"
 #include "base/rt_safe.h"
 #include "channels/messages/item.h"
 #include "channels/stores/report_book.h"
@@ -19,9 +18,9 @@ enum class RunResult : std::uint8_t { succeeded, failed };
 
 class RunBook {
  public:
-  // `records` outlives the book.
-  RunBook(std::int32_t channel, int axis_count, Ring<RunRecord>& records)
-      : channel_(channel), axis_count_(axis_count), records_(records) {}
+  // `reports` outlives the book.
+  RunBook(std::int32_t channel, int axis_count, ReportBook& reports)
+      : channel_(channel), axis_count_(axis_count), reports_(reports) {}
 
   // A new cycle.
   void begin_cycle(std::int64_t cycle) RT_SAFE { cycle_ = cycle; }
@@ -50,7 +49,7 @@ class RunBook {
 
   std::int32_t channel_;
   int axis_count_;
-  Ring<RunRecord>& records_;
+  ReportBook& reports_;
   std::int64_t cycle_ = 0;
   std::uint32_t run_ = 0;
   RunResult result_ = RunResult::succeeded;

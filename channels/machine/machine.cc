@@ -174,6 +174,18 @@ struct Machine::Parts {
     inputs.note(record);
   }
 
+  // Reports of runs and alarms that found no place.
+  void tell_lost_reports() RT_SAFE {
+    const std::uint64_t lost = reports.lost();
+    if (lost == reports_lost) return;
+    Event event;
+    event.cycle = cycle;
+    event.code = FixedText<8>("W722");
+    event.text.append(static_cast<long>(lost - reports_lost))
+        .append(" runs or alarms are missing in the history: it was not read in time");
+    if (events.put(event)) reports_lost = lost;
+  }
+
   const MachineConfig& config;
   LiveTables tables;
   SharedVariables shared;
@@ -182,7 +194,8 @@ struct Machine::Parts {
   Signals signals_in;
   Signals signals_out;
   ReportBook reports;
-  Ring<Event> events;
+  EventBook events;
+  std::uint64_t reports_lost = 0;  // told of
   InputBook inputs;
   Ring<OperatorReply> replies;
   Ring<OperatorReply> stop_replies;
@@ -247,6 +260,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     seat->channel.advance(parts.cycle);
   }
   parts.coordinator->step();
+  parts.tell_lost_reports();
   output.cycle = parts.cycle;
   output.signals = parts.signals_out;
   output.channel_count = static_cast<std::int32_t>(parts.seats.size());
@@ -281,7 +295,7 @@ bool Machine::waits_for_operator() const RT_SAFE {
 }
 
 Ring<Event>& Machine::events() {
-  return parts_->events;
+  return parts_->events.events();
 }
 Ring<InputRecord>& Machine::input_records() {
   return parts_->inputs.records();

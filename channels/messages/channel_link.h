@@ -19,6 +19,13 @@ struct ChannelLink {
   Ring<Remark> remarks{1024};  // preparation -> cycle
   Ring<Notice> notices{16};    // cycle -> preparation
 
+  // The cycle. Bound: a load or search, a start, a switch and an answer are each asked for one at a
+  // time and the next only when the preparation has answered, and a reset ends them all; of an
+  // operator's line there is a load and a start besides. So at most seven notices wait. A notice
+  // that finds no place is a fault of our own: the channel stops (has_lost_notice).
+  void tell(const Notice& notice) RT_SAFE { has_lost_notice |= !notices.push(notice); }
+  bool has_lost_notice = false;
+
   // The cycle: resets that were asked for since construction. A preparation that has obeyed fewer
   // ends what it compiles: the reset waits for it.
   std::atomic<std::uint32_t> resets_wanted{0};

@@ -41,7 +41,7 @@ void InputBook::tell(std::int64_t cycle) RT_SAFE {
       .append(
           " on are missing in the recording: the recorder fell behind; the log can be repeated "
           "up to there only");
-  untold_cycle_ = events_.push(event) ? 0 : cycle;
+  untold_cycle_ = events_.put(event) ? 0 : cycle;
 }
 
 }  // namespace stanok::channels

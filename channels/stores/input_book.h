@@ -13,14 +13,14 @@
 
 #include "base/ring.h"
 #include "channels/contract/input_record.h"
-#include "channels/contract/output.h"
+#include "channels/stores/event_book.h"
 
 namespace stanok::channels {
 
 class InputBook {
  public:
   // `events` outlives the book; its producer is the thread that notes.
-  InputBook(std::size_t capacity, Ring<Event>& events) : records_(capacity), events_(events) {}
+  InputBook(std::size_t capacity, EventBook& events) : records_(capacity), events_(events) {}
 
   // The cycle's thread.
   void note(const InputRecord& record) RT_SAFE;
@@ -36,7 +36,7 @@ class InputBook {
   void tell(std::int64_t cycle) RT_SAFE;
 
   Ring<InputRecord> records_;
-  Ring<Event>& events_;
+  EventBook& events_;
   std::int64_t lost_in_gap_ = 0;   // 0: there is no gap
   std::int64_t untold_cycle_ = 0;  // of a gap whose event found no place; 0: none
   std::atomic<std::uint64_t> lost_{0};

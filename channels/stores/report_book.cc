@@ -22,12 +22,22 @@ ReportBook::ReportBook() : run_records_(256), alarm_records_(256) {}
 void ReportBook::name_run(int channel, std::uint32_t run, const std::string& program,
                           std::vector<std::string> files) {
   const std::lock_guard lock(mutex_);
+  drain_runs();
+  drain_alarms();
   const RunKey key{channel, run};
   names_[key] = {program, std::move(files)};
   const auto known = runs_.find(key);
   if (known == runs_.end()) return;
   known->second.program = names_[key].program;
   known->second.files = names_[key].files;
+}
+
+void ReportBook::put(const RunRecord& record) RT_SAFE {
+  if (!run_records_.push(record)) lost_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void ReportBook::put(const AlarmRecord& record) RT_SAFE {
+  if (!alarm_records_.push(record)) lost_.fetch_add(1, std::memory_order_relaxed);
 }
 
 void ReportBook::explain(int channel, std::uint32_t run, const Diagnostic& diagnostic) {

@@ -2,9 +2,12 @@
 // programs outside.
 //
 // The cycle hands over plain records through rings; texts and diagnostics come from the
-// preparations. Any thread.
+// preparations. Any thread. Bound of the rings: they are emptied whenever a run is named, which
+// the preparation does at the begin of each, so that between two runs of a channel at most two
+// records of it wait, and what a fault or a stop adds.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -55,10 +58,13 @@ class ReportBook {
   // Where the next run begins; nothing: at the first block.
   void tell_search(int channel, const std::optional<SearchReport>& report);
 
-  // Cycle side.
-  [[nodiscard]] Ring<RunRecord>& run_records() RT_SAFE { return run_records_; }
-  [[nodiscard]] Ring<AlarmRecord>& alarm_records() RT_SAFE { return alarm_records_; }
+  // Cycle side. What finds no place is lost and counted.
+  void put(const RunRecord& record) RT_SAFE;
+  void put(const AlarmRecord& record) RT_SAFE;
+  // Since construction; any thread.
+  [[nodiscard]] std::uint64_t lost() const RT_SAFE { return lost_; }
 
+  // Any thread but the cycle's.
   [[nodiscard]] std::vector<RunReport> runs();
   [[nodiscard]] std::vector<AlarmReport> alarms();
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics();
@@ -72,6 +78,7 @@ class ReportBook {
   std::mutex mutex_;
   Ring<RunRecord> run_records_;
   Ring<AlarmRecord> alarm_records_;
+  std::atomic<std::uint64_t> lost_{0};
   struct RunNames {
     std::string program;
     std::vector<std::string> files;

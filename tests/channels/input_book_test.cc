@@ -28,7 +28,7 @@ std::vector<InputRecord> taken(Ring<InputRecord>& ring, std::size_t count) {
 
 struct SmallBook {
   static constexpr std::size_t capacity = 16;
-  Ring<Event> events{4};
+  EventBook events{4};
   InputBook book{capacity, events};
 };
 
@@ -59,7 +59,7 @@ TEST(InputBook, SaysAtItsPlaceThatInputsAreMissingAndThenHowMany) {
 // the ring is free, and each is told once.
 TEST(InputBook, TellsOperatorsOnceForEachGap) {
   constexpr int cycles = 1000;
-  Ring<Event> events{cycles};
+  EventBook events{cycles};
   InputBook book{SmallBook::capacity, events};
   std::vector<std::int64_t> gaps;
   for (std::int64_t cycle = 1; cycle <= cycles; ++cycle) {
@@ -71,7 +71,7 @@ TEST(InputBook, TellsOperatorsOnceForEachGap) {
   EXPECT_LE(gaps.size(), cycles / (SmallBook::capacity / 2));
   for (const std::int64_t cycle : gaps) {
     Event event;
-    ASSERT_TRUE(events.pop(event));
+    ASSERT_TRUE(events.events().pop(event));
     EXPECT_EQ(event.code.view(), "W720");
     EXPECT_EQ(event.channel, 0);
     EXPECT_EQ(event.cycle, cycle);
@@ -83,13 +83,13 @@ TEST(InputBook, TellsOperatorsOnceForEachGap) {
 // The ring of the events was full as well.
 TEST(InputBook, TellsOperatorsLaterWhenItCannotNow) {
   SmallBook small;
-  while (small.events.push({})) {
+  while (small.events.events().push({})) {
   }
   for (std::int64_t cycle = 1; cycle <= 100; ++cycle) small.book.note(input_of(cycle));
-  small.events.pop_front(4);
+  small.events.events().pop_front(4);
   small.book.note(input_of(101));
   Event event;
-  ASSERT_TRUE(small.events.pop(event));
+  ASSERT_TRUE(small.events.events().pop(event));
   EXPECT_EQ(event.cycle, static_cast<std::int64_t>(SmallBook::capacity)) << "where it began";
 }
 

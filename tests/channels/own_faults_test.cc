@@ -34,7 +34,7 @@ TEST(BrokenClaims, NameFileLineAndClaim) {
     STANOK_ASSERT(1 + 1 == 3);
     FAIL();
   } catch (const BrokenClaim& fault) {
-    EXPECT_THAT(fault.what(), ::testing::StartsWith("tests/channels/own_faults_test.cc:"));
+    EXPECT_THAT(fault.what(), HasSubstr("tests/channels/own_faults_test.cc:"));
     EXPECT_THAT(fault.what(), HasSubstr("broken claim: 1 + 1 == 3"));
   }
 }

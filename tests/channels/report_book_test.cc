@@ -14,7 +14,7 @@ TEST(ReportBook, NamesARunThatWasAskedForBeforeItsPreparationNamedIt) {
   RunRecord begun;
   begun.channel = 1;
   begun.run = 2;
-  ASSERT_TRUE(reports.run_records().push(begun));
+  reports.put(begun);
   ASSERT_EQ(reports.runs().size(), 1U);
   reports.name_run(1, 2, "part.nc", {"part.nc", "called.nc"});
   EXPECT_EQ(reports.runs().front().program, "part.nc");

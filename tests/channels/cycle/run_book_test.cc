@@ -20,20 +20,19 @@ motion::InterpolatorOutput path_at(std::uint32_t run, std::uint64_t block, doubl
 
 class RunBookTest : public ::testing::Test {
  protected:
-  RunRecord record() {
-    RunRecord popped;
-    EXPECT_TRUE(records_.pop(popped));
-    return popped;
+  RunReport record() {
+    const std::vector<RunReport> runs = reports_.runs();
+    return runs.empty() ? RunReport{} : runs.back();
   }
 
-  Ring<RunRecord> records_{8};
-  RunBook runs_{4, 2, records_};
+  ReportBook reports_;
+  RunBook runs_{4, 2, reports_};
 };
 
 TEST_F(RunBookTest, TellsTheBeginAndTheEndOfARun) {
   runs_.begin_cycle(100);
   runs_.begin(path_at(0, 0, 0.0));
-  const RunRecord begun = record();
+  const RunReport begun = record();
   EXPECT_EQ(begun.channel, 4);
   EXPECT_EQ(begun.run, 1U);
   EXPECT_FALSE(begun.ended);
@@ -42,7 +41,7 @@ TEST_F(RunBookTest, TellsTheBeginAndTheEndOfARun) {
   runs_.advance(path_at(1, 9, 0.5), 40);
   runs_.advance(path_at(1, 9, 0.25), 10);
   runs_.end(RunResult::succeeded, 12, path_at(1, 9, 0.0));
-  const RunRecord ended = record();
+  const RunReport ended = record();
   EXPECT_TRUE(ended.ended);
   EXPECT_TRUE(ended.ok);
   EXPECT_EQ(ended.blocks, 12U);
@@ -88,19 +87,19 @@ TEST_F(RunBookTest, CountsBlocksOfItsOwnRunOnly) {
 TEST_F(RunBookTest, AlarmsAreLoggedWithTheirPlaceAndEventsWithTheFirstLine) {
   ChannelLink link;
   link.file_names[2] = FileName("part.nc");
-  Ring<Event> events(8);
-  Ring<AlarmRecord> alarms(8);
-  ChannelLog log(4, runs_, link, events, alarms);
+  EventBook events(8);
+  ChannelLog log(4, runs_, link, events, reports_);
   runs_.begin_cycle(3);
   runs_.begin({});
   log.alarm("A4001", "first line\nsecond line", {.run = 1, .block = 6, .line = 17, .file = 2});
-  AlarmRecord alarm;
-  ASSERT_TRUE(alarms.pop(alarm));
-  EXPECT_EQ(alarm.file.view(), "part.nc");
-  EXPECT_EQ(alarm.text.view(), "first line\nsecond line");
-  EXPECT_EQ(alarm.cycle, 3);
+  const std::vector<AlarmReport> alarms = reports_.alarms();
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms[0].diagnostic.place.file, "part.nc");
+  EXPECT_EQ(alarms[0].diagnostic.message, "first line");
+  EXPECT_EQ(alarms[0].diagnostic.notes.at(0).text, "second line");
+  EXPECT_EQ(alarms[0].cycle, 3);
   Event event;
-  ASSERT_TRUE(events.pop(event));
+  ASSERT_TRUE(events.events().pop(event));
   EXPECT_EQ(event.text.view(), "first line");
   EXPECT_EQ(event.channel, 4);
   EXPECT_EQ(log.last_alarm().line, 17U);

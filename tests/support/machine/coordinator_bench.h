@@ -58,7 +58,7 @@ class CoordinatorBench {
     }
   }
 
-  Ring<channels::Event> events_{256};
+  channels::EventBook events_{256};
   channels::ReportBook reports_;
   Signals outputs_;
   BenchSchemes schemes_ = bench_schemes();

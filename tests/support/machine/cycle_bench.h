@@ -39,11 +39,11 @@ class CycleBench {
   }
   [[nodiscard]] std::string event() {
     channels::Event popped;
-    return events.pop(popped) ? std::string(popped.code.view()) : "none";
+    return events.events().pop(popped) ? std::string(popped.code.view()) : "none";
   }
 
   channels::ChannelLink link;
-  Ring<channels::Event> events{64};
+  channels::EventBook events{64};
   channels::ReportBook reports;
   Signals outputs;
   Signals inputs;
