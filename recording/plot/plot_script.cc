@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -292,7 +293,7 @@ class ScriptText {
                number(bottom) + "," + number(top) + " spacing 0," +
                number(static_cast<double>(panel_gap) / height) + "\n";
       for (const Panel& panel : panels) {
-        add_panel(panel, &panel == &panels.back());
+        add_panel(panel, &panel == &panels.back() ? TimeAxis::labelled : TimeAxis::hidden);
         text_ += "unset label\n";
       }
       text_ += "unset multiplot\nset format x\nset ytics autofreq\n";
@@ -333,7 +334,9 @@ class ScriptText {
     add_series("$vibration", force.vibration);
   }
 
-  void add_panel(const Panel& panel, bool is_last) {
+  enum class TimeAxis : std::uint8_t { hidden, labelled };
+
+  void add_panel(const Panel& panel, TimeAxis time_axis) {
     Range values;
     for (const TimePoint& point : panel.line.series->points()) values.include(point.value);
     const std::string peak =
@@ -342,8 +345,9 @@ class ScriptText {
       for (const TimePoint& point : panel.behind.series->points()) values.include(point.value);
     }
     const Range shown = values.padded();
-    text_ += is_last ? "set format x\nset xlabel 'time [s]' textcolor rgb '#2b2f33'\n"
-                     : "set format x ''\nunset xlabel\n";
+    text_ += time_axis == TimeAxis::labelled
+                 ? "set format x\nset xlabel 'time [s]' textcolor rgb '#2b2f33'\n"
+                 : "set format x ''\nunset xlabel\n";
     text_ += "set ylabel " + gnuplot_text(panel.label + " [" + panel.unit + "]") + "\n";
     text_ += "set yrange " + shown.text() + "\nset ytics " + number(tic_step(shown)) + "\n";
     text_ += "set label 1 " + gnuplot_text(peak) +
