@@ -24,8 +24,9 @@ std::string too_deep(const TextBounds& bounds) {
 
 // The offset behind the string whose opening quotation mark stands at `at`: on one line, up to its
 // end or the end of its line (TOML 1.0, "String"; RFC 8259, section 7).
-std::size_t behind_short_string(std::string_view text, std::size_t at, bool has_escapes) {
+std::size_t behind_short_string(std::string_view text, std::size_t at) {
   const char mark = text[at];
+  const bool has_escapes = mark == '"';
   for (++at; at < text.size(); ++at) {
     if (text[at] == mark) return at + 1;
     if (text[at] == '\n') return at;
@@ -35,8 +36,9 @@ std::size_t behind_short_string(std::string_view text, std::size_t at, bool has_
 }
 
 // The same for three marks. Up to two marks of the content may stand before the three that close.
-std::size_t behind_long_string(std::string_view text, std::size_t at, bool has_escapes) {
+std::size_t behind_long_string(std::string_view text, std::size_t at) {
   const char mark = text[at];
+  const bool has_escapes = mark == '"';
   for (at += 3; at < text.size(); ++at) {
     if (has_escapes && text[at] == '\\') {
       ++at;
@@ -51,8 +53,7 @@ std::size_t behind_long_string(std::string_view text, std::size_t at, bool has_e
 std::size_t behind_toml_string(std::string_view text, std::size_t at) {
   const char mark = text[at];
   const bool is_long = text.substr(at, 3) == std::string(3, mark);
-  return is_long ? behind_long_string(text, at, mark == '"')
-                 : behind_short_string(text, at, mark == '"');
+  return is_long ? behind_long_string(text, at) : behind_short_string(text, at);
 }
 
 }  // namespace

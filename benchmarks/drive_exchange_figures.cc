@@ -17,7 +17,7 @@
 
 #include "base/units.h"
 #include "drives/modbus/modbus_bus.h"
-#include "plant/modbus_server.h"
+#include "plant/modbus/modbus_server.h"
 
 namespace stanok {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <filesystem>
 
-#include "recording/decode.h"
-#include "recording/log_reader.h"
-#include "recording/log_writer.h"
-#include "recording/message_stream.h"
+#include "recording/format/decode.h"
+#include "recording/log/log_reader.h"
+#include "recording/log/log_writer.h"
+#include "recording/stream/message_stream.h"
 
 namespace stanok::recording {
 namespace {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "drives/modbus/modbus_bus.h"
-#include "plant/direct_bus.h"
-#include "plant/machine_drives.h"
-#include "plant/modbus_server.h"
+#include "plant/drive/direct_bus.h"
+#include "plant/modbus/machine_drives.h"
+#include "plant/modbus/modbus_server.h"
 #include "runtime/force_controls.h"
 #include "runtime/output_book.h"
 #include "runtime/program_files.h"

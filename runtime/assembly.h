@@ -15,10 +15,10 @@
 #include "base/ring.h"
 #include "base/rt_safe.h"
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "drives/bus.h"
-#include "plant/fault.h"
-#include "recording/encode_inputs.h"
+#include "plant/drive/fault.h"
+#include "recording/format/encode_inputs.h"
 #include "runtime/process_plant.h"
 
 namespace stanok::runtime {

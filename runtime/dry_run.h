@@ -15,7 +15,7 @@
 #include "channels/preparation/preparation.h"
 #include "channels/preparation/thread_preparation.h"
 #include "channels/stores/live_tables.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "lang/run/block_search.h"
 #include "lang/run/interpreter.h"
 #include "motion/feed_laws/law_estimate.h"

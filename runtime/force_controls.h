@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "process/adaptive/force_control.h"
 
 namespace stanok::runtime {

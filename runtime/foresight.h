@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
-#include "recording/path_preview.h"
+#include "config/files/machine_file.h"
+#include "recording/format/path_preview.h"
 
 namespace stanok::runtime {
 

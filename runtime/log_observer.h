@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "recording/log_writer.h"
-#include "recording/message_stream.h"
+#include "recording/log/log_writer.h"
+#include "recording/stream/message_stream.h"
 #include "runtime/run_setup.h"
 #include "runtime/simulation.h"
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "drives/vibration.h"
-#include "plant/cutting_process.h"
-#include "plant/simulated_drive.h"
-#include "plant/spindle_plant.h"
+#include "plant/cutting/cutting_process.h"
+#include "plant/drive/simulated_drive.h"
+#include "plant/mechanics/spindle_plant.h"
 
 namespace stanok::runtime {
 

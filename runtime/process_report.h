@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "channels/contract/output.h"
-#include "plant/stock.h"
+#include "plant/cutting/stock.h"
 
 namespace stanok::runtime {
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "base/utf8.h"
-#include "config/tables_file.h"
-#include "recording/channel_names.h"
-#include "recording/decode.h"
+#include "config/files/tables_file.h"
+#include "recording/format/channel_names.h"
+#include "recording/format/decode.h"
 
 namespace stanok::runtime {
 namespace {

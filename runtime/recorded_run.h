@@ -13,10 +13,10 @@
 
 #include "channels/contract/operator_event.h"
 #include "channels/contract/output.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "lang/contract/environment.h"
-#include "recording/encode_inputs.h"
-#include "recording/log_contents.h"
+#include "recording/format/encode_inputs.h"
+#include "recording/read/log_contents.h"
 #include "runtime/run_setup.h"
 
 namespace stanok::runtime {

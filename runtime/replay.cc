@@ -7,8 +7,8 @@
 
 #include "channels/contract/operator_action.h"
 #include "channels/machine/machine.h"
-#include "recording/channel_names.h"
-#include "recording/decode.h"
+#include "recording/format/channel_names.h"
+#include "recording/format/decode.h"
 #include "runtime/force_controls.h"
 #include "runtime/recorded_run.h"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "config/tables_file.h"
+#include "config/files/tables_file.h"
 
 namespace stanok::runtime {
 

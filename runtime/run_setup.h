@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
-#include "recording/message_stream.h"
+#include "config/files/machine_file.h"
+#include "recording/stream/message_stream.h"
 
 namespace stanok::runtime {
 

@@ -13,7 +13,7 @@
 
 #include "base/histogram.h"
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "runtime/assembly.h"
 #include "runtime/run_setup.h"
 

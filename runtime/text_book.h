@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "recording/encode_inputs.h"
+#include "recording/format/encode_inputs.h"
 
 namespace stanok::runtime {
 

@@ -12,12 +12,12 @@
 
 #include "base/expected.h"
 #include "channels/machine/machine.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "daemon/cycle/real_time_loop.h"
 #include "daemon/host/real_time_rights.h"
 #include "drives/bus.h"
-#include "plant/fault.h"
-#include "recording/log_writer.h"
+#include "plant/drive/fault.h"
+#include "recording/log/log_writer.h"
 #include "runtime/foresight.h"
 
 namespace stanok::daemon {

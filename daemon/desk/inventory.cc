@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "config/tables_file.h"
+#include "config/files/tables_file.h"
 
 namespace stanok::daemon {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/expected.h"
 #include "channels/contract/operator_event.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "protocol/json_rpc.h"
 
 namespace stanok::daemon {

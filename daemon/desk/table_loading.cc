@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "channels/stores/live_tables.h"
-#include "config/config_error.h"
-#include "config/tables_file.h"
+#include "config/files/tables_file.h"
+#include "config/text/config_error.h"
 #include "daemon/desk/inventory.h"
 #include "protocol/json_text.h"
 

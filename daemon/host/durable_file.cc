@@ -11,7 +11,7 @@
 
 #include "base/file_descriptor.h"
 #include "base/system_error.h"
-#include "recording/log_description.h"
+#include "recording/format/log_description.h"
 
 namespace stanok::daemon {
 namespace {

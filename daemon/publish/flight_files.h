@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "recording/flight_recorder.h"
+#include "recording/log/flight_recorder.h"
 
 namespace stanok::daemon {
 

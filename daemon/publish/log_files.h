@@ -15,8 +15,8 @@
 #include <string>
 
 #include "base/expected.h"
-#include "recording/log_switch.h"
-#include "recording/log_writer.h"
+#include "recording/log/log_switch.h"
+#include "recording/log/log_writer.h"
 
 namespace stanok::daemon {
 

@@ -12,7 +12,7 @@
 #include "base/ring.h"
 #include "channels/contract/operator_event.h"
 #include "channels/contract/output.h"
-#include "recording/encode_inputs.h"
+#include "recording/format/encode_inputs.h"
 
 namespace stanok::daemon {
 

@@ -13,14 +13,14 @@
 #include <string>
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "daemon/cycle/running_machine.h"
 #include "daemon/publish/flight_files.h"
 #include "daemon/publish/log_files.h"
 #include "daemon/publish/publisher_thread.h"
-#include "recording/flight_recorder.h"
-#include "recording/message_stream.h"
-#include "recording/publisher.h"
+#include "recording/log/flight_recorder.h"
+#include "recording/stream/message_stream.h"
+#include "recording/stream/publisher.h"
 
 namespace stanok::daemon {
 

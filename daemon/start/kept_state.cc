@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "config/positions_file.h"
-#include "config/tables_file.h"
+#include "config/files/positions_file.h"
+#include "config/files/tables_file.h"
 #include "daemon/host/state_directory.h"
 #include "runtime/axis_positions.h"
 

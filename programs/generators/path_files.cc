@@ -1,5 +1,6 @@
 #include "programs/generators/path_files.h"
 
+#include <cstdint>
 #include <cstdio>
 
 namespace stanok::programs {
@@ -29,14 +30,16 @@ std::string number(double value) {
   return text.data();
 }
 
-void append_row(std::string& csv, const PathStep& step, int axis_count, bool is_stop) {
+enum class RowEnd : std::uint8_t { passes, stops };
+
+void append_row(std::string& csv, const PathStep& step, int axis_count, RowEnd end) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
     csv.append(number(step.end[k])).push_back(',');
   }
   csv.append(number(step.feed_mm_per_s)).push_back(',');
   csv.append(std::to_string(step.shape)).push_back(',');
   csv.append(number(step.centre[0])).push_back(',');
-  csv.append(number(step.centre[1])).append(is_stop ? ",1\n" : ",0\n");
+  csv.append(number(step.centre[1])).append(end == RowEnd::stops ? ",1\n" : ",0\n");
 }
 
 }  // namespace
@@ -53,10 +56,12 @@ std::string path_csv(const Workload& workload, const BlockRange& range) {
     }
     if (step.block > range.last) break;
     if (start != nullptr && step.block > 0) {
-      append_row(csv, {.end = start->end, .feed_mm_per_s = step.feed_mm_per_s}, axis_count, false);
+      append_row(csv, {.end = start->end, .feed_mm_per_s = step.feed_mm_per_s}, axis_count,
+                 RowEnd::passes);
       start = nullptr;
     }
-    if (step.block > 0) append_row(csv, step, axis_count, &step == &path.back());
+    if (step.block > 0)
+      append_row(csv, step, axis_count, &step == &path.back() ? RowEnd::stops : RowEnd::passes);
   }
   return csv;
 }

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "drives/modbus/exchange_plan.h"
 #include "tests/config/temporary_files.h"
 #include "tests/support/project_folders.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "tests/config/temporary_files.h"
 
 namespace stanok::config {

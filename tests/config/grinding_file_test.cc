@@ -1,5 +1,5 @@
 // Process files of plunge grinding: what they fill, and one row for every key and kind of mistake.
-#include "config/grinding_file.h"
+#include "config/files/grinding_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

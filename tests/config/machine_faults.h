@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 
 namespace stanok::config {
 

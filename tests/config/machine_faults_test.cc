@@ -11,7 +11,7 @@
 #include <random>
 #include <sstream>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "tests/config/temporary_files.h"
 
 namespace stanok::config {

@@ -1,5 +1,5 @@
 // What a machine file means: every key arrives where it belongs, defaults are those of the structs.
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <iterator>
 #include <limits>
 
-#include "config/key_reference.h"
-#include "config/tables_file.h"
+#include "config/files/key_reference.h"
+#include "config/files/tables_file.h"
 #include "tests/config/temporary_files.h"
 #include "tests/support/project_folders.h"
 

@@ -7,7 +7,7 @@
 
 #include "channels/contract/channel_description.h"
 #include "channels/contract/motion_config.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "kinematics/scheme.h"
 #include "tests/support/project_folders.h"
 

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "config/machine_file.h"
-#include "config/scheme_keys.h"
+#include "config/files/machine_file.h"
+#include "config/sections/scheme_keys.h"
 #include "tests/config/machine_faults.h"
 #include "tests/config/temporary_files.h"
 

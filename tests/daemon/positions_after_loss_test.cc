@@ -2,7 +2,7 @@
 // whether that can be relied on.
 #include <gtest/gtest.h>
 
-#include "config/positions_file.h"
+#include "config/files/positions_file.h"
 #include "daemon/start/kept_state.h"
 #include "tests/daemon/daemon_bench.h"
 

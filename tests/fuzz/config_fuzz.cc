@@ -2,8 +2,8 @@
 // with every fault at a place of the text.
 #include <string>
 
-#include "config/machine_file.h"
-#include "config/tables_file.h"
+#include "config/files/machine_file.h"
+#include "config/files/tables_file.h"
 
 using namespace stanok::config;
 

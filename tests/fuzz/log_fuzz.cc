@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/log_contents.h"
+#include "recording/read/log_contents.h"
 #include "stanok_messages/arrival_t.hpp"
 #include "stanok_messages/channel_state_t.hpp"
 #include "stanok_messages/drive_status_t.hpp"

@@ -1,5 +1,5 @@
 // The feed axis against the textbook solution of the second-order system.
-#include "plant/axis_plant.h"
+#include "plant/mechanics/axis_plant.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The simulated cut against its definitions: depth, chip thickness, force, power, self-oscillation.
-#include "plant/cutting_process.h"
+#include "plant/cutting/cutting_process.h"
 
 #include <gtest/gtest.h>
 

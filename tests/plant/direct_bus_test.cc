@@ -1,5 +1,5 @@
 // The simulated drives on the virtual clock: same behaviour as over Modbus, the same bits each run.
-#include "plant/direct_bus.h"
+#include "plant/drive/direct_bus.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "drives/modbus/modbus_bus.h"
-#include "plant/modbus_server.h"
+#include "plant/modbus/modbus_server.h"
 
 namespace stanok::plant {
 

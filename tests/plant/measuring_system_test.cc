@@ -1,5 +1,5 @@
 // Encoder, index pulses and switches of a feed axis.
-#include "plant/measuring_system.h"
+#include "plant/mechanics/measuring_system.h"
 
 #include <gtest/gtest.h>
 

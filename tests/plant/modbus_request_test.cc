@@ -1,5 +1,5 @@
 // Requests as bytes, from the examples of the Modbus specifications.
-#include "plant/modbus_request.h"
+#include "plant/modbus/modbus_request.h"
 
 #include <gtest/gtest.h>
 

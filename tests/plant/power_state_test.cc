@@ -1,5 +1,5 @@
 // Every transition of the CiA 402 automaton that a control word or an event causes.
-#include "plant/power_state.h"
+#include "plant/drive/power_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The velocity-controlled axis against the transfer functions of its two oscillators.
-#include "plant/servo_axis.h"
+#include "plant/mechanics/servo_axis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A simulated drive seen through its register blocks.
-#include "plant/simulated_drive.h"
+#include "plant/drive/simulated_drive.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Ramp, angle and power of the simulated spindle against closed forms.
-#include "plant/spindle_plant.h"
+#include "plant/mechanics/spindle_plant.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "plant/cutting_process.h"
+#include "plant/cutting/cutting_process.h"
 #include "process/adaptive/force_control.h"
 
 namespace stanok::testing {

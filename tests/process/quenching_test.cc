@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "drives/vibration.h"
-#include "plant/self_oscillation.h"
+#include "plant/cutting/self_oscillation.h"
 #include "tests/process/cut_bench.h"
 
 namespace stanok::process {

@@ -1,11 +1,11 @@
 // The last seconds in memory, and the log that is begun late.
-#include "recording/flight_recorder.h"
+#include "recording/log/flight_recorder.h"
 
 #include <gtest/gtest.h>
 
-#include "recording/decode.h"
-#include "recording/log_contents.h"
-#include "recording/log_switch.h"
+#include "recording/format/decode.h"
+#include "recording/log/log_switch.h"
+#include "recording/read/log_contents.h"
 #include "tests/recording/recorded_log.h"
 
 namespace stanok::recording {

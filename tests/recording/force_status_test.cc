@@ -1,8 +1,8 @@
 // The message of force control: what it says, and that it is there only while the control is on.
 #include <gtest/gtest.h>
 
-#include "recording/channel_names.h"
-#include "recording/encode.h"
+#include "recording/format/channel_names.h"
+#include "recording/format/encode.h"
 
 namespace stanok::recording {
 namespace {

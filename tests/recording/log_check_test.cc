@@ -1,5 +1,5 @@
 // No byte of a log can change, and no event be missing, unnoticed.
-#include "recording/log_check.h"
+#include "recording/log/log_check.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include <numeric>
 
-#include "recording/channel_names.h"
-#include "recording/log_contents.h"
+#include "recording/format/channel_names.h"
+#include "recording/read/log_contents.h"
 #include "tests/recording/recorded_log.h"
 
 namespace stanok::recording {

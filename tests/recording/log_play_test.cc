@@ -1,6 +1,6 @@
 // A log that is played gives every message once more, in order; what is damaged is left out and
 // told.
-#include "recording/log_play.h"
+#include "recording/read/log_play.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/log_writer.h"
+#include "recording/log/log_writer.h"
 #include "tests/config/temporary_files.h"
 
 namespace stanok::recording {

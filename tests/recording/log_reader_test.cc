@@ -1,5 +1,5 @@
 // Logs that are whole, cut, and damaged in the middle.
-#include "recording/log_reader.h"
+#include "recording/log/log_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <random>
 
-#include "recording/log_contents.h"
+#include "recording/read/log_contents.h"
 #include "tests/recording/recorded_log.h"
 
 namespace stanok::recording {

@@ -1,13 +1,13 @@
 // Logs in pieces, what is repeated in them, and texts in chunks.
-#include "recording/log_writer.h"
+#include "recording/log/log_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <cerrno>
 #include <stanok_messages/program_chunk_t.hpp>
 
-#include "recording/decode.h"
-#include "recording/log_contents.h"
+#include "recording/format/decode.h"
+#include "recording/read/log_contents.h"
 #include "tests/recording/recorded_log.h"
 
 namespace stanok::recording {

@@ -1,5 +1,5 @@
 // Messages: there and back, the same bytes twice, names that LCM takes, a disk that is full, a bus.
-#include "recording/message_stream.h"
+#include "recording/stream/message_stream.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,10 +13,10 @@
 #include <span>
 #include <string>
 
-#include "recording/decode.h"
-#include "recording/encode_tool_row.h"
-#include "recording/log_export.h"
-#include "recording/publisher.h"
+#include "recording/format/decode.h"
+#include "recording/format/encode_tool_row.h"
+#include "recording/read/log_export.h"
+#include "recording/stream/publisher.h"
 #include "tests/recording/recorded_log.h"
 #include "tests/support/project_folders.h"
 

@@ -1,12 +1,12 @@
 // Previews of paths: their shape, and their way over the bus in parts.
-#include "recording/path_preview.h"
+#include "recording/format/path_preview.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <lcm/lcm-cpp.hpp>
 
-#include "recording/publisher.h"
+#include "recording/stream/publisher.h"
 #include "tests/recording/recorded_log.h"
 
 namespace stanok::recording {

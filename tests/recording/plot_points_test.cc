@@ -1,5 +1,5 @@
 // Decimation for pictures: bounded, and what the eye looks for stays.
-#include "recording/plot_points.h"
+#include "recording/format/plot_points.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "recording/gnuplot.h"
+#include "recording/plot/gnuplot.h"
 
 namespace stanok::recording {
 namespace {

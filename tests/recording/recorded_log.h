@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "recording/log_writer.h"
-#include "recording/message_stream.h"
+#include "recording/log/log_writer.h"
+#include "recording/stream/message_stream.h"
 
 namespace stanok::recording {
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "runtime/dry_run.h"
 #include "tests/support/project_folders.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "runtime/assembly.h"
 #include "tests/config/temporary_files.h"
 #include "tests/support/project_folders.h"

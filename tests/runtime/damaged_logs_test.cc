@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "recording/log_check.h"
+#include "recording/log/log_check.h"
 #include "runtime/replay.h"
 #include "tests/runtime/recorded_by_chance.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::runtime {

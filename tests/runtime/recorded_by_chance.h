@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "recording/channel_names.h"
-#include "recording/decode.h"
-#include "recording/log_reader.h"
-#include "recording/message_stream.h"
+#include "recording/format/channel_names.h"
+#include "recording/format/decode.h"
+#include "recording/log/log_reader.h"
+#include "recording/stream/message_stream.h"
 #include "runtime/assembly.h"
 #include "runtime/log_observer.h"
 #include "tests/config/temporary_files.h"

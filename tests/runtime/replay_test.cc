@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "recording/log_contents.h"
+#include "recording/read/log_contents.h"
 #include "tests/runtime/recorded_by_chance.h"
 
 namespace stanok::runtime {

@@ -12,7 +12,7 @@
 
 #include "motion/axis_codes.h"
 #include "motion/position_regulator.h"
-#include "plant/servo_axis.h"
+#include "plant/mechanics/servo_axis.h"
 #include "tests/motion/path_samples.h"
 
 namespace stanok::testing {

@@ -16,7 +16,7 @@
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
 

@@ -7,7 +7,7 @@
 
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
-#include "config/grinding_file.h"
+#include "config/files/grinding_file.h"
 
 namespace stanok::client {
 namespace {

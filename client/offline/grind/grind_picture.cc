@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "recording/gnuplot.h"
+#include "recording/plot/gnuplot.h"
 
 namespace stanok::client {
 namespace {

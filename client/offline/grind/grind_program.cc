@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 
 namespace stanok::client {
 namespace {

@@ -10,7 +10,7 @@
 #include "client/offline/machine/job_options.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
 

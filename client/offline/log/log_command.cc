@@ -13,11 +13,11 @@
 #include "client/terminal/interrupts.h"
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
-#include "recording/log_contents.h"
-#include "recording/log_export.h"
-#include "recording/log_play.h"
-#include "recording/log_plot.h"
-#include "recording/publisher.h"
+#include "recording/plot/log_plot.h"
+#include "recording/read/log_contents.h"
+#include "recording/read/log_export.h"
+#include "recording/read/log_play.h"
+#include "recording/stream/publisher.h"
 #include "runtime/replay.h"
 
 namespace stanok::client {

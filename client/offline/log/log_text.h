@@ -5,7 +5,7 @@
 #include <string>
 
 #include "client/terminal/terminal.h"
-#include "recording/log_contents.h"
+#include "recording/read/log_contents.h"
 
 namespace stanok::client {
 

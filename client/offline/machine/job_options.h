@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 
 namespace stanok::client {
 

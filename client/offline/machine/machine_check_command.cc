@@ -10,7 +10,7 @@
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
 #include "client/terminal/terminal.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 
 namespace stanok::client {
 namespace {

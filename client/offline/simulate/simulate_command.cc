@@ -19,7 +19,7 @@
 #include "client/terminal/interrupts.h"
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "protocol/version.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"

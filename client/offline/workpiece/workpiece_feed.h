@@ -6,7 +6,7 @@
 #include <stanok_messages/workpiece_t.hpp>
 
 #include "channels/contract/output.h"
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "simulation/workpiece_follower.h"
 
 namespace stanok::client {

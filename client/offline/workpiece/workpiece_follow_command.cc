@@ -14,8 +14,8 @@
 #include "client/terminal/interrupts.h"
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
-#include "config/machine_file.h"
-#include "recording/log_reader.h"
+#include "config/files/machine_file.h"
+#include "recording/log/log_reader.h"
 #include "runtime/recorded_run.h"
 
 namespace stanok::client {

@@ -7,10 +7,10 @@
 #include <stanok_messages/workpiece_t.hpp>
 
 #include "lang/run/interpreter.h"
-#include "recording/channel_names.h"
-#include "recording/decode.h"
-#include "recording/encode.h"
-#include "recording/encode_tool_row.h"
+#include "recording/format/channel_names.h"
+#include "recording/format/decode.h"
+#include "recording/format/encode.h"
+#include "recording/format/encode_tool_row.h"
 
 namespace stanok::client {
 namespace {

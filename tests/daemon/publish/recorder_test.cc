@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "recording/log_contents.h"
+#include "recording/read/log_contents.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/support/temporary_directory.h"
 

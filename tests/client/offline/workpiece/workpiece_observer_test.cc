@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "client/offline/workpiece/workpiece_stream.h"
-#include "recording/log_reader.h"
+#include "recording/log/log_reader.h"
 #include "runtime/log_observer.h"
 #include "runtime/recorded_run.h"
 #include "tests/support/project_folders.h"

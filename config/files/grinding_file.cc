@@ -1,0 +1,147 @@
+// Keys and checks of the process file of a plunge grinding cycle.
+#include "config/files/grinding_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/grinding/number_text.h"
+
+namespace stanok::config {
+namespace {
+
+using process::allowance_max_mm;
+using process::DesignRequest;
+using process::feed_max_mm_per_s;
+using process::FeedRange;
+using process::GrindingProcess;
+using process::PlungeOptions;
+using process::ProcessQuantity;
+using process::VerificationLimits;
+
+struct GrindingFile {
+  DesignRequest request;
+  std::string removal = "triangle";
+  double wear_factor = 0.0;
+  double wear_exponent = 1.0;
+};
+
+// One of the sheet's quantities; its range comes from the table of process quantities, which the
+// control file obeys too.
+template <double GrindingProcess::* Member>
+double& sheet(GrindingFile& file) {
+  return file.request.process.*Member;
+}
+
+const Keys<GrindingFile>& grinding_keys() {
+  using F = GrindingFile;
+  using P = GrindingProcess;
+  using R = DesignRequest;
+  static const Keys<GrindingFile> keys = {
+      {"part_radius", &sheet<&P::part_radius_mm>, required, "mm", "R, of the finished part"},
+      {"width", &sheet<&P::width_mm>, required, "mm", "B, of the ground surface"},
+      {"wheel_radius", &sheet<&P::wheel_radius_mm>, required, "mm", "R_w, of the wheel"},
+      {"stiffness", &sheet<&P::stiffness_n_per_m>, required, "N/m",
+       "C, of machine, wheel and part in the direction of infeed"},
+      {"mass", &sheet<&P::mass_kg>, required, "kg", "m, reduced to the wheel"},
+      {"damping", &sheet<&P::damping_n_s_per_m>, required, "N s/m", "b, viscous friction"},
+      {"part_speed", &sheet<&P::part_speed_rpm>, required, "rev/min", "n, of the part"},
+      {"force_factor", &sheet<&P::force_factor>, required, "N/mm",
+       "C_p of the force law C_p B (Q V)^alpha"},
+      {"force_exponent", &sheet<&P::force_exponent>, required, "", "alpha of the force law"},
+      {"deflection_max", &sheet<&P::deflection_max_mm>, required, "mm",
+       "permitted deflection of the elastic system"},
+      {"critical_allowance", &sheet<&P::critical_allowance_mm>, required, "mm",
+       "H_crit, from which on the surface can burn"},
+      {"removal_end", &sheet<&P::removal_end_mm2_per_rad>, required, "mm2/rad",
+       "Q_end, permitted removal when the size is reached"},
+      {"allowance", at<&F::request, &R::allowance_mm>, required, "mm", "h, to be removed per side",
+       from(1e-9, allowance_max_mm)},
+      {"removal_form", at<&F::removal>, optional, "",
+       "Q of a layer a: triangle, a R R_w/(R + R_w), as the paper has it; exact, a R",
+       one_of({"triangle", "exact"})},
+      {"feed_min", at<&F::request, &R::feeds, &FeedRange::min_mm_per_s>, optional, "mm/s",
+       "least infeed", from(1e-9, feed_max_mm_per_s), "a tenth of the steady feed at removal_end"},
+      {"feed_max", at<&F::request, &R::feeds, &FeedRange::max_mm_per_s>, optional, "mm/s",
+       "greatest infeed", from(1e-9, feed_max_mm_per_s),
+       "1.3 times the steady feed at deflection_max"},
+      {"spark_out", at<&F::request, &R::simulation, &PlungeOptions::spark_out_revolutions>,
+       optional, "rev", "of the part, after the last X", from(0.0, 1000.0)},
+      {"wear_factor", at<&F::wear_factor>, optional, "mm/s", "w of the wear of the wheel, w Q^p",
+       from(0.0, 1.0)},
+      {"wear_exponent", at<&F::wear_exponent>, optional, "", "p of the wear of the wheel",
+       from(0.0, 5.0)},
+      {"burn_margin", at<&F::request, &R::limits, &VerificationLimits::burn_margin>, optional, "",
+       "part by which the removal may exceed the burn line", from(0.0, 1.0)},
+      {"residual_max", at<&F::request, &R::limits, &VerificationLimits::residual_max_mm>, optional,
+       "mm", "what may be left of the allowance", from(0.0, 0.1)},
+      {"undersize_max", at<&F::request, &R::limits, &VerificationLimits::undersize_max_mm>,
+       optional, "mm", "how far the highest place may lie below size", from(0.0, 0.1)},
+      {"roundness_max", at<&F::request, &R::limits, &VerificationLimits::roundness_max_mm>,
+       optional, "mm", "how far the part may be out of round at the end; 0: nothing is asked for",
+       from(0.0, 0.1)},
+      {"time_step", at<&F::request, &R::simulation, &PlungeOptions::time_step_max_s>, optional, "s",
+       "of the simulation, at most", from(1e-6, 0.0005)},
+      {"time_max", at<&F::request, &R::simulation, &PlungeOptions::time_max_s>, optional, "s",
+       "a cycle that takes longer is given up", from(1.0, 3600.0)},
+  };
+  return keys;
+}
+
+// Ranges of the quantities that the file has as numbers; what is absent or no number is a fault
+// already.
+void check_ranges(const toml::table& table, const GrindingProcess& process, const Scope& scope) {
+  for (const process::ProcessFault& fault : process::range_faults(process)) {
+    const toml::node* node = table.get(fault.key);
+    if (node == nullptr || !node->is_number()) continue;
+    if (!std::isfinite(node->value_or(0.0))) continue;
+    scope.fault(node->source(), fault.text);
+  }
+}
+
+void check_together(const toml::table& table, const DesignRequest& request, const Scope& scope) {
+  for (const auto& fault : process::boundary_faults(request.process, request.allowance_mm)) {
+    scope.fault(place_of(table, fault.key), fault.text);
+  }
+  const FeedRange& feeds = request.feeds;
+  if (feeds.max_mm_per_s > 0.0 && feeds.min_mm_per_s >= feeds.max_mm_per_s) {
+    scope.fault(place_of(table, "feed_min"), "feed_min is " + number_text(feeds.min_mm_per_s) +
+                                                 "; it must be below feed_max, " +
+                                                 number_text(feeds.max_mm_per_s) + " mm/s");
+  }
+}
+
+}  // namespace
+
+DesignRequest read_grinding_file(const std::filesystem::path& file) {
+  FaultList faults;
+  GrindingFile content;
+  const auto table = parse_file(file, faults);
+  faults.throw_if_any();
+  const Scope scope{faults, "process"};
+  read_table(*table, grinding_keys(), content, scope);
+  DesignRequest& request = content.request;
+  request.process.removal =
+      content.removal == "exact" ? process::RemovalForm::exact : process::RemovalForm::triangle;
+  check_ranges(*table, request.process, scope);
+  faults.throw_if_any();
+  check_together(*table, request, scope);
+  faults.throw_if_any();
+  if (content.wear_factor > 0.0) {
+    request.simulation.wear_rate_mm_per_s = [w = content.wear_factor,
+                                             p = content.wear_exponent](double removal) {
+      return removal > 0.0 ? w * std::pow(removal, p) : 0.0;
+    };
+  }
+  return std::move(request);
+}
+
+std::vector<KeyRow> grinding_key_rows() {
+  std::vector<KeyRow> rows = describe(grinding_keys());
+  for (const ProcessQuantity& quantity : process::process_quantities()) {
+    const auto row = std::ranges::find(rows, quantity.key, &KeyRow::name);
+    row->allowed = process::number_text(quantity.min) + " to " + process::number_text(quantity.max);
+  }
+  return rows;
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,154 @@
+// Keys and checks of the single tables of the machine file.
+#include "config/sections/machine_sections.h"
+
+namespace stanok::config {
+namespace {
+
+using drives::BusConfig;
+
+struct BusFile {
+  BusConfig bus;
+  std::string kind;
+};
+
+struct LcmFile {
+  std::string url = MachineFile{}.lcm_url;
+};
+
+struct RecorderFile {
+  std::string directory;
+  int size_mb = RecorderConfig{}.size_mb;
+  double flight_s = RecorderConfig{}.flight_s;
+};
+
+const Keys<BusFile>& bus_keys() {
+  static const Keys<BusFile> keys = {
+      {"bus", at<&BusFile::kind>, required, "", "kind of bus",
+       one_of({"modbus-tcp", "modbus-rtu"})},
+      {"host", at<&BusFile::bus, &BusConfig::host>, optional, "",
+       "modbus-tcp: address of the drives"},
+      {"port", at<&BusFile::bus, &BusConfig::port>, optional, "", "modbus-tcp: port",
+       from(1, 65535)},
+      {"device", at<&BusFile::bus, &BusConfig::device>, optional, "",
+       "modbus-rtu: serial device, required there"},
+      {"baud", at<&BusFile::bus, &BusConfig::baud>, optional, "1/s", "modbus-rtu: bits per second",
+       from(1200, 4e6)},
+      {"poll_ms", at<&BusFile::bus, &BusConfig::poll_ms>, optional, "ms",
+       "time between two exchanges", from(1, 1000)},
+      {"timeout_ms", at<&BusFile::bus, &BusConfig::timeout_ms>, optional, "ms",
+       "time without a good answer after which a drive counts as lost", from(1, 60000)},
+  };
+  return keys;
+}
+
+const Keys<LcmFile>& lcm_keys() {
+  static const Keys<LcmFile> keys = {
+      {"url", at<&LcmFile::url>, required, "", "where set-points and states are published"},
+  };
+  return keys;
+}
+
+const Keys<RecorderFile>& recorder_keys() {
+  static const Keys<RecorderFile> keys = {
+      {"directory", at<&RecorderFile::directory>, optional, "", "where logs are written", any,
+       "below the state directory"},
+      {"size_mb", at<&RecorderFile::size_mb>, optional, "MB",
+       "size of one log file before the next begins", from(1, 1e6)},
+      {"flight_s", at<&RecorderFile::flight_s>, optional, "s",
+       "how much is kept in memory and written to a file when a fault stops the machine; 0: "
+       "nothing",
+       from(0, 600)},
+  };
+  return keys;
+}
+
+}  // namespace
+
+const Keys<MachineSection>& machine_keys() {
+  static const Keys<MachineSection> keys = {
+      {"name", at<&MachineSection::name>, required, "",
+       "name of the machine, of its files, and on the LCM bus", part_of_path},
+      {"cycle_us", at<&MachineSection::cycle_us>, optional, "us", "real-time cycle",
+       from(100, 20000)},
+      {"tables", at<&MachineSection::tables>, optional, "",
+       "file with tools and offsets at first start"},
+      {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",
+       "programs cannot write tools and offsets"},
+      {"program_size_max", at<&MachineSection::program_size_max_mb>, optional, "MiB",
+       "text of a program with all its files", from(1, 4096)},
+      {"program_steps_max", at<&MachineSection::program_steps_max_m>, optional, "million",
+       "steps that a program may compute without moving, waiting or asking; of check and "
+       "interpret, "
+       "steps of a run",
+       from(1, 1'000'000)},
+  };
+  return keys;
+}
+
+const Keys<SimulationSection>& simulation_keys() {
+  static const Keys<SimulationSection> keys = {
+      {"drive_frequency", at<&SimulationSection::simulation, &SimulationConfig::drive_frequency_hz>,
+       optional, "Hz", "natural frequency of the simulated position loops", positive},
+      {"drive_damping", at<&SimulationSection::simulation, &SimulationConfig::drive_damping>,
+       optional, "", "their damping", positive},
+      {"servo_frequency", at<&SimulationSection::simulation, &SimulationConfig::servo_frequency_hz>,
+       optional, "Hz",
+       "natural frequency of the simulated velocity loops, of axes with feedback = \"cycle\"",
+       positive},
+      {"servo_damping", at<&SimulationSection::simulation, &SimulationConfig::servo_damping>,
+       optional, "", "their damping", positive},
+      {"resonance_frequency",
+       at<&SimulationSection::simulation, &SimulationConfig::resonance_frequency_hz>, optional,
+       "Hz", "natural frequency of the load on its spring behind them; 0: none", not_negative},
+      {"resonance_damping",
+       at<&SimulationSection::simulation, &SimulationConfig::resonance_damping>, optional, "",
+       "its damping", not_negative},
+      {"outputs_to_inputs",
+       at<&SimulationSection::simulation, &SimulationConfig::outputs_to_inputs>, optional, "",
+       "outputs of programs come back as inputs of the same number"},
+      {"cutting", at<&SimulationSection::cutting>, optional, "", "the cut behind the spindle", any,
+       "there is none"},
+  };
+  return keys;
+}
+
+BusConfig read_bus(const toml::table& table, const Scope& scope) {
+  BusFile file;
+  read_table(table, bus_keys(), file, scope);
+  const bool serial = file.kind == "modbus-rtu";
+  file.bus.kind = serial ? drives::BusKind::modbus_rtu : drives::BusKind::modbus_tcp;
+  if (serial && file.bus.device.empty()) {
+    scope.fault(place_of(table, "bus"),
+                "key 'device' is missing; modbus-rtu needs a serial device");
+  }
+  if (file.bus.timeout_ms < file.bus.poll_ms) {
+    scope.fault(place_of(table, "timeout_ms"), "timeout_ms is shorter than poll_ms, " +
+                                                   std::to_string(file.bus.poll_ms) +
+                                                   "; every drive would count as lost");
+  }
+  return file.bus;
+}
+
+std::string read_lcm_url(const toml::table& table, const Scope& scope) {
+  LcmFile file;
+  read_table(table, lcm_keys(), file, scope);
+  return file.url;
+}
+
+RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
+  RecorderFile file;
+  read_table(table, recorder_keys(), file, scope);
+  return {.directory = file.directory, .size_mb = file.size_mb, .flight_s = file.flight_s};
+}
+
+std::vector<KeyRow> drives_key_rows() {
+  return describe(bus_keys());
+}
+std::vector<KeyRow> lcm_key_rows() {
+  return describe(lcm_keys());
+}
+std::vector<KeyRow> recorder_key_rows() {
+  return describe(recorder_keys());
+}
+
+}  // namespace stanok::config

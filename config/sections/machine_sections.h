@@ -1,0 +1,41 @@
+// The single tables of the machine file: [machine], [drives], [lcm], [recorder],
+// [simulation].
+#pragma once
+
+#include <vector>
+
+#include "config/sections/machine_description.h"
+#include "config/text/key_table.h"
+
+namespace stanok::config {
+
+// [machine]
+struct MachineSection {
+  std::string name;
+  int cycle_us = 1000;
+  std::string tables;  // file name; empty: none
+  bool tables_write_protected = false;
+  int program_size_max_mb = 256;
+  int program_steps_max_m = 1000;
+};
+
+[[nodiscard]] const Keys<MachineSection>& machine_keys();
+
+// [simulation]
+struct SimulationSection {
+  SimulationConfig simulation;
+  Subtable cutting = nullptr;
+};
+[[nodiscard]] const Keys<SimulationSection>& simulation_keys();
+
+// [drives]; the drives of the axes stand with the axes.
+[[nodiscard]] drives::BusConfig read_bus(const toml::table& table, const Scope& scope);
+[[nodiscard]] std::string read_lcm_url(const toml::table& table, const Scope& scope);
+[[nodiscard]] RecorderConfig read_recorder(const toml::table& table, const Scope& scope);
+
+// Rows of the documentation.
+[[nodiscard]] std::vector<KeyRow> drives_key_rows();
+[[nodiscard]] std::vector<KeyRow> lcm_key_rows();
+[[nodiscard]] std::vector<KeyRow> recorder_key_rows();
+
+}  // namespace stanok::config

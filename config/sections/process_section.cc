@@ -1,0 +1,181 @@
+#include "config/sections/process_section.h"
+
+#include <algorithm>
+
+namespace stanok::config {
+namespace {
+
+using process::ForceControlConfig;
+
+struct ProcessFile {
+  ForceControlConfig control;
+  Integers channels;
+  std::string on_sensor_fault = "hold";
+};
+
+const Keys<ProcessFile>& process_keys() {
+  using F = ProcessFile;
+  using C = ForceControlConfig;
+  static const Keys<F> keys = {
+      {"channels", at<&F::channels>, optional, "",
+       "ids of the channels whose master spindle has a power sensor for force control", any,
+       "all with axes and a spindle"},
+      {"feed_min", at<&F::control, &C::feed_min>, optional, "mm/s",
+       "lowest feed of force control; 0: a twentieth of the programmed feed", not_negative},
+      {"feed_max", at<&F::control, &C::feed_max>, optional, "mm/s",
+       "highest feed of force control; 0: the programmed feed", not_negative},
+      {"efficiency", at<&F::control, &C::efficiency>, optional, "",
+       "of the spindle drive: cutting power over electrical power above idle", from(0.1, 1.0)},
+      {"power_lag", at<&F::control, &C::power_lag_s>, optional, "s",
+       "lag of the power sensor, with half a poll of its bus", positive},
+      {"power_min", at<&F::control, &C::power_min_w>, optional, "W",
+       "the regulator stands where the set-point means less power than the sensor can tell",
+       not_negative},
+      {"air_part", at<&F::control, &C::air_part>, optional, "",
+       "with less than this part of the power wanted the tool is in the air", from(0.01, 0.9)},
+      {"power_answer", at<&F::control, &C::power_answer_s>, optional, "s",
+       "in which the power answers a change of the feed in the cut, beyond half a revolution and "
+       "three lags; else the sensor is stuck",
+       from(0.0, 10.0)},
+      {"idle_settle", at<&F::control, &C::idle_settle_s>, optional, "s",
+       "time at speed before the idle power is taken", not_negative},
+      {"idle_capture", at<&F::control, &C::idle_capture_s>, optional, "s",
+       "time over which the idle power is averaged", positive},
+      {"idle_coulomb_part", at<&F::control, &C::idle_coulomb_part>, optional, "",
+       "part of the idle power that grows with the speed; the rest grows with its square",
+       from(0.0, 1.0)},
+      {"gain", at<&F::control, &C::gain>, optional, "",
+       "of the feed regulator, times the dead time of chip and sensor", from(0.01, 1.0)},
+      {"feed_exponent", at<&F::control, &C::feed_exponent>, optional, "",
+       "y of the cutting force, P_z = C t S^y", from(0.3, 1.5)},
+      {"feed_lag", at<&F::control, &C::feed_lag_s>, optional, "s",
+       "lag of the feed drives, for oscillations of the force", not_negative},
+      {"on_sensor_fault", at<&F::on_sensor_fault>, optional, "",
+       "what the feed does when the power cannot be trusted", one_of({"hold", "feed_min"})},
+      {"vibration_level", at<&F::control, &C::vibration_level_um>, optional, "um",
+       "permissible vibration; 0: vibration does not act", not_negative},
+      {"vibration_release", at<&F::control, &C::vibration_release>, optional, "",
+       "part of the level below which the amplifier is quiet again", from(0.1, 1.0)},
+      {"reduced_mass", at<&F::control, &C::reduced_mass_kg>, optional, "kg",
+       "mass of the oscillating system", not_negative},
+      {"oscillation_frequency", at<&F::control, &C::oscillation_hz>, optional, "Hz",
+       "of the force oscillation that is formed from the vibration", not_negative},
+      {"oscillation_reserve", at<&F::control, &C::oscillation_reserve>, optional, "",
+       "its amplitude over the one that just quenches", from(1.0, 3.0)},
+  };
+  return keys;
+}
+
+struct CuttingFile {
+  CuttingConfig cutting;
+  Subtables stock = nullptr;
+};
+
+const Keys<CuttingFile>& cutting_keys() {
+  using F = CuttingFile;
+  using C = CuttingConfig;
+  static const Keys<F> keys = {
+      {"channel", at<&F::cutting, &C::channel>, optional, "", "whose tool cuts", from(1, 99)},
+      {"specific_force", at<&F::cutting, &C::specific_force_n>, optional, "N",
+       "C of P_z = C t S^y (HB / hardness)^e: depth 1 mm, feed 1 mm per revolution", positive},
+      {"feed_exponent", at<&F::cutting, &C::feed_exponent>, optional, "", "y", from(0.3, 1.5)},
+      {"hardness", at<&F::cutting, &C::hardness_hb>, optional, "HB",
+       "for which specific_force holds", positive},
+      {"hardness_exponent", at<&F::cutting, &C::hardness_exponent>, optional, "", "e",
+       not_negative},
+      {"efficiency", at<&F::cutting, &C::efficiency>, optional, "", "of the spindle drive",
+       from(0.1, 1.0)},
+      {"power_lag", at<&F::cutting, &C::power_lag_s>, optional, "s", "of the power sensor",
+       not_negative},
+      {"sample_ms", at<&F::cutting, &C::sample_ms>, optional, "ms",
+       "how often the sensors are read where the drives are ideal", from(1, 1000)},
+      {"vibration", at<&F::cutting, &C::vibration_um>, optional, "um",
+       "amplitude of the self-oscillation in the cut; 0: none", not_negative},
+      {"vibration_frequency", at<&F::cutting, &C::vibration_hz>, optional, "Hz", "its frequency",
+       from(20.0, 400.0)},
+      {"vibration_mass", at<&F::cutting, &C::vibration_mass_kg>, optional, "kg", "its reduced mass",
+       positive},
+      {"stock", at<&F::stock>, required, "", "the workpiece, section by section from its face on"},
+  };
+  return keys;
+}
+
+const Keys<StockSection>& stock_keys() {
+  static const Keys<StockSection> keys = {
+      {"z", at<&StockSection::z_mm>, required, "mm",
+       "where the section begins, in the frame of the program; it reaches to the next one"},
+      {"radius", at<&StockSection::radius_mm>, required, "mm", "of the workpiece there", positive},
+      {"hardness", at<&StockSection::hardness_hb>, optional, "HB", "of its material", positive},
+  };
+  return keys;
+}
+
+void mark_channels(const toml::table& table, const Integers& wanted,
+                   channels::MachineConfig& machine, const Scope& scope) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (std::ranges::find(machine.channels, wanted[i], &channels::ChannelConfig::id) !=
+        machine.channels.end())
+      continue;
+    scope.fault(place_of(table, "channels", i),
+                "there is no channel " + std::to_string(wanted[i]) + "; name a [[channel]]");
+  }
+  for (channels::ChannelConfig& channel : machine.channels) {
+    const bool is_wanted = wanted.empty() || std::ranges::find(wanted, channel.id) != wanted.end();
+    channel.force_control = is_wanted && !channel.axes.empty() && !channel.spindles.empty();
+  }
+}
+
+}  // namespace
+
+ProcessConfig read_process(const toml::table& table, channels::MachineConfig& machine,
+                           const Scope& scope) {
+  ProcessFile file;
+  read_table(table, process_keys(), file, scope);
+  ForceControlConfig& control = file.control;
+  if (control.feed_max > 0.0 && control.feed_min > control.feed_max) {
+    scope.fault(place_of(table, "feed_min"),
+                "feed_min exceeds feed_max, " + number_text(control.feed_max));
+  }
+  if (file.on_sensor_fault == "feed_min") control.on_sensor_fault = process::SensorFault::feed_min;
+  mark_channels(table, file.channels, machine, scope);
+  return {.control = control};
+}
+
+CuttingConfig read_cutting(const toml::table& table, const channels::MachineConfig& machine,
+                           const Scope& scope) {
+  CuttingFile file;
+  read_table(table, cutting_keys(), file, scope);
+  CuttingConfig& cutting = file.cutting;
+  const auto channel =
+      std::ranges::find(machine.channels, cutting.channel, &channels::ChannelConfig::id);
+  if (channel == machine.channels.end() || channel->spindles.empty()) {
+    scope.fault(place_of(table, "channel"),
+                "channel " + std::to_string(cutting.channel) + " has no spindle that could cut");
+  }
+  if (file.stock == nullptr) return cutting;
+  for (const toml::node& node : *file.stock) {
+    const toml::table& row = *node.as_table();
+    StockSection section{.hardness_hb = cutting.hardness_hb};
+    read_table(row, stock_keys(), section, scope.inner("stock"));
+    if (!cutting.stock.empty() && section.z_mm >= cutting.stock.back().z_mm) {
+      scope.fault(place_of(row, "z"),
+                  "sections go from the face on to smaller z; this one is not "
+                  "below the one before, " +
+                      number_text(cutting.stock.back().z_mm));
+    }
+    cutting.stock.push_back(section);
+  }
+  return cutting;
+}
+
+std::vector<KeyRow> process_key_rows() {
+  return describe(process_keys());
+}
+std::vector<KeyRow> cutting_key_rows() {
+  return describe(cutting_keys());
+}
+std::vector<KeyRow> stock_key_rows() {
+  return describe(stock_keys());
+}
+
+}  // namespace stanok::config

@@ -1,0 +1,22 @@
+// Runs gnuplot, and writes what it reads: quoted texts, numbers.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "recording/log/log_writer.h"
+
+namespace stanok::recording {
+
+// Runs the script in its own directory, without a shell. Nothing is returned but the reason of a
+// failure; a missing gnuplot is named with the package that has it.
+[[nodiscard]] std::optional<LogError> run_gnuplot(const std::filesystem::path& script);
+
+// A text as gnuplot's single-quoted string; control characters become blanks.
+[[nodiscard]] std::string gnuplot_text(std::string_view text);
+// Nine significant digits, the same in every locale.
+[[nodiscard]] std::string number(double value);
+
+}  // namespace stanok::recording

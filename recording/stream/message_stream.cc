@@ -1,0 +1,226 @@
+#include "recording/stream/message_stream.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <stanok_messages/program_chunk_t.hpp>
+#include <utility>
+
+#include "base/assert.h"
+#include "recording/format/encode_tool_row.h"
+
+namespace stanok::recording {
+namespace {
+
+constexpr std::int64_t meta_period_us = 60'000'000;
+constexpr std::int64_t state_period_us = 50'000;
+constexpr std::int64_t path_period_us = 10'000;
+
+std::int64_t cycles_in(std::int64_t period_us, int cycle_us) {
+  return std::max<std::int64_t>(1, period_us / cycle_us);
+}
+
+program_chunk_t chunk_of(const TextRecord& record, std::size_t offset) {
+  program_chunk_t chunk;
+  std::memset(&chunk, 0, sizeof chunk);
+  const std::size_t length = std::min(sizeof chunk.text, record.text.size() - offset);
+  chunk.channel = record.channel;
+  chunk.run = static_cast<std::int32_t>(record.run);
+  chunk.file = static_cast<std::int16_t>(record.file);
+  chunk.kind = static_cast<std::int8_t>(record.kind);
+  chunk.size = static_cast<std::int64_t>(record.text.size());
+  chunk.offset = static_cast<std::int64_t>(offset);
+  chunk.length = static_cast<std::int32_t>(length);
+  put_text(record.name, chunk.name);
+  std::copy_n(record.text.begin() + static_cast<std::ptrdiff_t>(offset), length, chunk.text);
+  return chunk;
+}
+
+}  // namespace
+
+MessageStream::MessageStream(LogDescription description, std::vector<MessageSink*> sinks)
+    : description_(std::move(description)),
+      names_(description_.machine),
+      sinks_(std::move(sinks)),
+      buffer_(static_cast<std::size_t>(
+          std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize()))),
+      meta_period_(cycles_in(meta_period_us, description_.cycle_us)),
+      state_period_(cycles_in(state_period_us, description_.cycle_us)),
+      path_period_(cycles_in(path_period_us, description_.cycle_us)),
+      next_meta_cycle_(std::numeric_limits<std::int64_t>::min()) {}
+
+template <class Message>
+void MessageStream::send(const Message& message, int channel, Topic topic) {
+  const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
+  STANOK_ASSERT(size > 0);
+  const std::span<const std::uint8_t> bytes(buffer_.data(), static_cast<std::size_t>(size));
+  for (MessageSink* sink : sinks_) sink->send(names_.name(channel, topic), message.utime, bytes);
+}
+
+Stamp MessageStream::next_stamp(std::int64_t cycle, int channel, Topic topic) {
+  STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
+  return {.utime = description_.utime_start + cycle * description_.cycle_us,
+          .cycle = cycle,
+          .seq = next_seq_[static_cast<std::size_t>(channel)][static_cast<std::size_t>(topic)]++};
+}
+
+void MessageStream::cycle(const channels::CycleOutput& output) {
+  send_meta_when_due(output.cycle);
+  for (int i = 0; i < output.channel_count; ++i) {
+    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(i)];
+    if (channel.axis_count > 0) {
+      send(to_setpoint(channel, next_stamp(output.cycle, channel.id, Topic::setpoint)), channel.id,
+           Topic::setpoint);
+    }
+    inputs_when_new(output.cycle, channel);
+    state_when_due(output.cycle, channel);
+    drives_when_due(output.cycle, channel);
+    process_when_due(output.cycle, channel);
+    force_when_due(output.cycle, channel);
+    tool_when_due(output.cycle, channel);
+    tool_row_when_due(output.cycle, channel);
+    workpiece_when_due(output.cycle, channel);
+    path_when_due(output.cycle, channel.id);
+  }
+}
+
+void MessageStream::event(const channels::Event& event) {
+  send_meta_when_due(event.cycle);
+  send(to_event(event, next_stamp(event.cycle, event.channel, Topic::event)), event.channel,
+       Topic::event);
+}
+
+void MessageStream::input(const channels::InputRecord& record) {
+  send_meta_when_due(record.cycle);
+  send(to_input(record, next_stamp(record.cycle, record.channel, Topic::input)), record.channel,
+       Topic::input);
+}
+
+void MessageStream::text(const TextRecord& record) {
+  send_meta_when_due(record.cycle);
+  const auto hash = static_cast<std::int64_t>(text_hash(record.text));
+  std::size_t offset = 0;
+  do {
+    program_chunk_t chunk = chunk_of(record, offset);
+    const Stamp stamp = next_stamp(record.cycle, record.channel, Topic::program);
+    chunk.utime = stamp.utime;
+    chunk.cycle = stamp.cycle;
+    chunk.seq = stamp.seq;
+    chunk.hash = hash;
+    send(chunk, record.channel, Topic::program);
+    offset += static_cast<std::size_t>(chunk.length);
+  } while (offset < record.text.size());
+}
+
+void MessageStream::program_read(const ProgramRead& read, std::int64_t cycle) {
+  send_meta_when_due(cycle);
+  send(to_program_read(read, next_stamp(cycle, 0, Topic::program_read)), 0, Topic::program_read);
+  if (!read.found || !sent_texts_.insert(text_hash(read.text)).second) return;
+  text({.cycle = cycle, .name = read.path, .text = read.text});
+}
+
+void MessageStream::send_meta_when_due(std::int64_t cycle) {
+  if (cycle < next_meta_cycle_) return;
+  next_meta_cycle_ = cycle + meta_period_;
+  send(to_log_meta(description_, next_stamp(cycle, 0, Topic::log_meta)), 0, Topic::log_meta);
+  send(to_log_types(next_stamp(cycle, 0, Topic::log_types)), 0, Topic::log_types);
+}
+
+void MessageStream::drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (!output.has_feedback || output.axis_count == 0 || cycle % state_period_ != 0) return;
+  send(to_drive_status(output, next_stamp(cycle, output.id, Topic::drive)), output.id,
+       Topic::drive);
+}
+
+void MessageStream::process_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (output.axis_count == 0 || cycle % state_period_ != 0) return;
+  send(to_process_status(output, next_stamp(cycle, output.id, Topic::process)), output.id,
+       Topic::process);
+}
+
+void MessageStream::force_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  const bool is_on = output.process.force.state != motion::ForceState::off;
+  if (!output.process.has_force_control || !is_on || cycle % state_period_ != 0) return;
+  send(to_force_status(output, next_stamp(cycle, output.id, Topic::force)), output.id,
+       Topic::force);
+}
+
+void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (cycle % state_period_ != 0) return;
+  send(to_state(output, next_stamp(cycle, output.id, Topic::state)), output.id, Topic::state);
+}
+
+void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output) {
+  ShownInputs& shown = inputs_[static_cast<std::size_t>(output.id)];
+  if (output.arrivals != shown.arrivals) {
+    shown.arrivals = output.arrivals;
+    send(to_arrival(output.id, output.arrivals, next_stamp(cycle, output.id, Topic::arrival)),
+         output.id, Topic::arrival);
+  }
+  if (!output.has_feedback) return;
+  for (int k = 0; k < output.axis_count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (shown.has_feedback && output.feedback[i] == shown.feedback[i]) continue;
+    shown.feedback[i] = output.feedback[i];
+    send(to_feedback(output.id, k, output.feedback[i],
+                     next_stamp(cycle, output.id, Topic::feedback)),
+         output.id, Topic::feedback);
+  }
+  shown.has_feedback = true;
+}
+
+void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (output.axis_count == 0) return;
+  ShownTool& shown = tools_[static_cast<std::size_t>(output.id)];
+  if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + meta_period_) return;
+  shown = {output.tool, cycle};
+  send(to_tool(output, next_stamp(cycle, output.id, Topic::tool)), output.id, Topic::tool);
+}
+
+// A tool that goes leaves nothing to be told; when it comes back, its row is new again.
+void MessageStream::tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (output.axis_count == 0) return;
+  ShownToolRow& shown = tool_rows_[static_cast<std::size_t>(output.id)];
+  if (output.tool_row == shown.row && cycle < shown.cycle + meta_period_) return;
+  shown = {output.tool_row, cycle};
+  if (output.tool_row.number == 0) return;
+  send(to_tool_row(output.id, output.tool_row, next_stamp(cycle, output.id, Topic::tool_row)),
+       output.id, Topic::tool_row);
+}
+
+void MessageStream::path(PathPreview preview) {
+  STANOK_ASSERT(preview.channel >= 0 && preview.channel <= channels::channels_max);
+  ShownPath& shown = paths_[static_cast<std::size_t>(preview.channel)];
+  shown = {std::move(preview), shown.number + 1, 0, 0};
+}
+
+// In parts, so that a viewer on the bus can follow.
+void MessageStream::path_when_due(std::int64_t cycle, int channel) {
+  ShownPath& shown = paths_[static_cast<std::size_t>(channel)];
+  if (shown.preview.points.empty() || cycle < shown.next_cycle) return;
+  const path_t message =
+      to_path(shown.preview, shown.number, shown.next, next_stamp(cycle, channel, Topic::path));
+  send(message, channel, Topic::path);
+  shown.next += static_cast<std::size_t>(message.count);
+  const bool is_whole = shown.next == shown.preview.points.size();
+  if (is_whole) shown.next = 0;
+  shown.next_cycle = cycle + (is_whole ? meta_period_ : path_period_);
+}
+
+void MessageStream::allow_workpieces(bool allowed) {
+  if (allowed && !workpieces_allowed_) workpieces_ = {};
+  workpieces_allowed_ = allowed;
+}
+
+void MessageStream::workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (!workpieces_allowed_) return;
+  ShownWorkpiece& shown = workpieces_[static_cast<std::size_t>(output.id)];
+  const std::uint32_t announcements = output.workpiece.announcements;
+  if (announcements == 0) return;
+  if (announcements == shown.announcements && cycle < shown.cycle + meta_period_) return;
+  shown = {announcements, cycle};
+  send(to_workpiece(output, next_stamp(cycle, output.id, Topic::workpiece)), output.id,
+       Topic::workpiece);
+}
+
+}  // namespace stanok::recording

@@ -1,0 +1,269 @@
+// Sizes of classes, measured by universal-ctags over the code of the runtime.
+//
+// A class is what the keyword `class` declares, and a `struct` that has a method. A struct whose
+// only functions are constructors, its destructor and operators is a plain record and may have as
+// many fields as it needs. Methods are the functions declared in the body of a class, with
+// constructors and operators; members are its data members but for static ones; headers and sources
+// are the files in which the class or one of its methods is defined.
+#include <gtest/gtest.h>
+#include <stdio.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/layering/repository.h"
+#include "tests/support/source_tree.h"
+#include "tests/support/temporary_directory.h"
+
+namespace stanok::testing {
+namespace {
+
+constexpr std::size_t methods_max = 40;
+constexpr std::size_t members_max = 15;
+constexpr std::size_t headers_max = 1;
+constexpr std::size_t sources_max = 2;
+
+// Classes that are larger, with the numbers that they may have. They only fall: what is added to
+// one of these classes becomes a class of its own.
+struct LargeClass {
+  std::size_t methods = methods_max;
+  std::size_t members = members_max;
+  std::size_t sources = sources_max;
+};
+const std::map<std::string, LargeClass> large_classes{
+    {"channels::Preparation", {.methods = 54, .members = 40, .sources = 4}},
+    {"channels::Machine::Parts", {.members = 16}},
+    {"daemon::Reception::Parts", {.members = 16}},
+    {"drives::AxisExchange", {.members = 28}},
+    {"drives::ModbusBus", {.members = 30}},
+    {"lang::ActiveBlock", {.members = 18}},
+    {"lang::ModalState", {.members = 50}},
+    {"motion::Interpolator", {.members = 22}},
+    {"motion::SynchronousRun", {.members = 26}},
+    {"process::ForceControl", {.members = 17}},
+    {"process::PowerWatch", {.members = 19}},
+    {"recording::MessageStream", {.members = 16}},
+    {"runtime::Assembly::Parts", {.members = 25}},
+    {"runtime::DryRun", {.members = 18}},
+};
+
+// One line of ctags.
+struct Tag {
+  std::string kind;
+  std::string scope;
+  std::string name;
+  std::string file;
+  std::size_t line = 0;
+  std::size_t end = 0;
+  std::string properties;
+
+  // Without the namespace of the project and the names that ctags gives to unnamed ones.
+  [[nodiscard]] static std::string scoped_name(const std::string& text) {
+    static const std::regex unneeded(R"(__anon\w+::|^stanok::)");
+    return std::regex_replace(text, unneeded, "");
+  }
+  [[nodiscard]] std::string declares() const {
+    return scoped_name(scope.empty() ? name : scope + "::" + name);
+  }
+  [[nodiscard]] bool is_class() const { return kind == "class" || kind == "struct"; }
+};
+
+struct Class {
+  std::string file;
+  std::size_t first_line = 0;
+  std::size_t last_line = 0;
+  bool is_record = false;  // as far as known: a struct without a method
+  std::size_t methods = 0;
+  std::size_t members = 0;
+  std::set<std::string> headers;
+  std::set<std::string> sources;
+};
+using Classes = std::map<std::string, Class>;
+
+// What ctags finds in `files`, paths from `root`. They are handed over in a file: all sources
+// together are longer than a command line may be.
+std::vector<Tag> tags_of(const std::filesystem::path& root, const std::vector<std::string>& files) {
+  const TemporaryDirectory folder;
+  const std::filesystem::path list = folder.path() / "files";
+  std::ofstream stream(list);
+  for (const std::string& file : files) stream << file << '\n';
+  stream.close();
+  const std::string command =
+      "cd '" + root.string() + "' && ctags --options=NONE --languages=C++ --langmap=C++:.h.cc " +
+      "--kinds-C++=cspfm -I RT_SAFE --fields=+e '--fields-C++=+{properties}' -x --_xformat=" +
+      "'%{kind}|%{scope}|%{name}|%{input}|%{line}|%{end}|%{C++.properties}' -L '" + list.string() +
+      "'";
+  std::vector<Tag> tags;
+  FILE* output = ::popen(command.c_str(), "r");
+  if (output == nullptr) return tags;
+  std::string text;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = ::fread(buffer.data(), 1, buffer.size(), output)) {
+    text.append(buffer.data(), count);
+  }
+  EXPECT_EQ(::pclose(output), 0) << "universal-ctags is wanted: tools/install-packages.sh test";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    // An operator may have the mark between the fields in its name: it is no field then.
+    static const std::regex row(R"(([^|]*)\|([^|]*)\|(.*)\|([^|]*)\|(\d+)\|(\d*)\|([^|]*))");
+    std::smatch field;
+    if (!std::regex_match(line, field, row)) continue;
+    const auto number = [&](std::size_t i) {
+      return field[i].length() == 0 ? 0 : std::stoul(field[i]);
+    };
+    tags.push_back({field[1], field[2], field[3], field[4], number(5), number(6), field[7]});
+  }
+  return tags;
+}
+
+// Constructors, destructors and operators do not make a record a class.
+bool is_method_by_name(const Tag& tag) {
+  const std::string owner = tag.scope.substr(tag.scope.rfind(':') + 1);
+  return tag.name != owner && tag.name != "~" + owner && !tag.name.starts_with("operator");
+}
+
+void count(const Tag& tag, Class& owner) {
+  if (tag.kind == "member") {
+    owner.members += tag.properties.find("static") == std::string::npos ? 1 : 0;
+    return;
+  }
+  if (tag.kind == "function") {
+    (tag.file.ends_with(".h") ? owner.headers : owner.sources).insert(tag.file);
+  }
+  const bool is_in_body =
+      tag.file == owner.file && tag.line >= owner.first_line && tag.line <= owner.last_line;
+  if (!is_in_body) return;
+  ++owner.methods;
+  if (is_method_by_name(tag)) owner.is_record = false;
+}
+
+Classes classes_of(const std::vector<Tag>& tags) {
+  Classes classes;
+  for (const Tag& tag : tags) {
+    if (!tag.is_class()) continue;
+    Class& found = classes[tag.declares()];
+    found = {.file = tag.file,
+             .first_line = tag.line,
+             .last_line = tag.end,
+             .is_record = tag.kind == "struct",
+             .headers = {},
+             .sources = {}};
+    (tag.file.ends_with(".h") ? found.headers : found.sources).insert(tag.file);
+  }
+  for (const Tag& tag : tags) {
+    const auto owner = classes.find(Tag::scoped_name(tag.scope));
+    if (!tag.is_class() && owner != classes.end()) count(tag, owner->second);
+  }
+  return classes;
+}
+
+// What is too large of a class, or nothing.
+std::string excess(const Class& measured, const LargeClass& limit) {
+  std::ostringstream text;
+  const auto compare = [&](const char* what, std::size_t count, std::size_t count_max) {
+    if (count > count_max) text << count << ' ' << what << ", not over " << count_max << "; ";
+  };
+  if (measured.is_record) return "";
+  compare("methods", measured.methods, limit.methods);
+  compare("data members", measured.members, limit.members);
+  compare("headers", measured.headers.size(), headers_max);
+  compare("sources", measured.sources.size(), limit.sources);
+  return text.str();
+}
+
+std::vector<std::string> files_of_the_runtime() {
+  std::vector<std::string> files;
+  for (const SourceFile& file : source_files(repository)) {
+    if (file.folder != "tests" && file.folder != "benchmarks") files.push_back(file.path);
+  }
+  return files;
+}
+
+TEST(ClassSizes, NoClassIsLargerThanAReaderCanHoldInMind) {
+  const Classes classes = classes_of(tags_of(repository, files_of_the_runtime()));
+  EXPECT_GT(classes.size(), 500U);
+  for (const auto& [name, measured] : classes) {
+    const auto large = large_classes.find(name);
+    const std::string wrong =
+        excess(measured, large == large_classes.end() ? LargeClass{} : large->second);
+    EXPECT_EQ(wrong, "") << name << " (" << measured.file << "): divide it into classes";
+  }
+  for (const auto& [name, limit] : large_classes) {
+    const auto measured = classes.find(name);
+    ASSERT_NE(measured, classes.end()) << name << " is no class any more: take it from the list";
+    EXPECT_NE(excess(measured->second, {}), "") << name << " needs no exception any more";
+  }
+}
+
+class ClassSizesOf : public ::testing::Test {
+ protected:
+  void write(const std::string& file, const std::string& text) {
+    std::ofstream(folder_.path() / file) << "namespace stanok::motion {\n" << text << "}\n";
+    files_.push_back(file);
+  }
+  [[nodiscard]] Classes classes() const { return classes_of(tags_of(folder_.path(), files_)); }
+
+ private:
+  TemporaryDirectory folder_;
+  std::vector<std::string> files_;
+};
+
+TEST_F(ClassSizesOf, WhatIsDeclaredIsCounted) {
+  write("queue.h",
+        "class Queue {\n public:\n  Queue();\n  [[nodiscard]] int size() const RT_SAFE;\n"
+        "  int twice() const { return 2 * size(); }\n"
+        "  struct Entry { int a = 0, b = 0; };\n"
+        " private:\n  static constexpr int size_max = 3;\n  int size_ = 0;\n"
+        "  std::vector<double> values_{1.0};\n};\n");
+  const Classes found = classes();
+  ASSERT_TRUE(found.contains("motion::Queue"));
+  EXPECT_EQ(found.at("motion::Queue").methods, 3U);
+  EXPECT_EQ(found.at("motion::Queue").members, 2U);
+  EXPECT_FALSE(found.at("motion::Queue").is_record);
+  EXPECT_TRUE(found.at("motion::Queue::Entry").is_record);
+}
+
+TEST_F(ClassSizesOf, TooManyMethodsAndMembersAreFound) {
+  std::string text = "struct Large {\n";
+  for (int i = 0; i < 41; ++i) text += "  void method_" + std::to_string(i) + "(int);\n";
+  for (int i = 0; i < 16; ++i) text += "  int member_" + std::to_string(i) + " = 0;\n";
+  write("large.h", text + "};\n");
+  EXPECT_EQ(excess(classes().at("motion::Large"), {}),
+            "41 methods, not over 40; 16 data members, not over 15; ");
+}
+
+TEST_F(ClassSizesOf, ARecordMayHaveManyFields) {
+  std::string fields;
+  for (int i = 0; i < 30; ++i) fields += "  int field_" + std::to_string(i) + " = 0;\n";
+  write("row.h", "struct Row {\n  Row();\n  bool operator==(const Row&) const = default;\n" +
+                     fields + "};\nclass Closed {\n" + fields + "};\n");
+  EXPECT_EQ(excess(classes().at("motion::Row"), {}), "");
+  EXPECT_EQ(excess(classes().at("motion::Closed"), {}), "30 data members, not over 15; ");
+}
+
+TEST_F(ClassSizesOf, AClassCutOverManyFilesIsFound) {
+  write("wide.h", "class Wide {\n  void a();\n  void b();\n  void c();\n  void d();\n};\n");
+  write("wide_inline.h", "inline void Wide::d() {}\n");
+  for (const char* part : {"a", "b", "c"}) {
+    write("wide_" + std::string(part) + ".cc", "void Wide::" + std::string(part) + "() {}\n");
+  }
+  EXPECT_EQ(excess(classes().at("motion::Wide"), {}),
+            "2 headers, not over 1; 3 sources, not over 2; ");
+  EXPECT_EQ(classes().at("motion::Wide").methods, 4U);
+}
+
+TEST_F(ClassSizesOf, AClassOfOneFileIsFoundInItsUnnamedNamespace) {
+  write("local.cc", "namespace {\nclass Local {\n  int reads() const;\n  int line_ = 0;\n};\n}\n");
+  EXPECT_EQ(classes().at("motion::Local").members, 1U);
+  EXPECT_TRUE(classes().at("motion::Local").headers.empty());
+}
+
+}  // namespace
+}  // namespace stanok::testing
