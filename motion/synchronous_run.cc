@@ -179,7 +179,8 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   const double speed = std::abs(spindle.speed);
   const bool has_speed = speed >= turning_speed_min &&
                          std::abs(spindle.speed - spindle.speed_wanted) <= ripple_max * speed;
-  if (has_speed && speed > speed_share * coupling_.speed_max) {
+  // The speed of the moment is noisy, and the more so the slower it is.
+  if (has_speed && std::min(speed, std::abs(mean_speed_)) > speed_share * coupling_.speed_max) {
     lose();
     return false;
   }
@@ -225,7 +226,7 @@ Jet SynchronousRun::course(const SpindleMotion& spindle) RT_SAFE {
 // One cycle towards the course, if from there a way to rest within the chain is known; else the way
 // to rest that is known from here.
 void SynchronousRun::follow(const Jet& course) RT_SAFE {
-  if (!changes_limits()) {
+  if (!changes_limits(course)) {
     lose();
     return run_brake();
   }
@@ -244,15 +245,20 @@ void SynchronousRun::follow(const Jet& course) RT_SAFE {
 
 // From the limits of the run-in, which is before the first corner, to those of the whole chain, and
 // behind the last corner to those there. False: the motion stays beyond the limits of the chain.
-bool SynchronousRun::changes_limits() RT_SAFE {
+bool SynchronousRun::changes_limits(const Jet& course) RT_SAFE {
   if (motion_.s >= coupling_.exit_begin) {
     limits_ = limits_of(coupling_.exit);
   } else if (is_in_law_ && !has_joined_) {
     const RampLimits chain = limits_of(coupling_.chain);
-    has_joined_ = std::abs(motion_.a) <= chain.a &&
-                  std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
+    const bool fits = std::abs(motion_.a) <= chain.a &&
+                      std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
+    // A regulator that is held back by its limits overshoots: while there is time, not in such a
+    // cycle.
+    const bool has_time = brakes_before_corner();
+    const bool is_calm = std::abs(jerk_towards(course)) <= chain.j;
+    has_joined_ = fits && (is_calm || !has_time);
     if (has_joined_) limits_ = chain;
-    return has_joined_ || brakes_before_corner();
+    return has_joined_ || has_time;
   }
   return true;
 }

@@ -77,7 +77,7 @@ class SynchronousRun {
   void stop_spindle(double turns) RT_SAFE;
   [[nodiscard]] bool stands_with(const SpindleMotion& spindle) const RT_SAFE;
   void lose() RT_SAFE;
-  [[nodiscard]] bool changes_limits() RT_SAFE;
+  [[nodiscard]] bool changes_limits(const kinematics::Jet& course) RT_SAFE;
   [[nodiscard]] bool brakes_before_corner() const RT_SAFE;
   // Phases to rest, and whether they end where the chain does.
   struct WayToRest {

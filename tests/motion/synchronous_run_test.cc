@@ -262,6 +262,24 @@ TEST(SynchronousRun, ARunInThatJustFitsBeforeACornerIsAWholeOne) {
   }
 }
 
+// The limits of a corner to a lead that is 20 times as large come when the path has settled behind
+// its run-in: held back by them in the middle of a correction it would overshoot.
+TEST(SynchronousRun, ACornerToAMuchLargerLeadIsJoinedWhenThePathHasSettled) {
+  constexpr double speed = 10.26;
+  for (int start = 0; start < 20; ++start) {
+    ThreadBench bench(steady(speed), speed, at(10.0, 14.0));
+    bench.idle(0.3 + 0.0137 * start);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(10.0, 14.0), bench.config().geometry, thread_from(0.0), speed);
+    ASSERT_FALSE(builder.add(block_to(at(10.0, 2.4), 0.389)));
+    ASSERT_FALSE(builder.add(block_to(at(10.0, 59.5), 8.05)));
+    bench.send(builder);
+    EXPECT_EQ(bench.cut().back().z, 59.5) << start;
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+    EXPECT_LE(bench.used(), 1.0 + rounding) << start;
+  }
+}
+
 TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
