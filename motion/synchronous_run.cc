@@ -90,6 +90,7 @@ void SynchronousRun::begin(const SpindleCoupling& coupling, double length) RT_SA
   leaves_ = false;
   is_in_law_ = false;
   has_joined_ = false;
+  runs_in_by_chain_ = false;
   spindle_stops_ = false;
 }
 
@@ -135,15 +136,22 @@ void SynchronousRun::leave(const SpindleMotion& spindle) RT_SAFE {
   take(shortest_way());
 }
 
-// With which limits the run-in to this speed is made: those of the entry where it could be braked
-// off before the first corner, that has no part in it then.
-RampLimits SynchronousRun::run_in_limits(double speed) RT_SAFE {
-  limits_ = limits_of(coupling_.entry);
-  const RampLimits limits = scaled(limits_, run_in_share);
-  if (run_ins_before_corner * ramp_distance(0.0, speed, limits) <= coupling_.entry_end)
-    return limits;
-  limits_ = limits_of(coupling_.chain);
-  return scaled(limits_, run_in_share);
+// Whether a run-in to this speed by the limits of the entry could be braked off before the first
+// corner, that has no part in it then.
+bool SynchronousRun::is_clear_of_corner(double speed) const RT_SAFE {
+  const RampLimits limits = scaled(limits_of(coupling_.entry), run_in_share);
+  return run_ins_before_corner * ramp_distance(0.0, speed, limits) <= coupling_.entry_end;
+}
+
+// Those of the run-in. With other ones it has another length and begins elsewhere: the start angle
+// is to be waited for anew. So that this does not go on for ever, only a speed that is lower for
+// certain leaves the limits of the chain.
+void SynchronousRun::choose_limits(double speed) RT_SAFE {
+  const double certain = runs_in_by_chain_ ? speed / (1.0 - change_in_run_in) : speed;
+  const bool by_chain = !is_clear_of_corner(certain);
+  if (by_chain != runs_in_by_chain_) has_watched_ = false;
+  runs_in_by_chain_ = by_chain;
+  limits_ = limits_of(by_chain ? coupling_.chain : coupling_.entry);
 }
 
 // The mean lags behind a speed that changes at a steady rate by what the rate makes of the speed
@@ -151,29 +159,37 @@ RampLimits SynchronousRun::run_in_limits(double speed) RT_SAFE {
 // known.
 void SynchronousRun::watch_speed(const SpindleMotion& spindle) RT_SAFE {
   const double speed = std::abs(spindle.speed);
-  const double duration = ramp_duration(0.0, speed, run_in_limits(speed));
+  choose_limits(speed);
+  const double duration = ramp_duration(0.0, speed, scaled(limits_, run_in_share));
   mean_speed_ += (spindle.speed - mean_speed_) * std::min(1.0, cycle_s_ / duration);
 }
 
-// Whether the run-in begins within this cycle: half its turns before the start angle comes.
+// The acceleration that an encoder shows is noisy, and more so over a long run-in; the speed is
+// not. Either says that the spindle keeps its speed.
+bool SynchronousRun::keeps_speed(const SpindleMotion& spindle) const RT_SAFE {
+  const double speed = std::abs(spindle.speed);
+  const double duration = ramp_duration(0.0, speed, scaled(limits_, run_in_share));
+  return std::abs(spindle.acceleration) * duration <= change_in_run_in * speed ||
+         std::abs(spindle.speed - mean_speed_) <= change_in_run_in * speed;
+}
+
+// Whether the run-in begins within this cycle: half its turns before the start angle comes. What a
+// spindle turns that has not come to its speed does not count.
 bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   const double speed = std::abs(spindle.speed);
-  if (speed < turning_speed_min) return false;
-  if (std::abs(spindle.speed - spindle.speed_wanted) > ripple_max * speed) return false;
-  if (speed > speed_share * coupling_.speed_max) {
+  const bool has_speed = speed >= turning_speed_min &&
+                         std::abs(spindle.speed - spindle.speed_wanted) <= ripple_max * speed;
+  // The speed of the moment is noisy, and the more so the slower it is.
+  if (has_speed && std::min(speed, std::abs(mean_speed_)) > speed_share * coupling_.speed_max) {
     lose();
     return false;
   }
-  const RampLimits limits = run_in_limits(speed);
-  const double duration = ramp_duration(0.0, speed, limits);
-  // The acceleration that an encoder shows is noisy, and more so over a long run-in; the speed is
-  // not. Either says that the spindle keeps its speed.
-  const bool keeps_speed = std::abs(spindle.acceleration) * duration <= change_in_run_in * speed ||
-                           std::abs(spindle.speed - mean_speed_) <= change_in_run_in * speed;
-  if (!keeps_speed) {
+  if (!has_speed || !keeps_speed(spindle)) {
     has_watched_ = false;
     return false;
   }
+  const RampLimits limits = scaled(limits_, run_in_share);
+  const double duration = ramp_duration(0.0, speed, limits);
   direction_ = spindle.speed < 0.0 ? -1.0 : 1.0;
   const double half = 0.5 * speed * duration;
   const double to_start =
@@ -210,7 +226,7 @@ Jet SynchronousRun::course(const SpindleMotion& spindle) RT_SAFE {
 // One cycle towards the course, if from there a way to rest within the chain is known; else the way
 // to rest that is known from here.
 void SynchronousRun::follow(const Jet& course) RT_SAFE {
-  if (!changes_limits()) {
+  if (!changes_limits(course)) {
     lose();
     return run_brake();
   }
@@ -229,15 +245,20 @@ void SynchronousRun::follow(const Jet& course) RT_SAFE {
 
 // From the limits of the run-in, which is before the first corner, to those of the whole chain, and
 // behind the last corner to those there. False: the motion stays beyond the limits of the chain.
-bool SynchronousRun::changes_limits() RT_SAFE {
+bool SynchronousRun::changes_limits(const Jet& course) RT_SAFE {
   if (motion_.s >= coupling_.exit_begin) {
     limits_ = limits_of(coupling_.exit);
   } else if (is_in_law_ && !has_joined_) {
     const RampLimits chain = limits_of(coupling_.chain);
-    has_joined_ = std::abs(motion_.a) <= chain.a &&
-                  std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
+    const bool fits = std::abs(motion_.a) <= chain.a &&
+                      std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
+    // A regulator that is held back by its limits overshoots: while there is time, not in such a
+    // cycle.
+    const bool has_time = brakes_before_corner();
+    const bool is_calm = std::abs(jerk_towards(course)) <= chain.j;
+    has_joined_ = fits && (is_calm || !has_time);
     if (has_joined_) limits_ = chain;
-    return has_joined_ || brakes_before_corner();
+    return has_joined_ || has_time;
   }
   return true;
 }

@@ -65,7 +65,9 @@ class SynchronousRun {
 
   [[nodiscard]] bool is_due(const SpindleMotion& spindle) RT_SAFE;
   void watch_speed(const SpindleMotion& spindle) RT_SAFE;
-  [[nodiscard]] RampLimits run_in_limits(double speed) RT_SAFE;
+  [[nodiscard]] bool is_clear_of_corner(double speed) const RT_SAFE;
+  void choose_limits(double speed) RT_SAFE;
+  [[nodiscard]] bool keeps_speed(const SpindleMotion& spindle) const RT_SAFE;
   [[nodiscard]] kinematics::Jet course(const SpindleMotion& spindle) RT_SAFE;
   void follow(const kinematics::Jet& course) RT_SAFE;
   [[nodiscard]] double jerk_towards(const kinematics::Jet& course) const RT_SAFE;
@@ -75,7 +77,7 @@ class SynchronousRun {
   void stop_spindle(double turns) RT_SAFE;
   [[nodiscard]] bool stands_with(const SpindleMotion& spindle) const RT_SAFE;
   void lose() RT_SAFE;
-  [[nodiscard]] bool changes_limits() RT_SAFE;
+  [[nodiscard]] bool changes_limits(const kinematics::Jet& course) RT_SAFE;
   [[nodiscard]] bool brakes_before_corner() const RT_SAFE;
   // Phases to rest, and whether they end where the chain does.
   struct WayToRest {
@@ -118,7 +120,8 @@ class SynchronousRun {
   double origin_ = 0.0;  // direction * turns at s = 0
   double whole_turns_before_ = 0.0;
   bool has_watched_ = false;
-  double mean_speed_ = 0.0;  // over about the duration of the run-in, in turns/s
+  bool runs_in_by_chain_ = false;  // with its limits, not those of the entry
+  double mean_speed_ = 0.0;        // over about the duration of the run-in, in turns/s
   // The ramp of the run-in over time, if the spindle kept the speed it had when the ramp began.
   PhaseRun ramp_;
   double ramp_speed_ = 1.0;

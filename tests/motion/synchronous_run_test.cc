@@ -227,6 +227,59 @@ TEST(SynchronousRun, ACornerThatNeedsAlmostAllIsJoinedInACalmCycle) {
   }
 }
 
+// A thread to a corner, so many turns before it, and back with another lead.
+void add_with_corner(ThreadBuilder& builder, double turns, double lead) {
+  ASSERT_FALSE(builder.add(block_to(at(10.0, turns * lead), lead)));
+  ASSERT_FALSE(builder.add(block_to(at(10.0, -10.0), 1.0)));
+}
+
+// Where the run-in just fits before a corner, the noise of the encoder makes it a short one in one
+// cycle and a long one in the next; it begins at the begin of the one that is taken.
+TEST(SynchronousRun, ARunInThatJustFitsBeforeACornerIsAWholeOne) {
+  constexpr double speed = 10.0;
+  constexpr double lead = 1.83;
+  // With 45 % of the jerk of the axes, which does not come to their acceleration; it fits three
+  // times.
+  const double duration = 2.0 * std::sqrt(speed * lead / (0.45 * 50000.0));
+  const double needed = 3.0 * 0.5 * speed * duration;
+  for (int start = 0; start < 40; ++start) {
+    ThreadBench bench(steady(speed), speed, at(10.0, 0.0));
+    bench.see_through(1024);
+    bench.idle(0.3 + 0.0137 * start);
+    ThreadBuilder builder(bench.config());
+    const auto begin = [&] {
+      builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), speed);
+    };
+    begin();
+    add_with_corner(builder, 2.0 * needed, lead);
+    const double corner = 2.0 * needed - builder.finish().coupling.entry_end;
+    begin();
+    add_with_corner(builder, needed + corner, lead);
+    bench.send(builder);
+    EXPECT_EQ(bench.cut().back().z, -10.0) << start;
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+    EXPECT_LE(bench.used(), 1.0 + rounding) << start;
+  }
+}
+
+// The limits of a corner to a lead that is 20 times as large come when the path has settled behind
+// its run-in: held back by them in the middle of a correction it would overshoot.
+TEST(SynchronousRun, ACornerToAMuchLargerLeadIsJoinedWhenThePathHasSettled) {
+  constexpr double speed = 10.26;
+  for (int start = 0; start < 20; ++start) {
+    ThreadBench bench(steady(speed), speed, at(10.0, 14.0));
+    bench.idle(0.3 + 0.0137 * start);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(10.0, 14.0), bench.config().geometry, thread_from(0.0), speed);
+    ASSERT_FALSE(builder.add(block_to(at(10.0, 2.4), 0.389)));
+    ASSERT_FALSE(builder.add(block_to(at(10.0, 59.5), 8.05)));
+    bench.send(builder);
+    EXPECT_EQ(bench.cut().back().z, 59.5) << start;
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+    EXPECT_LE(bench.used(), 1.0 + rounding) << start;
+  }
+}
+
 TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
@@ -241,6 +294,30 @@ TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   // Ten turns have passed where the second lead begins.
   EXPECT_LE(helix_error(samples, turning, -10.0, -2.0, 0.0, -12.0, -38.0), discrete_mm);
   EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+// An override of the spindle while its start angle is waited for: what it turns before it has come
+// to the new speed does not count.
+TEST(SynchronousRun, ASpindleThatChangesItsSpeedPassesItsStartAngleAnew) {
+  for (int start = 0; start < 10; ++start) {
+    constexpr double from = 0.51;                    // a tenth of a turn behind the start angle
+    const double acceleration = 20.0 + 2.0 * start;  // turns/s^2, a quarter in two run-ins
+    const Turning turning = [=](double t) {
+      const double into = std::clamp(t - from, 0.0, 10.0 / acceleration);
+      return 10.0 * t + into * acceleration * (std::max(t - from, 0.0) - 0.5 * into);
+    };
+    ThreadBench bench(turning, 10.0);
+    bench.idle(0.5);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+    ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
+    bench.send(builder);
+    bench.idle(from - bench.time());
+    bench.want_speed(20.0);
+    const auto samples = bench.cut();
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+    EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -30.0, -50.0), discrete_mm) << start;
+  }
 }
 
 TEST(SynchronousRun, AHoldWaitsForTheEndOfTheThread) {

@@ -79,6 +79,9 @@ class ThreadBench {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const InterpolatorOutput& output() const { return output_; }
 
+  // As the command of an override does.
+  void want_speed(double turns_per_s) { speed_wanted_ = turns_per_s; }
+
   // Counts of a turn that the encoder gives.
   void see_through(int lines) { lines_ = lines; }
 
