@@ -52,10 +52,8 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
       description_(channel_description(machine, channel)),
       tables_(books.tables, machine, channel),
       interpreter_(description_, tables_, files),
-      blocks_(machine, channel, motion_),
-      builder_(motion_),
-      look_ahead_(motion_),
-      threads_(machine, channel, motion_) {}
+      queue_(motion_, books.link, books.shared, books.blocks),
+      feed_(machine, channel, motion_, queue_) {}
 
 Progress Preparation::step() {
   try {
@@ -72,12 +70,12 @@ Progress Preparation::step() {
 void Preparation::break_off(std::string_view code, std::string_view reason) {
   forget_path();
   task_ = Task::idle;
-  Item item = item_of(ItemKind::broken_off,
-                      {run_, blocks_executed_, command_.origin.line, command_.origin.file});
+  const lang::Origin& origin = command_.origin;
+  Item item =
+      item_of(ItemKind::broken_off, feed_.tag_at(static_cast<int>(origin.line), origin.file));
   item.code = FixedText<8>(code);
   item.text = ShortText(reason);
-  item.after_rider = link_.riders.pushed();
-  pending_items_.push_back(item);
+  feed_.give(item);
 }
 
 Progress Preparation::work() {
@@ -87,10 +85,10 @@ Progress Preparation::work() {
     obey(notice);
     progress = Progress::worked;
   }
-  if (!flush()) return progress;
+  if (!queue_.flush()) return progress;
   if (task_ != Task::running) return progress;
   progress = interpret();
-  static_cast<void>(flush());
+  static_cast<void>(queue_.flush());
   return progress;
 }
 
@@ -160,7 +158,7 @@ void Preparation::finish_load(const std::string& name, const LoadResult& compile
     done.text = ShortText(first_error(compiled.error()));
   }
   reports_.add_diagnostics(config_.id, diagnostics);
-  push(done);
+  feed_.give(done);
 }
 
 Diagnostics Preparation::declare_shared(const lang::Program& program) {
@@ -172,33 +170,33 @@ Diagnostics Preparation::declare_shared(const lang::Program& program) {
 }
 
 void Preparation::start(const Notice& notice) {
-  run_ = notice.run;
-  block_book_.begin_run(run_);
+  block_book_.begin_run(notice.run);
   entry_.clear();
-  blocks_executed_ = 0;
-  feed_is_warned_of_ = false;
+  feed_.begin_run(notice.run);
+  queue_.begin_run();
   scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
-  blocks_.restart(scheme_, notice.axes_M);
+  feed_.blocks().restart(scheme_, notice.axes_M);
   if (scheme_ != nullptr) tables_.set_scheme(*scheme_);
-  chain_open_ = false;
-  push_transform();
+  feed_.give_transform();
   const bool is_line = notice.kind == NoticeKind::start_line;
   running_ = is_line ? line_ : program_;
+  feed_.set_program(running_);
   name_files();
-  reports_.name_run(config_.id, run_, is_line ? "MDI" : program_name_, lang::file_names(*running_));
+  reports_.name_run(config_.id, notice.run, is_line ? "MDI" : program_name_,
+                    lang::file_names(*running_));
   interpreter_.set_block_skip(notice.block_skip);
   if (is_line) {
-    interpreter_.start_line(running_, blocks_.position_B());
+    interpreter_.start_line(running_, feed_.blocks().position_B());
   }
   scheme_switched_ = false;
   axes_change_ = false;
   task_ = Task::running;
   if (is_line) return;
-  blocks_.forget_laws();
+  feed_.blocks().forget_laws();
   if (search_) {
     static_cast<void>(enter_program(ProgramSearch::Stage::run));
   } else {
-    interpreter_.start(running_, blocks_.position_B());
+    interpreter_.start(running_, feed_.blocks().position_B());
   }
 }
 
@@ -218,18 +216,18 @@ void Preparation::take_answer(const Notice& notice) {
   if (!answer.text.empty()) answer.text += ' ';
   answer.text += notice.text.view();
   if (scheme_switched_ || axes_change_) {
-    blocks_.change_scheme(scheme_, notice.axes_M);
+    feed_.blocks().change_scheme(scheme_, notice.axes_M);
     if (scheme_switched_) tables_.set_scheme(*scheme_);
-    push_transform();
+    feed_.give_transform();
     scheme_switched_ = false;
     axes_change_ = false;
   }
-  answer.probe_B = blocks_.base_of(notice.probe_M);
+  answer.probe_B = feed_.blocks().base_of(notice.probe_M);
   if (notice.left_path) {
-    blocks_.go_on_from(notice.axes_M);
-    push_transform();
+    feed_.blocks().go_on_from(notice.axes_M);
+    feed_.give_transform();
   }
-  answer.position_B = blocks_.position_B();
+  answer.position_B = feed_.blocks().position_B();
   answer.position_valid = true;
   task_ = Task::running;
   interpreter_.set_block_skip(notice.block_skip);
@@ -243,23 +241,16 @@ void Preparation::reset() {
   reports_.tell_search(config_.id, std::nullopt);
   interpreter_.reset();
   tell_codes();
-  block_book_.tell_codes({blocks_executed_, lang::default_codes(config_.kind)});
-  blocks_.reset_process();
+  block_book_.tell_codes({feed_.blocks_executed(), lang::default_codes(config_.kind)});
+  feed_.blocks().reset_process();
   forget_path();
   ++resets_obeyed_;
-  push(item_of(ItemKind::reset_done, {}));
+  feed_.give(item_of(ItemKind::reset_done, {}));
 }
 
 void Preparation::forget_path() {
-  look_ahead_.clear();
-  builder_.restart({});
-  builder_.built().clear();
-  laws_.clear();
-  threads_.forget();
-  chain_open_ = false;
-  pending_items_.clear();
-  pending_remarks_.clear();
-  pending_riders_.clear();
+  queue_.forget();
+  feed_.forget_path();
 }
 
 void Preparation::tell_codes() {
@@ -270,13 +261,11 @@ void Preparation::tell_codes() {
 Progress Preparation::interpret() {
   if (search_ && search_->stage != ProgramSearch::Stage::found) return search_on();
   Progress progress = Progress::computing;
-  for (int n = 0; n < commands_per_step && task_ == Task::running && pending_items_.empty(); ++n) {
-    has_given_ = false;
+  for (int n = 0; n < commands_per_step && task_ == Task::running && !queue_.holds_items(); ++n) {
     switch (next_command()) {
       case lang::Step::command:
-        blocks_executed_ = std::max(blocks_executed_, command_.block);
         tell_codes();
-        take(command_);
+        if (take(command_)) progress = Progress::worked;
         break;
       case lang::Step::working:
         return progress;
@@ -290,116 +279,35 @@ Progress Preparation::interpret() {
         return Progress::worked;
       case lang::Step::failed: {
         const Diagnostic& error = interpreter_.error();
-        fail(error, {run_, blocks_executed_, static_cast<std::uint32_t>(error.place.line), 0});
+        fail(error, feed_.tag_at(error.place.line));
         return Progress::worked;
       }
     }
-    if (!has_given_) continue;
-    progress = Progress::worked;
-    interpreter_.renew_steps();
   }
-  return pending_items_.empty() ? progress : Progress::worked;
+  return queue_.holds_items() ? Progress::worked : progress;
 }
 
-motion::BlockTag Preparation::tag_of(const lang::Command& command) const {
-  return {run_, command.block, command.origin.line, command.origin.file};
+// True when the cycle gets something of it.
+bool Preparation::take(const lang::Command& command) {
+  const auto taken = feed_.take(command);
+  if (!taken) {
+    fail(taken.error(), feed_.tag_of(command));
+    return true;
+  }
+  if (taken->ends) task_ = Task::idle;
+  axes_change_ = axes_change_ || taken->changes_axes;
+  if (taken->gives) interpreter_.renew_steps();
+  return taken->gives;
 }
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
-  reports_.explain(config_.id, run_, diagnostic);
+  reports_.explain(config_.id, feed_.run(), diagnostic);
   Item item = item_of(ItemKind::run_failed, tag);
-  item.number = static_cast<std::int64_t>(blocks_executed_);
+  item.number = static_cast<std::int64_t>(feed_.blocks_executed());
   item.code = FixedText<8>(diagnostic.code);
   item.text = ShortText(diagnostic.message);
-  push(item);
+  feed_.give(item);
   task_ = Task::idle;
-}
-
-void Preparation::end_chain() {
-  end_thread();
-  if (!chain_open_) return;
-  builder_.finish();
-  collect_pieces();
-  chain_open_ = false;
-  riders_in_chain_ = 0;
-}
-
-void Preparation::end_thread() {
-  if (threads_.is_empty()) return;
-  while (!laws_.is_empty()) look_ahead_.add(laws_.next());
-  look_ahead_.add(threads_.finish());
-  builder_.restart(blocks_.position_W(), blocks_.geometry());
-}
-
-void Preparation::collect_pieces() {
-  for (const motion::PathBuilder::Built& built : builder_.built()) {
-    has_given_ = true;
-    warn_of_feed(built.piece);
-    plan(built);
-  }
-  builder_.built().clear();
-}
-
-void Preparation::warn_of_feed(const motion::Piece& piece) {
-  if (feed_is_warned_of_) return;
-  const auto warning = feed_above_limit(piece, motion_);
-  if (!warning) return;
-  feed_is_warned_of_ = true;
-  pending_remarks_.push_back(
-      {piece.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
-}
-
-void Preparation::push_remark(const Remark& remark) {
-  has_given_ = true;
-  pending_remarks_.push_back(remark);
-}
-
-// Pieces without a law pass as long as none with a law waits before them.
-void Preparation::plan(const motion::PathBuilder::Built& built) {
-  const bool may_pass = laws_.is_empty() && built.piece.process.law == nullptr;
-  may_pass ? look_ahead_.add(built) : laws_.add(built);
-}
-
-void Preparation::push(Item item) {
-  has_given_ = true;
-  end_chain();
-  item.after_rider = link_.riders.pushed() + pending_riders_.size();
-  pending_items_.push_back(item);
-}
-
-// A chain with very many riders ends: its path must be delivered before the ring is full of them.
-void Preparation::push_rider(const Rider& rider) {
-  has_given_ = true;
-  pending_riders_.push_back(rider);
-  if (++riders_in_chain_ >= link_.riders.capacity() / 2) end_chain();
-}
-
-void Preparation::push_transform() {
-  builder_.restart(blocks_.position_W(), blocks_.geometry());
-  Item item = item_of(ItemKind::transform, {});
-  item.transform = &blocks_.transform();
-  push(item);
-}
-
-// True when nothing is left that waits for room in a ring.
-bool Preparation::flush() {
-  while (!pending_remarks_.empty() && link_.remarks.push(pending_remarks_.front()))
-    pending_remarks_.pop_front();
-  while (!pending_riders_.empty() && link_.riders.push(pending_riders_.front()))
-    pending_riders_.pop_front();
-  if (!pending_riders_.empty()) return false;
-  if (!look_ahead_.deliver(link_.path)) return false;
-  while (!laws_.is_empty()) {
-    look_ahead_.add(laws_.next());
-    if (!look_ahead_.deliver(link_.path)) return false;
-  }
-  while (!pending_items_.empty()) {
-    Item& item = pending_items_.front();
-    item.after_chunk = link_.path.chunks.pushed();
-    if (!link_.items.push(item)) return false;
-    pending_items_.pop_front();
-  }
-  return pending_remarks_.empty();
 }
 
 }  // namespace stanok::channels

@@ -13,17 +13,15 @@
 #include "channels/contract/machine_config.h"
 #include "channels/contract/progress.h"
 #include "channels/messages/channel_link.h"
-#include "channels/preparation/block_preparation.h"
+#include "channels/preparation/path_feed.h"
 #include "channels/preparation/program_search.h"
-#include "channels/preparation/thread_preparation.h"
+#include "channels/preparation/queue_sink.h"
+#include "channels/preparation/search_sink.h"
 #include "channels/stores/block_book.h"
 #include "channels/stores/live_tables.h"
 #include "channels/stores/report_book.h"
 #include "channels/stores/shared_variables.h"
 #include "lang/run/interpreter.h"
-#include "motion/feed_law_stage.h"
-#include "motion/look_ahead.h"
-#include "motion/path_builder.h"
 
 namespace stanok::channels {
 
@@ -82,7 +80,6 @@ class Preparation {
   void end_search(const Diagnostic& fault);
   void arrive();
   [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
-  [[nodiscard]] std::optional<Diagnostic> pass_move(const lang::Command& command);
   [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Command& command,
                                                        const lang::Request& request);
   [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
@@ -92,33 +89,9 @@ class Preparation {
 
   // Program.
   [[nodiscard]] Progress interpret();
-  void take(const lang::Command& command);
+  [[nodiscard]] bool take(const lang::Command& command);
   void tell_codes();
-  void take_state(const lang::Command& command);
-  void add_move(const lang::Command& command, const lang::Move& move);
-  void add_curve(const lang::Command& command, const lang::SplineMove& spline);
-  bool add_block(const lang::Command& command, const motion::PathBlock& block);
-  void add_thread(const lang::Command& command, const lang::SynchronousMove& move);
-  void fail_at_block(const lang::Command& command, Diagnostic diagnostic);
-  void add_probing(const lang::Command& command, const lang::ProbeMove& move);
-  void add_request(const lang::Command& command, const lang::Request& request);
-  void add_output(const lang::Command& command, const lang::OutputCommand& output);
-  void add_mark(const lang::Command& command, const lang::MarkCommand& mark);
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
-
-  // Path and items, in program order.
-  void end_chain();
-  void end_thread();
-  void collect_pieces();
-  void warn_of_feed(const motion::Piece& piece);
-  void plan(const motion::PathBuilder::Built& built);
-  void push(Item item);
-  void push_rider(const Rider& rider);
-  void push_remark(const Remark& remark);
-  void push_transform();
-  [[nodiscard]] bool flush();
-  [[nodiscard]] motion::BlockTag tag_of(const lang::Command& command) const;
-  [[nodiscard]] bool move_axis(int axis, double position, double velocity);
 
   const ChannelConfig& config_;
   const SchemeSet& schemes_;
@@ -134,11 +107,8 @@ class Preparation {
   lang::ChannelDescription description_;
   ChannelTables tables_;
   lang::Interpreter interpreter_;
-  BlockPreparation blocks_;
-  motion::PathBuilder builder_;
-  motion::FeedLawStage laws_;
-  motion::LookAhead look_ahead_;
-  ThreadPreparation threads_;
+  QueueSink queue_;
+  PathFeed feed_;
 
   Task task_ = Task::idle;
   // A load that the cycle has not used yet.
@@ -155,18 +125,9 @@ class Preparation {
   std::deque<lang::Command> entry_;               // of a run that begins in the middle
   std::optional<ProgramSearch> search_;           // where the loaded program shall begin
   const kinematics::Scheme* scheme_ = nullptr;
-  std::uint32_t run_ = 0;
-  std::uint64_t blocks_executed_ = 0;
-  bool chain_open_ = false;
-  bool has_given_ = false;          // the command at hand: something for the cycle
-  bool feed_is_warned_of_ = false;  // once a run
-  bool scheme_switched_ = false;    // since the last answer or start
-  bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis
+  bool scheme_switched_ = false;  // since the last answer or start
+  bool axes_change_ = false;      // the answer to come tells where a spindle stands as an axis
   lang::Command command_;
-  std::deque<Item> pending_items_;
-  std::deque<Remark> pending_remarks_;
-  std::deque<Rider> pending_riders_;
-  std::size_t riders_in_chain_ = 0;
 };
 
 }  // namespace stanok::channels

@@ -2,9 +2,7 @@
 // the axes approach and it goes on.
 #include <algorithm>
 
-#include "base/overloaded.h"
 #include "channels/preparation/preparation.h"
-#include "channels/preparation/scheme_switch.h"
 
 namespace stanok::channels {
 namespace {
@@ -37,9 +35,10 @@ void Preparation::search(const Notice& notice) {
   search_->place = *place;
   search_->calculates = notice.ok;
   running_ = program_;
+  feed_.set_program(running_);
   scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
-  blocks_.restart(scheme_, notice.axes_M);
-  blocks_.forget_laws();
+  feed_.blocks().restart(scheme_, notice.axes_M);
+  feed_.blocks().forget_laws();
   if (scheme_ != nullptr) tables_.set_scheme(*scheme_);
   interpreter_.set_block_skip(notice.block_skip);
   task_ = Task::running;
@@ -50,14 +49,14 @@ void Preparation::search(const Notice& notice) {
 bool Preparation::enter_program(ProgramSearch::Stage stage) {
   search_->stage = stage;
   search_->collector = {};
-  search_->axes_M = blocks_.axes_M();
+  search_->axes_M = feed_.blocks().axes_M();
   search_->scheme = scheme_;
-  threads_.forget();
+  feed_.forget_threads();
   if (search_->calculates) {
-    interpreter_.start_search(running_, blocks_.position_B(), search_->place);
+    interpreter_.start_search(running_, feed_.blocks().position_B(), search_->place);
     return true;
   }
-  const auto fault = interpreter_.start_at(running_, blocks_.position_B(), search_->place);
+  const auto fault = interpreter_.start_at(running_, feed_.blocks().position_B(), search_->place);
   if (fault) end_search(*fault);
   if (fault || stage == ProgramSearch::Stage::look) return !fault;
   search_.reset();
@@ -69,7 +68,6 @@ Progress Preparation::search_on() {
   for (int n = 0; n < commands_per_step; ++n) {
     switch (interpreter_.next(command_)) {
       case lang::Step::command:
-        blocks_executed_ = std::max(blocks_executed_, command_.block);
         if (const auto fault = pass(command_)) {
           end_search(*fault);
           return Progress::worked;
@@ -98,8 +96,7 @@ void Preparation::end_search(const Diagnostic& fault) {
   search_.reset();
   reports_.tell_search(config_.id, std::nullopt);
   if (belongs_to_run) {
-    const auto line = static_cast<std::uint32_t>(std::max(0, fault.place.line));
-    return fail(fault, {run_, blocks_executed_, line, 0});
+    return fail(fault, feed_.tag_at(fault.place.line));
   }
   task_ = Task::idle;
   finish_load("", Unexpected<Diagnostics>({fault}), {});
@@ -108,16 +105,16 @@ void Preparation::end_search(const Diagnostic& fault) {
 // At the target: an operator is told, or the run begins.
 void Preparation::arrive() {
   if (const auto obstacle = obstacle_at_target()) return end_search(*obstacle);
-  const motion::Point target = blocks_.position_W();
-  blocks_.go_on_from(search_->axes_M);
+  const motion::Point target = feed_.blocks().position_W();
+  feed_.blocks().go_on_from(search_->axes_M);
   if (search_->stage == ProgramSearch::Stage::run) return approach(target);
   search_->stage = ProgramSearch::Stage::found;
   SearchReport report;
   report.file = lang::file_name(*running_, search_->place.file);
   report.line = search_->place.line;
   report.words = config_.words;
-  const motion::Point end = blocks_.programmed(target);
-  const motion::Point start = blocks_.programmed(blocks_.position_W());
+  const motion::Point end = feed_.blocks().programmed(target);
+  const motion::Point start = feed_.blocks().programmed(feed_.blocks().position_W());
   const auto count = static_cast<std::ptrdiff_t>(config_.words.size());
   if (search_->calculates) report.position.assign(end.begin(), end.begin() + count);
   report.stands_at.assign(start.begin(), start.begin() + count);
@@ -151,48 +148,14 @@ std::optional<Diagnostic> Preparation::obstacle_at_target() const {
   return std::nullopt;
 }
 
+// The position follows the program; nothing becomes a path.
 std::optional<Diagnostic> Preparation::pass(const lang::Command& command) {
-  search_->collector.take(command);
+  SearchSink sink(search_->collector);
+  const auto taken = feed_.pass(command, sink);
+  if (!taken) return taken.error();
   if (const auto* request = std::get_if<lang::Request>(&command.payload))
     return pass_request(command, *request);
-  if (lang::move_of(command.payload) != nullptr) return pass_move(command);
-  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
-    threads_.take_spindle(*spindle);
-  if (const auto* change = std::get_if<lang::TransformationChange>(&command.payload)) {
-    if (auto refusal = blocks_.refusal(*change)) {
-      lang::put_at_block(*running_, command.origin, *refusal);
-      return refusal;
-    }
-  }
-  if (std::holds_alternative<lang::FeedLawChange>(command.payload)) {
-    blocks_.take_process(command.payload);
-  } else {
-    static_cast<void>(blocks_.take_state(command.payload));
-  }
   return std::nullopt;
-}
-
-// The position follows the program; nothing becomes a path.
-std::optional<Diagnostic> Preparation::pass_move(const lang::Command& command) {
-  const motion::BlockTag tag = tag_of(command);
-  const motion::Point start = blocks_.position_W();
-  std::optional<Diagnostic> fault;
-  const auto note = [&](const auto& made) {
-    if (!made) fault = made.error();
-  };
-  std::visit(Overloaded{
-                 [&](const lang::Move& move) { note(blocks_.block(move, tag)); },
-                 [&](const lang::SplineMove& spline) { note(blocks_.curve(spline, tag)); },
-                 [&](const lang::SynchronousMove& move) {
-                   note(blocks_.thread_line(move.line, tag));
-                   if (move.kind == lang::SynchronousMove::Kind::rigid_tap)
-                     blocks_.return_to(start);
-                 },
-                 [](const auto&) {},
-             },
-             command.payload);
-  if (fault) lang::put_at_block(*running_, command.origin, *fault);
-  return fault;
 }
 
 std::optional<Diagnostic> Preparation::pass_request(const lang::Command& command,
@@ -203,10 +166,10 @@ std::optional<Diagnostic> Preparation::pass_request(const lang::Command& command
   const bool own = request.kind == lang::RequestKind::kinematics && request.channel == config_.id;
   if (own && schemes_.contains(request.number)) {
     search_->scheme = schemes_.at(request.number).get();
-    blocks_.change_scheme(search_->scheme, axes_behind_switch(*search_->scheme, blocks_.axes_M()));
+    feed_.pass_switch(*search_->scheme);
     tables_.set_scheme(*search_->scheme);
   }
-  answer->position_B = blocks_.position_B();
+  answer->position_B = feed_.blocks().position_B();
   answer->position_valid = true;
   interpreter_.answer(*answer);
   return std::nullopt;
@@ -233,21 +196,21 @@ void Preparation::approach(const motion::Point& target) {
   const lang::SearchState state = search_->collector.state();
   lang::Command command;
   command.origin = {search_->place.file, search_->place.line};
-  command.block = blocks_executed_;
+  command.block = feed_.blocks_executed();
   search_.reset();
   reports_.tell_search(config_.id, std::nullopt);
-  push_transform();
+  feed_.give_transform();
   for (lang::Payload& payload : commands_to_restore(state)) {
     command.payload = std::move(payload);
     entry_.push_back(command);
   }
-  motion::Point before = blocks_.position_W();
+  motion::Point before = feed_.blocks().position_W();
   for (const motion::Point& point :
-       approach_points(before, target, infeed_axis(blocks_.geometry()))) {
+       approach_points(before, target, infeed_axis(feed_.blocks().geometry()))) {
     lang::Move move;
     move.stop_at_end = true;
     move.words = axes_apart(before, point);
-    const motion::Point end = blocks_.programmed(point);
+    const motion::Point end = feed_.blocks().programmed(point);
     std::copy(end.begin(), end.end(), move.end.begin());
     command.payload = move;
     entry_.push_back(command);
