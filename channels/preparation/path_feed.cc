@@ -13,53 +13,57 @@ namespace stanok::channels {
 namespace {
 
 // What becomes an item of the program just as it is; nothing: the command is no such one.
-std::optional<Item> plain_item(const lang::Payload& payload) {
+struct PlainItem {
   Item item;
-  const auto is = [&item](ItemKind kind) {
+
+  bool is(ItemKind kind) {
     item.kind = kind;
-    return std::optional(item);
-  };
-  return std::visit(Overloaded{
-                        [&](const lang::Dwell& dwell) {
-                          item.value = dwell.seconds;
-                          return is(ItemKind::dwell);
-                        },
-                        [&](const lang::SpindleCommand& spindle) {
-                          item.spindle = spindle;
-                          return is(ItemKind::spindle);
-                        },
-                        [&](const lang::CuttingSpeedMode& mode) {
-                          item.cutting = mode;
-                          return is(ItemKind::cutting_speed);
-                        },
-                        [&](const lang::CoolantCommand& coolant) {
-                          item.coolant = coolant;
-                          return is(ItemKind::coolant);
-                        },
-                        [&](const lang::ToolChange& change) {
-                          item.number = change.tool;
-                          item.value = change.edge;
-                          return is(ItemKind::tool_change);
-                        },
-                        [&](const lang::OverrideControl& control) {
-                          item.overrides = control;
-                          return is(ItemKind::override_control);
-                        },
-                        [&](const lang::ForceControl& force) {
-                          item.force = force;
-                          return is(ItemKind::force_control);
-                        },
-                        [&](const lang::ProgramStop& stop) {
-                          item.number = static_cast<std::int64_t>(stop.kind);
-                          return is(ItemKind::program_stop);
-                        },
-                        [&](const lang::MachineFunction& function) {
-                          item.text = ShortText("M" + std::to_string(function.code));
-                          return is(ItemKind::machine_function);
-                        },
-                        [](const auto&) { return std::optional<Item>(); },
-                    },
-                    payload);
+    return true;
+  }
+  bool operator()(const lang::Dwell& dwell) {
+    item.value = dwell.seconds;
+    return is(ItemKind::dwell);
+  }
+  bool operator()(const lang::SpindleCommand& spindle) {
+    item.spindle = spindle;
+    return is(ItemKind::spindle);
+  }
+  bool operator()(const lang::CuttingSpeedMode& mode) {
+    item.cutting = mode;
+    return is(ItemKind::cutting_speed);
+  }
+  bool operator()(const lang::CoolantCommand& coolant) {
+    item.coolant = coolant;
+    return is(ItemKind::coolant);
+  }
+  bool operator()(const lang::ToolChange& change) {
+    item.number = change.tool;
+    item.value = change.edge;
+    return is(ItemKind::tool_change);
+  }
+  bool operator()(const lang::OverrideControl& control) {
+    item.overrides = control;
+    return is(ItemKind::override_control);
+  }
+  bool operator()(const lang::ForceControl& force) {
+    item.force = force;
+    return is(ItemKind::force_control);
+  }
+  bool operator()(const lang::ProgramStop& stop) {
+    item.number = static_cast<std::int64_t>(stop.kind);
+    return is(ItemKind::program_stop);
+  }
+  bool operator()(const lang::MachineFunction& function) {
+    item.text = ShortText("M" + std::to_string(function.code));
+    return is(ItemKind::machine_function);
+  }
+  bool operator()(const auto&) { return false; }
+};
+
+std::optional<Item> plain_item(const lang::Payload& payload) {
+  PlainItem made;
+  if (!std::visit(made, payload)) return std::nullopt;
+  return made.item;
 }
 
 SpokenText spoken(const lang::Message& message) {
@@ -126,20 +130,6 @@ Expected<Taken, Diagnostic> PathFeed::pass(const lang::Command& command, FeedSin
 }
 
 PathFeed::Refusal PathFeed::dispatch(const lang::Command& command, Taken& taken) {
-  // What takes time or what the cycle must know; the state for the motion behind it first.
-  if (auto item = plain_item(command.payload)) {
-    if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
-      threads_.take_spindle(*spindle);
-    if (item->kind == ItemKind::spindle || item->kind == ItemKind::cutting_speed)
-      take_state(command);
-    item->tag = tag_of(command);
-    give(*item);
-    return std::nullopt;
-  }
-  const auto done = [](auto&& work) {
-    work();
-    return Refusal();
-  };
   return std::visit(
       Overloaded{
           [&](const lang::Move& move) { return take_move(command, move); },
@@ -149,37 +139,51 @@ PathFeed::Refusal PathFeed::dispatch(const lang::Command& command, Taken& taken)
           [&](const lang::TransformationChange& change) {
             return take_transformation(command, change);
           },
-          [&](const lang::ToolLength&) { return done([&] { take_state(command); }); },
-          [&](const lang::FrameChange&) { return done([&] { take_state(command); }); },
-          [&](const lang::FeedLawChange&) {
-            return done([&] { blocks_.take_process(command.payload); });
+          [&](const auto&) {
+            if (auto item = plain_item(command.payload)) {
+              take_plain(command, *item);
+            } else {
+              take_other(command, taken);
+            }
+            return Refusal();
           },
-          [&](const lang::Message& message) {
-            return done([&] { give_remark({tag_of(command), spoken(message)}); });
-          },
-          [&](const lang::WorkpieceAnnouncement& shape) {
-            return done([&] {
-              give_remark({tag_of(command), BlankNews{shape, blocks_.transform().frame}});
-            });
-          },
-          [&](const lang::WorkpiecePosition& position) {
-            return done([&] { give_remark({tag_of(command), position}); });
-          },
-          [&](const lang::Request& request) {
-            taken.changes_axes = request.kind == lang::RequestKind::spindle_to_axis;
-            return done([&] { take_request(command, request); });
-          },
-          [&](const lang::OutputCommand& output) {
-            return done([&] { take_output(command, output); });
-          },
-          [&](const lang::MarkCommand& mark) { return done([&] { take_mark(command, mark); }); },
-          [&](const lang::ProgramEnd& end) {
-            taken.ends = true;
-            return done([&] { take_end(command, end); });
-          },
-          [](const auto&) { return Refusal(); },
       },
       command.payload);
+}
+
+// The state for the motion behind it comes first.
+void PathFeed::take_plain(const lang::Command& command, Item& item) {
+  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
+    threads_.take_spindle(*spindle);
+  if (item.kind == ItemKind::spindle || item.kind == ItemKind::cutting_speed) take_state(command);
+  item.tag = tag_of(command);
+  give(item);
+}
+
+void PathFeed::take_other(const lang::Command& command, Taken& taken) {
+  const motion::BlockTag tag = tag_of(command);
+  std::visit(Overloaded{
+                 [&](const lang::ToolLength&) { take_state(command); },
+                 [&](const lang::FrameChange&) { take_state(command); },
+                 [&](const lang::FeedLawChange&) { blocks_.take_process(command.payload); },
+                 [&](const lang::Message& message) { give_remark({tag, spoken(message)}); },
+                 [&](const lang::WorkpieceAnnouncement& shape) {
+                   give_remark({tag, BlankNews{shape, blocks_.transform().frame}});
+                 },
+                 [&](const lang::WorkpiecePosition& position) { give_remark({tag, position}); },
+                 [&](const lang::Request& request) {
+                   taken.changes_axes = request.kind == lang::RequestKind::spindle_to_axis;
+                   take_request(command, request);
+                 },
+                 [&](const lang::OutputCommand& output) { take_output(command, output); },
+                 [&](const lang::MarkCommand& mark) { take_mark(command, mark); },
+                 [&](const lang::ProgramEnd& end) {
+                   taken.ends = true;
+                   take_end(command, end);
+                 },
+                 [](const auto&) {},
+             },
+             command.payload);
 }
 
 void PathFeed::take_state(const lang::Command& command) {
