@@ -12,7 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "channels/preparation/path_feed.h"
-#include "channels/preparation/preparation.h"
+#include "channels/preparation/preparation_parts.h"
 #include "channels/stores/live_tables.h"
 #include "config/machine_file.h"
 #include "lang/run/block_search.h"

@@ -7,64 +7,11 @@
 #include "base/overloaded.h"
 #include "channels/messages/channel_link.h"
 #include "channels/preparation/feed_limit.h"
+#include "channels/preparation/plain_item.h"
 #include "channels/preparation/scheme_switch.h"
 
 namespace stanok::channels {
 namespace {
-
-// What becomes an item of the program just as it is; nothing: the command is no such one.
-struct PlainItem {
-  Item item;
-
-  bool is(ItemKind kind) {
-    item.kind = kind;
-    return true;
-  }
-  bool operator()(const lang::Dwell& dwell) {
-    item.value = dwell.seconds;
-    return is(ItemKind::dwell);
-  }
-  bool operator()(const lang::SpindleCommand& spindle) {
-    item.spindle = spindle;
-    return is(ItemKind::spindle);
-  }
-  bool operator()(const lang::CuttingSpeedMode& mode) {
-    item.cutting = mode;
-    return is(ItemKind::cutting_speed);
-  }
-  bool operator()(const lang::CoolantCommand& coolant) {
-    item.coolant = coolant;
-    return is(ItemKind::coolant);
-  }
-  bool operator()(const lang::ToolChange& change) {
-    item.number = change.tool;
-    item.value = change.edge;
-    return is(ItemKind::tool_change);
-  }
-  bool operator()(const lang::OverrideControl& control) {
-    item.overrides = control;
-    return is(ItemKind::override_control);
-  }
-  bool operator()(const lang::ForceControl& force) {
-    item.force = force;
-    return is(ItemKind::force_control);
-  }
-  bool operator()(const lang::ProgramStop& stop) {
-    item.number = static_cast<std::int64_t>(stop.kind);
-    return is(ItemKind::program_stop);
-  }
-  bool operator()(const lang::MachineFunction& function) {
-    item.text = ShortText("M" + std::to_string(function.code));
-    return is(ItemKind::machine_function);
-  }
-  bool operator()(const auto&) { return false; }
-};
-
-std::optional<Item> plain_item(const lang::Payload& payload) {
-  PlainItem made;
-  if (!std::visit(made, payload)) return std::nullopt;
-  return made.item;
-}
 
 SpokenText spoken(const lang::Message& message) {
   const bool warns = message.kind == lang::Message::Kind::warning;
