@@ -1,4 +1,4 @@
-// DryRun: a program through interpreter and block preparation without a machine; for `interpret`,
+// DryRun: a program through interpreter and path feed without a machine; for `interpret`,
 // `check` and the background check.
 //
 // Nothing is executed: requests are answered as if all went well, switches of kinematics take
@@ -11,34 +11,19 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "channels/preparation/block_preparation.h"
-#include "channels/preparation/preparation.h"
-#include "channels/preparation/thread_preparation.h"
+#include "channels/preparation/path_feed.h"
+#include "channels/preparation/preparation_parts.h"
 #include "channels/stores/live_tables.h"
 #include "config/files/machine_file.h"
 #include "lang/run/block_search.h"
 #include "lang/run/interpreter.h"
-#include "motion/feed_laws/law_estimate.h"
+#include "runtime/dry_sink.h"
 #include "runtime/fault_sieve.h"
 
 namespace stanok::runtime {
 
-// One record after block preparation; `block` only for motion. Both are valid during the call.
-using RecordSink =
-    std::function<void(const lang::Command& command, const motion::PathBlock* block)>;
-
 // What a dry run does at a request to another channel.
 using RequestSink = std::function<void(const lang::Request& request, const lang::Command& command)>;
-
-// A block under a feed law, and what is to be expected of it.
-struct LawBlock {
-  Place place;
-  motion::LawKind kind = motion::LawKind::none;
-  motion::LawUnits units;
-  double way_mm = 0.0;
-  motion::LawEstimate estimate;
-  bool time_is_least = false;  // the spindle follows the diameter: planned for its highest speed
-};
 
 struct DryRunResult {
   Diagnostics diagnostics;  // errors, and warnings of the load
@@ -78,33 +63,17 @@ class DryRun {
 
  private:
   [[nodiscard]] bool load(const std::string& program, Diagnostics& diagnostics);
-  void go_on(Reachability reachability, const RecordSink& record, const RequestSink& request,
-             DryRunResult& result);
+  void go_on(const RequestSink& request, DryRunResult& result);
+  void follow(const RequestSink& request, DryRunResult& result);
   [[nodiscard]] bool passes_fault(Diagnostics& diagnostics);
-  [[nodiscard]] bool may_go_on(const lang::Command& command, const motion::Point& before,
-                               Diagnostics& diagnostics);
+  [[nodiscard]] bool may_go_on(const lang::Command& command, Diagnostics& diagnostics);
   [[nodiscard]] std::optional<Diagnostic> search(const lang::StopPlace& place,
                                                  lang::SearchCollector& collector);
   [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Request& request,
                                                        const lang::Command& command,
                                                        const lang::SearchCollector& collector);
-  void take(const lang::Command& command, Reachability reachability, const RecordSink& record,
-            const RequestSink& request, Diagnostics& diagnostics);
-  [[nodiscard]] motion::Point as_programmed(const lang::Move& move,
-                                            const motion::PathBlock& block) const;
-  void take_move(const lang::Command& command, const lang::Move& move, Reachability reachability,
-                 const RecordSink& record, Diagnostics& diagnostics);
-  void take_curve(const lang::Command& command, const lang::SplineMove& spline,
-                  Reachability reachability, const RecordSink& record, Diagnostics& diagnostics);
-  [[nodiscard]] bool follow(const motion::PathBlock& block, const lang::Command& command,
-                            Diagnostics& diagnostics);
-  void refuse(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics);
-  void skip(const lang::Command& command, Diagnostic diagnostic, Diagnostics& diagnostics);
-  void watch_feed(Diagnostics& diagnostics);
-  void estimate_law(const motion::PathBlock& block, double steady_speed);
-  void take_synchronous(const lang::Command& command, const lang::SynchronousMove& move,
-                        Reachability reachability, const RecordSink& record,
-                        Diagnostics& diagnostics);
+  [[nodiscard]] bool take(const lang::Command& command, const RequestSink& request,
+                          Diagnostics& diagnostics);
   void take_request(const lang::Command& command, const lang::Request& request,
                     const RequestSink& sink);
   [[nodiscard]] lang::Answer answer_of(const lang::Request& request);
@@ -117,15 +86,12 @@ class DryRun {
   channels::LiveTables live_;
   channels::ChannelTables tables_;
   channels::SchemeSet schemes_;
-  channels::BlockPreparation blocks_;
-  motion::PathBuilder builder_;
-  channels::ThreadPreparation threads_;
+  DrySink sink_;
+  channels::PathFeed feed_;
   lang::Interpreter interpreter_;
   std::shared_ptr<const lang::Program> program_;
   std::uint64_t steps_max_ = 0;  // of a run; text that is passed once is free
   const kinematics::Scheme* scheme_ = nullptr;
-  bool feed_is_warned_of_ = false;  // once a program
-  std::vector<LawBlock> laws_;
   BlockFaults faults_ = BlockFaults::end_the_run;
   FaultSieve sieve_;
 };

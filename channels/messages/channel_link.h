@@ -12,12 +12,15 @@
 
 namespace stanok::channels {
 
+// Of one chain of the path: its riders and those of the next one have room.
+inline constexpr std::size_t riders_in_chain_max = 4096;
+
 struct ChannelLink {
-  motion::PathQueue path;      // preparation -> cycle
-  Ring<Item> items{256};       // preparation -> cycle
-  Ring<Rider> riders{8192};    // preparation -> cycle
-  Ring<Remark> remarks{1024};  // preparation -> cycle
-  Ring<Notice> notices{16};    // cycle -> preparation
+  motion::PathQueue path;                       // preparation -> cycle
+  Ring<Item> items{256};                        // preparation -> cycle
+  Ring<Rider> riders{2 * riders_in_chain_max};  // preparation -> cycle
+  Ring<Remark> remarks{1024};                   // preparation -> cycle
+  Ring<Notice> notices{16};                     // cycle -> preparation
 
   // The cycle. Bound: a load or search, a start, a switch and an answer are each asked for one at a
   // time and the next only when the preparation has answered, and a reset ends them all; of an

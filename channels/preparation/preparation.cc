@@ -1,61 +1,22 @@
 #include "channels/preparation/preparation.h"
 
-#include <stdexcept>
 #include <string>
-
-#include "channels/contract/channel_description.h"
-#include "channels/contract/motion_config.h"
-#include "channels/preparation/feed_limit.h"
+#include <utility>
 
 namespace stanok::channels {
-namespace {
-
-std::string first_error(const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics) {
-    if (d.severity != Severity::error) continue;
-    const std::string place = d.place.line > 0 ? d.place.file + ":" + std::to_string(d.place.line) +
-                                                     ":" + std::to_string(d.place.column) + ": "
-                                               : std::string();
-    return d.code + " " + place + d.message;
-  }
-  return "";
-}
-
-}  // namespace
-
-SchemeSet make_schemes(const ChannelConfig& channel) {
-  SchemeSet schemes;
-  for (const kinematics::SchemeConfig& config : channel.schemes) {
-    auto scheme = kinematics::make_scheme(config);
-    if (scheme == nullptr) throw std::invalid_argument("unknown scheme type " + config.type);
-    schemes.emplace(config.id, std::move(scheme));
-  }
-  return schemes;
-}
 
 Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& channel,
                          const SchemeSet& schemes, const lang::Files& files,
                          const PreparationBooks& books, std::function<bool()> gives_up)
-    : config_(channel),
-      schemes_(schemes),
-      files_(files),
-      shared_(books.shared),
-      link_(books.link),
-      reports_(books.reports),
+    : link_(books.link),
       block_book_(books.blocks),
-      live_(books.tables),
-      is_unwanted_([this, gives_up = std::move(gives_up)] {
-        return link_.resets_wanted.load(std::memory_order_relaxed) != resets_obeyed_ ||
-               (gives_up && gives_up());
-      }),
-      motion_(motion_config(machine, channel)),
-      description_(channel_description(machine, channel)),
-      tables_(books.tables, machine, channel),
-      interpreter_(description_, tables_, files),
-      blocks_(machine, channel, motion_),
-      builder_(motion_),
-      look_ahead_(motion_),
-      threads_(machine, channel, motion_) {}
+      parts_(machine, channel, schemes, files, books),
+      shelf_(channel, parts_.description, files, books.shared, books.reports,
+             [this, gives_up = std::move(gives_up)] {
+               return link_.resets_wanted.load(std::memory_order_relaxed) != resets_obeyed_ ||
+                      (gives_up && gives_up());
+             }),
+      search_(parts_) {}
 
 Progress Preparation::step() {
   try {
@@ -72,12 +33,12 @@ Progress Preparation::step() {
 void Preparation::break_off(std::string_view code, std::string_view reason) {
   forget_path();
   task_ = Task::idle;
-  Item item = item_of(ItemKind::broken_off,
-                      {run_, blocks_executed_, command_.origin.line, command_.origin.file});
+  const lang::Origin& origin = parts_.command.origin;
+  Item item =
+      item_of(ItemKind::broken_off, parts_.feed.tag_at(static_cast<int>(origin.line), origin.file));
   item.code = FixedText<8>(code);
   item.text = ShortText(reason);
-  item.after_rider = link_.riders.pushed();
-  pending_items_.push_back(item);
+  parts_.feed.give(item);
 }
 
 Progress Preparation::work() {
@@ -87,20 +48,20 @@ Progress Preparation::work() {
     obey(notice);
     progress = Progress::worked;
   }
-  if (!flush()) return progress;
+  if (!parts_.queue.flush()) return progress;
   if (task_ != Task::running) return progress;
   progress = interpret();
-  static_cast<void>(flush());
+  static_cast<void>(parts_.queue.flush());
   return progress;
 }
 
 void Preparation::obey(const Notice& notice) {
-  use_load(notice.load);
+  shelf_.use(notice.load);
   switch (notice.kind) {
     case NoticeKind::load:
-      return load(std::string(notice.text.view()), notice.number);
+      return load(notice);
     case NoticeKind::load_line:
-      return load_line(std::string(notice.text.view()));
+      return parts_.feed.give(shelf_.load_line(std::string(notice.text.view())));
     case NoticeKind::search:
       return search(notice);
     case NoticeKind::start:
@@ -115,101 +76,55 @@ void Preparation::obey(const Notice& notice) {
   }
 }
 
-// The cycle may never hear of a load: a reset comes between. The program that it has then is the
-// one before.
-void Preparation::use_load(std::int32_t number) {
-  if (newest_.number != number || newest_.program == nullptr) return;
-  program_ = std::move(newest_.program);
-  program_name_ = std::move(newest_.name);
-  newest_ = {};
+void Preparation::load(const Notice& notice) {
+  const Item done = shelf_.load(std::string(notice.text.view()), notice.number);
+  if (done.flag) search_.forget();
+  parts_.feed.give(done);
 }
 
-void Preparation::load(const std::string& name, std::int32_t number) {
-  Diagnostics diagnostics;
-  auto compiled = lang::compile(name, files_, &description_, diagnostics, is_unwanted_);
-  if (compiled) {
-    if (auto faults = declare_shared(**compiled); !faults.empty()) {
-      compiled = Unexpected<Diagnostics>(std::move(faults));
-    }
-  }
-  if (compiled) {
-    newest_ = {number, *compiled, name};
-    search_.reset();
-    reports_.tell_search(config_.id, std::nullopt);
-  }
-  finish_load(name, compiled, std::move(diagnostics), number);
-}
-
-void Preparation::load_line(const std::string& line) {
-  Diagnostics diagnostics;
-  const auto compiled =
-      lang::compile_line(line, program_.get(), files_, &description_, diagnostics, is_unwanted_);
-  if (compiled) line_ = *compiled;
-  finish_load(line, compiled, std::move(diagnostics));
-}
-
-void Preparation::finish_load(const std::string& name, const LoadResult& compiled,
-                              Diagnostics diagnostics, std::int32_t number) {
-  Item done = item_of(ItemKind::load_done, {});
-  done.number = number;
-  if (compiled) {
-    done.flag = true;
-    done.text = ShortText(name);
-  } else {
-    diagnostics.insert(diagnostics.end(), compiled.error().begin(), compiled.error().end());
-    done.text = ShortText(first_error(compiled.error()));
-  }
-  reports_.add_diagnostics(config_.id, diagnostics);
-  push(done);
-}
-
-Diagnostics Preparation::declare_shared(const lang::Program& program) {
-  Diagnostics faults;
-  for (const lang::SharedVariable& variable : lang::shared_variables(program)) {
-    if (auto fault = shared_.declare(variable)) faults.push_back(std::move(*fault));
-  }
-  return faults;
+void Preparation::search(const Notice& notice) {
+  task_ = Task::running;
+  static_cast<void>(use_outcome(search_.look(notice, shelf_.program())));
 }
 
 void Preparation::start(const Notice& notice) {
-  run_ = notice.run;
-  block_book_.begin_run(run_);
-  entry_.clear();
-  blocks_executed_ = 0;
-  feed_is_warned_of_ = false;
-  scheme_ = schemes_.contains(notice.number) ? schemes_.at(notice.number).get() : nullptr;
-  blocks_.restart(scheme_, notice.axes_M);
-  if (scheme_ != nullptr) tables_.set_scheme(*scheme_);
-  chain_open_ = false;
-  push_transform();
+  block_book_.begin_run(notice.run);
+  search_.forget_entry();
+  parts_.feed.begin_run(notice.run);
+  parts_.queue.begin_run();
+  parts_.restart(notice.number, notice.axes_M);
+  parts_.feed.give_transform();
   const bool is_line = notice.kind == NoticeKind::start_line;
-  running_ = is_line ? line_ : program_;
+  parts_.set_program(is_line ? shelf_.line() : shelf_.program());
   name_files();
-  reports_.name_run(config_.id, run_, is_line ? "MDI" : program_name_, lang::file_names(*running_));
-  interpreter_.set_block_skip(notice.block_skip);
-  if (is_line) {
-    interpreter_.start_line(running_, blocks_.position_B());
-  }
+  parts_.reports.name_run(parts_.config.id, notice.run, is_line ? "MDI" : shelf_.name(),
+                          lang::file_names(*parts_.program));
+  parts_.interpreter.set_block_skip(notice.block_skip);
   scheme_switched_ = false;
   axes_change_ = false;
   task_ = Task::running;
-  if (is_line) return;
-  blocks_.forget_laws();
-  if (search_) {
-    static_cast<void>(enter_program(ProgramSearch::Stage::run));
+  if (!is_line) return start_program();
+  parts_.interpreter.start_line(parts_.program, parts_.feed.blocks().position_B());
+}
+
+void Preparation::start_program() {
+  parts_.feed.blocks().forget_laws();
+  if (search_.is_set()) {
+    static_cast<void>(use_outcome(search_.begin_run()));
   } else {
-    interpreter_.start(running_, blocks_.position_B());
+    parts_.interpreter.start(parts_.program, parts_.feed.blocks().position_B());
   }
 }
 
 // Before anything of the run can bear a tag.
 void Preparation::name_files() {
   for (std::size_t k = 0; k < link_.file_names.size(); ++k)
-    link_.file_names[k] = FileName(lang::file_name(*running_, static_cast<std::uint16_t>(k)));
+    link_.file_names[k] = FileName(lang::file_name(*parts_.program, static_cast<std::uint16_t>(k)));
 }
 
 void Preparation::take_answer(const Notice& notice) {
   if (task_ != Task::waiting_answer) return;
+  BlockPreparation& blocks = parts_.feed.blocks();
   lang::Answer answer;
   answer.ok = notice.ok;
   answer.raises = notice.raises;
@@ -218,65 +133,56 @@ void Preparation::take_answer(const Notice& notice) {
   if (!answer.text.empty()) answer.text += ' ';
   answer.text += notice.text.view();
   if (scheme_switched_ || axes_change_) {
-    blocks_.change_scheme(scheme_, notice.axes_M);
-    if (scheme_switched_) tables_.set_scheme(*scheme_);
-    push_transform();
+    blocks.change_scheme(parts_.scheme, notice.axes_M);
+    if (scheme_switched_) parts_.tables.set_scheme(*parts_.scheme);
+    parts_.feed.give_transform();
     scheme_switched_ = false;
     axes_change_ = false;
   }
-  answer.probe_B = blocks_.base_of(notice.probe_M);
+  answer.probe_B = blocks.base_of(notice.probe_M);
   if (notice.left_path) {
-    blocks_.go_on_from(notice.axes_M);
-    push_transform();
+    blocks.go_on_from(notice.axes_M);
+    parts_.feed.give_transform();
   }
-  answer.position_B = blocks_.position_B();
+  answer.position_B = blocks.position_B();
   answer.position_valid = true;
   task_ = Task::running;
-  interpreter_.set_block_skip(notice.block_skip);
-  interpreter_.answer(answer);
+  parts_.interpreter.set_block_skip(notice.block_skip);
+  parts_.interpreter.answer(answer);
 }
 
 void Preparation::reset() {
   task_ = Task::idle;
-  entry_.clear();
-  search_.reset();
-  reports_.tell_search(config_.id, std::nullopt);
-  interpreter_.reset();
+  search_.forget_entry();
+  search_.forget();
+  parts_.interpreter.reset();
   tell_codes();
-  block_book_.tell_codes({blocks_executed_, lang::default_codes(config_.kind)});
-  blocks_.reset_process();
+  block_book_.tell_codes({parts_.feed.blocks_executed(), lang::default_codes(parts_.config.kind)});
+  parts_.feed.blocks().reset_process();
   forget_path();
   ++resets_obeyed_;
-  push(item_of(ItemKind::reset_done, {}));
+  parts_.feed.give(item_of(ItemKind::reset_done, {}));
 }
 
 void Preparation::forget_path() {
-  look_ahead_.clear();
-  builder_.restart({});
-  builder_.built().clear();
-  laws_.clear();
-  threads_.forget();
-  chain_open_ = false;
-  pending_items_.clear();
-  pending_remarks_.clear();
-  pending_riders_.clear();
+  parts_.queue.forget();
+  parts_.feed.forget_path();
 }
 
 void Preparation::tell_codes() {
-  for (const lang::CodeChange& change : interpreter_.take_code_changes())
+  for (const lang::CodeChange& change : parts_.interpreter.take_code_changes())
     block_book_.tell_codes(change);
 }
 
 Progress Preparation::interpret() {
-  if (search_ && search_->stage != ProgramSearch::Stage::found) return search_on();
+  if (search_.is_under_way()) return use_outcome(search_.advance(commands_per_step));
+  const QueueSink& queue = parts_.queue;
   Progress progress = Progress::computing;
-  for (int n = 0; n < commands_per_step && task_ == Task::running && pending_items_.empty(); ++n) {
-    has_given_ = false;
+  for (int n = 0; n < commands_per_step && task_ == Task::running && !queue.holds_items(); ++n) {
     switch (next_command()) {
       case lang::Step::command:
-        blocks_executed_ = std::max(blocks_executed_, command_.block);
         tell_codes();
-        take(command_);
+        if (take(parts_.command)) progress = Progress::worked;
         break;
       case lang::Step::working:
         return progress;
@@ -289,117 +195,64 @@ Progress Preparation::interpret() {
         task_ = Task::idle;
         return Progress::worked;
       case lang::Step::failed: {
-        const Diagnostic& error = interpreter_.error();
-        fail(error, {run_, blocks_executed_, static_cast<std::uint32_t>(error.place.line), 0});
+        const Diagnostic& error = parts_.interpreter.error();
+        fail(error, parts_.feed.tag_at(error.place.line));
         return Progress::worked;
       }
     }
-    if (!has_given_) continue;
-    progress = Progress::worked;
-    interpreter_.renew_steps();
   }
-  return pending_items_.empty() ? progress : Progress::worked;
+  return queue.holds_items() ? Progress::worked : progress;
 }
 
-motion::BlockTag Preparation::tag_of(const lang::Command& command) const {
-  return {run_, command.block, command.origin.line, command.origin.file};
+Progress Preparation::use_outcome(SearchRunner::Outcome outcome) {
+  switch (outcome) {
+    case SearchRunner::Outcome::working:
+    case SearchRunner::Outcome::entered:
+      return Progress::worked;
+    case SearchRunner::Outcome::computing:
+      return Progress::computing;
+    case SearchRunner::Outcome::found:
+      task_ = Task::idle;
+      parts_.feed.give(shelf_.search_found());
+      break;
+    case SearchRunner::Outcome::failed:
+      task_ = Task::idle;
+      parts_.feed.give(shelf_.search_failed(search_.fault()));
+      break;
+    case SearchRunner::Outcome::run_failed:
+      fail(search_.fault(), parts_.feed.tag_at(search_.fault().place.line));
+      break;
+  }
+  return Progress::worked;
+}
+
+// Of the entry of a run in the middle first, then of the interpreter.
+lang::Step Preparation::next_command() {
+  if (search_.next_entry(parts_.command)) return lang::Step::command;
+  return parts_.interpreter.next(parts_.command);
+}
+
+// True when the cycle gets something of it.
+bool Preparation::take(const lang::Command& command) {
+  const auto taken = parts_.feed.take(command);
+  if (!taken) {
+    fail(taken.error(), parts_.feed.tag_of(command));
+    return true;
+  }
+  if (taken->ends) task_ = Task::idle;
+  axes_change_ = axes_change_ || taken->changes_axes;
+  if (taken->gives) parts_.interpreter.renew_steps();
+  return taken->gives;
 }
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
-  reports_.explain(config_.id, run_, diagnostic);
+  parts_.reports.explain(parts_.config.id, parts_.feed.run(), diagnostic);
   Item item = item_of(ItemKind::run_failed, tag);
-  item.number = static_cast<std::int64_t>(blocks_executed_);
+  item.number = static_cast<std::int64_t>(parts_.feed.blocks_executed());
   item.code = FixedText<8>(diagnostic.code);
   item.text = ShortText(diagnostic.message);
-  push(item);
+  parts_.feed.give(item);
   task_ = Task::idle;
-}
-
-void Preparation::end_chain() {
-  end_thread();
-  if (!chain_open_) return;
-  builder_.finish();
-  collect_pieces();
-  chain_open_ = false;
-  riders_in_chain_ = 0;
-}
-
-void Preparation::end_thread() {
-  if (threads_.is_empty()) return;
-  while (!laws_.is_empty()) look_ahead_.add(laws_.next());
-  look_ahead_.add(threads_.finish());
-  builder_.restart(blocks_.position_W(), blocks_.geometry());
-}
-
-void Preparation::collect_pieces() {
-  for (const motion::PathBuilder::Built& built : builder_.built()) {
-    has_given_ = true;
-    warn_of_feed(built.piece);
-    plan(built);
-  }
-  builder_.built().clear();
-}
-
-void Preparation::warn_of_feed(const motion::Piece& piece) {
-  if (feed_is_warned_of_) return;
-  const auto warning = feed_above_limit(piece, motion_);
-  if (!warning) return;
-  feed_is_warned_of_ = true;
-  pending_remarks_.push_back(
-      {piece.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
-}
-
-void Preparation::push_remark(const Remark& remark) {
-  has_given_ = true;
-  pending_remarks_.push_back(remark);
-}
-
-// Pieces without a law pass as long as none with a law waits before them.
-void Preparation::plan(const motion::PathBuilder::Built& built) {
-  const bool may_pass = laws_.is_empty() && built.piece.process.law == nullptr;
-  may_pass ? look_ahead_.add(built) : laws_.add(built);
-}
-
-void Preparation::push(Item item) {
-  has_given_ = true;
-  end_chain();
-  item.after_rider = link_.riders.pushed() + pending_riders_.size();
-  pending_items_.push_back(item);
-}
-
-// A chain with very many riders ends: its path must be delivered before the ring is full of them.
-void Preparation::push_rider(const Rider& rider) {
-  has_given_ = true;
-  pending_riders_.push_back(rider);
-  if (++riders_in_chain_ >= link_.riders.capacity() / 2) end_chain();
-}
-
-void Preparation::push_transform() {
-  builder_.restart(blocks_.position_W(), blocks_.geometry());
-  Item item = item_of(ItemKind::transform, {});
-  item.transform = &blocks_.transform();
-  push(item);
-}
-
-// True when nothing is left that waits for room in a ring.
-bool Preparation::flush() {
-  while (!pending_remarks_.empty() && link_.remarks.push(pending_remarks_.front()))
-    pending_remarks_.pop_front();
-  while (!pending_riders_.empty() && link_.riders.push(pending_riders_.front()))
-    pending_riders_.pop_front();
-  if (!pending_riders_.empty()) return false;
-  if (!look_ahead_.deliver(link_.path)) return false;
-  while (!laws_.is_empty()) {
-    look_ahead_.add(laws_.next());
-    if (!look_ahead_.deliver(link_.path)) return false;
-  }
-  while (!pending_items_.empty()) {
-    Item& item = pending_items_.front();
-    item.after_chunk = link_.path.chunks.pushed();
-    if (!link_.items.push(item)) return false;
-    pending_items_.pop_front();
-  }
-  return pending_remarks_.empty();
 }
 
 }  // namespace stanok::channels

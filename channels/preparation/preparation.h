@@ -1,46 +1,21 @@
 // Preparation: everything that one channel does ahead of motion, in bounded steps.
 //
 // Interprets the program, prepares blocks, builds and plans the path and hands it, with the items
-// between, to the cycle. Told what to do by notices of the cycle. One thread at a time; never
-// called from the cycle.
+// between, to the cycle. Told what to do by notices of the cycle. Thread: one at a time, never the
+// cycle. Owner: the channel's seat in the machine. Invariant: what leaves it is in the order of the
+// program, and nothing of a run that a reset has ended.
 #pragma once
 
-#include <deque>
 #include <functional>
-#include <memory>
-#include <vector>
 
-#include "channels/contract/machine_config.h"
 #include "channels/contract/progress.h"
 #include "channels/messages/channel_link.h"
-#include "channels/preparation/block_preparation.h"
-#include "channels/preparation/program_search.h"
-#include "channels/preparation/thread_preparation.h"
+#include "channels/preparation/preparation_parts.h"
+#include "channels/preparation/program_shelf.h"
+#include "channels/preparation/search_runner.h"
 #include "channels/stores/block_book.h"
-#include "channels/stores/live_tables.h"
-#include "channels/stores/report_book.h"
-#include "channels/stores/shared_variables.h"
-#include "lang/run/interpreter.h"
-#include "motion/feed_law_stage.h"
-#include "motion/look_ahead.h"
-#include "motion/path_builder.h"
 
 namespace stanok::channels {
-
-// The schemes of one channel by id, made once from its configuration.
-using SchemeSet = std::map<int, std::unique_ptr<const kinematics::Scheme>>;
-
-// Throws std::invalid_argument for a type of scheme that does not exist.
-[[nodiscard]] SchemeSet make_schemes(const ChannelConfig& channel);
-
-// What a preparation shares with others of its machine; all outlive it.
-struct PreparationBooks {
-  LiveTables& tables;
-  SharedVariables& shared;
-  ChannelLink& link;
-  ReportBook& reports;
-  BlockBook& blocks;  // of the channel alone
-};
 
 class Preparation {
  public:
@@ -55,7 +30,6 @@ class Preparation {
  private:
   static constexpr int commands_per_step = 64;
   enum class Task { idle, running, waiting_answer };
-  using LoadResult = Expected<std::shared_ptr<const lang::Program>, Diagnostics>;
 
   [[nodiscard]] Progress work();
   void break_off(std::string_view code, std::string_view reason);
@@ -63,110 +37,32 @@ class Preparation {
 
   // Notices of the cycle.
   void obey(const Notice& notice);
-  void load(const std::string& name, std::int32_t number);
-  void use_load(std::int32_t number);
-  void load_line(const std::string& line);
-  void finish_load(const std::string& name, const LoadResult& compiled, Diagnostics diagnostics,
-                   std::int32_t number = 0);
-  [[nodiscard]] Diagnostics declare_shared(const lang::Program& program);
+  void load(const Notice& notice);
+  void search(const Notice& notice);
   void start(const Notice& notice);
+  void start_program();
   void name_files();
   void take_answer(const Notice& notice);
   void reset();
   void switch_scheme(const Notice& notice);
 
-  // Block search (preparation_search.cc).
-  void search(const Notice& notice);
-  [[nodiscard]] bool enter_program(ProgramSearch::Stage stage);
-  [[nodiscard]] Progress search_on();
-  void end_search(const Diagnostic& fault);
-  void arrive();
-  [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
-  [[nodiscard]] std::optional<Diagnostic> pass_move(const lang::Command& command);
-  [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Command& command,
-                                                       const lang::Request& request);
-  [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
-  [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
-  void approach(const motion::Point& target);
-  [[nodiscard]] lang::Step next_command();
-
   // Program.
   [[nodiscard]] Progress interpret();
-  void take(const lang::Command& command);
+  [[nodiscard]] Progress use_outcome(SearchRunner::Outcome outcome);
+  [[nodiscard]] lang::Step next_command();
+  [[nodiscard]] bool take(const lang::Command& command);
   void tell_codes();
-  void take_state(const lang::Command& command);
-  void add_move(const lang::Command& command, const lang::Move& move);
-  void add_curve(const lang::Command& command, const lang::SplineMove& spline);
-  bool add_block(const lang::Command& command, const motion::PathBlock& block);
-  void add_thread(const lang::Command& command, const lang::SynchronousMove& move);
-  void fail_at_block(const lang::Command& command, Diagnostic diagnostic);
-  void add_probing(const lang::Command& command, const lang::ProbeMove& move);
-  void add_request(const lang::Command& command, const lang::Request& request);
-  void add_output(const lang::Command& command, const lang::OutputCommand& output);
-  void add_mark(const lang::Command& command, const lang::MarkCommand& mark);
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
 
-  // Path and items, in program order.
-  void end_chain();
-  void end_thread();
-  void collect_pieces();
-  void warn_of_feed(const motion::Piece& piece);
-  void plan(const motion::PathBuilder::Built& built);
-  void push(Item item);
-  void push_rider(const Rider& rider);
-  void push_remark(const Remark& remark);
-  void push_transform();
-  [[nodiscard]] bool flush();
-  [[nodiscard]] motion::BlockTag tag_of(const lang::Command& command) const;
-  [[nodiscard]] bool move_axis(int axis, double position, double velocity);
-
-  const ChannelConfig& config_;
-  const SchemeSet& schemes_;
-  const lang::Files& files_;
-  SharedVariables& shared_;
   ChannelLink& link_;
-  ReportBook& reports_;
   BlockBook& block_book_;
-  const LiveTables& live_;
-  lang::Interruption is_unwanted_;  // what is being compiled
   std::uint32_t resets_obeyed_ = 0;
-  motion::MotionConfig motion_;
-  lang::ChannelDescription description_;
-  ChannelTables tables_;
-  lang::Interpreter interpreter_;
-  BlockPreparation blocks_;
-  motion::PathBuilder builder_;
-  motion::FeedLawStage laws_;
-  motion::LookAhead look_ahead_;
-  ThreadPreparation threads_;
-
+  PreparationParts parts_;
+  ProgramShelf shelf_;
+  SearchRunner search_;
   Task task_ = Task::idle;
-  // A load that the cycle has not used yet.
-  struct Load {
-    std::int32_t number = 0;
-    std::shared_ptr<const lang::Program> program;
-    std::string name;
-  };
-  Load newest_;
-  std::shared_ptr<const lang::Program> program_;  // loaded
-  std::string program_name_;
-  std::shared_ptr<const lang::Program> line_;     // of an operator, compiled
-  std::shared_ptr<const lang::Program> running_;  // one of both
-  std::deque<lang::Command> entry_;               // of a run that begins in the middle
-  std::optional<ProgramSearch> search_;           // where the loaded program shall begin
-  const kinematics::Scheme* scheme_ = nullptr;
-  std::uint32_t run_ = 0;
-  std::uint64_t blocks_executed_ = 0;
-  bool chain_open_ = false;
-  bool has_given_ = false;          // the command at hand: something for the cycle
-  bool feed_is_warned_of_ = false;  // once a run
-  bool scheme_switched_ = false;    // since the last answer or start
-  bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis
-  lang::Command command_;
-  std::deque<Item> pending_items_;
-  std::deque<Remark> pending_remarks_;
-  std::deque<Rider> pending_riders_;
-  std::size_t riders_in_chain_ = 0;
+  bool scheme_switched_ = false;  // since the last answer or start
+  bool axes_change_ = false;      // the answer to come tells where a spindle stands as an axis
 };
 
 }  // namespace stanok::channels

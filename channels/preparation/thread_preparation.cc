@@ -51,14 +51,6 @@ std::size_t ThreadPreparation::index_of(int spindle) const {
   return 0;
 }
 
-bool ThreadPreparation::ends_at(const lang::Payload& command) {
-  if (const auto* output = std::get_if<lang::OutputCommand>(&command)) return !output->with_motion;
-  if (const auto* mark = std::get_if<lang::MarkCommand>(&command))
-    return mark->kind == lang::MarkCommand::Kind::wait_soft;
-  return !std::holds_alternative<lang::Message>(command) &&
-         !std::holds_alternative<lang::ModalReport>(command);
-}
-
 void ThreadPreparation::take_spindle(const lang::SpindleCommand& command) {
   for (std::size_t k = 0; k < spindles_.size(); ++k) {
     const bool is_meant = command.spindle < 0 || index_of(command.spindle) == k;

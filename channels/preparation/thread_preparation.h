@@ -27,10 +27,6 @@ class ThreadPreparation {
   // Whether a move goes on in the open chain.
   [[nodiscard]] bool continues(const lang::SynchronousMove& move) const;
 
-  // Whether a command that moves nothing ends a chain before it; outputs and marks that ride along
-  // with the motion do not.
-  [[nodiscard]] static bool ends_at(const lang::Payload& command);
-
   // Speeds of spindles, for all threads behind.
   void take_spindle(const lang::SpindleCommand& command);
 

@@ -1,0 +1,356 @@
+#include "channels/preparation/path_feed.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/overloaded.h"
+#include "channels/messages/channel_link.h"
+#include "channels/preparation/feed_limit.h"
+#include "channels/preparation/plain_item.h"
+#include "channels/preparation/scheme_switch.h"
+
+namespace stanok::channels {
+namespace {
+
+SpokenText spoken(const lang::Message& message) {
+  const bool warns = message.kind == lang::Message::Kind::warning;
+  return {FixedText<8>(warns ? "W0001" : ""), ShortText(message.text)};
+}
+
+// Back to the sink before at its end, whatever is thrown.
+class OtherSink {
+ public:
+  OtherSink(FeedSink*& place, FeedSink& sink) : place_(place), own_(std::exchange(place, &sink)) {}
+  ~OtherSink() { place_ = own_; }
+  OtherSink(const OtherSink&) = delete;
+  OtherSink& operator=(const OtherSink&) = delete;
+
+ private:
+  FeedSink*& place_;
+  FeedSink* own_;
+};
+
+Diagnostic no_probe(int channel) {
+  Diagnostic diagnostic;
+  diagnostic.code = "E4323";
+  diagnostic.message = "channel " + std::to_string(channel) + " has no probe";
+  diagnostic.help = {"give the channel of the machine file a probe_input"};
+  return diagnostic;
+}
+
+}  // namespace
+
+PathFeed::PathFeed(const MachineConfig& machine, const ChannelConfig& channel,
+                   const motion::MotionConfig& motion, FeedSink& sink)
+    : channel_(channel),
+      motion_(motion),
+      sink_(&sink),
+      blocks_(machine, channel, motion),
+      builder_(motion),
+      threads_(machine, channel, motion) {}
+
+void PathFeed::begin_run(std::uint32_t run) {
+  run_ = run;
+  blocks_executed_ = 0;
+  chain_open_ = false;
+}
+
+Expected<Taken, Diagnostic> PathFeed::take(const lang::Command& command) {
+  blocks_executed_ = std::max(blocks_executed_, command.block);
+  has_given_ = false;
+  sink_->begin_command(command);
+  Taken taken;
+  if (auto refusal = dispatch(command, taken)) {
+    if (program_ != nullptr) lang::put_at_block(*program_, command.origin, *refusal);
+    end_chain();
+    builder_.restart(blocks_.position_W(), blocks_.geometry());
+    return Unexpected<Diagnostic>(std::move(*refusal));
+  }
+  taken.gives = has_given_;
+  return taken;
+}
+
+Expected<Taken, Diagnostic> PathFeed::pass(const lang::Command& command, FeedSink& sink) {
+  const OtherSink other(sink_, sink);
+  return take(command);
+}
+
+PathFeed::Refusal PathFeed::dispatch(const lang::Command& command, Taken& taken) {
+  return std::visit(
+      Overloaded{
+          [&](const lang::Move& move) { return take_move(command, move); },
+          [&](const lang::SplineMove& spline) { return take_curve(command, spline); },
+          [&](const lang::SynchronousMove& move) { return take_thread(command, move); },
+          [&](const lang::ProbeMove& move) { return take_probing(command, move); },
+          [&](const lang::TransformationChange& change) {
+            return take_transformation(command, change);
+          },
+          [&](const auto&) {
+            if (auto item = plain_item(command.payload)) {
+              take_plain(command, *item);
+            } else {
+              take_other(command, taken);
+            }
+            return Refusal();
+          },
+      },
+      command.payload);
+}
+
+// The state for the motion behind it comes first.
+void PathFeed::take_plain(const lang::Command& command, Item& item) {
+  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
+    threads_.take_spindle(*spindle);
+  if (item.kind == ItemKind::spindle || item.kind == ItemKind::cutting_speed) take_state(command);
+  item.tag = tag_of(command);
+  give(item);
+}
+
+void PathFeed::take_other(const lang::Command& command, Taken& taken) {
+  const motion::BlockTag tag = tag_of(command);
+  std::visit(Overloaded{
+                 [&](const lang::ToolLength&) { take_state(command); },
+                 [&](const lang::FrameChange&) { take_state(command); },
+                 [&](const lang::FeedLawChange&) { blocks_.take_process(command.payload); },
+                 [&](const lang::Message& message) { give_remark({tag, spoken(message)}); },
+                 [&](const lang::WorkpieceAnnouncement& shape) {
+                   give_remark({tag, BlankNews{shape, blocks_.transform().frame}});
+                 },
+                 [&](const lang::WorkpiecePosition& position) { give_remark({tag, position}); },
+                 [&](const lang::Request& request) {
+                   taken.changes_axes = request.kind == lang::RequestKind::spindle_to_axis;
+                   take_request(command, request);
+                 },
+                 [&](const lang::OutputCommand& output) { take_output(command, output); },
+                 [&](const lang::MarkCommand& mark) { take_mark(command, mark); },
+                 [&](const lang::ProgramEnd& end) {
+                   taken.ends = true;
+                   take_end(command, end);
+                 },
+                 [](const auto&) {},
+             },
+             command.payload);
+}
+
+void PathFeed::take_state(const lang::Command& command) {
+  end_chain();
+  if (blocks_.take_state(command.payload)) give_transform();
+}
+
+PathFeed::Refusal PathFeed::take_transformation(const lang::Command& command,
+                                                const lang::TransformationChange& change) {
+  if (auto refusal = blocks_.refusal(change)) return refusal;
+  take_state(command);
+  return std::nullopt;
+}
+
+PathFeed::Refusal PathFeed::take_move(const lang::Command& command, const lang::Move& move) {
+  end_thread();
+  const motion::Point start = blocks_.position_W();
+  const auto block = blocks_.block(move, tag_of(command));
+  if (!block) return block.error();
+  sink_->take_motion(command, {&*block, 1});
+  if (sink_->depth() == FeedDepth::positions) return pass_motion(start, *block);
+  if (move.is_tap) {
+    if (auto refusal = tap_refusal(*block, start, blocks_.geometry(), motion_)) return refusal;
+  }
+  return follow(*block);
+}
+
+PathFeed::Refusal PathFeed::take_curve(const lang::Command& command,
+                                       const lang::SplineMove& spline) {
+  end_thread();
+  const motion::Point start = blocks_.position_W();
+  const auto blocks = blocks_.curve(spline, tag_of(command));
+  if (!blocks) return blocks.error();
+  sink_->take_motion(command, *blocks);
+  if (sink_->depth() == FeedDepth::positions) return pass_motion(start, blocks->back());
+  for (const motion::PathBlock& block : *blocks) {
+    if (auto refusal = follow(block)) return refusal;
+  }
+  return std::nullopt;
+}
+
+// A block without length takes no time.
+PathFeed::Refusal PathFeed::pass_motion(const motion::Point& start,
+                                        const motion::PathBlock& block) {
+  has_given_ = has_given_ || block.kind != motion::BlockKind::line || block.end != start;
+  return std::nullopt;
+}
+
+PathFeed::Refusal PathFeed::follow(const motion::PathBlock& block) {
+  chain_open_ = true;
+  if (const auto pose = builder_.add(block)) return unreachable_pose(*pose, channel_);
+  collect_segments();
+  return std::nullopt;
+}
+
+// A tap comes back to where it begins.
+PathFeed::Refusal PathFeed::take_thread(const lang::Command& command,
+                                        const lang::SynchronousMove& move) {
+  if (!threads_.continues(move)) end_chain();
+  const motion::Point start = blocks_.position_W();
+  const auto line = blocks_.thread_line(move.line, tag_of(command));
+  if (!line) return line.error();
+  sink_->take_motion(command, {&*line, 1});
+  if (move.kind == lang::SynchronousMove::Kind::rigid_tap) blocks_.return_to(start);
+  has_given_ = true;
+  if (sink_->depth() == FeedDepth::positions) return std::nullopt;
+  return threads_.add(move, *line, start, blocks_.geometry());
+}
+
+PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
+                                         const lang::ProbeMove& move) {
+  if (channel_.probe_input < 0) return no_probe(channel_.id);
+  Item probe = item_of(ItemKind::probe, tag_of(command));
+  probe.flag = move.until_contact;
+  probe.number = move.alarm_when_missed ? 1 : 0;
+  give(probe);
+  return take_move(command, move.line);
+}
+
+void PathFeed::take_request(const lang::Command& command, const lang::Request& request) {
+  Item item = item_of(ItemKind::request, tag_of(command));
+  RequestData& data = item.request;
+  data.kind = request.kind;
+  data.channel = request.channel;
+  data.number = request.number;
+  data.index = request.index;
+  data.analog = request.analog;
+  data.channels = request.channels;
+  data.seconds = request.seconds;
+  data.value = request.value;
+  data.combination = request.combination;
+  item.text = ShortText(request.text);
+  has_given_ = true;
+  end_chain();
+  sink_->take_request(item, request);
+}
+
+void PathFeed::take_output(const lang::Command& command, const lang::OutputCommand& output) {
+  if (!output.with_motion) {
+    Item item = item_of(ItemKind::output, tag_of(command));
+    item.flag = output.analog;
+    item.number = output.number;
+    item.value = output.value;
+    return give(item);
+  }
+  Rider rider;
+  rider.kind = output.analog ? RiderKind::analog_output : RiderKind::digital_output;
+  rider.tag = tag_of(command);
+  rider.before_block = command.block;
+  rider.number = output.number;
+  rider.value = output.value;
+  give_rider(rider);
+}
+
+void PathFeed::take_mark(const lang::Command& command, const lang::MarkCommand& mark) {
+  using Kind = lang::MarkCommand::Kind;
+  Rider rider;
+  rider.kind = mark.kind == Kind::set     ? RiderKind::mark_set
+               : mark.kind == Kind::clear ? RiderKind::mark_clear
+                                          : RiderKind::mark_wait;
+  rider.tag = tag_of(command);
+  rider.before_block = command.block + 1;
+  rider.number = mark.id;
+  rider.channels = mark.channels;
+  if (mark.kind == Kind::wait_soft) end_thread();
+  give_rider(rider);
+}
+
+void PathFeed::take_end(const lang::Command& command, const lang::ProgramEnd& end) {
+  const bool is_line = end.kind == lang::ProgramEndKind::end_of_line;
+  Item item = item_of(is_line ? ItemKind::line_end : ItemKind::run_end, tag_of(command));
+  item.number = static_cast<std::int64_t>(blocks_executed_);
+  item.flag = end.kind == lang::ProgramEndKind::restart;
+  give(item);
+}
+
+void PathFeed::give(const Item& item) {
+  has_given_ = true;
+  end_chain();
+  sink_->take_item(item);
+}
+
+// A chain with very many riders ends: its path must be delivered before the ring is full of them.
+void PathFeed::give_rider(const Rider& rider) {
+  has_given_ = true;
+  sink_->take_rider(rider);
+  if (++riders_in_chain_ >= riders_in_chain_max) end_chain();
+}
+
+void PathFeed::give_remark(const Remark& remark) {
+  has_given_ = true;
+  sink_->take_remark(remark);
+}
+
+void PathFeed::give_transform() {
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
+  Item item = item_of(ItemKind::transform, {});
+  item.transform = &blocks_.transform();
+  give(item);
+}
+
+void PathFeed::end_chain() {
+  end_thread();
+  if (!chain_open_) return;
+  builder_.finish();
+  collect_segments();
+  chain_open_ = false;
+  riders_in_chain_ = 0;
+}
+
+void PathFeed::end_thread() {
+  if (threads_.is_empty()) return;
+  sink_->take_thread(threads_.finish());
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
+}
+
+void PathFeed::collect_segments() {
+  for (const motion::PathBuilder::Built& built : builder_.built()) {
+    has_given_ = true;
+    sink_->take_segment(built);
+  }
+  builder_.built().clear();
+}
+
+void PathFeed::begin_machine_path(const motion::Point& axes_M) {
+  builder_.restart(axes_M);
+  Item frame = item_of(ItemKind::transform, {});
+  frame.transform = &machine_axes_transform();
+  give(frame);
+}
+
+bool PathFeed::move_axis(int axis, double position, double velocity) {
+  motion::PathBlock block;
+  block.ending = motion::BlockEnding::exact_stop;
+  block.end = builder_.end();
+  block.end[static_cast<std::size_t>(axis)] = position;
+  block.rapid = velocity <= 0.0;
+  block.feed_per_s = velocity;
+  block.transform = &machine_axes_transform();
+  return !follow(block);
+}
+
+void PathFeed::pass_switch(const kinematics::Scheme& scheme) {
+  blocks_.change_scheme(&scheme, axes_behind_switch(scheme, blocks_.axes_M()));
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
+}
+
+void PathFeed::forget_path() {
+  builder_.restart({});
+  builder_.built().clear();
+  threads_.forget();
+  chain_open_ = false;
+}
+
+motion::BlockTag PathFeed::tag_of(const lang::Command& command) const {
+  return {run_, command.block, command.origin.line, command.origin.file};
+}
+
+motion::BlockTag PathFeed::tag_at(int line, std::uint16_t file) const {
+  return {run_, blocks_executed_, static_cast<std::uint32_t>(std::max(0, line)), file};
+}
+
+}  // namespace stanok::channels

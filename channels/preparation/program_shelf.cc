@@ -1,0 +1,96 @@
+#include "channels/preparation/program_shelf.h"
+
+#include <utility>
+
+namespace stanok::channels {
+namespace {
+
+std::string first_error(const Diagnostics& diagnostics) {
+  for (const Diagnostic& d : diagnostics) {
+    if (d.severity != Severity::error) continue;
+    const std::string place = d.place.line > 0 ? d.place.file + ":" + std::to_string(d.place.line) +
+                                                     ":" + std::to_string(d.place.column) + ": "
+                                               : std::string();
+    return d.code + " " + place + d.message;
+  }
+  return "";
+}
+
+Item load_done(const std::string& name) {
+  Item item = item_of(ItemKind::load_done, {});
+  item.flag = true;
+  item.text = ShortText(name);
+  return item;
+}
+
+}  // namespace
+
+ProgramShelf::ProgramShelf(const ChannelConfig& channel,
+                           const lang::ChannelDescription& description, const lang::Files& files,
+                           SharedVariables& shared, ReportBook& reports,
+                           lang::Interruption is_unwanted)
+    : config_(channel),
+      description_(description),
+      files_(files),
+      shared_(shared),
+      reports_(reports),
+      is_unwanted_(std::move(is_unwanted)) {}
+
+void ProgramShelf::use(std::int32_t number) {
+  if (newest_.number != number || newest_.program == nullptr) return;
+  program_ = std::move(newest_.program);
+  name_ = std::move(newest_.name);
+  newest_ = {};
+}
+
+Item ProgramShelf::load(const std::string& name, std::int32_t number) {
+  Diagnostics diagnostics;
+  auto compiled = lang::compile(name, files_, &description_, diagnostics, is_unwanted_);
+  if (compiled) {
+    if (auto faults = declare_shared(**compiled); !faults.empty()) {
+      compiled = Unexpected<Diagnostics>(std::move(faults));
+    }
+  }
+  if (compiled) newest_ = {number, *compiled, name};
+  Item item = done(name, compiled, std::move(diagnostics));
+  item.number = number;
+  return item;
+}
+
+Item ProgramShelf::load_line(const std::string& line) {
+  Diagnostics diagnostics;
+  const auto compiled =
+      lang::compile_line(line, program_.get(), files_, &description_, diagnostics, is_unwanted_);
+  if (compiled) line_ = *compiled;
+  return done(line, compiled, std::move(diagnostics));
+}
+
+Item ProgramShelf::search_failed(const Diagnostic& fault) {
+  return done("", Unexpected<Diagnostics>({fault}), {});
+}
+
+Item ProgramShelf::search_found() const {
+  return load_done(name_);
+}
+
+Item ProgramShelf::done(const std::string& name, const Compiled& compiled,
+                        Diagnostics diagnostics) {
+  Item item = load_done(name);
+  if (!compiled) {
+    diagnostics.insert(diagnostics.end(), compiled.error().begin(), compiled.error().end());
+    item.flag = false;
+    item.text = ShortText(first_error(compiled.error()));
+  }
+  reports_.add_diagnostics(config_.id, diagnostics);
+  return item;
+}
+
+Diagnostics ProgramShelf::declare_shared(const lang::Program& program) {
+  Diagnostics faults;
+  for (const lang::SharedVariable& variable : lang::shared_variables(program)) {
+    if (auto fault = shared_.declare(variable)) faults.push_back(std::move(*fault));
+  }
+  return faults;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,60 @@
+// QueueSink: the results of a PathFeed on their way to the cycle: path through laws and look-ahead,
+// items, riders and remarks, into the rings of the channel.
+//
+// Thread: that of the preparation. Owner: the channel's preparation. Invariant: an item enters its
+// ring after all path and riders that come before it in the program.
+#pragma once
+
+#include <deque>
+
+#include "channels/messages/channel_link.h"
+#include "channels/preparation/feed_sink.h"
+#include "channels/stores/block_book.h"
+#include "channels/stores/shared_variables.h"
+#include "motion/feed_law_stage.h"
+#include "motion/look_ahead.h"
+
+namespace stanok::channels {
+
+class QueueSink final : public FeedSink {
+ public:
+  // All arguments outlive the sink.
+  QueueSink(const motion::MotionConfig& motion, ChannelLink& link, SharedVariables& shared,
+            BlockBook& blocks);
+
+  // A warning that is given once a run is due again.
+  void begin_run() { feed_is_warned_of_ = false; }
+
+  [[nodiscard]] FeedDepth depth() const override { return FeedDepth::path; }
+  void take_motion(const lang::Command& command,
+                   std::span<const motion::PathBlock> blocks) override;
+  void take_segment(const motion::PathBuilder::Built& built) override;
+  void take_thread(motion::ThreadChain chain) override;
+  void take_item(const Item& item) override;
+  void take_request(const Item& item, const lang::Request& request) override;
+  void take_rider(const Rider& rider) override { pending_riders_.push_back(rider); }
+  void take_remark(const Remark& remark) override { pending_remarks_.push_back(remark); }
+
+  // Delivers what the rings have room for; true when nothing is left that waits for room.
+  [[nodiscard]] bool flush();
+  // Items wait for room, and with them all that comes behind.
+  [[nodiscard]] bool holds_items() const { return !pending_items_.empty(); }
+  // What was not delivered is dropped.
+  void forget();
+
+ private:
+  void warn_of_feed(const motion::Piece& piece);
+
+  const motion::MotionConfig& motion_;
+  ChannelLink& link_;
+  SharedVariables& shared_;
+  BlockBook& block_book_;
+  motion::FeedLawStage laws_;
+  motion::LookAhead look_ahead_;
+  bool feed_is_warned_of_ = false;  // once a run
+  std::deque<Item> pending_items_;
+  std::deque<Remark> pending_remarks_;
+  std::deque<Rider> pending_riders_;
+};
+
+}  // namespace stanok::channels

@@ -1,0 +1,228 @@
+#include "channels/preparation/search_runner.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "channels/preparation/search_sink.h"
+
+namespace stanok::channels {
+namespace {
+
+Diagnostic no_such_target(const std::string& text) {
+  Diagnostic diagnostic;
+  diagnostic.code = "E6040";
+  diagnostic.message = "`" + text + "` names no block";
+  diagnostic.help = {"name a line, 120, or a block number, N40; in another file, sub.nc:120"};
+  return diagnostic;
+}
+
+// The axis along which a tool comes to the workpiece: Z of mills, X of lathes; -1: none.
+int infeed_axis(const std::array<int, 3>& geometry) {
+  return geometry[1] >= 0 ? geometry[2] : geometry[0];
+}
+
+}  // namespace
+
+SearchRunner::Outcome SearchRunner::look(const Notice& notice,
+                                         std::shared_ptr<const lang::Program> program) {
+  const std::string text(notice.text.view());
+  forget();
+  auto target = lang::search_target(text);
+  if (!target) return fail(no_such_target(text));
+  target->passes = static_cast<int>(std::max(1.0, notice.value));
+  const auto place = lang::find_place(*program, *target);
+  if (!place) return fail(place.error());
+  search_.emplace();
+  search_->place = *place;
+  search_->calculates = notice.ok;
+  parts_.set_program(std::move(program));
+  parts_.restart(notice.number, notice.axes_M);
+  parts_.feed.blocks().forget_laws();
+  parts_.interpreter.set_block_skip(notice.block_skip);
+  const Outcome outcome = enter(ProgramSearch::Stage::look);
+  return outcome == Outcome::entered ? arrive() : outcome;
+}
+
+SearchRunner::Outcome SearchRunner::begin_run() {
+  const Outcome outcome = enter(ProgramSearch::Stage::run);
+  if (outcome == Outcome::entered) forget();
+  return outcome;
+}
+
+SearchRunner::Outcome SearchRunner::enter(ProgramSearch::Stage stage) {
+  const motion::Point position_B = parts_.feed.blocks().position_B();
+  search_->stage = stage;
+  search_->collector = {};
+  search_->axes_M = parts_.feed.blocks().axes_M();
+  search_->scheme = parts_.scheme;
+  parts_.feed.forget_threads();
+  if (search_->calculates) {
+    parts_.interpreter.start_search(parts_.program, position_B, search_->place);
+    return Outcome::working;
+  }
+  if (const auto fault = parts_.interpreter.start_at(parts_.program, position_B, search_->place))
+    return fail(*fault);
+  return Outcome::entered;
+}
+
+SearchRunner::Outcome SearchRunner::advance(int commands) {
+  for (int n = 0; n < commands; ++n) {
+    switch (parts_.interpreter.next(parts_.command)) {
+      case lang::Step::command:
+        if (const auto fault = pass(parts_.command)) return fail(*fault);
+        break;
+      case lang::Step::working:
+        return Outcome::computing;
+      case lang::Step::waiting:
+        break;  // its request was answered when it came
+      case lang::Step::stopped:
+        return arrive();
+      case lang::Step::ended:
+        return fail(lang::ended_before(*parts_.program, search_->place));
+      case lang::Step::failed:
+        return fail(parts_.interpreter.error());
+    }
+  }
+  return Outcome::working;
+}
+
+void SearchRunner::forget() {
+  search_.reset();
+  parts_.reports.tell_search(parts_.config.id, std::nullopt);
+}
+
+SearchRunner::Outcome SearchRunner::fail(const Diagnostic& fault) {
+  const bool belongs_to_run = search_ && search_->stage == ProgramSearch::Stage::run;
+  fault_ = fault;
+  forget();
+  return belongs_to_run ? Outcome::run_failed : Outcome::failed;
+}
+
+// At the target: an operator is told, or the run begins.
+SearchRunner::Outcome SearchRunner::arrive() {
+  if (const auto obstacle = obstacle_at_target()) return fail(*obstacle);
+  const motion::Point target = parts_.feed.blocks().position_W();
+  parts_.feed.blocks().go_on_from(search_->axes_M);
+  if (search_->stage == ProgramSearch::Stage::run) {
+    approach(target);
+    return Outcome::entered;
+  }
+  search_->stage = ProgramSearch::Stage::found;
+  SearchReport report;
+  report.file = lang::file_name(*parts_.program, search_->place.file);
+  report.line = search_->place.line;
+  report.words = parts_.config.words;
+  const motion::Point end = parts_.feed.blocks().programmed(target);
+  const motion::Point start = parts_.feed.blocks().programmed(parts_.feed.blocks().position_W());
+  const auto count = static_cast<std::ptrdiff_t>(parts_.config.words.size());
+  if (search_->calculates) report.position.assign(end.begin(), end.begin() + count);
+  report.stands_at.assign(start.begin(), start.begin() + count);
+  report.state = search_->collector.state();
+  parts_.reports.tell_search(parts_.config.id, report);
+  return Outcome::found;
+}
+
+std::optional<Diagnostic> SearchRunner::obstacle_at_target() const {
+  Diagnostic diagnostic;
+  diagnostic.place.file = lang::file_name(*parts_.program, search_->place.file);
+  diagnostic.place.line = static_cast<int>(search_->place.line);
+  if (search_->scheme != parts_.scheme) {
+    const std::string scheme = std::to_string(search_->scheme->config().id);
+    diagnostic.code = "E6043";
+    diagnostic.message = "at the target the channel has the kinematic scheme " + scheme +
+                         ", now it has " + std::to_string(parts_.scheme->config().id);
+    diagnostic.help = {"stanok kinematics select " + scheme +
+                       ", then begin behind the switch without calculation, or before it"};
+    return diagnostic;
+  }
+  const auto& converted = search_->collector.state().spindles_as_axes;
+  if (!converted.empty()) {
+    diagnostic.code = "E6044";
+    diagnostic.message =
+        "at the target spindle " + std::to_string(*converted.begin()) + " is an axis";
+    diagnostic.help = {"begin before its M902, or behind its M903"};
+    return diagnostic;
+  }
+  return std::nullopt;
+}
+
+// The position follows the program; nothing becomes a path.
+std::optional<Diagnostic> SearchRunner::pass(const lang::Command& command) {
+  SearchSink sink(search_->collector);
+  const auto taken = parts_.feed.pass(command, sink);
+  if (!taken) return taken.error();
+  if (const auto* request = std::get_if<lang::Request>(&command.payload))
+    return pass_request(command, *request);
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> SearchRunner::pass_request(const lang::Command& command,
+                                                     const lang::Request& request) {
+  auto answer = answer_of_tables(request);
+  if (!answer) answer = search_->collector.answer(request);
+  if (!answer) return lang::answer_is_unknown(*parts_.program, command.origin);
+  const bool own =
+      request.kind == lang::RequestKind::kinematics && request.channel == parts_.config.id;
+  if (own && parts_.schemes.contains(request.number)) {
+    search_->scheme = parts_.schemes.at(request.number).get();
+    parts_.feed.pass_switch(*search_->scheme);
+    parts_.tables.set_scheme(*search_->scheme);
+  }
+  answer->position_B = parts_.feed.blocks().position_B();
+  answer->position_valid = true;
+  parts_.interpreter.answer(*answer);
+  return std::nullopt;
+}
+
+// Tables are read as they are now; nothing: this is no question to them.
+std::optional<lang::Answer> SearchRunner::answer_of_tables(const lang::Request& request) const {
+  std::optional<double> value;
+  if (request.kind == lang::RequestKind::tool_table_read) {
+    value = parts_.live.tool_value(request.number, request.index, request.channel);
+  } else if (request.kind == lang::RequestKind::offset_table_read) {
+    const int axis = request.index >= 0
+                         ? parts_.config.axes.at(static_cast<std::size_t>(request.index))
+                         : request.index;
+    value = parts_.live.offset(request.number, axis);
+  }
+  if (!value) return std::nullopt;
+  lang::Answer answer;
+  answer.number = *value;
+  return answer;
+}
+
+// The state first, then the axes; the program goes on at its target.
+void SearchRunner::approach(const motion::Point& target) {
+  const lang::SearchState state = search_->collector.state();
+  lang::Command command;
+  command.origin = {search_->place.file, search_->place.line};
+  command.block = parts_.feed.blocks_executed();
+  forget();
+  parts_.feed.give_transform();
+  for (lang::Payload& payload : commands_to_restore(state)) {
+    command.payload = std::move(payload);
+    entry_.push_back(command);
+  }
+  motion::Point before = parts_.feed.blocks().position_W();
+  for (const motion::Point& point :
+       approach_points(before, target, infeed_axis(parts_.feed.blocks().geometry()))) {
+    lang::Move move;
+    move.stop_at_end = true;
+    move.words = axes_apart(before, point);
+    const motion::Point end = parts_.feed.blocks().programmed(point);
+    std::copy(end.begin(), end.end(), move.end.begin());
+    command.payload = move;
+    entry_.push_back(command);
+    before = point;
+  }
+}
+
+bool SearchRunner::next_entry(lang::Command& command) {
+  if (entry_.empty()) return false;
+  command = std::move(entry_.front());
+  entry_.pop_front();
+  return true;
+}
+
+}  // namespace stanok::channels

@@ -1,0 +1,68 @@
+// SearchRunner: block search: the loaded program is interpreted up to a block and nothing of it is
+// executed; then the axes approach and it goes on.
+//
+// Thread: that of the preparation. Owner: the channel's preparation. Invariant: from its beginning
+// to its outcome a search has the interpreter and the feed of the parts for itself.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "channels/messages/item.h"
+#include "channels/preparation/preparation_parts.h"
+#include "channels/preparation/program_search.h"
+
+namespace stanok::channels {
+
+class SearchRunner {
+ public:
+  enum class Outcome {
+    working,
+    computing,   // nothing that the cycle could wait for
+    found,       // the operator was told; the search waits for the start of the program
+    entered,     // the run can go on: its entry first, then the interpreter
+    failed,      // see `fault`
+    run_failed,  // the same of a search at the beginning of a run
+  };
+
+  // The parts outlive the search.
+  explicit SearchRunner(PreparationParts& parts) : parts_(parts) {}
+
+  // Looks in `program` for the block that the notice names.
+  [[nodiscard]] Outcome look(const Notice& notice, std::shared_ptr<const lang::Program> program);
+  // The run begins where a block was found: is_set() holds, the parts are restarted.
+  [[nodiscard]] Outcome begin_run();
+  // Goes on by so many commands at most; is_under_way() holds.
+  [[nodiscard]] Outcome advance(int commands);
+
+  // The next run shall begin in the middle, or it is searched for.
+  [[nodiscard]] bool is_set() const { return search_.has_value(); }
+  [[nodiscard]] bool is_under_way() const {
+    return search_ && search_->stage != ProgramSearch::Stage::found;
+  }
+  [[nodiscard]] const Diagnostic& fault() const { return fault_; }
+
+  // The next command of an entry in the middle; false: there is none.
+  [[nodiscard]] bool next_entry(lang::Command& command);
+  void forget_entry() { entry_.clear(); }
+  void forget();
+
+ private:
+  [[nodiscard]] Outcome enter(ProgramSearch::Stage stage);
+  [[nodiscard]] Outcome fail(const Diagnostic& fault);
+  [[nodiscard]] Outcome arrive();
+  [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
+  [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Command& command,
+                                                       const lang::Request& request);
+  [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
+  [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
+  void approach(const motion::Point& target);
+
+  PreparationParts& parts_;
+  std::optional<ProgramSearch> search_;
+  std::deque<lang::Command> entry_;
+  Diagnostic fault_;
+};
+
+}  // namespace stanok::channels

@@ -1,0 +1,93 @@
+// A block search alone: where it comes to and what the entry of the run is.
+#include "channels/preparation/search_runner.h"
+
+#include <gtest/gtest.h>
+
+#include "channels/preparation/search_sink.h"
+#include "tests/channels/preparation/preparation_bench.h"
+
+namespace stanok::channels {
+namespace {
+
+using Outcome = SearchRunner::Outcome;
+
+class SearchRunnerTest : public ::testing::Test {
+ protected:
+  Outcome look(const std::string& target, bool calculates) {
+    bench_.files.texts["part.nc"] = "G94\nS500 M3\nG0 X10 Y5 Z5\nG1 X20 F100\nG1 X30\nM30\n";
+    Diagnostics warnings;
+    const auto program = lang::compile("part.nc", bench_.files, &parts_.description, warnings);
+    EXPECT_TRUE(program);
+    Notice notice = PreparationBench::notice(NoticeKind::search, target);
+    notice.ok = calculates;
+    return finished(search_.look(notice, *program));
+  }
+  Outcome finished(Outcome outcome) {
+    while (outcome == Outcome::working || outcome == Outcome::computing)
+      outcome = search_.advance(64);
+    return outcome;
+  }
+
+  PreparationBench bench_;
+  PreparationParts parts_{bench_.machine, bench_.channel, bench_.schemes, bench_.files,
+                          bench_.books};
+  SearchRunner search_{parts_};
+};
+
+TEST_F(SearchRunnerTest, FindsTheBlockAndTellsWhereItIs) {
+  ASSERT_EQ(look("5", true), Outcome::found);
+  EXPECT_TRUE(search_.is_set());
+  EXPECT_FALSE(search_.is_under_way());
+  const auto report = bench_.reports.search(1);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->line, 5U);
+  ASSERT_EQ(report->position.size(), 5U);
+  EXPECT_EQ(report->position[0], 20.0);
+  EXPECT_EQ(report->position[1], 5.0);
+  EXPECT_TRUE(bench_.items().empty());  // nothing of it is executed
+}
+
+TEST_F(SearchRunnerTest, TheRunIsEnteredWithItsStateAndAnApproach) {
+  ASSERT_EQ(look("5", true), Outcome::found);
+  parts_.restart(1, {});
+  ASSERT_EQ(finished(search_.begin_run()), Outcome::entered);
+  EXPECT_FALSE(search_.is_set());
+  lang::Command command;
+  bool spindle = false;
+  motion::Point end{};
+  while (search_.next_entry(command)) {
+    if (const auto* move = std::get_if<lang::Move>(&command.payload))
+      std::copy(move->end.begin(), move->end.end(), end.begin());
+    spindle = spindle || std::holds_alternative<lang::SpindleCommand>(command.payload);
+  }
+  EXPECT_TRUE(spindle);
+  EXPECT_EQ(end[0], 20.0);
+  EXPECT_EQ(end[2], 5.0);
+}
+
+TEST_F(SearchRunnerTest, WithoutCalculationTheRunIsEnteredAtOnce) {
+  ASSERT_EQ(look("5", false), Outcome::found);
+  parts_.restart(1, {});
+  EXPECT_EQ(search_.begin_run(), Outcome::entered);
+  lang::Command command;
+  EXPECT_FALSE(search_.next_entry(command));
+}
+
+TEST_F(SearchRunnerTest, WhatIsNoBlockFailsAndLeavesNothing) {
+  EXPECT_EQ(look("N77", true), Outcome::failed);
+  EXPECT_FALSE(search_.is_set());
+  EXPECT_FALSE(search_.fault().code.empty());
+}
+
+TEST(SearchSinkTest, KeepsTheStateOfTheMachine) {
+  lang::SearchCollector collector;
+  SearchSink sink(collector);
+  EXPECT_EQ(sink.depth(), FeedDepth::positions);
+  lang::Command command;
+  command.payload = lang::ToolChange{.tool = 7};
+  sink.begin_command(command);
+  EXPECT_EQ(collector.state().tool, 7);
+}
+
+}  // namespace
+}  // namespace stanok::channels
