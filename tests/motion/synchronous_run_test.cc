@@ -280,6 +280,23 @@ TEST(SynchronousRun, ACornerToAMuchLargerLeadIsJoinedWhenThePathHasSettled) {
   }
 }
 
+// Through 256 pulses a turn in a second looks a quarter faster or slower from cycle to cycle.
+TEST(SynchronousRun, ASlowSpindleWithACoarseEncoderIsNotTooFastForACorner) {
+  constexpr double speed = 1.03;
+  for (int start = 0; start < 10; ++start) {
+    ThreadBench bench(steady(speed), speed, at(0.0, 0.0));
+    bench.see_through(256);
+    bench.idle(0.3 + 0.0137 * start);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), speed);
+    ASSERT_FALSE(builder.add(block_to(at(0.0, 1.0), 0.2)));
+    ASSERT_FALSE(builder.add(block_to(at(0.1, 2.0), 0.2)));
+    bench.send(builder);
+    EXPECT_EQ(bench.cut().back().z, 2.0) << start;
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+  }
+}
+
 TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
