@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "config/machine_file.h"
+#include "config/files/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
 #include "runtime/simulation.h"
