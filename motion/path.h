@@ -210,6 +210,8 @@ struct SpindleCoupling {
   double start_angle_deg = 0.0;  // of the spindle at s = 0
   // What the axes allow along s: turns per s, s^2, s^3.
   double speed_max = 0.0;
+  // Kept of it: a bound in steps of cycles passes it by jerk * cycle^2 / 8.
+  static constexpr double speed_share = 0.99;
   struct Section {
     double acceleration_max = 0.0;
     double jerk_max = 0.0;

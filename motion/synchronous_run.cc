@@ -25,9 +25,6 @@ constexpr double change_in_run_in = 0.25;
 // speed have room.
 constexpr double run_ins_before_corner = 3.0;
 
-// Kept of the highest speed: a bound in steps of cycles passes it by jerk * cycle^2 / 8.
-constexpr double speed_share = 0.99;
-
 // A spindle that is farther from the speed it is commanded to has not come to it.
 constexpr double ripple_max = 0.3;
 constexpr double turning_speed_min = 0.1;  // turns/s; slower ones do not turn
@@ -180,7 +177,8 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   const bool has_speed = speed >= turning_speed_min &&
                          std::abs(spindle.speed - spindle.speed_wanted) <= ripple_max * speed;
   // The speed of the moment is noisy, and the more so the slower it is.
-  if (has_speed && std::min(speed, std::abs(mean_speed_)) > speed_share * coupling_.speed_max) {
+  if (has_speed &&
+      std::min(speed, std::abs(mean_speed_)) > SpindleCoupling::speed_share * coupling_.speed_max) {
     lose();
     return false;
   }
@@ -290,7 +288,7 @@ double SynchronousRun::jerk_allowed(double wanted) const RT_SAFE {
   const double high = std::min(limits_.j, (limits_.a - motion_.a) / cycle_s_);
   // A thread does not go back.
   const bool is_tap = coupling_.kind == SpindleCoupling::Kind::tap;
-  const double v_max = speed_share * coupling_.speed_max;
+  const double v_max = SpindleCoupling::speed_share * coupling_.speed_max;
   const double v_min = is_tap ? -v_max : 0.0;
   const auto eased = [&](double j) RT_SAFE {
     const PathMotion next = after(motion_, j, cycle_s_);

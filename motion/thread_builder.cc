@@ -51,7 +51,7 @@ ThreadFault too_slow_axis(const Piece& piece, double speed, const MotionConfig& 
   evaluate(piece, 0.0, point);
   to_machine(piece, point, axes);
   ThreadFault fault{.kind = ThreadFault::Kind::axis_too_slow,
-                    .speed_max = 1.0 / piece.bounds.velocity};
+                    .speed_max = SpindleCoupling::speed_share / piece.bounds.velocity};
   double most = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
     const double used = std::abs(axes[k].first) / config.axes[k].velocity_max;
@@ -59,7 +59,7 @@ ThreadFault too_slow_axis(const Piece& piece, double speed, const MotionConfig& 
     most = used;
     fault.axis = static_cast<int>(k);
     fault.value = std::abs(axes[k].first) * speed;
-    fault.limit = config.axes[k].velocity_max;
+    fault.limit = SpindleCoupling::speed_share * config.axes[k].velocity_max;
   }
   return fault;
 }
@@ -113,7 +113,7 @@ ThreadBuilder::Straight ThreadBuilder::straight(const ThreadBlock& block,
 
 std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block, double lead_mm) const {
   if (const auto excess = soft_limit_excess(block.whole, config_)) return unreachable(*excess);
-  if (block.whole.bounds.velocity * speed_ > 1.0)
+  if (block.whole.bounds.velocity * speed_ > SpindleCoupling::speed_share)
     return too_slow_axis(block.whole, speed_, config_);
   const double jerk = piece_limits(block.whole.bounds, unlimited).j;
   if (jerk < jerk_least_) {

@@ -132,8 +132,8 @@ Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) co
     case Kind::axis_too_slow:
       return fault("E5302",
                    "axis " + axis_word(channel_, found.axis) + " would need " +
-                       short_number(found.value) + " mm/s at " + speed + ", its limit is " +
-                       short_number(found.limit),
+                       short_number(found.value) + " mm/s at " + speed +
+                       ", its limit on a thread is " + short_number(found.limit),
                    "turn the spindle with at most S" + speed_text(found.speed_max) +
                        ", or cut a smaller lead");
     case Kind::corner_too_sharp:

@@ -17,8 +17,19 @@ TEST(ThreadBuilder, NamesTheAxisThatIsTooSlowAndTheHighestSpeed) {
   EXPECT_EQ(fault->kind, ThreadFault::Kind::axis_too_slow);
   EXPECT_EQ(fault->axis, static_cast<int>(Z));
   EXPECT_NEAR(fault->value, 300.0, 1e-9);
-  EXPECT_EQ(fault->limit, 250.0);
-  EXPECT_NEAR(fault->speed_max, 250.0 / 6.0, 1e-9);
+  // A hundredth of the speed is kept for the regulator.
+  EXPECT_NEAR(fault->limit, 247.5, 1e-9);
+  EXPECT_NEAR(fault->speed_max, 247.5 / 6.0, 1e-9);
+}
+
+TEST(ThreadBuilder, RefusesASpeedThatTheRunWouldRefuse) {
+  const MotionConfig config = lathe_axes();
+  ThreadBuilder builder(config);
+  builder.begin(at(0.0, 0.0), config.geometry, thread_from(0.0), 10.0);
+  const auto fault = builder.add(block_to(at(0.0, -20.0), 24.8));  // 248 of 250 mm/s
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, ThreadFault::Kind::axis_too_slow);
+  EXPECT_FALSE(builder.add(block_to(at(0.0, -20.0), 24.7)));
 }
 
 TEST(ThreadBuilder, RefusesACornerThatItsToleranceMakesTooSharp) {
