@@ -34,6 +34,10 @@ constexpr double spindle_standstill =
 // though the speed of the moment is not quite known.
 constexpr double stop_reserve = 1.05;
 constexpr double lag_max = 1.0 / 50;  // turns off the law
+constexpr double settled_lag = lag_max / 4;
+
+// The share of jerk and acceleration with which the regulator takes a large difference away.
+constexpr double taken_back = 0.5;
 
 PathMotion after(const PathMotion& m, double j, double t) RT_SAFE {
   return {.s = m.s + t * (m.v + t * (0.5 * m.a + t * j / 6.0)),
@@ -228,7 +232,7 @@ void SynchronousRun::follow(const Jet& course) RT_SAFE {
     lose();
     return run_brake();
   }
-  const PathMotion next = after(motion_, jerk_allowed(jerk_towards(course)), cycle_s_);
+  const PathMotion next = after(motion_, jerk_allowed(jerk_towards(course, limits_)), cycle_s_);
   const bool goes_back = next.v < 0.0;
   const double end = goes_back ? 0.0 : length_;
   if (!comes_to_rest_before(end, next)) {
@@ -247,38 +251,73 @@ bool SynchronousRun::changes_limits(const Jet& course) RT_SAFE {
   if (motion_.s >= coupling_.exit_begin) {
     limits_ = limits_of(coupling_.exit);
   } else if (is_in_law_ && !has_joined_) {
-    const RampLimits chain = limits_of(coupling_.chain);
-    const bool fits = std::abs(motion_.a) <= chain.a &&
-                      std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
-    // A regulator that is held back by its limits overshoots: while there is time, not in such a
-    // cycle.
-    const bool has_time = brakes_before_corner();
-    const bool is_calm = std::abs(jerk_towards(course)) <= chain.j;
-    has_joined_ = fits && (is_calm || !has_time);
-    if (has_joined_) limits_ = chain;
-    return has_joined_ || has_time;
+    return joins_chain(course);
   }
   return true;
+}
+
+// A regulator that is held back by its limits overshoots: while there is time, those of the chain
+// come when the path has settled in the law, first that of the acceleration and in a cycle whose
+// jerk is within it that of the jerk.
+bool SynchronousRun::joins_chain(const Jet& course) RT_SAFE {
+  const RampLimits chain = limits_of(coupling_.chain);
+  const RampLimits run_in = runs_in_by_chain_ ? chain : limits_of(coupling_.entry);
+  const bool has_time = brakes_before_corner(run_in);
+  const bool has_acceleration = std::abs(motion_.a) <= chain.a;
+  const bool has_settled = is_settled(course, chain);
+  if (has_acceleration && has_settled) limits_.a = chain.a;
+  const bool is_calm = has_settled && std::abs(jerk_towards(course, chain)) <= chain.j;
+  const bool has_speed =
+      std::abs(eased_speed(motion_.v, motion_.a, chain.j)) <= coupling_.speed_max;
+  has_joined_ = has_acceleration && has_speed && (is_calm || !has_time);
+  if (has_joined_) limits_ = chain;
+  if (!has_joined_ && !has_time) limits_ = run_in;
+  return has_joined_ || has_time;
+}
+
+// Whether the path, with these limits, comes into the law and leaves it on its way by no more than
+// a part of what may be: by what it is off now, and by what its speed is until the jerk has taken
+// that away.
+bool SynchronousRun::is_settled(const Jet& course, const RampLimits& limits) const RT_SAFE {
+  const double j = limits.j;
+  const PathMotion due = before(course);
+  const double ease = std::abs(due.a - motion_.a) / j;
+  const double speed = std::abs(due.v - motion_.v) + 0.5 * j * ease * ease;
+  const double time = ease + 2.0 * std::sqrt(speed / j);
+  return std::abs(due.s - motion_.s) + 0.5 * speed * time <= settled_lag;
 }
 
 // The acceleration of the moment follows the steps of the encoder: what is beyond the limits of the
 // chain in one cycle is within them some cycles later, and there is time for that as long as the
 // limits of the entry bring the path to rest before the first corner.
-bool SynchronousRun::brakes_before_corner() const RT_SAFE {
+bool SynchronousRun::brakes_before_corner(const RampLimits& limits) const RT_SAFE {
   const double a = std::max(motion_.a, 0.0);
-  const double t = cycle_s_ + a / limits_.j;  // the jerk may still raise it in this cycle
-  const double way = t * (motion_.v + t * (a + 0.5 * limits_.j * cycle_s_));
-  const double v = motion_.v + t * (a + limits_.j * cycle_s_);
-  return motion_.s + way + ramp_distance(0.0, v, limits_) < coupling_.entry_end;
+  const double t = cycle_s_ + a / limits.j;  // the jerk may still raise it in this cycle
+  const double way = t * (motion_.v + t * (a + 0.5 * limits.j * cycle_s_));
+  const double v = motion_.v + t * (a + limits.j * cycle_s_);
+  return motion_.s + way + ramp_distance(0.0, v, limits) < coupling_.entry_end;
+}
+
+// Where the course, which is that of the set-point, was at the start of its cycle.
+PathMotion SynchronousRun::before(const Jet& course) const RT_SAFE {
+  return after({course.value, course.first, course.second}, course.third, -cycle_s_);
 }
 
 // The jerk over the cycle up to the set-point: that of the course, and the regulator's on the
-// difference at the start of the cycle.
-double SynchronousRun::jerk_towards(const Jet& course) const RT_SAFE {
-  const PathMotion due =
-      after({course.value, course.first, course.second}, course.third, -cycle_s_);
-  return course.third + gain_s_ * (due.s - motion_.s) + gain_v_ * (due.v - motion_.v) +
-         gain_a_ * (due.a - motion_.a);
+// difference at the start of the cycle. Its loops lie in each other: what the path is off asks for
+// a speed, that for an acceleration, that for a jerk. A difference so large that the jerk would be
+// beyond the limits is taken away as the limits can, on the curves of constant jerk v^3 ~ s^2 and
+// a^2 ~ v, else a chain of three integrators swings up.
+double SynchronousRun::jerk_towards(const Jet& course, const RampLimits& limits) const RT_SAFE {
+  const PathMotion due = before(course);
+  const double s = due.s - motion_.s;
+  const double by_s =
+      std::min({gain_s_ / gain_v_ * std::abs(s), std::cbrt(4.5 * taken_back * limits.j * s * s),
+                std::sqrt(2.0 * taken_back * limits.a * std::abs(s))});
+  const double v = due.v - motion_.v + std::copysign(by_s, s);
+  const double by_v = std::min({gain_v_ / gain_a_ * std::abs(v),
+                                std::sqrt(2.0 * taken_back * limits.j * std::abs(v)), limits.a});
+  return course.third + gain_a_ * (due.a - motion_.a + std::copysign(by_v, v));
 }
 
 // The jerk nearest to the one wanted that keeps jerk, acceleration, and the speed at which the

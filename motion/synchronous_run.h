@@ -70,7 +70,9 @@ class SynchronousRun {
   [[nodiscard]] bool keeps_speed(const SpindleMotion& spindle) const RT_SAFE;
   [[nodiscard]] kinematics::Jet course(const SpindleMotion& spindle) RT_SAFE;
   void follow(const kinematics::Jet& course) RT_SAFE;
-  [[nodiscard]] double jerk_towards(const kinematics::Jet& course) const RT_SAFE;
+  [[nodiscard]] PathMotion before(const kinematics::Jet& course) const RT_SAFE;
+  [[nodiscard]] double jerk_towards(const kinematics::Jet& course, const RampLimits& limits) const
+      RT_SAFE;
   [[nodiscard]] double jerk_allowed(double wanted) const RT_SAFE;
   void leave(const SpindleMotion& spindle) RT_SAFE;
   void turn_spindle(const SpindleMotion& spindle) RT_SAFE;
@@ -78,7 +80,10 @@ class SynchronousRun {
   [[nodiscard]] bool stands_with(const SpindleMotion& spindle) const RT_SAFE;
   void lose() RT_SAFE;
   [[nodiscard]] bool changes_limits(const kinematics::Jet& course) RT_SAFE;
-  [[nodiscard]] bool brakes_before_corner() const RT_SAFE;
+  [[nodiscard]] bool joins_chain(const kinematics::Jet& course) RT_SAFE;
+  [[nodiscard]] bool is_settled(const kinematics::Jet& course, const RampLimits& limits) const
+      RT_SAFE;
+  [[nodiscard]] bool brakes_before_corner(const RampLimits& limits) const RT_SAFE;
   // Phases to rest, and whether they end where the chain does.
   struct WayToRest {
     std::array<Phase, 2 + PhaseRun::capacity> phases{};
