@@ -17,6 +17,11 @@ constexpr std::size_t blocks_max = 500;  // three pieces each, in one chunk of t
 constexpr double reserve_wanted = 1.45;
 constexpr double reserve_least = 1.25;
 
+// The jerk that a corner leaves to the regulator, over what one block needs for its encoder, where
+// it may be; the lesser one is what no random chain came off the law with.
+constexpr double jerk_wanted = 1.0;
+constexpr double jerk_least = 0.6;
+
 // Of a block, that one corner may take; and where another one follows that needs room.
 constexpr double part_max = 0.95;
 constexpr double part_of_two = 0.475;
@@ -80,11 +85,12 @@ Point on(const Point& start, const Point& per_turn, double turns) {
 }  // namespace
 
 void ThreadBuilder::begin(const Point& start, const std::array<int, 3>& geometry,
-                          const SpindleCoupling& coupling, double speed, double jerk_least) {
+                          const SpindleCoupling& coupling, double speed, double jerk_to_follow) {
   config_.geometry = geometry;
   coupling_ = coupling;
   speed_ = speed;
-  jerk_least_ = jerk_least;
+  jerk_to_follow_ = jerk_to_follow;
+  straights_ = {};
   end_ = start;
   blocks_.clear();
 }
@@ -116,9 +122,9 @@ std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block, double
   if (block.whole.bounds.velocity * speed_ > SpindleCoupling::speed_share)
     return too_slow_axis(block.whole, speed_, config_);
   const double jerk = piece_limits(block.whole.bounds, unlimited).j;
-  if (jerk < jerk_least_) {
+  if (jerk < jerk_to_follow_) {
     return ThreadFault{.kind = ThreadFault::Kind::encoder_too_coarse,
-                       .lead_max = lead_mm * jerk / jerk_least_};
+                       .lead_max = lead_mm * jerk / jerk_to_follow_};
   }
   return std::nullopt;
 }
@@ -127,13 +133,77 @@ std::optional<ThreadFault> ThreadBuilder::add(const ThreadBlock& block) {
   Straight next = straight(block, end_);
   if (auto fault = fault_of(next, block.lead_mm)) return fault;
   if (blocks_.size() >= blocks_max) return ThreadFault{.kind = ThreadFault::Kind::too_many_blocks};
-  if (auto fault = append(next)) return fault;
-  end_ = block.end;
-  return std::nullopt;
+  const PieceBounds straights = straights_;
+  straights_ = largest(straights_, next.whole.bounds);
+  auto fault = append(next);
+  if (fault) straights_ = straights;
+  if (!fault) end_ = block.end;
+  return fault;
+}
+
+// The jerk of a chain is the least of its blocks and corners together. A block with a larger lead
+// leaves the corners before it less than they were made for: they are made anew.
+std::optional<ThreadFault> ThreadBuilder::append(const Straight& next) {
+  if (auto fault = connect(next)) return fault;
+  if (leaves_jerk(bounds_of_chain(), speed_, jerk_least * jerk_to_follow_)) return std::nullopt;
+  auto fault = round_corners_anew();
+  if (!fault) return std::nullopt;
+  blocks_.pop_back();
+  if (!blocks_.empty()) blocks_.back().corner.reset();
+  return fault;
+}
+
+std::optional<ThreadFault> ThreadBuilder::round_corners_anew() {
+  const std::vector<Straight> made = blocks_;
+  blocks_.clear();
+  std::optional<ThreadFault> fault;
+  for (std::size_t k = 0; k < made.size() && !fault; ++k) {
+    Straight block = made[k];
+    block.corner.reset();
+    fault = connect(block);
+  }
+  const PieceBounds bounds = bounds_of_chain();
+  if (!fault && !leaves_jerk(bounds, speed_, jerk_least * jerk_to_follow_)) {
+    fault = ThreadFault{.kind = ThreadFault::Kind::corner_too_sharp,
+                        .speed_max = speed_that_leaves_jerk(bounds)};
+  }
+  if (fault) blocks_ = made;
+  return fault;
+}
+
+// Of a chain with corners at this speed of the spindle, turns/s.
+PieceLimits ThreadBuilder::limits_at(const PieceBounds& bounds, double speed) {
+  return piece_limits(bounds, speed > 0.0 ? reserve_least * speed : unlimited);
+}
+
+// For the regulator, so that the path follows the steps of the encoder. Of a speed that is not
+// known nothing is asked.
+bool ThreadBuilder::leaves_jerk(const PieceBounds& bounds, double speed, double jerk) {
+  return speed <= 0.0 || limits_at(bounds, speed).j >= jerk;
+}
+
+double ThreadBuilder::speed_that_leaves_jerk(const PieceBounds& bounds) const {
+  constexpr int halvings = 40;
+  double low = 0.0;
+  double high = speed_;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (leaves_jerk(bounds, middle, jerk_least * jerk_to_follow_) ? low : high) = middle;
+  }
+  return low;
+}
+
+PieceBounds ThreadBuilder::bounds_of_chain() const {
+  PieceBounds bounds;
+  for (const Straight& block : blocks_) {
+    bounds = largest(bounds, block.whole.bounds);
+    if (block.corner) bounds = largest(bounds, block.corner->bounds);
+  }
+  return bounds;
 }
 
 // Joins a block to the chain. Where the corner before left too little room, it is made smaller.
-std::optional<ThreadFault> ThreadBuilder::append(Straight next) {
+std::optional<ThreadFault> ThreadBuilder::connect(Straight next) {
   if (blocks_.empty()) {
     blocks_.push_back(next);
     return std::nullopt;
@@ -221,13 +291,18 @@ std::optional<ThreadFault> ThreadBuilder::join(Straight& one, Straight& next, do
   const double tolerance = std::max(exact, std::min(one.tolerance, next.tolerance));
   const bool may_grow = !one.keeps_tolerance && !next.keeps_tolerance;
   Corner found = corner(one, next, std::min(turns_max, tolerance / (deviation * change)));
-  while (may_grow && found.turns < turns_max &&
-         piece_limits(found.bounds, unlimited).v < reserve_wanted * speed_) {
+  const auto has_reserve = [this](const Corner& of) {
+    return piece_limits(of.bounds, unlimited).v >= reserve_wanted * speed_ &&
+           leaves_jerk(largest(straights_, of.bounds), speed_, jerk_wanted * jerk_to_follow_);
+  };
+  while (may_grow && found.turns < turns_max && !has_reserve(found))
     found = corner(one, next, std::min(turns_max, growth * found.turns));
-  }
+  const PieceBounds bounds = largest(straights_, found.bounds);
   const double speed_max = piece_limits(found.bounds, unlimited).v / reserve_least;
-  if (speed_max < speed_)
-    return ThreadFault{.kind = ThreadFault::Kind::corner_too_sharp, .speed_max = speed_max};
+  if (speed_max < speed_ || !leaves_jerk(bounds, speed_, jerk_least * jerk_to_follow_)) {
+    return ThreadFault{.kind = ThreadFault::Kind::corner_too_sharp,
+                       .speed_max = std::min(speed_max, speed_that_leaves_jerk(bounds))};
+  }
   if (const auto excess = soft_limit_excess(found.behind, config_)) return unreachable(*excess);
   if (const auto excess = soft_limit_excess(found.before, config_)) return unreachable(*excess);
   next.from = found.turns;
@@ -238,7 +313,7 @@ std::optional<ThreadFault> ThreadBuilder::join(Straight& one, Straight& next, do
 
 ThreadChain ThreadBuilder::finish() {
   ThreadChain chain;
-  PieceBounds bounds;
+  const PieceBounds bounds = bounds_of_chain();
   bool has_corner = false;
   for (const Straight& block : blocks_) {
     Piece rest = block.whole;
@@ -248,21 +323,19 @@ ThreadChain ThreadBuilder::finish() {
       rest.geometry.end = block.corner->before.geometry.start;
       rest.length -= block.corner->turns;
     }
-    bounds = largest(bounds, block.whole.bounds);
     chain.pieces.push_back(rest);
     if (!block.corner) continue;
     has_corner = true;
-    bounds = largest(bounds, block.corner->bounds);
     chain.pieces.push_back(block.corner->before);
     chain.pieces.push_back(block.corner->behind);
   }
-  const double cap = has_corner && speed_ > 0.0 ? reserve_least * speed_ : unlimited;
-  const auto section = [cap](const PieceBounds& of) {
-    const PieceLimits limits = piece_limits(of, cap);
+  const double speed = has_corner ? speed_ : 0.0;
+  const auto section = [this, speed](const PieceBounds& of) {
+    const PieceLimits limits = limits_at(of, speed);
     return SpindleCoupling::Section{limits.a, limits.j};
   };
   chain.coupling = coupling_;
-  chain.coupling.speed_max = piece_limits(bounds, cap).v;
+  chain.coupling.speed_max = limits_at(bounds, speed).v;
   chain.coupling.chain = section(bounds);
   chain.coupling.entry = section(chain.pieces.front().bounds);
   chain.coupling.exit = section(chain.pieces.back().bounds);

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/geometry.h"
 #include "motion/path.h"
 #include "motion/piece_bounds.h"
 
@@ -58,11 +59,11 @@ class ThreadBuilder {
   [[nodiscard]] bool is_empty() const { return blocks_.empty(); }
 
   // A new chain at `start`, with these axes as X, Y and Z. `speed`: of the spindle, turns/s, as
-  // programmed; 0: not known. `jerk_least`: along the chain, for its encoder (jerk_to_follow). What
+  // programmed; 0: not known. `jerk_to_follow`: along a block, for its encoder. What
   // the axes allow is added to the coupling.
   void begin(const Point& start, const std::array<int, 3>& geometry,
-             const SpindleCoupling& coupling, double speed, double jerk_least = 0.0);
-  // A fault leaves the chain as it is.
+             const SpindleCoupling& coupling, double speed, double jerk_to_follow = 0.0);
+  // A fault adds nothing to the chain.
   [[nodiscard]] std::optional<ThreadFault> add(const ThreadBlock& block);
   // The only block of a tap: the path goes on behind its end for what the spindle overruns. The
   // spindle turns back no faster than the axes can be led.
@@ -92,13 +93,20 @@ class ThreadBuilder {
   [[nodiscard]] std::optional<ThreadFault> fault_of(const Straight& block, double lead_mm) const;
   [[nodiscard]] Corner corner(const Straight& one, const Straight& next, double turns) const;
   [[nodiscard]] std::optional<ThreadFault> join(Straight& one, Straight& next, double part) const;
-  [[nodiscard]] std::optional<ThreadFault> append(Straight next);
+  [[nodiscard]] std::optional<ThreadFault> append(const Straight& next);
+  [[nodiscard]] std::optional<ThreadFault> connect(Straight next);
+  [[nodiscard]] std::optional<ThreadFault> round_corners_anew();
   [[nodiscard]] double change_of_lead(const Straight& one, const Straight& next) const;
+  [[nodiscard]] PieceBounds bounds_of_chain() const;
+  [[nodiscard]] static PieceLimits limits_at(const PieceBounds& bounds, double speed);
+  [[nodiscard]] static bool leaves_jerk(const PieceBounds& bounds, double speed, double jerk);
+  [[nodiscard]] double speed_that_leaves_jerk(const PieceBounds& bounds) const;
 
   MotionConfig config_;
   SpindleCoupling coupling_;
   double speed_ = 0.0;
-  double jerk_least_ = 0.0;
+  double jerk_to_follow_ = 0.0;
+  PieceBounds straights_;  // largest of all blocks, and of the one that is being added
   Point end_{};
   std::vector<Straight> blocks_;
 };

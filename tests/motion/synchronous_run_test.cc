@@ -297,6 +297,30 @@ TEST(SynchronousRun, ASlowSpindleWithACoarseEncoderIsNotTooFastForACorner) {
   }
 }
 
+// A corner takes of the jerk of its axes no more than leaves enough for the steps of the encoder.
+// It may grow for that, and the corners before a larger lead grow with it.
+TEST(SynchronousRun, ACornerLeavesTheJerkThatACoarseEncoderNeeds) {
+  constexpr double speed = 181.16 / 60.0;
+  constexpr int lines = 256;
+  for (int start = 0; start < 20; ++start) {
+    ThreadBench bench(steady(speed), speed, at(2.409, 24.239));
+    bench.see_through(lines);
+    bench.idle(0.3 + 0.0137 * start);
+    ThreadBuilder builder(bench.config());
+    builder.begin(at(2.409, 24.239), bench.config().geometry, thread_from(0.0), speed,
+                  jerk_to_follow(lines, cycle_s));
+    ASSERT_FALSE(builder.add(block_to(at(2.409, 18.886), 2.949)));
+    ASSERT_FALSE(builder.add(block_to(at(2.374, -39.704), 1.253)));
+    // One with a larger lead leaves those before it less of the jerk: they grow.
+    ASSERT_FALSE(builder.add(block_to(at(2.391, -35.352), 2.409)));
+    ThreadChain chain = builder.finish();
+    bench.send(std::move(chain));
+    EXPECT_EQ(bench.cut().back().z, -35.352) << start;
+    EXPECT_FALSE(bench.output().has_lost_spindle) << start;
+    EXPECT_LE(bench.used(), 1.0 + rounding) << start;
+  }
+}
+
 TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);

@@ -91,8 +91,10 @@ class ThreadBench {
     for (int n = 0; n < cycles; ++n) cycle();
   }
 
-  void send(ThreadBuilder& builder) {
-    look_ahead_.add(builder.finish());
+  void send(ThreadBuilder& builder) { send(builder.finish()); }
+
+  void send(ThreadChain chain) {
+    look_ahead_.add(std::move(chain));
     ASSERT_TRUE(look_ahead_.deliver(queue_));
   }
 

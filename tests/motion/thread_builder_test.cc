@@ -50,5 +50,33 @@ TEST(ThreadBuilder, RefusesACornerThatItsToleranceMakesTooSharp) {
   EXPECT_NEAR(fault->speed_max, std::min(by_acceleration, by_jerk) / 1.25, 0.05);
 }
 
+// One whose tolerance is programmed does not grow. Of the jerk J of the axis it takes
+// 2 / h^2 (1.25 n)^3, and of the rest the acceleration along the chain at most a half: what is left
+// over 2 mm per turn must come to 0.6 of what the encoder needs on a single block.
+TEST(ThreadBuilder, RefusesACornerThatLeavesTooLittleJerkForTheEncoder) {
+  const MotionConfig config = lathe_axes();
+  constexpr double speed = 1.5;
+  constexpr double jerk = 50000.0;
+  constexpr double needed = 20000.0;
+  const auto fault_with = [&](double jerk_to_follow) {
+    ThreadBuilder builder(config);
+    builder.begin(at(10.0, 0.0), config.geometry, thread_from(0.0), speed, jerk_to_follow);
+    ThreadBlock straight = block_to(at(10.0, -10.0), 2.0);
+    straight.keeps_tolerance = true;
+    EXPECT_FALSE(builder.add(straight));
+    return builder.add(block_to(at(12.0, -12.0), 2.0 * std::sqrt(2.0)));
+  };
+  EXPECT_FALSE(fault_with(0.0));
+  const auto fault = fault_with(needed);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, ThreadFault::Kind::corner_too_sharp);
+  const double h = 6.0 * 0.01 / 2.0;
+  const auto speed_with = [&](double share) {
+    return std::cbrt((jerk - 2.0 * 0.6 * needed / share) * h * h / 2.0) / 1.25;
+  };
+  EXPECT_GE(fault->speed_max, 0.95 * speed_with(0.5));  // bounds have a margin
+  EXPECT_LE(fault->speed_max, speed_with(1.0));
+}
+
 }  // namespace
 }  // namespace stanok::motion::testing
