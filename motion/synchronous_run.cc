@@ -27,6 +27,7 @@ constexpr double run_ins_before_corner = 3.0;
 
 // A spindle that is farther from the speed it is commanded to has not come to it.
 constexpr double ripple_max = 0.3;
+constexpr double at_speed = 0.05;          // within that it has come to it for certain
 constexpr double turning_speed_min = 0.1;  // turns/s; slower ones do not turn
 constexpr double spindle_standstill =
     0.05;  // turns/s, within what the observer sees of a spindle at rest
@@ -174,16 +175,29 @@ bool SynchronousRun::keeps_speed(const SpindleMotion& spindle) const RT_SAFE {
          std::abs(spindle.speed - mean_speed_) <= change_in_run_in * speed;
 }
 
+// For the axes. The speed of the moment is noisy, and the more so the slower it is: its mean tells,
+// once it is known. A spindle that comes down to a lesser speed is waited for.
+bool SynchronousRun::is_too_fast(const SpindleMotion& spindle) RT_SAFE {
+  const double speed_max = SpindleCoupling::speed_share * coupling_.speed_max;
+  const double speed = std::abs(spindle.speed);
+  const double wanted = std::abs(spindle.speed_wanted);
+  if (speed <= speed_max) return false;
+  const double mean = std::abs(mean_speed_);
+  const bool has_mean = std::abs(speed - mean) <= change_in_run_in * speed;
+  if (has_mean && mean <= speed_max) return false;
+  const bool stays = std::abs(speed - wanted) <= at_speed * speed;
+  if (has_mean && (stays || wanted > speed_max)) lose();
+  return true;
+}
+
 // Whether the run-in begins within this cycle: half its turns before the start angle comes. What a
 // spindle turns that has not come to its speed does not count.
 bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   const double speed = std::abs(spindle.speed);
   const bool has_speed = speed >= turning_speed_min &&
                          std::abs(spindle.speed - spindle.speed_wanted) <= ripple_max * speed;
-  // The speed of the moment is noisy, and the more so the slower it is.
-  if (has_speed &&
-      std::min(speed, std::abs(mean_speed_)) > SpindleCoupling::speed_share * coupling_.speed_max) {
-    lose();
+  if (has_speed && is_too_fast(spindle)) {
+    has_watched_ = false;
     return false;
   }
   if (!has_speed || !keeps_speed(spindle)) {

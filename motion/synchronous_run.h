@@ -63,6 +63,7 @@ class SynchronousRun {
  private:
   enum class Stage : std::uint8_t { waits, goes_in, dwells, returns, comes_to_rest, stands, over };
 
+  [[nodiscard]] bool is_too_fast(const SpindleMotion& spindle) RT_SAFE;
   [[nodiscard]] bool is_due(const SpindleMotion& spindle) RT_SAFE;
   void watch_speed(const SpindleMotion& spindle) RT_SAFE;
   [[nodiscard]] bool is_clear_of_corner(double speed) const RT_SAFE;

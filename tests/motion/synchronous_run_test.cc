@@ -361,6 +361,27 @@ TEST(SynchronousRun, ASpindleThatChangesItsSpeedPassesItsStartAngleAnew) {
   }
 }
 
+// A chain with a corner is made for 1.25 times the programmed speed. A spindle that an override
+// lets turn faster is waited for when it comes down.
+TEST(SynchronousRun, ASpindleThatComesDownToItsSpeedIsWaitedFor) {
+  constexpr double slows = 6.0;  // turns/s^2, from 1.6 to 1.0 times the speed
+  const Turning turning = [](double t) {
+    const double into = std::clamp(t, 0.0, 1.0);
+    return 10.0 * t + 6.0 * into - 0.5 * slows * into * into;
+  };
+  ThreadBench bench(turning, 10.0, at(10.0, 0.0));
+  bench.idle(0.4);
+  ThreadBuilder builder(bench.config());
+  builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
+  ASSERT_FALSE(builder.add(block_to(at(10.0, -20.0), 2.0)));
+  ASSERT_FALSE(builder.add(block_to(at(11.0, -25.0), 2.0)));
+  bench.send(builder);
+  const auto samples = bench.cut();
+  EXPECT_FALSE(bench.output().has_lost_spindle);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -4.0, -18.0), discrete_mm);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
 TEST(SynchronousRun, AHoldWaitsForTheEndOfTheThread) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
