@@ -76,6 +76,7 @@ void WorkpieceStream::follow(const setpoint_t& setpoint) {
   Followed* channel = followed(setpoint.channel);
   if (channel == nullptr) return;
   time_s_ = static_cast<double>(setpoint.cycle) * cycle_s_;
+  count_missing(*channel, setpoint.cycle);
   const simulation::Sample sample =
       sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
   if (!channel->files.contains(sample.origin.run))
@@ -83,6 +84,14 @@ void WorkpieceStream::follow(const setpoint_t& setpoint) {
   if (!channel->feed->has_heard(channel->news.announcements))
     channel->feed->hear(channel->news, sample);
   channel->feed->follow(sample);
+}
+
+void WorkpieceStream::count_missing(Followed& channel, std::int64_t cycle) {
+  const std::int64_t missing = channel.next_cycle > 0 ? cycle - channel.next_cycle : 0;
+  channel.next_cycle = cycle + 1;
+  if (missing <= 0) return;
+  if (missing_.count == 0) missing_.first_s = static_cast<double>(cycle - missing) * cycle_s_;
+  missing_.count += missing;
 }
 
 // The program itself comes first.

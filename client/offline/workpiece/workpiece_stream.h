@@ -31,6 +31,12 @@ class WorkpieceStream {
 
   // Machine time of the latest set-point, s.
   [[nodiscard]] double time_s() const { return time_s_; }
+  // Set-points that did not come, of all channels, and when the first of them was due.
+  struct Missing {
+    std::int64_t count = 0;
+    double first_s = 0.0;
+  };
+  [[nodiscard]] const Missing& missing() const { return missing_; }
   // All workpieces, cut as far as the messages go.
   [[nodiscard]] std::vector<NamedWorkpiece> workpieces();
   [[nodiscard]] FileNames names() const;
@@ -41,17 +47,20 @@ class WorkpieceStream {
     WorkpieceNews news;
     channels::ToolAtWork tool;
     double spindle_rev_per_min = 0.0;
+    std::int64_t next_cycle = 0;                              // of its set-points; 0: none came yet
     std::map<std::uint32_t, std::vector<std::string>> files;  // of the programs, by run
   };
 
   [[nodiscard]] Followed* followed(int channel);
   void follow(const setpoint_t& setpoint);
+  void count_missing(Followed& channel, std::int64_t cycle);
   [[nodiscard]] std::vector<std::string> files_of_program() const;
 
   const lang::Files* texts_;
   std::string prefix_;  // of the names of the machine's channels
   double cycle_s_;
   double time_s_ = 0.0;
+  Missing missing_;
   std::map<int, Followed> channels_;
   std::string program_;  // read last for an operator or a channel, not for another program
 };

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "client/offline/workpiece/workpiece_stream.h"
+#include "recording/format/decode.h"
 #include "recording/log/log_reader.h"
 #include "runtime/log_observer.h"
 #include "runtime/recorded_run.h"
@@ -68,6 +69,20 @@ class WorkpieceRun : public ::testing::Test {
     EXPECT_EQ(workpieces.size(), 1U);
     EXPECT_EQ(workpieces.at(0).title, "part.nc");
     return to_json(*workpieces.at(0).workpiece, stream.names());
+  }
+
+  // What is missing of the log when the set-points of these cycles did not come.
+  [[nodiscard]] WorkpieceStream::Missing missing_without(std::int64_t from, std::int64_t to) const {
+    const auto recorded = runtime::read_run(log_);
+    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, &recorded->files);
+    auto reader = recording::LogReader::open(log_);
+    while (const auto event = reader->next()) {
+      const auto setpoint = recording::decode<setpoint_t>(event->bytes);
+      const bool is_setpoint = event->channel.ends_with("_SETPOINT") && setpoint.has_value();
+      if (is_setpoint && from <= setpoint->cycle && setpoint->cycle < to) continue;
+      stream.take(event->channel, event->bytes);
+    }
+    return stream.missing();
   }
 
   std::filesystem::path folder_;
@@ -320,6 +335,14 @@ M30
   EXPECT_NEAR(live[0]["removed_mm3"], 4.0 * 2.0 * 60.0, slots_within_mm3);
   EXPECT_DOUBLE_EQ(out_of_log()["removed_mm3"].get<double>(), live[0]["removed_mm3"].get<double>());
   EXPECT_NEAR(out_of_log("_TOOL_ROW")["removed_mm3"], 6.0 * 2.0 * 60.0, slots_within_mm3);
+}
+
+TEST_F(WorkpieceRun, SetpointsThatAreMissingAreCounted) {
+  (void)run("e7106mf4.toml", two_slots(""));
+  EXPECT_EQ(missing_without(0, 0).count, 0);
+  const auto missing = missing_without(300, 340);
+  EXPECT_EQ(missing.count, 40);
+  EXPECT_DOUBLE_EQ(missing.first_s, 0.3);
 }
 
 }  // namespace
