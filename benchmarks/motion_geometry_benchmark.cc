@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "kinematics/scheme.h"
-#include "motion/arc_length.h"
-#include "motion/geometry.h"
-#include "motion/path_builder.h"
-#include "motion/piece_bounds.h"
-#include "motion/shape.h"
+#include "motion/bounds/piece_bounds.h"
+#include "motion/path/arc_length.h"
+#include "motion/path/geometry.h"
+#include "motion/path/shape.h"
+#include "motion/segments/path_builder.h"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <random>
 
 #include "kinematics/scheme.h"
-#include "motion/interpolator.h"
-#include "motion/look_ahead.h"
-#include "motion/path_builder.h"
+#include "motion/interpolation/interpolator.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "motion/segments/path_builder.h"
 
 namespace stanok::motion {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/rt_safe.h"
 #include "channels/contract/machine_config.h"
 #include "channels/contract/output.h"
-#include "motion/axis_move.h"
+#include "motion/profile/axis_move.h"
 
 namespace stanok::channels {
 

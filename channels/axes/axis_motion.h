@@ -14,8 +14,8 @@
 #include "channels/axes/manual_motion.h"
 #include "channels/axes/position_loops.h"
 #include "channels/axes/scheme_table.h"
-#include "motion/feed_control.h"
-#include "motion/interpolator.h"
+#include "motion/interpolation/interpolator.h"
+#include "motion/profile/feed_control.h"
 
 namespace stanok::channels {
 

@@ -7,10 +7,10 @@
 #include "channels/axes/manual_motion.h"
 #include "channels/axes/spindle.h"
 #include "channels/contract/output.h"
-#include "motion/automatic_feed.h"
-#include "motion/axis_codes.h"
-#include "motion/feed_modifier.h"
-#include "motion/spindle_observer.h"
+#include "motion/interpolation/automatic_feed.h"
+#include "motion/path/axis_codes.h"
+#include "motion/segments/feed_modifier.h"
+#include "motion/threads/spindle_observer.h"
 
 namespace stanok::channels {
 

@@ -16,7 +16,7 @@
 #include "channels/contract/machine_config.h"
 #include "channels/contract/output.h"
 #include "lang/contract/environment.h"
-#include "motion/axis_move.h"
+#include "motion/profile/axis_move.h"
 
 namespace stanok::channels {
 

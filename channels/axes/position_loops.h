@@ -11,7 +11,7 @@
 #include "base/rt_safe.h"
 #include "channels/axes/axis_group.h"
 #include "channels/axes/drive_guard.h"
-#include "motion/position_regulator.h"
+#include "motion/threads/position_regulator.h"
 
 namespace stanok::channels {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "motion/limit_guard.h"
+#include "motion/bounds/limit_guard.h"
 
 namespace stanok::channels {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/rt_safe.h"
 #include "channels/axes/drive_guard.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 
@@ -21,7 +21,8 @@ enum class Steps : std::uint8_t { of_axes, of_numbers };
                                                    const motion::JetPoint& axes_M, Steps steps)
     RT_SAFE;
 
-// An axis that comes too near to its soft limit to stand before it (A2003; motion/limit_guard.h).
+// An axis that comes too near to its soft limit to stand before it (A2003;
+// motion/bounds/limit_guard.h).
 [[nodiscard]] std::optional<Fault> passed_limit(const motion::MotionConfig& motion, double cycle_s,
                                                 const AxisGroup& axes,
                                                 const motion::JetPoint& axes_M) RT_SAFE;

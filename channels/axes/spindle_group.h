@@ -13,7 +13,7 @@
 #include "base/rt_safe.h"
 #include "channels/axes/axis_motion.h"
 #include "channels/axes/spindle.h"
-#include "motion/spindle_observer.h"
+#include "motion/threads/spindle_observer.h"
 
 namespace stanok::channels {
 

@@ -10,9 +10,9 @@
 
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
-#include "motion/automatic_feed.h"
-#include "motion/path.h"
-#include "motion/position_regulator.h"
+#include "motion/interpolation/automatic_feed.h"
+#include "motion/path/path.h"
+#include "motion/threads/position_regulator.h"
 
 namespace stanok::channels {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "channels/contract/machine_config.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

@@ -13,10 +13,10 @@
 #include "channels/contract/tool_row.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/command.h"
-#include "motion/automatic_feed.h"
-#include "motion/feed_interruption.h"
-#include "motion/feed_modifier.h"
-#include "motion/path.h"
+#include "motion/interpolation/automatic_feed.h"
+#include "motion/interpolation/feed_interruption.h"
+#include "motion/path/path.h"
+#include "motion/segments/feed_modifier.h"
 
 namespace stanok::channels {
 

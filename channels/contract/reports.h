@@ -10,7 +10,7 @@
 #include "base/diagnostic.h"
 #include "lang/contract/active_codes.h"
 #include "lang/run/block_search.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "channels/coordinator/wait_graph.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

@@ -5,7 +5,7 @@
 #include "base/rt_safe.h"
 #include "channels/cycle/channel_log.h"
 #include "lang/contract/command.h"
-#include "motion/feed_modifier.h"
+#include "motion/segments/feed_modifier.h"
 
 namespace stanok::channels {
 

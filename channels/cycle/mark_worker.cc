@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/feed_control.h"
+#include "motion/profile/feed_control.h"
 
 namespace stanok::channels {
 namespace {

@@ -13,8 +13,8 @@
 #include "channels/axes/spindle_group.h"
 #include "channels/cycle/channel_log.h"
 #include "channels/cycle/channel_terms.h"
-#include "motion/automatic_feed.h"
-#include "motion/feed_modifier.h"
+#include "motion/interpolation/automatic_feed.h"
+#include "motion/segments/feed_modifier.h"
 
 namespace stanok::channels {
 

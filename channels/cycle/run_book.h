@@ -10,7 +10,7 @@
 #include "base/rt_safe.h"
 #include "channels/messages/item.h"
 #include "channels/stores/report_book.h"
-#include "motion/interpolator.h"
+#include "motion/interpolation/interpolator.h"
 
 namespace stanok::channels {
 

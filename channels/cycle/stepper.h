@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "base/rt_safe.h"
-#include "motion/feed_control.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
+#include "motion/profile/feed_control.h"
 
 namespace stanok::channels {
 

@@ -8,7 +8,7 @@
 
 #include "base/ring.h"
 #include "channels/messages/item.h"
-#include "motion/path_queue.h"
+#include "motion/path/path_queue.h"
 
 namespace stanok::channels {
 

@@ -12,7 +12,7 @@
 #include "base/fixed_text.h"
 #include "channels/contract/output.h"
 #include "lang/contract/command.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

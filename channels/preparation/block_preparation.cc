@@ -7,9 +7,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "motion/block_metric.h"
-#include "motion/nurbs.h"
-#include "motion/shape.h"
+#include "motion/path/block_metric.h"
+#include "motion/path/nurbs.h"
+#include "motion/path/shape.h"
 
 namespace stanok::channels {
 namespace {

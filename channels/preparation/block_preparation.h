@@ -14,7 +14,7 @@
 #include "channels/preparation/face_transformation.h"
 #include "channels/preparation/process_preparation.h"
 #include "lang/contract/command.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

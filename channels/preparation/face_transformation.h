@@ -13,7 +13,7 @@
 #include "base/diagnostic.h"
 #include "channels/contract/machine_config.h"
 #include "lang/contract/command.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "motion/piece_bounds.h"
-#include "motion/shape.h"
+#include "motion/bounds/piece_bounds.h"
+#include "motion/path/shape.h"
 
 namespace stanok::channels {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/diagnostic.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

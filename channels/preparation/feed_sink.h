@@ -10,8 +10,8 @@
 
 #include "channels/messages/item.h"
 #include "lang/contract/command.h"
-#include "motion/path_builder.h"
-#include "motion/thread_builder.h"
+#include "motion/segments/path_builder.h"
+#include "motion/threads/thread_builder.h"
 
 namespace stanok::channels {
 

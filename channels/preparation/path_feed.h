@@ -19,7 +19,7 @@
 #include "channels/preparation/feed_sink.h"
 #include "channels/preparation/thread_preparation.h"
 #include "lang/program/compile.h"
-#include "motion/path_builder.h"
+#include "motion/segments/path_builder.h"
 
 namespace stanok::channels {
 

@@ -8,7 +8,7 @@
 
 #include "channels/contract/channel_description.h"
 #include "channels/preparation/feed_law_choice.h"
-#include "motion/feed_law_stage.h"
+#include "motion/segments/feed_law_stage.h"
 
 namespace stanok::channels {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lang/run/block_search.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::kinematics {
 class Scheme;

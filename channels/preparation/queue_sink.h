@@ -11,8 +11,8 @@
 #include "channels/preparation/feed_sink.h"
 #include "channels/stores/block_book.h"
 #include "channels/stores/shared_variables.h"
-#include "motion/feed_law_stage.h"
-#include "motion/look_ahead.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "motion/segments/feed_law_stage.h"
 
 namespace stanok::channels {
 

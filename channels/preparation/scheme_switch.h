@@ -12,7 +12,7 @@
 #include "base/diagnostic.h"
 #include "channels/contract/machine_config.h"
 #include "lang/contract/command.h"
-#include "motion/path_builder.h"
+#include "motion/segments/path_builder.h"
 
 namespace stanok::channels {
 

@@ -8,7 +8,7 @@
 
 #include "base/units.h"
 #include "channels/preparation/scheme_switch.h"
-#include "motion/synchronous_run.h"
+#include "motion/threads/synchronous_run.h"
 
 namespace stanok::channels {
 namespace {

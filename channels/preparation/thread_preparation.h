@@ -13,7 +13,7 @@
 #include "base/diagnostic.h"
 #include "channels/contract/machine_config.h"
 #include "lang/contract/command.h"
-#include "motion/thread_builder.h"
+#include "motion/threads/thread_builder.h"
 
 namespace stanok::channels {
 

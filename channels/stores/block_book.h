@@ -10,7 +10,7 @@
 
 #include "channels/contract/reports.h"
 #include "lang/contract/active_codes.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::channels {
 

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::motion {
 

@@ -5,7 +5,7 @@
 // docs/programmer/adaptive-control.md. One object per channel. Real-time; allocates nothing.
 #pragma once
 
-#include "motion/feed_modifier.h"
+#include "motion/segments/feed_modifier.h"
 #include "process/adaptive/feed_regulator.h"
 #include "process/adaptive/force_control_config.h"
 #include "process/adaptive/idle_power_compensator.h"

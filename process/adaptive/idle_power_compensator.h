@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "base/rt_safe.h"
-#include "motion/feed_modifier.h"
+#include "motion/segments/feed_modifier.h"
 #include "process/adaptive/force_control_config.h"
 
 namespace stanok::process {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "base/rt_safe.h"
-#include "motion/feed_modifier.h"
+#include "motion/segments/feed_modifier.h"
 #include "process/adaptive/force_control_config.h"
 #include "process/adaptive/vibration_amplifier.h"
 

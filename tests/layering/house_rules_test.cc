@@ -19,12 +19,6 @@ constexpr std::size_t description_within = 15;  // lines
 constexpr std::size_t lines_max = 600;
 constexpr std::size_t files_max = 40;  // of a folder
 
-// Folders that hold more, with the number that they may have. It only falls: new sources go into a
-// folder in them.
-const std::map<std::string, std::size_t> crowded_folders{
-    {"motion", 75},
-};
-
 bool is_code_of_the_runtime(const SourceFile& file) {
   return file.folder != "tests" && file.folder != "benchmarks" && file.path != "base/catalogue.cc";
 }
@@ -64,12 +58,7 @@ TEST(HouseRules, NoFolderHoldsMoreFilesThanAReaderCanSurvey) {
     ++files[file.path.substr(0, file.path.rfind('/'))];
   }
   for (const auto& [folder, count] : files) {
-    const auto crowded = crowded_folders.find(folder);
-    EXPECT_LE(count, crowded == crowded_folders.end() ? files_max : crowded->second)
-        << folder << ": divide it into folders of their own";
-  }
-  for (const auto& [folder, limit] : crowded_folders) {
-    EXPECT_GT(files[folder], files_max) << folder << " needs no exception any more";
+    EXPECT_LE(count, files_max) << folder << ": divide it into folders of their own";
   }
 }
 

@@ -1,6 +1,6 @@
 // Feed laws that the cycle forms from a signal: the feed over the path against the laws'
 // definition.
-#include "motion/automatic_feed.h"
+#include "motion/interpolation/automatic_feed.h"
 
 #include <gtest/gtest.h>
 

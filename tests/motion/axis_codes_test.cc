@@ -1,6 +1,6 @@
 // Integer codes of set-points against the geometry of rounding and the formulas of the paper
 // (V. Kombarov, V. Sorokin, stability of contour feed).
-#include "motion/axis_codes.h"
+#include "motion/path/axis_codes.h"
 
 #include <gtest/gtest.h>
 

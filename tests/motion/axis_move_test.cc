@@ -1,5 +1,5 @@
 // Moves of a single axis: exact ends, limits, and rest wherever they are stopped.
-#include "motion/axis_move.h"
+#include "motion/profile/axis_move.h"
 
 #include <gtest/gtest.h>
 

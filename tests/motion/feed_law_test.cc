@@ -7,13 +7,13 @@
 #include <memory>
 #include <vector>
 
-#include "motion/feed_law_stage.h"
 #include "motion/feed_laws/curve_law.h"
 #include "motion/feed_laws/interrupted_law.h"
 #include "motion/feed_laws/linear_law.h"
 #include "motion/feed_laws/modulated_law.h"
-#include "motion/interpolator.h"
-#include "motion/look_ahead.h"
+#include "motion/interpolation/interpolator.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "motion/segments/feed_law_stage.h"
 #include "tests/motion/path_fixture.h"
 #include "tests/support/cycle.h"
 

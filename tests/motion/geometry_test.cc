@@ -1,12 +1,12 @@
 // Evaluation along the path: unit speed, derivatives, exact ends, derivatives by time.
-#include "motion/geometry.h"
+#include "motion/path/geometry.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "motion/arc_length.h"
+#include "motion/path/arc_length.h"
 #include "tests/motion/path_fixture.h"
 
 namespace stanok::motion {

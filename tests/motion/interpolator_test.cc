@@ -1,5 +1,5 @@
 // The nominal run from pieces to setpoints: limits, ends, steady speed, chains within a cycle.
-#include "motion/interpolator.h"
+#include "motion/interpolation/interpolator.h"
 
 #include <gtest/gtest.h>
 

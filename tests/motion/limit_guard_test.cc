@@ -1,5 +1,5 @@
 // The last guard of soft limits against motions integrated step by step.
-#include "motion/limit_guard.h"
+#include "motion/bounds/limit_guard.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "motion/axis_move.h"
+#include "motion/profile/axis_move.h"
 
 namespace stanok::motion {
 namespace {

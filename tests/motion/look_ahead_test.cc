@@ -1,5 +1,5 @@
 // What the look-ahead commits: how far, in which chunks, how fast.
-#include "motion/look_ahead.h"
+#include "motion/look_ahead/look_ahead.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // NURBS: circles, Bezier curves by Bernstein's formula, continuity at knots.
-#include "motion/nurbs.h"
+#include "motion/path/nurbs.h"
 
 #include <gtest/gtest.h>
 

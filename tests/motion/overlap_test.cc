@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "motion/corner_overlap.h"
+#include "motion/segments/corner_overlap.h"
 #include "tests/motion/path_samples.h"
 #include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"

@@ -1,5 +1,5 @@
 // Chains of pieces: order, continuity, tolerance, stops, soft limits.
-#include "motion/path_builder.h"
+#include "motion/segments/path_builder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where the cycle stands in the queue of committed path.
-#include "motion/path_cursor.h"
+#include "motion/interpolation/path_cursor.h"
 
 #include <gtest/gtest.h>
 

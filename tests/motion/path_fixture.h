@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "kinematics/scheme.h"
-#include "motion/geometry.h"
-#include "motion/path_builder.h"
-#include "motion/shape.h"
+#include "motion/path/geometry.h"
+#include "motion/path/shape.h"
+#include "motion/segments/path_builder.h"
 
 namespace stanok::motion {
 

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "motion/interpolator.h"
-#include "motion/look_ahead.h"
-#include "motion/path_builder.h"
+#include "motion/interpolation/interpolator.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "motion/segments/path_builder.h"
 
 namespace stanok::motion::testing {
 

@@ -1,5 +1,5 @@
 // Bounds of pieces: every machine axis keeps its limits for any motion the bounds allow.
-#include "motion/piece_bounds.h"
+#include "motion/bounds/piece_bounds.h"
 
 #include <gtest/gtest.h>
 

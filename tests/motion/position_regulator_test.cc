@@ -1,6 +1,6 @@
 // The regulator against steady-state errors known in closed form, on drives simple enough to be
 // solved by hand.
-#include "motion/position_regulator.h"
+#include "motion/threads/position_regulator.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Closed-form S-curves against numerical integration and their own limits.
-#include "motion/profile.h"
+#include "motion/profile/profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Smooth runs: tolerance, continuity, straightness, accuracy on circles, tags.
-#include "motion/smooth_run.h"
+#include "motion/segments/smooth_run.h"
 
 #include <gtest/gtest.h>
 

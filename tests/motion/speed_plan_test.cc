@@ -1,5 +1,5 @@
 // Key points, plateaus and stairs: how close to the limits the plan comes, and that it keeps them.
-#include "motion/speed_plan.h"
+#include "motion/look_ahead/speed_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the observer makes of the angles of an encoder (docs/developer/motion.md#threads).
-#include "motion/spindle_observer.h"
+#include "motion/threads/spindle_observer.h"
 
 #include <gtest/gtest.h>
 

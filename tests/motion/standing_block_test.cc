@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "motion/block_metric.h"
-#include "motion/look_ahead.h"
-#include "motion/path_builder.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "motion/path/block_metric.h"
+#include "motion/segments/path_builder.h"
 #include "tests/motion/path_fixture.h"
 
 namespace stanok::motion {

@@ -13,9 +13,9 @@
 #include <optional>
 #include <vector>
 
-#include "motion/interpolator.h"
-#include "motion/look_ahead.h"
-#include "motion/thread_builder.h"
+#include "motion/interpolation/interpolator.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "motion/threads/thread_builder.h"
 #include "tests/support/cycle.h"
 #include "tests/support/helix.h"
 #include "tests/support/no_allocation.h"

@@ -1,4 +1,4 @@
-// Which threads the axes cannot cut, and what is said of them (motion/thread_builder.h).
+// Which threads the axes cannot cut, and what is said of them (motion/threads/thread_builder.h).
 #include <gtest/gtest.h>
 
 #include <cmath>

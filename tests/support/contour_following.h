@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "motion/axis_codes.h"
-#include "motion/position_regulator.h"
+#include "motion/path/axis_codes.h"
+#include "motion/threads/position_regulator.h"
 #include "plant/mechanics/servo_axis.h"
 #include "tests/motion/path_samples.h"
 

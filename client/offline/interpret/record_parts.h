@@ -11,7 +11,7 @@
 
 #include "base/enum_names.h"
 #include "lang/contract/command.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::client {
 

@@ -6,7 +6,7 @@
 
 #include "lang/contract/command.h"
 #include "lang/run/block_search.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::client {
 

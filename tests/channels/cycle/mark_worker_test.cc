@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/feed_control.h"
+#include "motion/profile/feed_control.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::channels {

@@ -7,7 +7,7 @@
 
 #include "channels/axes/channel_figures.h"
 #include "kinematics/scheme.h"
-#include "motion/path.h"
+#include "motion/path/path.h"
 
 namespace stanok::testing {
 

@@ -1,0 +1,157 @@
+// Interpolator: runs the committed path, cycle by cycle. Real-time; allocates nothing.
+//
+// Nominal run: the committed phases are evaluated at cycle instants in the chain's own clock; the
+// fraction of a cycle that a chain leaves over is carried into the next one, and a chain that may
+// overlap the end of the one before begins within it: the axes then move by the sum of both. Under
+// hold, resume and override a bounded one-dimensional profile is planned in the cycle on the same
+// path (docs/developer/motion.md#override); the path is never left, the limits are kept, and there
+// is always a way to rest. A chain that a spindle leads has no phases: there the spindle is
+// followed (motion/threads/synchronous_run.h), whatever the overrides are.
+#pragma once
+
+#include <array>
+
+#include "base/rt_safe.h"
+#include "motion/interpolation/feed_interruption.h"
+#include "motion/interpolation/override_planner.h"
+#include "motion/interpolation/path_cursor.h"
+#include "motion/path/path.h"
+#include "motion/path/path_queue.h"
+#include "motion/profile/feed_control.h"
+#include "motion/profile/profile.h"
+#include "motion/threads/spindle_observer.h"
+#include "motion/threads/synchronous_run.h"
+
+namespace stanok::motion {
+
+enum class PathState : std::uint8_t {
+  idle,  // no chunk: standing
+  moving,
+  holding,   // at rest on the path by hold or override 0
+  starved,   // at rest on the path: the next chunk of the chain did not arrive in time
+  standing,  // on a fictitious path, which a feed law or an interruption puts in
+};
+
+struct InterpolatorOutput {
+  PathState state = PathState::idle;
+  BlockTag tag;          // of the piece at hand, or the last one
+  JetPoint point{};      // programmed point in W with time derivatives, mm, mm/s, ...
+  JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
+  double s_speed = 0.0;  // path speed, mm/s
+  double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
+  // Axes whose way counts as that of a working feed, bit k: channel axis k; 0 in rapid, in threads
+  // and without a path.
+  unsigned working_axes = 0;
+  PieceProcess process;           // of the piece at hand, or the last one
+  double path_advanced = 0.0;     // path length travelled in this cycle, mm (or deg)
+  bool at_gate = false;           // at rest before a gate of FeedControl
+  std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
+  bool chain_ended =
+      false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
+  double cycle_left = 0.0;        // s
+  SpindleOrder spindle_order;     // of a tap, from this cycle on
+  bool has_lost_spindle = false;  // the axes could not follow; the chain will not come to its end
+};
+
+class Interpolator {
+ public:
+  static constexpr std::uint64_t no_chunk_limit = ~std::uint64_t{0};
+
+  explicit Interpolator(const MotionConfig& config);
+
+  // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
+  // `axes_M`.
+  void stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE;
+
+  // The feed is interrupted from now on, or no longer.
+  void interrupt(const InterruptionLengths& lengths) RT_SAFE;
+  [[nodiscard]] const FeedInterruption& interruption() const RT_SAFE { return interruption_; }
+
+  // How spindle `index` of the channel turns at the set-point to come.
+  void see_spindle(std::size_t index, const SpindleMotion& motion) RT_SAFE {
+    spindles_[index] = motion;
+  }
+
+  // Advances by one cycle on `queue`. A chain is entered only when its next chunk is known too (or
+  // it is the chain's last one), so that what the override planner may see depends on content, not
+  // on timing. A chain that ends within the cycle leaves the rest of it to the next chain, if that
+  // one is in the queue and may be entered: only chains that begin with a chunk of a sequence
+  // number below `chunk_limit` may.
+  void advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out,
+               std::uint64_t chunk_limit = no_chunk_limit) RT_SAFE;
+
+  // Abort after standstill: forgets the rest of the path; the producer has stopped, the queue is
+  // emptied here.
+  void drop_path(PathQueue& queue) RT_SAFE;
+
+  [[nodiscard]] bool at_rest() const RT_SAFE;
+
+ private:
+  [[nodiscard]] bool may_enter(const PathQueue& queue, const FeedControl& control,
+                               std::uint64_t chunk_limit) const RT_SAFE;
+  // Runs for `time` within the chunk at hand, or, under override, beyond its end; returns what is
+  // left of it.
+  [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
+  void enter(PathQueue& queue) RT_SAFE;
+  [[nodiscard]] bool is_synchronous() const RT_SAFE {
+    return cursor_.has_chunk() && cursor_.chunk().coupling.kind != SpindleCoupling::Kind::none;
+  }
+  double follow_spindle(PathQueue& queue, const FeedControl& control) RT_SAFE;
+  [[nodiscard]] bool has_run_chunk() const RT_SAFE;
+  [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
+  void run_overlap(const PathQueue& queue, const FeedControl& control, std::uint64_t chunk_limit)
+      RT_SAFE;
+  [[nodiscard]] double time_to_end(const PathQueue& queue, double farthest) const RT_SAFE;
+  void enter_overlapped(PathQueue& queue) RT_SAFE;
+  void add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
+  [[nodiscard]] bool is_interrupted(const PathQueue& queue) const RT_SAFE;
+  void begin_interruption(const PathQueue& queue) RT_SAFE;
+  [[nodiscard]] double stand(const FeedControl& control, double time) RT_SAFE;
+  void rejoin_nominal(PathQueue& queue) RT_SAFE;
+  [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
+  [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
+                                  InterpolatorOutput& out) RT_SAFE;
+  [[nodiscard]] bool is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
+      RT_SAFE;
+  [[nodiscard]] bool stands_at_gate(const PathQueue& queue, const FeedControl& control) const
+      RT_SAFE;
+  void stand_here(const PathQueue& queue) RT_SAFE;
+  void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
+  void turns_to_way(const Piece& piece, const JetPoint& point_s, InterpolatorOutput& out) const
+      RT_SAFE;
+  void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
+  [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
+
+  double cycle_s_ = 0.001;
+  int axis_count_ = 0;
+  PathCursor cursor_;
+  PathMotion motion_;  // along the chunk at hand
+  // Time within the phase at hand, counted in whole cycles from its first instant, so that nothing
+  // accumulates over a long phase.
+  double phase_time_first_ = 0.0;
+  double phase_cycles_ = 0.0;
+  // The next chain within the end of the one at hand: decided once, when its time comes.
+  enum class Overlap : std::uint8_t { undecided, runs, refused };
+  Overlap overlap_ = Overlap::undecided;
+  PathMotion next_motion_;  // along the first chunk of the next chain
+  OverridePlanner planner_;
+  FeedInterruption interruption_;
+  SynchronousRun synchronous_;
+  std::array<SpindleMotion, coupled_spindles_max> spindles_{};
+  bool is_nominal_ = true;  // committed phases are being run
+  std::uint64_t chunks_done_ = 0;
+  double advanced_ = 0.0;  // in this cycle
+
+  // Machine axes of the cycle before: those that a scheme gives only up to whole turns go on from
+  // there.
+  Point last_axes_{};
+  // Where the axes stand while no path is at hand.
+  Point standing_point_{};
+  Point standing_axes_{};
+  BlockTag last_tag_;
+  PieceProcess last_process_;
+  double stand_mm_ = 0.0;  // what is left of the fictitious path
+  StandFeed stand_feed_;
+};
+
+}  // namespace stanok::motion

@@ -1,0 +1,384 @@
+#include "motion/interpolation/override_planner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::motion {
+namespace {
+
+// Speeds that differ by less count as equal.
+constexpr double equal_speeds = 1e-9;
+
+constexpr double spindle_room = 1.05;
+
+// A stop that would come to rest so few cycles before the end of the known path is made to end
+// there.
+constexpr double stop_cycles = 3.0;
+
+bool is_faster(double v, double cap) RT_SAFE {
+  return v > cap * (1.0 + equal_speeds);
+}
+
+double length_of(const PhaseRun& run, double s) RT_SAFE {
+  return run.size() == 0 ? 0.0 : run[run.size() - 1].s_end - s;
+}
+
+// Whether the acceleration is within the limits, and a deceleration can be taken away before the
+// motion turns back.
+bool can_slow_down(const PathMotion& from, const RampLimits& limits) RT_SAFE {
+  const double rounding = 1e-9 * (1.0 + from.v);
+  return !is_faster(std::abs(from.a), limits.a) &&
+         eased_speed(from.v, from.a, limits.j) > -rounding;
+}
+
+// The highest speed within a change of speed from `from`.
+double highest_speed(const PathMotion& from, double v_target, double j) RT_SAFE {
+  return std::max({from.v, v_target, from.a > 0.0 ? eased_speed(from.v, from.a, j) : 0.0});
+}
+
+// Where a run comes down to speed v for the last time: its start when it is never faster, nowhere
+// (infinity) when it stays faster.
+double place_of_speed(const PhaseRun& run, double v) RT_SAFE {
+  for (std::size_t k = run.size(); k > 0; --k) {
+    const Phase& phase = run[k - 1];
+    if (phase.v_end > v) return k == run.size() ? unlimited : phase.s_end;
+    if (phase.v < v && phase.a <= 0.0) continue;
+    // Falling through v within the phase: v + a t + j t^2 / 2, the later root.
+    const double root2 = phase.a * phase.a - 2.0 * phase.j * (phase.v - v);
+    if (root2 < 0.0) continue;
+    const double t =
+        phase.j == 0.0 ? (v - phase.v) / phase.a : (-phase.a - std::sqrt(root2)) / phase.j;
+    if (t >= 0.0 && t <= phase.duration) return motion_at(phase, t).s;
+  }
+  return run[0].s;
+}
+
+// The fastest place of a run.
+PathMotion peak_of(const PhaseRun& run) RT_SAFE {
+  PathMotion peak{.s = run[0].s, .v = run[0].v};
+  for (const Phase& phase : run) {
+    const bool turns = phase.a > 0.0 && phase.j < 0.0;
+    const double t = turns ? std::min(phase.duration, -phase.a / phase.j) : phase.duration;
+    const PathMotion motion = motion_at(phase, t);
+    if (motion.v > peak.v) peak = motion;
+  }
+  return peak;
+}
+
+// Speed at s, for a place where the run has not yet come to its peak.
+double speed_at(const PhaseRun& run, double s) RT_SAFE {
+  for (const Phase& phase : run) {
+    if (phase.s_end < s) continue;
+    double low = 0.0;
+    double high = phase.duration;
+    constexpr int halvings = 40;
+    for (int k = 0; k < halvings; ++k) {
+      const double t = 0.5 * (low + high);
+      (motion_at(phase, t).s < s ? low : high) = t;
+    }
+    return motion_at(phase, high).v;
+  }
+  return run[run.size() - 1].v_end;
+}
+
+}  // namespace
+
+void OverridePlanner::forget() RT_SAFE {
+  has_plan_ = false;
+  reach_ = {};
+}
+
+bool OverridePlanner::advance(const PathQueue& queue, const PathCursor& cursor,
+                              const FeedControl& control, const PathWall& wall, double time,
+                              PathMotion& motion, double& left) RT_SAFE {
+  extend_reach(control);
+  sight_.look(queue, cursor, control, reach_, wall);
+  if (find_plan(control, time, motion)) {
+    current_ = 1 - current_;
+    has_plan_ = true;
+    plan_caps_ = draft_caps_;
+    plan_control_ = control;
+    if (plan_caps_ == Caps::asked) narrow_reach(control);
+  } else if (!has_plan_) {
+    return false;
+  }
+  left = plans_[current_].run(time, motion);
+  return true;
+}
+
+// A spindle whose speed changes would change the limits in every cycle, as would the highest feed
+// of force control that follows it: they are given some room.
+void OverridePlanner::extend_reach(const FeedControl& control) RT_SAFE {
+  reach_.feed_override = std::max(reach_.feed_override, control.feed_override);
+  if (control.spindle_rev_per_min > reach_.rev_per_min)
+    reach_.rev_per_min = spindle_room * control.spindle_rev_per_min;
+  if (control.controlled_max_per_s > reach_.controlled_per_s)
+    reach_.controlled_per_s = spindle_room * control.controlled_max_per_s;
+}
+
+void OverridePlanner::narrow_reach(const FeedControl& control) RT_SAFE {
+  reach_.feed_override = std::max(1.0, control.feed_override);
+  if (control.spindle_rev_per_min * spindle_room * spindle_room < reach_.rev_per_min)
+    reach_.rev_per_min = spindle_room * control.spindle_rev_per_min;
+  if (control.controlled_max_per_s * spindle_room * spindle_room < reach_.controlled_per_s)
+    reach_.controlled_per_s = spindle_room * control.controlled_max_per_s;
+}
+
+double OverridePlanner::cap(std::size_t piece, Caps caps) RT_SAFE {
+  return caps == Caps::asked ? sight_.asked_speed(piece) : sight_.hard_speed(piece);
+}
+
+// Drafts a plan that serves the operator better than the one at hand; false: there is none.
+bool OverridePlanner::find_plan(const FeedControl& control, double time, const PathMotion& motion)
+    RT_SAFE {
+  const bool stands = motion.v == 0.0 && motion.a == 0.0;
+  const double asked = control.hold ? 0.0 : sight_.asked_speed(0);
+  if (asked <= 0.0) {
+    draft_caps_ = Caps::hard;
+    return !(stands && has_plan_) && try_speed(motion, 0.0, time, Caps::hard).is_safe;
+  }
+  draft_caps_ = Caps::asked;
+  const Verdict verdict = try_speed(motion, asked, time, Caps::asked);
+  if (verdict.is_safe) return true;
+  const double slower = verdict.binding_speed;
+  if (slower > 0.0 && slower < asked && try_speed(motion, slower, time, Caps::asked).is_safe)
+    return true;
+  if (stands && (try_hop(motion) || try_creep(motion, asked, time))) return true;
+  if (has_plan_ && plan_caps_ == Caps::asked && plan_control_ == control) return false;
+  // The plan at hand was found for another override: slow down to this one, at once if it can.
+  draft().clear();
+  if (find_rest(motion, sight_.piece_at(motion.s, 0), Caps::asked).is_safe) return true;
+  draft_caps_ = Caps::hard;
+  return try_speed(motion, asked, time, Caps::hard).is_safe;
+}
+
+// Drafts: for `time` towards speed v, then to rest.
+OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, double v, double time,
+                                                    Caps caps) RT_SAFE {
+  const std::size_t first = sight_.piece_at(from.s, 0);
+  RampLimits limits = sight_.ramp(first);
+  PhaseRun run;
+  PathMotion then;
+  std::size_t last = first;
+  for (bool settled = false; !settled;) {  // ends: limits only shrink, over finitely many pieces
+    draft().clear();
+    run = change_speed(from, v, limits);
+    then = draft().add_part(run, from, v, time);
+    settled = true;
+    const std::size_t end = sight_.piece_at(then.s, last);
+    while (last < end) {
+      const RampLimits lower = lower_of(limits, sight_.ramp(++last));
+      settled = settled && lower.a >= limits.a && lower.j >= limits.j;
+      limits = lower;
+    }
+  }
+  if (!can_slow_down(from, limits) || then.s > sight_.end(last)) return {};
+  const double v_high = std::max(
+      {from.v, then.v,
+       std::min(highest_speed(from, v, limits.j), std::max(from.v, then.v) + limits.a * time)});
+  const bool slows = v < from.v && from.a <= 0.0;  // and may be slow enough where it must be
+  for (std::size_t piece = first; piece <= last; ++piece) {
+    const double v_cap = cap(piece, caps);
+    if (is_faster(v_high, v_cap) && !(slows && keeps(run, first, last, caps)))
+      return {.binding_speed = v_cap};
+  }
+  return find_rest(then, sight_.piece_at(then.s, first), caps);
+}
+
+// Drafts a slow start from rest, close before a piece of low limits, which a cycle of full jerk
+// would pass too fast.
+bool OverridePlanner::try_creep(const PathMotion& from, double v, double time) RT_SAFE {
+  constexpr int tries = 12;
+  for (int k = 0; k < tries; ++k) {
+    v *= 0.25;
+    if (try_speed(from, v, time, Caps::asked).is_safe) return true;
+  }
+  return false;
+}
+
+// Drafts a short move from rest to the end of the known path, for which a cycle is too coarse.
+bool OverridePlanner::try_hop(const PathMotion& from) RT_SAFE {
+  constexpr std::size_t pieces = 8;
+  if (sight_.size() > pieces) return false;
+  RampLimits limits = sight_.ramp(0);
+  double v_max = sight_.asked_speed(0);
+  for (std::size_t piece = 1; piece < sight_.size(); ++piece) {
+    limits = lower_of(limits, sight_.ramp(piece));
+    v_max = std::min(v_max, sight_.asked_speed(piece));
+  }
+  const double wall = sight_.end(sight_.size() - 1);
+  if (!(wall > from.s) || v_max <= 0.0) return false;
+  const double top = peak_speed(0.0, 0.0, wall - from.s, limits, limits, v_max);
+  if (top <= 0.0) return false;
+  const PhaseRun up = ramp_up(from.s, 0.0, top, limits);
+  const PhaseRun down = ramp_down(top, wall, 0.0, limits);
+  draft().clear();
+  draft().add(up);
+  draft().add_hold(up[up.size() - 1].s_end, down[0].s, top);
+  draft().add(down);
+  return true;
+}
+
+// Adds a way to rest to the draft: at once, or, where a piece ahead is too slow or would spoil the
+// brake with its limits, first down to the speed of that piece, from there on the same again.
+OverridePlanner::Verdict OverridePlanner::find_rest(PathMotion from, std::size_t piece, Caps caps)
+    RT_SAFE {
+  constexpr int stages_max = 8;
+  Verdict verdict;
+  for (int stage = 0; stage < stages_max && draft().has_room(); ++stage) {
+    const Outlook outlook = survey(from, piece, caps);
+    if (stage == 0) verdict.binding_speed = outlook.binding_speed;
+    if (outlook.fits && can_slow_down(from, outlook.limits) &&
+        keeps(change_speed(from, 0.0, outlook.limits), piece, outlook.last, caps)) {
+      if (!stop_at_wall(from, piece, outlook, caps)) stop(from, outlook);
+      verdict.is_safe = true;
+      return verdict;
+    }
+    const Tight& tight = outlook.tight;
+    if (!tight.found || !can_slow_down(from, tight.limits)) {
+      if (from.a == 0.0 || !ease(from, piece, caps)) return verdict;
+      continue;
+    }
+    const PhaseRun run = change_speed(from, tight.v, tight.limits);
+    verdict.binding_speed = cap(tight.piece, caps);
+    if (!keeps(run, piece, tight.piece - 1, caps)) return verdict;
+    draft().add(run);
+    const double reached = from.s + length_of(run, from.s);
+    if (tight.v <= 0.0) {
+      verdict.is_safe = true;
+      return verdict;
+    }
+    piece = tight.piece;
+    from = {.s = sight_.start(piece), .v = tight.v};
+    draft().add_hold(reached, from.s, tight.v);
+  }
+  return verdict;
+}
+
+// Looks over the braking distance from a state, piece by piece, as the limits shrink.
+OverridePlanner::Outlook OverridePlanner::survey(const PathMotion& from, std::size_t piece,
+                                                 Caps caps) RT_SAFE {
+  Outlook outlook{.last = piece, .limits = sight_.ramp(piece)};
+  double rest = from.s + length_of(change_speed(from, 0.0, outlook.limits), from.s);
+  while (rest > sight_.end(outlook.last)) {
+    if (outlook.last + 1 == sight_.size()) return outlook;  // the end of what is known
+    const std::size_t next = ++outlook.last;
+    const double v_cap = cap(next, caps);
+    if (is_faster(highest_speed(from, 0.0, outlook.limits.j), v_cap)) {
+      const double eased = std::max(eased_speed(from.v, from.a, outlook.limits.j), 0.0);
+      const double v = from.a < 0.0 ? std::min(v_cap, eased) : v_cap;
+      const double slack =
+          sight_.start(next) - from.s - length_of(change_speed(from, v, outlook.limits), from.s);
+      outlook.binding_speed = v_cap;
+      if (slack < 0.0) return outlook;
+      // A faster piece behind a slower one must wait until the slower one is served.
+      const Tight& tight = outlook.tight;
+      if (!tight.found || (slack < tight.slack && v <= tight.v)) {
+        outlook.tight = {
+            .found = true, .piece = next, .slack = slack, .v = v, .limits = outlook.limits};
+      }
+    }
+    const RampLimits lower = lower_of(outlook.limits, sight_.ramp(next));
+    if (lower.a < outlook.limits.a || lower.j < outlook.limits.j) {
+      outlook.limits = lower;
+      rest = from.s + length_of(change_speed(from, 0.0, lower), from.s);
+    }
+  }
+  outlook.fits = true;
+  return outlook;
+}
+
+// Whether a run, which at most speeds up first and then slows down, and its last speed held from
+// there on, keep the speed of every piece.
+bool OverridePlanner::keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
+    RT_SAFE {
+  if (run.size() == 0) return true;  // the speed at hand is held, which the caller knows to be kept
+  const PathMotion peak = peak_of(run);
+  for (std::size_t piece = first; piece <= last; ++piece) {
+    const double v_cap = cap(piece, caps) * (1.0 + equal_speeds);
+    if (peak.v <= v_cap) continue;
+    const double begin = std::max(sight_.start(piece), run[0].s);
+    const double end = sight_.end(piece);
+    if (end <= peak.s) {
+      if (speed_at(run, end) > v_cap) return false;
+    } else if (begin < peak.s || place_of_speed(run, v_cap) > begin) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Takes the acceleration away at once, before pieces that do not allow it.
+bool OverridePlanner::ease(PathMotion& from, std::size_t& piece, Caps caps) RT_SAFE {
+  RampLimits limits = sight_.ramp(piece);
+  PhaseRun run;
+  std::size_t last = piece;
+  for (bool settled = false; !settled;) {  // ends as in try_speed
+    const double v = eased_speed(from.v, from.a, limits.j);
+    if (v < 0.0) return false;
+    run = change_speed(from, v, limits);
+    settled = true;
+    const std::size_t end = sight_.piece_at(from.s + length_of(run, from.s), last);
+    while (last < end) {
+      const RampLimits lower = lower_of(limits, sight_.ramp(++last));
+      settled = settled && lower.j >= limits.j;
+      limits = lower;
+    }
+  }
+  if (is_faster(std::abs(from.a), limits.a) || run.size() == 0) return false;
+  const Phase& end = run[run.size() - 1];
+  if (end.s_end > sight_.end(last)) return false;
+  if (!keeps(run, piece, last, caps)) return false;
+  draft().add(run);
+  from = {.s = end.s_end, .v = end.v_end};
+  piece = sight_.piece_at(from.s, piece);
+  return true;
+}
+
+// Close before the end of the known path: goes on at the speed at hand, where all pieces allow it,
+// and brakes so that it ends there exactly.
+bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t piece,
+                                   const Outlook& outlook, Caps caps) RT_SAFE {
+  if (from.a != 0.0 || outlook.last + 1 != sight_.size()) return false;
+  const double wall = sight_.end(outlook.last);
+  const double brake = wall - length_of(change_speed(from, 0.0, outlook.limits), from.s);
+  if (brake <= from.s || brake > from.s + from.v * stop_cycles * cycle_s_) return false;
+  for (std::size_t k = piece; k <= outlook.last; ++k) {
+    if (is_faster(from.v, cap(k, caps))) return false;
+  }
+  draft().add_hold(from.s, brake, from.v);
+  draft().add(change_speed({.s = brake, .v = from.v}, 0.0, outlook.limits));
+  draft().end_at(wall);
+  return true;
+}
+
+// Brakes to rest. When that ends just before the end of the known path, it is made a little softer,
+// so that it ends there exactly.
+void OverridePlanner::stop(const PathMotion& from, const Outlook& outlook) RT_SAFE {
+  PhaseRun run = change_speed(from, 0.0, outlook.limits);
+  const double wall = sight_.end(outlook.last);
+  const double room = wall - from.s;
+  const double reach = from.v * stop_cycles * cycle_s_;
+  if (outlook.last + 1 == sight_.size() && run.size() > 0 &&
+      length_of(run, from.s) + reach >= room) {
+    // Part of the limits: too soft, it ends behind the wall, or the deceleration there is cannot be
+    // taken away before the motion turns back.
+    const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * outlook.limits.j) : 0.0;
+    double soft = std::clamp(least, 0.2, 1.0);
+    double hard = 1.0;
+    constexpr int halvings = 50;
+    for (int k = 0; k < halvings; ++k) {
+      const double part = 0.5 * (soft + hard);
+      const RampLimits limits{.a = part * outlook.limits.a, .j = part * outlook.limits.j};
+      run = change_speed(from, 0.0, limits);
+      (length_of(run, from.s) > room ? soft : hard) = part;
+    }
+    run = change_speed(from, 0.0, {.a = hard * outlook.limits.a, .j = hard * outlook.limits.j});
+    draft().add(run);
+    if (room - length_of(run, from.s) < 1e-11) draft().end_at(wall);
+    return;
+  }
+  draft().add(run);
+}
+
+}  // namespace stanok::motion

@@ -1,0 +1,279 @@
+#include "motion/look_ahead/look_ahead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/assert.h"
+
+namespace stanok::motion {
+namespace {
+
+// Blocks from one tag to the next one; programs count their blocks.
+std::uint64_t blocks_between(const BlockTag& from, const BlockTag& to) {
+  if (from.run != to.run) return 1;
+  return to.block >= from.block ? to.block - from.block : 1;
+}
+
+// Moves the phases before `s` from the front of one list to the end of another; a phase across `s`
+// is split there.
+void split_phases(std::vector<Phase>& phases, double s, std::vector<Phase>& before) {
+  std::size_t count = 0;
+  while (count < phases.size() && phases[count].s_end <= s) ++count;
+  before.insert(before.end(), phases.begin(), phases.begin() + static_cast<std::ptrdiff_t>(count));
+  phases.erase(phases.begin(), phases.begin() + static_cast<std::ptrdiff_t>(count));
+  if (phases.empty() || phases.front().s >= s) return;
+  Phase& across = phases.front();
+  const double t = time_at(across, s);
+  const PathMotion middle = motion_at(across, t);
+  Phase first = across;
+  first.duration = t;
+  first.s_end = s;
+  first.v_end = middle.v;
+  before.push_back(first);
+  across.duration -= t;
+  across.s = s;
+  across.v = middle.v;
+  across.a = middle.a;
+}
+
+void shift(std::vector<Phase>& phases, double ds) {
+  for (Phase& phase : phases) {
+    phase.s -= ds;
+    phase.s_end -= ds;
+  }
+}
+
+}  // namespace
+
+LookAhead::LookAhead(const MotionConfig& config) : config_(config) {}
+
+void LookAhead::add(const PathBuilder::Built& built) {
+  const Piece& piece = built.piece;
+  STANOK_ASSERT(piece.length > 0.0);
+  const std::uint64_t known = blocks_.empty() ? 0 : blocks_.back();
+  const bool begins = window_.empty() || built.counts_as_block;
+  blocks_.push_back(known + (begins ? 1 : blocks_between(window_.back().tag, piece.tag)));
+  window_.push_back(piece);
+  speeds_.push_back(speed_piece(piece, 1.0));
+  speeds_.back().ramp.j *= built.jerk_part;
+  overlap_ = built.overlap;
+  stand_mm_ = built.stand_mm;
+  if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
+    plan_window(built.ends_chain);
+  }
+}
+
+void LookAhead::add(ThreadChain chain) {
+  STANOK_ASSERT(window_.empty() && chain.pieces.size() <= chunk_pieces_max);
+  Committed committed;
+  committed.chunk = {.pieces = static_cast<std::uint32_t>(chain.pieces.size()),
+                     .last = true,
+                     .coupling = chain.coupling};
+  for (const Piece& piece : chain.pieces) committed.chunk.length += piece.length;
+  committed.pieces = std::move(chain.pieces);
+  ready_.push_back(std::move(committed));
+}
+
+bool LookAhead::deliver(PathQueue& queue) {
+  while (!ready_.empty()) {
+    Committed& next = ready_.front();
+    if (next.overlap) return true;
+    if (queue.pieces.space() < next.pieces.size() || queue.phases.space() < next.phases.size() ||
+        queue.chunks.space() == 0) {
+      return false;
+    }
+    bool pushed = true;
+    for (const Piece& piece : next.pieces) pushed = queue.pieces.push(piece) && pushed;
+    for (const Phase& phase : next.phases) pushed = queue.phases.push(phase) && pushed;
+    next.chunk.sequence = delivered_++;
+    pushed = queue.chunks.push(next.chunk) && pushed;
+    STANOK_ASSERT(pushed);
+    ready_.pop_front();
+  }
+  return true;
+}
+
+bool LookAhead::is_empty() const {
+  return window_.empty() && ready_.empty();
+}
+
+void LookAhead::clear() {
+  window_.clear();
+  speeds_.clear();
+  blocks_.clear();
+  v_start_ = 0.0;
+  plan_at_blocks_ = 2 * blocks_beyond;
+  rest_phases_.clear();
+  rest_keys_.clear();
+  ready_.clear();
+}
+
+void LookAhead::plan_window(bool chain_ends) {
+  if (!plan_.plan(speeds_, v_start_)) {
+    run_last_plan_on(chain_ends);
+    if (window_.empty()) return;
+    const bool stops = plan_.plan(speeds_, v_start_);
+    STANOK_ASSERT(stops);
+  }
+  phases_.clear();
+  for (const Segment& segment : plan_.segments()) plan_.append_phases(segment, phases_);
+  const std::size_t boundary =
+      chain_ends ? window_.size()
+                 : cut_at_or_before(std::min(last_boundary_to_commit(), start_of_last_descent()));
+  if (boundary == 0) {
+    plan_at_blocks_ += blocks_beyond;
+    return;
+  }
+  commit(boundary, chain_ends);
+  plan_at_blocks_ = 2 * blocks_beyond;
+}
+
+// Commits the window up to a boundary with a = 0 and keeps what the plan holds for the rest.
+void LookAhead::commit(std::size_t boundary, bool chain_ends) {
+  const double s_end = plan_.boundary(boundary);
+  std::vector<Phase> phases;
+  if (chain_ends) {
+    phases.swap(phases_);
+  } else {
+    split_phases(phases_, s_end, phases);
+  }
+  rest_phases_.swap(phases_);
+  shift(rest_phases_, s_end);
+  rest_keys_.clear();
+  for (const Segment& segment : plan_.segments()) {
+    if (segment.last <= boundary) continue;
+    rest_keys_.push_back({.pieces = segment.last - boundary,
+                          .s = plan_.boundary(segment.last) - s_end,
+                          .v = segment.v1});
+  }
+  STANOK_ASSERT(!phases.empty());
+  const double v = phases.back().v_end;
+  commit_chunks(boundary, phases, chain_ends);
+  forget(boundary, v);
+}
+
+// The pieces that came since cannot be joined at the speed of the last cut: the last plan is run as
+// it is up to its next key point from which they can be; at the latest that is where it ends, at
+// rest.
+void LookAhead::run_last_plan_on(bool chain_ends) {
+  STANOK_ASSERT(!rest_keys_.empty());
+  std::size_t k = 0;
+  for (; k + 1 < rest_keys_.size(); ++k) {
+    const auto first = speeds_.begin() + static_cast<std::ptrdiff_t>(rest_keys_[k].pieces);
+    if (plan_.plan({first, speeds_.end()}, rest_keys_[k].v)) break;
+  }
+  const RestKey key = rest_keys_[k];
+  std::vector<Phase> phases;
+  split_phases(rest_phases_, key.s, phases);
+  commit_chunks(key.pieces, phases, chain_ends && key.pieces == window_.size());
+  forget(key.pieces, key.v);
+  shift(rest_phases_, key.s);
+  rest_keys_.erase(rest_keys_.begin(), rest_keys_.begin() + static_cast<std::ptrdiff_t>(k + 1));
+  for (RestKey& rest : rest_keys_) {
+    rest.pieces -= key.pieces;
+    rest.s -= key.s;
+  }
+}
+
+// Puts the first pieces of the window and the phases over them into chunks of the size allowed.
+void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends) {
+  double s_first = 0.0;
+  double s_last = 0.0;
+  for (std::size_t first = 0; first < pieces;) {
+    const std::size_t last = std::min(pieces, first + chunk_pieces_max);
+    for (std::size_t k = first; k < last; ++k) s_last += window_[k].length;
+    Committed committed;
+    const auto begin = window_.begin();
+    committed.pieces.assign(begin + static_cast<std::ptrdiff_t>(first),
+                            begin + static_cast<std::ptrdiff_t>(last));
+    if (last == pieces) {
+      committed.phases.swap(phases);
+    } else {
+      split_phases(phases, s_last, committed.phases);
+    }
+    shift(committed.phases, s_first);
+    committed.chunk = {.pieces = static_cast<std::uint32_t>(committed.pieces.size()),
+                       .phases = static_cast<std::uint32_t>(committed.phases.size()),
+                       .last = chain_ends && last == pieces,
+                       .length = s_last - s_first,
+                       .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
+    if (committed.chunk.last) {
+      committed.overlap = overlap_;
+      committed.chunk.stand_mm = stand_mm_;
+    }
+    if (!ready_.empty() && ready_.back().overlap) decide_overlap(ready_.back(), committed);
+    ready_.push_back(std::move(committed));
+    first = last;
+    s_first = s_last;
+  }
+}
+
+// How long the next chain, which begins with `start`, may overlap the one that ends with `end`.
+void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
+  const Piece& last = end.pieces.back();
+  const Piece& first = start.pieces.front();
+  // Straight ways that are nothing beside the length of their block give way to blends: no overlap.
+  if (last.geometry.kind == PieceKind::line && first.geometry.kind == PieceKind::line) {
+    end.chunk.overlap_s =
+        overlap_duration(*end.overlap, last_ramp(end.phases), first_ramp(start.phases),
+                         {.incoming = last.length, .outgoing = first.length}, config_);
+  }
+  end.overlap.reset();
+}
+
+// Takes committed pieces out of the window; what remains starts at speed `v`.
+void LookAhead::forget(std::size_t pieces, double v) {
+  const auto count = static_cast<std::ptrdiff_t>(pieces);
+  window_.erase(window_.begin(), window_.begin() + count);
+  speeds_.erase(speeds_.begin(), speeds_.begin() + count);
+  blocks_.erase(blocks_.begin(), blocks_.begin() + count);
+  v_start_ = v;
+}
+
+std::uint64_t LookAhead::blocks_after(std::size_t boundary) const {
+  return blocks_.back() - blocks_[boundary - 1];
+}
+
+std::size_t LookAhead::last_boundary_to_commit() const {
+  if (blocks_.back() - blocks_.front() < blocks_beyond) return 0;
+  const auto beyond =
+      std::upper_bound(blocks_.begin(), blocks_.end(), blocks_.back() - blocks_beyond);
+  return static_cast<std::size_t>(beyond - blocks_.begin());
+}
+
+// The last boundary with a = 0, at or before the one given.
+std::size_t LookAhead::cut_at_or_before(std::size_t boundary) const {
+  const auto& segments = plan_.segments();
+  if (boundary == 0 || segments.empty()) return 0;
+  const auto after = std::upper_bound(
+      segments.begin(), segments.end(), boundary,
+      [](std::size_t place, const Segment& segment) { return place < segment.first; });
+  const Segment& segment = *(after - 1);
+  if (segment.last <= boundary) return segment.last;
+  const double held_from =
+      plan_.boundary(segment.first) + segment.wait_first + segment.up_distance();
+  const double held_to = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
+  for (std::size_t b = boundary; b > segment.first && plan_.boundary(b) > held_from; --b) {
+    if (plan_.boundary(b) < held_to) return b;
+  }
+  return segment.first;
+}
+
+// The boundary behind which the plan only slows down for the end of what is known.
+std::size_t LookAhead::start_of_last_descent() const {
+  const auto& segments = plan_.segments();
+  std::size_t k = segments.size();
+  while (k > 0 && segments[k - 1].top <= segments[k - 1].v0 &&
+         segments[k - 1].v1 < segments[k - 1].v0) {
+    --k;
+  }
+  if (k == 0) return 0;
+  const Segment& segment = segments[k - 1];
+  const double descent = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
+  std::size_t boundary = segment.last;
+  while (boundary > segment.first && plan_.boundary(boundary) > descent) --boundary;
+  return boundary;
+}
+
+}  // namespace stanok::motion

@@ -1,0 +1,94 @@
+// LookAhead: pieces of a chain in, committed jerk-limited profile out.
+//
+// How far it commits depends on content only: a chunk is committed when at least 1000 later blocks
+// and the stopping distance are known, or the chain ends (docs/developer/motion.md#commit); commits
+// end where a = 0. Owner: the channel's preparation.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "motion/look_ahead/speed_plan.h"
+#include "motion/path/path.h"
+#include "motion/path/path_queue.h"
+#include "motion/segments/path_builder.h"
+#include "motion/threads/thread_builder.h"
+
+namespace stanok::motion {
+
+class LookAhead {
+ public:
+  static constexpr std::uint64_t blocks_beyond = 1000;   // known beyond what is committed
+  static constexpr std::size_t chunk_pieces_max = 2048;  // the queue holds several chunks
+
+  explicit LookAhead(const MotionConfig& config);
+
+  // Takes a piece; plans and keeps committed chunks ready when content allows.
+  void add(const PathBuilder::Built& built);
+
+  // A chain that a spindle leads, whole; the chain before has ended.
+  void add(ThreadChain chain);
+
+  // Moves committed chunks into the queue, whole chunks only. Returns false when one had no room.
+  // The end of a chain that the next one may overlap waits for the start of that one, which is
+  // never farther away than the next end of a chain.
+  [[nodiscard]] bool deliver(PathQueue& queue);
+
+  // Nothing is pending: all pieces taken were committed and delivered.
+  [[nodiscard]] bool is_empty() const;
+
+  // Drops everything (abort). The next piece starts at rest.
+  void clear();
+
+ private:
+  struct Committed {
+    std::vector<Piece> pieces;
+    std::vector<Phase> phases;
+    Chunk chunk;
+    // The next chain may overlap the end of this chunk; how long, its start will tell.
+    std::optional<OverlapCorner> overlap;
+  };
+  // A state with a = 0 after so many pieces, s of path.
+  struct RestKey {
+    std::size_t pieces = 0;
+    double s = 0.0;
+    double v = 0.0;
+  };
+
+  void plan_window(bool chain_ends);
+  void commit(std::size_t boundary, bool chain_ends);
+  void commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends);
+  void decide_overlap(Committed& end, const Committed& start) const;
+  void run_last_plan_on(bool chain_ends);
+  void forget(std::size_t pieces, double v);
+
+  [[nodiscard]] std::uint64_t blocks_after(std::size_t boundary) const;
+  [[nodiscard]] std::size_t last_boundary_to_commit() const;
+  [[nodiscard]] std::size_t cut_at_or_before(std::size_t boundary) const;
+  [[nodiscard]] std::size_t start_of_last_descent() const;
+
+  // The chain at hand from the last commit on: pieces, their limits, and how many blocks were known
+  // when each one came.
+  MotionConfig config_;
+  std::vector<Piece> window_;
+  std::vector<SpeedPiece> speeds_;
+  std::vector<std::uint64_t> blocks_;
+  std::optional<OverlapCorner> overlap_;  // at the end of the chain
+  double stand_mm_ = 0.0;                 // there, too
+  double v_start_ = 0.0;
+  std::uint64_t plan_at_blocks_ = 2 * blocks_beyond;
+
+  SpeedPlan plan_;
+  std::vector<Phase> phases_;  // of the plan, s from the start of the window
+  // What the last plan held for the pieces it did not commit: a way to rest, always, and the key
+  // points on it.
+  std::vector<Phase> rest_phases_;
+  std::vector<RestKey> rest_keys_;
+
+  std::deque<Committed> ready_;
+  std::uint64_t delivered_ = 0;
+};
+
+}  // namespace stanok::motion

@@ -1,0 +1,122 @@
+// SpeedPlan: the fastest jerk-limited speed along a run of pieces with limits of their own.
+//
+// Key points are states with a = 0 at piece boundaries. Between two of them the speed ramps up, is
+// held, and ramps down. Where that is too fast for a piece, the slowest such piece becomes a
+// plateau between two new key points, and both sides are planned again; where no room is left to
+// reach the plateau with a = 0, a stair is put below the limits instead
+// (docs/developer/motion.md#profile).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "motion/profile/profile.h"
+#include "motion/profile/range_minimum.h"
+#include "motion/profile/speed_piece.h"
+
+namespace stanok::motion {
+
+// From key point to key point: held at v0 for `hold` of length, up to `top`, held, down to v1.
+struct Segment {
+  std::size_t first = 0;  // boundary where it begins: the start of piece `first`
+  std::size_t last = 0;   // boundary where it ends: the end of piece `last - 1`
+  double v0 = 0.0;
+  double v1 = 0.0;
+  double top = 0.0;
+  double wait_first = 0.0;  // length run at v0 before the ramp up
+  double wait_last = 0.0;   // length run at v1 after the ramp down
+  RampLimits up{};
+  RampLimits down{};
+
+  [[nodiscard]] double up_distance() const { return ramp_distance(v0, top, up); }
+  [[nodiscard]] double down_distance() const { return ramp_distance(top, v1, down); }
+};
+
+class SpeedPlan {
+ public:
+  // Plans from speed `v_start` (a = 0) to rest at the end of the last piece. Returns false when the
+  // start is too fast to stop there.
+  [[nodiscard]] bool plan(const std::vector<SpeedPiece>& pieces, double v_start);
+
+  [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+  // Boundary `index` in path length from the start; 0 <= index <= number of pieces.
+  [[nodiscard]] double boundary(std::size_t index) const { return boundaries_[index]; }
+
+  // Appends the phases of the segment, which starts where the phases before it end. Constant speed
+  // goes on in the phase before when it is the same speed.
+  void append_phases(const Segment& segment, std::vector<Phase>& phases) const;
+
+ private:
+  struct Key {
+    std::size_t boundary = 0;
+    double v = 0.0;
+    // What lies between this key point and the next one is a stair, found with the key.
+    bool begins_stair = false;
+    Segment stair{};
+  };
+  // A way over a key point between two others.
+  struct Detour {
+    Key key;
+    double duration = 0.0;
+    RampLimits limits{};  // of the ramp that it frees
+  };
+  enum class Direction { forward, backward };
+  enum class Fit { fits, right_too_fast, left_too_fast };
+
+  void take(const std::vector<SpeedPiece>& pieces);
+  [[nodiscard]] bool lower_left(std::vector<Key>& pending, Key& left, const Key& right);
+  void accept(const Segment& segment, Key& left, std::vector<Key>& pending);
+
+  // Limits over the pieces touched between two places or boundaries.
+  [[nodiscard]] RampLimits limits_between(double s0, double s1) const;
+  [[nodiscard]] RampLimits limits_over(std::size_t first, std::size_t last) const;
+  [[nodiscard]] RampLimits outward_limits(std::size_t from, Direction direction, double v0,
+                                          double v1) const;
+  [[nodiscard]] double highest_limit(std::size_t first, std::size_t last) const;
+  [[nodiscard]] double boundary_limit(std::size_t boundary) const;
+  [[nodiscard]] double duration(const Segment& segment) const;
+
+  // The fastest segment between two key points whose top is at most `v_cap`.
+  [[nodiscard]] Fit fit(const Key& left, const Key& right, double v_cap, Segment& segment) const;
+  [[nodiscard]] Fit fit_peak(double v_cap, Segment& segment) const;
+
+  // A key point up to which it pays to go slowly, because the pieces before it would spoil the ramp
+  // (a blend in front of a line): at the speed of the slow end, or at one reached on the way there.
+  [[nodiscard]] std::optional<Key> later_start(const Key& left, const Key& right,
+                                               const Segment& segment) const;
+  [[nodiscard]] std::optional<Key> earlier_end(const Key& left, const Key& right,
+                                               const Segment& segment) const;
+  [[nodiscard]] std::optional<Detour> best_detour(const Key& left, const Key& right,
+                                                  std::size_t boundary, Direction direction) const;
+  [[nodiscard]] std::size_t behind_worst(std::size_t start, std::size_t stop, double reach,
+                                         const RampLimits& limits) const;
+  [[nodiscard]] std::size_t before_worst(std::size_t end, std::size_t stop, double reach,
+                                         const RampLimits& limits) const;
+  [[nodiscard]] double speed_across(const Key& from, std::size_t boundary) const;
+
+  // The slowest piece that the segment passes too fast; npos: none.
+  [[nodiscard]] std::size_t slowest_violated(const Segment& segment) const;
+
+  // Puts the key points that `piece` asks for on top of `pending`; false: none, the segment's top
+  // is the piece's speed.
+  [[nodiscard]] bool add_keys(Key& left, std::size_t piece, std::vector<Key>& pending);
+  [[nodiscard]] bool add_stair(Key& left, const Key& right, std::size_t far_end,
+                               Direction direction, std::vector<Key>& pending);
+  [[nodiscard]] bool stair_fits(const Key& from, std::size_t end, const RampCourse& ramp,
+                                double wait) const;
+  [[nodiscard]] double stair_speed(const Key& from, std::size_t end) const;
+  [[nodiscard]] double stair_wait(const Key& from, std::size_t end, double v,
+                                  const RampLimits& limits) const;
+  [[nodiscard]] Key best_stair(const Key& from, std::size_t nearest, std::size_t stop) const;
+  [[nodiscard]] double distance(std::size_t from, std::size_t to) const;
+
+  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+
+  std::vector<double> boundaries_;
+  std::vector<double> v_, minus_v_, a_, j_;
+  RangeMinimum slowest_, fastest_, least_a_, least_j_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace stanok::motion

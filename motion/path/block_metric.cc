@@ -1,0 +1,88 @@
+#include "motion/path/block_metric.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/path/shape.h"
+
+namespace stanok::motion {
+namespace {
+
+bool is_geometry_axis(const MotionConfig& config, int axis) {
+  return std::ranges::find(config.geometry, axis) != config.geometry.end();
+}
+
+double way(const PathBlock& block, const Point& start, int axis) {
+  return at(block.end, axis) - at(start, axis);
+}
+
+PathMetric of_geometry(const MotionConfig& config) {
+  PathMetric metric{config.axis_count, 0};
+  for (const int axis : config.geometry) {
+    if (axis >= 0) metric.axes |= 1U << static_cast<unsigned>(axis);
+  }
+  return metric;
+}
+
+// In its plane.
+double arc_length(const PathBlock& block, const Point& start) {
+  const double radius = std::hypot(at(start, block.plane[0]) - block.centre[0],
+                                   at(start, block.plane[1]) - block.centre[1]);
+  return radius * std::abs(block.sweep_rad);
+}
+
+// No point of a polynomial over [0, 1] is farther from its first one.
+double reach(const std::array<double, 6>& coefficients) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < coefficients.size(); ++k) sum += std::abs(coefficients[k]);
+  return sum;
+}
+
+}  // namespace
+
+bool is_point_like(const PathBlock& block, const Point& start) {
+  switch (block.kind) {
+    case BlockKind::arc:
+      return arc_length(block, start) <= standstill;
+    case BlockKind::curve:
+      return std::max(reach(block.curve[0]), reach(block.curve[1])) <= standstill;
+    case BlockKind::line:
+      break;
+  }
+  return false;
+}
+
+BlockWay way_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
+  if (block.kind != BlockKind::line && !is_point_like(block, start)) return BlockWay::geometry;
+  BlockWay moved = BlockWay::none;
+  for (int axis = 0; axis < config.axis_count; ++axis) {
+    if (std::abs(way(block, start, axis)) <= standstill) continue;
+    if (is_geometry_axis(config, axis)) return BlockWay::geometry;
+    moved = BlockWay::others;
+  }
+  return moved;
+}
+
+PathMetric metric_of(BlockWay way, const MotionConfig& config) {
+  PathMetric metric = of_geometry(config);
+  if (way != BlockWay::geometry)
+    metric.axes = ((1U << static_cast<unsigned>(config.axis_count)) - 1U) & ~metric.axes;
+  return metric;
+}
+
+double length_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
+  const BlockWay moved = way_of(block, start, config);
+  if (moved == BlockWay::none) return 0.0;
+  const PathMetric metric = metric_of(moved, config);
+  const bool is_curved = block.kind != BlockKind::line && !is_point_like(block, start);
+  if (is_curved && block.kind == BlockKind::curve) return curve(metric, start, block).length;
+  double squared = 0.0;
+  for (int axis = 0; axis < config.axis_count; ++axis) {
+    const bool in_plane = is_curved && (axis == block.plane[0] || axis == block.plane[1]);
+    if (in_plane || !metric.counts(static_cast<std::size_t>(axis))) continue;
+    squared += way(block, start, axis) * way(block, start, axis);
+  }
+  return is_curved ? std::hypot(arc_length(block, start), std::sqrt(squared)) : std::sqrt(squared);
+}
+
+}  // namespace stanok::motion

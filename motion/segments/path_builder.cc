@@ -1,0 +1,447 @@
+// Blocks to pieces, one block behind (motion/segments/path_builder.h).
+//
+// The last block taken is pending: its start is settled, its end waits for the join with the block
+// that follows. A blend takes at most half of the block that follows, and of the pending block all
+// that the blend at its start has left: the two never meet, and every second half is used.
+#include "motion/segments/path_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/assert.h"
+#include "motion/bounds/piece_bounds.h"
+#include "motion/path/blend.h"
+#include "motion/path/block_metric.h"
+#include "motion/path/geometry.h"
+#include "motion/path/sampling.h"
+#include "motion/path/shape.h"
+#include "motion/segments/corner.h"
+
+namespace stanok::motion {
+namespace {
+
+// "Exact" path: what a tolerance of 0 still permits, a millionth of a micrometre. It lets tangent
+// joins with rounded coordinates or a step of curvature pass slowly; real corners stop.
+constexpr double exact_tolerance = 1e-9;  // mm or deg
+
+// Shorter rests between two blends are not worth a piece of their own; their blend gives way.
+constexpr double rest_min = 1e-4;
+
+constexpr double shortest_part = 0.02;  // mm; of a block that is divided near a singularity
+
+Shape shape_of(const Point& start, const PathBlock& block, const MotionConfig& config) {
+  const bool on_geometry = std::ranges::any_of(config.geometry, [&](int axis) {
+    return axis >= 0 && at(block.end, axis) != at(start, axis);
+  });
+  BlockWay moved = way_of(block, start, config);
+  if (moved == BlockWay::none && on_geometry) moved = BlockWay::geometry;
+  const PathMetric metric = metric_of(moved, config);
+  if (is_point_like(block, start)) return line(metric, start, block.end);
+  switch (block.kind) {
+    case BlockKind::arc:
+      return arc(metric, start, block);
+    case BlockKind::curve:
+      return curve(metric, start, block);
+    case BlockKind::line:
+      break;
+  }
+  return line(metric, start, block.end);
+}
+
+PieceProcess process_of(const BlockProcess& block) {
+  return {.law = block.law,
+          .way_start = block.way_start,
+          .way_stop = block.way_start + block.way_length,
+          .way_end = block.way_end,
+          .rev_per_min = block.rev_per_min};
+}
+
+// The same between two path lengths of the piece.
+PieceProcess part_of(const Piece& whole, double from, double to) {
+  PieceProcess process = whole.process;
+  const double way = process.way_stop - process.way_start;
+  process.way_start = whole.process.way_start + way * (from / whole.length);
+  if (to < whole.length) process.way_stop = whole.process.way_start + way * (to / whole.length);
+  return process;
+}
+
+// The shortest rest of a block between its two blends, when `left` remains of it.
+double rest_wanted(double left) {
+  return std::min(rest_min, 0.125 * left);
+}
+
+// How far a blend may reach: it takes all that is left rather than leave a tiny rest.
+double reach_allowed(double left, double length_after) {
+  const double half = 0.5 * length_after;
+  return left - half < rest_wanted(left) ? left : half;
+}
+
+// Share of the tolerance at which set-points on a blend between two lines pass the corner: the
+// chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8.
+double chord_share(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+                   const Tolerance& tolerance, const MotionConfig& config) {
+  constexpr double override_max = 2.0;
+  constexpr double unseen = 1e-6;  // mm; chords of an exact path
+  if (incoming.geometry.kind != PieceKind::line || outgoing.geometry.kind != PieceKind::line) {
+    return 0.0;
+  }
+  JetPoint middle;
+  evaluate_at_parameter(blend, 0.5, middle);
+  double distance2 = 0.0;
+  double bend2 = 0.0;
+  for (const int axis : config.geometry) {
+    if (axis < 0) continue;
+    const auto k = static_cast<std::size_t>(axis);
+    const double distance = middle[k].value - incoming.geometry.end[k];
+    distance2 += distance * distance;
+    bend2 += middle[k].second * middle[k].second;
+  }
+  const double way = piece_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
+  return (std::sqrt(distance2) + 0.125 * way * way * std::sqrt(bend2)) /
+         std::max(tolerance.mm, unseen);
+}
+
+// The soft limits less what a smooth run may deviate. Where the tip is led through rotary axes,
+// their deviation is felt at the end of a lever.
+MotionConfig narrowed(MotionConfig config, const Piece& piece, const Tolerance& tolerance) {
+  constexpr double lever = 1000.0;  // mm
+  const double swing = is_affine(piece) ? 0.0 : lever * tolerance.deg * std::numbers::pi / 180.0;
+  for (AxisLimits& axis : config.axes) {
+    const double margin = axis.linear ? tolerance.mm + swing : tolerance.deg;
+    axis.position_min += margin;
+    axis.position_max -= margin;
+  }
+  return config;
+}
+
+}  // namespace
+
+PathBuilder::PathBuilder(const MotionConfig& config) : config_(config), run_(config) {}
+
+void PathBuilder::restart(const Point& point, const std::array<int, 3>& geometry) {
+  if (geometry != config_.geometry) {
+    config_.geometry = geometry;
+    run_ = SmoothRun(config_);
+  }
+  pending_.reset();
+  standing_.reset();
+  run_.clear();
+  stands_ = true;
+  end_ = point;
+}
+
+std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
+  if (way_of(block, programmed_end(), config_) == BlockWay::none) return stand(block);
+  STANOK_ASSERT(block.rapid || block.feed_per_s > 0.0);
+  Pending next = pending_from(block);
+  if (next.whole.length <= 0.0) return stand(block);  // back over what was not moved before
+  next.keeps_clear = !soft_limit_excess(next.whole, narrowed(config_, next.whole, next.tolerance));
+  if (!next.keeps_clear) {
+    if (const auto excess = soft_limit_excess(next.whole, config_)) {
+      return Unreachable{block.tag, excess->axis, excess->position, excess->limit};
+    }
+  }
+  take(next);
+  end_ = block.end;
+  standing_.reset();
+  if (block.ending == BlockEnding::exact_stop) finish();
+  return std::nullopt;
+}
+
+std::optional<Unreachable> PathBuilder::stand(const PathBlock& block) {
+  standing_ = block;
+  if (block.ending == BlockEnding::exact_stop) finish();
+  return std::nullopt;
+}
+
+// Where the program is, within some `standstill` of the end of the path.
+const Point& PathBuilder::programmed_end() const {
+  return standing_ ? standing_->end : end_;
+}
+
+void PathBuilder::take(const Pending& next) {
+  if (run_.is_open() && belong_together(last_of_run_, next)) {
+    run_.add(next.whole, next.tolerance, smoothed_);
+    last_of_run_ = next;
+    return emit_run();
+  }
+  if (run_.is_open()) {
+    const bool turns = judge_join(last_of_run_.whole, next.whole) == Join::turn;
+    close_run(turns ? SmoothRun::End::at_rest : SmoothRun::End::straight);
+  }
+  if (!pending_) {
+    pending_ = next;
+  } else if (belong_together(*pending_, next)) {
+    open_run(next);
+  } else {
+    join(next);
+  }
+}
+
+void PathBuilder::finish() {
+  if (run_.is_open()) close_run(SmoothRun::End::at_rest);
+  if (pending_) stop();
+  if (standing_) stand_at_programmed_end();
+}
+
+// Blocks that did not move may have named another end by what rounding leaves: the axes go there,
+// so that they stand where the program says, to the bit.
+void PathBuilder::stand_at_programmed_end() {
+  PathBlock block = *standing_;
+  standing_.reset();
+  block.kind = BlockKind::line;
+  block.rapid = true;
+  block.process = {};
+  for (auto k = static_cast<std::size_t>(config_.axis_count); k < block.end.size(); ++k)
+    block.end[k] = end_[k];
+  if (block.end == end_) return;
+  pending_ = pending_from(block);
+  end_ = block.end;
+  if (pending_->whole.length > 0.0) return stop();
+  pending_.reset();
+}
+
+// Two blocks that may be neighbours in a smooth run.
+bool PathBuilder::belong_together(const Pending& one, const Pending& next) const {
+  const bool have_laws = one.whole.process.law != nullptr || next.whole.process.law != nullptr;
+  return !have_laws && one.keeps_clear && next.keeps_clear &&
+         run_.may_join(one.whole, next.whole, lower_of(one.tolerance, next.tolerance));
+}
+
+void PathBuilder::open_run(const Pending& next) {
+  const bool begins_chain = stands_ && pending_->from == 0.0 && pending_->straight == 0.0;
+  const auto end = begins_chain ? SmoothRun::End::at_rest : SmoothRun::End::straight;
+  const SmoothRun::Place place =
+      run_.begin(pending_->whole, pending_->tolerance, end, {pending_->from, pending_->from_point});
+  if (place.s > pending_->from) emit_pending(place.s, place.point);
+  pending_.reset();
+  run_.add(next.whole, next.tolerance, smoothed_);
+  last_of_run_ = next;
+  emit_run();
+}
+
+// What is left of the last block of a run is pending; the chain ends where nothing is.
+void PathBuilder::close_run(SmoothRun::End end) {
+  const SmoothRun::Place place = run_.end(end, smoothed_);
+  emit_run();
+  if (end == SmoothRun::End::at_rest) return end_chain();
+  last_of_run_.from = place.s;
+  last_of_run_.from_point = place.point;
+  pending_ = last_of_run_;
+}
+
+void PathBuilder::emit_run() {
+  for (Piece& piece : smoothed_) {
+    piece.bounds = piece_bounds(piece, config_);
+    append(piece);
+  }
+  smoothed_.clear();
+}
+
+PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
+  const Shape shape = shape_of(end_, block, config_);
+  Pending pending;
+  pending.whole.tag = block.tag;
+  pending.whole.geometry = shape.geometry;
+  pending.whole.length = shape.length;
+  pending.whole.feed_per_s = block.rapid ? unlimited : block.feed_per_s;
+  pending.whole.rapid = block.rapid;
+  pending.whole.transform = block.transform;
+  pending.whole.process = process_of(block.process);
+  pending.tolerance = {block.tolerance_mm, block.tolerance_deg};
+  pending.from_point = end_;
+  return pending;
+}
+
+void PathBuilder::join(const Pending& block) {
+  Pending next = block;
+  switch (judge_join(pending_->whole, next.whole)) {
+    case Join::smooth:
+      emit_pending(pending_->whole.length, pending_->whole.geometry.end);
+      break;
+    case Join::corner:
+      join_corner(next);
+      break;
+    case Join::turn:
+      stop();
+      break;
+  }
+  pending_ = next;
+}
+
+// A blend, or a stop, which the next block may overlap: the fastest of them.
+void PathBuilder::join_corner(Pending& next) {
+  const Piece& incoming = pending_->whole;
+  const Piece& outgoing = next.whole;
+  const Tolerance tolerance = lower_of(pending_->tolerance, next.tolerance);
+  const auto curve = blend_to(
+      next, {std::max(exact_tolerance, tolerance.mm), std::max(exact_tolerance, tolerance.deg)});
+  if (curve && keeps_speed(incoming, curve->piece, outgoing, config_)) return take(*curve, next);
+  const auto overlap = overlap_corner(incoming, outgoing, tolerance, config_);
+  OverlapGain gain;
+  if (overlap) gain = overlap_gain(*overlap, incoming, outgoing, config_);
+  if (curve && !is_stop_faster(incoming, curve->piece, outgoing, gain.time, config_)) {
+    return take(*curve, next);
+  }
+  if (gain.time <= 0.0) return stop();
+  stop_with_overlap(*overlap, gain.jerk_part, next);
+}
+
+// The blend to the next block, if there is one that the machine can reach.
+std::optional<PathBuilder::Curve> PathBuilder::blend_to(const Pending& next,
+                                                        const Tolerance& tolerance) const {
+  Tolerance used = tolerance;
+  auto curve = fit_curve(next, used);
+  constexpr int attempts = 3;  // a smaller blend is bent more, where the feed sets its speed
+  for (int k = 0; k < attempts && curve; ++k) {
+    const double share = chord_share(pending_->whole, curve->piece, next.whole, tolerance, config_);
+    if (share <= 1.0) break;
+    used = {used.mm / share, used.deg / share};
+    curve = fit_curve(next, used);
+  }
+  if (!curve || soft_limit_excess(curve->piece, config_)) return std::nullopt;
+  return curve;
+}
+
+std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
+                                                         const Tolerance& tolerance) const {
+  const Piece& incoming = pending_->whole;
+  const Piece& outgoing = next.whole;
+  const double left = incoming.length - std::max(pending_->from, pending_->straight);
+  const double reach_max = reach_allowed(left, outgoing.length);
+  auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
+  if (blend && blend->reach < left && left - blend->reach < rest_wanted(left)) {
+    blend = fit_blend(incoming, outgoing, left - rest_wanted(left), tolerance, config_);
+  }
+  if (!blend) return std::nullopt;
+  Curve curve{.piece = outgoing, .reach = blend->reach};
+  Piece& piece = curve.piece;
+  piece.tag = incoming.tag;
+  piece.geometry = blend->shape.geometry;
+  piece.length = blend->shape.length;
+  piece.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
+  piece.rapid = incoming.rapid && outgoing.rapid;
+  if (incoming.feed_per_s < outgoing.feed_per_s) piece.process = incoming.process;
+  piece.bounds = piece_bounds(piece, config_);
+  return curve;
+}
+
+// Emits a blend and what is left of the pending block before it.
+void PathBuilder::take(const Curve& curve, Pending& next) {
+  Piece piece = curve.piece;
+  const double corner = pending_->whole.length;
+  if (curve.reach < corner - pending_->from) {
+    emit_pending(corner - curve.reach, piece.geometry.start);
+  } else {
+    piece.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
+  }
+  append_blend(piece, next, curve.reach);
+  next.from = curve.reach;
+  next.from_point = piece.geometry.end;
+}
+
+// The pending block from where the blend at its start ends up to `to`, in two parts when they may
+// use different jerks.
+void PathBuilder::emit_pending(double to, const Point& to_point, double jerk_part_at_end) {
+  const Pending& block = *pending_;
+  if (block.jerk_part == jerk_part_at_end) {
+    return emit_part(block.from, block.from_point, to, to_point, jerk_part_at_end);
+  }
+  const double middle = 0.5 * (block.from + to);
+  JetPoint point_s;
+  evaluate(block.whole, middle, point_s);
+  const Point middle_point = contact(point_s).position;
+  emit_part(block.from, block.from_point, middle, middle_point, block.jerk_part);
+  emit_part(middle, middle_point, to, to_point, jerk_part_at_end);
+}
+
+// The bounds of a piece hold for all of it: near a singularity of the scheme, where they grow
+// steeply, a piece is no longer than its distance from there.
+void PathBuilder::emit_part(double from, const Point& from_point, double to, const Point& to_point,
+                            double jerk_part) {
+  const double length = to - from;
+  if (length > shortest_part && has_singularity(pending_->whole)) {
+    JetPoint point_s;
+    const double middle = 0.5 * (from + to);
+    evaluate(pending_->whole, middle, point_s);
+    const Point middle_point = contact(point_s).position;
+    const double clearance = std::min({distance_to_singularity(pending_->whole, from_point),
+                                       distance_to_singularity(pending_->whole, middle_point),
+                                       distance_to_singularity(pending_->whole, to_point)});
+    if (length > clearance) {
+      emit_part(from, from_point, middle, middle_point, jerk_part);
+      return emit_part(middle, middle_point, to, to_point, jerk_part);
+    }
+  }
+  Piece piece = pending_->whole;
+  if (from > 0.0 || to < piece.length) {
+    const Shape rest = part(pending_->whole, from, from_point, to, to_point);
+    piece.geometry = rest.geometry;
+    piece.length = rest.length;
+    piece.process = part_of(pending_->whole, from, to);
+  }
+  piece.bounds = piece_bounds(piece, config_);
+  append(piece, jerk_part);
+}
+
+// Between two blocks of one feed law its path goes on through the blend; else the blend belongs to
+// either block up to its middle.
+void PathBuilder::append_blend(Piece piece, const Pending& next, double reach) {
+  const Piece& incoming = pending_->whole;
+  const Piece& outgoing = next.whole;
+  const PieceProcess before =
+      part_of(incoming, std::max(incoming.length - reach, 0.0), incoming.length);
+  const PieceProcess behind = part_of(outgoing, 0.0, reach);
+  if (before.law == behind.law) {
+    if (before.law != nullptr) {
+      piece.process = before;
+      piece.process.way_stop = behind.way_stop;
+    }
+    return append(piece);
+  }
+  const double middle = 0.5 * piece.length;
+  JetPoint point_s;
+  evaluate(piece, middle, point_s);
+  const Point middle_point = contact(point_s).position;
+  for (const bool first : {true, false}) {
+    Piece half = piece;
+    const Shape shape = first ? part(piece, 0.0, piece.geometry.start, middle, middle_point)
+                              : part(piece, middle, middle_point, piece.length, piece.geometry.end);
+    half.geometry = shape.geometry;
+    half.length = shape.length;
+    half.process = first ? before : behind;
+    append(half);
+  }
+}
+
+void PathBuilder::append(const Piece& piece, double jerk_part) {
+  built_.push_back({.piece = piece, .jerk_part = jerk_part});
+  stands_ = false;
+}
+
+void PathBuilder::end_chain() {
+  built_.back().ends_chain = true;
+  stands_ = true;
+}
+
+// The pending block runs to its end and the path stands there.
+void PathBuilder::stop() {
+  emit_pending(pending_->whole.length, pending_->whole.geometry.end);
+  end_chain();
+  pending_.reset();
+}
+
+// The same, but `next` may begin before, on a straight way of several times the reach: at equal
+// jerks it makes 2^3 reaches meanwhile.
+void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next) {
+  constexpr double reaches = 16.0;
+  emit_pending(pending_->whole.length, pending_->whole.geometry.end, jerk_part);
+  end_chain();
+  built_.back().overlap = overlap;
+  next.jerk_part = jerk_part;
+  next.straight = std::min(reaches * overlap.reach, 0.5 * next.whole.length);
+  pending_.reset();
+}
+
+}  // namespace stanok::motion

@@ -1,0 +1,115 @@
+// PathBuilder: programmed blocks to a chain of pieces with continuous curvature, within tolerance.
+//
+// Corners (line-line, line-arc, arc-arc, tangent joins with a step of curvature too) are replaced
+// by quintic blends in all axes together, so that rotary axes stay synchronous; the deviation from
+// the programmed path never exceeds the block's tolerance. Where a blend is not possible or not
+// allowed the chain stops. docs/developer/motion.md#blends. Owner: the channel's preparation.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "motion/path/path.h"
+#include "motion/segments/corner_overlap.h"
+#include "motion/segments/smooth_run.h"
+
+namespace stanok::motion {
+
+// A point of the path that the machine cannot reach: named by block, axis and limit.
+struct Unreachable {
+  BlockTag tag;
+  int axis = 0;
+  double position = 0.0;  // NaN: the pose does not exist in the scheme
+  double limit = 0.0;
+};
+
+class PathBuilder {
+ public:
+  explicit PathBuilder(const MotionConfig& config);
+
+  // Stands at `point` with nothing pending; the next block starts there. To be called after
+  // finish() whenever the transform changes: a chain has one transform.
+  void restart(const Point& point) { restart(point, config_.geometry); }
+  // The same, with other axes as X, Y and Z of the workpiece space from here on.
+  void restart(const Point& point, const std::array<int, 3>& geometry);
+
+  // Takes the next block. Pieces that are final now are appended to `out`; a piece with
+  // `ends_chain` set closes a chain at rest. An unreachable pose is reported and the block is not
+  // taken.
+  [[nodiscard]] std::optional<Unreachable> add(const PathBlock& block);
+
+  // No block follows for now: what is pending becomes final and the chain ends at rest.
+  void finish();
+
+  // A final piece, in path order.
+  struct Built {
+    Piece piece;
+    bool ends_chain = false;  // the path stands still at the end of this piece
+    // The next chain follows, and may begin before this one has ended.
+    std::optional<OverlapCorner> overlap = std::nullopt;
+    double jerk_part = 1.0;  // of the jerk the axes allow, that the profile may use on the piece
+    double stand_mm = 0.0;   // Chunk::stand_mm
+    bool counts_as_block = false;  // for look-ahead: a part that a feed law made of a block
+  };
+  // Final pieces not yet taken; the caller empties it.
+  [[nodiscard]] std::vector<Built>& built() { return built_; }
+
+  // End of the last block taken, in W.
+  [[nodiscard]] const Point& end() const { return end_; }
+
+ private:
+  // The last block taken: its end still waits for the join with the next one.
+  struct Pending {
+    Piece whole;  // the programmed block
+    Tolerance tolerance;
+    bool keeps_clear = false;  // of the soft limits, by its tolerance
+    double from = 0.0;         // path length already taken by the blend at its start
+    Point from_point{};
+    double jerk_part = 1.0;  // up to its middle (Built)
+    double straight = 0.0;   // at its start, that no blend may take: it overlaps the block before
+  };
+
+  // A blend, and how far it reaches into both blocks.
+  struct Curve {
+    Piece piece;
+    double reach = 0.0;
+  };
+
+  [[nodiscard]] const Point& programmed_end() const;
+  [[nodiscard]] std::optional<Unreachable> stand(const PathBlock& block);
+  [[nodiscard]] Pending pending_from(const PathBlock& block) const;
+  void take(const Pending& next);
+  [[nodiscard]] bool belong_together(const Pending& one, const Pending& next) const;
+  void open_run(const Pending& next);
+  void close_run(SmoothRun::End end);
+  void emit_run();
+  void join(const Pending& next);
+  void join_corner(Pending& next);
+  [[nodiscard]] std::optional<Curve> blend_to(const Pending& next,
+                                              const Tolerance& tolerance) const;
+  [[nodiscard]] std::optional<Curve> fit_curve(const Pending& next,
+                                               const Tolerance& tolerance) const;
+  void take(const Curve& curve, Pending& next);
+  void emit_pending(double to, const Point& to_point, double jerk_part_at_end = 1.0);
+  void emit_part(double from, const Point& from_point, double to, const Point& to_point,
+                 double jerk_part);
+  void stop();
+  void stand_at_programmed_end();
+  void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
+  void append(const Piece& piece, double jerk_part = 1.0);
+  void append_blend(Piece piece, const Pending& next, double reach);
+  void end_chain();
+
+  MotionConfig config_;
+  Point end_{};
+  std::optional<PathBlock> standing_;  // the last block, where it did not move
+  bool stands_ = true;                 // the last piece ended a chain, or there is none
+  // Either the last block is pending, or it is the last one of an open run.
+  std::optional<Pending> pending_;
+  Pending last_of_run_;
+  SmoothRun run_;
+  std::vector<Piece> smoothed_;
+  std::vector<Built> built_;
+};
+
+}  // namespace stanok::motion
