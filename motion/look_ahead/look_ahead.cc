@@ -117,7 +117,7 @@ void LookAhead::plan_window(bool chain_ends) {
     STANOK_ASSERT(stops);
   }
   phases_.clear();
-  for (const Segment& segment : plan_.segments()) plan_.append_phases(segment, phases_);
+  for (const KeySpan& span : plan_.spans()) plan_.append_phases(span, phases_);
   const std::size_t boundary =
       chain_ends ? window_.size()
                  : cut_at_or_before(std::min(last_boundary_to_commit(), start_of_last_descent()));
@@ -141,11 +141,10 @@ void LookAhead::commit(std::size_t boundary, bool chain_ends) {
   rest_phases_.swap(phases_);
   shift(rest_phases_, s_end);
   rest_keys_.clear();
-  for (const Segment& segment : plan_.segments()) {
-    if (segment.last <= boundary) continue;
-    rest_keys_.push_back({.pieces = segment.last - boundary,
-                          .s = plan_.boundary(segment.last) - s_end,
-                          .v = segment.v1});
+  for (const KeySpan& span : plan_.spans()) {
+    if (span.last <= boundary) continue;
+    rest_keys_.push_back(
+        {.pieces = span.last - boundary, .s = plan_.boundary(span.last) - s_end, .v = span.v1});
   }
   STANOK_ASSERT(!phases.empty());
   const double v = phases.back().v_end;
@@ -244,35 +243,33 @@ std::size_t LookAhead::last_boundary_to_commit() const {
 
 // The last boundary with a = 0, at or before the one given.
 std::size_t LookAhead::cut_at_or_before(std::size_t boundary) const {
-  const auto& segments = plan_.segments();
-  if (boundary == 0 || segments.empty()) return 0;
-  const auto after = std::upper_bound(
-      segments.begin(), segments.end(), boundary,
-      [](std::size_t place, const Segment& segment) { return place < segment.first; });
-  const Segment& segment = *(after - 1);
-  if (segment.last <= boundary) return segment.last;
-  const double held_from =
-      plan_.boundary(segment.first) + segment.wait_first + segment.up_distance();
-  const double held_to = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
-  for (std::size_t b = boundary; b > segment.first && plan_.boundary(b) > held_from; --b) {
+  const auto& spans = plan_.spans();
+  if (boundary == 0 || spans.empty()) return 0;
+  const auto after =
+      std::upper_bound(spans.begin(), spans.end(), boundary,
+                       [](std::size_t place, const KeySpan& span) { return place < span.first; });
+  const KeySpan& span = *(after - 1);
+  if (span.last <= boundary) return span.last;
+  const double held_from = plan_.boundary(span.first) + span.wait_first + span.up_distance();
+  const double held_to = plan_.boundary(span.last) - span.wait_last - span.down_distance();
+  for (std::size_t b = boundary; b > span.first && plan_.boundary(b) > held_from; --b) {
     if (plan_.boundary(b) < held_to) return b;
   }
-  return segment.first;
+  return span.first;
 }
 
 // The boundary behind which the plan only slows down for the end of what is known.
 std::size_t LookAhead::start_of_last_descent() const {
-  const auto& segments = plan_.segments();
-  std::size_t k = segments.size();
-  while (k > 0 && segments[k - 1].top <= segments[k - 1].v0 &&
-         segments[k - 1].v1 < segments[k - 1].v0) {
+  const auto& spans = plan_.spans();
+  std::size_t k = spans.size();
+  while (k > 0 && spans[k - 1].top <= spans[k - 1].v0 && spans[k - 1].v1 < spans[k - 1].v0) {
     --k;
   }
   if (k == 0) return 0;
-  const Segment& segment = segments[k - 1];
-  const double descent = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
-  std::size_t boundary = segment.last;
-  while (boundary > segment.first && plan_.boundary(boundary) > descent) --boundary;
+  const KeySpan& span = spans[k - 1];
+  const double descent = plan_.boundary(span.last) - span.wait_last - span.down_distance();
+  std::size_t boundary = span.last;
+  while (boundary > span.first && plan_.boundary(boundary) > descent) --boundary;
   return boundary;
 }
 

@@ -22,7 +22,7 @@ Planned plan(const std::vector<SpeedPiece>& pieces) {
   SpeedPlan planner;
   EXPECT_TRUE(planner.plan(pieces, 0.0));
   Planned planned;
-  for (const Segment& segment : planner.segments()) planner.append_phases(segment, planned.phases);
+  for (const KeySpan& span : planner.spans()) planner.append_phases(span, planned.phases);
   for (const Phase& phase : planned.phases) planned.duration += phase.duration;
   planned.length = planner.boundary(pieces.size());
   return planned;
