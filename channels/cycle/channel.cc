@@ -77,12 +77,12 @@ void Channel::forget_path() RT_SAFE {
 
 // A step that is awaited and begins on the path: the first block that is closed.
 void Channel::take_step() RT_SAFE {
-  constexpr std::size_t pieces_seen = 2;
-  const auto& pieces = link.path.pieces;
+  constexpr std::size_t segments_seen = 2;
+  const auto& segments = link.path.segments;
   Stepper& stepper = run.stepper();
-  for (std::size_t k = 0; k < std::min(pieces.size(), pieces_seen); ++k) {
+  for (std::size_t k = 0; k < std::min(segments.size(), segments_seen); ++k) {
     if (!stepper.awaits_next()) return;
-    const motion::BlockTag& tag = pieces[k].tag;
+    const motion::BlockTag& tag = segments[k].tag;
     if (tag.block >= stepper.closed_from_block()) static_cast<void>(stepper.admits(tag));
   }
 }

@@ -112,7 +112,7 @@ class BlockPreparation {
   ProcessPreparation process_;
   FaceTransformation face_;
   double face_axis_M_ = 0.0;  // on a face: where its rotary axis stands, with all its turns; deg
-  std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
+  std::deque<kinematics::Transform> transforms_;  // segments in the queue point into it
   motion::Point position_W_{};                    // of the path
 };
 

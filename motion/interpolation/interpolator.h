@@ -34,15 +34,16 @@ enum class PathState : std::uint8_t {
 
 struct InterpolatorOutput {
   PathState state = PathState::idle;
-  BlockTag tag;          // of the piece at hand, or the last one
+  BlockTag tag;          // of the segment at hand, or the last one
   JetPoint point{};      // programmed point in W with time derivatives, mm, mm/s, ...
-  JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
+  JetPoint axes{};       // machine axes M with time derivatives, through the segment's transform
   double s_speed = 0.0;  // path speed, mm/s
-  double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
+  double feed_commanded =
+      0.0;  // programmed feed of the segment in mm/s before override, 0 in rapid
   // Axes whose way counts as that of a working feed, bit k: channel axis k; 0 in rapid, in threads
   // and without a path.
   unsigned working_axes = 0;
-  PieceProcess process;           // of the piece at hand, or the last one
+  SegmentProcess process;         // of the segment at hand, or the last one
   double path_advanced = 0.0;     // path length travelled in this cycle, mm (or deg)
   bool at_gate = false;           // at rest before a gate of FeedControl
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
@@ -111,13 +112,13 @@ class Interpolator {
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
                                   InterpolatorOutput& out) RT_SAFE;
-  [[nodiscard]] bool is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
-      RT_SAFE;
+  [[nodiscard]] bool is_next_segment_closed(const PathQueue& queue,
+                                            const FeedControl& control) const RT_SAFE;
   [[nodiscard]] bool stands_at_gate(const PathQueue& queue, const FeedControl& control) const
       RT_SAFE;
   void stand_here(const PathQueue& queue) RT_SAFE;
   void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
-  void turns_to_way(const Piece& piece, const JetPoint& point_s, InterpolatorOutput& out) const
+  void turns_to_way(const Segment& segment, const JetPoint& point_s, InterpolatorOutput& out) const
       RT_SAFE;
   void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
   [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
@@ -149,7 +150,7 @@ class Interpolator {
   Point standing_point_{};
   Point standing_axes_{};
   BlockTag last_tag_;
-  PieceProcess last_process_;
+  SegmentProcess last_process_;
   double stand_mm_ = 0.0;  // what is left of the fictitious path
   StandFeed stand_feed_;
 };

@@ -59,18 +59,18 @@ void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
   overlap_ = Overlap::undecided;
 }
 
-// The axes move by the sum of both chains: the end of one piece is the start of the other.
+// The axes move by the sum of both chains: the end of one segment is the start of the other.
 void Interpolator::add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE {
-  const Piece& piece = queue.pieces[cursor_.pieces_left()];
-  const PathMetric& metric = piece.geometry.metric;
+  const Segment& segment = queue.segments[cursor_.segments_left()];
+  const PathMetric& metric = segment.geometry.metric;
   JetPoint point_s;
   JetPoint next{};
-  evaluate(piece, next_motion_.s, point_s);
+  evaluate(segment, next_motion_.s, point_s);
   along_time(point_s, next_motion_.v, next_motion_.a, next_motion_.j, axis_count_, next);
   double speed2 = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
     kinematics::Jet& sum = out.point[k];
-    sum.value += next[k].value - piece.geometry.start[k];
+    sum.value += next[k].value - segment.geometry.start[k];
     sum.first += next[k].first;
     sum.second += next[k].second;
     sum.third += next[k].third;

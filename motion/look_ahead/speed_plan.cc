@@ -8,13 +8,13 @@
 namespace stanok::motion {
 namespace {
 
-// A piece counts as violated, and two speeds as different, beyond this part of the speed.
+// A segment counts as violated, and two speeds as different, beyond this part of the speed.
 constexpr double speed_tolerance = 1e-10;
 
-// How many places are tried for a key point that frees a ramp of bad limits, and how many pieces
+// How many places are tried for a key point that frees a ramp of bad limits, and how many segments
 // are looked at for each.
 constexpr int detours_tried = 8;
-constexpr std::size_t pieces_looked_at = 16;
+constexpr std::size_t segments_looked_at = 16;
 
 // Whether better limits are worth another look at a ramp.
 bool pays(const RampLimits& now, const RampLimits& then) {
@@ -24,14 +24,14 @@ bool pays(const RampLimits& now, const RampLimits& then) {
 
 }  // namespace
 
-bool SpeedPlan::plan(const std::vector<SpeedPiece>& pieces, double v_start) {
-  take(pieces);
+bool SpeedPlan::plan(const std::vector<SpeedSegment>& segments, double v_start) {
+  take(segments);
   spans_.clear();
   Key left{.boundary = 0, .v = v_start};
-  std::vector<Key> pending{{.boundary = pieces.size(), .v = 0.0}};
+  std::vector<Key> pending{{.boundary = segments.size(), .v = 0.0}};
   // Each round adds a key point, accepts a span or lowers a speed; the bound only guards against
   // rounding.
-  for (std::size_t round = 0; round < 64 * pieces.size() + 64; ++round) {
+  for (std::size_t round = 0; round < 64 * segments.size() + 64; ++round) {
     if (pending.empty()) return true;
     Key& right = pending.back();
     KeySpan span;
@@ -58,27 +58,27 @@ bool SpeedPlan::plan(const std::vector<SpeedPiece>& pieces, double v_start) {
       pending.push_back(*key);
       continue;
     }
-    const std::size_t piece = slowest_violated(span);
-    if (piece != npos) {
-      if (add_keys(left, piece, pending)) continue;
-      if (fit(left, right, v_[piece], span) != Fit::fits) return false;
+    const std::size_t segment = slowest_violated(span);
+    if (segment != npos) {
+      if (add_keys(left, segment, pending)) continue;
+      if (fit(left, right, v_[segment], span) != Fit::fits) return false;
     }
     accept(span, left, pending);
   }
   return false;
 }
 
-void SpeedPlan::take(const std::vector<SpeedPiece>& pieces) {
-  const std::size_t n = pieces.size();
+void SpeedPlan::take(const std::vector<SpeedSegment>& segments) {
+  const std::size_t n = segments.size();
   boundaries_.resize(n + 1);
   for (std::vector<double>* column : {&v_, &minus_v_, &a_, &j_}) column->resize(n);
   boundaries_[0] = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    boundaries_[i + 1] = boundaries_[i] + pieces[i].length;
-    v_[i] = pieces[i].v;
-    minus_v_[i] = -pieces[i].v;
-    a_[i] = pieces[i].ramp.a;
-    j_[i] = pieces[i].ramp.j;
+    boundaries_[i + 1] = boundaries_[i] + segments[i].length;
+    v_[i] = segments[i].v;
+    minus_v_[i] = -segments[i].v;
+    a_[i] = segments[i].ramp.a;
+    j_[i] = segments[i].ramp.j;
   }
   slowest_.build(v_);
   fastest_.build(minus_v_);
@@ -122,8 +122,8 @@ RampLimits SpeedPlan::limits_between(double s0, double s1) const {
   return limits_over(std::min(first, n - 1), std::clamp(last, first + 1, n));
 }
 
-// Limits of a ramp that leaves a boundary, over the pieces it touches: a lower limit makes the ramp
-// longer, and a longer ramp may touch more pieces, until nothing changes.
+// Limits of a ramp that leaves a boundary, over the segments it touches: a lower limit makes the
+// ramp longer, and a longer ramp may touch more segments, until nothing changes.
 RampLimits SpeedPlan::outward_limits(std::size_t from, Direction direction, double v0,
                                      double v1) const {
   const bool forward = direction == Direction::forward;
@@ -172,7 +172,7 @@ SpeedPlan::Fit SpeedPlan::fit(const Key& left, const Key& right, double v_cap,
 }
 
 // There is no room for the top wanted: the ramps meet at a lower one. Their limits follow from the
-// pieces they touch, as in outward_limits.
+// segments they touch, as in outward_limits.
 SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, KeySpan& span) const {
   constexpr int rounds = 16;
   const double s0 = boundaries_[span.first];
@@ -196,7 +196,7 @@ SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, KeySpan& span) const {
   }
 }
 
-// The highest speed at a boundary that a ramp over the pieces between it and a key point attains.
+// The highest speed at a boundary that a ramp over the segments between it and a key point attains.
 double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
   const std::size_t first = std::min(from.boundary, boundary);
   const std::size_t last = std::max(from.boundary, boundary);
@@ -229,12 +229,12 @@ std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const K
   return best;
 }
 
-// Behind the last of the first pieces from `start` on, before `stop` and `reach`, that are as bad
+// Behind the last of the first segments from `start` on, before `stop` and `reach`, that are as bad
 // as `limits`.
 std::size_t SpeedPlan::behind_worst(std::size_t start, std::size_t stop, double reach,
                                     const RampLimits& limits) const {
   std::size_t next = npos;
-  const std::size_t end = std::min(stop, start + pieces_looked_at);
+  const std::size_t end = std::min(stop, start + segments_looked_at);
   for (std::size_t i = start; i < end && i + 1 < stop && boundaries_[i + 1] < reach; ++i) {
     if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
   }
@@ -245,7 +245,7 @@ std::size_t SpeedPlan::behind_worst(std::size_t start, std::size_t stop, double 
 std::size_t SpeedPlan::before_worst(std::size_t end, std::size_t stop, double reach,
                                     const RampLimits& limits) const {
   std::size_t next = npos;
-  const std::size_t first = std::max(stop, end > pieces_looked_at ? end - pieces_looked_at : 0);
+  const std::size_t first = std::max(stop, end > segments_looked_at ? end - segments_looked_at : 0);
   for (std::size_t i = end; i > first && i - 1 > stop && boundaries_[i - 1] > reach; --i) {
     if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
   }
@@ -324,11 +324,11 @@ std::size_t SpeedPlan::slowest_violated(const KeySpan& span) const {
   return found;
 }
 
-bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending) {
+bool SpeedPlan::add_keys(Key& left, std::size_t segment, std::vector<Key>& pending) {
   const Key right = pending.back();
-  const double v = v_[piece];
-  std::size_t begin = piece;
-  std::size_t end = piece + 1;
+  const double v = v_[segment];
+  std::size_t begin = segment;
+  std::size_t end = segment + 1;
   const double same = v * (1.0 + speed_tolerance);
   while (begin > left.boundary && v_[begin - 1] >= v && v_[begin - 1] <= same) --begin;
   while (end < right.boundary && v_[end] >= v && v_[end] <= same) ++end;
@@ -344,7 +344,7 @@ bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending
   if (left_at < boundaries_[begin] && begin > left.boundary && right.v <= v) {
     return add_stair(left, right, begin, Direction::backward, pending);
   }
-  // A key point beside the piece that is faster than the piece leaves no choice: it will be
+  // A key point beside the segment that is faster than the segment leaves no choice: it will be
   // lowered.
   const bool ends_inside = end < right.boundary && (left_at >= boundaries_[end] || right.v > v);
   const bool begins_inside = begin > left.boundary && (reached <= boundaries_[begin] || left.v > v);

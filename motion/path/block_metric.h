@@ -1,8 +1,8 @@
 // What a programmed block moves, and what its path coordinate counts.
 //
 // The one place that says when a block moves at all, and whether its feed is one along the tip's
-// way in mm or one of rotary axes in deg: the feed of a block and the pieces made of it follow the
-// same answer.
+// way in mm or one of rotary axes in deg: the feed of a block and the segments made of it follow
+// the same answer.
 #pragma once
 
 #include "motion/path/path.h"

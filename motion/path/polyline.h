@@ -14,7 +14,7 @@ namespace stanok::motion {
 
 // One block of the run.
 struct Leg {
-  Piece line;
+  Segment line;
   Tolerance tolerance;
   double t_start = 0.0;
   double t_end = 0.0;
@@ -23,7 +23,7 @@ struct Leg {
 class Polyline {
  public:
   void clear() { legs_.clear(); }
-  void add(const Piece& line, const Tolerance& tolerance);
+  void add(const Segment& line, const Tolerance& tolerance);
   // Forgets legs that end at or before t; the last one stays.
   void forget_before(double t);
 

@@ -28,8 +28,8 @@ struct OverlapCorner {
 };
 
 // None where the legs are not both straight lines of the machine axes or the path is exact.
-[[nodiscard]] std::optional<OverlapCorner> overlap_corner(const Piece& incoming,
-                                                          const Piece& outgoing,
+[[nodiscard]] std::optional<OverlapCorner> overlap_corner(const Segment& incoming,
+                                                          const Segment& outgoing,
                                                           const Tolerance& tolerance,
                                                           const MotionConfig& config);
 

@@ -23,7 +23,7 @@ class SmoothRun {
   explicit SmoothRun(const MotionConfig& config);
 
   // Whether two straight blocks in a row may belong to one run.
-  [[nodiscard]] bool may_join(const Piece& incoming, const Piece& outgoing,
+  [[nodiscard]] bool may_join(const Segment& incoming, const Segment& outgoing,
                               const Tolerance& tolerance) const;
 
   [[nodiscard]] bool is_open() const { return !spline_.way.is_empty(); }
@@ -41,12 +41,12 @@ class SmoothRun {
   };
   // Opens a run with its first block, of which a blend has taken the part up to `taken`; returns
   // where on it the spline begins: there or later.
-  [[nodiscard]] Place begin(const Piece& first, const Tolerance& tolerance, End end,
+  [[nodiscard]] Place begin(const Segment& first, const Tolerance& tolerance, End end,
                             const Place& taken);
-  // Takes the next block. Pieces that are final are appended to `out`, without bounds.
-  void add(const Piece& next, const Tolerance& tolerance, std::vector<Piece>& out);
+  // Takes the next block. Segments that are final are appended to `out`, without bounds.
+  void add(const Segment& next, const Tolerance& tolerance, std::vector<Segment>& out);
   // Closes the run. Returns where on its last block the spline ends.
-  [[nodiscard]] Place end(End end, std::vector<Piece>& out);
+  [[nodiscard]] Place end(End end, std::vector<Segment>& out);
 
  private:
   void place_knots();
@@ -64,10 +64,11 @@ class SmoothRun {
   void grade(std::size_t span);
   [[nodiscard]] bool is_long_straight(std::size_t span) const;
 
-  void emit(std::size_t until, std::vector<Piece>& out);
-  void emit_span(std::size_t span, std::vector<Piece>& out);
-  void emit_line(std::vector<Piece>& out);
-  void emit_curve(const Leg& leg, const RunSpline::ControlPoints& points, std::vector<Piece>& out);
+  void emit(std::size_t until, std::vector<Segment>& out);
+  void emit_span(std::size_t span, std::vector<Segment>& out);
+  void emit_line(std::vector<Segment>& out);
+  void emit_curve(const Leg& leg, const RunSpline::ControlPoints& points,
+                  std::vector<Segment>& out);
   void forget_emitted();
 
   MotionConfig config_;

@@ -46,7 +46,7 @@ struct Sample {
   double time = 0.0;
   double way = 0.0;
   double feed = 0.0;
-  PieceProcess process;
+  SegmentProcess process;
   JetPoint axes{};
 };
 
