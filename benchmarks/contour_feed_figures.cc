@@ -1,4 +1,4 @@
-// The figures of docs/developer/motion.md on codes and the position regulator: numbers as CSV into
+// The figures of docs/developer/motion.md on codes and the position controller: numbers as CSV into
 // a folder, and the tables of the document on the standard output.
 //
 //   contour_feed_figures FOLDER
@@ -131,12 +131,12 @@ void write_velocity_codes(const std::filesystem::path& folder) {
 
 struct Law {
   const char* name;
-  motion::RegulatorGains gains;
+  motion::ControllerGains gains;
 };
 
 // The terms of eq. (16), one after the other.
 std::array<Law, 4> laws(const CircleTask& task) {
-  const motion::RegulatorGains all = testing::inverting_gains(kp, task.loop);
+  const motion::ControllerGains all = testing::inverting_gains(kp, task.loop);
   std::array<Law, 4> laws{{{"kp", all}, {"kp, kv", all}, {"kp, kv, ka", all}, {"all", all}}};
   for (std::size_t n = 0; n < 3; ++n) laws[n].gains.kr = 0.0;
   for (std::size_t n = 0; n < 2; ++n) laws[n].gains.ka = 0.0;
@@ -176,7 +176,7 @@ void write_following(const std::filesystem::path& folder) {
 void write_demand(const std::filesystem::path& folder) {
   CsvFile csv(folder / "demand.csv", "t_s,analytic_mm_per_s,differences_mm_per_s");
   const CircleTask task{.feed_per_s = 100.0};
-  const motion::RegulatorGains gains = testing::inverting_gains(kp, task.loop);
+  const motion::ControllerGains gains = testing::inverting_gains(kp, task.loop);
   const auto analytic = follow_circle(task, gains, RateSource::interpolator);
   const auto differences = follow_circle(task, gains, RateSource::differences);
   for (std::size_t n = 0; n < 100; ++n) {

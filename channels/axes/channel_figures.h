@@ -24,8 +24,8 @@ struct AxisFigures {
   double power_s = 0.0;        // time a drive takes to take over
   bool homed_at_start = true;  // until a drive says otherwise
   FixedText<16> name;
-  RegulatorConfig regulator;
-  double demand_max = 0.0;  // mm/s or deg/s, of the regulator
+  ControllerConfig controller;
+  double demand_max = 0.0;  // mm/s or deg/s, of the controller
   ManualAxis manual{};
 };
 

@@ -12,7 +12,7 @@
 #include "lang/contract/environment.h"
 #include "motion/interpolation/automatic_feed.h"
 #include "motion/path/path.h"
-#include "motion/threads/position_regulator.h"
+#include "motion/threads/position_controller.h"
 
 namespace stanok::channels {
 
@@ -29,12 +29,12 @@ struct HomingConfig {
   bool index = false;  // the mark is the first index pulse behind the switch
 };
 
-// Where the position loop is closed: in the drive, or in the cycle by the position regulator.
+// Where the position loop is closed: in the drive, or in the cycle by the position controller.
 enum class FeedbackPlace { drive, cycle };
 
-struct RegulatorConfig {
+struct ControllerConfig {
   FeedbackPlace feedback = FeedbackPlace::drive;
-  motion::RegulatorGains gains;
+  motion::ControllerGains gains;
   double demand_held_s =
       0.0;  // how long the drive keeps a demand: a poll of the bus, not below a cycle
 };
@@ -49,7 +49,7 @@ struct AxisConfig {
   double kmv = 10000.0;       // velocity code = velocity in discretes per cycle x kmv
   double following_error_max = 0.5;
   HomingConfig homing;
-  RegulatorConfig regulator;
+  ControllerConfig controller;
   double brake_s = 0.1;  // time the brake takes to close or open
   double power_s = 0.1;  // time the drive takes to take the axis over
 };

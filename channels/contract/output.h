@@ -54,7 +54,7 @@ struct AxisSetpoint {
   std::int64_t velocity_code =
       0;  // discretes per cycle x kmv, mean velocity of the cycle that ends at position_code
   // What the drive is asked for: the velocity, or, where the cycle closes the position loop, U of
-  // the position regulator.
+  // the position controller.
   double velocity_demand = 0.0;
 };
 

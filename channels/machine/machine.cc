@@ -17,7 +17,7 @@ constexpr std::size_t events_max = 4096;
 constexpr std::size_t inputs_max = 4096;
 constexpr std::size_t replies_max = 256;
 
-// A regulator may ask for this much more than the fastest set-point, to catch up with it.
+// A controller may ask for this much more than the fastest set-point, to catch up with it.
 constexpr double demand_reserve = 1.2;
 
 // Index in the channel of the axis that a spindle becomes; -1: none.
@@ -46,7 +46,7 @@ ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig
                        .power_s = axis.power_s,
                        .homed_at_start = homed_at_start,
                        .name = FixedText<16>(axis.name),
-                       .regulator = axis.regulator,
+                       .controller = axis.controller,
                        .demand_max = demand_reserve * axis.limits.velocity_max,
                        .manual = {.name = FixedText<16>(axis.name),
                                   .limits = axis.limits,

@@ -1,4 +1,4 @@
-// Keys and checks of [[axis]] with its homing, regulator and drive, and of [[spindle]].
+// Keys and checks of [[axis]] with its homing, controller and drive, and of [[spindle]].
 #include "config/sections/axis_section.h"
 
 #include <algorithm>
@@ -11,18 +11,18 @@ namespace stanok::config {
 namespace {
 
 using channels::AxisConfig;
+using channels::ControllerConfig;
 using channels::HomingConfig;
-using channels::RegulatorConfig;
 using channels::SpindleConfig;
 using motion::AxisLimits;
-using motion::RegulatorGains;
+using motion::ControllerGains;
 
 // The keys as they stand in the file; what differs from the configs is translated below.
 struct AxisFile {
   AxisConfig axis;
   std::string kind;
   Subtable homing = nullptr;
-  Subtable regulator = nullptr;
+  Subtable controller = nullptr;
   Subtable drive = nullptr;
   Subtable plant = nullptr;
 };
@@ -32,8 +32,8 @@ struct HomingFile {
   std::string mark = "switch";
 };
 
-struct RegulatorFile {
-  RegulatorConfig regulator;
+struct ControllerFile {
+  ControllerConfig controller;
   std::string feedback = "drive";
 };
 
@@ -67,7 +67,7 @@ const Keys<AxisFile>& axis_keys() {
       {"modulo", at<&AxisFile::axis, &AxisConfig::modulo_deg>, optional, "deg",
        "one turn of a rotary axis whose G90 takes the shortest way; 0: counts on", not_negative},
       {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its reference mark"},
-      {"regulator", at<&AxisFile::regulator>, optional, "", "position regulator"},
+      {"regulator", at<&AxisFile::controller>, optional, "", "position controller"},
       {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
       {"plant", at<&AxisFile::plant>, optional, "",
        "machine behind the simulated drive: encoder, switches, backlash, friction"},
@@ -95,23 +95,23 @@ const Keys<HomingFile>& homing_keys() {
   return keys;
 }
 
-const Keys<RegulatorFile>& regulator_keys() {
-  static const Keys<RegulatorFile> keys = {
-      {"feedback", at<&RegulatorFile::feedback>, optional, "",
+const Keys<ControllerFile>& controller_keys() {
+  static const Keys<ControllerFile> keys = {
+      {"feedback", at<&ControllerFile::feedback>, optional, "",
        "where the position loop is closed: in the drive, or in the cycle of the control",
        one_of({"drive", "cycle"})},
-      {"kp", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kp>, optional,
-       "1/s", "gain of the following error", not_negative},
-      {"kd", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kd>, optional,
-       "1/s", "gain of its change in a cycle", not_negative},
-      {"kint", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kint>,
+      {"kp", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kp>,
+       optional, "1/s", "gain of the following error", not_negative},
+      {"kd", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kd>,
+       optional, "1/s", "gain of its change in a cycle", not_negative},
+      {"kint", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kint>,
        optional, "1/s", "gain of its sum over the cycles", not_negative},
-      {"kv", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kv>, optional,
-       "", "gain of the velocity set-point", not_negative},
-      {"ka", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::ka>, optional,
-       "s", "gain of the acceleration set-point", not_negative},
-      {"kr", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kr>, optional,
-       "s2", "gain of the jerk set-point", not_negative},
+      {"kv", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kv>,
+       optional, "", "gain of the velocity set-point", not_negative},
+      {"ka", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::ka>,
+       optional, "s", "gain of the acceleration set-point", not_negative},
+      {"kr", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kr>,
+       optional, "s2", "gain of the jerk set-point", not_negative},
   };
   return keys;
 }
@@ -244,13 +244,13 @@ void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope)
   check_homing_end(table, axis, scope);
 }
 
-void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& scope) {
-  RegulatorFile file;
-  read_table(table, regulator_keys(), file, scope);
-  axis.regulator = file.regulator;
+void read_controller(const toml::table& table, AxisConfig& axis, const Scope& scope) {
+  ControllerFile file;
+  read_table(table, controller_keys(), file, scope);
+  axis.controller = file.controller;
   if (file.feedback != "cycle") return;
-  axis.regulator.feedback = channels::FeedbackPlace::cycle;
-  if (axis.regulator.gains.kp == 0.0) {
+  axis.controller.feedback = channels::FeedbackPlace::cycle;
+  if (axis.controller.gains.kp == 0.0) {
     scope.fault(place_of(table, "kp"),
                 "kp is 0; a position loop closed in the cycle needs a gain above 0");
   }
@@ -258,7 +258,7 @@ void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& sco
 
 void read_drive_of(const AxisFile& file, int place, AxisSection& section, const Scope& scope) {
   AxisConfig& axis = section.axis;
-  const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
+  const bool in_cycle = axis.controller.feedback == channels::FeedbackPlace::cycle;
   DriveSection drive{
       .drive = {.axis = axis.name,
                 .unit = place,
@@ -289,7 +289,7 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   if (file.homing != nullptr) {
     read_homing(*file.homing, axis, scope.inner("homing"));
   }
-  if (file.regulator != nullptr) read_regulator(*file.regulator, axis, scope.inner("regulator"));
+  if (file.controller != nullptr) read_controller(*file.controller, axis, scope.inner("regulator"));
   read_drive_of(file, place, section, scope);
   if (file.plant != nullptr) section.plant = read_axis_plant(*file.plant, scope.inner("plant"));
   return section;
@@ -397,8 +397,8 @@ std::vector<KeyRow> axis_key_rows() {
 std::vector<KeyRow> homing_key_rows() {
   return describe(homing_keys());
 }
-std::vector<KeyRow> regulator_key_rows() {
-  return describe(regulator_keys());
+std::vector<KeyRow> controller_key_rows() {
+  return describe(controller_keys());
 }
 std::vector<KeyRow> spindle_key_rows() {
   return describe(spindle_keys());

@@ -29,7 +29,9 @@ const Keys<ProcessFile>& process_keys() {
       {"power_lag", at<&F::control, &C::power_lag_s>, optional, "s",
        "lag of the power sensor, with half a poll of its bus", positive},
       {"power_min", at<&F::control, &C::power_min_w>, optional, "W",
-       "the regulator stands where the set-point means less power than the sensor can tell",
+       "the feed controller holds its feed where the setpoint means less power than this, which "
+       "the "
+       "sensor cannot tell",
        not_negative},
       {"air_part", at<&F::control, &C::air_part>, optional, "",
        "with less than this part of the power wanted the tool is in the air", from(0.01, 0.9)},
@@ -45,7 +47,7 @@ const Keys<ProcessFile>& process_keys() {
        "part of the idle power that grows with the speed; the rest grows with its square",
        from(0.0, 1.0)},
       {"gain", at<&F::control, &C::gain>, optional, "",
-       "of the feed regulator, times the dead time of chip and sensor", from(0.01, 1.0)},
+       "of the feed controller, times the dead time of chip and sensor", from(0.01, 1.0)},
       {"feed_exponent", at<&F::control, &C::feed_exponent>, optional, "",
        "y of the cutting force, P_z = C t S^y", from(0.3, 1.5)},
       {"feed_lag", at<&F::control, &C::feed_lag_s>, optional, "s",

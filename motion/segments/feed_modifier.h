@@ -78,7 +78,7 @@ enum class ForceEvent : std::uint8_t {
 enum class ForceState : std::uint8_t {
   off,
   idle_power,  // waits until the idle power is known
-  holding,     // rapid, air, or what cannot be controlled: the regulator stands
+  holding,     // rapid, air, or what cannot be controlled: the controller is held
   regulating,
   fault,  // a sensor gives no trustworthy value
 };

@@ -4,7 +4,7 @@
 //   s = +-(turns of the spindle - turns at the start),
 // the start being at the start angle of every pass, so that all passes cut one helix at any speed.
 // Run-in: from rest the path comes into the law by a ramp that is played by the angle of the
-// spindle, not by time, and ends half its turns after s = 0. In the law a regulator of third order
+// spindle, not by time, and ends half its turns after s = 0. In the law a controller of third order
 // gives the jerk of each cycle from the predicted angle and its derivatives; what the axes allow
 // bounds it, and there is always a way to rest within the chain. Run-out: such a way, to the very
 // end. A tap stops the spindle for the bottom, turns it back and follows it to where it began
@@ -108,7 +108,7 @@ class SynchronousRun {
   void run_brake() RT_SAFE;
 
   double cycle_s_;
-  double gain_s_;  // of the regulator: jerk by s, v, a
+  double gain_s_;  // of the controller: jerk by s, v, a
   double gain_v_;
   double gain_a_;
 

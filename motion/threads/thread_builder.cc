@@ -17,7 +17,7 @@ constexpr std::size_t blocks_max = 500;  // three segments each, in one chunk of
 constexpr double reserve_wanted = 1.45;
 constexpr double reserve_least = 1.25;
 
-// The jerk that a corner leaves to the regulator, over what one block needs for its encoder, where
+// The jerk that a corner leaves to the controller, over what one block needs for its encoder, where
 // it may be; the lesser one is what no random chain came off the law with.
 constexpr double jerk_wanted = 1.0;
 constexpr double jerk_least = 0.6;
@@ -176,7 +176,7 @@ SegmentLimits ThreadBuilder::limits_at(const SegmentBounds& bounds, double speed
   return segment_limits(bounds, speed > 0.0 ? reserve_least * speed : unlimited);
 }
 
-// For the regulator, so that the path follows the steps of the encoder. Of a speed that is not
+// For the controller, so that the path follows the steps of the encoder. Of a speed that is not
 // known nothing is asked.
 bool ThreadBuilder::leaves_jerk(const SegmentBounds& bounds, double speed, double jerk) {
   return speed <= 0.0 || limits_at(bounds, speed).j >= jerk;

@@ -21,7 +21,7 @@ constexpr double follows_within = 0.05;
 }  // namespace
 
 ForceControl::ForceControl(const ForceControlConfig& config)
-    : config_(config), compensator_(config), regulator_(config), law_(config), watch_(config) {
+    : config_(config), compensator_(config), controller_(config), law_(config), watch_(config) {
   amplifier_.set_level(config.vibration_level_um);
 }
 
@@ -52,7 +52,7 @@ bool ForceControl::order(const ForceOrder& order) RT_SAFE {
 // The force ordered last is kept for an operator who switches on again.
 void ForceControl::switch_off() RT_SAFE {
   status_ = {};
-  regulator_.reset();
+  controller_.reset();
   watch_.reset();
   const double force_n = law_.mean_n();
   law_ = SetPointLaw(config_);
@@ -84,7 +84,7 @@ void ForceControl::set_force(double force_n) RT_SAFE {
   const double before = law_.mean_n();
   law_.set_mean(force_n);
   if (is_on() && before > 0.0)
-    regulator_.scale(std::pow(force_n / before, 1.0 / config_.feed_exponent));
+    controller_.scale(std::pow(force_n / before, 1.0 / config_.feed_exponent));
 }
 
 // What an operator sets holds from now on, beyond the program.
@@ -209,11 +209,11 @@ motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
   // Blocks 22 and 23.
   const double part =
       clock_part(computing_, computing_.power_w(set_point.emphasised_n), set_point.mean_n);
-  const double clock = std::clamp(part * regulator_.feed_per_rev() * turns_per_s,
+  const double clock = std::clamp(part * controller_.feed_per_rev() * turns_per_s,
                                   status_.feed_min_per_s, status_.feed_max_per_s);
   constexpr double code_of_program = 0.0;
-  return demand(regulator_.has_feed() ? rapid_key(cut.is_rapid, code_of_program, clock)
-                                      : code_of_program);
+  return demand(controller_.has_feed() ? rapid_key(cut.is_rapid, code_of_program, clock)
+                                       : code_of_program);
 }
 
 // At working feed, with power enough to be in the workpiece.
@@ -249,23 +249,23 @@ ForceSetPoint ForceControl::form_set_point(const motion::CutState& cut) RT_SAFE 
 // Blocks 13 and 14.
 void ForceControl::regulate(const motion::CutState& cut, const ForceSetPoint& set_point) RT_SAFE {
   const double turns_per_s = cut.rev_per_min / s_per_min;
-  if (!regulator_.has_feed()) regulator_.begin_with(cut.feed_programmed / turns_per_s);
+  if (!controller_.has_feed()) controller_.begin_with(cut.feed_programmed / turns_per_s);
   const double wanted_w = computing_.power_w(set_point.sensed_n);
   const double mean_w = computing_.power_w(set_point.mean_n);
   const double deviation = deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
   const double expected = cut.feed_override * feed_asked_;
   const bool follows = !cut.has_law && cut.feed_override >= 1.0 &&
                        std::abs(cut.path_speed - expected) <= follows_within * expected;
-  regulator_.advance({.cycle_s = cut.cycle_s,
-                      .revolution_s = 1.0 / turns_per_s,
-                      .deviation = mean_w > 0.0 ? deviation / mean_w : 0.0,
-                      .cuts = cuts_,
-                      .follows = follows,
-                      .may_rise = !watch_.is_suspicious(),
-                      .feed_min = status_.feed_min_per_s / turns_per_s,
-                      .feed_max = status_.feed_max_per_s / turns_per_s});
-  if (regulator_.is_at_minimum() && !overload_is_told_) note(ForceEvent::overload_at_feed_min);
-  overload_is_told_ = regulator_.is_at_minimum();
+  controller_.advance({.cycle_s = cut.cycle_s,
+                       .revolution_s = 1.0 / turns_per_s,
+                       .deviation = mean_w > 0.0 ? deviation / mean_w : 0.0,
+                       .cuts = cuts_,
+                       .follows = follows,
+                       .may_rise = !watch_.is_suspicious(),
+                       .feed_min = status_.feed_min_per_s / turns_per_s,
+                       .feed_max = status_.feed_max_per_s / turns_per_s});
+  if (controller_.is_at_minimum() && !overload_is_told_) note(ForceEvent::overload_at_feed_min);
+  overload_is_told_ = controller_.is_at_minimum();
 }
 
 }  // namespace stanok::process

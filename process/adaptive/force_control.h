@@ -6,7 +6,7 @@
 #pragma once
 
 #include "motion/segments/feed_modifier.h"
-#include "process/adaptive/feed_regulator.h"
+#include "process/adaptive/feed_controller.h"
 #include "process/adaptive/force_control_config.h"
 #include "process/adaptive/idle_power_compensator.h"
 #include "process/adaptive/power_correction.h"
@@ -56,7 +56,7 @@ class ForceControl final : public motion::FeedModifier {
   RadiusCounter radius_;              // 10
   OverhangKey key_;                   // 11
   ComputingBlock computing_;          // 12
-  FeedRegulator regulator_;           // 14
+  FeedController controller_;         // 14
   VibrationAmplifier amplifier_;      // 17 to 20, 18 its level
   SetPointLaw law_;                   // 21
   PowerWatch watch_;

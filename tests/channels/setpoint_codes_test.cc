@@ -47,8 +47,8 @@ class CycleLoop : public ::testing::Test {
  protected:
   static MachineConfig machine() {
     MachineConfig config = testing::two_channel_machine();
-    config.axes[0].regulator = {.feedback = FeedbackPlace::cycle,
-                                .gains = {.kp = 30.0, .kint = 0.5, .ka = 0.002, .kr = 1e-5}};
+    config.axes[0].controller = {.feedback = FeedbackPlace::cycle,
+                                 .gains = {.kp = 30.0, .kint = 0.5, .ka = 0.002, .kr = 1e-5}};
     return config;
   }
   // X stands `error` behind what its drive was told.

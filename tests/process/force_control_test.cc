@@ -129,7 +129,7 @@ TEST(ForceControl, SaysOnceThatTheForceIsTooHighAtTheLowestFeed) {
   EXPECT_EQ(std::ranges::count(bench.events, ForceEvent::overload_at_feed_min), 1);
 }
 
-// The feed out of the cut is that of the cut, not what a regulator without load would make of it.
+// The feed out of the cut is that of the cut, not what a controller without load would make of it.
 TEST(ForceControl, StandsInTheAirAndInRapid) {
   CutBench bench(config());
   begin(bench, 1200.0, 2.0);

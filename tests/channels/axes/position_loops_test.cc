@@ -13,8 +13,8 @@ using namespace stanok::testing;
 // X closes its loop in the drive, Y in the cycle with kp 30 /s and no feed forward.
 ChannelFigures loop_of_y_in_the_cycle() {
   ChannelFigures figures = bench_figures();
-  figures.axes[bench_y].regulator = {.feedback = FeedbackPlace::cycle,
-                                     .gains = {.kp = 30.0, .kv = 0.0}};
+  figures.axes[bench_y].controller = {.feedback = FeedbackPlace::cycle,
+                                      .gains = {.kp = 30.0, .kv = 0.0}};
   return figures;
 }
 

@@ -1,4 +1,4 @@
-// Position regulator of one axis whose loop is closed in the cycle: the velocity demand of its
+// Position controller of one axis whose loop is closed in the cycle: the velocity demand of its
 // drive.
 //
 //   U = kp e + kd (change of e) + kint (sum of e) + kv V + ka A + kr J
@@ -16,7 +16,7 @@
 
 namespace stanok::motion {
 
-struct RegulatorGains {
+struct ControllerGains {
   double kp = 0.0;    // 1/s
   double kd = 0.0;    // 1/s
   double kint = 0.0;  // 1/s
@@ -54,11 +54,11 @@ class CodeDifferences {
   SetpointRates before_;
 };
 
-class PositionRegulator {
+class PositionController {
  public:
-  PositionRegulator() = default;
+  PositionController() = default;
   // The drive is asked for at most `demand_max` either way; > 0.
-  PositionRegulator(const RegulatorGains& gains, double demand_max);
+  PositionController(const ControllerGains& gains, double demand_max);
 
   // U for the coming cycle. `error` is set-point less position, both of the instant at which that
   // cycle begins. The sum of errors stands still while U is at its limit, unless it comes back.
@@ -68,7 +68,7 @@ class PositionRegulator {
   void reset() RT_SAFE;
 
  private:
-  RegulatorGains gains_;
+  ControllerGains gains_;
   double demand_max_ = 0.0;
   double error_sum_ = 0.0;
   double error_before_ = 0.0;
