@@ -29,7 +29,7 @@ constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A3002", "a drive reports a fault", Reaction::axis_stop,
      "see the fault code in drive status and the manual of the drive",
      "clear the fault, reset the channel and switch the machine on"},
-    {"A3003", "an axis that does not follow its set-points", Reaction::axis_stop,
+    {"A3003", "an axis that does not follow its setpoints", Reaction::axis_stop,
      "see whether the axis is blocked, its encoder and coupling are sound, and following_error_max "
      "fits the drive",
      "reset the channel, switch the machine on and check the position of the axis"},
@@ -362,7 +362,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"W613", "an oscillation that the feed cannot form", Reaction::warning,
      "ask for a smaller amplitude, a lower frequency or a greater mean force",
      "the force swings as far as the feed can without coming to rest"},
-    {"W614", "a force above its set-point at the lowest feed", Reaction::warning,
+    {"W614", "a force above its setpoint at the lowest feed", Reaction::warning,
      "see whether the depth of cut is right, and the tool sharp",
      "the feed stays S_min; lower it if the process allows that"},
     {"W710", "a program that is not included", Reaction::warning,

@@ -1,4 +1,4 @@
-// ProcessPlant: the cut of a simulated machine, between its set-points and its sensors.
+// ProcessPlant: the cut of a simulated machine, between its setpoints and its sensors.
 //
 // Follows tool and master spindle of the channel of [simulation.cutting], and gives the power and
 // the vibration that its sensors would: with ideal drives as values sampled and held, else as the

@@ -61,7 +61,7 @@ struct RecordedRun {
   std::vector<channels::InputRecord> inputs;  // ascending cycles, like the others
   std::vector<Feedback> feedback;
   std::vector<Arrival> arrivals;
-  std::optional<std::int64_t> first_cycle;  // with a set-point
+  std::optional<std::int64_t> first_cycle;  // with a setpoint
   std::optional<std::int64_t> lost_cycle;   // from this one on inputs are missing
 };
 

@@ -1,7 +1,7 @@
-// AxisGroup: what the drives of a channel's axes are told: set-points, power and brakes; and which
+// AxisGroup: what the drives of a channel's axes are told: setpoints, power and brakes; and which
 // of the axes are its own now, and which are spindles.
 //
-// An axis that another channel has keeps its last set-point here, which nobody is shown. Thread:
+// An axis that another channel has keeps its last setpoint here, which nobody is shown. Thread:
 // the real-time cycle. Owner: the channel. Invariant: position_code belongs to position, but for an
 // axis that has just become a spindle or an axis.
 #pragma once
@@ -67,7 +67,7 @@ class AxisGroup {
   }
   [[nodiscard]] lang::AxisSet enabled() const RT_SAFE;
 
-  // The set-points of this cycle from the path, or of a spindle that turns.
+  // The setpoints of this cycle from the path, or of a spindle that turns.
   void follow(const motion::JetPoint& axes_M) RT_SAFE;
   void turn(int axis, const Spindle& spindle, double speed_before) RT_SAFE;
   // Stands elsewhere than it was thought to.

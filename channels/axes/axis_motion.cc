@@ -100,7 +100,7 @@ void AxisMotion::drop_path(motion::PathQueue& queue) RT_SAFE {
 
 // An encoder counts from elsewhere than the control believed, or the axis was moved while its drive
 // was off: the drive that is about to take it over holds it where it is. While the machine is off
-// the set-points go with the axes, so that what is shown, kept and touched off is true.
+// the setpoints go with the axes, so that what is shown, kept and touched off is true.
 void AxisMotion::adopt_positions(Power machine) RT_SAFE {
   constexpr double increments_apart = 2.0;  // what the drive's own rounding cannot be
   if (drives_.is_ideal() || !is_standing()) return;

@@ -3,7 +3,7 @@
 // The path has the axes unless they are jogged or homed; then it begins anew from where they come
 // to. What no axis can do never reaches its drive: the axes stay where they were commanded last.
 // Thread: the real-time cycle. Owner: the channel. Invariant: while the path is at rest and no axis
-// moves by hand, path().axes are the set-points of the axes that are no spindles.
+// moves by hand, path().axes are the setpoints of the axes that are no spindles.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ class AxisMotion {
   [[nodiscard]] std::optional<Fault> advance(motion::PathQueue& queue,
                                              const motion::FeedControl& control,
                                              std::uint64_t chunk_limit, SoftLimits limits) RT_SAFE;
-  // Behind the set-points of the cycle.
+  // Behind the setpoints of the cycle.
   void close_loops() RT_SAFE { loops_.advance(path_.axes, drives_, axes_); }
 
   [[nodiscard]] const motion::InterpolatorOutput& path() const RT_SAFE { return path_; }

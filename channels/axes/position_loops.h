@@ -1,6 +1,6 @@
 // PositionLoops: the velocities that the drives of a channel's axes are asked for.
 //
-// A drive that closes its position loop itself is told the velocity of the set-point; one whose
+// A drive that closes its position loop itself is told the velocity of the setpoint; one whose
 // loop is closed in the cycle gets what its controller makes of the following error. Thread: the
 // real-time cycle. Owner: the channel. Invariant: the controller of an axis that its drive does not
 // hold is reset, so that it begins anew when the drive takes the axis over.
@@ -20,7 +20,7 @@ class PositionLoops {
   // `figures` outlive the loops.
   explicit PositionLoops(const ChannelFigures& figures);
 
-  // Behind the set-points of the cycle; `axes_M` with their derivatives.
+  // Behind the setpoints of the cycle; `axes_M` with their derivatives.
   void advance(const motion::JetPoint& axes_M, const DriveGuard& drives, AxisGroup& axes) RT_SAFE;
 
  private:

@@ -122,7 +122,7 @@ void SpindleGroup::ask_speed(const AskedSpeed& speed) RT_SAFE {
   if (speed.unit == motion::LawSpeed::m_per_min) spindles_[0].cut_at(speed.value);
 }
 
-// The measured angle belongs to the instant at which the cycle begins; the set-points, to its end.
+// The measured angle belongs to the instant at which the cycle begins; the setpoints, to its end.
 void SpindleGroup::observe() RT_SAFE {
   for (std::size_t s = 0; s < spindles().size(); ++s) {
     motion::SpindleObserver& observer = observers_[s];

@@ -1,4 +1,4 @@
-// What one cycle of the machine gives: set-points of every channel, drive commands, status. Plain
+// What one cycle of the machine gives: setpoints of every channel, drive commands, status. Plain
 // data, made in the real-time cycle.
 #pragma once
 
@@ -43,7 +43,7 @@ enum class HoldCause : std::uint8_t {
 // For people: "feed hold by an operator"; empty for none.
 [[nodiscard]] std::string_view text_of(HoldCause cause);
 
-// Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
+// Setpoint of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
 // integer codes of docs/developer/motion.md#codes.
 struct AxisSetpoint {
   double position = 0.0;
@@ -85,7 +85,7 @@ struct AxisFeedback {
   bool home_switch = false;  // it stands on its reference switch
   bool limit_negative = false;
   bool limit_positive = false;
-  bool strays = false;            // too far from its set-point for longer than a disturbance lasts
+  bool strays = false;            // too far from its setpoint for longer than a disturbance lasts
   double position_offset = 0.0;   // of what the drive counts
   double index_position = 0.0;    // at the latest index pulse
   std::uint32_t index_count = 0;  // pulses so far

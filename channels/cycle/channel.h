@@ -1,4 +1,4 @@
-// Channel: one channel's part of the real-time cycle. Items and path in, set-points out; allocates
+// Channel: one channel's part of the real-time cycle. Items and path in, setpoints out; allocates
 // nothing.
 //
 // Here stands the order of a cycle; the work is that of its parts (channels/cycle/cycle_parts.h),

@@ -62,7 +62,7 @@ SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLo
       log.tell("W613", "the force cannot swing as far as asked: the feed would come to rest", tag);
       break;
     case ForceEvent::overload_at_feed_min:
-      log.tell("W614", "the force is above its set-point at S_min", tag);
+      log.tell("W614", "the force is above its setpoint at S_min", tag);
       break;
   }
   return SensorLoss::none;

@@ -2,7 +2,7 @@
 // the cycle, and force control.
 //
 // Laws leave a part of the programmed feed; force control asks for another feed. Both act on the
-// set-points of the next cycle. Thread: the real-time cycle. Owner: the channel.
+// setpoints of the next cycle. Thread: the real-time cycle. Owner: the channel.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@ constexpr std::size_t events_max = 4096;
 constexpr std::size_t inputs_max = 4096;
 constexpr std::size_t replies_max = 256;
 
-// A controller may ask for this much more than the fastest set-point, to catch up with it.
+// A controller may ask for this much more than the fastest setpoint, to catch up with it.
 constexpr double demand_reserve = 1.2;
 
 // Index in the channel of the axis that a spindle becomes; -1: none.

@@ -63,7 +63,7 @@ const Keys<AxisFile>& axis_keys() {
       {"kmv", at<&AxisFile::axis, &AxisConfig::kmv>, optional, "",
        "velocity code = velocity in discretes per cycle x kmv", from(1.0, 1e6)},
       {"following_error_max", at<&AxisFile::axis, &AxisConfig::following_error_max>, optional,
-       "mm, deg", "distance between set-point and feedback that stops the axis", positive},
+       "mm, deg", "distance between setpoint and feedback that stops the axis", positive},
       {"modulo", at<&AxisFile::axis, &AxisConfig::modulo_deg>, optional, "deg",
        "one turn of a rotary axis whose G90 takes the shortest way; 0: counts on", not_negative},
       {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its reference mark"},
@@ -107,11 +107,11 @@ const Keys<ControllerFile>& controller_keys() {
       {"kint", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kint>,
        optional, "1/s", "gain of its sum over the cycles", not_negative},
       {"kv", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kv>,
-       optional, "", "gain of the velocity set-point", not_negative},
+       optional, "", "gain of the velocity setpoint", not_negative},
       {"ka", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::ka>,
-       optional, "s", "gain of the acceleration set-point", not_negative},
+       optional, "s", "gain of the acceleration setpoint", not_negative},
       {"kr", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kr>,
-       optional, "s2", "gain of the jerk set-point", not_negative},
+       optional, "s2", "gain of the jerk setpoint", not_negative},
   };
   return keys;
 }

@@ -23,7 +23,7 @@ class CyclicWork {
   CyclicWork(const CyclicWork&) = delete;
   CyclicWork& operator=(const CyclicWork&) = delete;
 
-  // Read the process image, update all channels, write set-points.
+  // Read the process image, update all channels, write setpoints.
   virtual void cycle() RT_SAFE = 0;
   // `periods` wake-ups were left out before the next cycle.
   virtual void note_overrun(std::int64_t periods) RT_SAFE = 0;

@@ -68,7 +68,7 @@ class Interpolator {
   void interrupt(const InterruptionLengths& lengths) RT_SAFE;
   [[nodiscard]] const FeedInterruption& interruption() const RT_SAFE { return interruption_; }
 
-  // How spindle `index` of the channel turns at the set-point to come.
+  // How spindle `index` of the channel turns at the setpoint to come.
   void see_spindle(std::size_t index, const SpindleMotion& motion) RT_SAFE {
     spindles_[index] = motion;
   }

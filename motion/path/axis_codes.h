@@ -1,4 +1,4 @@
-// Integer codes of an axis set-point, for drives that take increments.
+// Integer codes of an axis setpoint, for drives that take increments.
 //
 // Position and velocity are coded apart: the position in whole discretes, as the measuring system
 // counts them; the velocity kmv times finer, so that what is derived from it is worth deriving.

@@ -76,7 +76,7 @@ double acceleration_near(std::span<const Phase> phases, double t, double cycle_s
                   std::abs(motion_at(*other.phase, other.t).a));
 }
 
-// The chord between two set-points passes the corner farther off than the axes do, by a T^2 / 8:
+// The chord between two setpoints passes the corner farther off than the axes do, by a T^2 / 8:
 // how much of the reach that takes.
 double chord_share(double reach, std::span<const Phase> braking, std::span<const Phase> starting,
                    double cycle_s) {

@@ -1,7 +1,7 @@
 // FeedModifier: what the cycle asks for the feed of a cut while the process is controlled.
 //
 // The channel tells the modifier once a cycle what path, spindle and sensors do; it answers with
-// the feed of the set-points to come. It acts on working feeds of linear axes only: rapid moves,
+// the feed of the setpoints to come. It acts on working feeds of linear axes only: rapid moves,
 // threads and blocks of rotary axes alone run as they are programmed. The limits of the axes,
 // override, hold and the laws of blocks act on what it asks for
 // (docs/programmer/adaptive-control.md, "Order"). Owner: whoever assembles the machine; called in
@@ -86,8 +86,8 @@ enum class ForceState : std::uint8_t {
 // Values of the control for displays and logs.
 struct ForceStatus {
   ForceState state = ForceState::off;
-  double force_set_n = 0.0;  // mean set-point
-  double force_now_n = 0.0;  // set-point with its oscillation
+  double force_set_n = 0.0;  // mean setpoint
+  double force_now_n = 0.0;  // setpoint with its oscillation
   double force_n = 0.0;      // estimated from the power
   double power_w = 0.0;
   double power_idle_w = 0.0;  // N_x at the speed at hand

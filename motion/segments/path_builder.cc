@@ -77,7 +77,7 @@ double reach_allowed(double left, double length_after) {
   return left - half < rest_wanted(left) ? left : half;
 }
 
-// Share of the tolerance at which set-points on a blend between two lines pass the corner: the
+// Share of the tolerance at which setpoints on a blend between two lines pass the corner: the
 // chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8.
 double chord_share(const Segment& incoming, const Segment& blend, const Segment& outgoing,
                    const Tolerance& tolerance, const MotionConfig& config) {

@@ -27,7 +27,7 @@ constexpr std::size_t lag = 24;                 // spans that may still change
 constexpr std::size_t graded = 40;              // spans around new knots that are looked at
 constexpr double forward_min = 0.5;             // of the spline along its block, per t
 
-// How far the chord between two set-points lies off a curve at most, (v T)^2 / 8R: the axes hold
+// How far the chord between two setpoints lies off a curve at most, (v T)^2 / 8R: the axes hold
 // v^2 / R within their accelerations, whatever the feed and its override.
 Tolerance chord_margin(const MotionConfig& config) {
   Point acceleration{};

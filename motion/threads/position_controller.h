@@ -3,7 +3,7 @@
 //
 //   U = kp e + kd (change of e) + kint (sum of e) + kv V + ka A + kr J
 //
-// e is the following error at the start of a cycle; V, A and J are what the set-point will do in
+// e is the following error at the start of a cycle; V, A and J are what the setpoint will do in
 // that cycle. Source: V. Kombarov, V. Sorokin, stability of contour feed (2013), eq. (16), and
 // eqs. (1) to (4) for the rates that differences of integer positions give.
 // docs/developer/motion.md derives the gains. Units: mm or deg, s.
@@ -25,7 +25,7 @@ struct ControllerGains {
   double kr = 0.0;  // s^2
 };
 
-// Mean rates of change of a set-point over a cycle, per s, s^2, s^3.
+// Mean rates of change of a setpoint over a cycle, per s, s^2, s^3.
 struct SetpointRates {
   double velocity = 0.0;
   double acceleration = 0.0;
@@ -60,7 +60,7 @@ class PositionController {
   // The drive is asked for at most `demand_max` either way; > 0.
   PositionController(const ControllerGains& gains, double demand_max);
 
-  // U for the coming cycle. `error` is set-point less position, both of the instant at which that
+  // U for the coming cycle. `error` is setpoint less position, both of the instant at which that
   // cycle begins. The sum of errors stands still while U is at its limit, unless it comes back.
   [[nodiscard]] double demand(double error, const SetpointRates& coming) RT_SAFE;
 

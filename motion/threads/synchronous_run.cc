@@ -221,7 +221,7 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   return true;
 }
 
-// Where the path is to be at the set-point: in the law, or on the ramp that leads into it. The
+// Where the path is to be at the setpoint: in the law, or on the ramp that leads into it. The
 // ramp's time is the angle since its start over the speed it was made for.
 Jet SynchronousRun::course(const SpindleMotion& spindle) RT_SAFE {
   const Jet law{direction_ * spindle.turns - origin_, direction_ * spindle.speed,
@@ -312,12 +312,12 @@ bool SynchronousRun::brakes_before_corner(const RampLimits& limits) const RT_SAF
   return motion_.s + way + ramp_distance(0.0, v, limits) < coupling_.entry_end;
 }
 
-// Where the course, which is that of the set-point, was at the start of its cycle.
+// Where the course, which is that of the setpoint, was at the start of its cycle.
 PathMotion SynchronousRun::before(const Jet& course) const RT_SAFE {
   return after({course.value, course.first, course.second}, course.third, -cycle_s_);
 }
 
-// The jerk over the cycle up to the set-point: that of the course, and the controller's on the
+// The jerk over the cycle up to the setpoint: that of the course, and the controller's on the
 // difference at the start of the cycle. Its loops lie in each other: what the path is off asks for
 // a speed, that for an acceleration, that for a jerk. A difference so large that the jerk would be
 // beyond the limits is taken away as the limits can, on the curves of constant jerk v^3 ~ s^2 and

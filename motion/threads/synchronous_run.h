@@ -48,7 +48,7 @@ class SynchronousRun {
   // The chain begins, at rest at s = 0.
   void begin(const SpindleCoupling& coupling, double length) RT_SAFE;
 
-  // The state at the next set-point; `spindle` is predicted for its instant. Before the run-in a
+  // The state at the next setpoint; `spindle` is predicted for its instant. Before the run-in a
   // hold keeps the path at rest; later only `leaves_thread` brings it to rest within the chain: a
   // thread at once, a tap together with its spindle.
   PathMotion advance(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;

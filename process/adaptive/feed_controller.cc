@@ -6,10 +6,10 @@
 namespace stanok::process {
 namespace {
 
-// The force counts as held within this part of its set-point.
+// The force counts as held within this part of its setpoint.
 constexpr double held_within = 0.1;
 
-// The integrator is given no more than a force of e^-0.5 or e^1 times the set-point at once.
+// The integrator is given no more than a force of e^-0.5 or e^1 times the setpoint at once.
 constexpr double error_low = -0.5;
 constexpr double error_high = 1.0;
 

@@ -55,7 +55,7 @@ void ForceControl::switch_off() RT_SAFE {
   controller_.reset();
   watch_.reset();
   const double force_n = law_.mean_n();
-  law_ = SetPointLaw(config_);
+  law_ = SetpointLaw(config_);
   law_.set_mean(force_n);
   amplifier_.set_level(config_.vibration_level_um);
   feed_asked_ = 0.0;
@@ -204,11 +204,11 @@ motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
   const double turns_per_s = cut.rev_per_min / s_per_min;
   cuts_ = is_cutting(cut);
   status_.state = cuts_ ? ForceState::regulating : ForceState::holding;
-  const ForceSetPoint set_point = form_set_point(cut);
-  if (turns_per_s > 0.0 && cut.is_controllable) regulate(cut, set_point);
+  const ForceSetpoint setpoint = form_setpoint(cut);
+  if (turns_per_s > 0.0 && cut.is_controllable) regulate(cut, setpoint);
   // Blocks 22 and 23.
   const double part =
-      clock_part(computing_, computing_.power_w(set_point.emphasised_n), set_point.mean_n);
+      clock_part(computing_, computing_.power_w(setpoint.emphasised_n), setpoint.mean_n);
   const double clock = std::clamp(part * controller_.feed_per_rev() * turns_per_s,
                                   status_.feed_min_per_s, status_.feed_max_per_s);
   constexpr double code_of_program = 0.0;
@@ -227,31 +227,31 @@ bool ForceControl::is_cutting(const motion::CutState& cut) RT_SAFE {
 }
 
 // Blocks 16 to 21.
-ForceSetPoint ForceControl::form_set_point(const motion::CutState& cut) RT_SAFE {
+ForceSetpoint ForceControl::form_setpoint(const motion::CutState& cut) RT_SAFE {
   const Vibration vibration =
       amplifier_.pass({.amplitude_um = cut.vibration_um, .frequency_hz = cut.vibration_hz},
                       config_.vibration_release);
-  const ForceSetPoint set_point =
+  const ForceSetpoint setpoint =
       law_.advance({.cycle_s = cut.cycle_s,
                     .revolution_s = cut.rev_per_min > 0.0 ? s_per_min / cut.rev_per_min : 0.0,
                     .vibration = vibration,
                     .cuts = cuts_});
   note(law_.event());
-  status_.force_set_n = set_point.mean_n;
-  status_.force_now_n = set_point.now_n;
+  status_.force_set_n = setpoint.mean_n;
+  status_.force_now_n = setpoint.now_n;
   status_.vibration_um = vibration.amplitude_um;
   status_.vibration_hz = vibration.frequency_hz;
   status_.oscillation_n = law_.oscillation().force_n;
   status_.oscillation_hz = law_.oscillation().frequency_hz;
-  return set_point;
+  return setpoint;
 }
 
 // Blocks 13 and 14.
-void ForceControl::regulate(const motion::CutState& cut, const ForceSetPoint& set_point) RT_SAFE {
+void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& setpoint) RT_SAFE {
   const double turns_per_s = cut.rev_per_min / s_per_min;
   if (!controller_.has_feed()) controller_.begin_with(cut.feed_programmed / turns_per_s);
-  const double wanted_w = computing_.power_w(set_point.sensed_n);
-  const double mean_w = computing_.power_w(set_point.mean_n);
+  const double wanted_w = computing_.power_w(setpoint.sensed_n);
+  const double mean_w = computing_.power_w(setpoint.mean_n);
   const double deviation = deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
   const double expected = cut.feed_override * feed_asked_;
   const bool follows = !cut.has_law && cut.feed_override >= 1.0 &&

@@ -12,7 +12,7 @@
 #include "process/adaptive/power_correction.h"
 #include "process/adaptive/power_watch.h"
 #include "process/adaptive/radius_counter.h"
-#include "process/adaptive/set_point_law.h"
+#include "process/adaptive/setpoint_law.h"
 #include "process/adaptive/vibration_amplifier.h"
 
 namespace stanok::process {
@@ -46,8 +46,8 @@ class ForceControl final : public motion::FeedModifier {
   void watch_sensors(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] motion::FeedDemand control(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] bool is_cutting(const motion::CutState& cut) RT_SAFE;
-  [[nodiscard]] ForceSetPoint form_set_point(const motion::CutState& cut) RT_SAFE;
-  void regulate(const motion::CutState& cut, const ForceSetPoint& set_point) RT_SAFE;
+  [[nodiscard]] ForceSetpoint form_setpoint(const motion::CutState& cut) RT_SAFE;
+  void regulate(const motion::CutState& cut, const ForceSetpoint& setpoint) RT_SAFE;
   [[nodiscard]] motion::FeedDemand demand(double feed_per_s) RT_SAFE;
   void note(motion::ForceEvent event) RT_SAFE;
 
@@ -58,7 +58,7 @@ class ForceControl final : public motion::FeedModifier {
   ComputingBlock computing_;          // 12
   FeedController controller_;         // 14
   VibrationAmplifier amplifier_;      // 17 to 20, 18 its level
-  SetPointLaw law_;                   // 21
+  SetpointLaw law_;                   // 21
   PowerWatch watch_;
 
   Clamps clamps_;

@@ -86,7 +86,7 @@ TEST_F(CycleLoop, MachineThatIsSwitchedOffAsksForNothing) {
 }
 
 // On an axis that is where it should be, U is what the coming cycle asks for: at the instant of the
-// set-point and with its derivatives.
+// setpoint and with its derivatives.
 TEST_F(CycleLoop, MotionIsFedForward) {
   bench.program("line.nc", "G1 X20 F6000\nM30\n");
   bench.run(1, "line.nc");

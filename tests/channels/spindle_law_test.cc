@@ -1,4 +1,4 @@
-// Laws of spindle speed with feed, from the program to the set-points: n_n to n_k and S_n to S_k in
+// Laws of spindle speed with feed, from the program to the setpoints: n_n to n_k and S_n to S_k in
 // increments at the same places, against the sum over the increments that is made here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Threads through the whole chain: program text to set-points, the spindle as the machine turns it.
+// Threads through the whole chain: program text to setpoints, the spindle as the machine turns it.
 //
 // The law is s = lead * (angle - start angle) / 360. The angle is the one that the machine tells
 // for C, the axis of the spindle, or that of a formula where the test plays its drive.
@@ -41,7 +41,7 @@ struct Watched {
   std::optional<ChannelOutput> before;
 };
 
-// By the derivatives, and by the way from one set-point to the next.
+// By the derivatives, and by the way from one setpoint to the next.
 void watch_limits(const ChannelOutput& channel, Watched& watched) {
   for (const std::size_t k : {lathe_X, lathe_Z}) {
     if (!watched.before) break;

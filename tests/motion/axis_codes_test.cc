@@ -1,4 +1,4 @@
-// Integer codes of set-points against the geometry of rounding and the formulas of the paper
+// Integer codes of setpoints against the geometry of rounding and the formulas of the paper
 // (V. Kombarov, V. Sorokin, stability of contour feed).
 #include "motion/path/axis_codes.h"
 

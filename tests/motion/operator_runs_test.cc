@@ -77,7 +77,7 @@ Point values_of(const JetPoint& jets) {
 // What aborts met: kinds of segment on which they came to rest.
 using Places = std::map<SegmentKind, int>;
 
-// A channel of the machine from preparation to set-points.
+// A channel of the machine from preparation to setpoints.
 class Run {
  public:
   explicit Run(const Machine& machine)

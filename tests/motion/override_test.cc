@@ -136,7 +136,7 @@ TEST(Override, SegmentLimitsHoldAboveOneHundredPercent) {
 }
 
 // Blends of some tens of nm between lines: a cycle passes several segments, the limits of each hold
-// at its set-points.
+// at its setpoints.
 TEST(Override, SegmentLimitsHoldWhereACyclePassesSeveralSegments) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);

@@ -32,7 +32,7 @@ struct LaggingDrive {
   }
 };
 
-// A set-point with constant jerk that begins at 0.
+// A setpoint with constant jerk that begins at 0.
 struct ConstantJerk {
   double velocity = 0.0;
   double acceleration = 0.0;
@@ -130,7 +130,7 @@ TEST(PositionController, SumOfErrorsTakesOverWhatADriftLeaves) {
   EXPECT_NEAR(error_after(5.0, with, {.velocity = 10.0}, drifting), 0.0, 1e-9);
 }
 
-// 6 m/min and 1 ms: a set-point of the end of the cycle against a position of its start keeps the
+// 6 m/min and 1 ms: a setpoint of the end of the cycle against a position of its start keeps the
 // axis ahead by one cycle's way, 100 um.
 TEST(PositionController, ErrorOfTwoInstantsCostsTheWayOfTheTimeBetween) {
   const ConstantJerk course{.velocity = 100.0};

@@ -14,7 +14,7 @@
 namespace stanok::motion::testing {
 namespace {
 
-// Largest distance, in mm along Z, of the set-points between two places from the helix that the
+// Largest distance, in mm along Z, of the setpoints between two places from the helix that the
 // formula of the spindle gives. `lead` is along Z and has its sign.
 double helix_error(const std::vector<ThreadSample>& samples, const Turning& turning, double z_start,
                    double lead, double angle_deg, double z_from, double z_to) {

@@ -10,7 +10,7 @@
 #include "process/adaptive/oscillation.h"
 #include "process/adaptive/power_correction.h"
 #include "process/adaptive/radius_counter.h"
-#include "process/adaptive/set_point_law.h"
+#include "process/adaptive/setpoint_law.h"
 #include "process/adaptive/vibration_amplifier.h"
 
 namespace stanok::process {
@@ -37,7 +37,7 @@ TEST(Comparator, IsAboveZeroUnderOverload) {
   EXPECT_EQ(deviation_w(2100.0, 300.0, 2000.0), -200.0);
 }
 
-// The feed does not see speed and radius, only how the set-point swings.
+// The feed does not see speed and radius, only how the setpoint swings.
 TEST(ClockBlock, IsNormalisedBySpeedAndRadius) {
   for (const double radius : {60.0, 40.0, 5.0}) {
     for (const double speed : {100.0, 900.0}) {
@@ -221,11 +221,11 @@ TEST(FormableFrequency, StaysAwayFromMultiplesOfTheSpindle) {
 }
 
 // A self-oscillation that settles at 20 um and 100 Hz.
-TEST(SetPointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCut) {
-  SetPointLaw law({.feed_exponent = 0.75, .oscillation_reserve = 1.1});
+TEST(SetpointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCut) {
+  SetpointLaw law({.feed_exponent = 0.75, .oscillation_reserve = 1.1});
   law.set_mean(2000.0);
   law.set_automatic(2.0, 4.0);
-  SetPointLaw::Inputs inputs{.cycle_s = 0.001, .revolution_s = 0.1, .vibration = {}, .cuts = true};
+  SetpointLaw::Inputs inputs{.cycle_s = 0.001, .revolution_s = 0.1, .vibration = {}, .cuts = true};
   const auto run = [&](double seconds) {
     for (double t = 0.0; t < seconds; t += inputs.cycle_s) static_cast<void>(law.advance(inputs));
   };
@@ -245,23 +245,23 @@ TEST(SetPointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCu
   EXPECT_EQ(law.oscillation().force_n, 0.0);
 }
 
-TEST(SetPointLaw, IsConstantToTheBitWithoutOscillation) {
-  SetPointLaw law(ForceControlConfig{});
+TEST(SetpointLaw, IsConstantToTheBitWithoutOscillation) {
+  SetpointLaw law(ForceControlConfig{});
   law.set_mean(1234.5678);
   for (int k = 0; k < 1000; ++k) {
-    const ForceSetPoint set_point = law.advance({.cuts = true});
-    ASSERT_EQ(set_point.now_n, 1234.5678);
-    ASSERT_EQ(set_point.emphasised_n, 1234.5678);
+    const ForceSetpoint setpoint = law.advance({.cuts = true});
+    ASSERT_EQ(setpoint.now_n, 1234.5678);
+    ASSERT_EQ(setpoint.emphasised_n, 1234.5678);
   }
 }
 
-TEST(SetPointLaw, LimitsWhatTheFeedCannotForm) {
-  SetPointLaw law({.feed_exponent = 0.75});
+TEST(SetpointLaw, LimitsWhatTheFeedCannotForm) {
+  SetpointLaw law({.feed_exponent = 0.75});
   law.set_mean(1000.0);
   law.set_programmed({.force_n = 900.0, .frequency_hz = 5.0});
-  const ForceSetPoint set_point = law.advance({.revolution_s = 0.1, .cuts = true});
+  const ForceSetpoint setpoint = law.advance({.revolution_s = 0.1, .cuts = true});
   EXPECT_EQ(law.event(), motion::ForceEvent::oscillation_limited);
-  EXPECT_GT(set_point.emphasised_n, 0.0);
+  EXPECT_GT(setpoint.emphasised_n, 0.0);
   // 0.9 of the feed, through the chip (2/pi at half a turn) and the exponent.
   EXPECT_NEAR(law.oscillation().force_n, 900.0 * 0.75 * 2.0 / pi, 1e-9);
 }

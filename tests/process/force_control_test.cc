@@ -36,7 +36,7 @@ void begin(CutBench& bench, double force_n, double depth_mm) {
   bench.run(std::max(4.0, 30.0 * 60.0 / bench.cut.rev_per_min));
 }
 
-// Time until the force stays within 2 % of its set-point, and how far it went beyond on the way
+// Time until the force stays within 2 % of its setpoint, and how far it went beyond on the way
 // back.
 struct ForceSettling {
   double time_s = 0.0;

@@ -40,7 +40,7 @@ motion::ControllerGains inverting(double kp) {
 struct Followed {
   bool ok = false;
   std::vector<double> errors;      // of X, at the instants of the drive
-  std::vector<double> velocities;  // of its set-point in the same cycles
+  std::vector<double> velocities;  // of its setpoint in the same cycles
 };
 
 class CycleLoop : public ::testing::Test {

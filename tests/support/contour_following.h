@@ -29,7 +29,7 @@ enum class RateSource { interpolator, differences };
 
 // One cycle on the steady part of the circle; X and Y in mm.
 struct FollowedCycle {
-  std::array<double, 2> error{};   // set-point less position of the load at the end of the cycle
+  std::array<double, 2> error{};   // setpoint less position of the load at the end of the cycle
   std::array<double, 2> demand{};  // U in mm/s during the cycle
 };
 

@@ -1,4 +1,4 @@
-// The last guards before a set-point reaches a drive.
+// The last guards before a setpoint reaches a drive.
 #include "channels/axes/setpoint_guard.h"
 
 #include <gtest/gtest.h>
