@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "lang/actions/hole.h"
+#include "lang/actions/hole_moves.h"
 
 namespace stanok::lang {
 namespace {
@@ -117,7 +117,7 @@ bool uses_its_words(ActiveBlock& block, CodeNumber code) {
   return true;
 }
 
-void make_hole(Hole& hole, CodeNumber code) {
+void make_hole(HoleMoves& hole, CodeNumber code) {
   if (pecks(code)) {
     hole.peck(code);
   } else if (taps(code)) {
@@ -150,7 +150,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (block.failed()) return;
   const auto repeats = repeats_of(block, code);
   if (!repeats) return;
-  Hole hole(block, *axis);
+  HoleMoves hole(block, *axis);
   for (int i = 0; i < *repeats && !block.failed(); ++i) {
     Move positioning;
     resolve_ends(block, positioning);

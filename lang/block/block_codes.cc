@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lang/words/later_word.h"
+#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -93,7 +93,8 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   if (row->action == CodeAction::unsupported) {
     BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
                                 std::string(row->title));
-    if (const LaterWord* later = find_later_word(name)) fault.help.emplace_back(later->instead);
+    if (const UnsupportedWord* unsupported = find_unsupported_word(name))
+      fault.help.emplace_back(unsupported->instead);
     return fault;
   }
   if (kind != nullptr) {

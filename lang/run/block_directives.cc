@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/actions/gvector.h"
 #include "lang/actions/modal_restore.h"
+#include "lang/actions/saved_state.h"
 #include "lang/feed_law/feed_law_curve.h"
 #include "lang/run/block_runner.h"
 #include "lang/text/number.h"
@@ -246,13 +246,13 @@ void BlockDirectives::save_gvector() {
                     "not such a sum");
   }
   vm_.stack().push(
-      value_of(gvector_text(state_.modal, static_cast<StateParts>(std::lround(parts)))));
+      value_of(saved_state_text(state_.modal, static_cast<StateParts>(std::lround(parts)))));
 }
 
 // restore_gvector (text): a sync point; the state is restored with the answer.
 void BlockDirectives::restore_gvector(const Instruction& instruction) {
   const Value text = vm_.stack().pop();
-  const auto saved = read_gvector(text_of(text));
+  const auto saved = read_saved_state(text_of(text));
   if (!saved) {
     return vm_.fail("E3022", "this text is no saved state", "damaged, or of another version");
   }

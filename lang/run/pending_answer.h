@@ -13,7 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "lang/actions/actions.h"
-#include "lang/actions/gvector.h"
+#include "lang/actions/saved_state.h"
 #include "lang/contract/command.h"
 #include "lang/tree/value.h"
 

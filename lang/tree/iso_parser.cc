@@ -6,8 +6,8 @@
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/tree/comment_parser.h"
-#include "lang/words/later_word.h"
 #include "lang/words/named_address.h"
+#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 
@@ -77,7 +77,7 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
         .error("E2090", scanner_.here(),
                std::string("`") + c + "` words are not supported in this release",
                c == ',' ? "corner chamfer and rounding" : "polar coordinates")
-        .help.emplace_back(find_later_word({&c, 1})->instead);
+        .help.emplace_back(find_unsupported_word({&c, 1})->instead);
     return false;
   }
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
