@@ -49,7 +49,7 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
     state.move.stop();
     state.cycles_left = -1;
   }
-  if (state.task != Task::none || outcome_ == Outcome::running) return "E6056";
+  if (state.task != Task::none || homing_state_ == HomingState::running) return "E6056";
   if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
   double speed = std::min(std::abs(jog.velocity), limits.velocity_max);
   const double way = jog.increment > 0.0 ? jog.increment : travel(limits);
@@ -86,12 +86,12 @@ void ManualMotion::home(lang::AxisSet axes) RT_SAFE {
       to_home_ = static_cast<lang::AxisSet>(to_home_ | 1U << k);
   }
   fault_ = {};
-  outcome_ = to_home_ == 0 ? Outcome::succeeded : Outcome::running;
+  homing_state_ = to_home_ == 0 ? HomingState::succeeded : HomingState::running;
 }
 
 void ManualMotion::stop() RT_SAFE {
-  if (outcome_ == Outcome::running) {
-    outcome_ = Outcome::failed;
+  if (homing_state_ == HomingState::running) {
+    homing_state_ = HomingState::failed;
     fault_ = FixedText<128>("homing was stopped");
   }
   to_home_ = 0;
@@ -133,7 +133,7 @@ void ManualMotion::advance(std::span<const AxisFeedback> drives,
     }
     searches = searches || state.task == Task::search || state.task == Task::accept;
   }
-  if (outcome_ == Outcome::running && !searches) begin_next_order(positions);
+  if (homing_state_ == HomingState::running && !searches) begin_next_order(positions);
 }
 
 // The axes of the lowest order of those that are left; none: homing is done.
@@ -142,7 +142,7 @@ void ManualMotion::begin_next_order(std::span<const kinematics::Jet> positions) 
   for (std::size_t k = 0; k < count_; ++k) {
     if ((to_home_ >> k & 1U) != 0) order = std::min(order, axes_[k].homing.order);
   }
-  if (to_home_ == 0) outcome_ = Outcome::succeeded;
+  if (to_home_ == 0) homing_state_ = HomingState::succeeded;
   for (std::size_t k = 0; k < count_; ++k) {
     const ManualAxis& axis = axes_[k];
     if ((to_home_ >> k & 1U) == 0 || axis.homing.order != order) continue;
@@ -191,7 +191,7 @@ void ManualMotion::run(AxisState& state, kinematics::Jet& position) RT_SAFE {
 
 void ManualMotion::fail(std::size_t axis, std::string_view reason) RT_SAFE {
   stop();
-  outcome_ = Outcome::failed;
+  homing_state_ = HomingState::failed;
   fault_ = FixedText<128>("axis ");
   fault_.append(axes_[axis].name.view()).append(": ").append(reason);
 }

@@ -37,7 +37,7 @@ struct Jog {
 
 class ManualMotion {
  public:
-  enum class Outcome : std::uint8_t { running, succeeded, failed };
+  enum class HomingState : std::uint8_t { running, succeeded, failed };
 
   void set_up(std::span<const ManualAxis> axes, double cycle_s);
 
@@ -53,7 +53,7 @@ class ManualMotion {
   void stop() RT_SAFE;
 
   [[nodiscard]] bool is_active() const RT_SAFE;
-  [[nodiscard]] Outcome homing() const RT_SAFE { return outcome_; }
+  [[nodiscard]] HomingState homing() const RT_SAFE { return homing_state_; }
   [[nodiscard]] const FixedText<128>& homing_fault() const RT_SAFE { return fault_; }
 
   // Once a cycle: positions of the axes that are moved are replaced.
@@ -84,7 +84,7 @@ class ManualMotion {
   std::array<ManualAxis, motion::axes_max> axes_{};
   std::array<AxisState, motion::axes_max> states_{};
   lang::AxisSet to_home_ = 0;  // whose turn has not come yet
-  Outcome outcome_ = Outcome::succeeded;
+  HomingState homing_state_ = HomingState::succeeded;
   FixedText<128> fault_;
 };
 

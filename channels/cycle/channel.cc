@@ -18,7 +18,7 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figur
 
 // A drive that is lost or faulty stops the channel along its path.
 void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
-  const bool homes = motion.manual().homing() == ManualMotion::Outcome::running;
+  const bool homes = motion.manual().homing() == ManualMotion::HomingState::running;
   const auto fault = drives.advance(
       feedback, homes ? LimitSwitches::are_looked_for : LimitSwitches::stop_the_axis);
   if (!state().is_running()) motion.adopt_positions(state().is_powered() ? Power::on : Power::off);

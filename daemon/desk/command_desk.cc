@@ -145,7 +145,8 @@ void CommandDesk::answer_ended_runs() {
     const bool has_ended =
         run != runs.rend() && run->ended && machine_.newest_output().cycle >= run->end_cycle;
     if (has_ended && awaited.seen_ended) {
-      awaited.answer(outcome_of(*run, machine_.alarms(), machine_.file().machine.cycle_us * 1e-6));
+      awaited.answer(
+          command_result(*run, machine_.alarms(), machine_.file().machine.cycle_us * 1e-6));
       continue;
     }
     awaited.seen_ended = has_ended;
@@ -170,8 +171,8 @@ void CommandDesk::watch_cycle(SteadyTime now) {
   }
 }
 
-Outcome outcome_of(const channels::RunReport& run, const std::vector<channels::AlarmReport>& alarms,
-                   double cycle_s) {
+CommandResult command_result(const channels::RunReport& run,
+                             const std::vector<channels::AlarmReport>& alarms, double cycle_s) {
   if (run.ok) {
     return json{{"program", run.program},
                 {"ok", true},

@@ -9,7 +9,7 @@ using protocol::FailureKind;
 
 constexpr auto standing_cycle_time_max = std::chrono::seconds(2);
 
-Outcome refused_stop(const char* code, std::string text, int channel) {
+CommandResult refused_stop(const char* code, std::string text, int channel) {
   const FailureKind kind =
       code == std::string_view("E9006") ? FailureKind::timed_out : FailureKind::refused;
   return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});

@@ -105,7 +105,7 @@ void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session
   session->state().stops_before = stops_before;
   dispatch.handle(session->state(), *request,
                   [asker = std::weak_ptr<Session>(session), id = request->id,
-                   wanted = request->wants_answer](const Outcome& outcome) {
+                   wanted = request->wants_answer](const CommandResult& outcome) {
                     const auto alive = asker.lock();
                     if (alive) alive->note_role(alive->state().role);
                     if (!alive || !wanted) return;

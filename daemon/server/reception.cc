@@ -173,7 +173,7 @@ bool Reception::Parts::take_stop(Session& session, const protocol::Frame& frame)
   const auto request = protocol::parse_request(frame.text);
   if (!request) return false;
   const auto answer = [asker = session.weak_from_this(),
-                       request = *request](const Outcome& outcome) {
+                       request = *request](const CommandResult& outcome) {
     const auto alive = asker.lock();
     if (!alive) return;
     SessionState who;

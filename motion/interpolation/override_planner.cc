@@ -138,9 +138,9 @@ bool OverridePlanner::find_plan(const FeedControl& control, double time, const P
     return !(stands && has_plan_) && try_speed(motion, 0.0, time, Caps::hard).is_safe;
   }
   draft_caps_ = Caps::asked;
-  const Verdict verdict = try_speed(motion, asked, time, Caps::asked);
-  if (verdict.is_safe) return true;
-  const double slower = verdict.binding_speed;
+  const RestSearch search = try_speed(motion, asked, time, Caps::asked);
+  if (search.is_safe) return true;
+  const double slower = search.binding_speed;
   if (slower > 0.0 && slower < asked && try_speed(motion, slower, time, Caps::asked).is_safe)
     return true;
   if (stands && (try_hop(motion) || try_creep(motion, asked, time))) return true;
@@ -153,8 +153,8 @@ bool OverridePlanner::find_plan(const FeedControl& control, double time, const P
 }
 
 // Drafts: for `time` towards speed v, then to rest.
-OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, double v, double time,
-                                                    Caps caps) RT_SAFE {
+OverridePlanner::RestSearch OverridePlanner::try_speed(const PathMotion& from, double v,
+                                                       double time, Caps caps) RT_SAFE {
   const std::size_t first = sight_.segment_at(from.s, 0);
   RampLimits limits = sight_.ramp(first);
   PhaseRun run;
@@ -221,71 +221,71 @@ bool OverridePlanner::try_hop(const PathMotion& from) RT_SAFE {
 
 // Adds a way to rest to the draft: at once, or, where a segment ahead is too slow or would spoil
 // the brake with its limits, first down to the speed of that segment, from there on the same again.
-OverridePlanner::Verdict OverridePlanner::find_rest(PathMotion from, std::size_t segment, Caps caps)
-    RT_SAFE {
+OverridePlanner::RestSearch OverridePlanner::find_rest(PathMotion from, std::size_t segment,
+                                                       Caps caps) RT_SAFE {
   constexpr int stages_max = 8;
-  Verdict verdict;
+  RestSearch search;
   for (int stage = 0; stage < stages_max && draft().has_room(); ++stage) {
-    const Outlook outlook = survey(from, segment, caps);
-    if (stage == 0) verdict.binding_speed = outlook.binding_speed;
-    if (outlook.fits && can_slow_down(from, outlook.limits) &&
-        keeps(change_speed(from, 0.0, outlook.limits), segment, outlook.last, caps)) {
-      if (!stop_at_wall(from, segment, outlook, caps)) stop(from, outlook);
-      verdict.is_safe = true;
-      return verdict;
+    const BrakingRange range = survey(from, segment, caps);
+    if (stage == 0) search.binding_speed = range.binding_speed;
+    if (range.fits && can_slow_down(from, range.limits) &&
+        keeps(change_speed(from, 0.0, range.limits), segment, range.last, caps)) {
+      if (!stop_at_wall(from, segment, range, caps)) stop(from, range);
+      search.is_safe = true;
+      return search;
     }
-    const Tight& tight = outlook.tight;
+    const Tight& tight = range.tight;
     if (!tight.found || !can_slow_down(from, tight.limits)) {
-      if (from.a == 0.0 || !ease(from, segment, caps)) return verdict;
+      if (from.a == 0.0 || !ease(from, segment, caps)) return search;
       continue;
     }
     const PhaseRun run = change_speed(from, tight.v, tight.limits);
-    verdict.binding_speed = cap(tight.segment, caps);
-    if (!keeps(run, segment, tight.segment - 1, caps)) return verdict;
+    search.binding_speed = cap(tight.segment, caps);
+    if (!keeps(run, segment, tight.segment - 1, caps)) return search;
     draft().add(run);
     const double reached = from.s + length_of(run, from.s);
     if (tight.v <= 0.0) {
-      verdict.is_safe = true;
-      return verdict;
+      search.is_safe = true;
+      return search;
     }
     segment = tight.segment;
     from = {.s = sight_.start(segment), .v = tight.v};
     draft().add_hold(reached, from.s, tight.v);
   }
-  return verdict;
+  return search;
 }
 
 // Looks over the braking distance from a state, segment by segment, as the limits shrink.
-OverridePlanner::Outlook OverridePlanner::survey(const PathMotion& from, std::size_t segment,
-                                                 Caps caps) RT_SAFE {
-  Outlook outlook{.last = segment, .limits = sight_.ramp(segment)};
-  double rest = from.s + length_of(change_speed(from, 0.0, outlook.limits), from.s);
-  while (rest > sight_.end(outlook.last)) {
-    if (outlook.last + 1 == sight_.size()) return outlook;  // the end of what is known
-    const std::size_t next = ++outlook.last;
+OverridePlanner::BrakingRange OverridePlanner::survey(const PathMotion& from, std::size_t segment,
+                                                      Caps caps) RT_SAFE {
+  BrakingRange range{.last = segment, .limits = sight_.ramp(segment)};
+  double rest = from.s + length_of(change_speed(from, 0.0, range.limits), from.s);
+  while (rest > sight_.end(range.last)) {
+    if (range.last + 1 == sight_.size()) return range;  // the end of what is known
+    const std::size_t next = ++range.last;
     const double v_cap = cap(next, caps);
-    if (is_faster(highest_speed(from, 0.0, outlook.limits.j), v_cap)) {
-      const double eased = std::max(eased_speed(from.v, from.a, outlook.limits.j), 0.0);
+    if (is_faster(highest_speed(from, 0.0, range.limits.j), v_cap)) {
+      const double eased = std::max(eased_speed(from.v, from.a, range.limits.j), 0.0);
       const double v = from.a < 0.0 ? std::min(v_cap, eased) : v_cap;
       const double slack =
-          sight_.start(next) - from.s - length_of(change_speed(from, v, outlook.limits), from.s);
-      outlook.binding_speed = v_cap;
-      if (slack < 0.0) return outlook;
+          sight_.start(next) - from.s - length_of(change_speed(from, v, range.limits), from.s);
+      range.binding_speed = v_cap;
+      if (slack < 0.0) return range;
       // A faster segment behind a slower one must wait until the slower one is served.
-      const Tight& tight = outlook.tight;
+      const Tight& tight = range.tight;
       if (!tight.found || (slack < tight.slack && v <= tight.v)) {
-        outlook.tight = {
-            .found = true, .segment = next, .slack = slack, .v = v, .limits = outlook.limits};
+        range.tight = {
+            .found = true, .segment = next, .slack = slack, .v = v, .limits = range.limits};
       }
     }
-    const RampLimits lower = lower_of(outlook.limits, sight_.ramp(next));
-    if (lower.a < outlook.limits.a || lower.j < outlook.limits.j) {
-      outlook.limits = lower;
+    const RampLimits lower = lower_of(range.limits, sight_.ramp(next));
+    if (lower.a < range.limits.a || lower.j < range.limits.j) {
+      range.limits = lower;
       rest = from.s + length_of(change_speed(from, 0.0, lower), from.s);
     }
   }
-  outlook.fits = true;
-  return outlook;
+  range.fits = true;
+  return range;
 }
 
 // Whether a run, which at most speeds up first and then slows down, and its last speed held from
@@ -338,42 +338,41 @@ bool OverridePlanner::ease(PathMotion& from, std::size_t& segment, Caps caps) RT
 // Close before the end of the known path: goes on at the speed at hand, where all segments allow
 // it, and brakes so that it ends there exactly.
 bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t segment,
-                                   const Outlook& outlook, Caps caps) RT_SAFE {
-  if (from.a != 0.0 || outlook.last + 1 != sight_.size()) return false;
-  const double wall = sight_.end(outlook.last);
-  const double brake = wall - length_of(change_speed(from, 0.0, outlook.limits), from.s);
+                                   const BrakingRange& range, Caps caps) RT_SAFE {
+  if (from.a != 0.0 || range.last + 1 != sight_.size()) return false;
+  const double wall = sight_.end(range.last);
+  const double brake = wall - length_of(change_speed(from, 0.0, range.limits), from.s);
   if (brake <= from.s || brake > from.s + from.v * stop_cycles * cycle_s_) return false;
-  for (std::size_t k = segment; k <= outlook.last; ++k) {
+  for (std::size_t k = segment; k <= range.last; ++k) {
     if (is_faster(from.v, cap(k, caps))) return false;
   }
   draft().add_hold(from.s, brake, from.v);
-  draft().add(change_speed({.s = brake, .v = from.v}, 0.0, outlook.limits));
+  draft().add(change_speed({.s = brake, .v = from.v}, 0.0, range.limits));
   draft().end_at(wall);
   return true;
 }
 
 // Brakes to rest. When that ends just before the end of the known path, it is made a little softer,
 // so that it ends there exactly.
-void OverridePlanner::stop(const PathMotion& from, const Outlook& outlook) RT_SAFE {
-  PhaseRun run = change_speed(from, 0.0, outlook.limits);
-  const double wall = sight_.end(outlook.last);
+void OverridePlanner::stop(const PathMotion& from, const BrakingRange& range) RT_SAFE {
+  PhaseRun run = change_speed(from, 0.0, range.limits);
+  const double wall = sight_.end(range.last);
   const double room = wall - from.s;
   const double reach = from.v * stop_cycles * cycle_s_;
-  if (outlook.last + 1 == sight_.size() && run.size() > 0 &&
-      length_of(run, from.s) + reach >= room) {
+  if (range.last + 1 == sight_.size() && run.size() > 0 && length_of(run, from.s) + reach >= room) {
     // Part of the limits: too soft, it ends behind the wall, or the deceleration there is cannot be
     // taken away before the motion turns back.
-    const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * outlook.limits.j) : 0.0;
+    const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * range.limits.j) : 0.0;
     double soft = std::clamp(least, 0.2, 1.0);
     double hard = 1.0;
     constexpr int halvings = 50;
     for (int k = 0; k < halvings; ++k) {
       const double part = 0.5 * (soft + hard);
-      const RampLimits limits{.a = part * outlook.limits.a, .j = part * outlook.limits.j};
+      const RampLimits limits{.a = part * range.limits.a, .j = part * range.limits.j};
       run = change_speed(from, 0.0, limits);
       (length_of(run, from.s) > room ? soft : hard) = part;
     }
-    run = change_speed(from, 0.0, {.a = hard * outlook.limits.a, .j = hard * outlook.limits.j});
+    run = change_speed(from, 0.0, {.a = hard * range.limits.a, .j = hard * range.limits.j});
     draft().add(run);
     if (room - length_of(run, from.s) < 1e-11) draft().end_at(wall);
     return;

@@ -37,8 +37,8 @@ class OverridePlanner {
 
  private:
   enum class Caps { asked, hard };
-  // Result of a search for a way to rest.
-  struct Verdict {
+  // What a search for a braking motion to rest came to.
+  struct RestSearch {
     bool is_safe = false;
     double binding_speed = 0.0;  // what the place in the way asks for; 0: a wall
   };
@@ -51,7 +51,7 @@ class OverridePlanner {
     RampLimits limits{};
   };
   // What lies within the braking distance.
-  struct Outlook {
+  struct BrakingRange {
     bool fits = false;     // a brake to rest under `limits` stays on known path
     std::size_t last = 0;  // segment in which it comes to rest
     RampLimits limits{};
@@ -64,17 +64,18 @@ class OverridePlanner {
   [[nodiscard]] double cap(std::size_t segment, Caps caps) RT_SAFE;
   [[nodiscard]] bool find_plan(const FeedControl& control, double time, const PathMotion& motion)
       RT_SAFE;
-  [[nodiscard]] Verdict try_speed(const PathMotion& from, double v, double time, Caps caps) RT_SAFE;
+  [[nodiscard]] RestSearch try_speed(const PathMotion& from, double v, double time, Caps caps)
+      RT_SAFE;
   [[nodiscard]] bool try_creep(const PathMotion& from, double v, double time) RT_SAFE;
   [[nodiscard]] bool try_hop(const PathMotion& from) RT_SAFE;
-  [[nodiscard]] Verdict find_rest(PathMotion from, std::size_t segment, Caps caps) RT_SAFE;
-  [[nodiscard]] Outlook survey(const PathMotion& from, std::size_t segment, Caps caps) RT_SAFE;
+  [[nodiscard]] RestSearch find_rest(PathMotion from, std::size_t segment, Caps caps) RT_SAFE;
+  [[nodiscard]] BrakingRange survey(const PathMotion& from, std::size_t segment, Caps caps) RT_SAFE;
   [[nodiscard]] bool keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
       RT_SAFE;
   [[nodiscard]] bool ease(PathMotion& from, std::size_t& segment, Caps caps) RT_SAFE;
   [[nodiscard]] bool stop_at_wall(const PathMotion& from, std::size_t segment,
-                                  const Outlook& outlook, Caps caps) RT_SAFE;
-  void stop(const PathMotion& from, const Outlook& outlook) RT_SAFE;
+                                  const BrakingRange& range, Caps caps) RT_SAFE;
+  void stop(const PathMotion& from, const BrakingRange& range) RT_SAFE;
   [[nodiscard]] RestPlan& draft() RT_SAFE { return plans_[1 - current_]; }
 
   double cycle_s_;
