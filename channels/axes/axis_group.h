@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/rt_safe.h"
-#include "channels/axes/channel_figures.h"
+#include "channels/axes/channel_constants.h"
 #include "channels/axes/spindle.h"
 #include "channels/contract/output.h"
 #include "lang/contract/environment.h"
@@ -27,21 +27,21 @@ struct YieldedAxis {
 
 class AxisGroup {
  public:
-  // `figures` outlive the group. All axes stand at their start, without power.
-  explicit AxisGroup(const ChannelFigures& figures);
+  // `constants` outlive the group. All axes stand at their start, without power.
+  explicit AxisGroup(const ChannelConstants& constants);
 
-  [[nodiscard]] int count() const RT_SAFE { return figures_.axis_count; }
+  [[nodiscard]] int count() const RT_SAFE { return constants_.axis_count; }
   [[nodiscard]] lang::AxisSet all() const RT_SAFE {
     return static_cast<lang::AxisSet>((1U << count()) - 1U);
   }
-  [[nodiscard]] const FixedText<16>& name(int axis) const RT_SAFE { return figure(axis).name; }
+  [[nodiscard]] const FixedText<16>& name(int axis) const RT_SAFE { return constants(axis).name; }
   [[nodiscard]] int named(std::string_view name) const RT_SAFE;  // -1: none
   [[nodiscard]] int machine_axis(int axis) const RT_SAFE {
-    return figures_.machine_axis[static_cast<std::size_t>(axis)];
+    return constants_.machine_axis[static_cast<std::size_t>(axis)];
   }
   [[nodiscard]] int of_machine_axis(int machine_axis) const RT_SAFE;  // -1: none
-  [[nodiscard]] const AxisFigures& figure(int axis) const RT_SAFE {
-    return figures_.axes[static_cast<std::size_t>(axis)];
+  [[nodiscard]] const AxisConstants& constants(int axis) const RT_SAFE {
+    return constants_.axes[static_cast<std::size_t>(axis)];
   }
 
   [[nodiscard]] bool owns(int axis) const RT_SAFE { return (owned_ >> axis & 1U) != 0; }
@@ -85,7 +85,7 @@ class AxisGroup {
   }
   void command(lang::AxisSet axes, const DriveCommand& drive) RT_SAFE;
 
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   std::array<AxisSetpoint, motion::axes_max> setpoints_{};
   std::array<DriveCommand, motion::axes_max> drives_{};
   lang::AxisSet owned_ = 0;

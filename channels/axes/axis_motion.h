@@ -25,7 +25,7 @@ enum class SoftLimits : std::uint8_t { guarded, not_guarded };
 class AxisMotion {
  public:
   // All outlive the motion. The axes stand at their start in the frame of the active scheme.
-  AxisMotion(const motion::MotionConfig& config, const ChannelFigures& figures,
+  AxisMotion(const motion::MotionConfig& config, const ChannelConstants& constants,
              SchemeTable& schemes, AxisGroup& axes, const DriveGuard& drives);
 
   // One cycle: chains that begin with a chunk below `chunk_limit` may be entered.
@@ -81,7 +81,7 @@ class AxisMotion {
   void stay_where_commanded(motion::PathQueue& queue) RT_SAFE;
 
   const motion::MotionConfig& config_;
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   SchemeTable& schemes_;
   AxisGroup& axes_;
   const DriveGuard& drives_;

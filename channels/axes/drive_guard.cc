@@ -21,11 +21,11 @@ struct AxisNames {
 
 }  // namespace
 
-DriveGuard::DriveGuard(const ChannelFigures& figures, const AxisGroup& axes) : axes_(axes) {
+DriveGuard::DriveGuard(const ChannelConstants& constants, const AxisGroup& axes) : axes_(axes) {
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
     feedback_[k].valid = true;
     feedback_[k].enabled = true;
-    feedback_[k].referenced = figures.axes[k].homed_at_start;
+    feedback_[k].referenced = constants.axes[k].homed_at_start;
   }
 }
 

@@ -71,12 +71,12 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
 
 void ManualMotion::go(int axis, double from, double to) RT_SAFE {
   const auto k = static_cast<std::size_t>(axis);
-  const ManualAxis& figures = axes_[k];
-  const double search = std::abs(figures.homing.velocity);
-  const double speed = search > 0.0 ? search : unreferenced_part * figures.limits.velocity_max;
+  const ManualAxis& constants = axes_[k];
+  const double search = std::abs(constants.homing.velocity);
+  const double speed = search > 0.0 ? search : unreferenced_part * constants.limits.velocity_max;
   states_[k].task = Task::jog;
   states_[k].cycles_left = -1;
-  states_[k].move.begin(from, to, {.speed = speed, .ramp = ramp_of(figures.limits)});
+  states_[k].move.begin(from, to, {.speed = speed, .ramp = ramp_of(constants.limits)});
 }
 
 void ManualMotion::home(lang::AxisSet axes) RT_SAFE {

@@ -17,14 +17,14 @@ namespace stanok::channels {
 
 class PositionLoops {
  public:
-  // `figures` outlive the loops.
-  explicit PositionLoops(const ChannelFigures& figures);
+  // `constants` outlive the loops.
+  explicit PositionLoops(const ChannelConstants& constants);
 
   // Behind the setpoints of the cycle; `axes_M` with their derivatives.
   void advance(const motion::JetPoint& axes_M, const DriveGuard& drives, AxisGroup& axes) RT_SAFE;
 
  private:
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   std::array<motion::PositionController, motion::axes_max> controllers_{};
 };
 

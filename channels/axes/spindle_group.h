@@ -20,7 +20,7 @@ namespace stanok::channels {
 class SpindleGroup {
  public:
   // All outlive the group.
-  SpindleGroup(const ChannelFigures& figures, AxisGroup& axes, const DriveGuard& drives,
+  SpindleGroup(const ChannelConstants& constants, AxisGroup& axes, const DriveGuard& drives,
                AxisMotion& motion);
 
   // What a program says.
@@ -72,7 +72,7 @@ class SpindleGroup {
   void ask_speed(const AskedSpeed& speed) RT_SAFE;
   [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
 
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   AxisGroup& axes_;
   const DriveGuard& drives_;
   AxisMotion& motion_;

@@ -8,10 +8,10 @@
 
 namespace stanok::channels {
 
-Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figures,
+Channel::Channel(const motion::MotionConfig& motion, const ChannelConstants& constants,
                  const std::map<int, std::unique_ptr<const kinematics::Scheme>>& schemes,
                  int scheme, ChannelLink& link, const CycleBooks& books)
-    : CycleParts(motion, figures, schemes, scheme, link, books),
+    : CycleParts(motion, constants, schemes, scheme, link, books),
       items_(*this),
       announcements_(link.remarks, log),
       arrivals_(link) {}
@@ -167,7 +167,7 @@ void Channel::name_program() RT_SAFE {
 }
 
 void Channel::fill(ChannelOutput& output) const RT_SAFE {
-  output.id = figures.id;
+  output.id = constants.id;
   run.show(output);
   output.waiting = items_.is_waiting() || marks.is_waiting();
   output.scheme = schemes.active_id();
@@ -218,7 +218,7 @@ void Channel::home(lang::AxisSet axes) RT_SAFE {
 
 bool Channel::begin_homing_of_spindle(int id) RT_SAFE {
   const int axis = spindles.axis_of(id);
-  if (axis < 0 || axes.figure(axis).manual.homing.order == 0) return false;
+  if (axis < 0 || axes.constants(axis).manual.homing.order == 0) return false;
   home(static_cast<lang::AxisSet>(1U << axis));
   return true;
 }

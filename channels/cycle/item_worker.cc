@@ -39,7 +39,7 @@ ItemWorker::ItemWorker(CycleParts& parts)
     : parts_(parts),
       loads_(parts.run, parts.link),
       change_(parts.axes, parts.drives, parts.motion, parts.run, parts.link),
-      probe_(parts.figures.probe_input, *parts.books.inputs, parts.drives, parts.motion) {}
+      probe_(parts.constants.probe_input, *parts.books.inputs, parts.drives, parts.motion) {}
 
 void ItemWorker::advance() RT_SAFE {
   Ring<Item>& items = parts_.link.items;
@@ -100,7 +100,8 @@ bool ItemWorker::finish_brakes() RT_SAFE {
     change_.finish_step(item_);
     return true;
   }
-  const double waited = static_cast<double>(parts_.runs.cycle() - began_) * parts_.figures.cycle_s;
+  const double waited =
+      static_cast<double>(parts_.runs.cycle() - began_) * parts_.constants.cycle_s;
   if (waited < drives_obey_within_s) return false;
   activity_ = Activity::none;
   change_.fail(item_, axis);
@@ -112,7 +113,7 @@ void ItemWorker::wait(Activity activity, double seconds) RT_SAFE {
   constexpr double cycles_max = 1e15;  // for ever, and exact
   activity_ = activity;
   began_ = parts_.runs.cycle();
-  cycles_left_ = ceiling(std::min(seconds / parts_.figures.cycle_s - rounding, cycles_max));
+  cycles_left_ = ceiling(std::min(seconds / parts_.constants.cycle_s - rounding, cycles_max));
 }
 
 void ItemWorker::execute(const Item& item) RT_SAFE {
@@ -224,7 +225,7 @@ void ItemWorker::set_output(const Item& item) RT_SAFE {
 void ItemWorker::stop_by_program(const Item& item) RT_SAFE {
   const bool is_optional = item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop);
   if (is_optional && !parts_.switches.optional_stop()) return;
-  if (!is_optional && parts_.figures.stops_go_on)
+  if (!is_optional && parts_.constants.stops_go_on)
     return parts_.log.tell("", "program stop: going on at once", item.tag);
   parts_.run.hold(HoldCause::program_stop);
 }

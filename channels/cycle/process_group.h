@@ -21,7 +21,7 @@ namespace stanok::channels {
 class ProcessGroup {
  public:
   // All outlive the group.
-  ProcessGroup(const ChannelFigures& figures, const AxisGroup& axes, AxisMotion& motion,
+  ProcessGroup(const ChannelConstants& constants, const AxisGroup& axes, AxisMotion& motion,
                const SpindleGroup& spindles, ChannelLog& log);
 
   // The sensors of all spindles of the machine.
@@ -49,11 +49,11 @@ class ProcessGroup {
   void show(ProcessOutput& output) const RT_SAFE;
 
  private:
-  [[nodiscard]] motion::FeedModifier* modifier() const RT_SAFE { return figures_.feed_modifier; }
+  [[nodiscard]] motion::FeedModifier* modifier() const RT_SAFE { return constants_.feed_modifier; }
   [[nodiscard]] motion::CutState cut_state(double feed_override) RT_SAFE;
   [[nodiscard]] unsigned geometry_axes() const RT_SAFE;  // bit k: channel axis k
 
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   const AxisGroup& axes_;
   AxisMotion& motion_;
   const SpindleGroup& spindles_;

@@ -75,7 +75,7 @@ class RunningMachine {
   virtual void foreseen_begins(int channel, runtime::RunsOfChannels before) = 0;
   [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
 
-  [[nodiscard]] virtual LoopFigures loop_figures() = 0;
+  [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
   // Outputs and inputs of cycles that the recorder was too late for.
   [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;

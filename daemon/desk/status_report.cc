@@ -5,7 +5,7 @@
 
 #include "base/catalogue.h"
 #include "base/enum_names.h"
-#include "daemon/desk/channel_figures.h"
+#include "daemon/desk/channel_display.h"
 #include "daemon/desk/process_status.h"
 
 namespace stanok::daemon {
@@ -186,7 +186,7 @@ ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
 json StatusReport::machine() const {
   const auto& config = machine_.file().machine;
   const auto output = machine_.newest_output();
-  const LoopFigures figures = machine_.loop_figures();
+  const LoopStatistics statistics = machine_.loop_statistics();
   const RealTimeRights rights = machine_.real_time_rights();
   json channels = json::array();
   for (const auto& channel : config.channels) {
@@ -204,10 +204,10 @@ json StatusReport::machine() const {
           {"idle", is_at_rest(output)},
           {"drives", machine_.drive_choice()},
           {"rt",
-           {{"cycle_us", percentiles_us(figures.cycle_time)},
-            {"latency_us", percentiles_us(figures.latency)},
-            {"overruns", figures.overruns},
-            {"periods_skipped", figures.periods_skipped}}},
+           {{"cycle_us", percentiles_us(statistics.cycle_time)},
+            {"latency_us", percentiles_us(statistics.latency)},
+            {"overruns", statistics.overruns},
+            {"periods_skipped", statistics.periods_skipped}}},
           {"real_time",
            {{"scheduling", rights.has_fifo_scheduling ? "fifo" : "other"},
             {"memory_locked", rights.has_locked_memory},

@@ -32,19 +32,19 @@ class RecordedModifier : public motion::FeedModifier {
   bool ready = true;
 };
 
-ChannelFigures figures_with(motion::FeedModifier* modifier) {
-  ChannelFigures figures = bench_figures();
-  figures.feed_modifier = modifier;
-  figures.machine_spindle[0] = 1;
-  figures.automatic_feeds[0] = {
+ChannelConstants constants_with(motion::FeedModifier* modifier) {
+  ChannelConstants constants = bench_constants();
+  constants.feed_modifier = modifier;
+  constants.machine_spindle[0] = 1;
+  constants.automatic_feeds[0] = {
       .law = motion::LawKind::modulated, .level = 10.0, .release = 5.0, .part_min = 0.25};
-  return figures;
+  return constants;
 }
 
 class ProcessGroupTest : public ::testing::Test {
  protected:
   RecordedModifier modifier_;
-  CycleBench bench_{figures_with(&modifier_)};
+  CycleBench bench_{constants_with(&modifier_)};
   ProcessGroup& process_ = bench_.parts.process;
 };
 
