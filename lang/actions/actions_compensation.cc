@@ -99,12 +99,12 @@ bool changes_coordinates(const Code& code) {
     case Group::polar:
       return true;
     default:
-      return code.letter == 'G' && code.group == Group::none && code.phase == Phase::settings;
+      return code.letter == 'G' && code.group == Group::none && code.order == EffectOrder::settings;
   }
 }
 
 bool is_forbidden(const ActiveBlock& block, const Code& code) {
-  const bool changes_tool = code.phase == Phase::tool_change;
+  const bool changes_tool = code.order == EffectOrder::tool_change;
   const bool other_motion = code.axes != AxisWords::unused && code.letter == 'G' &&
                             (code.group != Group::motion || code.number > g(3));
   const bool machine_coordinates = code.letter == 'G' && code.number == g(53);
@@ -121,7 +121,7 @@ struct Activity {
 void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
   const bool again = code.group == Group::radius_compensation && code.number != g(40);
   if (again && !active.before) return;
-  const bool now = code.phase < Phase::radius_compensation ? active.before : active.after;
+  const bool now = code.order < EffectOrder::radius_compensation ? active.before : active.after;
   if (!again && (!now || !is_forbidden(block, code))) return;
   BlockFault& fault = block.fail(
       again ? "E4142" : "E4141", {code.letter, code.number, {}},

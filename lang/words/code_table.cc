@@ -7,7 +7,7 @@ namespace {
 
 using enum Group;
 using enum CodeAction;
-using P = Phase;
+using P = EffectOrder;
 constexpr auto no_axes = AxisWords::unused;
 constexpr auto axes = AxisWords::optional;
 constexpr auto needs_axes = AxisWords::required;
@@ -17,16 +17,16 @@ constexpr auto mill_only = Availability::mill_only;
 constexpr auto lathe_only = Availability::lathe_only;
 constexpr CodeAction later = unsupported;
 
-constexpr Code g(CodeNumber number, Group group, Phase phase, AxisWords axis_words,
+constexpr Code g(CodeNumber number, Group group, EffectOrder order, AxisWords axis_words,
                  std::string_view words, Availability availability, CodeAction action,
                  std::string_view title) {
-  return {'G',          number, group, group_bit(group), phase, axis_words, letters_of(words),
+  return {'G',          number, group, group_bit(group), order, axis_words, letters_of(words),
           availability, action, title};
 }
 
-constexpr Code m(CodeNumber number, Group group, Phase phase, std::string_view words,
+constexpr Code m(CodeNumber number, Group group, EffectOrder order, std::string_view words,
                  Availability availability, CodeAction action, std::string_view title) {
-  return {'M',          number, group, group_bit(group), phase, no_axes, letters_of(words),
+  return {'M',          number, group, group_bit(group), order, no_axes, letters_of(words),
           availability, action, title};
 }
 
