@@ -11,7 +11,8 @@ constexpr double lease_s = 0.2;          // of a continuous jog
 constexpr double drive_answers_s = 3.0;  // when it is told its position
 // Without a reference an axis is jogged slowly: part of its highest velocity.
 constexpr double unreferenced_part = 0.1;
-// The mark lies within the travel and a little more; of an axis without limits, within this way.
+// Home switch and index pulse lie within the travel and a little more; of an axis without limits,
+// within this distance.
 constexpr double search_reserve = 1.1;
 constexpr double search_endless = 800.0;
 
@@ -163,7 +164,7 @@ void ManualMotion::search(std::size_t axis, const AxisFeedback& drive, kinematic
   if (result == AxisHoming::Result::failed) return fail(axis, state.homing.reason());
   run(state, position);
   if (result == AxisHoming::Result::running) return;
-  const double shift = axes_[axis].homing.position - state.homing.mark();
+  const double shift = axes_[axis].homing.position - state.homing.home();
   state.reference = {.accepted = true, .offset = drive.position_offset + shift};
   position.value += shift;
   state.task = Task::accept;

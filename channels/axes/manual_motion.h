@@ -1,8 +1,8 @@
 // ManualMotion: the axes of one channel moved one by one, outside of programs: jogging, homing.
 //
 // A continuous jog is a lease: it ends when it is not renewed. Homing goes through the axes in the
-// order of the machine file, those of one order together; where the mark of an axis was found its
-// drive is told what it reads there. Real-time.
+// order of the machine file, those of one order together; where an axis found its home switch or
+// index pulse its drive is told what it reads there. Real-time.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ class ManualMotion {
       RT_SAFE;
   // From `from` to a place of the axis, with the velocity of its search.
   void go(int axis, double from, double to) RT_SAFE;
-  // Looks for the marks of these axes; those without one (order 0) are left out.
+  // Homes these axes; those with an absolute encoder (order 0) are left out.
   void home(lang::AxisSet axes) RT_SAFE;
   // All axes come to rest; what was begun is over.
   void stop() RT_SAFE;

@@ -16,17 +16,17 @@
 
 namespace stanok::channels {
 
-// What shows where the reference mark is; the index pulse of the encoder may make it finer.
-enum class HomingMark : std::uint8_t { reference_switch, limit_switch, index_alone };
+// What shows the home position of an axis; the index pulse of the encoder may make it finer.
+enum class HomingSignal : std::uint8_t { home_switch, limit_switch, index_alone };
 
-// How the axis finds its reference mark.
+// How the axis finds its home position.
 struct HomingConfig {
   int order = 0;          // ascending; equal numbers home together; 0: absolute encoder, no move
-  double position = 0.0;  // reading of the axis at the mark, mm or deg
+  double position = 0.0;  // reading of the axis at the switch or index pulse, mm or deg
   double velocity = 0.0;  // of the search, mm/s or deg/s; the sign is its direction
-  double velocity_slow = 0.0;  // with which the mark is met; > 0
-  HomingMark mark = HomingMark::reference_switch;
-  bool index = false;  // the mark is the first index pulse behind the switch
+  double velocity_slow = 0.0;  // with which the switch or index pulse is met; > 0
+  HomingSignal signal = HomingSignal::home_switch;
+  bool index = false;  // the first index pulse behind the switch counts
 };
 
 // Where the position loop is closed: in the drive, or in the cycle by the position controller.

@@ -82,7 +82,7 @@ struct AxisFeedback {
   bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
   bool referenced = false;  // the position belongs to the machine
   bool brake_closed = true;
-  bool home_switch = false;  // it stands on its reference switch
+  bool home_switch = false;  // it stands on its home switch
   bool limit_negative = false;
   bool limit_positive = false;
   bool strays = false;            // too far from its setpoint for longer than a disturbance lasts

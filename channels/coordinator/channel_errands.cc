@@ -222,8 +222,9 @@ Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker) RT_SAFE {
   }
   if (waited_s(errand) < drives_ready_within_s) return pending();
   asker.spindles.open_position_loop(spindle);
-  return is_homed ? refusal("E5206", "the drive does not close the position loop of the axis")
-                  : refusal("E5207", "the axis that a spindle becomes has no reference");
+  return is_homed
+             ? refusal("E5206", "the drive does not close the position loop of the axis")
+             : refusal("E5207", "the axis that the spindle becomes has not found its index pulse");
 }
 
 // Why what was asked for may not begin now: what the channel does, a stop since it was asked, or

@@ -66,7 +66,7 @@ const Keys<AxisFile>& axis_keys() {
        "mm, deg", "distance between setpoint and feedback that stops the axis", positive},
       {"modulo", at<&AxisFile::axis, &AxisConfig::modulo_deg>, optional, "deg",
        "one turn of a rotary axis whose G90 takes the shortest way; 0: counts on", not_negative},
-      {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its reference mark"},
+      {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its home position"},
       {"regulator", at<&AxisFile::controller>, optional, "", "position controller"},
       {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
       {"plant", at<&AxisFile::plant>, optional, "",
@@ -80,17 +80,19 @@ const Keys<HomingFile>& homing_keys() {
       {"order", at<&HomingFile::homing, &HomingConfig::order>, optional, "",
        "ascending; equal numbers home together; 0: absolute encoder, no move", from(0)},
       {"position", at<&HomingFile::homing, &HomingConfig::position>, optional, "mm, deg",
-       "reading of the axis at its reference mark"},
+       "reading of the axis at its home switch or index pulse"},
       {"velocity", at<&HomingFile::homing, &HomingConfig::velocity>, optional, "mm/s, deg/s",
        "velocity of the search; its sign is the direction"},
       {"velocity_slow", at<&HomingFile::homing, &HomingConfig::velocity_slow>, optional,
-       "mm/s, deg/s", "velocity with which the mark is met", positive, "a tenth of velocity"},
+       "mm/s, deg/s", "velocity with which the switch or index pulse is met", positive,
+       "a tenth of velocity"},
       {"mark", at<&HomingFile::mark>, optional, "",
-       "what shows the mark: the reference switch, the limit switch at which the search ends, or "
-       "the index pulse of an axis that turns",
+       "what ends the search: the home switch, the limit switch on that side, or the index pulse "
+       "of "
+       "an axis that turns",
        one_of({"switch", "limit", "index"})},
       {"index", at<&HomingFile::homing, &HomingConfig::index>, optional, "",
-       "the mark is the first index pulse of the encoder behind the switch"},
+       "the first index pulse of the encoder behind the switch counts, not its edge"},
   };
   return keys;
 }
@@ -190,7 +192,8 @@ void check_limits(const toml::table& table, const AxisConfig& axis, const Scope&
 void check_homing(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
   if (axis.homing.order > 0 && axis.homing.velocity == 0.0) {
     scope.fault(place_of(table, "velocity"),
-                "velocity of the search is missing; an axis with an order has to move");
+                "velocity of the search is missing; an axis with an order above 0 moves to find "
+                "its home position");
   }
   if (std::abs(axis.homing.velocity) > axis.limits.velocity_max) {
     scope.fault(place_of(table, "velocity"),
@@ -212,11 +215,11 @@ double stopping_way(double velocity, const motion::AxisLimits& limits) {
   return 0.5 * velocity * time;
 }
 
-// Behind the mark, where the search meets it slowly; a limit switch is left again, fast and at
-// least as far as the axis takes to stop.
+// Behind the home switch, where the search meets it slowly; a limit switch is left again, fast and
+// at least as far as the axis takes to stop.
 void check_homing_end(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
   const HomingConfig& homing = axis.homing;
-  const bool leaves_switch = homing.mark == channels::HomingMark::limit_switch;
+  const bool leaves_switch = homing.signal == channels::HomingSignal::limit_switch;
   const double speed = leaves_switch ? std::abs(homing.velocity) : homing.velocity_slow;
   const double way = stopping_way(speed, axis.limits);
   const bool goes_up = (homing.velocity > 0.0) != leaves_switch;
@@ -236,8 +239,8 @@ void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope)
   HomingFile file;
   read_table(table, homing_keys(), file, scope);
   axis.homing = file.homing;
-  if (file.mark == "limit") axis.homing.mark = channels::HomingMark::limit_switch;
-  if (file.mark == "index") axis.homing.mark = channels::HomingMark::index_alone;
+  if (file.mark == "limit") axis.homing.signal = channels::HomingSignal::limit_switch;
+  if (file.mark == "index") axis.homing.signal = channels::HomingSignal::index_alone;
   if (!table.contains("velocity_slow"))
     axis.homing.velocity_slow = slow_usual * std::abs(axis.homing.velocity);
   check_homing(table, axis, scope);

@@ -1,4 +1,4 @@
-// What a feed axis has to find its reference: encoder with index pulses, reference switch, limit
+// What a feed axis has to find its reference: encoder with index pulses, home switch, limit
 // switches. Positions are those of the machine, mm or deg.
 //
 // The encoder counts from the place where the machine is when its power comes on, or, an absolute

@@ -113,14 +113,14 @@ TEST(Homing, ASpindleThatBecomesAnAxisTurnsToItsIndexPulse) {
   AngleBehindIndex angle;
   const SimulationResult result = simulate(options, {&angle}, [] { return false; });
   EXPECT_TRUE(result.ok) << (result.alarms.empty() ? "" : result.alarms[0].diagnostic.message);
-  // The mark reads `position`, 0: C90 is 90 deg behind the pulse, in the latched counts, too.
+  // The index pulse reads `position`, 0: C90 is 90 deg behind it, in the latched counts, too.
   EXPECT_NEAR(angle.last, 90.0, 0.1);
 }
 
 TEST(Homing, SaysWhatItDidNotFindAndLeavesTheAxisWithoutReference) {
   DriveBench bench({{.home_from = 150.0, .home_to = 160.0}});  // behind both limit switches
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "A2001");
-  EXPECT_EQ(bench.text(), "axis X: no reference switch between the limit switches");
+  EXPECT_EQ(bench.text(), "axis X: there is no home switch between the limit switches");
   EXPECT_FALSE(bench.is_homed(0));
 }
 
