@@ -193,7 +193,7 @@ void ItemWorker::fail_run(const Item& item) RT_SAFE {
 void ItemWorker::end_effects() RT_SAFE {
   parts_.switches.admit({});
   parts_.motion.interrupt_feed({});
-  static_cast<void>(parts_.process.order(motion::ForceOrder{}));
+  static_cast<void>(parts_.process.command(motion::ForceCommand{}));
   parts_.spindles.stop();
   parts_.spindles.open_position_loops();
 }
@@ -206,8 +206,8 @@ void ItemWorker::end_all() RT_SAFE {
 }
 
 void ItemWorker::order_force(const Item& item) RT_SAFE {
-  if (!parts_.process.order(order_of(item.force))) {
-    return parts_.run.fail("E6062", "the order does not fit the force control of the channel",
+  if (!parts_.process.command(command_of(item.force))) {
+    return parts_.run.fail("E6062", "the command does not fit the present state of force control",
                            item.tag);
   }
   wait_for_spindles();

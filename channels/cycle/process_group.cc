@@ -54,8 +54,8 @@ bool ProcessGroup::switch_law(motion::LawKind law, Switch to) RT_SAFE {
   return false;
 }
 
-bool ProcessGroup::order(const motion::ForceOrder& order) RT_SAFE {
-  return modifier() != nullptr && modifier()->order(order);
+bool ProcessGroup::command(const motion::ForceCommand& command) RT_SAFE {
+  return modifier() != nullptr && modifier()->command(command);
 }
 
 motion::ForceEvent ProcessGroup::advance(double feed_override) RT_SAFE {

@@ -35,9 +35,9 @@ class ProcessGroup {
   [[nodiscard]] bool switch_law(motion::LawKind law, Switch to) RT_SAFE;
 
   [[nodiscard]] bool has_force_control() const RT_SAFE { return modifier() != nullptr; }
-  // False: there is no force control, or it does not take the order.
-  [[nodiscard]] bool order(const motion::ForceOrder& order) RT_SAFE;
-  // The path may go on behind an order or a start of the spindle.
+  // False: there is no force control, or it does not take the command.
+  [[nodiscard]] bool command(const motion::ForceCommand& command) RT_SAFE;
+  // The path may go on behind a command or a start of the spindle.
   [[nodiscard]] bool is_ready() const RT_SAFE {
     return modifier() == nullptr || modifier()->is_ready();
   }

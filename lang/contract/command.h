@@ -224,7 +224,7 @@ struct OverrideControl {
   bool feed_stop_enabled = true;  // M53
 };
 
-// #adaptive: an order to force control. Values that are not given are 0.
+// #adaptive: a command to force control. Values that are not given are 0.
 struct ForceControl {
   enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off };
   Kind kind = Kind::off;

@@ -181,7 +181,7 @@ MaybeStatement DirectiveParser::parse_adaptive(const Span& name) {
   if (form->kind == ForceKind::vibration_on && !parse_vibration_switch(directive))
     return std::nullopt;
   const bool good = cursor_.accept(",") ? expressions_.parse_list(")", directive.arguments)
-                                        : cursor_.expect(")", "the orders of `#adaptive`");
+                                        : cursor_.expect(")", "a command of `#adaptive`");
   if (!good || !cursor_.finish_line()) return std::nullopt;
   const std::size_t given = directive.arguments.size();
   // The clamps come together, as do the values of the oscillation.

@@ -15,13 +15,13 @@
 
 namespace stanok::motion {
 
-// What program or operator order; values that are not given are 0: those of the machine file.
-struct ForceOrder {
+// What program or operator command; values that are not given are 0: those of the machine file.
+struct ForceCommand {
   // adjust: changes what is given, on or off.
   enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off, adjust };
   Kind kind = Kind::off;
   // force
-  double force_n = 0.0;   // P_z; 0: as ordered before
+  double force_n = 0.0;   // P_z; 0: as commanded before
   double feed_min = 0.0;  // mm/min, or mm per revolution
   double feed_max = 0.0;
   bool per_revolution = false;  // the clamps
@@ -111,11 +111,11 @@ class FeedModifier {
   FeedModifier& operator=(const FeedModifier&) = delete;
   virtual ~FeedModifier() = default;
 
-  // False: there is no such control, as an oscillation while no force is ordered.
-  [[nodiscard]] virtual bool order(const ForceOrder& order) RT_SAFE = 0;
+  // False: there is no such control, as an oscillation while no force is commanded.
+  [[nodiscard]] virtual bool command(const ForceCommand& command) RT_SAFE = 0;
   // Once a cycle, also while it is off.
   [[nodiscard]] virtual FeedDemand advance(const CutState& cut) RT_SAFE = 0;
-  // The path may go on behind an order or a start of the spindle.
+  // The path may go on behind a command or a start of the spindle.
   [[nodiscard]] virtual bool is_ready() const RT_SAFE = 0;
   // What happened in the cycle.
   [[nodiscard]] virtual ForceEvent event() const RT_SAFE = 0;

@@ -8,8 +8,8 @@
 namespace stanok::process {
 namespace {
 
+using motion::ForceCommand;
 using motion::ForceEvent;
-using motion::ForceOrder;
 using motion::ForceState;
 
 // The smallest feed where neither program nor machine file gives one, part of the programmed one.
@@ -25,31 +25,32 @@ ForceControl::ForceControl(const ForceControlConfig& config)
   amplifier_.set_level(config.vibration_level_um);
 }
 
-bool ForceControl::order(const ForceOrder& order) RT_SAFE {
-  switch (order.kind) {
-    case ForceOrder::Kind::off:
+bool ForceControl::command(const ForceCommand& command) RT_SAFE {
+  switch (command.kind) {
+    case ForceCommand::Kind::off:
       switch_off();
       return true;
-    case ForceOrder::Kind::force:
-      order_force(order);
+    case ForceCommand::Kind::force:
+      command_force(command);
       return law_.mean_n() > 0.0;
-    case ForceOrder::Kind::oscillate:
-      if (!is_on() || order.oscillation_n >= law_.mean_n()) return false;
-      law_.set_programmed({.force_n = order.oscillation_n, .frequency_hz = order.oscillation_hz});
+    case ForceCommand::Kind::oscillate:
+      if (!is_on() || command.oscillation_n >= law_.mean_n()) return false;
+      law_.set_programmed(
+          {.force_n = command.oscillation_n, .frequency_hz = command.oscillation_hz});
       return true;
-    case ForceOrder::Kind::vibration_on:
-      return order_vibration(order);
-    case ForceOrder::Kind::vibration_off:
+    case ForceCommand::Kind::vibration_on:
+      return command_vibration(command);
+    case ForceCommand::Kind::vibration_off:
       law_.set_automatic(0.0, 0.0);
       return true;
-    case ForceOrder::Kind::adjust:
-      adjust(order);
+    case ForceCommand::Kind::adjust:
+      adjust(command);
       return true;
   }
   return false;
 }
 
-// The force ordered last is kept for an operator who switches on again.
+// The force commanded last is kept for an operator who switches on again.
 void ForceControl::switch_off() RT_SAFE {
   status_ = {};
   controller_.reset();
@@ -63,13 +64,13 @@ void ForceControl::switch_off() RT_SAFE {
   overload_is_told_ = false;
 }
 
-void ForceControl::order_force(const ForceOrder& order) RT_SAFE {
-  if (order.force_n > 0.0) set_force(order.force_n);
+void ForceControl::command_force(const ForceCommand& command) RT_SAFE {
+  if (command.force_n > 0.0) set_force(command.force_n);
   if (law_.mean_n() <= 0.0) return;
-  clamps_ = {.feed_min = order.feed_min,
-             .feed_max = order.feed_max,
-             .per_revolution = order.per_revolution};
-  if (!order.per_revolution) {
+  clamps_ = {.feed_min = command.feed_min,
+             .feed_max = command.feed_max,
+             .per_revolution = command.per_revolution};
+  if (!command.per_revolution) {
     clamps_.feed_min /= s_per_min;
     clamps_.feed_max /= s_per_min;
   }
@@ -88,24 +89,24 @@ void ForceControl::set_force(double force_n) RT_SAFE {
 }
 
 // What an operator sets holds from now on, beyond the program.
-void ForceControl::adjust(const ForceOrder& order) RT_SAFE {
-  if (order.force_n > 0.0) set_force(order.force_n);
-  if (order.level_um > 0.0) {
-    config_.vibration_level_um = order.level_um;
-    amplifier_.set_level(order.level_um);
+void ForceControl::adjust(const ForceCommand& command) RT_SAFE {
+  if (command.force_n > 0.0) set_force(command.force_n);
+  if (command.level_um > 0.0) {
+    config_.vibration_level_um = command.level_um;
+    amplifier_.set_level(command.level_um);
   }
-  if (order.reduced_mass_kg > 0.0) config_.reduced_mass_kg = order.reduced_mass_kg;
-  if (order.oscillation_hz > 0.0) config_.oscillation_hz = order.oscillation_hz;
-  const bool forms = order.reduced_mass_kg > 0.0 || order.oscillation_hz > 0.0;
+  if (command.reduced_mass_kg > 0.0) config_.reduced_mass_kg = command.reduced_mass_kg;
+  if (command.oscillation_hz > 0.0) config_.oscillation_hz = command.oscillation_hz;
+  const bool forms = command.reduced_mass_kg > 0.0 || command.oscillation_hz > 0.0;
   if (forms && law_.can_form()) law_.set_automatic(config_.reduced_mass_kg, config_.oscillation_hz);
 }
 
-bool ForceControl::order_vibration(const ForceOrder& order) RT_SAFE {
-  const auto given = [](double ordered, double otherwise)
-                         RT_SAFE { return ordered > 0.0 ? ordered : otherwise; };
-  amplifier_.set_level(given(order.level_um, config_.vibration_level_um));
-  law_.set_automatic(given(order.reduced_mass_kg, config_.reduced_mass_kg),
-                     given(order.oscillation_hz, config_.oscillation_hz));
+bool ForceControl::command_vibration(const ForceCommand& command) RT_SAFE {
+  const auto given = [](double commanded, double otherwise)
+                         RT_SAFE { return commanded > 0.0 ? commanded : otherwise; };
+  amplifier_.set_level(given(command.level_um, config_.vibration_level_um));
+  law_.set_automatic(given(command.reduced_mass_kg, config_.reduced_mass_kg),
+                     given(command.oscillation_hz, config_.oscillation_hz));
   return is_on() && amplifier_.level_um() > 0.0 && law_.can_form();
 }
 

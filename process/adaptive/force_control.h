@@ -1,6 +1,6 @@
 // ForceControl: the adaptive system of the cutting force, blocks 8 to 23 wired as in the drawing.
 //
-// Power sensor 8 and vibration sensor 16 come in with CutState, block 1 with orders and the
+// Power sensor 8 and vibration sensor 16 come in with CutState, block 1 with commands and the
 // programmed feed, block 3 takes the demand. Docs and the table of blocks:
 // docs/programmer/adaptive-control.md. One object per channel. Real-time; allocates nothing.
 #pragma once
@@ -21,7 +21,7 @@ class ForceControl final : public motion::FeedModifier {
  public:
   explicit ForceControl(const ForceControlConfig& config);
 
-  [[nodiscard]] bool order(const motion::ForceOrder& order) RT_SAFE override;
+  [[nodiscard]] bool command(const motion::ForceCommand& command) RT_SAFE override;
   [[nodiscard]] motion::FeedDemand advance(const motion::CutState& cut) RT_SAFE override;
   [[nodiscard]] bool is_ready() const RT_SAFE override;
   [[nodiscard]] motion::ForceEvent event() const RT_SAFE override { return event_; }
@@ -36,10 +36,10 @@ class ForceControl final : public motion::FeedModifier {
     bool per_revolution = false;
   };
   void switch_off() RT_SAFE;
-  void order_force(const motion::ForceOrder& order) RT_SAFE;
+  void command_force(const motion::ForceCommand& command) RT_SAFE;
   void set_force(double force_n) RT_SAFE;
-  void adjust(const motion::ForceOrder& order) RT_SAFE;
-  [[nodiscard]] bool order_vibration(const motion::ForceOrder& order) RT_SAFE;
+  void adjust(const motion::ForceCommand& command) RT_SAFE;
+  [[nodiscard]] bool command_vibration(const motion::ForceCommand& command) RT_SAFE;
   [[nodiscard]] bool is_on() const RT_SAFE { return status_.state != motion::ForceState::off; }
   void count_radius(const motion::CutState& cut) RT_SAFE;
   void resolve_clamps(const motion::CutState& cut) RT_SAFE;

@@ -1,6 +1,6 @@
 // SetpointLaw, block 21: the setpoint of the cutting force over time.
 //
-// Constant; with an oscillation that the program orders; or with one that is formed from the
+// Constant; with an oscillation that the program commands; or with one that is formed from the
 // vibration as soon as that has settled above its level. A formed oscillation stays as it is until
 // the cut ends: it quenches what it was formed from. For the feed ahead (blocks 12 and 22) the
 // oscillation is emphasised by what chip thickness, force exponent and feed drives take away from

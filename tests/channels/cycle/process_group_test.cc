@@ -12,8 +12,8 @@ using namespace stanok::testing;
 
 class RecordedModifier : public motion::FeedModifier {
  public:
-  [[nodiscard]] bool order(const motion::ForceOrder& order) RT_SAFE override {
-    latest_order = order;
+  [[nodiscard]] bool command(const motion::ForceCommand& order) RT_SAFE override {
+    latest_command = order;
     return accepts;
   }
   [[nodiscard]] motion::FeedDemand advance(const motion::CutState& state) RT_SAFE override {
@@ -26,7 +26,7 @@ class RecordedModifier : public motion::FeedModifier {
   }
   [[nodiscard]] motion::ForceStatus status() const RT_SAFE override { return {}; }
 
-  motion::ForceOrder latest_order;
+  motion::ForceCommand latest_command;
   motion::CutState cut;
   bool accepts = true;
   bool ready = true;
@@ -91,7 +91,7 @@ TEST_F(ProcessGroupTest, WhatTheModifierAsksForIsTheFeedOfTheLinearAxes) {
 TEST_F(ProcessGroupTest, WithoutForceControlThereIsNothingToOrder) {
   CycleBench bare;
   EXPECT_FALSE(bare.parts.process.has_force_control());
-  EXPECT_FALSE(bare.parts.process.order({}));
+  EXPECT_FALSE(bare.parts.process.command({}));
   EXPECT_TRUE(bare.parts.process.is_ready());
   EXPECT_EQ(bare.parts.process.advance(1.0), motion::ForceEvent::none);
 }
