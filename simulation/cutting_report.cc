@@ -42,7 +42,7 @@ void CuttingReport::add_finding(const Finding& finding) {
   findings_.push_back(finding);
 }
 
-// What belongs to a block comes while it is at hand, or a few blocks later.
+// What belongs to a block comes while it is the current one, or a few blocks later.
 BlockRemoval& CuttingReport::block_of(const Origin& origin) {
   constexpr std::size_t latest = 128;
   const std::size_t oldest = blocks_.size() > latest ? blocks_.size() - latest : 0;

@@ -41,7 +41,7 @@ class ManualMotion {
 
   void set_up(std::span<const ManualAxis> axes, double cycle_s);
 
-  // Begins a jog from `from`, or renews the one at hand; the other direction stops that one.
+  // Begins a jog from `from`, or renews the current one; the other direction stops that one.
   // Returns why not: a code of the catalogue; empty: it goes.
   [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
       RT_SAFE;

@@ -130,8 +130,8 @@ inline constexpr int spindles_max = 4;
 // Feed and speed of the cutting process, and the law that they follow.
 struct ProcessOutput {
   motion::LawKind law = motion::LawKind::none;
-  std::uint64_t increments = 0;                // that the law has made
-  bool stands = false;                         // on the fictitious path of an interrupted feed
+  std::uint64_t increments = 0;  // that the law has made
+  bool stands = false;           // on the equivalent dwell path of an interrupted feed
   motion::InterruptionLengths interruption{};  // by the operator
   std::uint64_t interruptions = 0;             // so far
   // Laws formed in the cycle, as far as the channel has them.
@@ -175,8 +175,8 @@ struct ChannelOutput {
   bool waiting = false;   // in channel_wait, a mark, a dwell
   HoldCause hold_cause = HoldCause::none;
   std::int32_t scheme = 0;
-  motion::BlockTag tag;         // of the block at hand; line 0: no program runs
-  FixedText<96> program;        // of the run, from its first block at hand on, also when it is over
+  motion::BlockTag tag;         // of the current block; line 0: no program runs
+  FixedText<96> program;        // of the run, from its first current block on, also when it is over
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
   double feed_override = 1.0;

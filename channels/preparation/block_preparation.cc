@@ -278,7 +278,7 @@ std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move&
   return d;
 }
 
-// From `from_W`, in the workspace at hand: that of a face or cylinder, too.
+// From `from_W`, in the current workspace: that of a face or cylinder, too.
 double BlockPreparation::length_of(const motion::Point& from_W,
                                    const motion::PathBlock& block) const {
   motion::MotionConfig motion = motion_;

@@ -209,7 +209,7 @@ class MachineReader {
     }
   }
 
-  // The position at hand is up to a poll old, and U acts a cycle later. A proportional loop has 90
+  // The current position is up to a poll old, and U acts a cycle later. A proportional loop has 90
   // deg of phase at its gain of 1 and loses kp times the dead time; 60 deg must be left.
   void check_dead_times() {
     const double dead_time_s = file_.bus.poll_ms * 1e-3 + file_.machine.cycle_us * 1e-6;

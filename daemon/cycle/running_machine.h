@@ -66,7 +66,7 @@ class RunningMachine {
   // Where the next run of a channel begins; nothing: at the first block.
   [[nodiscard]] virtual std::optional<channels::SearchReport> search(int channel) = 0;
 
-  // The block at hand of a channel, as its output tells it.
+  // The current block of a channel, as its output tells it.
   [[nodiscard]] virtual channels::BlockReport block(const channels::ChannelOutput& output) = 0;
 
   // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs

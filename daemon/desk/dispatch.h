@@ -26,7 +26,7 @@ struct SessionState {
   protocol::Role role = protocol::Role::observer;
   std::string peer;  // for logs: "uid 1000, pid 4711"
   Subscription subscription;
-  // Stops that the daemon had taken when the request at hand came in.
+  // Stops that the daemon had taken when the current request came in.
   std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
 };
 

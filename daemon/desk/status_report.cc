@@ -161,7 +161,7 @@ bool is_at_rest(const channels::CycleOutput& output) {
                       [](const ChannelOutput& c) { return c.moving || c.running; });
 }
 
-// The program of the run at hand, or of the last one; the one that is loaded else.
+// The program of the current run, or of the last one; the one that is loaded else.
 std::string program_of(const ChannelOutput& output, const std::vector<channels::RunReport>& runs,
                        const std::string& loaded) {
   if (!output.running && !loaded.empty()) return loaded;

@@ -18,7 +18,7 @@ struct ExcludedMode {
 constexpr ExcludedMode modes[] = {
     {Exclusion::radius_compensation, Group::radius_compensation, "radius compensation is active",
      "switch it off with `G40` before"},
-    {Exclusion::tip_control, Group::length, "the tool tip is controlled",
+    {Exclusion::tcp, Group::length, "TCP (RTCP) is active",
      "switch it off with `G49` before"},
     {Exclusion::transformation, Group::transformation,
      "a face or cylinder transformation is active", "switch it off with `G13.1` before"},
@@ -34,7 +34,7 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
   switch (exclusion) {
     case Exclusion::radius_compensation:
       return modal.code(Group::radius_compensation) != g(40);
-    case Exclusion::tip_control:
+    case Exclusion::tcp:
       return modal.length.mode == LengthMode::tip;
     case Exclusion::transformation:
       return modal.code(Group::transformation) != g(13, 1);

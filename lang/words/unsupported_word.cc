@@ -18,7 +18,7 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G31", "a move up to a signal", "use G38.3"},
     {"G34", "a thread of variable lead", "use G33, section by section"},
     {"G37", "measurement of a tool", "use G38.2 and `settable_tool`"},
-    {"G43.5", "tip control by a tool vector", "use G43.4 and program the rotary axes"},
+    {"G43.5", "TCP (RTCP) by a tool vector", "use G43.4 and program the rotary axes"},
     {"G53.1", "alignment of the tool", "program the rotary axes"},
     {"G68.2", "a tilted plane", "use G68 with I, J, K, or a tilted scheme with `#kinematics`"},
     {"G75", "a grooving cycle", "use a loop of G1"},

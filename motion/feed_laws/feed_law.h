@@ -26,7 +26,7 @@ struct LawStretch {
   double end_mm = unlimited;  // path of the law at which it ends
   double feed = 0.0;          // 0: that of the block
   double speed = 0.0;         // of the spindle; 0: unchanged
-  double stand_mm = 0.0;      // length of the fictitious path at its end: the axes stand meanwhile
+  double stand_mm = 0.0;      // length of the equivalent dwell path at its end: the axes rest
 };
 
 class FeedLaw {

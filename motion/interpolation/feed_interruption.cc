@@ -87,7 +87,7 @@ StandFeed FeedInterruption::stand(const PathQueue& queue, const PathCursor& curs
   return feed_;
 }
 
-// The next rest is L_B behind s, which lies in the segment at hand.
+// The next rest is L_B behind s, which lies in the current segment.
 void FeedInterruption::seek(const PathCursor& cursor, double s, bool counts_from_s) RT_SAFE {
   is_found_ = false;
   wall_ = {};

@@ -1,10 +1,10 @@
 // FeedInterruption: the feed interrupted by the operator, on path that is committed already.
 //
-// After each L_B of real path at feed the axes rest for a fictitious path L_A, as under the law of
-// a block (motion/feed_laws/interrupted_law.h), but the places are found in the cycle: the place of
-// the next rest is a wall for the override planner, a place on the path itself, so that override
-// and hold do not move it. The first rest is as soon as the path can come to it. Rapid moves,
-// threads and blocks of rotary axes alone are neither counted nor interrupted. Real-time.
+// After each L_B of real path at feed the axes rest for an equivalent dwell path L_A, as under the
+// law of a block (motion/feed_laws/interrupted_law.h), but the places are found in the cycle: the
+// place of the next rest is a wall for the override planner, a place on the path itself, so that
+// override and hold do not move it. The first rest is as soon as the path can come to it. Rapid
+// moves, threads and blocks of rotary axes alone are neither counted nor interrupted. Real-time.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct InterruptionLengths {
   friend bool operator==(const InterruptionLengths&, const InterruptionLengths&) = default;
 };
 
-// The feed with which the fictitious path is gone along.
+// The feed that turns the equivalent dwell path into a time.
 struct StandFeed {
   double per_s = 0.0;        // mm/s
   double rev_per_min = 0.0;  // that it is planned for; 0: feed per time

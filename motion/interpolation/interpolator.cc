@@ -26,7 +26,7 @@ bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
          queue.segments[queue.segments.size() - 1].tag.block >= control.closed_from_block;
 }
 
-// The spindle turns as fast as the feed of the segment at hand was planned for.
+// The spindle turns as fast as the feed of the current segment was planned for.
 bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE {
   const double planned = queue.segments.front().process.rev_per_min;
   return planned <= 0.0 || planned == control.spindle_rev_per_min;
@@ -89,7 +89,7 @@ void Interpolator::interrupt(const InterruptionLengths& lengths) RT_SAFE {
   interruption_.set(lengths, cursor_, motion_.s, !at_rest());
 }
 
-// At rest within the chain at hand where its feed is to be interrupted.
+// At rest within the current chain where its feed is to be interrupted.
 bool Interpolator::is_interrupted(const PathQueue& queue) const RT_SAFE {
   if (!interruption_.is_on() || !at_rest() || is_synchronous() || has_run_chunk()) return false;
   return interruption_.is_due(cursor_.segment(queue), motion_.s);
@@ -100,7 +100,7 @@ void Interpolator::begin_interruption(const PathQueue& queue) RT_SAFE {
   stand_feed_ = interruption_.stand(queue, cursor_, motion_.s);
 }
 
-// Goes on along the fictitious path; returns what is left of the time at its end.
+// Goes on along the equivalent dwell path; returns what is left of the time at its end.
 double Interpolator::stand(const FeedControl& control, double time) RT_SAFE {
   const double speed =
       control.hold ? 0.0 : stand_feed_.per_s * control.feed_part(stand_feed_.rev_per_min);
@@ -143,7 +143,7 @@ double Interpolator::follow_spindle(PathQueue& queue, const FeedControl& control
   return 0.0;
 }
 
-// Whether the chunk at hand lies behind. Close to rest s comes to its end, to rounding, before the
+// Whether the current chunk lies behind. Close to rest s comes to its end, to rounding, before the
 // motion does.
 bool Interpolator::has_run_chunk() const RT_SAFE {
   if (is_synchronous()) return synchronous_.is_over();
@@ -185,7 +185,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   return left;
 }
 
-// Goes over to the committed phases where they stand in the very state at hand: in a phase of
+// Goes over to the committed phases where they stand in the very state of now: in a phase of
 // constant speed, or at its start at rest.
 void Interpolator::rejoin_nominal(PathQueue& queue) RT_SAFE {
   if (motion_.a != 0.0) return;
@@ -229,7 +229,7 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   return unused;
 }
 
-// The segment behind the one at hand lies behind a gate.
+// The segment behind the current one lies behind a gate.
 bool Interpolator::is_next_segment_closed(const PathQueue& queue, const FeedControl& control) const
     RT_SAFE {
   const bool last_of_chunk = cursor_.segments_left() <= 1;
@@ -248,7 +248,7 @@ bool Interpolator::stands_at_gate(const PathQueue& queue, const FeedControl& con
          motion_.s >= cursor_.segment_start() + cursor_.segment(queue).length - rounding;
 }
 
-// Leaves the chunk at hand behind. False: the chain goes on, but its next chunk is not there or
+// Leaves the current chunk behind. False: the chain goes on, but its next chunk is not there or
 // closed; the chunk is kept.
 bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
                                 InterpolatorOutput& out) RT_SAFE {
@@ -287,7 +287,7 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
   return true;
 }
 
-// The axes stand at the point of the path at hand from now on.
+// The axes stand at the current point of the path from now on.
 void Interpolator::stand_here(const PathQueue& queue) RT_SAFE {
   const Segment& segment = cursor_.segment(queue);
   JetPoint point;

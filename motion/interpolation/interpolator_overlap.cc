@@ -17,7 +17,7 @@ PathMotion motion_after(const PathQueue& queue, std::size_t first, double t) RT_
 
 }  // namespace
 
-// Runs the next chain as far as it overlaps the end of the one at hand. It begins in the first
+// Runs the next chain as far as it overlaps the end of the current one. It begins in the first
 // cycle that comes into the overlap, or not at all; once begun it is run as committed.
 void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& control,
                                std::uint64_t chunk_limit) RT_SAFE {
@@ -35,7 +35,7 @@ void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& contro
   next_motion_ = motion;
 }
 
-// Time that the committed phases of the chunk at hand still take, or more than `farthest`.
+// Time that the committed phases of the current chunk still take, or more than `farthest`.
 double Interpolator::time_to_end(const PathQueue& queue, double farthest) const RT_SAFE {
   if (!cursor_.has_phase()) return 0.0;
   double time = -(phase_time_first_ + phase_cycles_ * cycle_s_);
@@ -45,7 +45,7 @@ double Interpolator::time_to_end(const PathQueue& queue, double farthest) const 
   return time;
 }
 
-// The chain at hand has ended, the next one runs already.
+// The current chain has ended, the next one runs already.
 void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
   phase_time_first_ = cursor_.chunk().overlap_s;
   phase_cycles_ = 0.0;

@@ -128,7 +128,7 @@ double OverridePlanner::cap(std::size_t segment, Caps caps) RT_SAFE {
   return caps == Caps::asked ? sight_.asked_speed(segment) : sight_.hard_speed(segment);
 }
 
-// Drafts a plan that serves the operator better than the one at hand; false: there is none.
+// Drafts a plan that serves the operator better than the current one; false: there is none.
 bool OverridePlanner::find_plan(const FeedControl& control, double time, const PathMotion& motion)
     RT_SAFE {
   const bool stands = motion.v == 0.0 && motion.a == 0.0;
@@ -145,7 +145,7 @@ bool OverridePlanner::find_plan(const FeedControl& control, double time, const P
     return true;
   if (stands && (try_hop(motion) || try_creep(motion, asked, time))) return true;
   if (has_plan_ && plan_caps_ == Caps::asked && plan_control_ == control) return false;
-  // The plan at hand was found for another override: slow down to this one, at once if it can.
+  // The current plan was found for another override: slow down to this one, at once if it can.
   draft().clear();
   if (find_rest(motion, sight_.segment_at(motion.s, 0), Caps::asked).is_safe) return true;
   draft_caps_ = Caps::hard;
@@ -292,7 +292,7 @@ OverridePlanner::BrakingRange OverridePlanner::survey(const PathMotion& from, st
 // there on, keep the speed of every segment.
 bool OverridePlanner::keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
     RT_SAFE {
-  if (run.size() == 0) return true;  // the speed at hand is held, which the caller knows to be kept
+  if (run.size() == 0) return true;  // the current speed is held, which the caller knows to be kept
   const PathMotion peak = peak_of(run);
   for (std::size_t segment = first; segment <= last; ++segment) {
     const double v_cap = cap(segment, caps) * (1.0 + equal_speeds);
@@ -335,7 +335,7 @@ bool OverridePlanner::ease(PathMotion& from, std::size_t& segment, Caps caps) RT
   return true;
 }
 
-// Close before the end of the known path: goes on at the speed at hand, where all segments allow
+// Close before the end of the known path: goes on at the current speed, where all segments allow
 // it, and brakes so that it ends there exactly.
 bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t segment,
                                    const BrakingRange& range, Caps caps) RT_SAFE {

@@ -21,7 +21,7 @@
 
 namespace stanok::motion {
 
-// A place at which the path comes to rest, on a segment that is known: s along the chunk at hand.
+// A place at which the path comes to rest, on a segment that is known: s along the current chunk.
 struct PathWall {
   static constexpr std::uint64_t no_segment = ~std::uint64_t{0};
   std::uint64_t segment = no_segment;  // number of the segment that holds it
@@ -43,13 +43,13 @@ class PathSight {
     friend bool operator==(const Reach&, const Reach&) = default;
   };
 
-  // Looks along the path from the segment at hand as far as the wall, once a cycle. A gate ahead is
+  // Looks along the path from the current segment as far as the wall, once a cycle. A gate ahead is
   // a wall, too.
   void look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
             const Reach& reach, const PathWall& wall) RT_SAFE;
 
   [[nodiscard]] std::size_t size() const RT_SAFE { return size_; }
-  // Where segment `index` starts and ends along the chunk at hand; index < size().
+  // Where segment `index` starts and ends along the current chunk; index < size().
   [[nodiscard]] double start(std::size_t index) RT_SAFE;
   [[nodiscard]] double end(std::size_t index) RT_SAFE {
     return std::min(start(index + 1), wall_s_);

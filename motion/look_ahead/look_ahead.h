@@ -69,7 +69,7 @@ class LookAhead {
   [[nodiscard]] std::size_t cut_at_or_before(std::size_t boundary) const;
   [[nodiscard]] std::size_t start_of_last_descent() const;
 
-  // The chain at hand from the last commit on: segments, their limits, and how many blocks were
+  // The current chain from the last commit on: segments, their limits, and how many blocks were
   // known when each one came.
   MotionConfig config_;
   std::vector<Segment> window_;

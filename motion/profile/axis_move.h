@@ -39,7 +39,7 @@ class AxisMove {
   std::array<Phase, phases_max> phases_{};
   std::size_t size_ = 0;
   std::size_t at_ = 0;
-  double t_ = 0.0;  // within the phase at hand
+  double t_ = 0.0;  // within the current phase
   double from_ = 0.0;
   double sign_ = 1.0;
   double end_ = 0.0;   // where it comes to rest

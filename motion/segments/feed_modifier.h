@@ -90,7 +90,7 @@ struct ForceStatus {
   double force_now_n = 0.0;  // setpoint with its oscillation
   double force_n = 0.0;      // estimated from the power
   double power_w = 0.0;
-  double power_idle_w = 0.0;  // N_x at the speed at hand
+  double power_idle_w = 0.0;  // N_x at the current speed
   double radius_mm = 0.0;     // of the counter
   double feed_per_s = 0.0;    // asked for
   double feed_min_per_s = 0.0;

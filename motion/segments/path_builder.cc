@@ -103,7 +103,7 @@ double chord_share(const Segment& incoming, const Segment& blend, const Segment&
          std::max(tolerance.mm, unseen);
 }
 
-// The soft limits less what a smooth run may deviate. Where the tip is led through rotary axes,
+// The soft limits less what a smooth run may deviate. Where TCP leads the tip through rotary axes,
 // their deviation is felt at the end of a lever.
 MotionConfig narrowed(MotionConfig config, const Segment& segment, const Tolerance& tolerance) {
   constexpr double lever = 1000.0;  // mm

@@ -113,7 +113,7 @@ class SynchronousRun {
   double gain_a_;
 
   SpindleCoupling coupling_;
-  RampLimits limits_;  // at hand
+  RampLimits limits_;  // the current ones
   double length_ = 0.0;
   Stage stage_ = Stage::over;
   PathMotion motion_;
@@ -136,7 +136,7 @@ class SynchronousRun {
 
   std::int64_t dwell_cycles_ = 0;
   bool spindle_stops_ = false;  // by order
-  // The way to rest at hand.
+  // The current way to rest.
   WayToRest brake_;
   double brake_time_ = 0.0;
   Stage stage_before_ = Stage::over;  // goes on when the brake does not end the chain

@@ -39,7 +39,7 @@ MotionConfig strong_mill() {
 struct Step {
   double way = 0.0;
   double feed = 0.0;   // mm/min
-  double stand = 0.0;  // mm of fictitious path at `feed`, at the end of the way
+  double stand = 0.0;  // mm of equivalent dwell path at `feed`, at its end
 };
 
 struct Sample {
@@ -315,7 +315,7 @@ struct InterruptedCase {
 
 class InterruptedFeed : public ::testing::TestWithParam<InterruptedCase> {};
 
-TEST_P(InterruptedFeed, StandsForTheTimeOfItsFictitiousPath) {
+TEST_P(InterruptedFeed, StandsForTheTimeOfItsEquivalentDwellPath) {
   const InterruptedCase& c = GetParam();
   std::vector<PathBlock> blocks = block_of(c.way, c.length);
   const double length = length_of(blocks);
@@ -504,7 +504,7 @@ TEST(FeedLaw, TakesItsTimeUnderAConstantOverride) {
   }
 }
 
-// The fictitious path is travelled at the feed under override, and not at all in a hold.
+// The equivalent dwell path counts down at the feed under override, and not at all in a hold.
 TEST(FeedLaw, StandsLongerUnderOverrideAndHold) {
   const InterruptedLaw law(2.0, 2.0);  // at 600 mm/min: 0.2 s each
   std::vector<PathBlock> blocks{line_to({4.0, 0.0, 0.0})};

@@ -30,7 +30,7 @@ std::unique_ptr<const Machine> three_axis_mill() {
   return machine;
 }
 
-// The tip is led through head and table: lines in W are curves of the axes.
+// TCP (RTCP) through head and table: lines in W are curves of the axes.
 std::unique_ptr<const Machine> five_axis_mill() {
   auto machine = std::make_unique<Machine>();
   machine->config = mill(5);

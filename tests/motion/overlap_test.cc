@@ -210,7 +210,7 @@ Point position(const Sample& sample) {
 double deviation(const std::vector<Sample>& samples, const Polyline& line) {
   double worst = 0.0;
   std::size_t leg = 1;
-  double corner = unlimited;  // of the leg at hand from the trace
+  double corner = unlimited;  // of the current leg from the trace
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Point before = position(samples[i - 1]);
     const Point here = position(samples[i]);
@@ -363,7 +363,7 @@ TEST(Overlap, SetpointsDoNotDependOnHowFarPreparationIsAhead) {
     Interpolator interpolator(machine.config);
     std::size_t next = 0;
     for (std::size_t k = 1; k < far.size(); ++k) {
-      // No more than the chunk at hand needs.
+      // No more than the current chunk needs.
       while (queue.chunks.size() < 3 && next < built.size()) {
         look_ahead.add(built[next++]);
         ASSERT_TRUE(look_ahead.deliver(queue));
