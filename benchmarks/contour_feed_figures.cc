@@ -95,7 +95,7 @@ void write_increments(const std::filesystem::path& folder) {
   for (int feed = 1; feed < 200; ++feed) write(feed);
   for (int feed = 200; feed <= 60000; feed += 50) write(feed);
 
-  fmt::print("| F, mm/min | discretes per cycle | lowest | highest |\n|---|---|---|---|\n");
+  fmt::print("| F, mm/min | increments per cycle | lowest | highest |\n|---|---|---|---|\n");
   for (const double feed : {10.0, 50.0, 100.0, 1000.0, 5000.0, 20000.0, 60000.0}) {
     const Extremes error = increment_error(feed, {});
     fmt::print("| {} | {:.4g} | {:+.3g} % | {:+.3g} % |\n", feed, feed / 60.0, 100.0 * error.low,

@@ -45,8 +45,8 @@ struct AxisConfig {
   bool rotary = false;
   double modulo_deg = 0.0;    // > 0: G90 takes the shortest way
   double start = 0.0;         // position at power-on of `simulate`
-  double resolution = 0.001;  // one discrete of the position code, mm or deg
-  double kmv = 10000.0;       // velocity code = velocity in discretes per cycle x kmv
+  double resolution = 0.001;  // one increment of the position code, mm or deg
+  double kmv = 10000.0;       // velocity code = velocity in increments per cycle x kmv
   double following_error_max = 0.5;
   HomingConfig homing;
   ControllerConfig controller;

@@ -50,9 +50,9 @@ struct AxisSetpoint {
   double velocity = 0.0;
   double acceleration = 0.0;
   double jerk = 0.0;
-  std::int64_t position_code = 0;  // discretes
+  std::int64_t position_code = 0;  // increments
   std::int64_t velocity_code =
-      0;  // discretes per cycle x kmv, mean velocity of the cycle that ends at position_code
+      0;  // increments per cycle x kmv, mean velocity of the cycle that ends at position_code
   // What the drive is asked for: the velocity, or, where the cycle closes the position loop, U of
   // the position controller.
   double velocity_demand = 0.0;

@@ -78,7 +78,7 @@ motion::CutState ProcessGroup::cut_state(double feed_override) RT_SAFE {
   if (const int x = motion_.config().geometry[0]; x >= 0) {
     cut.transverse_code = axes_.setpoint(x).position_code;
     cut.transverse_mm = axes_.setpoint(x).position;
-    cut.discrete_mm = axes_.constants(x).codes.resolution;
+    cut.increment_mm = axes_.constants(x).codes.resolution;
     cut.radius_mm = path.point[static_cast<std::size_t>(x)].value;
   }
   cut.frame_is_new = motion_.takes_new_frame();

@@ -62,7 +62,7 @@ class ProcessPreparation {
   [[nodiscard]] double rev_per_min(double diameter_mm) const;
   [[nodiscard]] double rev_per_min(double cutting_speed, double diameter_mm) const;
 
-  double discrete_mm_ = 0.0;  // Z0
+  double increment_mm_ = 0.0;  // Z0
   int master_ = 0;            // id of the master spindle: its speeds are meant below
   double speed_min_ = 0.0;    // rev/min
   double speed_max_ = 0.0;

@@ -48,8 +48,8 @@ enum class MoveKind : std::uint8_t { rapid, line, arc };
 // How the feed, and with it perhaps the speed of the spindle, steps along the path.
 // Feeds in mm/min or mm/rev as `feed_mode` says, lengths of path in mm, speeds of the master
 // spindle in rev/min or m/min as `speed` says. Each value by itself is checked: steps and lengths
-// are multiples of the machine's discretes. Whether feed and speed stay positive over the path is
-// known only where the path is.
+// are multiples of the increments of the machine. Whether feed and speed stay positive over the
+// path is known only where the path is.
 struct FeedLaw {
   enum class Kind : std::uint8_t {
     off,

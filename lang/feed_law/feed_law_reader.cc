@@ -169,7 +169,7 @@ class LawReader {
 
   double feed(LawAddress address) { return positive(address) * around_.length_unit; }
 
-  // A length above zero, a multiple of the discrete.
+  // A length above zero, a multiple of the increment of the machine.
   double length(LawAddress address) {
     if (words_.has(address)) static_cast<void>(positive(address));
     return signed_length(address);

@@ -51,7 +51,8 @@ class FeedLaw {
   LawUnits units_;
 };
 
-// Lengths of path that differ by less are the same place: far below a discrete, far above rounding.
+// Lengths of path that differ by less are the same place: far below an increment of the machine,
+// far above rounding.
 inline constexpr double same_way_mm = 1e-7;
 
 // How many whole steps lie within a way.

@@ -39,9 +39,9 @@ struct CutState {
   bool at_speed = false;             // its ramp is over
   std::uint32_t spindle_starts = 0;  // times that it began to turn, or to turn back
 
-  std::int64_t transverse_code = 0;  // position of the transverse axis, discretes
+  std::int64_t transverse_code = 0;  // position of the transverse axis, increments
   double transverse_mm = 0.0;        // the same, not rounded
-  double discrete_mm = 0.001;        // of that axis
+  double increment_mm = 0.001;       // of that axis
   double radius_mm = 0.0;            // at which the tool stands in the frame of the program
   bool frame_is_new = false;         // the frame was set, with the axes at rest
 

@@ -41,7 +41,7 @@ struct SetpointRates {
 // rounding of a position appears in them divided by T, T^2 and T^3.
 class CodeDifferences {
  public:
-  // Stands at `position_code`; `resolution` in mm or deg per discrete.
+  // Stands at `position_code`; `resolution` in mm or deg per increment.
   CodeDifferences(std::int64_t position_code, double resolution, double cycle_s);
 
   // Over the cycle that leads to `position_code`.

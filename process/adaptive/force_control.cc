@@ -141,7 +141,7 @@ motion::FeedDemand ForceControl::advance(const motion::CutState& cut) RT_SAFE {
 void ForceControl::count_radius(const motion::CutState& cut) RT_SAFE {
   const RadiusCounter::Slide slide{.position_mm = cut.transverse_mm,
                                    .code = cut.transverse_code,
-                                   .discrete_mm = cut.discrete_mm};
+                                   .increment_mm = cut.increment_mm};
   key_.block(cut.frame_is_new);
   radius_.count(key_.pass(slide.code - transverse_code_));
   if (cut.frame_is_new) radius_.preset(cut.radius_mm, slide);

@@ -23,7 +23,7 @@
 namespace stanok::motion::testing {
 
 using stanok::testing::cycle_s;
-using stanok::testing::discrete_mm;
+using stanok::testing::increment_mm;
 using stanok::testing::steady;
 using stanok::testing::Turning;
 using stanok::testing::with_ripple;

@@ -52,40 +52,40 @@ TEST(RapidKey, PassesTheCodeOfTheProgramUnderTheRapidFlag) {
   EXPECT_EQ(rapid_key(false, 300.0, 2.0), 2.0);
 }
 
-// Random moves in whole discretes and between, and overhang commands: the counter is where the
-// slide and the overhangs are, to one discrete; the drive gets the pulses of the moves and no
+// Random moves in whole increments and between, and overhang commands: the counter is where the
+// slide and the overhangs are, to one increment; the drive gets the pulses of the moves and no
 // others.
-TEST(RadiusCounter, IsExactToOneDiscreteAndKeepsOverhangsFromTheDrive) {
+TEST(RadiusCounter, IsExactToOneIncrementAndKeepsOverhangsFromTheDrive) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> step_mm(-0.8, 0.8);
   std::uniform_real_distribution<double> overhang_mm(-10.0, 10.0);
-  constexpr double discrete = 0.0005;
+  constexpr double increment = 0.0005;
   RadiusCounter counter;
   OverhangKey key;
   double slide = 100.0;
   double overhang = 0.0;
-  std::int64_t code = std::llround(slide / discrete);
+  std::int64_t code = std::llround(slide / increment);
   std::int64_t to_drive = 0;
-  counter.preset(slide, {.position_mm = slide, .code = code, .discrete_mm = discrete});
+  counter.preset(slide, {.position_mm = slide, .code = code, .increment_mm = increment});
   for (int k = 0; k < 20000; ++k) {
     if (k % 997 == 0) {
       overhang = overhang_mm(random);
       key.block(true);
-      to_drive += key.pass(std::llround(overhang / discrete));
+      to_drive += key.pass(std::llround(overhang / increment));
       counter.preset(slide + overhang,
-                     {.position_mm = slide, .code = code, .discrete_mm = discrete});
+                     {.position_mm = slide, .code = code, .increment_mm = increment});
       key.block(false);
     } else {
       slide += step_mm(random);
-      const std::int64_t next = std::llround(slide / discrete);
+      const std::int64_t next = std::llround(slide / increment);
       to_drive += key.pass(next - code);
       counter.count(key.pass(next - code));
       code = next;
     }
-    ASSERT_LE(std::abs(static_cast<double>(counter.code()) - (slide + overhang) / discrete),
+    ASSERT_LE(std::abs(static_cast<double>(counter.code()) - (slide + overhang) / increment),
               1.0 + 1e-6);
   }
-  EXPECT_EQ(to_drive, code - std::llround(100.0 / discrete));
+  EXPECT_EQ(to_drive, code - std::llround(100.0 / increment));
 }
 
 // Compensator: a spindle with the idle power of the plant, P (n/2 + n^2/2).

@@ -157,15 +157,15 @@ TEST(ForceControl, HoldsTheForceFacingAtConstantSpeed) {
   begin(bench, 1200.0, 2.0);
   double radius = 60.0;
   double error_max = 0.0;
-  const double discrete = bench.cut.discrete_mm;
+  const double increment = bench.cut.increment_mm;
   bench.cut.transverse_mm = radius;
-  bench.cut.transverse_code = std::llround(radius / discrete);
+  bench.cut.transverse_code = std::llround(radius / increment);
   bench.cut.frame_is_new = true;
   while (radius > 20.0) {
     radius -= bench.cut.path_speed * bench.cut.cycle_s;
     bench.radius_now_mm = radius;
     bench.cut.transverse_mm = radius;
-    bench.cut.transverse_code = std::llround(radius / discrete);
+    bench.cut.transverse_code = std::llround(radius / increment);
     bench.cycle();
     error_max = std::max(error_max, std::abs(bench.force_n / 1200.0 - 1.0));
   }

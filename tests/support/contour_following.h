@@ -1,7 +1,7 @@
 // A circle, followed by two simulated servo axes under position controllers: interpolator,
 // controller and drive, cycle by cycle. For tests and for the figures of docs/developer/motion.md.
 //
-// At every cycle instant the positions are measured in whole discretes, the controllers ask for
+// At every cycle instant the positions are measured in whole increments, the controllers ask for
 // their velocities, and the drives move for one cycle.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace stanok::testing {
 struct CircleTask {
   double radius = 20.0;       // mm
   double feed_per_s = 100.0;  // mm/s
-  double resolution = 0.001;  // mm per discrete
+  double resolution = 0.001;  // mm per increment
   plant::VelocityLoopConfig loop{};
 };
 

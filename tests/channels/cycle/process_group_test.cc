@@ -60,7 +60,7 @@ TEST_F(ProcessGroupTest, TellsTheModifierWhereTheToolIsAndHowTheSpindleTurns) {
   static_cast<void>(process_.advance(0.7));
   EXPECT_EQ(modifier_.cut.transverse_mm, 10.0);
   EXPECT_EQ(modifier_.cut.transverse_code, 10000);
-  EXPECT_EQ(modifier_.cut.discrete_mm, bench_resolution);
+  EXPECT_EQ(modifier_.cut.increment_mm, bench_resolution);
   EXPECT_EQ(modifier_.cut.feed_override, 0.7);
   EXPECT_TRUE(modifier_.cut.frame_is_new);
   static_cast<void>(process_.advance(0.7));
