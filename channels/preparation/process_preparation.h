@@ -35,7 +35,7 @@ class ProcessPreparation {
   // at which the tool stands.
   void take_state(const lang::Payload& command, double diameter_mm);
 
-  // The way of a block in its own metric, and the smallest diameter that it comes to. Laws hold for
+  // The length of a block in its own metric, and the smallest diameter that it comes to. Laws hold for
   // ways in mm: a block of rotary axes alone has its feed F, a tap that of its lead, and the path
   // of a law does not count them.
   struct Way {

@@ -206,7 +206,7 @@ void check_homing(const toml::table& table, const AxisConfig& axis, const Scope&
   }
 }
 
-// Way in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is half
+// Distance in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is half
 // of it.
 double stopping_way(double velocity, const motion::AxisLimits& limits) {
   const double a = limits.acceleration_max;

@@ -8,7 +8,7 @@
 namespace stanok::lang {
 namespace {
 
-// Shortest way in which a probe can change, mm or deg.
+// Shortest travel in which a probe can change, mm or deg.
 constexpr double probing_way_min = 0.01;
 
 double longest_way(const AxisValues& from, const AxisValues& to) {

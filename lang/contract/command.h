@@ -163,7 +163,7 @@ struct Dwell {
 
 enum class SpindleAction : std::uint8_t { set_speed, clockwise, counter_clockwise, stop, orient };
 
-// M19 P: the way to the angle.
+// M19 P: the direction of the turn to the angle.
 enum class OrientWay : std::uint8_t { shortest, clockwise, counter_clockwise };
 
 struct SpindleCommand {

@@ -224,7 +224,7 @@ AxisDerivatives taken(const Peaks& peaks, double Peak::* value) {
 
 // Whether the margins matter little where they decide: in the bounds, not in every axis. A margin
 // that takes no more than `margin_seen_min` of a limit at the highest speed `v` of the segment is
-// nothing, whatever its share: on a straight way curvature is rounding, and never settles.
+// nothing, whatever its share: on a straight path curvature is rounding, and never settles.
 bool is_resolved(const SegmentBounds& sampled, const SegmentBounds& bounds, double v) {
   const auto close = [](double peak, double bound, double weight) {
     return bound - peak <= std::max(margin_share_max * bound, margin_seen_min / weight);

@@ -348,7 +348,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   for (std::size_t k = 0; k < out.axes.size(); ++k) last_axes_[k] = out.axes[k].value;
 }
 
-// s counts turns: what is told outside is the tip's way in mm.
+// s counts turns: what is told outside is the tip's path in mm.
 void Interpolator::turns_to_way(const Segment& segment, const JetPoint& point_s,
                                 InterpolatorOutput& out) const RT_SAFE {
   double squared = 0.0;

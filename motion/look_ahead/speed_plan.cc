@@ -204,7 +204,7 @@ double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
   return std::min({v, slowest_.value(first, last - 1), boundary_limit(boundary)});
 }
 
-// The fastest way from `left` to `right` over a key point at `boundary`: slow between the slow end,
+// The fastest path from `left` to `right` over a key point at `boundary`: slow between the slow end,
 // which lies against the direction, and that key point, at the speed of that end or up to the
 // highest that can be reached there.
 std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const Key& right,

@@ -55,7 +55,7 @@ class SpeedPlan {
     bool begins_stair = false;
     KeySpan stair{};
   };
-  // A way over a key point between two others.
+  // A path over a key point between two others.
   struct Detour {
     Key key;
     double duration = 0.0;

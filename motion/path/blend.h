@@ -37,7 +37,7 @@ struct Blend {
 [[nodiscard]] double corner_reach(const Segment& incoming, const Segment& outgoing,
                                   const Tolerance& tolerance, const MotionConfig& config);
 
-// Largest deviation of `blend` from the programmed way over `incoming` and `outgoing`, as a share
+// Largest deviation of `blend` from the programmed path over `incoming` and `outgoing`, as a share
 // of the tolerance, found at samples; includes the distance at which the corner itself is passed.
 [[nodiscard]] double deviation_share(const Blend& blend, const Segment& incoming,
                                      const Segment& outgoing, const Tolerance& tolerance,

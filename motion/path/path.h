@@ -2,7 +2,7 @@
 // out.
 //
 // A *chain* is a run of segments from rest to rest in one metric: its path coordinate s is the
-// length of the tool tip's way in mm, or, when no linear word moves, of the rotary words in deg.
+// length of the tool tip's path in mm, or, when no linear word moves, of the rotary words in deg.
 // Coordinates: the programmed point in W, mm and deg, in the order of the channel's axes
 // (kinematics/scheme.h). All types here are plain data and cross into the real-time cycle.
 #pragma once
@@ -84,7 +84,7 @@ struct PathBlock {
   bool rapid = false;
   Point end{};  // all axes
   double feed_per_s =
-      0.0;  // mm/s along the tip's way; deg/s when only rotary words move; rapid: unused
+      0.0;  // mm/s along the tip's path; deg/s when only rotary words move; rapid: unused
   double tolerance_mm = 0.0;  // how far the path may leave the corner at the block's end; 0 = exact
                               // path (stop at corners)
   double tolerance_deg = 0.0;  // the same for rotary axes

@@ -1,7 +1,7 @@
-// Polyline: the programmed way of a run of straight blocks, as points over its own length t.
+// Polyline: the programmed path of a run of straight blocks, as points over its own length t.
 //
 // t counts in mm from the start of the first block ever added. Before the first and behind the last
-// leg the way goes on straight, so that a spline may have its knots there.
+// leg the path goes on straight, so that a spline may have its knots there.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // AxisMove: one axis by itself from rest to rest, outside of any path: jogging, homing.
 //
-// The way is planned whole when it begins: up to the speed, on with it, and down, so that the end
+// The travel is planned whole when it begins: up to the speed, on with it, and down, so that the end
 // is exact; it may be stopped anywhere, and then ends before. Real-time.
 #pragma once
 
@@ -21,7 +21,7 @@ struct AxisMoveLimits {
 
 class AxisMove {
  public:
-  // From rest. A way of no length is at its end at once.
+  // From rest. A travel of no length is at its end at once.
   void begin(double from, double to, const AxisMoveLimits& limits) RT_SAFE;
   // To rest as soon as the limits allow.
   void stop() RT_SAFE;

@@ -435,7 +435,7 @@ void PathBuilder::stop() {
   pending_.reset();
 }
 
-// The same, but `next` may begin before, on a straight way of several times the reach: at equal
+// The same, but `next` may begin before, on a straight path of several times the reach: at equal
 // jerks it makes 2^3 reaches meanwhile.
 void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next) {
   constexpr double reaches = 16.0;

@@ -158,7 +158,7 @@ void SmoothRun::make_room_before(double t) {
     spline_.knots.pop_back();
 }
 
-// Knots as far apart as may be, up to the end of the way known.
+// Knots as far apart as may be, up to the end of the path known.
 void SmoothRun::place_knots() {
   for (;;) {
     const double next = next_knot();
@@ -167,7 +167,7 @@ void SmoothRun::place_knots() {
   }
 }
 
-// The next knot, or a place behind the end of the way known while that is too short to tell.
+// The next knot, or a place behind the end of the path known while that is too short to tell.
 double SmoothRun::next_knot() const {
   const double last = spline_.knots.back();
   const std::size_t index = spline_.way.index_at(last);

@@ -1,10 +1,10 @@
 // SmoothRun: a cubic spline with continuous curvature in place of a run of straight blocks that
 // turn little.
 //
-// The spline is a quasi-interpolant of the programmed way over its length: control points lie on
+// The spline is a quasi-interpolant of the programmed path over its length: control points lie on
 // it at the Greville abscissae of the knots, less the second difference that makes quadratics exact
 // (docs/developer/motion.md#runs). It is local, needs no solution of equations and is straight
-// where the way is. Knots stand as far apart as the tolerance allows: every stretch between two
+// where the path is. Knots stand as far apart as the tolerance allows: every stretch between two
 // knots or corners is compared with its block by the control points of the difference, which bound
 // it, and knots are put in until all are within tolerance. Owner: the channel's preparation.
 #pragma once
@@ -29,10 +29,10 @@ class SmoothRun {
   [[nodiscard]] bool is_open() const { return !spline_.way.is_empty(); }
   void clear();
 
-  // How the way goes on where the run has an end.
+  // How the path goes on where the run has an end.
   enum class End : std::uint8_t {
     straight,  // along half of the block there, as it is programmed, for a blend with another block
-    at_rest,   // the axes stand there: the spline begins or ends with the way, bent as it likes
+    at_rest,   // the axes stand there: the spline begins or ends with the path, bent as it likes
   };
   // A place on a block, by path length from its start.
   struct Place {

@@ -206,7 +206,7 @@ inline double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// Of a point from the straight way between two others, in X, Y, Z.
+// Of a point from the straight path between two others, in X, Y, Z.
 inline double distance_to_leg(const Point& p, const Point& a, const Point& b) {
   double along = 0.0;
   double squared = 0.0;

@@ -20,7 +20,7 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-// Short blocks along a winding way, now and then a corner.
+// Short blocks along a winding path, now and then a corner.
 std::vector<PathBlock> winding_way(Draw& draw, int count, double tolerance) {
   std::vector<PathBlock> blocks;
   Point at{};

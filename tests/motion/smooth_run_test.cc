@@ -66,7 +66,7 @@ BuiltRun random_run(std::uint64_t seed, double turn, double longest) {
   return run;
 }
 
-// The nearest point of the programmed way: distance in X, Y, Z and the other axes there.
+// The nearest point of the programmed path: distance in X, Y, Z and the other axes there.
 struct Foot {
   double distance = 1e300;
   Point point{};
@@ -135,7 +135,7 @@ TEST(SmoothRun, PassesEveryProgrammedPointWithinTolerance) {
         }
       }
     }
-    // Between samples lies at most 1/128 of the longest segment: 3 mm of way, 2 deg/mm.
+    // Between samples lies at most 1/128 of the longest segment: 3 mm of path, 2 deg/mm.
     for (std::size_t n = 0; n < nearest.size(); ++n) {
       EXPECT_LE(nearest[n], run.tolerance.mm + 3.0 / 128.0 * 0.2) << "seed " << seed;
       EXPECT_LE(rotary[n], run.tolerance.deg + 3.0 / 128.0 * 2.9 + 2.9 * run.tolerance.mm)
@@ -231,7 +231,7 @@ TEST(SmoothRun, IsStraightWhereTheWayIs) {
   EXPECT_LE(run.segments.size(), 60U);
 }
 
-// Chords of a circle: the way itself lies inside by h^2 / 8R; the curve must not add to that what
+// Chords of a circle: the path itself lies inside by h^2 / 8R; the curve must not add to that what
 // the tolerance would permit.
 TEST(SmoothRun, FollowsACircleFarCloserThanTheToleranceAsks) {
   constexpr double R = 10.0;
