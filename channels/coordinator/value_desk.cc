@@ -81,7 +81,7 @@ Verdict ValueDesk::combine(const Errand& errand) RT_SAFE {
     return success();
   }
   if (request.combination == lang::Combination::divide && request.value == 0.0)
-    return refusal("E3008", "division by zero");
+    return refusal("E3008", "a number is divided by zero");
   const double value =
       combined(variables.number(request.number), request.value, request.combination);
   if (!std::isfinite(value)) return refusal("E3009", "the result is too large");

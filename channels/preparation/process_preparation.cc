@@ -16,7 +16,7 @@ namespace {
 Diagnostic standing_spindle() {
   Diagnostic d;
   d.code = "E4021";
-  d.message = "feed per revolution while the spindle stands";
+  d.message = "feed per revolution needs a spindle that turns";
   d.help = {"program S and M3 or M4 before, or feed per minute with G94"};
   return d;
 }

@@ -81,10 +81,11 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
   } else if (needs_dwell(code) && cycle.dwell_s < 0.0) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
   } else if (code == g(76) && cycle.peck <= 0.0) {
-    block.fail("E4063", code_word(code), name + " needs a positive Q, the way from the edge",
+    block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
                "no Q");
   } else if ((code == g(86) || code == g(76)) && !block.modal.spindle_running) {
-    block.fail("E4064", code_word(code), name + " while the spindle stands", "no M3 or M4 before");
+    block.fail("E4064", code_word(code), name + " needs a spindle that turns",
+               "no M3 or M4 before");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
     block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
         .notes.push_back(block.modal.origin_of(Group::feed_mode));

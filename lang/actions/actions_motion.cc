@@ -97,7 +97,8 @@ void resolve_modal_feed(ActiveBlock& block, Move& move) {
       return;
     }
     block
-        .fail("E4020", {}, modal.feed_known ? "motion at feed with F0" : "motion at feed without F",
+        .fail("E4020", {},
+              modal.feed_known ? "the feed of a motion at feed is 0" : "a motion at feed needs F",
               "no feed")
         .notes.push_back(modal.origin_of(Group::feed_mode));
   }

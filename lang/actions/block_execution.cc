@@ -53,7 +53,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
   const Code* const motion = find_code('G', number);
   if (motion->axes == AxisWords::unused) {
     BlockFault& fault =
-        block.fail("E4012", {}, "axis words without a motion code", "no motion is active");
+        block.fail("E4012", {}, "axis words need a motion code", "no motion is active");
     fault.notes.push_back(block.modal.origin_of(Group::motion));
     return;
   }
@@ -105,7 +105,7 @@ void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
       block
           .fail("E4015", {letter, -1, {}},
                 std::string("`") + letter + "` would be taken by two codes of the block",
-                "meant for which?")
+                "it is not clear for which")
           .help.push_back("program `" + code_text(row.letter, row.number) +
                           "` in a block of its own");
       return;

@@ -38,7 +38,7 @@ bool is_lead(ActiveBlock& block, double speed) {
       block.fail("E4016", {'K', -1, {}},
                  lead > 0.0 ? "`K`, the lead of the tap, and F contradict each other"
                             : "`K`, the lead of the tap, must be positive",
-                 "meant for what?");
+                 "it is not clear what is meant");
   fault.notes.push_back({"on Fanuc controls K is a number of holes: here it is L", {}});
   fault.help.emplace_back("keep K, the lead, or F, lead times speed");
   return false;
@@ -49,7 +49,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
   const ModalState& modal = block.modal;
   const double speed = speed_of_spindle(block, spindle);
   if (speed <= 0.0) {
-    block.fail("E4064", {'G', code, {}}, "tapping without a spindle speed", "no S before")
+    block.fail("E4064", {'G', code, {}}, "tapping needs a spindle speed", "no S before")
         .help.push_back("program S before, e.g. `S300 M3`");
     return 0.0;
   }
@@ -59,7 +59,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
     lead = modal.feed_mode() == FeedMode::per_revolution ? modal.feed_mm : modal.feed_mm / speed;
   }
   if (lead <= 0.0) {
-    block.fail("E4066", {'G', code, {}}, "tapping without a lead", "no F and no K")
+    block.fail("E4066", {'G', code, {}}, "tapping needs a lead", "no F and no K")
         .help.push_back("add the lead, e.g. `K1.5`, or F = lead times speed");
   }
   return lead;

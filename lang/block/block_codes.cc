@@ -88,7 +88,7 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   const std::string name = code_text(letter, number);
   const WordName word{letter, number, {}};
   if (row == nullptr) {
-    return fault_at("E4004", word, "unknown code `" + name + "`", "no such code");
+    return fault_at("E4004", word, "unknown code `" + name + "`", "there is no such code");
   }
   if (row->action == CodeAction::unsupported) {
     BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",

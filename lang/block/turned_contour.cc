@@ -60,7 +60,8 @@ TurnedContour::TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint s
                              TurningPoint allowance, PassAxis along)
     : start_(start), along_z_(along == PassAxis::z) {
   if (moves.size() < 2 || moves.front().arc) {
-    problem_ = "it must lead to the contour with G0 or G1, and have one more move";
+    problem_ =
+        "its first block must lead to the contour with G0 or G1, and one more move must follow";
     problem_line_ = moves.empty() ? 0 : moves.front().line;
     return;
   }

@@ -27,7 +27,7 @@ MaybeFault check_sizes(const CurveArrays& arrays) {
     return no_curve("the arrays of the curve differ in length: " + text(arrays.ways) + " ways, " +
                         text(arrays.feeds) + " feeds" +
                         (arrays.speeds.empty() ? "" : ", " + text(arrays.speeds) + " speeds"),
-                    "give each way its feed, and its speed if there are speeds");
+                    "give each distance its feed, and its speed if there are speeds");
   }
   if (count < 2 || count > limits::feed_law_points) {
     return no_curve("a curve of " + text(arrays.ways) + " points",
@@ -42,11 +42,11 @@ MaybeFault check_ways(Elements ways) {
   };
   if (ways[0] != 0.0) {
     return no_curve("the curve begins with " + text(0) + ", not with 0",
-                    "begin with the way 0, where the law begins");
+                    "begin with the distance 0, where the law begins");
   }
   for (std::size_t i = 1; i < ways.size(); ++i) {
     if (ways[i] > ways[i - 1]) continue;
-    return no_curve(text(i) + " does not lie behind " + text(i - 1), "let the ways ascend");
+    return no_curve(text(i) + " does not lie behind " + text(i - 1), "let the distances ascend");
   }
   return std::nullopt;
 }

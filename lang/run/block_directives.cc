@@ -148,7 +148,7 @@ void BlockDirectives::order_force_control(const Instruction& instruction) {
     return vm_.fail("E6060", "force control needs a power sensor of the channel's spindle",
                     "not in this channel");
   if (!are_possible(command))
-    return vm_.fail("E6061", "values that force control cannot take", "not these values");
+    return vm_.fail("E6061", "force control cannot take these values", "not these values");
   state_.begin_commands(vm_.instruction_origin());
   state_.queue.emit(command);
 }
@@ -173,7 +173,7 @@ void BlockDirectives::ask_overhang(const Instruction& instruction) {
   const auto overhang = pop_overhang(instruction);
   if (!overhang) return;
   if (state_.modal.tool_active == 0) {
-    return vm_.fail("E5012", "the overhang of a tool while none is active", "no tool");
+    return vm_.fail("E5012", "there is no active tool whose overhang could be set", "no tool");
   }
   pending_.expect_overhang(*overhang);
   requests_.ask(Request{});

@@ -81,7 +81,9 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
     return false;
   }
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
-    reporter_.error("E1003", scanner_.here(), "blank inside a number", "a number goes on here")
+    reporter_
+        .error("E1003", scanner_.here(), "there is a blank inside a number",
+               "a number goes on here")
         .help.push_back("write the number without blanks, or the missing address");
     return false;
   }
@@ -237,7 +239,7 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
   if (is_code && word.value.node == Node::number) {
     const double tenths = word.value.number * 10.0;
     if (!is_integer(tenths) || tenths < 0.0 || tenths > 32767.0) {
-      reporter_.error("E4004", word.span, "unknown code", "no such code");
+      reporter_.error("E4004", word.span, "unknown code", "there is no such code");
       return false;
     }
     word.name.code = static_cast<int>(std::lround(tenths));
