@@ -273,7 +273,7 @@ void remark_on_bytes(const recording::LogContents& contents, ReplayResult& resul
         "unnoticed");
   }
   if (coverage.end == recording::LogEnd::next_piece)
-    result.remarks.emplace_back("the recording goes on in its next piece, which is not verified");
+    result.remarks.emplace_back("the recording goes on in its next file, which is not verified");
 }
 
 void remark_on(const RecordedRun& run, ReplayResult& result) {

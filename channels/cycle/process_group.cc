@@ -34,8 +34,8 @@ double ProcessGroup::form_feed() RT_SAFE {
     part *= law.part();
     if (law.state() != motion::ModuleState::fault || was_lost) continue;
     log_.tell("W604",
-              is_modulated ? "the sensor of vibration gives no value: the feed is the smallest one"
-                           : "the sensor of power gives no value: the feed is the smallest one",
+              is_modulated ? "the vibration sensor gives no value: the feed is at its minimum"
+                           : "the power sensor gives no value: the feed is at its minimum",
               path.tag);
   }
   return part;

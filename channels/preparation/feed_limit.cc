@@ -41,9 +41,9 @@ std::optional<Diagnostic> feed_above_limit(const motion::Segment& segment,
   Diagnostic warning;
   warning.severity = Severity::warning;
   warning.code = "W810";
-  warning.message =
-      text("a feed of %.6g %s, which the axes limit to %.6g", s_per_min * segment.feed_per_s,
-           unit_of(segment, motion), s_per_min / segment.bounds.velocity);
+  warning.message = text("the feed of %.6g %s is above %.6g, which the axes can do",
+                         s_per_min * segment.feed_per_s, unit_of(segment, motion),
+                         s_per_min / segment.bounds.velocity);
   warning.help = {"nothing needs to be done; further blocks like this are not named"};
   return warning;
 }
@@ -71,7 +71,7 @@ std::optional<Diagnostic> tap_refusal(const motion::PathBlock& line, const motio
   refusal.message =
       text("the tap would need %.6g %s, the axes reach %.6g", s_per_min * segment.feed_per_s,
            "mm/min", s_per_min / segment.bounds.velocity);
-  refusal.help = {"turn the spindle slower, or cut a smaller lead"};
+  refusal.help = {"turn the spindle more slowly, or cut a smaller lead"};
   return refusal;
 }
 

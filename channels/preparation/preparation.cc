@@ -22,7 +22,7 @@ Progress Preparation::step() {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    break_off("E8002", "the memory does not hold what the program needs");
+    break_off("E8002", "there is not enough memory for what the program needs");
   } catch (const std::exception& fault) {
     break_off("A9001", fault.what());
   }

@@ -87,9 +87,8 @@ const Keys<HomingFile>& homing_keys() {
        "mm/s, deg/s", "velocity with which the switch or index pulse is met", positive,
        "a tenth of velocity"},
       {"mark", at<&HomingFile::mark>, optional, "",
-       "what ends the search: the home switch, the limit switch on that side, or the index pulse "
-       "of "
-       "an axis that turns",
+       "what ends the search: the home switch, the limit switch on that side, or, for an axis that "
+       "turns, the index pulse",
        one_of({"switch", "limit", "index"})},
       {"index", at<&HomingFile::homing, &HomingConfig::index>, optional, "",
        "the first index pulse of the encoder behind the switch counts, not its edge"},
@@ -206,8 +205,8 @@ void check_homing(const toml::table& table, const AxisConfig& axis, const Scope&
   }
 }
 
-// Distance in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is half
-// of it.
+// Distance in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is
+// half of it.
 double stopping_way(double velocity, const motion::AxisLimits& limits) {
   const double a = limits.acceleration_max;
   const double j = limits.jerk_max;

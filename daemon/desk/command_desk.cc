@@ -165,9 +165,9 @@ void CommandDesk::watch_cycle(SteadyTime now) {
   std::map<std::uint64_t, Pending> given_up;
   given_up.swap(pending_);
   for (const auto& [id, pending] : given_up) {
-    pending.answer(Unexpected<Failure>(failure_of(FailureKind::timed_out, "E9006",
-                                                  "the machine does not answer: its cycle stands",
-                                                  pending.event.channel)));
+    pending.answer(Unexpected<Failure>(failure_of(
+        FailureKind::timed_out, "E9006",
+        "the machine does not answer: its real-time cycle has stopped", pending.event.channel)));
   }
 }
 

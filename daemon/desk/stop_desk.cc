@@ -61,7 +61,8 @@ void StopDesk::tick(SteadyTime now) {
   std::map<std::uint64_t, Pending> given_up;
   given_up.swap(pending_);
   for (const auto& [id, pending] : given_up)
-    pending.answer(refused_stop("E9006", "the machine does not answer: its cycle stands",
+    pending.answer(refused_stop("E9006",
+                                "the machine does not answer: its real-time cycle has stopped",
                                 pending.stop.channel));
 }
 

@@ -169,7 +169,7 @@ void OperatorServer::Parts::serve() {
       io.run();
     } catch (const std::exception& fault) {
       reception.fail();
-      spdlog::critical("the operator server: {}; the machine is stopped", fault.what());
+      spdlog::critical("the operator server failed: {}; the machine is stopped", fault.what());
     }
   }
 }

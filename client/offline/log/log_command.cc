@@ -193,10 +193,11 @@ void add_log_commands(CLI::App& app, int& exit_code) {
     return std::pair(command, options);
   };
   const auto [info, info_options] =
-      add("info", "what a log file holds, and its damage", &print_contents);
+      add("info", "show what a log file contains, and what is damaged", &print_contents);
   info->add_flag("--json", info_options->json, "print JSON");
 
-  const auto [csv, csv_options] = add("export", "setpoints of a log file as CSV", &export_csv);
+  const auto [csv, csv_options] =
+      add("export", "write the setpoints of a log file as CSV", &export_csv);
   csv->add_option("--csv", csv_options->out, "file to write; - is the standard output")
       ->type_name("FILE")
       ->required();
@@ -204,11 +205,11 @@ void add_log_commands(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
 
   const auto [pictures, plot_options] =
-      add("plot", "pictures of a log file: path, speed, axes (PNG and SVG, by gnuplot)", &plot);
+      add("plot", "draw path, speed and axes of a log file (PNG and SVG, by gnuplot)", &plot);
   pictures->add_option("--out", plot_options->out, "directory for the pictures")
       ->type_name("FOLDER")
       ->required();
-  pictures->add_option("--channel", plot_options->channel, "channel of the machine; else all")
+  pictures->add_option("--channel", plot_options->channel, "channel of the machine; default: all")
       ->check(CLI::PositiveNumber);
 
   const auto [again, verify_options] = add(
@@ -216,12 +217,12 @@ void add_log_commands(CLI::App& app, int& exit_code) {
       &verify);
   again->add_flag("--json", verify_options->json, "print JSON");
 
-  const auto [bus, play_options] = add("play", "publish a log on the LCM bus once more", &play);
-  bus->add_option("--speed", play_options->speed, "1: as recorded; 0: as fast as it goes")
+  const auto [bus, play_options] = add("play", "publish a log on the LCM bus again", &play);
+  bus->add_option("--speed", play_options->speed, "1: as recorded; 0: as fast as possible")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   bus->add_option("--lcm", play_options->lcm,
-                  "LCM URL; else LCM_DEFAULT_URL, else the local multicast group")
+                  "LCM URL; default: LCM_DEFAULT_URL, or the local multicast group")
       ->type_name("URL");
 }
 

@@ -76,7 +76,7 @@ std::string end_text(const recording::LogCoverage& coverage) {
     case recording::LogEnd::complete:
       return "";
     case recording::LogEnd::next_piece:
-      return "the recording goes on in its next piece\n";
+      return "the recording goes on in its next file\n";
     case recording::LogEnd::goes_on:
       return "no trailer: the recording was cut (power failure, kill, full disk) or still goes "
              "on\n";

@@ -324,7 +324,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("--log", options->log, "LCM log of all setpoints, states and inputs")
       ->type_name("FILE");
   command->add_option("--until", options->until_s, "stop after this machine time, s");
-  command->add_flag("--drives", options->drives, "run the simulated drives; else they are ideal");
+  command->add_flag("--drives", options->drives,
+                    "run the simulated drives; without it they are ideal");
   command->add_option("--events", options->events, "operator events, one JSON object a line")
       ->type_name("FILE");
   command

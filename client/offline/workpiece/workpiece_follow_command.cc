@@ -163,7 +163,8 @@ void add_workpiece_follow_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<FollowOptions>();
   CLI::App& noun = noun_command(app, "workpiece", "virtual workpiece");
   CLI::App* command = noun.add_subcommand(
-      "follow", "cut along with a machine: pictures as it goes, STL at the end");
+      "follow",
+      "cut a virtual workpiece along with a machine: pictures while it runs, STL at the end");
   command->add_option("SOURCE", options->source, "log file, or URL of the LCM bus")
       ->type_name("FILE|URL")
       ->required();
