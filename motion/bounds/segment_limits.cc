@@ -13,9 +13,9 @@ namespace {
 // that the last 15 % of the allowance buy 8 % and 5 % of speed and would leave no way to change it.
 constexpr double curvature_share = 0.85;
 constexpr double aberrancy_share = 0.85;
-// Of the jerk that aberrancy leaves, the share that v a q'' may take; tangential jerk has the rest.
+// The share of the jerk left by aberrancy that v a q'' may take; tangential jerk has the rest.
 constexpr double bend_share = 0.5;
-// The same where they add in squares: equal parts.
+// Where they add in squares, both have equal parts.
 constexpr double bend_share_of_squares = 0.7;
 
 // Speeds and their derivatives stay finite where no axis has a limit.
@@ -34,7 +34,7 @@ SegmentLimits rest_of_sums(const SegmentBounds& bounds, double v) RT_SAFE {
   return {v, a, j};
 }
 
-// The same when they add in squares.
+// Does what rest_of_sums does, where both add in squares.
 SegmentLimits rest_of_squares(const SegmentBounds& bounds, double v) RT_SAFE {
   const SegmentBounds::Euclidean& e = bounds.euclidean;
   const double across = v * v * e.curvature;

@@ -52,7 +52,7 @@ double PathSight::start(std::size_t index) RT_SAFE {
   return starts_[index];
 }
 
-// Of the programmed feed, that the present speed may come from.
+// The part of the programmed feed that the present speed may come from.
 double PathSight::highest_part(const Segment& segment) const RT_SAFE {
   double part = 1.0;
   const double rev_per_min = segment.process.rev_per_min;

@@ -204,8 +204,8 @@ double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
   return std::min({v, slowest_.value(first, last - 1), boundary_limit(boundary)});
 }
 
-// The fastest path from `left` to `right` over a key point at `boundary`: slow between the slow end,
-// which lies against the direction, and that key point, at the speed of that end or up to the
+// The fastest path from `left` to `right` over a key point at `boundary`: slow between the slow
+// end, which lies against the direction, and that key point, at the speed of that end or up to the
 // highest that can be reached there.
 std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const Key& right,
                                                         std::size_t boundary,
@@ -241,7 +241,7 @@ std::size_t SpeedPlan::behind_worst(std::size_t start, std::size_t stop, double 
   return next;
 }
 
-// The same backwards.
+// Looks backwards where the function above looks forwards.
 std::size_t SpeedPlan::before_worst(std::size_t end, std::size_t stop, double reach,
                                     const RampLimits& limits) const {
   std::size_t next = npos;

@@ -107,7 +107,7 @@ enum class SegmentKind : std::uint8_t {
   even  // a quintic whose parameter goes evenly with s, whatever s counts
 };
 
-// Which axes make up the path coordinate: s is the Euclidean length of their common way.
+// Says which axes make up the path coordinate: s is the Euclidean length of their common path.
 struct PathMetric {
   int axis_count = axes_max;  // axes of the channel; components beyond stay as they start
   unsigned axes = 0b111;      // bit k: axis k counts
@@ -164,7 +164,7 @@ struct SegmentBounds {
   Euclidean euclidean{};
 };
 
-// The same along a segment of the block.
+// How the process moves along one segment of the block.
 struct SegmentProcess {
   const FeedLaw* law = nullptr;  // not for the cycle
   LawKind kind = LawKind::none;

@@ -1,7 +1,7 @@
 // AxisMove: one axis by itself from rest to rest, outside of any path: jogging, homing.
 //
-// The travel is planned whole when it begins: up to the speed, on with it, and down, so that the end
-// is exact; it may be stopped anywhere, and then ends before. Real-time.
+// The travel is planned whole when it begins: up to the speed, on with it, and down, so that the
+// end is exact; it may be stopped anywhere, and then ends before. Real-time.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace stanok::motion {
 
-// Of one axis, in mm or deg per s, s^2, s^3; all > 0.
+// Limits of one axis, in mm or deg per s, s^2, s^3; all > 0.
 struct AxisMoveLimits {
   double speed = 0.0;
   RampLimits ramp;

@@ -14,7 +14,7 @@ struct SpeedSegment {
   RampLimits ramp{};
 };
 
-// Of a path segment whose programmed feed is taken `part` times. Always finite, also where the
+// What a path segment allows when its feed is taken `part` times. Always finite, also where the
 // machine file leaves an axis unlimited.
 [[nodiscard]] SpeedSegment speed_segment(const Segment& segment, double part) RT_SAFE;
 

@@ -57,7 +57,7 @@ SegmentProcess process_of(const BlockProcess& block) {
           .rev_per_min = block.rev_per_min};
 }
 
-// The same between two path lengths of the segment.
+// The process of a part of the segment, between two of its path lengths.
 SegmentProcess part_of(const Segment& whole, double from, double to) {
   SegmentProcess process = whole.process;
   const double way = process.way_stop - process.way_start;

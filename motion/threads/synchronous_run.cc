@@ -12,7 +12,7 @@ namespace {
 
 using kinematics::Jet;
 
-// Of the controller: that of the observer it follows.
+// Frequency of the controller: that of the observer it follows.
 constexpr double bandwidth = SpindleObserver::bandwidth;  // rad/s
 
 // Shares of the limits that the run-in uses at the speed it begins with; the rest is for a spindle

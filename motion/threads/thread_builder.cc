@@ -22,7 +22,8 @@ constexpr double reserve_least = 1.25;
 constexpr double jerk_wanted = 1.0;
 constexpr double jerk_least = 0.6;
 
-// Of a block, that one corner may take; and where another one follows that needs room.
+// The part of a block that one corner may take; and the part where another one follows that needs
+// room.
 constexpr double part_max = 0.95;
 constexpr double part_of_two = 0.475;
 
@@ -171,7 +172,7 @@ std::optional<ThreadFault> ThreadBuilder::round_corners_anew() {
   return fault;
 }
 
-// Of a chain with corners at this speed of the spindle, turns/s.
+// Limits of a chain with corners at this speed of the spindle, turns/s.
 SegmentLimits ThreadBuilder::limits_at(const SegmentBounds& bounds, double speed) {
   return segment_limits(bounds, speed > 0.0 ? reserve_least * speed : unlimited);
 }
@@ -239,7 +240,7 @@ std::optional<ThreadFault> ThreadBuilder::add_tap(const ThreadBlock& block) {
   return std::nullopt;
 }
 
-// Of the tip, in mm per turn.
+// The change of the speed of the tip at a corner, in mm per turn.
 double ThreadBuilder::change_of_lead(const Straight& one, const Straight& next) const {
   double squared = 0.0;
   for (std::size_t k = 0; k < next.per_turn.size(); ++k) {

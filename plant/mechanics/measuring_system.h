@@ -34,7 +34,7 @@ class MeasuringSystem {
   [[nodiscard]] bool on_limit_negative() const RT_SAFE;
   [[nodiscard]] bool on_limit_positive() const RT_SAFE;
 
-  // As counted; 0 before the first pulse.
+  // The position as counted; 0 before the first pulse.
   [[nodiscard]] double index_position() const RT_SAFE { return index_position_; }
   [[nodiscard]] std::uint16_t index_count() const RT_SAFE { return index_count_; }
 

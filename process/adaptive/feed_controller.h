@@ -13,7 +13,7 @@
 
 namespace stanok::process {
 
-// Of one cycle.
+// What the controller gets in one cycle.
 struct FeedControllerInputs {
   double cycle_s = 0.001;
   double revolution_s = 0.1;

@@ -46,7 +46,7 @@ class SetpointLaw {
   };
   [[nodiscard]] ForceSetpoint advance(const Inputs& inputs) RT_SAFE;
 
-  // As it is formed now.
+  // The oscillation as it is formed now.
   [[nodiscard]] const Oscillation& oscillation() const RT_SAFE { return formed_; }
   // What the latest cycle had to change of what was asked for.
   [[nodiscard]] motion::ForceEvent event() const RT_SAFE { return event_; }
