@@ -389,7 +389,7 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   return {{"alarms", std::move(rows)}};
 }
 
-// An alarm stands until somebody has acknowledged it, and as long as its channel is in that state;
+// An alarm is active until somebody has acknowledged it, and as long as its channel is in that state;
 // what a reset has cleared does not come back with the next one.
 bool StatusReport::stands(const channels::AlarmReport& alarm, std::size_t index,
                           const channels::CycleOutput& output) const {

@@ -55,7 +55,7 @@ int run(const CommandLine& given) {
   return stanok::daemon::run_daemon(given.options);
 }
 
-// The exit code; throws what cannot be mended here.
+// The exit code; throws what cannot be handled here.
 int run(int argc, char** argv) {
   CLI::App app("stanokd: runs a machine");
   app.set_version_flag("--version", std::string(stanok::protocol::version));
