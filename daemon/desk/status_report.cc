@@ -379,8 +379,8 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   json rows = json::array();
   for (std::size_t k = 0; k < alarms.size(); ++k) {
     if (channel != 0 && alarms[k].channel != channel) continue;
-    const bool is_standing = stands(alarms[k], k, output);
-    if (choice == AlarmChoice::active && !is_standing) continue;
+    const bool active = is_active(alarms[k], k, output);
+    if (choice == AlarmChoice::active && !active) continue;
     json row = alarm_json(alarms[k]);
     const auto notes = notes_.find(alarms[k].channel);
     row["acknowledged"] = notes != notes_.end() && k < notes->second.alarms_acknowledged;
@@ -389,10 +389,10 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   return {{"alarms", std::move(rows)}};
 }
 
-// An alarm is active until somebody has acknowledged it, and as long as its channel is in that state;
-// what a reset has cleared does not come back with the next one.
-bool StatusReport::stands(const channels::AlarmReport& alarm, std::size_t index,
-                          const channels::CycleOutput& output) const {
+// An alarm is active until somebody has acknowledged it, and as long as its channel is in that
+// state; what a reset has cleared does not come back with the next one.
+bool StatusReport::is_active(const channels::AlarmReport& alarm, std::size_t index,
+                             const channels::CycleOutput& output) const {
   const auto notes = notes_.find(alarm.channel);
   if (notes != notes_.end() && index < notes->second.alarms_cleared) return false;
   const bool is_acknowledged = notes != notes_.end() && index < notes->second.alarms_acknowledged;
