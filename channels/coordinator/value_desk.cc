@@ -140,7 +140,7 @@ Verdict ValueDesk::machine_value(const Errand& errand) const RT_SAFE {
   if (name == "in" || name == "ain") return input(name, index);
   if (name == "kinematics") {
     const int named = channels_.index_of(index);
-    return named < 0 ? refusal("E6001", "no such channel")
+    return named < 0 ? refusal("E6001", "there is no such channel")
                      : success(channels_[named].schemes.active_id());
   }
   return refusal("E6033", "the machine does not know this value");

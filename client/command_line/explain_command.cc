@@ -45,7 +45,7 @@ json row_json(const CatalogueRow& row) {
 int explain(const ExplainOptions& options) {
   const CatalogueRow* row = find_in_catalogue(upper(options.code));
   if (row == nullptr) {
-    write_message("no such code: " + options.code + "\n");
+    write_message("there is no code " + options.code + "\n");
     return 1;
   }
   if (options.json) {

@@ -48,7 +48,7 @@ void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer ans
   if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(
-        failure_of(FailureKind::refused, "E9007", "too many requests at once", event.channel)));
+        failure_of(FailureKind::refused, "E9007", "there are too many requests at once", event.channel)));
   }
   pending_.emplace(event.id, std::move(pending));
 }
@@ -122,7 +122,7 @@ void CommandDesk::await_run(int channel, Answer answer) {
                                  [&](const auto& run) { return run.channel == channel; });
   if (last == runs.rend()) {
     return answer(Unexpected<Failure>(
-        failure_of(FailureKind::internal, "", "the machine has no record of the run", channel)));
+        failure_of(FailureKind::internal, "", "the machine has no record of this run", channel)));
   }
   awaited_.push_back({channel, last->run, std::move(answer)});
 }

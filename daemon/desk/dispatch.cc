@@ -28,7 +28,7 @@ Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, i
 }
 
 Unexpected<Failure> no_such_drive(const std::string& drive) {
-  return fail(FailureKind::refused, "E6050", "no such drive: " + drive);
+  return fail(FailureKind::refused, "E6050", "there is no drive " + drive);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   if (!method->action.empty()) return command(call);
   const auto handler = handlers().find(method->name);
   if (handler == handlers().end())
-    return call.answer(fail(FailureKind::internal, "", "nobody answers " + request.method));
+    return call.answer(fail(FailureKind::internal, "", "the daemon has no handler for " + request.method));
   if (const Query* query = std::get_if<Query>(&handler->second))
     return call.answer((*query)(*this, call.parameters));
   if (const Task* task = std::get_if<Task>(&handler->second)) return (*task)(*this, call);

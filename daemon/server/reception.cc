@@ -120,7 +120,7 @@ void Reception::Parts::admit(LocalSocket::socket socket) {
     session->send(protocol::notification_line("hello", greeting(machine.file(), session->state())));
     counter.on_arrival(session);
   } else {
-    session->turn_away("E9008", "too many clients");
+    session->turn_away("E9008", "there are too many clients");
     if (sessions.size() > limits.clients_max + limits.turned_away_max)
       static_cast<void>(end_oldest_turned_away());
   }

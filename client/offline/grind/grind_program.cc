@@ -24,7 +24,7 @@ const ChannelConfig& grind_channel(const MachineConfig& machine, int id) {
   const auto channel = std::ranges::find_if(machine.channels, suits);
   if (channel == machine.channels.end()) {
     throw std::runtime_error(machine.name +
-                             " has no such channel; a grinding program wants one of "
+                             " has no such channel; a grinding program needs one of "
                              "kind \"grind\"");
   }
   return *channel;
