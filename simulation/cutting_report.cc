@@ -14,10 +14,10 @@ struct Row {
 
 // In the order of FindingKind.
 constexpr std::array<Row, 4> rows{{
-    {"W921", "rapid traverse through material"},
-    {"W922", "the shank of the tool in the material"},
-    {"W923", "the holder in the material"},
-    {"W924", "a cut while the spindle stands"},
+    {"W921", "a rapid traverse goes through material"},
+    {"W922", "the shank of the tool is in the material"},
+    {"W923", "the holder of the tool is in the material"},
+    {"W924", "the tool cuts while the spindle stands"},
 }};
 
 }  // namespace

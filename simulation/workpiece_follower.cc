@@ -61,7 +61,7 @@ void WorkpieceFollower::announce(const Announcement& announcement, const Sample&
 void WorkpieceFollower::place(const Placement& placement, const Sample& now) {
   flush();
   if (workpiece_ == nullptr) {
-    return complain_once("W926", "no blank is there to be moved", now.origin.line);
+    return complain_once("W926", "there is no blank to be moved", now.origin.line);
   }
   home_ = now.scheme;
   blank_in_base_ = machine_.machine_in(home_, now.axes_M) *
@@ -110,7 +110,7 @@ const WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sam
       record == nullptr ? "the tool table does not have it" : defect_of(record->shape);
   if (record == nullptr || !defect.empty()) {
     if (sample.tool != 0 && !sample.rapid) {
-      complain_once("W925", fmt::format("tool {} is not seen: {}", sample.tool, defect),
+      complain_once("W925", fmt::format("tool {} cannot be seen: {}", sample.tool, defect),
                     sample.origin.line);
     }
     return nullptr;

@@ -100,7 +100,7 @@ class ControlReader {
     if (std::isfinite(value)) return value;
     const bool has_comma = number.find(',') != std::string::npos;
     refuse(malformed,
-           "'" + number + "' is no number; expected " + wanted +
+           "'" + number + "' is not a number; expected " + wanted +
                (has_comma ? ", with a point and not a comma" : ""),
            index);
     return std::nullopt;

@@ -85,11 +85,10 @@ bool is_over(const FollowOptions& options, const WorkpieceStream& stream) {
 int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
   const bool is_written = album.finish(stream);
   if (const auto& missing = stream.missing(); missing.count > 0) {
-    complain(
-        0, "W720",
-        fmt::format("{} setpoints are missing, the first at {:.3f} s: the tool is led straight "
-                    "over each gap, and what it cut beside that is not shown",
-                    missing.count, missing.first_s));
+    complain(0, "W720",
+             fmt::format("{} setpoints are missing, the first at {:.3f} s: the tool goes straight "
+                         "over each gap, and what it cut beside that is not shown",
+                         missing.count, missing.first_s));
   }
   const auto workpieces = stream.workpieces();
   if (workpieces.empty()) {
