@@ -26,7 +26,7 @@ class ProcessPlant {
   // One cycle on.
   void advance(const channels::CycleOutput& output) RT_SAFE;
 
-  // Of all spindles of the machine, the idle power included.
+  // The sensors of all spindles of the machine; their power includes the idle power.
   [[nodiscard]] std::span<const channels::SpindleSensors> sensors() const RT_SAFE {
     return sensors_;
   }

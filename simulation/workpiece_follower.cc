@@ -136,7 +136,7 @@ bool WorkpieceFollower::continues(const Sample& sample) const {
          latest_->spindle_turns == sample.spindle_turns && latest_->scheme == sample.scheme;
 }
 
-// Of the tool that is ready.
+// Where the tool that is ready is at a sample.
 WorkpieceFollower::Station WorkpieceFollower::station_of(const Sample& sample) const {
   return {place_of(sample, *record_of(sample), tool_->insert.has_value()), sample.time_s,
           sample.origin};
@@ -199,7 +199,7 @@ void WorkpieceFollower::flush() {
   stations_.clear();
 }
 
-// Of the blocks in the motion, by the way of tip and flutes.
+// The shares of the blocks in the motion, by the travel of tip and flutes.
 std::vector<Share> WorkpieceFollower::shares() const {
   std::vector<Share> shares;
   const ToolPlace* before = &begin_->place_K;

@@ -68,7 +68,7 @@ class WorkpieceFollower {
   // What was followed so far is cut.
   void flush();
 
-  // Of all announcements, in their order; the last one is being cut.
+  // The workpieces of all announcements, in their order; the last one is being cut.
   [[nodiscard]] const std::vector<std::unique_ptr<Workpiece>>& workpieces() const {
     return workpieces_;
   }

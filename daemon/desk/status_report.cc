@@ -120,8 +120,8 @@ bool is_verified(const channels::AxisConfig& config, const ChannelOutput& output
          (feedback.enabled || apart <= config.following_error_max);
 }
 
-// Of the scheme with this number, bit k: axis k of the channel takes part; all do where there is
-// none.
+// Which axes take part in the scheme with this number, bit k: axis k of the channel; all do where
+// there is none.
 unsigned participants_of(const channels::ChannelConfig& config, int scheme) {
   const auto at = std::find_if(config.schemes.begin(), config.schemes.end(),
                                [&](const auto& one) { return one.id == scheme; });

@@ -19,7 +19,7 @@ class StatusReport {
 
   [[nodiscard]] nlohmann::json machine() const;
   [[nodiscard]] nlohmann::json channel_list() const;
-  // Of a channel that exists.
+  // The channel exists.
   [[nodiscard]] nlohmann::json channel(int id) const;
   // All channels by their number, as subscriptions send them.
   [[nodiscard]] nlohmann::json channels() const;

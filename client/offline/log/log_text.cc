@@ -14,7 +14,7 @@ using recording::DamageKind;
 using recording::LogContents;
 using recording::LogDescription;
 
-// Of any two times, as a damaged log may have them.
+// Holds for any two times, as a damaged log may have them.
 double seconds_between(std::int64_t first_utime, std::int64_t utime) {
   return (static_cast<double>(utime) - static_cast<double>(first_utime)) * 1e-6;
 }
