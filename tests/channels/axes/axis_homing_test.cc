@@ -175,7 +175,7 @@ TEST(AxisHoming, SaysWhatIsMissing) {
   HomingConfig config = search(40.0);
   config.index = true;
   EXPECT_EQ(run(without_index, config, 0.0, homing), AxisHoming::Result::failed);
-  EXPECT_EQ(homing.reason(), "no index pulse");
+  EXPECT_EQ(homing.reason(), "the encoder gave no index pulse");
 }
 
 }  // namespace
