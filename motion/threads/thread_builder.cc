@@ -331,7 +331,7 @@ ThreadChain ThreadBuilder::finish() {
     chain.segments.push_back(block.corner->behind);
   }
   const double speed = has_corner ? speed_ : 0.0;
-  const auto section = [this, speed](const SegmentBounds& of) {
+  const auto section = [speed](const SegmentBounds& of) {
     const SegmentLimits limits = limits_at(of, speed);
     return SpindleCoupling::Section{limits.a, limits.j};
   };
