@@ -41,7 +41,7 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
   return std::nullopt;
 }
 
-bool setpoint_parameter(int number, double value, const BlockSurroundings& around) {
+bool set_point_parameter(int number, double value, const BlockSurroundings& around) {
   for (int which = 1; which <= reference_point_count; ++which) {
     const int first = reference_first[static_cast<std::size_t>(which - 1)];
     if (!is_in_block(number, first)) continue;

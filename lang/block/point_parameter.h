@@ -14,6 +14,6 @@ namespace stanok::lang {
 [[nodiscard]] std::optional<double> point_parameter(int number, const BlockSurroundings& around);
 
 // True when `number` is a coordinate of a reference point, which now is `value`.
-[[nodiscard]] bool setpoint_parameter(int number, double value, const BlockSurroundings& around);
+[[nodiscard]] bool set_point_parameter(int number, double value, const BlockSurroundings& around);
 
 }  // namespace stanok::lang

@@ -124,7 +124,7 @@ double ParameterStore::predefined(std::uint32_t row) const {
 bool ParameterStore::set_numbered(double number, double value, ValueFault& fault) {
   const auto index = parameter_index(number, fault);
   if (!index) return false;
-  if (setpoint_parameter(*index, value, around_)) return true;
+  if (set_point_parameter(*index, value, around_)) return true;
   if (*index >= machine_parameter_first && machine_parameter(*index, view())) {
     fault = {"E3013", "parameter #" + std::to_string(*index) + " shows the state of the machine",
              "cannot be set"};
