@@ -10,7 +10,7 @@
 
 namespace stanok {
 
-// "motion/look_ahead/look_ahead.cc:53: broken claim: piece.length > 0.0": what a report about it
+// "motion/look_ahead/look_ahead.cc:53: broken claim: segment.length > 0.0": what a report about it
 // should name.
 class BrokenClaim : public std::logic_error {
  public:

@@ -1,4 +1,4 @@
-// The figures of docs/developer/motion.md on codes and the position regulator: numbers as CSV into
+// The figures of docs/developer/motion.md on codes and the position controller: numbers as CSV into
 // a folder, and the tables of the document on the standard output.
 //
 //   contour_feed_figures FOLDER
@@ -95,7 +95,7 @@ void write_increments(const std::filesystem::path& folder) {
   for (int feed = 1; feed < 200; ++feed) write(feed);
   for (int feed = 200; feed <= 60000; feed += 50) write(feed);
 
-  fmt::print("| F, mm/min | discretes per cycle | lowest | highest |\n|---|---|---|---|\n");
+  fmt::print("| F, mm/min | increments per cycle | lowest | highest |\n|---|---|---|---|\n");
   for (const double feed : {10.0, 50.0, 100.0, 1000.0, 5000.0, 20000.0, 60000.0}) {
     const Extremes error = increment_error(feed, {});
     fmt::print("| {} | {:.4g} | {:+.3g} % | {:+.3g} % |\n", feed, feed / 60.0, 100.0 * error.low,
@@ -131,12 +131,12 @@ void write_velocity_codes(const std::filesystem::path& folder) {
 
 struct Law {
   const char* name;
-  motion::RegulatorGains gains;
+  motion::ControllerGains gains;
 };
 
 // The terms of eq. (16), one after the other.
 std::array<Law, 4> laws(const CircleTask& task) {
-  const motion::RegulatorGains all = testing::inverting_gains(kp, task.loop);
+  const motion::ControllerGains all = testing::inverting_gains(kp, task.loop);
   std::array<Law, 4> laws{{{"kp", all}, {"kp, kv", all}, {"kp, kv, ka", all}, {"all", all}}};
   for (std::size_t n = 0; n < 3; ++n) laws[n].gains.kr = 0.0;
   for (std::size_t n = 0; n < 2; ++n) laws[n].gains.ka = 0.0;
@@ -176,7 +176,7 @@ void write_following(const std::filesystem::path& folder) {
 void write_demand(const std::filesystem::path& folder) {
   CsvFile csv(folder / "demand.csv", "t_s,analytic_mm_per_s,differences_mm_per_s");
   const CircleTask task{.feed_per_s = 100.0};
-  const motion::RegulatorGains gains = testing::inverting_gains(kp, task.loop);
+  const motion::ControllerGains gains = testing::inverting_gains(kp, task.loop);
   const auto analytic = follow_circle(task, gains, RateSource::interpolator);
   const auto differences = follow_circle(task, gains, RateSource::differences);
   for (std::size_t n = 0; n < 100; ++n) {

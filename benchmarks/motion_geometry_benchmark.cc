@@ -1,11 +1,11 @@
-// Cost of path geometry: evaluation in the cycle, blocks to pieces in preparation.
+// Cost of path geometry: evaluation in the cycle, blocks to segments in preparation.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "kinematics/scheme.h"
-#include "motion/bounds/piece_bounds.h"
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/arc_length.h"
 #include "motion/path/geometry.h"
 #include "motion/path/shape.h"
@@ -14,7 +14,7 @@
 namespace {
 
 using namespace stanok;
-using motion::Piece;
+using motion::Segment;
 
 constexpr motion::PathMetric five_axes{5, 0b111};
 
@@ -44,36 +44,36 @@ std::unique_ptr<const kinematics::Scheme> head_table() {
   return kinematics::make_scheme(config);
 }
 
-Piece piece_of(const motion::Shape& shape) {
-  Piece piece;
-  piece.geometry = shape.geometry;
-  piece.length = shape.length;
-  return piece;
+Segment segment_of(const motion::Shape& shape) {
+  Segment segment;
+  segment.geometry = shape.geometry;
+  segment.length = shape.length;
+  return segment;
 }
 
-Piece right_angle() {
+Segment right_angle() {
   motion::Contact from;
   motion::Contact to;
   from.position = {-1.0, 0.0, 0.0, -2.0, 1.0};
   from.tangent = {1.0, 0.0, 0.0, 2.0, -1.0};
   to.position = {0.0, 1.0, 0.0, 1.0, 0.5};
   to.tangent = {0.0, 1.0, 0.0, 1.0, 0.5};
-  return piece_of(motion::blend_curve(five_axes, from, to, 1.0));
+  return segment_of(motion::blend_curve(five_axes, from, to, 1.0));
 }
 
-void evaluate_all_along(benchmark::State& state, const Piece& piece) {
+void evaluate_all_along(benchmark::State& state, const Segment& segment) {
   motion::JetPoint point;
   double x = 0.0;
   for ([[maybe_unused]] auto _ : state) {
     x += 0.618033988749895;
     if (x > 1.0) x -= 1.0;
-    motion::evaluate(piece, x * piece.length, point);
+    motion::evaluate(segment, x * segment.length, point);
     benchmark::DoNotOptimize(point);
   }
 }
 
 void evaluate_line(benchmark::State& state) {
-  evaluate_all_along(state, piece_of(motion::line(five_axes, {}, {1.0, 2.0, 3.0, 4.0, 5.0})));
+  evaluate_all_along(state, segment_of(motion::line(five_axes, {}, {1.0, 2.0, 3.0, 4.0, 5.0})));
 }
 BENCHMARK(evaluate_line);
 
@@ -81,7 +81,7 @@ void evaluate_arc(benchmark::State& state) {
   motion::PathBlock block;
   block.end = {-10.0, 0.0, 3.0, 4.0, 5.0};
   block.sweep_rad = std::numbers::pi;
-  evaluate_all_along(state, piece_of(motion::arc(five_axes, {10.0}, block)));
+  evaluate_all_along(state, segment_of(motion::arc(five_axes, {10.0}, block)));
 }
 BENCHMARK(evaluate_arc);
 
@@ -89,7 +89,7 @@ void evaluate_arc_with_rounded_end(benchmark::State& state) {
   motion::PathBlock block;
   block.end = {-10.0004, 0.0, 3.0, 4.0, 5.0};
   block.sweep_rad = std::numbers::pi;
-  evaluate_all_along(state, piece_of(motion::arc(five_axes, {10.0}, block)));
+  evaluate_all_along(state, segment_of(motion::arc(five_axes, {10.0}, block)));
 }
 BENCHMARK(evaluate_arc_with_rounded_end);
 
@@ -129,11 +129,11 @@ void bounds_of_a_blend(benchmark::State& state) {
   kinematics::Transform transform;
   transform.scheme = scheme.get();
   transform.mode = state.range(0) == 1 ? kinematics::PointMode::tip : kinematics::PointMode::axes;
-  Piece piece = right_angle();
-  piece.transform = &transform;
+  Segment segment = right_angle();
+  segment.transform = &transform;
   const motion::MotionConfig config = mill();
   for ([[maybe_unused]] auto _ : state) {
-    const motion::PieceBounds bounds = motion::piece_bounds(piece, config);
+    const motion::SegmentBounds bounds = motion::segment_bounds(segment, config);
     benchmark::DoNotOptimize(bounds);
   }
 }

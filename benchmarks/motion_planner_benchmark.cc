@@ -2,7 +2,7 @@
 //
 // The path is dense CAM work: blocks of 0.1 mm on a curve whose curvature changes, five axes,
 // several blocks a cycle. Planning is also measured where every join is a blend of its own, so that
-// pieces of high and low limits take turns, at a feed that the axes do not allow, and on corners.
+// segments of high and low limits take turns, at a feed that the axes do not allow, and on corners.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -98,13 +98,13 @@ void plan_blocks(benchmark::State& state,
   const auto path = built();
   for ([[maybe_unused]] auto _ : state) {
     LookAhead look_ahead(five_axes());
-    for (const auto& piece : path) look_ahead.add(piece);
+    for (const auto& segment : path) look_ahead.add(segment);
     benchmark::DoNotOptimize(look_ahead.is_empty());
   }
   using benchmark::Counter;
   state.counters["time_per_block"] =
       Counter(blocks, Counter::kIsIterationInvariantRate | Counter::kInvert);
-  state.counters["pieces_per_block"] = static_cast<double>(path.size()) / blocks;
+  state.counters["segments_per_block"] = static_cast<double>(path.size()) / blocks;
 }
 
 MotionConfig without_runs() {

@@ -71,7 +71,7 @@ struct DriveFeedback {
   bool valid = false;       // false: no trustworthy answer within the timeout; values are the last
   bool referenced = false;  // the position belongs to the machine; false after a jump out of sight
   bool brake_closed = true;
-  bool home_switch = false;     // stands on its reference switch
+  bool home_switch = false;     // stands on its home switch
   bool limit_negative = false;  // stands on the limit switch at this end
   bool limit_positive = false;
   bool following_error_exceeded = false;  // over the limit for longer than a disturbance lasts

@@ -15,7 +15,7 @@
 
 namespace stanok::drives {
 
-// Of the two registers of a 32-bit value.
+// Which of the two registers of a 32-bit value comes first.
 enum class WordOrder : std::uint8_t { high_first, low_first };
 
 struct RegisterField {
@@ -45,13 +45,13 @@ struct RegisterField {
 
 // Bits that the standards leave to the manufacturer, as masks; 0: the drive has none.
 struct DriveBits {
-  // Of the control word.
+  // Bits of the control word.
   std::uint16_t close_brake = 0;
   std::uint16_t follow_velocity = 0;
-  // Of the status word.
+  // Bits of the status word.
   std::uint16_t brake_closed = 0;
   std::uint16_t referenced = 0;
-  // Of the register `inputs`.
+  // Bits of the register `inputs`.
   std::uint16_t limit_negative = 0;
   std::uint16_t limit_positive = 0;
   std::uint16_t home_switch = 0;
@@ -59,7 +59,7 @@ struct DriveBits {
   bool operator==(const DriveBits&) const = default;
 };
 
-// Of the simulated drives; the switches stand as in object 60FDh of CiA 402.
+// The bits of the simulated drives; the switches are those of object 60FDh of CiA 402.
 inline constexpr DriveBits standard_bits{.close_brake = 1U << 11,
                                          .follow_velocity = 1U << 12,
                                          .brake_closed = 1U << 14,

@@ -11,7 +11,7 @@ VibrationReader::VibrationReader(const VibrationSensorConfig& config) : config_(
   fresh_.reserve(static_cast<std::size_t>(config.count));
 }
 
-// Of the first block all samples are new.
+// All samples of the first block are new.
 std::span<const double> VibrationReader::take(std::span<const std::uint16_t> block) {
   fresh_.clear();
   const std::uint16_t taken = block.front();

@@ -25,7 +25,7 @@ struct VibrationSensorConfig {
   double rate_hz = 4000.0;  // of the samples
   double scale = 10.0;      // increments per um
 
-  // As operators call it: "S1".
+  // The name that operators use: "S1".
   [[nodiscard]] std::string name() const { return "S" + std::to_string(spindle); }
 };
 
@@ -63,7 +63,7 @@ class VibrationMeter {
   VibrationMeter(double rate_hz, double stretch_s);
 
   void add(std::span<const double> samples_um) RT_SAFE;
-  // Of the last complete stretch; zeros before the first.
+  // The level of the last complete stretch; zeros before the first.
   [[nodiscard]] const VibrationLevel& level() const RT_SAFE { return level_; }
 
  private:

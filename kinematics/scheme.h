@@ -82,7 +82,7 @@ struct Frame {
 [[nodiscard]] AxisVector<double> base_from_workpiece(const Frame& frame,
                                                      const AxisVector<double>& point_W) RT_SAFE;
 
-// What path pieces carry: frame, scheme, tool and mode together, fixed for a run of blocks. Owned
+// What path segments carry: frame, scheme, tool and mode together, fixed for a run of blocks. Owned
 // by the channel. The path itself is kept in W, so that a programmed end is reached to the last
 // bit.
 struct Transform {

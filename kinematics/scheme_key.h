@@ -35,7 +35,7 @@ struct Direction {
   std::reference_wrapper<Vector3<double>> vector;
 };
 
-// A place or a way in X, Y, Z, mm.
+// A place or a distance in X, Y, Z, mm.
 struct Place {
   std::reference_wrapper<Vector3<double>> vector;
 };

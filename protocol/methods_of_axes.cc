@@ -27,7 +27,7 @@ constexpr Parameter drive_fault{.name = "fault",
                                 .presence = Presence::required,
                                 .spelling = Spelling::positional,
                                 .choices = fault_choices,
-                                .help = "what it does from now on"};
+                                .help = "fault that the drive has from now on; none: it works"};
 
 constexpr std::array of_scheme{scheme, channel};
 constexpr std::array of_drive{drive};
@@ -74,11 +74,11 @@ constexpr auto axes_rows = std::to_array<Method>({
      .role = integrator,
      .effect = Effect::changes,
      .parameters = of_drive_fault,
-     .help = "make a simulated drive fail, or work again"},
+     .help = "make a simulated drive fail or work again"},
 
     {.name = "alarm.list",
      .parameters = of_channel,
-     .help = "alarms that stand",
+     .help = "active alarms",
      .result = R"({"alarms":["$alarm"]})"},
     {.name = "alarm.ack",
      .role = machine_operator,

@@ -17,21 +17,22 @@ constexpr Parameter topics{.name = "topics",
                            .spelling = Spelling::positional,
                            .maximum = topic_choices.size(),
                            .choices = topic_choices,
-                           .help = "what to be told of; an empty list ends the subscription"};
+                           .help = "topics to be told of; an empty list ends the subscription"};
 
-constexpr Parameter lower_role{.name = "role",
-                               .type = ParameterType::choice,
-                               .presence = Presence::required,
-                               .spelling = Spelling::positional,
-                               .choices = role_choices,
-                               .help = "role to go down to; there is no way back up"};
+constexpr Parameter lower_role{
+    .name = "role",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .choices = role_choices,
+    .help = "lower role to take; a connection cannot raise its role again"};
 
 constexpr std::array of_subscription{topics, rate};
 constexpr std::array of_role{lower_role};
 
 constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "log.status",
-     .help = "recorder and LCM publisher: file, bytes, what was lost",
+     .help = "recorder and LCM publisher: file, bytes, losses",
      .result = R"({"lcm":{"url":"string?","open":"boolean","sent":"integer","lost":"integer"},
       "file":{"path":"string?","bytes":"integer","events":"integer","error":"string?"},
       "flight":"string?","outputs_lost":"integer"})"},
@@ -49,12 +50,12 @@ constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "subscribe",
      .course = Course::reports,
      .parameters = of_subscription,
-     .help = "a snapshot, then what changes, as notifications",
+     .help = "send a snapshot of these topics, then their changes as notifications",
      .result = R"({"topics":["string"],"rate_hz":"number"})"},
 
     {.name = "session.role",
      .parameters = of_role,
-     .help = "give up rights of this connection",
+     .help = "lower the role of this connection",
      .result = R"({"role":"string"})"},
 
     {.name = "system.info",
@@ -64,10 +65,10 @@ constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "system.shutdown",
      .role = integrator,
      .effect = Effect::changes,
-     .help = "feed hold, drives off, orderly end of the daemon"},
+     .help = "feed hold, then drives off, then the daemon ends"},
 
     {.name = "rpc.discover",
-     .help = "this table as an OpenRPC document",
+     .help = "this table of methods as an OpenRPC document",
      .result = R"({"openrpc":"string","info":{"title":"string","version":"string"},
       "methods":["any"]})"},
 });

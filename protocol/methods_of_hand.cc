@@ -18,15 +18,16 @@ constexpr Parameter jog_velocity{.name = "velocity",
                                  .unit = "mm/s, deg/s",
                                  .minimum = -velocity_limit,
                                  .maximum = velocity_limit,
-                                 .help = "its sign is the direction"};
+                                 .help = "velocity; its sign is the direction"};
 
-constexpr Parameter jog_increment{.name = "increment",
-                                  .type = ParameterType::number,
-                                  .carries = Carries::value_2,
-                                  .unit = "mm, deg",
-                                  .minimum = 0,
-                                  .maximum = velocity_limit,
-                                  .help = "way to go; without it as long as the jog is renewed"};
+constexpr Parameter jog_increment{
+    .name = "increment",
+    .type = ParameterType::number,
+    .carries = Carries::value_2,
+    .unit = "mm, deg",
+    .minimum = 0,
+    .maximum = velocity_limit,
+    .help = "distance to go; without it the axis moves as long as the jog is repeated"};
 
 constexpr Parameter homed_axis{.name = "axis",
                                .type = ParameterType::text,
@@ -60,8 +61,8 @@ constexpr auto hand_rows = std::to_array<Method>({
      .course = Course::repeats,
      .action = "jog",
      .parameters = of_jog,
-     .help = "move an axis by hand: by an increment, or for 200 ms, to be asked again while it "
-             "shall go on"},
+     .help = "jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it "
+             "moving"},
 
     {.name = "home",
      .role = machine_operator,
@@ -69,8 +70,9 @@ constexpr auto hand_rows = std::to_array<Method>({
      .course = Course::moves_axes,
      .action = "home",
      .parameters = of_home,
-     .help = "find the reference marks of the axes of a channel, in their order; answers when it "
-             "is done"},
+     .help =
+         "home the axes of a channel in the order of the machine file: find home switch or index "
+         "pulse; answers when it is done"},
 });
 
 }  // namespace

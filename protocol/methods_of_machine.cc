@@ -11,7 +11,7 @@ constexpr Parameter control{.name = "on",
                             .spelling = Spelling::positional,
                             .minimum = 0,
                             .maximum = 1,
-                            .help = "1 take it, the default; 0 give it back"};
+                            .help = "1 (default): take control; 0: give it back"};
 
 constexpr std::array of_control{control, channel};
 constexpr std::array of_watch{channel, rate};
@@ -31,7 +31,7 @@ constexpr auto machine_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::stops,
      .action = "machine_estop",
-     .help = "stop along the path at once, then drives off; always accepted"},
+     .help = "emergency stop: stop along the path at once, then drives off; always accepted"},
     {.name = "machine.status",
      .help = "cycle, drives, real-time figures, state of every channel",
      .result = R"({"name":"string","cycle_us":"integer","cycle":"integer",
@@ -56,8 +56,7 @@ constexpr auto machine_rows = std::to_array<Method>({
      .effect = Effect::changes,
      .course = Course::holds,
      .parameters = of_control,
-     .help =
-         "have a channel to oneself until the connection ends; stops are never refused to others",
+     .help = "control a channel alone until the connection ends; others can still stop it",
      .result = R"({"channel":"integer","controlled_by":"string?"})"},
     {.name = "channel.watch",
      .course = Course::reports,

@@ -8,16 +8,17 @@ namespace {
 
 constexpr double interruption_mm_max = 10000.0;
 
-constexpr Parameter fictitious_path{.name = "la",
-                                    .type = ParameterType::number,
-                                    .presence = Presence::required,
-                                    .carries = Carries::value,
-                                    .unit = "mm",
-                                    .minimum = 0,
-                                    .maximum = interruption_mm_max,
-                                    .help =
-                                        "fictitious path L_A along which the axes rest; 0 ends "
-                                        "the interruption"};
+constexpr Parameter dwell_path{
+    .name = "la",
+    .type = ParameterType::number,
+    .presence = Presence::required,
+    .carries = Carries::value,
+    .unit = "mm",
+    .minimum = 0,
+    .maximum = interruption_mm_max,
+    .help =
+        "equivalent dwell path L_A: the axes rest as long as it would take at the feed; 0 ends "
+        "the interruption"};
 
 constexpr Parameter real_path{.name = "lb",
                               .type = ParameterType::number,
@@ -25,7 +26,7 @@ constexpr Parameter real_path{.name = "lb",
                               .unit = "mm",
                               .minimum = 0,
                               .maximum = interruption_mm_max,
-                              .help = "path at feed L_B from one rest to the next"};
+                              .help = "path L_B at feed from one rest to the next"};
 
 constexpr auto automatic_laws = std::to_array<std::string_view>({"modulated", "linear"});
 
@@ -48,7 +49,7 @@ constexpr Parameter force_action{
     .spelling = Spelling::positional,
     .carries = Carries::number,
     .choices = force_actions,
-    .help = "on: with the force given, or ordered last; set: change one value"};
+    .help = "on: control to the force given, or to the last one; set: change one value"};
 
 constexpr auto force_quantities =
     std::to_array<std::string_view>({"force", "level", "mass", "frequency"});
@@ -72,16 +73,16 @@ constexpr Parameter force_value{.name = "value",
                                 .unit = "N, um, kg, Hz",
                                 .minimum = 0,
                                 .maximum = force_value_max,
-                                .help = "of the quantity; above 0"};
+                                .help = "new value of the quantity; above 0"};
 
 constexpr Parameter allowance{.name = "on",
                               .type = ParameterType::integer,
                               .spelling = Spelling::positional,
                               .minimum = 0,
                               .maximum = 1,
-                              .help = "1 allow, the default; 0 no more"};
+                              .help = "1 (default): allow them; 0: no longer"};
 
-constexpr std::array of_interruption{fictitious_path, real_path, channel};
+constexpr std::array of_interruption{dwell_path, real_path, channel};
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
 constexpr std::array of_force_control{force_action, force_quantity, force_value, channel};
 constexpr std::array of_allowance{allowance};
@@ -105,13 +106,14 @@ constexpr auto process_rows = std::to_array<Method>({
      .effect = Effect::changes,
      .action = "process_automatic",
      .parameters = of_automatic_law,
-     .help = "whether the channel forms a feed law of its own from a sensor"},
+     .help = "automatic feed law: the channel forms the feed from a sensor"},
     {.name = "process.adaptive",
      .role = machine_operator,
      .effect = Effect::changes,
      .action = "process_adaptive",
      .parameters = of_force_control,
-     .help = "adaptive control of the cutting force: on, off, or change one of its values"},
+     .help =
+         "adaptive control of the cutting force: switch it on or off, or change one of its values"},
 
     {.name = "workpiece.status",
      .help = "whether announcements of workpieces are published, and the latest of every channel",
@@ -121,7 +123,8 @@ constexpr auto process_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_allowance,
-     .help = "publish what programs announce with #workpiece, for viewers that follow the cut",
+     .help = "publish the workpieces that programs announce with #workpiece, for viewers that "
+             "follow the cut",
      .result = R"({"allowed":"boolean"})"},
 });
 

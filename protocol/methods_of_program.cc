@@ -16,7 +16,7 @@ constexpr Parameter search_pass{.name = "pass",
                                 .carries = Carries::value,
                                 .minimum = 1,
                                 .maximum = 1e6,
-                                .help = "in a loop, the how-manieth time; default 1"};
+                                .help = "which pass of a loop; default 1"};
 
 constexpr auto calculations = std::to_array<std::string_view>({"with", "without"});
 
@@ -26,7 +26,7 @@ constexpr Parameter search_calculation{
     .carries = Carries::number,
     .choices = calculations,
     .help =
-        "with (default): in the state that the blocks before leave behind; without: in the "
+        "with (default): in the state that the blocks before it would leave; without: in the "
         "default state"};
 
 constexpr Parameter skip_level{.name = "level",
@@ -80,7 +80,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .effect = Effect::begins_motion,
      .action = "program_start",
      .parameters = of_start,
-     .help = "start the loaded program; go on when held",
+     .help = "start the loaded program; continue it when held",
      .result = R"("$end of run")"},
     {.name = "program.hold",
      .role = machine_operator,
@@ -88,13 +88,13 @@ constexpr auto program_rows = std::to_array<Method>({
      .reach = Reach::every_channel,
      .action = "program_hold",
      .parameters = of_channel,
-     .help = "feed hold along the path"},
+     .help = "feed hold: come to rest along the path"},
     {.name = "program.resume",
      .role = machine_operator,
      .effect = Effect::begins_motion,
      .action = "program_resume",
      .parameters = of_channel,
-     .help = "go on after a hold"},
+     .help = "continue after a feed hold"},
     {.name = "program.stop",
      .role = machine_operator,
      .effect = Effect::stops,
@@ -108,13 +108,13 @@ constexpr auto program_rows = std::to_array<Method>({
      .reach = Reach::every_channel,
      .action = "program_reset",
      .parameters = of_channel,
-     .help = "end the program and clear the channel's alarms"},
+     .help = "end the program and clear the alarms of the channel"},
     {.name = "program.optional_stop",
      .role = machine_operator,
      .effect = Effect::changes,
      .action = "optional_stop",
      .parameters = of_switch,
-     .help = "whether M1 stops the program"},
+     .help = "optional stop: whether M1 stops the program"},
     {.name = "program.step",
      .role = machine_operator,
      .effect = Effect::changes,
@@ -148,8 +148,8 @@ constexpr auto program_rows = std::to_array<Method>({
      .course = Course::reads_program,
      .action = "program_search",
      .parameters = of_search,
-     .help =
-         "where the loaded program begins when it is started; tells what lies before that block",
+     .help = "block search: the loaded program begins at this block when it is started; answers "
+             "what lies before it",
      .result = R"({"target":"string","calculated":"boolean"})"},
 
     {.name = "override.feed",

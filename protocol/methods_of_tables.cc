@@ -25,7 +25,7 @@ constexpr Parameter tool_value{.name = "key",
                                .spelling = Spelling::positional,
                                .carries = Carries::text,
                                .choices = tool_value_choices,
-                               .help = "which value of it"};
+                               .help = "which value of the tool"};
 
 constexpr Parameter table_value{.name = "value",
                                 .type = ParameterType::number,
@@ -35,7 +35,7 @@ constexpr Parameter table_value{.name = "value",
                                 .unit = "mm, deg",
                                 .minimum = -velocity_limit,
                                 .maximum = velocity_limit,
-                                .help = "its new value"};
+                                .help = "new value"};
 
 constexpr Parameter tool_edge{.name = "edge",
                               .type = ParameterType::integer,
@@ -81,7 +81,7 @@ constexpr auto tables_rows = std::to_array<Method>({
     {.name = "tool.list", .help = "tool table", .result = R"({"tools":["$tool"]})"},
     {.name = "tool.get",
      .parameters = of_tool,
-     .help = "one edge of a tool",
+     .help = "values of one edge of a tool",
      .result = R"("$tool")"},
     {.name = "tool.set",
      .role = machine_operator,
@@ -96,7 +96,7 @@ constexpr auto tables_rows = std::to_array<Method>({
      .help = "set the tools and work offsets that a text names; not while a program runs",
      .result = R"({"values":"integer"})"},
     {.name = "tool.save",
-     .help = "tools and work offsets as a text that tool load takes",
+     .help = "print tools and work offsets as a text that tool load takes",
      .result = R"({"tables":"string"})"},
 
     {.name = "offset.list",

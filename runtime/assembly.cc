@@ -94,8 +94,8 @@ struct Assembly::Parts {
     }
   }
 
-  // Of a machine that is on from the first cycle the axes know where they are; what is a spindle
-  // still has its reference to find.
+  // The axes of a machine that is on from the first cycle know where they are; what is a spindle
+  // still has to find its index pulse.
   [[nodiscard]] std::vector<plant::SimulatedDriveConfig> drives_at_start() const {
     std::vector<plant::SimulatedDriveConfig> drives = plant::drives_on_bus(options.file);
     if (!options.machine.on_at_start) return drives;
@@ -126,7 +126,7 @@ struct Assembly::Parts {
     }
   }
 
-  // Of an axis of the machine: as its drive tells, or as it was set last.
+  // The position of an axis of the machine: as its drive tells, or as it was set last.
   [[nodiscard]] double position_of(int axis) const RT_SAFE {
     const auto k = static_cast<std::size_t>(axis);
     if (bus) return raw_feedback[k].position;
@@ -181,7 +181,7 @@ struct Assembly::Parts {
     }
   }
 
-  // Of the spindles that have a drive on the bus, their own or that of their axis.
+  // Reads the spindles that have a drive on the bus, their own or that of their axis.
   std::span<const channels::SpindleSensors> read_sensors() RT_SAFE {
     for (std::size_t s = 0; s < sensors.size(); ++s) {
       sensors[s] = {};

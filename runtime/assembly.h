@@ -24,7 +24,7 @@
 namespace stanok::runtime {
 
 enum class DriveChoice {
-  ideal,      // set-points only; every axis is where it should be
+  ideal,      // setpoints only; every axis is where it should be
   simulated,  // simulated drives on the clock of the cycle: repeatable to the bit
   embedded,   // simulated drives behind a real Modbus TCP server on loopback
   real,       // the bus of the machine file

@@ -8,7 +8,7 @@
 
 namespace stanok::runtime {
 
-// Set-points of all axes of the machine, in their order, M. An axis of several channels is where
+// Setpoints of all axes of the machine, in their order, M. An axis of several channels is where
 // the channel has it that moves it now; an axis of none is at its start.
 [[nodiscard]] std::vector<double> positions_of_axes(const channels::MachineConfig& machine,
                                                     const channels::CycleOutput& output);

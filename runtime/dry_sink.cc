@@ -69,9 +69,9 @@ void DrySink::estimate_law(const motion::PathBlock& block) {
 
 void DrySink::take_segment(const motion::PathBuilder::Built& built) {
   if (feed_warning_) return;
-  feed_warning_ = channels::feed_above_limit(built.piece, motion_);
+  feed_warning_ = channels::feed_above_limit(built.segment, motion_);
   if (feed_warning_)
-    lang::put_at_block(*program_, {built.piece.tag.file, built.piece.tag.line}, *feed_warning_);
+    lang::put_at_block(*program_, {built.segment.tag.file, built.segment.tag.line}, *feed_warning_);
 }
 
 }  // namespace stanok::runtime

@@ -47,7 +47,7 @@ class DrySink final : public channels::FeedSink {
                    std::span<const motion::PathBlock> blocks) override;
   void take_segment(const motion::PathBuilder::Built& built) override;
 
-  // Of feeds above what the axes allow, once a program.
+  // The warning of feeds above what the axes allow, once a program.
   [[nodiscard]] const std::optional<Diagnostic>& feed_warning() const { return feed_warning_; }
   // In their order; of a run to the depth `path`.
   [[nodiscard]] std::vector<LawBlock> take_laws() { return std::move(laws_); }

@@ -2,7 +2,7 @@
 // virtual clock, in the background.
 //
 // After a program was loaded the whole machine is simulated with it, with ideal drives, the tables
-// and the places of the axes at hand, overrides at 100 %, program stops passed over. One thread, of
+// and the present places of the axes, overrides at 100 %, program stops passed over. One thread, of
 // the idle scheduling class; a simulation is given up after `wall_max`. Any thread may ask.
 #pragma once
 
@@ -54,7 +54,7 @@ class Timeline {
 
 struct Outlook {
   std::optional<double> predicted_s;              // of the program that was loaded
-  std::optional<double> remaining_s;              // of the run at hand
+  std::optional<double> remaining_s;              // of the current run
   std::optional<channels::AlarmReport> foreseen;  // the first alarm that it would raise
 };
 

@@ -35,7 +35,7 @@ class OutputBook {
     channels::Event event;
     event.cycle = cycle;
     event.code = FixedText<8>("W720");
-    event.text = FixedText<240>("set-points of cycle ");
+    event.text = FixedText<240>("setpoints of cycle ");
     event.text.append(static_cast<long>(cycle))
         .append(
             " and of some behind it are missing in the recording: the recorder fell behind; "

@@ -1,4 +1,4 @@
-// ProcessPlant: the cut of a simulated machine, between its set-points and its sensors.
+// ProcessPlant: the cut of a simulated machine, between its setpoints and its sensors.
 //
 // Follows tool and master spindle of the channel of [simulation.cutting], and gives the power and
 // the vibration that its sensors would: with ideal drives as values sampled and held, else as the
@@ -26,7 +26,7 @@ class ProcessPlant {
   // One cycle on.
   void advance(const channels::CycleOutput& output) RT_SAFE;
 
-  // Of all spindles of the machine, the idle power included.
+  // The sensors of all spindles of the machine; their power includes the idle power.
   [[nodiscard]] std::span<const channels::SpindleSensors> sensors() const RT_SAFE {
     return sensors_;
   }

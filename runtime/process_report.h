@@ -2,7 +2,7 @@
 //
 // The force is that of the simulated cut, or, where recorded sensors stand for it, the one that the
 // control estimates. A disturbance is a step of depth or hardness within the cut that stays for a
-// revolution or more; it has settled when the force is within 2 % of its set-point for good.
+// revolution or more; it has settled when the force is within 2 % of its setpoint for good.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ class ProcessReport {
   [[nodiscard]] bool has_any() const { return has_any_; }
   // Greatest error of the mean force in a section after it has settled.
   [[nodiscard]] double force_error_steady_max() const { return steady_error_max_; }
-  // Farthest that the force went beyond its set-point on the way back to it.
+  // Farthest that the force went beyond its setpoint on the way back to it.
   [[nodiscard]] double overshoot_return_max() const { return overshoot_max_; }
   [[nodiscard]] const std::vector<double>& settling_s() const { return settling_s_; }
 

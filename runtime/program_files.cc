@@ -38,15 +38,16 @@ std::string lower(std::string_view text) {
 
 // Why a name may not be used, or an empty text.
 std::string fault_of(std::string_view name) {
-  if (name.empty()) return "a file name is empty";
-  if (name.front() == '/') return "a file name must be relative";
-  if (name.find('\\') != std::string_view::npos) return "a file name uses / and never \\";
-  if (name.size() > 1 && name[1] == ':') return "a file name must not name a drive";
+  if (name.empty()) return "the file name is empty";
+  if (name.front() == '/') return "the file name must be relative";
+  if (name.find('\\') != std::string_view::npos) return "the file name must use / and not \\";
+  if (name.size() > 1 && name[1] == ':') return "the file name must not name a drive";
   for (const char c : name) {
-    if (static_cast<unsigned char>(c) < ' ') return "a file name must not hold control characters";
+    if (static_cast<unsigned char>(c) < ' ')
+      return "the file name must not hold control characters";
   }
   for (const fs::path& part : fs::path(name)) {
-    if (part == "..") return "a file name must not contain ..";
+    if (part == "..") return "the file name must not contain ..";
   }
   return "";
 }
@@ -163,7 +164,8 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
     if (help.empty()) help = similar_name(folder, name);
   }
   if (help.empty()) help = "check the name and the program root";
-  return Unexpected<Diagnostic>(diagnostic("E7001", "file not found: " + std::string(name), help));
+  return Unexpected<Diagnostic>(
+      diagnostic("E7001", "the file was not found: " + std::string(name), help));
 }
 
 }  // namespace stanok::runtime

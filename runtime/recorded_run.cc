@@ -148,7 +148,7 @@ Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> RecordedFiles::rea
   if (!answer.found || text == texts_.end()) {
     Diagnostic fault;
     fault.code = "E7001";
-    fault.message = "file not found: " + std::string(name);
+    fault.message = "the file was not found: " + std::string(name);
     return Unexpected<Diagnostic>(std::move(fault));
   }
   auto source = std::make_shared<lang::SourceText>();

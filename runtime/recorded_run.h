@@ -61,15 +61,15 @@ struct RecordedRun {
   std::vector<channels::InputRecord> inputs;  // ascending cycles, like the others
   std::vector<Feedback> feedback;
   std::vector<Arrival> arrivals;
-  std::optional<std::int64_t> first_cycle;  // with a set-point
+  std::optional<std::int64_t> first_cycle;  // with a setpoint
   std::optional<std::int64_t> lost_cycle;   // from this one on inputs are missing
 };
 
 // Where the part of a log ends whose bytes are as they were written; of one without checks its end.
 [[nodiscard]] std::int64_t usable_bytes(const recording::LogContents& contents);
 
-// Of the usable bytes. Throws std::runtime_error when the log cannot be read, or lacks what a run
-// begins with.
+// Reads the usable bytes. Throws std::runtime_error when the log cannot be read, or lacks what a
+// run begins with.
 [[nodiscard]] std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log);
 
 }  // namespace stanok::runtime

@@ -33,7 +33,7 @@ bool same_bits(double one, double other) {
   return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
 }
 
-// Compares one set-point, field by field.
+// Compares one setpoint, field by field.
 class Comparison {
  public:
   Comparison(const setpoint_t& recorded, const setpoint_t& repeated,
@@ -269,11 +269,11 @@ void remark_on_bytes(const recording::LogContents& contents, ReplayResult& resul
   if (!coverage.has_checks) {
     result.remarks.emplace_back(
         "recorded without check sums, as by stanok 0.1.0: only what is compared is covered, "
-        "set-points and through them the inputs; other bytes of the log may have changed "
+        "setpoints and through them the inputs; other bytes of the log may have changed "
         "unnoticed");
   }
   if (coverage.end == recording::LogEnd::next_piece)
-    result.remarks.emplace_back("the recording goes on in its next piece, which is not verified");
+    result.remarks.emplace_back("the recording goes on in its next file, which is not verified");
 }
 
 void remark_on(const RecordedRun& run, ReplayResult& result) {
@@ -304,7 +304,7 @@ void remark_on_end(const RecordedRun& run, ReplayResult& result) {
   }
 }
 
-// The set-points of the log, one by one, each against that of its cycle.
+// The setpoints of the log, one by one, each against that of its cycle.
 class Verification {
  public:
   Verification(RecordedRun& run, const std::function<void(double)>& progress)
@@ -321,7 +321,7 @@ class Verification {
       if (!recorded) continue;
       if (run_.lost_cycle && recorded->cycle >= *run_.lost_cycle)
         return end_at_loss("inputs", *run_.lost_cycle, result);
-      if (recorded->cycle > cycle_ + 1) return end_at_loss("set-points", cycle_ + 1, result);
+      if (recorded->cycle > cycle_ + 1) return end_at_loss("setpoints", cycle_ + 1, result);
       if (recorded->cycle > cycle_) advance(result, reader->bytes_read());
       compare(*recorded, result);
       if (result.difference) return;
@@ -351,7 +351,7 @@ class Verification {
     const channels::ChannelOutput* channel = channel_of(*output_, recorded.channel);
     if (channel == nullptr)
       throw std::runtime_error(
-          "the log has set-points of a channel that its "
+          "the log has setpoints of a channel that its "
           "machine does not have");
     const setpoint_t repeated = recording::to_setpoint(
         *channel, {.utime = recorded.utime, .cycle = recorded.cycle, .seq = recorded.seq});

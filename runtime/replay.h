@@ -1,4 +1,4 @@
-// Replay: a recorded run once more, from its inputs, on the virtual clock; every set-point is
+// Replay: a recorded run once more, from its inputs, on the virtual clock; every setpoint is
 // compared with the recorded one, bit for bit, and every byte with its check sum
 // (docs/operator/replay.md).
 //
@@ -15,7 +15,7 @@
 
 namespace stanok::runtime {
 
-// The first set-point that came out otherwise.
+// The first setpoint that came out otherwise.
 struct SetpointDifference {
   std::int64_t cycle = 0;
   int channel = 0;
@@ -32,7 +32,7 @@ struct ReplayResult {
   std::optional<std::int64_t> lost_cycle;  // W720: from this one on it cannot be repeated
   bool is_damaged = false;                 // bytes are not as they were written
   bool is_cut = false;                     // it ends within an event or without its trailer
-  bool has_checks = false;                 // every byte is covered; else the set-points only
+  bool has_checks = false;                 // every byte is covered; else the setpoints only
   std::vector<std::string> remarks;        // another build, damage, where the log ends
 
   // The log has neither damage nor a gap, and its end.

@@ -134,7 +134,7 @@ class Simulation {
     hand_on();
   }
 
-  // Of the first channel that has force control.
+  // Reports the first channel that has force control.
   void report_process() {
     const auto begin = output_->channels.begin();
     const auto end = begin + output_->channel_count;
@@ -150,7 +150,7 @@ class Simulation {
     }
   }
 
-  // Of the latest row at the cycle to come; those of the drives where there are no rows.
+  // The values of the latest row at the cycle to come; those of the drives where there are no rows.
   std::span<const channels::SpindleSensors> sensors_now() {
     const double t = static_cast<double>(output_->cycle + 1) * result_.cycle_s;
     while (next_sensors_ < options_.sensors.size() && options_.sensors[next_sensors_].t <= t)

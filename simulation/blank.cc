@@ -42,7 +42,8 @@ BlankRefusal too_fine(const Blank& blank, double bytes, std::uint64_t memory_max
 
 Expected<Grid, BlankRefusal> grid_of(const Blank& blank, std::uint64_t memory_max) {
   if (!is_solid(blank)) {
-    return Unexpected(BlankRefusal{"E9202", "the sizes of the blank are no box and no cylinder"});
+    return Unexpected(
+        BlankRefusal{"E9202", "the sizes of the blank make neither a box nor a cylinder"});
   }
   if (!(blank.resolution > 0.0)) {
     return Unexpected(BlankRefusal{"E9202", "the resolution of the blank is not above 0 mm"});

@@ -14,10 +14,10 @@ struct Row {
 
 // In the order of FindingKind.
 constexpr std::array<Row, 4> rows{{
-    {"W921", "rapid traverse through material"},
-    {"W922", "the shank of the tool in the material"},
-    {"W923", "the holder in the material"},
-    {"W924", "a cut while the spindle stands"},
+    {"W921", "a rapid traverse goes through material"},
+    {"W922", "the shank of the tool is in the material"},
+    {"W923", "the holder of the tool is in the material"},
+    {"W924", "the tool cuts while the spindle stands"},
 }};
 
 }  // namespace
@@ -42,7 +42,7 @@ void CuttingReport::add_finding(const Finding& finding) {
   findings_.push_back(finding);
 }
 
-// What belongs to a block comes while it is at hand, or a few blocks later.
+// What belongs to a block comes while it is the current one, or a few blocks later.
 BlockRemoval& CuttingReport::block_of(const Origin& origin) {
   constexpr std::size_t latest = 128;
   const std::size_t oldest = blocks_.size() > latest ? blocks_.size() - latest : 0;

@@ -29,7 +29,7 @@ enum class FindingKind : std::uint8_t {
 
 // "W921" ..., a row of the catalogue each.
 [[nodiscard]] std::string_view code_of(FindingKind kind);
-// For people: "rapid traverse through material".
+// For people: "a rapid traverse goes through material".
 [[nodiscard]] std::string_view text_of(FindingKind kind);
 
 // One for each kind and block.

@@ -39,7 +39,7 @@ class Material {
   [[nodiscard]] const RayFamily& family(int axis) const {
     return families_[static_cast<std::size_t>(axis)];
   }
-  // Of a ray along `axis` with these indices along the axes behind it, in cyclic order.
+  // The number of a ray along `axis` with these indices along the axes behind it, in cyclic order.
   [[nodiscard]] std::size_t ray(int axis, int first, int second) const {
     const int across = grid_.count[static_cast<std::size_t>((axis + 1) % 3)];
     return static_cast<std::size_t>(second) * static_cast<std::size_t>(across) +

@@ -38,20 +38,20 @@ void visit_covered(const Material& material, const Body& body, const ToolPlace& 
   }
 }
 
-// The longest step across the axis behind which a piece leaves no more than `tolerance` over what
+// The longest step across the axis behind which a segment leaves no more than `tolerance` over what
 // it sweeps. Between two circles of radius w that are d apart, w - √(w² - d²/4) stays, of which a
 // flank that leans by λ has the part cos λ across it; where d is wider than the circles, d/2 stays.
-double step_across(const ProfilePiece& piece, double tolerance) {
-  if (piece.c2 < 0.0) return std::sqrt(8.0 * piece.sphere_radius() * tolerance);
-  const double radius = std::min(piece.radius_at(piece.from), piece.radius_at(piece.to));
-  const double gap = tolerance * std::sqrt(1.0 + piece.c2);  // c2 of a cone: tan² λ
+double step_across(const ProfileSegment& segment, double tolerance) {
+  if (segment.c2 < 0.0) return std::sqrt(8.0 * segment.sphere_radius() * tolerance);
+  const double radius = std::min(segment.radius_at(segment.from), segment.radius_at(segment.to));
+  const double gap = tolerance * std::sqrt(1.0 + segment.c2);  // c2 of a cone: tan² λ
   return gap >= radius ? 2.0 * gap : 2.0 * std::sqrt(gap * (2.0 * radius - gap));
 }
 
 double step_across(const Body& body, double tolerance) {
   double step = std::numeric_limits<double>::infinity();
-  for (const ProfilePiece& piece : body.pieces)
-    step = std::min(step, step_across(piece, tolerance));
+  for (const ProfileSegment& segment : body.segments)
+    step = std::min(step, step_across(segment, tolerance));
   return step;
 }
 
@@ -77,7 +77,7 @@ double remove(Material& material, const Body& body, const ToolPlace& place) {
 }
 
 double covered(const Material& material, const Body& body, const ToolPlace& place) {
-  if (body.pieces.empty()) return 0.0;
+  if (body.segments.empty()) return 0.0;
   const Bounds bounds = bounds_of(body, place);
   if (!bounds.meets(material.bounds())) return 0.0;
   double volume = 0.0;

@@ -22,7 +22,8 @@ struct Mesh {
   std::vector<Triangle> triangles;  // counter-clockwise from outside
 
   [[nodiscard]] double volume() const;  // mm³
-  // Of the pyramid over the triangle with its top in the origin; below 0 when seen from inside.
+  // The volume of the pyramid over the triangle, its top in the origin; below 0 when seen from
+  // inside.
   [[nodiscard]] double volume_under(const Triangle& triangle) const;
 };
 

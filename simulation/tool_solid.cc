@@ -14,22 +14,22 @@ constexpr double parallel = 1e-9;
 constexpr double infinite = 1e30;
 constexpr double flute_default = 8.0;  // radii, where the table gives no length at all
 
-ProfilePiece cylinder(double from, double to, double radius) {
+ProfileSegment cylinder(double from, double to, double radius) {
   return {from, to, radius * radius, 0.0, 0.0};
 }
 
-ProfilePiece cone(double from, double to, double radius_from, double radius_to) {
+ProfileSegment cone(double from, double to, double radius_from, double radius_to) {
   const double slope = (radius_to - radius_from) / (to - from);
   const double apex = radius_from - slope * from;  // radius at the height of the tip
   return {from, to, apex * apex, 2.0 * apex * slope, slope * slope};
 }
 
-ProfilePiece sphere(double from, double to, double centre, double radius) {
+ProfileSegment sphere(double from, double to, double centre, double radius) {
   return {from, to, radius * radius - centre * centre, 2.0 * centre, -1.0};
 }
 
 // A part of a torus as cones between its points: from the face at `inner` on, over `angle_to`.
-void add_rounding(std::vector<ProfilePiece>& pieces, double bottom, double inner, double radius,
+void add_rounding(std::vector<ProfileSegment>& segments, double bottom, double inner, double radius,
                   double angle_to, double deviation) {
   const double chord = 2.0 * std::acos(std::max(0.5, 1.0 - deviation / radius));
   const int count = std::max(2, static_cast<int>(std::ceil(angle_to / chord)));
@@ -38,7 +38,7 @@ void add_rounding(std::vector<ProfilePiece>& pieces, double bottom, double inner
   };
   const auto out = [&](int i) { return inner + radius * std::sin(angle_to * i / count); };
   for (int i = 0; i < count; ++i)
-    pieces.push_back(cone(height(i), height(i + 1), out(i), out(i + 1)));
+    segments.push_back(cone(height(i), height(i + 1), out(i), out(i + 1)));
 }
 
 // What there is of the tool above its cutting part.
@@ -60,71 +60,71 @@ Heights heights_of(const ToolShape& tool) {
   return heights;
 }
 
-std::vector<ProfilePiece> taper(const ToolShape& tool, double top, double deviation) {
-  std::vector<ProfilePiece> pieces;
+std::vector<ProfileSegment> taper(const ToolShape& tool, double top, double deviation) {
+  std::vector<ProfileSegment> segments;
   const double angle = tool.taper_angle * rad_per_deg;
   const double corner = std::min(tool.corner_radius, tool.radius);
   double bottom = 0.0;
   double radius = tool.radius;
   if (corner > 0.0) {
     const double turn = std::numbers::pi / 2.0 - angle;
-    add_rounding(pieces, 0.0, tool.radius - corner, corner, turn, deviation);
-    bottom = pieces.back().to;
+    add_rounding(segments, 0.0, tool.radius - corner, corner, turn, deviation);
+    bottom = segments.back().to;
     radius = tool.radius - corner + corner * std::sin(turn);
   }
   if (top > bottom)
-    pieces.push_back(cone(bottom, top, radius, radius + (top - bottom) * std::tan(angle)));
-  return pieces;
+    segments.push_back(cone(bottom, top, radius, radius + (top - bottom) * std::tan(angle)));
+  return segments;
 }
 
-std::vector<ProfilePiece> cutting_profile(const ToolShape& tool, double top, double deviation) {
-  std::vector<ProfilePiece> pieces;
+std::vector<ProfileSegment> cutting_profile(const ToolShape& tool, double top, double deviation) {
+  std::vector<ProfileSegment> segments;
   const double r = tool.radius;
   double bottom = 0.0;
   const bool is_ball = tool.kind == ToolKind::ball ||
                        (tool.kind == ToolKind::bull && tool.corner_radius >= tool.radius);
   if (is_ball) {
     bottom = std::min(r, top);
-    pieces.push_back(sphere(0.0, bottom, r, r));
+    segments.push_back(sphere(0.0, bottom, r, r));
   } else if (tool.kind == ToolKind::bull && tool.corner_radius > 0.0) {
-    add_rounding(pieces, 0.0, r - tool.corner_radius, tool.corner_radius, std::numbers::pi / 2.0,
+    add_rounding(segments, 0.0, r - tool.corner_radius, tool.corner_radius, std::numbers::pi / 2.0,
                  deviation);
     bottom = tool.corner_radius;
   } else if (tool.kind == ToolKind::drill) {
     const double point = tool.point_angle > 0.0 ? tool.point_angle : point_angle_default;
     bottom = r / std::tan(point / 2.0 * rad_per_deg);
-    if (bottom > 0.0) pieces.push_back(cone(0.0, bottom, 0.0, r));
+    if (bottom > 0.0) segments.push_back(cone(0.0, bottom, 0.0, r));
   } else if (tool.kind == ToolKind::taper) {
     return taper(tool, top, deviation);
   }
-  if (top > bottom) pieces.push_back(cylinder(bottom, top, r));
-  return pieces;
+  if (top > bottom) segments.push_back(cylinder(bottom, top, r));
+  return segments;
 }
 
-double radius_max(const ProfilePiece& piece) {
-  if (piece.c2 < 0.0) return piece.sphere_radius();
-  return std::max(piece.radius_at(piece.from), piece.radius_at(piece.to));
+double radius_max(const ProfileSegment& segment) {
+  if (segment.c2 < 0.0) return segment.sphere_radius();
+  return std::max(segment.radius_at(segment.from), segment.radius_at(segment.to));
 }
 
 // A ball stays a ball about the same centre.
-ProfilePiece shrunk_sphere(const ProfilePiece& piece, double bottom, double by) {
-  const double centre = piece.c1 / 2.0;
-  return sphere(bottom, piece.to, centre, std::sqrt(piece.c0 + centre * centre) - by);
+ProfileSegment shrunk_sphere(const ProfileSegment& segment, double bottom, double by) {
+  const double centre = segment.c1 / 2.0;
+  return sphere(bottom, segment.to, centre, std::sqrt(segment.c0 + centre * centre) - by);
 }
 
 // Set back by `by`: thinner all over, and shorter at both ends.
-std::vector<ProfilePiece> shrunk_profile(const std::vector<ProfilePiece>& pieces, double by) {
-  const double bottom = pieces.front().from + by;
-  const double top = pieces.back().to - by;
-  std::vector<ProfilePiece> shrunk;
-  for (const ProfilePiece& piece : pieces) {
-    const double from = std::max(piece.from, bottom);
-    const double to = std::min(piece.to, top);
-    const double radius_from = piece.radius_at(from - by) - by;
-    const double radius_to = piece.radius_at(to - by) - by;
+std::vector<ProfileSegment> shrunk_profile(const std::vector<ProfileSegment>& segments, double by) {
+  const double bottom = segments.front().from + by;
+  const double top = segments.back().to - by;
+  std::vector<ProfileSegment> shrunk;
+  for (const ProfileSegment& segment : segments) {
+    const double from = std::max(segment.from, bottom);
+    const double to = std::min(segment.to, top);
+    const double radius_from = segment.radius_at(from - by) - by;
+    const double radius_to = segment.radius_at(to - by) - by;
     if (to - from <= parallel) continue;
-    if (piece.c2 < 0.0 && radius_max(piece) > by) {
-      shrunk.push_back(shrunk_sphere(piece, from, by));
+    if (segment.c2 < 0.0 && radius_max(segment) > by) {
+      shrunk.push_back(shrunk_sphere(segment, from, by));
     } else if (radius_to > 0.0) {
       shrunk.push_back(cone(from, to, std::max(0.0, radius_from), radius_to));
     }
@@ -132,9 +132,9 @@ std::vector<ProfilePiece> shrunk_profile(const std::vector<ProfilePiece>& pieces
   return shrunk;
 }
 
-void add_body(ToolSolid& solid, Part part, std::vector<ProfilePiece> pieces, double shrunk) {
-  if (shrunk > 0.0 && !pieces.empty()) pieces = shrunk_profile(pieces, shrunk);
-  solid.bodies.push_back({part, std::move(pieces)});
+void add_body(ToolSolid& solid, Part part, std::vector<ProfileSegment> segments, double shrunk) {
+  if (shrunk > 0.0 && !segments.empty()) segments = shrunk_profile(segments, shrunk);
+  solid.bodies.push_back({part, std::move(segments)});
 }
 
 // Leaves of [low, high] what has A x² + 2 B x + C <= 0; false when that is nothing. Inside of both
@@ -168,21 +168,22 @@ bool narrow(double A, double inverse_A, double B, double C, double& low, double&
 
 }  // namespace
 
-double ProfilePiece::radius_at(double height) const {
+double ProfileSegment::radius_at(double height) const {
   const double a = std::clamp(height, from, to);
   return std::sqrt(std::max(0.0, c0 + a * (c1 + a * c2)));
 }
 
-double ProfilePiece::sphere_radius() const {
+double ProfileSegment::sphere_radius() const {
   return std::sqrt(c0 + c1 * c1 / 4.0);
 }
 
 ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk) {
   const Heights heights = heights_of(tool);
   ToolSolid solid;
-  std::vector<ProfilePiece> cutting = cutting_profile(tool, heights.flute, deviation);
-  for (const ProfilePiece& piece : cutting)
-    solid.radius = std::max({solid.radius, piece.radius_at(piece.from), piece.radius_at(piece.to)});
+  std::vector<ProfileSegment> cutting = cutting_profile(tool, heights.flute, deviation);
+  for (const ProfileSegment& segment : cutting)
+    solid.radius =
+        std::max({solid.radius, segment.radius_at(segment.from), segment.radius_at(segment.to)});
   if (tool.kind == ToolKind::ball) solid.edge_radius = tool.radius;
   if (tool.kind == ToolKind::bull) solid.edge_radius = std::min(tool.corner_radius, tool.radius);
   add_body(solid, Part::cutting, std::move(cutting), shrunk);
@@ -199,9 +200,9 @@ ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk) {
 Bounds bounds_of(const Body& body, const ToolPlace& place) {
   Bounds bounds{Vector::Constant(1e300), Vector::Constant(-1e300)};
   const Vector across = (Vector::Ones() - place.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
-  for (const ProfilePiece& piece : body.pieces) {
-    const double radius = radius_max(piece);
-    for (const double height : {piece.from, piece.to}) {
+  for (const ProfileSegment& segment : body.segments) {
+    const double radius = radius_max(segment);
+    for (const double height : {segment.from, segment.to}) {
       const Vector centre = place.at(height);
       bounds.low = bounds.low.cwiseMin(centre - radius * across);
       bounds.high = bounds.high.cwiseMax(centre + radius * across);
@@ -218,12 +219,12 @@ BodySection::BodySection(const Body& body, const ToolPlace& place, int axis)
   }
   const double slope = axis_.x();
   if (std::abs(slope) > parallel) inverse_slope_ = 1.0 / slope;
-  cuts_.reserve(body.pieces.size());
-  for (const ProfilePiece& piece : body.pieces) {
-    const double k = 1.0 + piece.c2;
+  cuts_.reserve(body.segments.size());
+  for (const ProfileSegment& segment : body.segments) {
+    const double k = 1.0 + segment.c2;
     const double A = 1.0 - k * slope * slope;
-    cuts_.push_back({piece, k, A, std::abs(A) > parallel ? 1.0 / A : 0.0});
-    radius_ = std::max(radius_, radius_max(piece));
+    cuts_.push_back({segment, k, A, std::abs(A) > parallel ? 1.0 / A : 0.0});
+    radius_ = std::max(radius_, radius_max(segment));
   }
 }
 
@@ -259,18 +260,18 @@ bool BodySection::meet(double first, double second, double& from, double& to) co
   const double p0 = y * y + z * z;
   bool met = false;
   for (const Cut& cut : cuts_) {
-    const ProfilePiece& piece = cut.piece;
+    const ProfileSegment& segment = cut.segment;
     double low = -infinite;
     double high = infinite;
     if (inverse_slope_ != 0.0) {
-      low = (piece.from - a0) * inverse_slope_;
-      high = (piece.to - a0) * inverse_slope_;
+      low = (segment.from - a0) * inverse_slope_;
+      high = (segment.to - a0) * inverse_slope_;
       if (low > high) std::swap(low, high);
-    } else if (a0 < piece.from || a0 > piece.to) {
+    } else if (a0 < segment.from || a0 > segment.to) {
       continue;
     }
-    const double B = -cut.k * a0 * a1 - piece.c1 * a1 / 2.0;
-    const double C = p0 - cut.k * a0 * a0 - piece.c1 * a0 - piece.c0;
+    const double B = -cut.k * a0 * a1 - segment.c1 * a1 / 2.0;
+    const double C = p0 - cut.k * a0 * a0 - segment.c1 * a0 - segment.c0;
     if (!narrow(cut.A, cut.inverse_A, B, C, low, high)) continue;
     from = met ? std::min(from, low) : low;
     to = met ? std::max(to, high) : high;

@@ -1,10 +1,10 @@
 // A rotating tool as convex solids of revolution, and where a straight line runs through them.
 //
-// Every piece of a profile is ρ² <= c0 + c1 a + c2 a² between two heights a over the tip: a
+// Every segment of a profile is ρ² <= c0 + c1 a + c2 a² between two heights a over the tip: a
 // cylinder (c0), a cone (a square), a sphere about a point of the axis (c2 = -1). Along a line the
 // height goes evenly and the distance from the axis as a square root, so that a line meets each
-// piece in the roots of one quadratic. The rounded corner of a bull-nose cutter, a part of a torus,
-// is a chain of cones. Lengths mm.
+// segment in the roots of one quadratic. The rounded corner of a bull-nose cutter, a part of a
+// torus, is a chain of cones. Lengths mm.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ namespace stanok::simulation {
 
 enum class Part : std::uint8_t { cutting, shank, holder };
 
-struct ProfilePiece {
+struct ProfileSegment {
   double from = 0.0;  // height over the tip
   double to = 0.0;
   double c0 = 0.0;
@@ -27,13 +27,13 @@ struct ProfilePiece {
   [[nodiscard]] double sphere_radius() const;  // c2 = -1
 };
 
-// Convex: a line meets it in one interval. Without pieces where nothing is left of it (shrunk).
+// Convex: a line meets it in one interval. Without segments where nothing is left of it (shrunk).
 struct Body {
   Part part = Part::cutting;
-  std::vector<ProfilePiece> pieces;  // ascending
+  std::vector<ProfileSegment> segments;  // ascending
 
-  [[nodiscard]] double bottom() const { return pieces.front().from; }
-  [[nodiscard]] double top() const { return pieces.back().to; }
+  [[nodiscard]] double bottom() const { return segments.front().from; }
+  [[nodiscard]] double top() const { return segments.back().to; }
 };
 
 // Where a tool is in K: its tip, and the unit vector from there to the spindle.
@@ -70,9 +70,9 @@ class BodySection {
   [[nodiscard]] bool row(double second, double& first_from, double& first_to) const;
 
  private:
-  // A piece of the profile, with what a line along the axis makes of it.
+  // A segment of the profile, with what a line along the axis makes of it.
   struct Cut {
-    ProfilePiece piece;
+    ProfileSegment segment;
     double k = 0.0;  // 1 + c2
     double A = 0.0;  // of the square of the way
     double inverse_A = 0.0;

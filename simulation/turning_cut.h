@@ -1,7 +1,7 @@
 // A turning insert on its way along a part that turns: rings that are taken off all round.
 //
 // Plane of the cut: z along the axis of the spindle, x the distance from it. The insert is convex
-// there, and so is what it sweeps on a straight way: the hull of both places. The swept ring is cut
+// there, and so is what it sweeps on a straight path: the hull of both places. The swept ring is cut
 // exactly, up to the polygon that stands for the round nose. Lengths mm.
 #pragma once
 

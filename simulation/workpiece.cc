@@ -6,7 +6,7 @@
 namespace stanok::simulation {
 namespace {
 
-// Of a contact; the cutting part may touch at feed.
+// The finding that a contact makes; the cutting part may touch at feed.
 FindingKind kind_of(Part part) {
   switch (part) {
     case Part::cutting:

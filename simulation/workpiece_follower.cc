@@ -61,7 +61,7 @@ void WorkpieceFollower::announce(const Announcement& announcement, const Sample&
 void WorkpieceFollower::place(const Placement& placement, const Sample& now) {
   flush();
   if (workpiece_ == nullptr) {
-    return complain_once("W926", "no blank is there to be moved", now.origin.line);
+    return complain_once("W926", "there is no blank to be moved", now.origin.line);
   }
   home_ = now.scheme;
   blank_in_base_ = machine_.machine_in(home_, now.axes_M) *
@@ -110,7 +110,7 @@ const WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sam
       record == nullptr ? "the tool table does not have it" : defect_of(record->shape);
   if (record == nullptr || !defect.empty()) {
     if (sample.tool != 0 && !sample.rapid) {
-      complain_once("W925", fmt::format("tool {} is not seen: {}", sample.tool, defect),
+      complain_once("W925", fmt::format("tool {} cannot be seen: {}", sample.tool, defect),
                     sample.origin.line);
     }
     return nullptr;
@@ -136,7 +136,7 @@ bool WorkpieceFollower::continues(const Sample& sample) const {
          latest_->spindle_turns == sample.spindle_turns && latest_->scheme == sample.scheme;
 }
 
-// Of the tool that is ready.
+// Where the tool that is ready is at a sample.
 WorkpieceFollower::Station WorkpieceFollower::station_of(const Sample& sample) const {
   return {place_of(sample, *record_of(sample), tool_->insert.has_value()), sample.time_s,
           sample.origin};
@@ -199,7 +199,7 @@ void WorkpieceFollower::flush() {
   stations_.clear();
 }
 
-// Of the blocks in the motion, by the way of tip and flutes.
+// The shares of the blocks in the motion, by the travel of tip and flutes.
 std::vector<Share> WorkpieceFollower::shares() const {
   std::vector<Share> shares;
   const ToolPlace* before = &begin_->place_K;

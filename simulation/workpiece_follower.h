@@ -1,7 +1,7 @@
 // Follows one channel of a machine, cycle by cycle: turns the readings of its axes into places of
 // the tool over its workpiece, and cuts.
 //
-// Fed by a simulation as it runs, by a log, or by the bus. Samples that lie on a straight way
+// Fed by a simulation as it runs, by a log, or by the bus. Samples that lie on a straight path
 // within a part of the resolution are one motion; blocks that are shorter than the steps of the cut
 // share one. Not for the real-time cycle.
 #pragma once
@@ -68,7 +68,7 @@ class WorkpieceFollower {
   // What was followed so far is cut.
   void flush();
 
-  // Of all announcements, in their order; the last one is being cut.
+  // The workpieces of all announcements, in their order; the last one is being cut.
   [[nodiscard]] const std::vector<std::unique_ptr<Workpiece>>& workpieces() const {
     return workpieces_;
   }

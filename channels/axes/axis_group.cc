@@ -10,12 +10,13 @@ constexpr DriveCommand braked{.enabled = false, .brake_closed = true};
 
 }  // namespace
 
-AxisGroup::AxisGroup(const ChannelFigures& figures) : figures_(figures), owned_(all()) {
+AxisGroup::AxisGroup(const ChannelConstants& constants) : constants_(constants), owned_(all()) {
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    setpoints_[k].position = figures.start[k];
-    setpoints_[k].position_code = motion::position_code(figures.start[k], figures.axes[k].codes);
+    setpoints_[k].position = constants.start[k];
+    setpoints_[k].position_code =
+        motion::position_code(constants.start[k], constants.axes[k].codes);
   }
-  for (const int axis : figures.spindle_axis) {
+  for (const int axis : constants.spindle_axis) {
     if (axis >= 0) spindles_ = static_cast<lang::AxisSet>(spindles_ | 1U << axis);
   }
 }
@@ -104,7 +105,7 @@ void AxisGroup::follow(const motion::JetPoint& axes_M) RT_SAFE {
   for (int axis = 0; axis < count(); ++axis) {
     AxisSetpoint& setpoint = at(axis);
     const kinematics::Jet& jet = axes_M[static_cast<std::size_t>(axis)];
-    const motion::CodeScale& codes = figure(axis).codes;
+    const motion::CodeScale& codes = constants(axis).codes;
     setpoint.velocity_code = motion::velocity_code(setpoint.position, jet.value, codes);
     setpoint.position = jet.value;
     setpoint.velocity = jet.first;
@@ -115,8 +116,8 @@ void AxisGroup::follow(const motion::JetPoint& axes_M) RT_SAFE {
 }
 
 void AxisGroup::turn(int axis, const Spindle& spindle, double speed_before) RT_SAFE {
-  const motion::CodeScale& codes = figure(axis).codes;
-  const double cycle_s = figures_.cycle_s;
+  const motion::CodeScale& codes = constants(axis).codes;
+  const double cycle_s = constants_.cycle_s;
   AxisSetpoint& setpoint = at(axis);
   setpoint = {};
   setpoint.position = spindle.angle_deg();
@@ -130,7 +131,7 @@ void AxisGroup::turn(int axis, const Spindle& spindle, double speed_before) RT_S
 
 void AxisGroup::place(int axis, double position) RT_SAFE {
   at(axis).position = position;
-  at(axis).position_code = motion::position_code(position, figure(axis).codes);
+  at(axis).position_code = motion::position_code(position, constants(axis).codes);
 }
 
 void AxisGroup::show(ChannelOutput& output) const RT_SAFE {

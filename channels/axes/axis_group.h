@@ -1,7 +1,7 @@
-// AxisGroup: what the drives of a channel's axes are told: set-points, power and brakes; and which
+// AxisGroup: what the drives of a channel's axes are told: setpoints, power and brakes; and which
 // of the axes are its own now, and which are spindles.
 //
-// An axis that another channel has keeps its last set-point here, which nobody is shown. Thread:
+// An axis that another channel has keeps its last setpoint here, which nobody is shown. Thread:
 // the real-time cycle. Owner: the channel. Invariant: position_code belongs to position, but for an
 // axis that has just become a spindle or an axis.
 #pragma once
@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/rt_safe.h"
-#include "channels/axes/channel_figures.h"
+#include "channels/axes/channel_constants.h"
 #include "channels/axes/spindle.h"
 #include "channels/contract/output.h"
 #include "lang/contract/environment.h"
@@ -27,21 +27,21 @@ struct YieldedAxis {
 
 class AxisGroup {
  public:
-  // `figures` outlive the group. All axes stand at their start, without power.
-  explicit AxisGroup(const ChannelFigures& figures);
+  // `constants` outlive the group. All axes stand at their start, without power.
+  explicit AxisGroup(const ChannelConstants& constants);
 
-  [[nodiscard]] int count() const RT_SAFE { return figures_.axis_count; }
+  [[nodiscard]] int count() const RT_SAFE { return constants_.axis_count; }
   [[nodiscard]] lang::AxisSet all() const RT_SAFE {
     return static_cast<lang::AxisSet>((1U << count()) - 1U);
   }
-  [[nodiscard]] const FixedText<16>& name(int axis) const RT_SAFE { return figure(axis).name; }
+  [[nodiscard]] const FixedText<16>& name(int axis) const RT_SAFE { return constants(axis).name; }
   [[nodiscard]] int named(std::string_view name) const RT_SAFE;  // -1: none
   [[nodiscard]] int machine_axis(int axis) const RT_SAFE {
-    return figures_.machine_axis[static_cast<std::size_t>(axis)];
+    return constants_.machine_axis[static_cast<std::size_t>(axis)];
   }
   [[nodiscard]] int of_machine_axis(int machine_axis) const RT_SAFE;  // -1: none
-  [[nodiscard]] const AxisFigures& figure(int axis) const RT_SAFE {
-    return figures_.axes[static_cast<std::size_t>(axis)];
+  [[nodiscard]] const AxisConstants& constants(int axis) const RT_SAFE {
+    return constants_.axes[static_cast<std::size_t>(axis)];
   }
 
   [[nodiscard]] bool owns(int axis) const RT_SAFE { return (owned_ >> axis & 1U) != 0; }
@@ -67,7 +67,7 @@ class AxisGroup {
   }
   [[nodiscard]] lang::AxisSet enabled() const RT_SAFE;
 
-  // The set-points of this cycle from the path, or of a spindle that turns.
+  // The setpoints of this cycle from the path, or of a spindle that turns.
   void follow(const motion::JetPoint& axes_M) RT_SAFE;
   void turn(int axis, const Spindle& spindle, double speed_before) RT_SAFE;
   // Stands elsewhere than it was thought to.
@@ -85,7 +85,7 @@ class AxisGroup {
   }
   void command(lang::AxisSet axes, const DriveCommand& drive) RT_SAFE;
 
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   std::array<AxisSetpoint, motion::axes_max> setpoints_{};
   std::array<DriveCommand, motion::axes_max> drives_{};
   lang::AxisSet owned_ = 0;

@@ -33,8 +33,9 @@ AxisHoming::Sight AxisHoming::see(const AxisFeedback& drive, const motion::AxisM
   const bool up = homing_.velocity > 0.0;
   sight.end_ahead = up ? drive.limit_positive : drive.limit_negative;
   sight.end_behind = up ? drive.limit_negative : drive.limit_positive;
-  sight.on_switch = homing_.mark == HomingMark::limit_switch ? sight.end_ahead : drive.home_switch;
-  if (homing_.mark == HomingMark::limit_switch) sight.end_ahead = false;
+  sight.on_switch =
+      homing_.signal == HomingSignal::limit_switch ? sight.end_ahead : drive.home_switch;
+  if (homing_.signal == HomingSignal::limit_switch) sight.end_ahead = false;
   sight.at_rest = move.is_at_rest();
   return sight;
 }
@@ -43,7 +44,7 @@ void AxisHoming::step(const AxisFeedback& drive, const Sight& sight, motion::Axi
     RT_SAFE {
   switch (stage_) {
     case Stage::start:
-      if (homing_.mark == HomingMark::index_alone) {
+      if (homing_.signal == HomingSignal::index_alone) {
         index_count_ = drive.index_count;
         return go(Stage::approach, move);
       }
@@ -56,14 +57,14 @@ void AxisHoming::step(const AxisFeedback& drive, const Sight& sight, motion::Axi
     case Stage::search_back:
       was_on_switch_ = was_on_switch_ || sight.on_switch;
       if (was_on_switch_ && !sight.on_switch) return stop_for(Stage::approach, move);
-      if (sight.end_behind) return fail("no reference switch between the limit switches", move);
+      if (sight.end_behind) return fail("there is no home switch between the limit switches", move);
       break;
     case Stage::leave:
       if (!sight.on_switch) return stop_for(Stage::approach, move);
-      if (sight.end_behind) return fail("the reference switch cannot be left", move);
+      if (sight.end_behind) return fail("the axis cannot leave the home switch", move);
       break;
     case Stage::approach:
-      return look_for_mark(drive, sight, move);
+      return look_for_home(drive, sight, move);
     case Stage::back_off:
       if (!sight.on_switch) return stop_for(Stage::found, move);
       break;
@@ -71,28 +72,32 @@ void AxisHoming::step(const AxisFeedback& drive, const Sight& sight, motion::Axi
     case Stage::failed:
       return;
   }
-  if (sight.at_rest) fail("no reference switch on the whole travel", move);
+  if (sight.at_rest) fail("there is no home switch on the whole travel", move);
 }
 
-void AxisHoming::look_for_mark(const AxisFeedback& drive, const Sight& sight,
+void AxisHoming::look_for_home(const AxisFeedback& drive, const Sight& sight,
                                motion::AxisMove& move) RT_SAFE {
-  const bool needs_switch = homing_.mark != HomingMark::index_alone;
+  const bool needs_switch = homing_.signal != HomingSignal::index_alone;
   // No program starts with an axis on its limit switch.
-  const Stage behind_mark =
-      homing_.mark == HomingMark::limit_switch ? Stage::back_off : Stage::found;
+  const Stage behind_home =
+      homing_.signal == HomingSignal::limit_switch ? Stage::back_off : Stage::found;
   if (needs_switch && !was_on_switch_) {
     if (sight.on_switch) {
       was_on_switch_ = true;
       index_count_ = drive.index_count;
-      mark_ = drive.position;
-      if (!homing_.index) return stop_for(behind_mark, move);
+      home_ = drive.position;
+      if (!homing_.index) return stop_for(behind_home, move);
     }
   } else if (drive.index_count != index_count_) {
-    mark_ = drive.index_position;
-    return stop_for(behind_mark, move);
+    home_ = drive.index_position;
+    return stop_for(behind_home, move);
   }
-  if (sight.end_ahead) return fail("the limit switch comes before the mark", move);
-  if (sight.at_rest) fail(was_on_switch_ ? "no index pulse" : "the mark was not found", move);
+  if (sight.end_ahead)
+    return fail("the axis met the limit switch before the home switch or index pulse", move);
+  if (sight.at_rest)
+    fail(was_on_switch_ || !needs_switch ? "the encoder gave no index pulse"
+                                         : "the axis did not meet the home switch again",
+         move);
 }
 
 void AxisHoming::go(Stage stage, motion::AxisMove& move) RT_SAFE {

@@ -8,22 +8,22 @@
 
 namespace stanok::channels {
 
-AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelFigures& figures,
+AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelConstants& constants,
                        SchemeTable& schemes, AxisGroup& axes, const DriveGuard& drives)
     : config_(config),
-      figures_(figures),
+      constants_(constants),
       schemes_(schemes),
       axes_(axes),
       drives_(drives),
       interpolator_(config),
-      loops_(figures) {
+      loops_(constants) {
   std::array<ManualAxis, motion::axes_max> manual_axes{};
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
-    path_.axes[k] = figures.start[k];
-    manual_axes[k] = figures.axes[k].manual;
+    path_.axes[k] = constants.start[k];
+    manual_axes[k] = constants.axes[k].manual;
   }
-  manual_.set_up({manual_axes.data(), static_cast<std::size_t>(figures.axis_count)},
-                 figures.cycle_s);
+  manual_.set_up({manual_axes.data(), static_cast<std::size_t>(constants.axis_count)},
+                 constants.cycle_s);
   stand_in_scheme();
 }
 
@@ -37,12 +37,12 @@ std::optional<Fault> AxisMotion::advance(motion::PathQueue& queue,
     manual_.advance(drives_.feedback(), path_.axes);
     stand();
   }
-  const auto fault = impossible_step(config_, figures_.cycle_s, axes_, path_.axes, steps);
+  const auto fault = impossible_step(config_, constants_.cycle_s, axes_, path_.axes, steps);
   if (fault) stay_where_commanded(queue);
   axes_.follow(path_.axes);
   if (fault) return fault;
   if (limits == SoftLimits::not_guarded || manual_.is_active()) return std::nullopt;
-  return passed_limit(config_, figures_.cycle_s, axes_, path_.axes);
+  return passed_limit(config_, constants_.cycle_s, axes_, path_.axes);
 }
 
 void AxisMotion::stay_where_commanded(motion::PathQueue& queue) RT_SAFE {
@@ -100,7 +100,7 @@ void AxisMotion::drop_path(motion::PathQueue& queue) RT_SAFE {
 
 // An encoder counts from elsewhere than the control believed, or the axis was moved while its drive
 // was off: the drive that is about to take it over holds it where it is. While the machine is off
-// the set-points go with the axes, so that what is shown, kept and touched off is true.
+// the setpoints go with the axes, so that what is shown, kept and touched off is true.
 void AxisMotion::adopt_positions(Power machine) RT_SAFE {
   constexpr double increments_apart = 2.0;  // what the drive's own rounding cannot be
   if (drives_.is_ideal() || !is_standing()) return;
@@ -113,7 +113,7 @@ void AxisMotion::adopt_positions(Power machine) RT_SAFE {
     if (!is_awaited && !is_off) continue;
     if (!drive.valid || !axes_.owns(axis) || axes_.is_spindle(axis)) continue;
     const double apart = std::abs(drive.position - path_.axes[k].value);
-    if (apart <= increments_apart * axes_.figure(axis).codes.resolution) continue;
+    if (apart <= increments_apart * axes_.constants(axis).codes.resolution) continue;
     path_.axes[k] = drive.position;
     axes_.place(axis, drive.position);
     adopted = true;
@@ -134,7 +134,7 @@ void AxisMotion::return_to_parking() RT_SAFE {
 lang::AxisSet AxisMotion::axes_to_home() const RT_SAFE {
   unsigned axes = 0;
   for (int axis = 0; axis < axes_.count(); ++axis) {
-    const bool is_homed_by_search = axes_.figure(axis).manual.homing.order > 0;
+    const bool is_homed_by_search = axes_.constants(axis).manual.homing.order > 0;
     if (is_homed_by_search && axes_.owns(axis) && !axes_.is_spindle(axis)) axes |= 1U << axis;
   }
   return static_cast<lang::AxisSet>(axes);

@@ -3,7 +3,7 @@
 // The path has the axes unless they are jogged or homed; then it begins anew from where they come
 // to. What no axis can do never reaches its drive: the axes stay where they were commanded last.
 // Thread: the real-time cycle. Owner: the channel. Invariant: while the path is at rest and no axis
-// moves by hand, path().axes are the set-points of the axes that are no spindles.
+// moves by hand, path().axes are the setpoints of the axes that are no spindles.
 #pragma once
 
 #include <optional>
@@ -25,14 +25,14 @@ enum class SoftLimits : std::uint8_t { guarded, not_guarded };
 class AxisMotion {
  public:
   // All outlive the motion. The axes stand at their start in the frame of the active scheme.
-  AxisMotion(const motion::MotionConfig& config, const ChannelFigures& figures,
+  AxisMotion(const motion::MotionConfig& config, const ChannelConstants& constants,
              SchemeTable& schemes, AxisGroup& axes, const DriveGuard& drives);
 
   // One cycle: chains that begin with a chunk below `chunk_limit` may be entered.
   [[nodiscard]] std::optional<Fault> advance(motion::PathQueue& queue,
                                              const motion::FeedControl& control,
                                              std::uint64_t chunk_limit, SoftLimits limits) RT_SAFE;
-  // Behind the set-points of the cycle.
+  // Behind the setpoints of the cycle.
   void close_loops() RT_SAFE { loops_.advance(path_.axes, drives_, axes_); }
 
   [[nodiscard]] const motion::InterpolatorOutput& path() const RT_SAFE { return path_; }
@@ -81,7 +81,7 @@ class AxisMotion {
   void stay_where_commanded(motion::PathQueue& queue) RT_SAFE;
 
   const motion::MotionConfig& config_;
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   SchemeTable& schemes_;
   AxisGroup& axes_;
   const DriveGuard& drives_;

@@ -21,11 +21,11 @@ struct AxisNames {
 
 }  // namespace
 
-DriveGuard::DriveGuard(const ChannelFigures& figures, const AxisGroup& axes) : axes_(axes) {
+DriveGuard::DriveGuard(const ChannelConstants& constants, const AxisGroup& axes) : axes_(axes) {
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
     feedback_[k].valid = true;
     feedback_[k].enabled = true;
-    feedback_[k].referenced = figures.axes[k].homed_at_start;
+    feedback_[k].referenced = constants.axes[k].homed_at_start;
   }
 }
 
@@ -77,8 +77,8 @@ std::optional<Fault> DriveGuard::fault_of_drives() RT_SAFE {
     return Fault{{"A3002"}, faulty.sentence(" reports a fault", " report faults")};
   if (stray.count > 0) {
     return Fault{{"A3003"},
-                 stray.sentence(" does not follow its set-points, or does not tell where it is",
-                                " do not follow their set-points, or do not tell where they are")};
+                 stray.sentence(" does not follow its setpoints, or does not tell where it is",
+                                " do not follow their setpoints, or do not tell where they are")};
   }
   if (released.count > 0) {
     return Fault{{"A3004"},

@@ -30,7 +30,7 @@ enum class LimitSwitches : std::uint8_t { stop_the_axis, are_looked_for };
 class DriveGuard {
  public:
   // `axes` outlives the guard.
-  DriveGuard(const ChannelFigures& figures, const AxisGroup& axes);
+  DriveGuard(const ChannelConstants& constants, const AxisGroup& axes);
 
   // In the order of the machine's axes; empty: ideal drives. The first fault that there is.
   [[nodiscard]] std::optional<Fault> advance(std::span<const AxisFeedback> machine,

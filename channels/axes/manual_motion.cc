@@ -11,7 +11,8 @@ constexpr double lease_s = 0.2;          // of a continuous jog
 constexpr double drive_answers_s = 3.0;  // when it is told its position
 // Without a reference an axis is jogged slowly: part of its highest velocity.
 constexpr double unreferenced_part = 0.1;
-// The mark lies within the travel and a little more; of an axis without limits, within this way.
+// Home switch and index pulse lie within the travel and a little more; of an axis without limits,
+// within this distance.
 constexpr double search_reserve = 1.1;
 constexpr double search_endless = 800.0;
 
@@ -49,7 +50,7 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
     state.move.stop();
     state.cycles_left = -1;
   }
-  if (state.task != Task::none || outcome_ == Outcome::running) return "E6056";
+  if (state.task != Task::none || homing_state_ == HomingState::running) return "E6056";
   if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
   double speed = std::min(std::abs(jog.velocity), limits.velocity_max);
   const double way = jog.increment > 0.0 ? jog.increment : travel(limits);
@@ -71,12 +72,12 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
 
 void ManualMotion::go(int axis, double from, double to) RT_SAFE {
   const auto k = static_cast<std::size_t>(axis);
-  const ManualAxis& figures = axes_[k];
-  const double search = std::abs(figures.homing.velocity);
-  const double speed = search > 0.0 ? search : unreferenced_part * figures.limits.velocity_max;
+  const ManualAxis& constants = axes_[k];
+  const double search = std::abs(constants.homing.velocity);
+  const double speed = search > 0.0 ? search : unreferenced_part * constants.limits.velocity_max;
   states_[k].task = Task::jog;
   states_[k].cycles_left = -1;
-  states_[k].move.begin(from, to, {.speed = speed, .ramp = ramp_of(figures.limits)});
+  states_[k].move.begin(from, to, {.speed = speed, .ramp = ramp_of(constants.limits)});
 }
 
 void ManualMotion::home(lang::AxisSet axes) RT_SAFE {
@@ -86,12 +87,12 @@ void ManualMotion::home(lang::AxisSet axes) RT_SAFE {
       to_home_ = static_cast<lang::AxisSet>(to_home_ | 1U << k);
   }
   fault_ = {};
-  outcome_ = to_home_ == 0 ? Outcome::succeeded : Outcome::running;
+  homing_state_ = to_home_ == 0 ? HomingState::succeeded : HomingState::running;
 }
 
 void ManualMotion::stop() RT_SAFE {
-  if (outcome_ == Outcome::running) {
-    outcome_ = Outcome::failed;
+  if (homing_state_ == HomingState::running) {
+    homing_state_ = HomingState::failed;
     fault_ = FixedText<128>("homing was stopped");
   }
   to_home_ = 0;
@@ -133,7 +134,7 @@ void ManualMotion::advance(std::span<const AxisFeedback> drives,
     }
     searches = searches || state.task == Task::search || state.task == Task::accept;
   }
-  if (outcome_ == Outcome::running && !searches) begin_next_order(positions);
+  if (homing_state_ == HomingState::running && !searches) begin_next_order(positions);
 }
 
 // The axes of the lowest order of those that are left; none: homing is done.
@@ -142,7 +143,7 @@ void ManualMotion::begin_next_order(std::span<const kinematics::Jet> positions) 
   for (std::size_t k = 0; k < count_; ++k) {
     if ((to_home_ >> k & 1U) != 0) order = std::min(order, axes_[k].homing.order);
   }
-  if (to_home_ == 0) outcome_ = Outcome::succeeded;
+  if (to_home_ == 0) homing_state_ = HomingState::succeeded;
   for (std::size_t k = 0; k < count_; ++k) {
     const ManualAxis& axis = axes_[k];
     if ((to_home_ >> k & 1U) == 0 || axis.homing.order != order) continue;
@@ -163,7 +164,7 @@ void ManualMotion::search(std::size_t axis, const AxisFeedback& drive, kinematic
   if (result == AxisHoming::Result::failed) return fail(axis, state.homing.reason());
   run(state, position);
   if (result == AxisHoming::Result::running) return;
-  const double shift = axes_[axis].homing.position - state.homing.mark();
+  const double shift = axes_[axis].homing.position - state.homing.home();
   state.reference = {.accepted = true, .offset = drive.position_offset + shift};
   position.value += shift;
   state.task = Task::accept;
@@ -180,7 +181,7 @@ void ManualMotion::accept(std::size_t axis, const AxisFeedback& drive,
     state.reference.accepted = false;
     state.task = Task::none;
   } else if (--state.cycles_left <= 0) {
-    fail(axis, "the drive does not take its position over");
+    fail(axis, "the drive does not take over its position");
   }
 }
 
@@ -191,7 +192,7 @@ void ManualMotion::run(AxisState& state, kinematics::Jet& position) RT_SAFE {
 
 void ManualMotion::fail(std::size_t axis, std::string_view reason) RT_SAFE {
   stop();
-  outcome_ = Outcome::failed;
+  homing_state_ = HomingState::failed;
   fault_ = FixedText<128>("axis ");
   fault_.append(axes_[axis].name.view()).append(": ").append(reason);
 }

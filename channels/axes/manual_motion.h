@@ -1,8 +1,8 @@
 // ManualMotion: the axes of one channel moved one by one, outside of programs: jogging, homing.
 //
 // A continuous jog is a lease: it ends when it is not renewed. Homing goes through the axes in the
-// order of the machine file, those of one order together; where the mark of an axis was found its
-// drive is told what it reads there. Real-time.
+// order of the machine file, those of one order together; where an axis found its home switch or
+// index pulse its drive is told what it reads there. Real-time.
 #pragma once
 
 #include <array>
@@ -37,23 +37,23 @@ struct Jog {
 
 class ManualMotion {
  public:
-  enum class Outcome : std::uint8_t { running, succeeded, failed };
+  enum class HomingState : std::uint8_t { running, succeeded, failed };
 
   void set_up(std::span<const ManualAxis> axes, double cycle_s);
 
-  // Begins a jog from `from`, or renews the one at hand; the other direction stops that one.
+  // Begins a jog from `from`, or renews the current one; the other direction stops that one.
   // Returns why not: a code of the catalogue; empty: it goes.
   [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
       RT_SAFE;
   // From `from` to a place of the axis, with the velocity of its search.
   void go(int axis, double from, double to) RT_SAFE;
-  // Looks for the marks of these axes; those without one (order 0) are left out.
+  // Homes these axes; those with an absolute encoder (order 0) are left out.
   void home(lang::AxisSet axes) RT_SAFE;
   // All axes come to rest; what was begun is over.
   void stop() RT_SAFE;
 
   [[nodiscard]] bool is_active() const RT_SAFE;
-  [[nodiscard]] Outcome homing() const RT_SAFE { return outcome_; }
+  [[nodiscard]] HomingState homing() const RT_SAFE { return homing_state_; }
   [[nodiscard]] const FixedText<128>& homing_fault() const RT_SAFE { return fault_; }
 
   // Once a cycle: positions of the axes that are moved are replaced.
@@ -84,7 +84,7 @@ class ManualMotion {
   std::array<ManualAxis, motion::axes_max> axes_{};
   std::array<AxisState, motion::axes_max> states_{};
   lang::AxisSet to_home_ = 0;  // whose turn has not come yet
-  Outcome outcome_ = Outcome::succeeded;
+  HomingState homing_state_ = HomingState::succeeded;
   FixedText<128> fault_;
 };
 

@@ -1,8 +1,8 @@
 // PositionLoops: the velocities that the drives of a channel's axes are asked for.
 //
-// A drive that closes its position loop itself is told the velocity of the set-point; one whose
-// loop is closed in the cycle gets what its regulator makes of the following error. Thread: the
-// real-time cycle. Owner: the channel. Invariant: the regulator of an axis that its drive does not
+// A drive that closes its position loop itself is told the velocity of the setpoint; one whose
+// loop is closed in the cycle gets what its controller makes of the following error. Thread: the
+// real-time cycle. Owner: the channel. Invariant: the controller of an axis that its drive does not
 // hold is reset, so that it begins anew when the drive takes the axis over.
 #pragma once
 
@@ -11,21 +11,21 @@
 #include "base/rt_safe.h"
 #include "channels/axes/axis_group.h"
 #include "channels/axes/drive_guard.h"
-#include "motion/threads/position_regulator.h"
+#include "motion/threads/position_controller.h"
 
 namespace stanok::channels {
 
 class PositionLoops {
  public:
-  // `figures` outlive the loops.
-  explicit PositionLoops(const ChannelFigures& figures);
+  // `constants` outlive the loops.
+  explicit PositionLoops(const ChannelConstants& constants);
 
-  // Behind the set-points of the cycle; `axes_M` with their derivatives.
+  // Behind the setpoints of the cycle; `axes_M` with their derivatives.
   void advance(const motion::JetPoint& axes_M, const DriveGuard& drives, AxisGroup& axes) RT_SAFE;
 
  private:
-  const ChannelFigures& figures_;
-  std::array<motion::PositionRegulator, motion::axes_max> regulators_{};
+  const ChannelConstants& constants_;
+  std::array<motion::PositionController, motion::axes_max> controllers_{};
 };
 
 }  // namespace stanok::channels

@@ -22,8 +22,8 @@ std::optional<Fault> impossible_step(const motion::MotionConfig& motion, double 
     if (!axes.owns(axis)) continue;
     const auto k = static_cast<std::size_t>(axis);
     const double step = std::abs(axes_M[k].value - axes.setpoint(axis).position);
-    const double step_max =
-        steps_allowed * motion.axes[k].velocity_max * cycle_s + axes.figure(axis).codes.resolution;
+    const double step_max = steps_allowed * motion.axes[k].velocity_max * cycle_s +
+                            axes.constants(axis).codes.resolution;
     const bool may_step = steps == Steps::of_numbers || axes.is_spindle(axis);
     const bool has_number = is_number(axes_M[k]);
     if (has_number && (step <= step_max || may_step)) continue;
@@ -41,7 +41,8 @@ std::optional<Fault> passed_limit(const motion::MotionConfig& motion, double cyc
   for (int axis = 0; axis < axes.count(); ++axis) {
     if (!axes.owns(axis) || axes.is_spindle(axis)) continue;
     const auto k = static_cast<std::size_t>(axis);
-    const double slack = axes.figure(axis).codes.resolution + std::abs(axes_M[k].first) * cycle_s;
+    const double slack =
+        axes.constants(axis).codes.resolution + std::abs(axes_M[k].first) * cycle_s;
     if (!motion::passes_limit(axes_M[k], motion.axes[k], slack)) continue;
     Fault fault{{"A2003"}, {"axis "}};
     fault.text.append(axes.name(axis).view())

@@ -1,4 +1,4 @@
-// The last guards before a set-point reaches a drive. Planning lets nothing pass that they find, so
+// The last guards before a setpoint reaches a drive. Planning lets nothing pass that they find, so
 // what they find is a fault of our own.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace stanok::channels {
 // of their numbers only.
 enum class Steps : std::uint8_t { of_axes, of_numbers };
 
-// An axis whose set-point would be no number, or that would step farther than it can move in a
+// An axis whose setpoint would be no number, or that would step farther than it can move in a
 // cycle (A9002).
 [[nodiscard]] std::optional<Fault> impossible_step(const motion::MotionConfig& motion,
                                                    double cycle_s, const AxisGroup& axes,

@@ -31,20 +31,20 @@ motion::SpindleMotion command_of(const Spindle& spindle) RT_SAFE {
 
 }  // namespace
 
-SpindleGroup::SpindleGroup(const ChannelFigures& figures, AxisGroup& axes, const DriveGuard& drives,
-                           AxisMotion& motion)
-    : figures_(figures), axes_(axes), drives_(drives), motion_(motion) {
-  for (std::size_t s = 0; s < static_cast<std::size_t>(figures.spindle_count); ++s)
-    spindles_[s] = Spindle(figures.spindles[s]);
+SpindleGroup::SpindleGroup(const ChannelConstants& constants, AxisGroup& axes,
+                           const DriveGuard& drives, AxisMotion& motion)
+    : constants_(constants), axes_(axes), drives_(drives), motion_(motion) {
+  for (std::size_t s = 0; s < static_cast<std::size_t>(constants.spindle_count); ++s)
+    spindles_[s] = Spindle(constants.spindles[s]);
 }
 
 std::span<Spindle> SpindleGroup::spindles() RT_SAFE {
-  return {spindles_.data(), static_cast<std::size_t>(figures_.spindle_count)};
+  return {spindles_.data(), static_cast<std::size_t>(constants_.spindle_count)};
 }
 
 int SpindleGroup::index_of(int id) const RT_SAFE {
-  for (int s = 0; s < figures_.spindle_count; ++s) {
-    if (id == 0 || figures_.spindles[static_cast<std::size_t>(s)].id == id) return s;
+  for (int s = 0; s < constants_.spindle_count; ++s) {
+    if (id == 0 || constants_.spindles[static_cast<std::size_t>(s)].id == id) return s;
   }
   return -1;
 }
@@ -122,26 +122,26 @@ void SpindleGroup::ask_speed(const AskedSpeed& speed) RT_SAFE {
   if (speed.unit == motion::LawSpeed::m_per_min) spindles_[0].cut_at(speed.value);
 }
 
-// The measured angle belongs to the instant at which the cycle begins; the set-points, to its end.
+// The measured angle belongs to the instant at which the cycle begins; the setpoints, to its end.
 void SpindleGroup::observe() RT_SAFE {
   for (std::size_t s = 0; s < spindles().size(); ++s) {
     motion::SpindleObserver& observer = observers_[s];
     const motion::SpindleMotion now = command_of(spindles_[s]);
-    observer.advance(figures_.cycle_s, now);
+    observer.advance(constants_.cycle_s, now);
     if (const auto angle_deg = measured_angle(s)) observer.observe(*angle_deg);
     Spindle coming = spindles_[s];
-    coming.advance(figures_.cycle_s);
+    coming.advance(constants_.cycle_s);
     motion::SpindleMotion next = command_of(coming);
-    next.acceleration = (next.speed - now.speed) / figures_.cycle_s;
-    motion_.see_spindle(s, observer.ahead(figures_.cycle_s, next));
+    next.acceleration = (next.speed - now.speed) / constants_.cycle_s;
+    motion_.see_spindle(s, observer.ahead(constants_.cycle_s, next));
   }
 }
 
 // That of the drive where the spindle is an axis with a drive that answers; else that of the
 // commanded spindle, in whole counts of its encoder. Nothing: no news in this cycle.
 std::optional<double> SpindleGroup::measured_angle(std::size_t spindle) RT_SAFE {
-  const SpindleConfig& config = figures_.spindles[spindle];
-  const int axis = figures_.spindle_axis[spindle];
+  const SpindleConfig& config = constants_.spindles[spindle];
+  const int axis = constants_.spindle_axis[spindle];
   if (axis < 0 || drives_.is_ideal()) {
     const double angle = axis < 0 ? spindles_[spindle].angle_deg() : axes_.setpoint(axis).position;
     return config.encoder_pulses > 0 ? in_counts(angle, config.encoder_pulses) : angle;
@@ -150,9 +150,9 @@ std::optional<double> SpindleGroup::measured_angle(std::size_t spindle) RT_SAFE 
   if (!drive.valid) return std::nullopt;
   EncoderNews& news = encoder_news_[spindle];
   const bool is_same = drive.position == news.angle_deg;
-  const double turns = std::abs(observers_[spindle].now().speed) * figures_.cycle_s;
+  const double turns = std::abs(observers_[spindle].now().speed) * constants_.cycle_s;
   if (is_same && turns > unseen_turns && news.age_s < unseen_s) {
-    news.age_s += figures_.cycle_s;
+    news.age_s += constants_.cycle_s;
     return std::nullopt;
   }
   news = {drive.position, 0.0};
@@ -162,8 +162,8 @@ std::optional<double> SpindleGroup::measured_angle(std::size_t spindle) RT_SAFE 
 void SpindleGroup::turn() RT_SAFE {
   for (std::size_t s = 0; s < spindles().size(); ++s) {
     const double speed_before = spindles_[s].speed();
-    spindles_[s].advance(figures_.cycle_s);
-    const int axis = figures_.spindle_axis[s];
+    spindles_[s].advance(constants_.cycle_s);
+    const int axis = constants_.spindle_axis[s];
     if (axes_.is_spindle(axis)) axes_.turn(axis, spindles_[s], speed_before);
   }
 }
@@ -176,7 +176,7 @@ std::optional<double> SpindleGroup::speed(int id) const RT_SAFE {
 
 int SpindleGroup::axis_of(int id) const RT_SAFE {
   const int s = index_of(id);
-  return s < 0 ? -1 : figures_.spindle_axis[static_cast<std::size_t>(s)];
+  return s < 0 ? -1 : constants_.spindle_axis[static_cast<std::size_t>(s)];
 }
 
 void SpindleGroup::stop(int id) RT_SAFE {
@@ -222,7 +222,7 @@ void SpindleGroup::show(ProcessOutput& output) const RT_SAFE {
   const double speed = std::abs(output.spindle_rev_per_min);
   output.feed_mm_per_rev = speed > 0.0 ? output.feed_mm_per_min / speed : 0.0;
   output.cutting_speed_m_per_min = std::numbers::pi * motion_.diameter() * speed / mm_per_m;
-  for (std::size_t s = 0; s < static_cast<std::size_t>(figures_.spindle_count); ++s)
+  for (std::size_t s = 0; s < static_cast<std::size_t>(constants_.spindle_count); ++s)
     output.spindles[s] = {.id = spindles_[s].id(), .rev_per_min = spindles_[s].speed()};
 }
 

@@ -1,7 +1,7 @@
 // SpindleGroup: the spindles of a channel: what programs, feed laws and taps ask of them, their
 // angles as encoders tell them, and spindles that are axes for a while (M902, M903).
 //
-// The drive of such an axis follows a velocity while it is a spindle: its set-point is the angle of
+// The drive of such an axis follows a velocity while it is a spindle: its setpoint is the angle of
 // the spindle in [0, 360) deg and its speed. After M902 the axis goes on from where the drive
 // stands, and its position loop is closed; M903 opens it again. Thread: the real-time cycle. Owner:
 // the channel. Invariant: the first spindle is the master; a spindle id of 0 means it.
@@ -20,7 +20,7 @@ namespace stanok::channels {
 class SpindleGroup {
  public:
   // All outlive the group.
-  SpindleGroup(const ChannelFigures& figures, AxisGroup& axes, const DriveGuard& drives,
+  SpindleGroup(const ChannelConstants& constants, AxisGroup& axes, const DriveGuard& drives,
                AxisMotion& motion);
 
   // What a program says.
@@ -37,7 +37,7 @@ class SpindleGroup {
   void follow_process() RT_SAFE;
   // Tells the path how the spindles turn: before it goes on in the cycle.
   void observe() RT_SAFE;
-  // One cycle; set-points of axes that are spindles take the place of what the path says of them.
+  // One cycle; setpoints of axes that are spindles take the place of what the path says of them.
   void turn() RT_SAFE;
 
   [[nodiscard]] const Spindle& master() const RT_SAFE { return spindles_[0]; }
@@ -72,7 +72,7 @@ class SpindleGroup {
   void ask_speed(const AskedSpeed& speed) RT_SAFE;
   [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
 
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   AxisGroup& axes_;
   const DriveGuard& drives_;
   AxisMotion& motion_;

@@ -113,12 +113,12 @@ std::string_view refusal_code(OperatorAction action, Situation situation) RT_SAF
 
 std::string_view claim_of_refusal(std::string_view code) RT_SAFE {
   if (code == runs) return ": a program is running or held";
-  if (code == alarm) return " must be reset first: an alarm stands";
+  if (code == alarm) return " must be reset first: it has an active alarm";
   if (code == no_program) return ": no program is loaded";
   if (code == off) return ": the machine is off";
   if (code == nothing_ran) return ": nothing was running";
   if (code == by_hand) return ": axes are being moved by hand";
-  if (code == stops) return ": still coming to rest";
+  if (code == stops) return ": it is still coming to rest";
   if (code == switches) return ": the kinematics are being changed";
   if (code == scheme_in_use) return ": its kinematics are in use by a program";
   return "";

@@ -12,29 +12,29 @@
 #include "lang/contract/environment.h"
 #include "motion/interpolation/automatic_feed.h"
 #include "motion/path/path.h"
-#include "motion/threads/position_regulator.h"
+#include "motion/threads/position_controller.h"
 
 namespace stanok::channels {
 
-// What shows where the reference mark is; the index pulse of the encoder may make it finer.
-enum class HomingMark : std::uint8_t { reference_switch, limit_switch, index_alone };
+// What shows the home position of an axis; the index pulse of the encoder may make it finer.
+enum class HomingSignal : std::uint8_t { home_switch, limit_switch, index_alone };
 
-// How the axis finds its reference mark.
+// How the axis finds its home position.
 struct HomingConfig {
   int order = 0;          // ascending; equal numbers home together; 0: absolute encoder, no move
-  double position = 0.0;  // reading of the axis at the mark, mm or deg
+  double position = 0.0;  // reading of the axis at the switch or index pulse, mm or deg
   double velocity = 0.0;  // of the search, mm/s or deg/s; the sign is its direction
-  double velocity_slow = 0.0;  // with which the mark is met; > 0
-  HomingMark mark = HomingMark::reference_switch;
-  bool index = false;  // the mark is the first index pulse behind the switch
+  double velocity_slow = 0.0;  // with which the switch or index pulse is met; > 0
+  HomingSignal signal = HomingSignal::home_switch;
+  bool index = false;  // the first index pulse behind the switch counts
 };
 
-// Where the position loop is closed: in the drive, or in the cycle by the position regulator.
+// Where the position loop is closed: in the drive, or in the cycle by the position controller.
 enum class FeedbackPlace { drive, cycle };
 
-struct RegulatorConfig {
+struct ControllerConfig {
   FeedbackPlace feedback = FeedbackPlace::drive;
-  motion::RegulatorGains gains;
+  motion::ControllerGains gains;
   double demand_held_s =
       0.0;  // how long the drive keeps a demand: a poll of the bus, not below a cycle
 };
@@ -45,11 +45,11 @@ struct AxisConfig {
   bool rotary = false;
   double modulo_deg = 0.0;    // > 0: G90 takes the shortest way
   double start = 0.0;         // position at power-on of `simulate`
-  double resolution = 0.001;  // one discrete of the position code, mm or deg
-  double kmv = 10000.0;       // velocity code = velocity in discretes per cycle x kmv
+  double resolution = 0.001;  // one increment of the position code, mm or deg
+  double kmv = 10000.0;       // velocity code = velocity in increments per cycle x kmv
   double following_error_max = 0.5;
   HomingConfig homing;
-  RegulatorConfig regulator;
+  ControllerConfig controller;
   double brake_s = 0.1;  // time the brake takes to close or open
   double power_s = 0.1;  // time the drive takes to take the axis over
 };

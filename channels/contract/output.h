@@ -1,4 +1,4 @@
-// What one cycle of the machine gives: set-points of every channel, drive commands, status. Plain
+// What one cycle of the machine gives: setpoints of every channel, drive commands, status. Plain
 // data, made in the real-time cycle.
 #pragma once
 
@@ -43,18 +43,18 @@ enum class HoldCause : std::uint8_t {
 // For people: "feed hold by an operator"; empty for none.
 [[nodiscard]] std::string_view text_of(HoldCause cause);
 
-// Set-point of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
+// Setpoint of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
 // integer codes of docs/developer/motion.md#codes.
 struct AxisSetpoint {
   double position = 0.0;
   double velocity = 0.0;
   double acceleration = 0.0;
   double jerk = 0.0;
-  std::int64_t position_code = 0;  // discretes
+  std::int64_t position_code = 0;  // increments
   std::int64_t velocity_code =
-      0;  // discretes per cycle x kmv, mean velocity of the cycle that ends at position_code
+      0;  // increments per cycle x kmv, mean velocity of the cycle that ends at position_code
   // What the drive is asked for: the velocity, or, where the cycle closes the position loop, U of
-  // the position regulator.
+  // the position controller.
   double velocity_demand = 0.0;
 };
 
@@ -82,10 +82,10 @@ struct AxisFeedback {
   bool enabled = false;     // the drive holds the axis (CiA 402: operation enabled)
   bool referenced = false;  // the position belongs to the machine
   bool brake_closed = true;
-  bool home_switch = false;  // it stands on its reference switch
+  bool home_switch = false;  // it stands on its home switch
   bool limit_negative = false;
   bool limit_positive = false;
-  bool strays = false;            // too far from its set-point for longer than a disturbance lasts
+  bool strays = false;            // too far from its setpoint for longer than a disturbance lasts
   double position_offset = 0.0;   // of what the drive counts
   double index_position = 0.0;    // at the latest index pulse
   std::uint32_t index_count = 0;  // pulses so far
@@ -130,8 +130,8 @@ inline constexpr int spindles_max = 4;
 // Feed and speed of the cutting process, and the law that they follow.
 struct ProcessOutput {
   motion::LawKind law = motion::LawKind::none;
-  std::uint64_t increments = 0;                // that the law has made
-  bool stands = false;                         // on the fictitious path of an interrupted feed
+  std::uint64_t increments = 0;  // that the law has made
+  bool stands = false;           // on the equivalent dwell path of an interrupted feed
   motion::InterruptionLengths interruption{};  // by the operator
   std::uint64_t interruptions = 0;             // so far
   // Laws formed in the cycle, as far as the channel has them.
@@ -175,8 +175,8 @@ struct ChannelOutput {
   bool waiting = false;   // in channel_wait, a mark, a dwell
   HoldCause hold_cause = HoldCause::none;
   std::int32_t scheme = 0;
-  motion::BlockTag tag;         // of the block at hand; line 0: no program runs
-  FixedText<96> program;        // of the run, from its first block at hand on, also when it is over
+  motion::BlockTag tag;         // of the current block; line 0: no program runs
+  FixedText<96> program;        // of the run, from its first current block on, also when it is over
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
   double feed_override = 1.0;

@@ -51,7 +51,7 @@ struct SearchReport {
 
 struct BlockReport {
   lang::ActiveCodes codes{};
-  // Of the block at hand or the latest one before it that moves, in the workpiece system of that
+  // Of the current block or the latest one before it that moves, in the workpiece system of that
   // block; nothing: none does, or no program runs.
   std::optional<motion::Point> end_W;
 };

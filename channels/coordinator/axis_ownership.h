@@ -1,7 +1,7 @@
 // Which channel moves each axis of the machine, where several channels have it.
 //
 // An axis belongs to the channel that claimed it last, with a scheme of which it is part or that
-// parks it; nobody else writes its set-points. It can be claimed while it takes no part in the
+// parks it; nobody else writes its setpoints. It can be claimed while it takes no part in the
 // scheme of its owner, or while its owner runs no program and the axis stands
 // (docs/integrator/kinematics.md, "Axes of several channels").
 #pragma once
@@ -38,7 +38,7 @@ class AxisOwnership {
   // Hands the axes over. There must be no obstacle.
   void claim(int channel, lang::AxisSet axes) RT_SAFE;
 
-  // Shows the set-points and drive commands of the owner in the outputs of all that have the axis.
+  // Shows the setpoints and drive commands of the owner in the outputs of all that have the axis.
   void show_owners(CycleOutput& output) const RT_SAFE;
 
  private:

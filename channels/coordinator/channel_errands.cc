@@ -133,7 +133,7 @@ Verdict ChannelErrands::home(Errand& errand) RT_SAFE {
   Channel& target = target_of(errand);
   const ManualMotion& manual = target.motion.manual();
   if (manual.is_active() || target.state().is_ending()) return pending();
-  const bool found = manual.homing() == ManualMotion::Outcome::succeeded;
+  const bool found = manual.homing() == ManualMotion::HomingState::succeeded;
   const bool is_overtaken = errand.generation != target.run.generation();
   if (errand.stage == 1 && found && !is_overtaken) {
     target.return_to_parking();
@@ -204,8 +204,8 @@ Verdict ChannelErrands::spindle_to_axis(Errand& errand) RT_SAFE {
     case 2:
       return await_axis(errand, asker);
     default:
-      if (manual.homing() == ManualMotion::Outcome::running) return pending();
-      if (manual.homing() == ManualMotion::Outcome::succeeded) return success();
+      if (manual.homing() == ManualMotion::HomingState::running) return pending();
+      if (manual.homing() == ManualMotion::HomingState::succeeded) return success();
       asker.spindles.open_position_loop(spindle);
       return refusal("E5207", manual.homing_fault().view());
   }
@@ -222,8 +222,9 @@ Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker) RT_SAFE {
   }
   if (waited_s(errand) < drives_ready_within_s) return pending();
   asker.spindles.open_position_loop(spindle);
-  return is_homed ? refusal("E5206", "the drive does not close the position loop of the axis")
-                  : refusal("E5207", "the axis that a spindle becomes has no reference");
+  return is_homed
+             ? refusal("E5206", "the drive does not close the position loop of the axis")
+             : refusal("E5207", "the axis that the spindle becomes has not found its index pulse");
 }
 
 // Why what was asked for may not begin now: what the channel does, a stop since it was asked, or

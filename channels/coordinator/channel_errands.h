@@ -32,7 +32,7 @@ class ChannelErrands {
   [[nodiscard]] Verdict home(Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict change_kinematics(Errand& errand) RT_SAFE;
   // M902 of the asker: the spindle stops, the drive takes the position over where it stands;
-  // without a reference it turns to its index pulse.
+  // which has not found its index pulse turns to it.
   [[nodiscard]] Verdict spindle_to_axis(Errand& errand) RT_SAFE;
 
   // A program that ends abnormally takes the runs that it started along, as configured.

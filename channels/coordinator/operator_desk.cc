@@ -53,27 +53,28 @@ Verdict control_force(const OperatorEvent& event, Channel& channel) RT_SAFE {
     return refusal("E6060", "the machine file gives the channel no force control");
   const std::string_view quantity = event.text.view();
   const bool is_force = quantity.empty() || quantity == "force";
-  motion::ForceOrder order;
+  motion::ForceCommand order;
   switch (static_cast<ForceAction>(event.number)) {
     case ForceAction::off:
       break;
     case ForceAction::on:
-      if (!is_force) return refusal("E6061", "force control is switched on with a force");
-      order.kind = motion::ForceOrder::Kind::force;
+      if (!is_force)
+        return refusal("E6061", "give the force with which force control is to be switched on");
+      order.kind = motion::ForceCommand::Kind::force;
       order.force_n = event.value;
       break;
     case ForceAction::set:
       if (quantity.empty() || !(event.value > 0.0))
-        return refusal("E6061", "a quantity is set to a value above 0");
-      order.kind = motion::ForceOrder::Kind::adjust;
+        return refusal("E6061", "the value of the quantity must be above 0");
+      order.kind = motion::ForceCommand::Kind::adjust;
       if (is_force) order.force_n = event.value;
       if (quantity == "level") order.level_um = event.value;
       if (quantity == "mass") order.reduced_mass_kg = event.value;
       if (quantity == "frequency") order.oscillation_hz = event.value;
       break;
   }
-  if (channel.process.order(order)) return success();
-  return refusal("E6062", "no force was ordered yet: process adaptive on force N");
+  if (channel.process.command(order)) return success();
+  return refusal("E6062", "no force was commanded yet: give one with process adaptive on force N");
 }
 
 void set_overrides(const OperatorEvent& event, Channel& channel) RT_SAFE {
@@ -196,7 +197,7 @@ Verdict OperatorDesk::set_tool(const OperatorEvent& event) RT_SAFE {
 Verdict OperatorDesk::set_offset(const OperatorEvent& event) RT_SAFE {
   const std::string_view text = event.text.view();
   const std::size_t blank = text.rfind(' ');
-  if (blank == std::string_view::npos) return refusal("E5021", "an axis is missing");
+  if (blank == std::string_view::npos) return refusal("E5021", "the name of an axis is missing");
   std::string_view offset = text;
   offset.remove_suffix(text.size() - blank);
   std::string_view axis_name = text;

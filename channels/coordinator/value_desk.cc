@@ -81,7 +81,7 @@ Verdict ValueDesk::combine(const Errand& errand) RT_SAFE {
     return success();
   }
   if (request.combination == lang::Combination::divide && request.value == 0.0)
-    return refusal("E3008", "division by zero");
+    return refusal("E3008", "a number is divided by zero");
   const double value =
       combined(variables.number(request.number), request.value, request.combination);
   if (!std::isfinite(value)) return refusal("E3009", "the result is too large");
@@ -140,7 +140,7 @@ Verdict ValueDesk::machine_value(const Errand& errand) const RT_SAFE {
   if (name == "in" || name == "ain") return input(name, index);
   if (name == "kinematics") {
     const int named = channels_.index_of(index);
-    return named < 0 ? refusal("E6001", "no such channel")
+    return named < 0 ? refusal("E6001", "there is no such channel")
                      : success(channels_[named].schemes.active_id());
   }
   return refusal("E6033", "the machine does not know this value");

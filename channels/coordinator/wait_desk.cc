@@ -149,7 +149,7 @@ std::optional<Verdict> WaitDesk::deadlock(int index) const RT_SAFE {
   for (int k = 0; k < channels_.count(); ++k) awaited[static_cast<std::size_t>(k)] = awaited_by(k);
   const Circle circle = find_circle(awaited, index);
   if (circle.length == 0) return std::nullopt;
-  Verdict verdict = refusal("E6020", "channels would wait for each other for ever");
+  Verdict verdict = refusal("E6020", "the channels would wait for each other for ever");
   verdict.raises = true;
   for (int k = 0; k < circle.length; ++k) {
     const int waiter = circle.channels[static_cast<std::size_t>(k)];

@@ -8,17 +8,17 @@
 
 namespace stanok::channels {
 
-Channel::Channel(const motion::MotionConfig& motion, const ChannelFigures& figures,
+Channel::Channel(const motion::MotionConfig& motion, const ChannelConstants& constants,
                  const std::map<int, std::unique_ptr<const kinematics::Scheme>>& schemes,
                  int scheme, ChannelLink& link, const CycleBooks& books)
-    : CycleParts(motion, figures, schemes, scheme, link, books),
+    : CycleParts(motion, constants, schemes, scheme, link, books),
       items_(*this),
       announcements_(link.remarks, log),
       arrivals_(link) {}
 
 // A drive that is lost or faulty stops the channel along its path.
 void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
-  const bool homes = motion.manual().homing() == ManualMotion::Outcome::running;
+  const bool homes = motion.manual().homing() == ManualMotion::HomingState::running;
   const auto fault = drives.advance(
       feedback, homes ? LimitSwitches::are_looked_for : LimitSwitches::stop_the_axis);
   if (!state().is_running()) motion.adopt_positions(state().is_powered() ? Power::on : Power::off);
@@ -77,12 +77,12 @@ void Channel::forget_path() RT_SAFE {
 
 // A step that is awaited and begins on the path: the first block that is closed.
 void Channel::take_step() RT_SAFE {
-  constexpr std::size_t pieces_seen = 2;
-  const auto& pieces = link.path.pieces;
+  constexpr std::size_t segments_seen = 2;
+  const auto& segments = link.path.segments;
   Stepper& stepper = run.stepper();
-  for (std::size_t k = 0; k < std::min(pieces.size(), pieces_seen); ++k) {
+  for (std::size_t k = 0; k < std::min(segments.size(), segments_seen); ++k) {
     if (!stepper.awaits_next()) return;
-    const motion::BlockTag& tag = pieces[k].tag;
+    const motion::BlockTag& tag = segments[k].tag;
     if (tag.block >= stepper.closed_from_block()) static_cast<void>(stepper.admits(tag));
   }
 }
@@ -167,7 +167,7 @@ void Channel::name_program() RT_SAFE {
 }
 
 void Channel::fill(ChannelOutput& output) const RT_SAFE {
-  output.id = figures.id;
+  output.id = constants.id;
   run.show(output);
   output.waiting = items_.is_waiting() || marks.is_waiting();
   output.scheme = schemes.active_id();
@@ -218,7 +218,7 @@ void Channel::home(lang::AxisSet axes) RT_SAFE {
 
 bool Channel::begin_homing_of_spindle(int id) RT_SAFE {
   const int axis = spindles.axis_of(id);
-  if (axis < 0 || axes.figure(axis).manual.homing.order == 0) return false;
+  if (axis < 0 || axes.constants(axis).manual.homing.order == 0) return false;
   home(static_cast<lang::AxisSet>(1U << axis));
   return true;
 }

@@ -1,4 +1,4 @@
-// Channel: one channel's part of the real-time cycle. Items and path in, set-points out; allocates
+// Channel: one channel's part of the real-time cycle. Items and path in, setpoints out; allocates
 // nothing.
 //
 // Here stands the order of a cycle; the work is that of its parts (channels/cycle/cycle_parts.h),
@@ -22,7 +22,7 @@ namespace stanok::channels {
 class Channel : public CycleParts {
  public:
   // `schemes` is written by nobody after construction; the scheme active at power-on is `scheme`.
-  Channel(const motion::MotionConfig& motion, const ChannelFigures& figures,
+  Channel(const motion::MotionConfig& motion, const ChannelConstants& constants,
           const std::map<int, std::unique_ptr<const kinematics::Scheme>>& schemes, int scheme,
           ChannelLink& link, const CycleBooks& books);
 
@@ -52,11 +52,11 @@ class Channel : public CycleParts {
   void return_to_parking() RT_SAFE;
   void set_single_block(Switch to) RT_SAFE;
 
-  [[nodiscard]] int id() const RT_SAFE { return figures.id; }
+  [[nodiscard]] int id() const RT_SAFE { return constants.id; }
   [[nodiscard]] const RunState& state() const RT_SAFE { return run.state(); }
   [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
   // M99 in the main program: from its first line, in the same run.
-  [[nodiscard]] bool begins_again() const RT_SAFE { return !figures.stops_go_on; }
+  [[nodiscard]] bool begins_again() const RT_SAFE { return !constants.stops_go_on; }
   [[nodiscard]] bool has_ended(std::uint32_t run) const RT_SAFE {
     return run != runs.run() || !state().is_running();
   }

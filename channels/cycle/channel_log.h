@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/rt_safe.h"
-#include "channels/axes/channel_figures.h"
+#include "channels/axes/channel_constants.h"
 #include "channels/contract/output.h"
 #include "channels/cycle/channel_terms.h"
 #include "channels/cycle/run_book.h"

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "channels/axes/axis_motion.h"
-#include "channels/axes/channel_figures.h"
+#include "channels/axes/channel_constants.h"
 #include "channels/axes/scheme_table.h"
 #include "channels/axes/spindle_group.h"
 #include "channels/cycle/channel_log.h"
@@ -22,29 +22,29 @@ namespace stanok::channels {
 
 struct CycleParts {
   // `schemes`, `rings` and what `stores` names outlive the parts.
-  CycleParts(const motion::MotionConfig& config, const ChannelFigures& channel,
+  CycleParts(const motion::MotionConfig& config, const ChannelConstants& channel,
              const std::map<int, std::unique_ptr<const kinematics::Scheme>>& made, int scheme,
              ChannelLink& rings, const CycleBooks& stores)
       : motion_config(config),
-        figures(channel),
+        constants(channel),
         link(rings),
         books(stores),
-        runs(figures.id, figures.axis_count, *books.reports),
-        log(figures.id, runs, link, *books.events, *books.reports),
+        runs(constants.id, constants.axis_count, *books.reports),
+        log(constants.id, runs, link, *books.events, *books.reports),
         schemes(made, scheme),
-        axes(figures),
-        drives(figures, axes),
-        motion(motion_config, figures, schemes, axes, drives),
+        axes(constants),
+        drives(constants, axes),
+        motion(motion_config, constants, schemes, axes, drives),
         run(runs, log, motion, link.resets_wanted),
-        spindles(figures, axes, drives, motion),
-        process(figures, axes, motion, spindles, log),
+        spindles(constants, axes, drives, motion),
+        process(constants, axes, motion, spindles, log),
         switches(spindles, run),
         marks(link.riders, *books.outputs) {}
   CycleParts(const CycleParts&) = delete;
   CycleParts& operator=(const CycleParts&) = delete;
 
   motion::MotionConfig motion_config;
-  ChannelFigures figures;
+  ChannelConstants constants;
   ChannelLink& link;
   CycleBooks books;
   RunBook runs;

@@ -3,36 +3,36 @@
 namespace stanok::channels {
 namespace {
 
-motion::ForceOrder::Kind kind_of(lang::ForceControl::Kind kind) RT_SAFE {
+motion::ForceCommand::Kind kind_of(lang::ForceControl::Kind kind) RT_SAFE {
   switch (kind) {
     case lang::ForceControl::Kind::off:
       break;
     case lang::ForceControl::Kind::force:
-      return motion::ForceOrder::Kind::force;
+      return motion::ForceCommand::Kind::force;
     case lang::ForceControl::Kind::oscillate:
-      return motion::ForceOrder::Kind::oscillate;
+      return motion::ForceCommand::Kind::oscillate;
     case lang::ForceControl::Kind::vibration_on:
-      return motion::ForceOrder::Kind::vibration_on;
+      return motion::ForceCommand::Kind::vibration_on;
     case lang::ForceControl::Kind::vibration_off:
-      return motion::ForceOrder::Kind::vibration_off;
+      return motion::ForceCommand::Kind::vibration_off;
   }
-  return motion::ForceOrder::Kind::off;
+  return motion::ForceCommand::Kind::off;
 }
 
 }  // namespace
 
-motion::ForceOrder order_of(const lang::ForceControl& program) RT_SAFE {
-  motion::ForceOrder order;
-  order.kind = kind_of(program.kind);
-  order.force_n = program.force_n;
-  order.feed_min = program.feed_min;
-  order.feed_max = program.feed_max;
-  order.per_revolution = program.per_revolution;
-  order.oscillation_n = program.oscillation_n;
-  order.oscillation_hz = program.oscillation_hz;
-  order.level_um = program.level_um;
-  order.reduced_mass_kg = program.reduced_mass_kg;
-  return order;
+motion::ForceCommand command_of(const lang::ForceControl& program) RT_SAFE {
+  motion::ForceCommand command;
+  command.kind = kind_of(program.kind);
+  command.force_n = program.force_n;
+  command.feed_min = program.feed_min;
+  command.feed_max = program.feed_max;
+  command.per_revolution = program.per_revolution;
+  command.oscillation_n = program.oscillation_n;
+  command.oscillation_hz = program.oscillation_hz;
+  command.level_um = program.level_um;
+  command.reduced_mass_kg = program.reduced_mass_kg;
+  return command;
 }
 
 SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLog& log) RT_SAFE {
@@ -62,7 +62,7 @@ SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLo
       log.tell("W613", "the force cannot swing as far as asked: the feed would come to rest", tag);
       break;
     case ForceEvent::overload_at_feed_min:
-      log.tell("W614", "the force is above its set-point at S_min", tag);
+      log.tell("W614", "the force is above its setpoint at S_min", tag);
       break;
   }
   return SensorLoss::none;

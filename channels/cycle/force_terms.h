@@ -1,4 +1,4 @@
-// Force control in the words of programs and of people: what a program says, as an order to the
+// Force control in the words of programs and of people: what a program says, as a command to the
 // modifier of the feed; what the modifier found, as events and alarms.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace stanok::channels {
 // What the loss of a sensor asks of the channel.
 enum class SensorLoss : std::uint8_t { none, holds_feed };
 
-[[nodiscard]] motion::ForceOrder order_of(const lang::ForceControl& program) RT_SAFE;
+[[nodiscard]] motion::ForceCommand command_of(const lang::ForceControl& program) RT_SAFE;
 // Tells the event, if there is one. `tag`: of the block on the path.
 [[nodiscard]] SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag,
                               ChannelLog& log) RT_SAFE;

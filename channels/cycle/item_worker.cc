@@ -39,7 +39,7 @@ ItemWorker::ItemWorker(CycleParts& parts)
     : parts_(parts),
       loads_(parts.run, parts.link),
       change_(parts.axes, parts.drives, parts.motion, parts.run, parts.link),
-      probe_(parts.figures.probe_input, *parts.books.inputs, parts.drives, parts.motion) {}
+      probe_(parts.constants.probe_input, *parts.books.inputs, parts.drives, parts.motion) {}
 
 void ItemWorker::advance() RT_SAFE {
   Ring<Item>& items = parts_.link.items;
@@ -100,7 +100,8 @@ bool ItemWorker::finish_brakes() RT_SAFE {
     change_.finish_step(item_);
     return true;
   }
-  const double waited = static_cast<double>(parts_.runs.cycle() - began_) * parts_.figures.cycle_s;
+  const double waited =
+      static_cast<double>(parts_.runs.cycle() - began_) * parts_.constants.cycle_s;
   if (waited < drives_obey_within_s) return false;
   activity_ = Activity::none;
   change_.fail(item_, axis);
@@ -112,7 +113,7 @@ void ItemWorker::wait(Activity activity, double seconds) RT_SAFE {
   constexpr double cycles_max = 1e15;  // for ever, and exact
   activity_ = activity;
   began_ = parts_.runs.cycle();
-  cycles_left_ = ceiling(std::min(seconds / parts_.figures.cycle_s - rounding, cycles_max));
+  cycles_left_ = ceiling(std::min(seconds / parts_.constants.cycle_s - rounding, cycles_max));
 }
 
 void ItemWorker::execute(const Item& item) RT_SAFE {
@@ -192,7 +193,7 @@ void ItemWorker::fail_run(const Item& item) RT_SAFE {
 void ItemWorker::end_effects() RT_SAFE {
   parts_.switches.admit({});
   parts_.motion.interrupt_feed({});
-  static_cast<void>(parts_.process.order(motion::ForceOrder{}));
+  static_cast<void>(parts_.process.command(motion::ForceCommand{}));
   parts_.spindles.stop();
   parts_.spindles.open_position_loops();
 }
@@ -205,8 +206,8 @@ void ItemWorker::end_all() RT_SAFE {
 }
 
 void ItemWorker::order_force(const Item& item) RT_SAFE {
-  if (!parts_.process.order(order_of(item.force))) {
-    return parts_.run.fail("E6062", "the order does not fit the force control of the channel",
+  if (!parts_.process.command(command_of(item.force))) {
+    return parts_.run.fail("E6062", "the command does not fit the present state of force control",
                            item.tag);
   }
   wait_for_spindles();
@@ -224,7 +225,7 @@ void ItemWorker::set_output(const Item& item) RT_SAFE {
 void ItemWorker::stop_by_program(const Item& item) RT_SAFE {
   const bool is_optional = item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop);
   if (is_optional && !parts_.switches.optional_stop()) return;
-  if (!is_optional && parts_.figures.stops_go_on)
+  if (!is_optional && parts_.constants.stops_go_on)
     return parts_.log.tell("", "program stop: going on at once", item.tag);
   parts_.run.hold(HoldCause::program_stop);
 }

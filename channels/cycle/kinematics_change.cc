@@ -20,8 +20,8 @@ double KinematicsChange::begin_step(const Item& step) RT_SAFE {
   double seconds = 0.0;
   for (int axis = 0; axis < axes_.count(); ++axis) {
     if ((step.axes >> axis & 1U) == 0) continue;
-    const AxisFigures& figure = axes_.figure(axis);
-    seconds = std::max(seconds, figure.brake_s + figure.power_s);
+    const AxisConstants& constants = axes_.constants(axis);
+    seconds = std::max(seconds, constants.brake_s + constants.power_s);
   }
   if (step.kind == ItemKind::park_axes) axes_.close_brakes(step.axes);
   if (step.kind == ItemKind::join_axes) axes_.switch_on(step.axes);

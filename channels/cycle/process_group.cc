@@ -11,16 +11,16 @@ int turning_direction(double speed) RT_SAFE {
 
 }  // namespace
 
-ProcessGroup::ProcessGroup(const ChannelFigures& figures, const AxisGroup& axes, AxisMotion& motion,
-                           const SpindleGroup& spindles, ChannelLog& log)
-    : figures_(figures), axes_(axes), motion_(motion), spindles_(spindles), log_(log) {
+ProcessGroup::ProcessGroup(const ChannelConstants& constants, const AxisGroup& axes,
+                           AxisMotion& motion, const SpindleGroup& spindles, ChannelLog& log)
+    : constants_(constants), axes_(axes), motion_(motion), spindles_(spindles), log_(log) {
   for (std::size_t k = 0; k < automatic_feeds_max; ++k)
-    laws_[k] = motion::AutomaticFeed(figures.automatic_feeds[k]);
+    laws_[k] = motion::AutomaticFeed(constants.automatic_feeds[k]);
 }
 
 void ProcessGroup::sense(std::span<const SpindleSensors> sensors) RT_SAFE {
-  const auto spindle = static_cast<std::size_t>(figures_.machine_spindle[0]);
-  if (figures_.spindle_count > 0 && spindle < sensors.size()) sensors_ = sensors[spindle];
+  const auto spindle = static_cast<std::size_t>(constants_.machine_spindle[0]);
+  if (constants_.spindle_count > 0 && spindle < sensors.size()) sensors_ = sensors[spindle];
 }
 
 double ProcessGroup::form_feed() RT_SAFE {
@@ -34,8 +34,8 @@ double ProcessGroup::form_feed() RT_SAFE {
     part *= law.part();
     if (law.state() != motion::ModuleState::fault || was_lost) continue;
     log_.tell("W604",
-              is_modulated ? "the sensor of vibration gives no value: the feed is the smallest one"
-                           : "the sensor of power gives no value: the feed is the smallest one",
+              is_modulated ? "the vibration sensor gives no value: the feed is at its minimum"
+                           : "the power sensor gives no value: the feed is at its minimum",
               path.tag);
   }
   return part;
@@ -54,8 +54,8 @@ bool ProcessGroup::switch_law(motion::LawKind law, Switch to) RT_SAFE {
   return false;
 }
 
-bool ProcessGroup::order(const motion::ForceOrder& order) RT_SAFE {
-  return modifier() != nullptr && modifier()->order(order);
+bool ProcessGroup::command(const motion::ForceCommand& command) RT_SAFE {
+  return modifier() != nullptr && modifier()->command(command);
 }
 
 motion::ForceEvent ProcessGroup::advance(double feed_override) RT_SAFE {
@@ -71,14 +71,14 @@ motion::CutState ProcessGroup::cut_state(double feed_override) RT_SAFE {
   if (direction != 0 && direction != spindle_direction_) ++spindle_starts_;
   spindle_direction_ = direction;
   motion::CutState cut;
-  cut.cycle_s = figures_.cycle_s;
+  cut.cycle_s = constants_.cycle_s;
   cut.rev_per_min = std::abs(spindle.speed());
   cut.at_speed = spindle.speed() == spindle.target();
   cut.spindle_starts = spindle_starts_;
   if (const int x = motion_.config().geometry[0]; x >= 0) {
     cut.transverse_code = axes_.setpoint(x).position_code;
     cut.transverse_mm = axes_.setpoint(x).position;
-    cut.discrete_mm = axes_.figure(x).codes.resolution;
+    cut.increment_mm = axes_.constants(x).codes.resolution;
     cut.radius_mm = path.point[static_cast<std::size_t>(x)].value;
   }
   cut.frame_is_new = motion_.takes_new_frame();

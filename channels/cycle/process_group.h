@@ -2,7 +2,7 @@
 // the cycle, and force control.
 //
 // Laws leave a part of the programmed feed; force control asks for another feed. Both act on the
-// set-points of the next cycle. Thread: the real-time cycle. Owner: the channel.
+// setpoints of the next cycle. Thread: the real-time cycle. Owner: the channel.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace stanok::channels {
 class ProcessGroup {
  public:
   // All outlive the group.
-  ProcessGroup(const ChannelFigures& figures, const AxisGroup& axes, AxisMotion& motion,
+  ProcessGroup(const ChannelConstants& constants, const AxisGroup& axes, AxisMotion& motion,
                const SpindleGroup& spindles, ChannelLog& log);
 
   // The sensors of all spindles of the machine.
@@ -35,9 +35,9 @@ class ProcessGroup {
   [[nodiscard]] bool switch_law(motion::LawKind law, Switch to) RT_SAFE;
 
   [[nodiscard]] bool has_force_control() const RT_SAFE { return modifier() != nullptr; }
-  // False: there is no force control, or it does not take the order.
-  [[nodiscard]] bool order(const motion::ForceOrder& order) RT_SAFE;
-  // The path may go on behind an order or a start of the spindle.
+  // False: there is no force control, or it does not take the command.
+  [[nodiscard]] bool command(const motion::ForceCommand& command) RT_SAFE;
+  // The path may go on behind a command or a start of the spindle.
   [[nodiscard]] bool is_ready() const RT_SAFE {
     return modifier() == nullptr || modifier()->is_ready();
   }
@@ -49,11 +49,11 @@ class ProcessGroup {
   void show(ProcessOutput& output) const RT_SAFE;
 
  private:
-  [[nodiscard]] motion::FeedModifier* modifier() const RT_SAFE { return figures_.feed_modifier; }
+  [[nodiscard]] motion::FeedModifier* modifier() const RT_SAFE { return constants_.feed_modifier; }
   [[nodiscard]] motion::CutState cut_state(double feed_override) RT_SAFE;
   [[nodiscard]] unsigned geometry_axes() const RT_SAFE;  // bit k: channel axis k
 
-  const ChannelFigures& figures_;
+  const ChannelConstants& constants_;
   const AxisGroup& axes_;
   AxisMotion& motion_;
   const SpindleGroup& spindles_;

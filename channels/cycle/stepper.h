@@ -2,7 +2,7 @@
 // begin at a time.
 //
 // A step is what has one block number and one line. The path is closed before the block behind the
-// step at hand, so the axes come to rest along the path; what is no motion is asked for by its tag.
+// current step, so the axes come to rest along the path; what is no motion is asked for by its tag.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ constexpr std::size_t events_max = 4096;
 constexpr std::size_t inputs_max = 4096;
 constexpr std::size_t replies_max = 256;
 
-// A regulator may ask for this much more than the fastest set-point, to catch up with it.
+// A controller may ask for this much more than the fastest setpoint, to catch up with it.
 constexpr double demand_reserve = 1.2;
 
 // Index in the channel of the axis that a spindle becomes; -1: none.
@@ -30,47 +30,48 @@ int channel_axis_of(const MachineConfig& machine, const ChannelConfig& channel,
   return -1;
 }
 
-ChannelFigures channel_figures(const MachineConfig& machine, const ChannelConfig& channel,
-                               const MachineOptions& options) {
-  ChannelFigures figures;
-  figures.id = channel.id;
-  figures.axis_count = static_cast<int>(channel.axes.size());
-  figures.cycle_s = machine.cycle_us * 1e-6;
-  figures.stops_go_on = options.stops_go_on;
-  figures.probe_input = channel.probe_input;
+ChannelConstants channel_constants(const MachineConfig& machine, const ChannelConfig& channel,
+                                   const MachineOptions& options) {
+  ChannelConstants constants;
+  constants.id = channel.id;
+  constants.axis_count = static_cast<int>(channel.axes.size());
+  constants.cycle_s = machine.cycle_us * 1e-6;
+  constants.stops_go_on = options.stops_go_on;
+  constants.probe_input = channel.probe_input;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
-    figures.axes[k] = {.codes = {axis.resolution, axis.kmv},
-                       .brake_s = axis.brake_s,
-                       .power_s = axis.power_s,
-                       .homed_at_start = homed_at_start,
-                       .name = FixedText<16>(axis.name),
-                       .regulator = axis.regulator,
-                       .demand_max = demand_reserve * axis.limits.velocity_max,
-                       .manual = {.name = FixedText<16>(axis.name),
-                                  .limits = axis.limits,
-                                  .homing = axis.homing,
-                                  .following_error_max = axis.following_error_max}};
-    figures.start[k] = axis.start;
-    figures.machine_axis[k] = channel.axes[k];
+    constants.axes[k] = {.codes = {axis.resolution, axis.kmv},
+                         .brake_s = axis.brake_s,
+                         .power_s = axis.power_s,
+                         .homed_at_start = homed_at_start,
+                         .name = FixedText<16>(axis.name),
+                         .controller = axis.controller,
+                         .demand_max = demand_reserve * axis.limits.velocity_max,
+                         .manual = {.name = FixedText<16>(axis.name),
+                                    .limits = axis.limits,
+                                    .homing = axis.homing,
+                                    .following_error_max = axis.following_error_max}};
+    constants.start[k] = axis.start;
+    constants.machine_axis[k] = channel.axes[k];
   }
   for (const int id : channel.spindles) {
     const auto spindle =
         std::find_if(machine.spindles.begin(), machine.spindles.end(),
                      [id](const SpindleConfig& candidate) { return candidate.id == id; });
-    if (spindle == machine.spindles.end() || figures.spindle_count == spindles_max) continue;
-    const auto s = static_cast<std::size_t>(figures.spindle_count++);
-    figures.spindles.at(s) = *spindle;
-    figures.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
-    figures.machine_spindle.at(s) = static_cast<int>(spindle - machine.spindles.begin());
+    if (spindle == machine.spindles.end() || constants.spindle_count == spindles_max) continue;
+    const auto s = static_cast<std::size_t>(constants.spindle_count++);
+    constants.spindles.at(s) = *spindle;
+    constants.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
+    constants.machine_spindle.at(s) = static_cast<int>(spindle - machine.spindles.begin());
   }
   std::copy_n(channel.automatic_feeds.begin(),
-              std::min(channel.automatic_feeds.size(), figures.automatic_feeds.size()),
-              figures.automatic_feeds.begin());
+              std::min(channel.automatic_feeds.size(), constants.automatic_feeds.size()),
+              constants.automatic_feeds.begin());
   const auto index = static_cast<std::size_t>(&channel - machine.channels.data());
-  if (index < options.feed_modifiers.size()) figures.feed_modifier = options.feed_modifiers[index];
-  return figures;
+  if (index < options.feed_modifiers.size())
+    constants.feed_modifier = options.feed_modifiers[index];
+  return constants;
 }
 
 // One channel whole: both sides and the rings between them.
@@ -81,8 +82,8 @@ struct Seat {
         block_book(lang::default_codes(config.kind)),
         preparation(machine, config, schemes, files,
                     {tables, shared, link, *books.reports, block_book}, options.gives_up),
-        channel(motion_config(machine, config), channel_figures(machine, config, options), schemes,
-                config.scheme, link, books) {}
+        channel(motion_config(machine, config), channel_constants(machine, config, options),
+                schemes, config.scheme, link, books) {}
 
   SchemeSet schemes;
   ChannelLink link;

@@ -93,7 +93,7 @@ class Machine {
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics() const;
   // Where the next run of the channel with this id begins; nothing: at the first block.
   [[nodiscard]] std::optional<SearchReport> search(int channel) const;
-  // The block at hand of a channel, as its output tells it; any thread.
+  // The current block of a channel, as its output tells it; any thread.
   [[nodiscard]] BlockReport block(int channel, const motion::BlockTag& tag, bool running) const;
   [[nodiscard]] TablesConfig tables() const;
 

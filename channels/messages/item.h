@@ -99,7 +99,7 @@ enum class NoticeKind : std::uint8_t {
   start,          // begin a run of the loaded program, where it was searched for: run, axes_M,
                   // number = scheme
   start_line,     // the same of the line that was compiled last
-  answer,         // to the request at hand
+  answer,         // to the current request
   reset,          // forget run and path, then send reset_done
   switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are
                   // on

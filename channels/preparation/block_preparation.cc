@@ -23,7 +23,7 @@ bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
 }
 
 // An arc whose radii at both ends differ more is as small as the tolerance within which they may
-// differ, and rounded beyond recognition: the straight way is as near to what was meant.
+// differ, and rounded beyond recognition: the straight path is as near to what was meant.
 constexpr double radius_ratio_max = 2.0;
 
 // Nearer to the centre of a face its rotary axis turns faster than it is worth.
@@ -278,7 +278,7 @@ std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move&
   return d;
 }
 
-// From `from_W`, in the workspace at hand: that of a face or cylinder, too.
+// From `from_W`, in the current workspace: that of a face or cylinder, too.
 double BlockPreparation::length_of(const motion::Point& from_W,
                                    const motion::PathBlock& block) const {
   motion::MotionConfig motion = motion_;

@@ -43,13 +43,13 @@ class BlockPreparation {
 
   [[nodiscard]] double steady_speed() const { return process_.steady_speed(); }
 
-  // At the start of a program; lines of an operator go on with the law at hand.
+  // At the start of a program; lines of an operator go on with the current law.
   void forget_laws() { process_.forget_laws(); }
   void reset_process() { process_.reset(); }
 
   // Why a face or cylinder transformation cannot begin here, or nothing.
   [[nodiscard]] std::optional<Diagnostic> refusal(const lang::TransformationChange& change) const;
-  // X, Y, Z of the workpiece space at hand, by index in the channel; -1: none.
+  // X, Y, Z of the current workpiece space, by index in the channel; -1: none.
   [[nodiscard]] std::array<int, 3> geometry() const { return face_.geometry(); }
   [[nodiscard]] const kinematics::Transform& transform() const { return transforms_.back(); }
   [[nodiscard]] const motion::Point& position_W() const { return position_W_; }
@@ -66,7 +66,7 @@ class BlockPreparation {
   // The programmed point in B where the axes of the machine stand so.
   [[nodiscard]] motion::Point base_of(const motion::Point& axes_M) const;
 
-  // The path goes on from where the axes stand, in the frame at hand.
+  // The path goes on from where the axes stand, in the current frame.
   void go_on_from(const motion::Point& axes_M) { stand_at(axes_M); }
 
   // The block of a move, or why it cannot be made; the position moves to its end. `tag` goes into
@@ -112,7 +112,7 @@ class BlockPreparation {
   ProcessPreparation process_;
   FaceTransformation face_;
   double face_axis_M_ = 0.0;  // on a face: where its rotary axis stands, with all its turns; deg
-  std::deque<kinematics::Transform> transforms_;  // pieces in the queue point into it
+  std::deque<kinematics::Transform> transforms_;  // segments in the queue point into it
   motion::Point position_W_{};                    // of the path
 };
 

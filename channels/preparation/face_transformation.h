@@ -1,6 +1,6 @@
 // G12.1 and G7.1 in the preparation: the face or the side of a turned workpiece as a plane.
 //
-// While one of them is on, the way in W is a path in mm over that plane, with the rotary axis in
+// While one of them is on, the path in W is one in mm over that plane, with the rotary axis in
 // the place of its second coordinate: on the face the word is in mm already, on the cylinder it is
 // in deg and becomes the developed length. The scheme is made from the active one; a work offset of
 // the rotary axis, in deg, becomes part of its zero.

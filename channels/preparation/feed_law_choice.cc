@@ -42,8 +42,9 @@ motion::LawUnits units_of(const lang::FeedLaw& wanted) {
   return units;
 }
 
-// From S_n to S_k over the block: |dl| is rounded down to discretes first, so that all increments
-// lie within the block; the number of increments comes from dS, and dn follows from it.
+// From S_n to S_k over the block: |dl| is rounded down to increments of the machine first, so that
+// all increments lie within the block; the number of increments comes from dS, and dn follows from
+// it.
 Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) {
   if (place.block_mm <= 0.0) {
     return misfit("a feed law with `S_k` but without `dl` has no length to spread over",
@@ -51,12 +52,12 @@ Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) 
   }
   const double change = wanted.feed_last - wanted.feed_first;
   const double count = std::round(std::abs(change) / wanted.feed_step);
-  const double discretes =
-      std::floor((place.block_mm / count + motion::same_way_mm) / place.discrete_mm);
-  if (discretes < 1.0) {
+  const double machine_increments =
+      std::floor((place.block_mm / count + motion::same_way_mm) / place.increment_mm);
+  if (machine_increments < 1.0) {
     return misfit(six_digits(count) + " increments of `dS` do not fit into " +
                       six_digits(place.block_mm) + " mm in steps of " +
-                      six_digits(place.discrete_mm) + " mm",
+                      six_digits(place.increment_mm) + " mm",
                   "take a larger `dS`");
   }
   const bool has_speed = wanted.speed != lang::FeedLaw::Speed::unchanged;
@@ -65,7 +66,7 @@ Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) 
       motion::LinearLawParameters{
           .feed_first = wanted.feed_first,
           .feed_step = std::copysign(wanted.feed_step, change),
-          .way_step_mm = discretes * place.discrete_mm,
+          .way_step_mm = machine_increments * place.increment_mm,
           .increments_max = static_cast<std::uint64_t>(count),
           .speed_first = wanted.speed_first,
           .speed_step = has_speed ? (wanted.speed_last - wanted.speed_first) / count : 0.0});
@@ -121,7 +122,7 @@ Made make_curve(const lang::FeedLaw& wanted, const LawPlace& place) {
     points.push_back({point.way_mm, point.feed, point.speed});
   return std::make_unique<const motion::CurveLaw>(
       units, points, units.per_revolution ? feed_step_per_revolution : feed_step_per_minute,
-      place.discrete_mm);
+      place.increment_mm);
 }
 
 struct LawRow {

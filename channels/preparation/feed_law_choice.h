@@ -12,8 +12,8 @@ namespace stanok::channels {
 
 // Where a law shall run.
 struct LawPlace {
-  double block_mm = 0.0;     // length of the block it holds for; 0: modal
-  double discrete_mm = 0.0;  // the finest linear resolution of the channel, Z0
+  double block_mm = 0.0;      // length of the block it holds for; 0: modal
+  double increment_mm = 0.0;  // the finest linear resolution of the channel, Z0
 };
 
 // Fails where the parameters do not fit the place (E5105); `wanted` is not off.

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "motion/bounds/piece_bounds.h"
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/shape.h"
 
 namespace stanok::channels {
@@ -13,15 +13,16 @@ namespace {
 constexpr double s_per_min = 60.0;
 constexpr double rounding = 1e-9;  // relative
 
-// The speeds of the axes use more than all of their limits at the feed of the piece.
-bool is_above_limit(const motion::Piece& piece) {
-  return !piece.rapid && piece.feed_per_s * piece.bounds.velocity > 1.0 + rounding;
+// The speeds of the axes use more than all of their limits at the feed of the segment.
+bool is_above_limit(const motion::Segment& segment) {
+  return !segment.rapid && segment.feed_per_s * segment.bounds.velocity > 1.0 + rounding;
 }
 
 // Along s there are mm, or deg where rotary axes alone move.
-const char* unit_of(const motion::Piece& piece, const motion::MotionConfig& motion) {
+const char* unit_of(const motion::Segment& segment, const motion::MotionConfig& motion) {
   for (const int axis : motion.geometry) {
-    if (axis >= 0 && piece.geometry.metric.counts(static_cast<std::size_t>(axis))) return "mm/min";
+    if (axis >= 0 && segment.geometry.metric.counts(static_cast<std::size_t>(axis)))
+      return "mm/min";
   }
   return "deg/min";
 }
@@ -34,15 +35,15 @@ std::string text(const char* format, double feed, const char* unit, double limit
 
 }  // namespace
 
-std::optional<Diagnostic> feed_above_limit(const motion::Piece& piece,
+std::optional<Diagnostic> feed_above_limit(const motion::Segment& segment,
                                            const motion::MotionConfig& motion) {
-  if (!is_above_limit(piece)) return std::nullopt;
+  if (!is_above_limit(segment)) return std::nullopt;
   Diagnostic warning;
   warning.severity = Severity::warning;
   warning.code = "W810";
-  warning.message =
-      text("a feed of %.6g %s, which the axes limit to %.6g", s_per_min * piece.feed_per_s,
-           unit_of(piece, motion), s_per_min / piece.bounds.velocity);
+  warning.message = text("the feed of %.6g %s is above %.6g, which the axes can do",
+                         s_per_min * segment.feed_per_s, unit_of(segment, motion),
+                         s_per_min / segment.bounds.velocity);
   warning.help = {"nothing needs to be done; further blocks like this are not named"};
   return warning;
 }
@@ -58,18 +59,19 @@ std::optional<Diagnostic> tap_refusal(const motion::PathBlock& line, const motio
   }
   const motion::Shape shape = motion::line(metric, start, line.end);
   if (shape.length <= 0.0) return std::nullopt;
-  motion::Piece piece;
-  piece.geometry = shape.geometry;
-  piece.length = shape.length;
-  piece.feed_per_s = line.feed_per_s;
-  piece.transform = line.transform;
-  piece.bounds = motion::piece_bounds(piece, here);
-  if (!is_above_limit(piece)) return std::nullopt;
+  motion::Segment segment;
+  segment.geometry = shape.geometry;
+  segment.length = shape.length;
+  segment.feed_per_s = line.feed_per_s;
+  segment.transform = line.transform;
+  segment.bounds = motion::segment_bounds(segment, here);
+  if (!is_above_limit(segment)) return std::nullopt;
   Diagnostic refusal;
   refusal.code = "E5302";
-  refusal.message = text("the tap would need %.6g %s, the axes reach %.6g",
-                         s_per_min * piece.feed_per_s, "mm/min", s_per_min / piece.bounds.velocity);
-  refusal.help = {"turn the spindle slower, or cut a smaller lead"};
+  refusal.message =
+      text("the tap would need %.6g %s, the axes reach %.6g", s_per_min * segment.feed_per_s,
+           "mm/min", s_per_min / segment.bounds.velocity);
+  refusal.help = {"turn the spindle more slowly, or cut a smaller lead"};
   return refusal;
 }
 

@@ -9,9 +9,9 @@
 
 namespace stanok::channels {
 
-// Says that the feed of a piece is above what the speeds of the axes allow along it (W810), or
+// Says that the feed of a segment is above what the speeds of the axes allow along it (W810), or
 // nothing. The place of the diagnostic is left open.
-[[nodiscard]] std::optional<Diagnostic> feed_above_limit(const motion::Piece& piece,
+[[nodiscard]] std::optional<Diagnostic> feed_above_limit(const motion::Segment& segment,
                                                          const motion::MotionConfig& motion);
 
 // Why the axes cannot tap along this line from `start` with the feed of the block, which the lead

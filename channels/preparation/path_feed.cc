@@ -35,7 +35,7 @@ Diagnostic no_probe(int channel) {
   Diagnostic diagnostic;
   diagnostic.code = "E4323";
   diagnostic.message = "channel " + std::to_string(channel) + " has no probe";
-  diagnostic.help = {"give the channel of the machine file a probe_input"};
+  diagnostic.help = {"give the channel a probe_input in the machine file"};
   return diagnostic;
 }
 

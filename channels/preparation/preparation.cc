@@ -22,7 +22,7 @@ Progress Preparation::step() {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    break_off("E8002", "the memory does not hold what the program needs");
+    break_off("E8002", "there is not enough memory for what the program needs");
   } catch (const std::exception& fault) {
     break_off("A9001", fault.what());
   }
@@ -84,7 +84,7 @@ void Preparation::load(const Notice& notice) {
 
 void Preparation::search(const Notice& notice) {
   task_ = Task::running;
-  static_cast<void>(use_outcome(search_.look(notice, shelf_.program())));
+  static_cast<void>(use_result(search_.look(notice, shelf_.program())));
 }
 
 void Preparation::start(const Notice& notice) {
@@ -110,7 +110,7 @@ void Preparation::start(const Notice& notice) {
 void Preparation::start_program() {
   parts_.feed.blocks().forget_laws();
   if (search_.is_set()) {
-    static_cast<void>(use_outcome(search_.begin_run()));
+    static_cast<void>(use_result(search_.begin_run()));
   } else {
     parts_.interpreter.start(parts_.program, parts_.feed.blocks().position_B());
   }
@@ -175,7 +175,7 @@ void Preparation::tell_codes() {
 }
 
 Progress Preparation::interpret() {
-  if (search_.is_under_way()) return use_outcome(search_.advance(commands_per_step));
+  if (search_.is_under_way()) return use_result(search_.advance(commands_per_step));
   const QueueSink& queue = parts_.queue;
   Progress progress = Progress::computing;
   for (int n = 0; n < commands_per_step && task_ == Task::running && !queue.holds_items(); ++n) {
@@ -204,22 +204,22 @@ Progress Preparation::interpret() {
   return queue.holds_items() ? Progress::worked : progress;
 }
 
-Progress Preparation::use_outcome(SearchRunner::Outcome outcome) {
-  switch (outcome) {
-    case SearchRunner::Outcome::working:
-    case SearchRunner::Outcome::entered:
+Progress Preparation::use_result(SearchRunner::Result result) {
+  switch (result) {
+    case SearchRunner::Result::working:
+    case SearchRunner::Result::entered:
       return Progress::worked;
-    case SearchRunner::Outcome::computing:
+    case SearchRunner::Result::computing:
       return Progress::computing;
-    case SearchRunner::Outcome::found:
+    case SearchRunner::Result::found:
       task_ = Task::idle;
       parts_.feed.give(shelf_.search_found());
       break;
-    case SearchRunner::Outcome::failed:
+    case SearchRunner::Result::failed:
       task_ = Task::idle;
       parts_.feed.give(shelf_.search_failed(search_.fault()));
       break;
-    case SearchRunner::Outcome::run_failed:
+    case SearchRunner::Result::run_failed:
       fail(search_.fault(), parts_.feed.tag_at(search_.fault().place.line));
       break;
   }

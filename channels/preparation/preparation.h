@@ -48,7 +48,7 @@ class Preparation {
 
   // Program.
   [[nodiscard]] Progress interpret();
-  [[nodiscard]] Progress use_outcome(SearchRunner::Outcome outcome);
+  [[nodiscard]] Progress use_result(SearchRunner::Result result);
   [[nodiscard]] lang::Step next_command();
   [[nodiscard]] bool take(const lang::Command& command);
   void tell_codes();

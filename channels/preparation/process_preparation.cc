@@ -16,7 +16,7 @@ namespace {
 Diagnostic standing_spindle() {
   Diagnostic d;
   d.code = "E4021";
-  d.message = "feed per revolution while the spindle stands";
+  d.message = "feed per revolution needs a spindle that turns";
   d.help = {"program S and M3 or M4 before, or feed per minute with G94"};
   return d;
 }
@@ -59,7 +59,7 @@ Diagnostic vanishing_value(const motion::FeedLaw& law, double way, LawValue valu
 }  // namespace
 
 ProcessPreparation::ProcessPreparation(const MachineConfig& machine, const ChannelConfig& channel)
-    : discrete_mm_(channel_description(machine, channel).finest_resolution_mm) {
+    : increment_mm_(channel_description(machine, channel).finest_resolution_mm) {
   for (const SpindleConfig& spindle : machine.spindles) {
     if (channel.spindles.empty() || spindle.id != channel.spindles.front()) continue;
     master_ = spindle.id;
@@ -119,7 +119,7 @@ Expected<ProcessPreparation::Law, Diagnostic> ProcessPreparation::law_of(double 
   if (is_modal && (modal_.kind == lang::FeedLaw::Kind::off || modal_law_ != nullptr))
     return Law{modal_law_, modal_way_, true};
   auto made = make_feed_law(is_modal ? modal_ : *of_block_,
-                            {.block_mm = is_modal ? 0.0 : length, .discrete_mm = discrete_mm_});
+                            {.block_mm = is_modal ? 0.0 : length, .increment_mm = increment_mm_});
   of_block_.reset();
   if (!made) return Unexpected<Diagnostic>(made.error());
   laws_.push_back(std::move(*made));

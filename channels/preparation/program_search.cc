@@ -27,7 +27,7 @@ std::vector<lang::Payload> commands_to_restore(const lang::SearchState& state) {
   for (const auto& [spindle, mode] : state.cutting_speeds) commands.emplace_back(mode);
   for (const auto& [spindle, command] : state.spindles) commands.emplace_back(command);
   if (state.coolant.mist || state.coolant.flood) commands.emplace_back(state.coolant);
-  for (const lang::ForceControl& order : state.force_orders) commands.emplace_back(order);
+  for (const lang::ForceControl& order : state.force_commands) commands.emplace_back(order);
   return commands;
 }
 

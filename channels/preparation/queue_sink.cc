@@ -17,17 +17,17 @@ void QueueSink::take_motion(const lang::Command& /*command*/,
 
 // Segments without a law pass as long as none with a law waits before them.
 void QueueSink::take_segment(const motion::PathBuilder::Built& built) {
-  warn_of_feed(built.piece);
-  const bool may_pass = laws_.is_empty() && built.piece.process.law == nullptr;
+  warn_of_feed(built.segment);
+  const bool may_pass = laws_.is_empty() && built.segment.process.law == nullptr;
   may_pass ? look_ahead_.add(built) : laws_.add(built);
 }
 
-void QueueSink::warn_of_feed(const motion::Piece& piece) {
+void QueueSink::warn_of_feed(const motion::Segment& segment) {
   if (feed_is_warned_of_) return;
-  const auto warning = feed_above_limit(piece, motion_);
+  const auto warning = feed_above_limit(segment, motion_);
   if (!warning) return;
   feed_is_warned_of_ = true;
-  take_remark({piece.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
+  take_remark({segment.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
 }
 
 void QueueSink::take_thread(motion::ThreadChain chain) {

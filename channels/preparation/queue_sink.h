@@ -43,7 +43,7 @@ class QueueSink final : public FeedSink {
   void forget();
 
  private:
-  void warn_of_feed(const motion::Piece& piece);
+  void warn_of_feed(const motion::Segment& segment);
 
   const motion::MotionConfig& motion_;
   ChannelLink& link_;

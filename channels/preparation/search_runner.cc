@@ -24,8 +24,8 @@ int infeed_axis(const std::array<int, 3>& geometry) {
 
 }  // namespace
 
-SearchRunner::Outcome SearchRunner::look(const Notice& notice,
-                                         std::shared_ptr<const lang::Program> program) {
+SearchRunner::Result SearchRunner::look(const Notice& notice,
+                                        std::shared_ptr<const lang::Program> program) {
   const std::string text(notice.text.view());
   forget();
   auto target = lang::search_target(text);
@@ -40,17 +40,17 @@ SearchRunner::Outcome SearchRunner::look(const Notice& notice,
   parts_.restart(notice.number, notice.axes_M);
   parts_.feed.blocks().forget_laws();
   parts_.interpreter.set_block_skip(notice.block_skip);
-  const Outcome outcome = enter(ProgramSearch::Stage::look);
-  return outcome == Outcome::entered ? arrive() : outcome;
+  const Result result = enter(ProgramSearch::Stage::look);
+  return result == Result::entered ? arrive() : result;
 }
 
-SearchRunner::Outcome SearchRunner::begin_run() {
-  const Outcome outcome = enter(ProgramSearch::Stage::run);
-  if (outcome == Outcome::entered) forget();
-  return outcome;
+SearchRunner::Result SearchRunner::begin_run() {
+  const Result result = enter(ProgramSearch::Stage::run);
+  if (result == Result::entered) forget();
+  return result;
 }
 
-SearchRunner::Outcome SearchRunner::enter(ProgramSearch::Stage stage) {
+SearchRunner::Result SearchRunner::enter(ProgramSearch::Stage stage) {
   const motion::Point position_B = parts_.feed.blocks().position_B();
   search_->stage = stage;
   search_->collector = {};
@@ -59,21 +59,21 @@ SearchRunner::Outcome SearchRunner::enter(ProgramSearch::Stage stage) {
   parts_.feed.forget_threads();
   if (search_->calculates) {
     parts_.interpreter.start_search(parts_.program, position_B, search_->place);
-    return Outcome::working;
+    return Result::working;
   }
   if (const auto fault = parts_.interpreter.start_at(parts_.program, position_B, search_->place))
     return fail(*fault);
-  return Outcome::entered;
+  return Result::entered;
 }
 
-SearchRunner::Outcome SearchRunner::advance(int commands) {
+SearchRunner::Result SearchRunner::advance(int commands) {
   for (int n = 0; n < commands; ++n) {
     switch (parts_.interpreter.next(parts_.command)) {
       case lang::Step::command:
         if (const auto fault = pass(parts_.command)) return fail(*fault);
         break;
       case lang::Step::working:
-        return Outcome::computing;
+        return Result::computing;
       case lang::Step::waiting:
         break;  // its request was answered when it came
       case lang::Step::stopped:
@@ -84,7 +84,7 @@ SearchRunner::Outcome SearchRunner::advance(int commands) {
         return fail(parts_.interpreter.error());
     }
   }
-  return Outcome::working;
+  return Result::working;
 }
 
 void SearchRunner::forget() {
@@ -92,21 +92,21 @@ void SearchRunner::forget() {
   parts_.reports.tell_search(parts_.config.id, std::nullopt);
 }
 
-SearchRunner::Outcome SearchRunner::fail(const Diagnostic& fault) {
+SearchRunner::Result SearchRunner::fail(const Diagnostic& fault) {
   const bool belongs_to_run = search_ && search_->stage == ProgramSearch::Stage::run;
   fault_ = fault;
   forget();
-  return belongs_to_run ? Outcome::run_failed : Outcome::failed;
+  return belongs_to_run ? Result::run_failed : Result::failed;
 }
 
 // At the target: an operator is told, or the run begins.
-SearchRunner::Outcome SearchRunner::arrive() {
+SearchRunner::Result SearchRunner::arrive() {
   if (const auto obstacle = obstacle_at_target()) return fail(*obstacle);
   const motion::Point target = parts_.feed.blocks().position_W();
   parts_.feed.blocks().go_on_from(search_->axes_M);
   if (search_->stage == ProgramSearch::Stage::run) {
     approach(target);
-    return Outcome::entered;
+    return Result::entered;
   }
   search_->stage = ProgramSearch::Stage::found;
   SearchReport report;
@@ -120,7 +120,7 @@ SearchRunner::Outcome SearchRunner::arrive() {
   report.stands_at.assign(start.begin(), start.begin() + count);
   report.state = search_->collector.state();
   parts_.reports.tell_search(parts_.config.id, report);
-  return Outcome::found;
+  return Result::found;
 }
 
 std::optional<Diagnostic> SearchRunner::obstacle_at_target() const {

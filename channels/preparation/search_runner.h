@@ -17,7 +17,7 @@ namespace stanok::channels {
 
 class SearchRunner {
  public:
-  enum class Outcome {
+  enum class Result {
     working,
     computing,   // nothing that the cycle could wait for
     found,       // the operator was told; the search waits for the start of the program
@@ -30,11 +30,11 @@ class SearchRunner {
   explicit SearchRunner(PreparationParts& parts) : parts_(parts) {}
 
   // Looks in `program` for the block that the notice names.
-  [[nodiscard]] Outcome look(const Notice& notice, std::shared_ptr<const lang::Program> program);
+  [[nodiscard]] Result look(const Notice& notice, std::shared_ptr<const lang::Program> program);
   // The run begins where a block was found: is_set() holds, the parts are restarted.
-  [[nodiscard]] Outcome begin_run();
+  [[nodiscard]] Result begin_run();
   // Goes on by so many commands at most; is_under_way() holds.
-  [[nodiscard]] Outcome advance(int commands);
+  [[nodiscard]] Result advance(int commands);
 
   // The next run shall begin in the middle, or it is searched for.
   [[nodiscard]] bool is_set() const { return search_.has_value(); }
@@ -49,9 +49,9 @@ class SearchRunner {
   void forget();
 
  private:
-  [[nodiscard]] Outcome enter(ProgramSearch::Stage stage);
-  [[nodiscard]] Outcome fail(const Diagnostic& fault);
-  [[nodiscard]] Outcome arrive();
+  [[nodiscard]] Result enter(ProgramSearch::Stage stage);
+  [[nodiscard]] Result fail(const Diagnostic& fault);
+  [[nodiscard]] Result arrive();
   [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
   [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Command& command,
                                                        const lang::Request& request);

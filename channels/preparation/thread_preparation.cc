@@ -68,7 +68,7 @@ bool ThreadPreparation::continues(const lang::SynchronousMove& move) const {
 
 std::optional<Diagnostic> ThreadPreparation::refusal(const lang::SynchronousMove& move) const {
   if (spindles_.empty()) {
-    return fault("E5301", "a thread in a channel without a spindle",
+    return fault("E5301", "a thread needs a spindle, which the channel does not have",
                  "give the channel a spindle with an encoder in the machine file");
   }
   const SpindleConfig& spindle = spindles_[index_of(move.spindle)].config;
@@ -155,7 +155,7 @@ Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) co
     case Kind::too_many_blocks:
       break;
   }
-  return fault("E5304", "a thread of more than 500 blocks without a stop",
+  return fault("E5304", "a thread has more than 500 blocks without a stop",
                "divide it by a block of another kind");
 }
 

@@ -2,7 +2,7 @@
 // them: the active codes and where each block ends. For displays; no effect on motion.
 //
 // The preparation is ahead of the motion by as many blocks as the path queue holds; a display asks
-// for the block at hand. Any thread.
+// for the current block. Any thread.
 #pragma once
 
 #include <deque>

@@ -45,7 +45,7 @@ json row_json(const CatalogueRow& row) {
 int explain(const ExplainOptions& options) {
   const CatalogueRow* row = find_in_catalogue(upper(options.code));
   if (row == nullptr) {
-    write_message("no such code: " + options.code + "\n");
+    write_message("there is no code " + options.code + "\n");
     return 1;
   }
   if (options.json) {
@@ -69,7 +69,7 @@ std::string explanation(std::string code) {
 
 void add_explain_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = app.add_subcommand("explain", "what a code means and what to do");
+  CLI::App* command = app.add_subcommand("explain", "tell what a code means and what to do");
   command->add_option("CODE", options->code, "code of the catalogue, as E7001")->required();
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &exit_code] { exit_code = explain(*options); });

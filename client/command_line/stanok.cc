@@ -1,7 +1,7 @@
 // stanok: the one tool of a person. Operator client of a running daemon, and every off-line job.
 //
 // This file names the commands and turns what can go wrong into exit codes
-// (docs/reference/command-line.md, "Exit codes"); each command lives in a file of its own.
+// (docs/reference/command-line.md, "Exit codes"); each command is in a file of its own.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <span>

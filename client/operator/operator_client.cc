@@ -87,7 +87,7 @@ OperatorClient::OperatorClient(const std::filesystem::path& socket)
     if (hello && hello->contains("error")) {
       throw ConnectionError(protocol::failure_from_json((*hello)["error"]).message);
     }
-    throw ConnectionError(socket.string() + ": whoever listens there is no stanok daemon");
+    throw ConnectionError(socket.string() + ": what listens there is not a stanok daemon");
   }
   hello_ = parameters;
 }

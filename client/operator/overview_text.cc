@@ -25,7 +25,7 @@ std::string program_place(const json& channel) {
   return cell_text(program) + (line.is_number() && line != 0 ? ":" + cell_text(line) : "");
 }
 
-// Of mm/s, as programs write feeds.
+// Writes mm/s as mm/min, as programs write feeds.
 std::string minute_text(const json& speed_mm_s) {
   constexpr double s_per_min = 60.0;
   return speed_mm_s.is_number() ? fmt::format("{:.0f}", speed_mm_s.get<double>() * s_per_min) : "-";

@@ -9,7 +9,7 @@
 namespace stanok::client {
 
 // `channels` as in a status notification (docs/reference/protocol.md): a table with one row per
-// channel, and below it the alarms that stand.
+// channel, and below it the active alarms.
 [[nodiscard]] std::string overview_text(const nlohmann::json& channels, const Terminal& terminal);
 
 }  // namespace stanok::client

@@ -12,7 +12,7 @@
 
 namespace stanok::client {
 
-// What to print so that the text stands on the line at hand, cut to a terminal of so many columns.
+// What to print so that the text stands on the current line, cut to a terminal of so many columns.
 // ECMA-48 EL: erase to the end of the line.
 [[nodiscard]] std::string progress_text(const std::string& text, std::size_t columns);
 

@@ -94,7 +94,7 @@ class LineBreaker {
   std::size_t indent_;
   std::vector<std::string> lines_;
   std::string line_;
-  std::size_t start_ = 0;  // columns of the indent of the line at hand
+  std::size_t start_ = 0;  // columns of the indent of the current line
   std::size_t used_ = 0;
   std::size_t blank_ = 0;  // behind the latest blank; 0: none
   std::size_t used_at_blank_ = 0;

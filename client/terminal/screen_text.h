@@ -21,7 +21,7 @@ namespace stanok::client {
 // further lines are indented. At least 1 column; one character stands on a line in any case.
 [[nodiscard]] std::vector<std::string> broken_lines(std::string_view text, std::size_t columns);
 
-// As much of the beginning as fits, with "..." where something was left out. No colours.
+// Returns as much of the beginning as fits, with "..." where something was left out. No colours.
 [[nodiscard]] std::string cut_to_columns(std::string_view text, std::size_t columns);
 
 }  // namespace stanok::client

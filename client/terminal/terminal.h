@@ -27,8 +27,8 @@ class Terminal {
   explicit Terminal(Screen screen, TerminalSize size = {}) : screen_(screen), size_(size) {}
 
   [[nodiscard]] bool is_terminal() const { return screen_ != Screen::none; }
-  // As it is now: a window may be made larger or smaller at any time. 80 x 24 where it is not
-  // known.
+  // Tells the size of now: a window may be made larger or smaller at any time. 80 x 24 where it is
+  // not known.
   [[nodiscard]] TerminalSize size() const;
   // The text, wrapped in the colour's escape sequence where that is shown.
   [[nodiscard]] std::string coloured(std::string_view text, Colour colour) const;

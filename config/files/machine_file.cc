@@ -86,7 +86,7 @@ class MachineReader {
     read_machine();
     read_drives(axes);
     for (channels::AxisConfig& axis : file_.machine.axes)
-      axis.regulator.demand_held_s = file_.bus.poll_ms * 1e-3;
+      axis.controller.demand_held_s = file_.bus.poll_ms * 1e-3;
     read_services();
     return std::move(file_);
   }
@@ -209,19 +209,19 @@ class MachineReader {
     }
   }
 
-  // The position at hand is up to a poll old, and U acts a cycle later. A proportional loop has 90
+  // The current position is up to a poll old, and U acts a cycle later. A proportional loop has 90
   // deg of phase at its gain of 1 and loses kp times the dead time; 60 deg must be left.
   void check_dead_times() {
     const double dead_time_s = file_.bus.poll_ms * 1e-3 + file_.machine.cycle_us * 1e-6;
     const double kp_max = std::numbers::pi / 6.0 / dead_time_s;
     for (std::size_t i = 0; i < file_.machine.axes.size(); ++i) {
       const channels::AxisConfig& axis = file_.machine.axes[i];
-      const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
-      if (!in_cycle || axis.regulator.gains.kp <= kp_max) continue;
-      const toml::table& regulator = *top_.axes->get(i)->as_table()->get("regulator")->as_table();
+      const bool in_cycle = axis.controller.feedback == channels::FeedbackPlace::cycle;
+      if (!in_cycle || axis.controller.gains.kp <= kp_max) continue;
+      const toml::table& controller = *top_.axes->get(i)->as_table()->get("regulator")->as_table();
       Scope{faults_, "axis " + axis.name + ": regulator"}.fault(
-          place_of(regulator, "kp"),
-          "kp is " + number_text(axis.regulator.gains.kp) + "; with poll_ms = " +
+          place_of(controller, "kp"),
+          "kp is " + number_text(axis.controller.gains.kp) + "; with poll_ms = " +
               std::to_string(file_.bus.poll_ms) + " the loop is well damped up to about " +
               number_text(std::floor(kp_max)) + "; poll more often, or lower kp");
     }

@@ -1,4 +1,4 @@
-// Keys and checks of [[axis]] with its homing, regulator and drive, and of [[spindle]].
+// Keys and checks of [[axis]] with its homing, controller and drive, and of [[spindle]].
 #include "config/sections/axis_section.h"
 
 #include <algorithm>
@@ -11,18 +11,18 @@ namespace stanok::config {
 namespace {
 
 using channels::AxisConfig;
+using channels::ControllerConfig;
 using channels::HomingConfig;
-using channels::RegulatorConfig;
 using channels::SpindleConfig;
 using motion::AxisLimits;
-using motion::RegulatorGains;
+using motion::ControllerGains;
 
 // The keys as they stand in the file; what differs from the configs is translated below.
 struct AxisFile {
   AxisConfig axis;
   std::string kind;
   Subtable homing = nullptr;
-  Subtable regulator = nullptr;
+  Subtable controller = nullptr;
   Subtable drive = nullptr;
   Subtable plant = nullptr;
 };
@@ -32,8 +32,8 @@ struct HomingFile {
   std::string mark = "switch";
 };
 
-struct RegulatorFile {
-  RegulatorConfig regulator;
+struct ControllerFile {
+  ControllerConfig controller;
   std::string feedback = "drive";
 };
 
@@ -59,15 +59,15 @@ const Keys<AxisFile>& axis_keys() {
       {"rapid_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::rapid_max>, optional,
        "mm/s, deg/s", "velocity of rapid moves", limit_of_motion, "velocity_max"},
       {"resolution", at<&AxisFile::axis, &AxisConfig::resolution>, optional, "mm, deg",
-       "one discrete of the position code", positive},
+       "one increment of the position code", positive},
       {"kmv", at<&AxisFile::axis, &AxisConfig::kmv>, optional, "",
-       "velocity code = velocity in discretes per cycle x kmv", from(1.0, 1e6)},
+       "velocity code = velocity in increments per cycle x kmv", from(1.0, 1e6)},
       {"following_error_max", at<&AxisFile::axis, &AxisConfig::following_error_max>, optional,
-       "mm, deg", "distance between set-point and feedback that stops the axis", positive},
+       "mm, deg", "distance between setpoint and feedback that stops the axis", positive},
       {"modulo", at<&AxisFile::axis, &AxisConfig::modulo_deg>, optional, "deg",
        "one turn of a rotary axis whose G90 takes the shortest way; 0: counts on", not_negative},
-      {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its reference mark"},
-      {"regulator", at<&AxisFile::regulator>, optional, "", "position regulator"},
+      {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its home position"},
+      {"regulator", at<&AxisFile::controller>, optional, "", "position controller"},
       {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
       {"plant", at<&AxisFile::plant>, optional, "",
        "machine behind the simulated drive: encoder, switches, backlash, friction"},
@@ -80,38 +80,39 @@ const Keys<HomingFile>& homing_keys() {
       {"order", at<&HomingFile::homing, &HomingConfig::order>, optional, "",
        "ascending; equal numbers home together; 0: absolute encoder, no move", from(0)},
       {"position", at<&HomingFile::homing, &HomingConfig::position>, optional, "mm, deg",
-       "reading of the axis at its reference mark"},
+       "reading of the axis at its home switch or index pulse"},
       {"velocity", at<&HomingFile::homing, &HomingConfig::velocity>, optional, "mm/s, deg/s",
        "velocity of the search; its sign is the direction"},
       {"velocity_slow", at<&HomingFile::homing, &HomingConfig::velocity_slow>, optional,
-       "mm/s, deg/s", "velocity with which the mark is met", positive, "a tenth of velocity"},
+       "mm/s, deg/s", "velocity with which the switch or index pulse is met", positive,
+       "a tenth of velocity"},
       {"mark", at<&HomingFile::mark>, optional, "",
-       "what shows the mark: the reference switch, the limit switch at which the search ends, or "
-       "the index pulse of an axis that turns",
+       "what ends the search: the home switch, the limit switch on that side, or, for an axis that "
+       "turns, the index pulse",
        one_of({"switch", "limit", "index"})},
       {"index", at<&HomingFile::homing, &HomingConfig::index>, optional, "",
-       "the mark is the first index pulse of the encoder behind the switch"},
+       "the first index pulse of the encoder behind the switch counts, not its edge"},
   };
   return keys;
 }
 
-const Keys<RegulatorFile>& regulator_keys() {
-  static const Keys<RegulatorFile> keys = {
-      {"feedback", at<&RegulatorFile::feedback>, optional, "",
+const Keys<ControllerFile>& controller_keys() {
+  static const Keys<ControllerFile> keys = {
+      {"feedback", at<&ControllerFile::feedback>, optional, "",
        "where the position loop is closed: in the drive, or in the cycle of the control",
        one_of({"drive", "cycle"})},
-      {"kp", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kp>, optional,
-       "1/s", "gain of the following error", not_negative},
-      {"kd", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kd>, optional,
-       "1/s", "gain of its change in a cycle", not_negative},
-      {"kint", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kint>,
+      {"kp", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kp>,
+       optional, "1/s", "gain of the following error", not_negative},
+      {"kd", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kd>,
+       optional, "1/s", "gain of its change in a cycle", not_negative},
+      {"kint", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kint>,
        optional, "1/s", "gain of its sum over the cycles", not_negative},
-      {"kv", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kv>, optional,
-       "", "gain of the velocity set-point", not_negative},
-      {"ka", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::ka>, optional,
-       "s", "gain of the acceleration set-point", not_negative},
-      {"kr", at<&RegulatorFile::regulator, &RegulatorConfig::gains, &RegulatorGains::kr>, optional,
-       "s2", "gain of the jerk set-point", not_negative},
+      {"kv", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kv>,
+       optional, "", "gain of the velocity setpoint", not_negative},
+      {"ka", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::ka>,
+       optional, "s", "gain of the acceleration setpoint", not_negative},
+      {"kr", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kr>,
+       optional, "s2", "gain of the jerk setpoint", not_negative},
   };
   return keys;
 }
@@ -190,7 +191,8 @@ void check_limits(const toml::table& table, const AxisConfig& axis, const Scope&
 void check_homing(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
   if (axis.homing.order > 0 && axis.homing.velocity == 0.0) {
     scope.fault(place_of(table, "velocity"),
-                "velocity of the search is missing; an axis with an order has to move");
+                "velocity of the search is missing; an axis with an order above 0 moves to find "
+                "its home position");
   }
   if (std::abs(axis.homing.velocity) > axis.limits.velocity_max) {
     scope.fault(place_of(table, "velocity"),
@@ -203,8 +205,8 @@ void check_homing(const toml::table& table, const AxisConfig& axis, const Scope&
   }
 }
 
-// Way in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is half
-// of it.
+// Distance in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is
+// half of it.
 double stopping_way(double velocity, const motion::AxisLimits& limits) {
   const double a = limits.acceleration_max;
   const double j = limits.jerk_max;
@@ -212,11 +214,11 @@ double stopping_way(double velocity, const motion::AxisLimits& limits) {
   return 0.5 * velocity * time;
 }
 
-// Behind the mark, where the search meets it slowly; a limit switch is left again, fast and at
-// least as far as the axis takes to stop.
+// Behind the home switch, where the search meets it slowly; a limit switch is left again, fast and
+// at least as far as the axis takes to stop.
 void check_homing_end(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
   const HomingConfig& homing = axis.homing;
-  const bool leaves_switch = homing.mark == channels::HomingMark::limit_switch;
+  const bool leaves_switch = homing.signal == channels::HomingSignal::limit_switch;
   const double speed = leaves_switch ? std::abs(homing.velocity) : homing.velocity_slow;
   const double way = stopping_way(speed, axis.limits);
   const bool goes_up = (homing.velocity > 0.0) != leaves_switch;
@@ -236,21 +238,21 @@ void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope)
   HomingFile file;
   read_table(table, homing_keys(), file, scope);
   axis.homing = file.homing;
-  if (file.mark == "limit") axis.homing.mark = channels::HomingMark::limit_switch;
-  if (file.mark == "index") axis.homing.mark = channels::HomingMark::index_alone;
+  if (file.mark == "limit") axis.homing.signal = channels::HomingSignal::limit_switch;
+  if (file.mark == "index") axis.homing.signal = channels::HomingSignal::index_alone;
   if (!table.contains("velocity_slow"))
     axis.homing.velocity_slow = slow_usual * std::abs(axis.homing.velocity);
   check_homing(table, axis, scope);
   check_homing_end(table, axis, scope);
 }
 
-void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& scope) {
-  RegulatorFile file;
-  read_table(table, regulator_keys(), file, scope);
-  axis.regulator = file.regulator;
+void read_controller(const toml::table& table, AxisConfig& axis, const Scope& scope) {
+  ControllerFile file;
+  read_table(table, controller_keys(), file, scope);
+  axis.controller = file.controller;
   if (file.feedback != "cycle") return;
-  axis.regulator.feedback = channels::FeedbackPlace::cycle;
-  if (axis.regulator.gains.kp == 0.0) {
+  axis.controller.feedback = channels::FeedbackPlace::cycle;
+  if (axis.controller.gains.kp == 0.0) {
     scope.fault(place_of(table, "kp"),
                 "kp is 0; a position loop closed in the cycle needs a gain above 0");
   }
@@ -258,7 +260,7 @@ void read_regulator(const toml::table& table, AxisConfig& axis, const Scope& sco
 
 void read_drive_of(const AxisFile& file, int place, AxisSection& section, const Scope& scope) {
   AxisConfig& axis = section.axis;
-  const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
+  const bool in_cycle = axis.controller.feedback == channels::FeedbackPlace::cycle;
   DriveSection drive{
       .drive = {.axis = axis.name,
                 .unit = place,
@@ -289,7 +291,7 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   if (file.homing != nullptr) {
     read_homing(*file.homing, axis, scope.inner("homing"));
   }
-  if (file.regulator != nullptr) read_regulator(*file.regulator, axis, scope.inner("regulator"));
+  if (file.controller != nullptr) read_controller(*file.controller, axis, scope.inner("regulator"));
   read_drive_of(file, place, section, scope);
   if (file.plant != nullptr) section.plant = read_axis_plant(*file.plant, scope.inner("plant"));
   return section;
@@ -397,8 +399,8 @@ std::vector<KeyRow> axis_key_rows() {
 std::vector<KeyRow> homing_key_rows() {
   return describe(homing_keys());
 }
-std::vector<KeyRow> regulator_key_rows() {
-  return describe(regulator_keys());
+std::vector<KeyRow> controller_key_rows() {
+  return describe(controller_keys());
 }
 std::vector<KeyRow> spindle_key_rows() {
   return describe(spindle_keys());

@@ -41,7 +41,7 @@ struct SpindleSection {
 // Rows of the documentation, by TOML table.
 [[nodiscard]] std::vector<KeyRow> axis_key_rows();
 [[nodiscard]] std::vector<KeyRow> homing_key_rows();
-[[nodiscard]] std::vector<KeyRow> regulator_key_rows();
+[[nodiscard]] std::vector<KeyRow> controller_key_rows();
 [[nodiscard]] std::vector<KeyRow> spindle_key_rows();
 
 }  // namespace stanok::config

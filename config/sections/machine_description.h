@@ -90,7 +90,7 @@ struct MachineFile {
   std::filesystem::path path;
   std::vector<SourceFile> sources;  // the machine file and those that it names
   channels::MachineConfig machine;
-  drives::BusConfig bus;  // kind none: no [drives], set-points only
+  drives::BusConfig bus;  // kind none: no [drives], setpoints only
   std::string lcm_url = "udpm://239.255.76.67:7667?ttl=0";
   RecorderConfig recorder;
   ProcessConfig process;

@@ -43,7 +43,7 @@ const Keys<BusFile>& bus_keys() {
 
 const Keys<LcmFile>& lcm_keys() {
   static const Keys<LcmFile> keys = {
-      {"url", at<&LcmFile::url>, required, "", "where set-points and states are published"},
+      {"url", at<&LcmFile::url>, required, "", "where setpoints and states are published"},
   };
   return keys;
 }

@@ -25,17 +25,20 @@ const Keys<ProcessFile>& process_keys() {
       {"feed_max", at<&F::control, &C::feed_max>, optional, "mm/s",
        "highest feed of force control; 0: the programmed feed", not_negative},
       {"efficiency", at<&F::control, &C::efficiency>, optional, "",
-       "of the spindle drive: cutting power over electrical power above idle", from(0.1, 1.0)},
+       "efficiency of the spindle drive: cutting power over electrical power above idle",
+       from(0.1, 1.0)},
       {"power_lag", at<&F::control, &C::power_lag_s>, optional, "s",
        "lag of the power sensor, with half a poll of its bus", positive},
       {"power_min", at<&F::control, &C::power_min_w>, optional, "W",
-       "the regulator stands where the set-point means less power than the sensor can tell",
+       "the feed controller holds its feed where the setpoint means less power than this, which "
+       "the "
+       "sensor cannot tell",
        not_negative},
       {"air_part", at<&F::control, &C::air_part>, optional, "",
-       "with less than this part of the power wanted the tool is in the air", from(0.01, 0.9)},
+       "below this part of the commanded power the tool counts as out of the cut", from(0.01, 0.9)},
       {"power_answer", at<&F::control, &C::power_answer_s>, optional, "s",
-       "in which the power answers a change of the feed in the cut, beyond half a revolution and "
-       "three lags; else the sensor is stuck",
+       "time in which the power must answer a change of the feed in the cut, beyond half a "
+       "revolution and three lags; if it does not, the sensor counts as stuck",
        from(0.0, 10.0)},
       {"idle_settle", at<&F::control, &C::idle_settle_s>, optional, "s",
        "time at speed before the idle power is taken", not_negative},
@@ -45,7 +48,7 @@ const Keys<ProcessFile>& process_keys() {
        "part of the idle power that grows with the speed; the rest grows with its square",
        from(0.0, 1.0)},
       {"gain", at<&F::control, &C::gain>, optional, "",
-       "of the feed regulator, times the dead time of chip and sensor", from(0.01, 1.0)},
+       "gain of the feed controller, times the dead time of chip and sensor", from(0.01, 1.0)},
       {"feed_exponent", at<&F::control, &C::feed_exponent>, optional, "",
        "y of the cutting force, P_z = C t S^y", from(0.3, 1.5)},
       {"feed_lag", at<&F::control, &C::feed_lag_s>, optional, "s",
@@ -59,9 +62,9 @@ const Keys<ProcessFile>& process_keys() {
       {"reduced_mass", at<&F::control, &C::reduced_mass_kg>, optional, "kg",
        "mass of the oscillating system", not_negative},
       {"oscillation_frequency", at<&F::control, &C::oscillation_hz>, optional, "Hz",
-       "of the force oscillation that is formed from the vibration", not_negative},
+       "frequency of the force oscillation that is formed from the vibration", not_negative},
       {"oscillation_reserve", at<&F::control, &C::oscillation_reserve>, optional, "",
-       "its amplitude over the one that just quenches", from(1.0, 3.0)},
+       "amplitude of that oscillation over the one that just quenches", from(1.0, 3.0)},
   };
   return keys;
 }
@@ -83,9 +86,9 @@ const Keys<CuttingFile>& cutting_keys() {
        "for which specific_force holds", positive},
       {"hardness_exponent", at<&F::cutting, &C::hardness_exponent>, optional, "", "e",
        not_negative},
-      {"efficiency", at<&F::cutting, &C::efficiency>, optional, "", "of the spindle drive",
-       from(0.1, 1.0)},
-      {"power_lag", at<&F::cutting, &C::power_lag_s>, optional, "s", "of the power sensor",
+      {"efficiency", at<&F::cutting, &C::efficiency>, optional, "",
+       "efficiency of the spindle drive", from(0.1, 1.0)},
+      {"power_lag", at<&F::cutting, &C::power_lag_s>, optional, "s", "lag of the power sensor",
        not_negative},
       {"sample_ms", at<&F::cutting, &C::sample_ms>, optional, "ms",
        "how often the sensors are read where the drives are ideal", from(1, 1000)},
@@ -104,8 +107,10 @@ const Keys<StockSection>& stock_keys() {
   static const Keys<StockSection> keys = {
       {"z", at<&StockSection::z_mm>, required, "mm",
        "where the section begins, in the frame of the program; it reaches to the next one"},
-      {"radius", at<&StockSection::radius_mm>, required, "mm", "of the workpiece there", positive},
-      {"hardness", at<&StockSection::hardness_hb>, optional, "HB", "of its material", positive},
+      {"radius", at<&StockSection::radius_mm>, required, "mm", "radius of the workpiece there",
+       positive},
+      {"hardness", at<&StockSection::hardness_hb>, optional, "HB", "hardness of its material",
+       positive},
   };
   return keys;
 }

@@ -103,8 +103,8 @@ const std::array<Bit, 7>& drive_bits() {
        "inputs: limit switch at the negative end", "0"},
       {"limit_positive", at<&BitFile::limit_positive>, &DriveBits::limit_positive,
        "inputs: limit switch at the positive end", "1"},
-      {"home_switch", at<&BitFile::home_switch>, &DriveBits::home_switch,
-       "inputs: reference switch", "2"},
+      {"home_switch", at<&BitFile::home_switch>, &DriveBits::home_switch, "inputs: home switch",
+       "2"},
   }};
   return bits;
 }

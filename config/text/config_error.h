@@ -1,7 +1,7 @@
 // ConfigError: what is wrong in the files an installer writes, all of it, with its place.
 //
 // Thrown by the readers of config before any axis has power, caught once in each main. what() shows
-// one fault per line: "file:line:column: what is wrong; how to mend it".
+// one fault per line: "file:line:column: what is wrong; how to correct it".
 #pragma once
 
 #include <stdexcept>

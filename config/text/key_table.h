@@ -103,7 +103,7 @@ struct Key {
 template <class Target>
 using Keys = std::vector<Key<Target>>;
 
-// What a reader carries along: where faults go, and how the table at hand is called in them.
+// What a reader carries along: where faults go, and how the current table is called in them.
 struct Scope {
   FaultList& faults;
   std::string name;  // "axis X", "[drives]"

@@ -5,7 +5,7 @@
 namespace stanok::daemon {
 namespace {
 
-constexpr std::int64_t figures_period_ns = 100'000'000;
+constexpr std::int64_t statistics_period_ns = 100'000'000;
 
 }  // namespace
 
@@ -13,12 +13,12 @@ RealTimeLoop::RealTimeLoop(CyclicWork& work, CycleClock& clock, std::int64_t per
     : work_(work),
       clock_(clock),
       period_ns_(period_ns),
-      cycles_between_figures_(std::max<std::int64_t>(1, figures_period_ns / period_ns)) {}
+      cycles_between_statistics_(std::max<std::int64_t>(1, statistics_period_ns / period_ns)) {}
 
 void RealTimeLoop::run() {
   due_ns_ = clock_.now_ns() + period_ns_;
   while (!stopping_.load(std::memory_order_relaxed)) run_once();
-  published_.write(figures_);
+  published_.write(statistics_);
 }
 
 void RealTimeLoop::run_once() {
@@ -26,20 +26,20 @@ void RealTimeLoop::run_once() {
   const std::int64_t woken_ns = clock_.now_ns();
   work_.cycle();
   const std::int64_t done_ns = clock_.now_ns();
-  figures_.latency.add(woken_ns - due_ns_);
-  figures_.cycle_time.add(done_ns - woken_ns);
-  ++figures_.cycles;
+  statistics_.latency.add(woken_ns - due_ns_);
+  statistics_.cycle_time.add(done_ns - woken_ns);
+  ++statistics_.cycles;
   due_ns_ += period_ns_;
   skip_passed_wake_ups(done_ns);
-  if (figures_.cycles % cycles_between_figures_ == 0) published_.write(figures_);
+  if (statistics_.cycles % cycles_between_statistics_ == 0) published_.write(statistics_);
 }
 
 void RealTimeLoop::skip_passed_wake_ups(std::int64_t now_ns) {
   if (now_ns <= due_ns_) return;
   const std::int64_t passed = (now_ns - due_ns_ + period_ns_ - 1) / period_ns_;
   due_ns_ += passed * period_ns_;
-  ++figures_.overruns;
-  figures_.periods_skipped += passed;
+  ++statistics_.overruns;
+  statistics_.periods_skipped += passed;
   work_.note_overrun(passed);
 }
 

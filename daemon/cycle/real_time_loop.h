@@ -23,13 +23,13 @@ class CyclicWork {
   CyclicWork(const CyclicWork&) = delete;
   CyclicWork& operator=(const CyclicWork&) = delete;
 
-  // Read the process image, update all channels, write set-points.
+  // Read the process image, update all channels, write setpoints.
   virtual void cycle() RT_SAFE = 0;
   // `periods` wake-ups were left out before the next cycle.
   virtual void note_overrun(std::int64_t periods) RT_SAFE = 0;
 };
 
-struct LoopFigures {
+struct LoopStatistics {
   std::int64_t cycles = 0;
   std::int64_t overruns = 0;
   std::int64_t periods_skipped = 0;
@@ -47,8 +47,8 @@ class RealTimeLoop {
   // Any thread, signal handlers too.
   void stop() { stopping_.store(true, std::memory_order_relaxed); }
 
-  // Figures of at most 100 ms ago. One reader thread.
-  [[nodiscard]] const LoopFigures& figures() { return published_.read(); }
+  // Statistics of at most 100 ms ago. One reader thread.
+  [[nodiscard]] const LoopStatistics& statistics() { return published_.read(); }
 
  private:
   void run_once();
@@ -57,10 +57,10 @@ class RealTimeLoop {
   CyclicWork& work_;
   CycleClock& clock_;
   std::int64_t period_ns_;
-  std::int64_t cycles_between_figures_;
+  std::int64_t cycles_between_statistics_;
   std::int64_t due_ns_ = 0;
-  LoopFigures figures_;
-  Latest<LoopFigures> published_;
+  LoopStatistics statistics_;
+  Latest<LoopStatistics> published_;
   std::atomic<bool> stopping_{false};
 };
 

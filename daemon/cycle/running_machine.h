@@ -66,7 +66,7 @@ class RunningMachine {
   // Where the next run of a channel begins; nothing: at the first block.
   [[nodiscard]] virtual std::optional<channels::SearchReport> search(int channel) = 0;
 
-  // The block at hand of a channel, as its output tells it.
+  // The current block of a channel, as its output tells it.
   [[nodiscard]] virtual channels::BlockReport block(const channels::ChannelOutput& output) = 0;
 
   // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs
@@ -75,7 +75,7 @@ class RunningMachine {
   virtual void foreseen_begins(int channel, runtime::RunsOfChannels before) = 0;
   [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
 
-  [[nodiscard]] virtual LoopFigures loop_figures() = 0;
+  [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
   // Outputs and inputs of cycles that the recorder was too late for.
   [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;

@@ -22,7 +22,7 @@ class ChannelControl {
  public:
   // Why the session may not take the channel; nothing: it has it now.
   [[nodiscard]] std::optional<protocol::Failure> take(int channel, const SessionState& session);
-  // Of a channel that the session does not have, nothing.
+  // Does nothing where the session does not have the channel.
   void give_back(int channel, int session);
   void forget(int session);
 

@@ -13,7 +13,8 @@ struct ChannelNotes {
   double rapid_override_percent = 100.0;
   double spindle_override_percent = 100.0;
   std::string controlled_by;  // a session; empty: nobody alone
-  // Of the machine's list of alarms, from its beginning. What is cleared never stands again.
+  // Both count in the machine's list of alarms, from its beginning. What is cleared is never active
+  // again.
   std::size_t alarms_acknowledged = 0;
   std::size_t alarms_cleared = 0;
 };

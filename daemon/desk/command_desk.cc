@@ -48,7 +48,7 @@ void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer ans
   if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(
-        failure_of(FailureKind::refused, "E9007", "too many requests at once", event.channel)));
+        failure_of(FailureKind::refused, "E9007", "there are too many requests at once", event.channel)));
   }
   pending_.emplace(event.id, std::move(pending));
 }
@@ -122,7 +122,7 @@ void CommandDesk::await_run(int channel, Answer answer) {
                                  [&](const auto& run) { return run.channel == channel; });
   if (last == runs.rend()) {
     return answer(Unexpected<Failure>(
-        failure_of(FailureKind::internal, "", "the machine has no record of the run", channel)));
+        failure_of(FailureKind::internal, "", "the machine has no record of this run", channel)));
   }
   awaited_.push_back({channel, last->run, std::move(answer)});
 }
@@ -145,7 +145,8 @@ void CommandDesk::answer_ended_runs() {
     const bool has_ended =
         run != runs.rend() && run->ended && machine_.newest_output().cycle >= run->end_cycle;
     if (has_ended && awaited.seen_ended) {
-      awaited.answer(outcome_of(*run, machine_.alarms(), machine_.file().machine.cycle_us * 1e-6));
+      awaited.answer(
+          command_result(*run, machine_.alarms(), machine_.file().machine.cycle_us * 1e-6));
       continue;
     }
     awaited.seen_ended = has_ended;
@@ -164,14 +165,14 @@ void CommandDesk::watch_cycle(SteadyTime now) {
   std::map<std::uint64_t, Pending> given_up;
   given_up.swap(pending_);
   for (const auto& [id, pending] : given_up) {
-    pending.answer(Unexpected<Failure>(failure_of(FailureKind::timed_out, "E9006",
-                                                  "the machine does not answer: its cycle stands",
-                                                  pending.event.channel)));
+    pending.answer(Unexpected<Failure>(failure_of(
+        FailureKind::timed_out, "E9006",
+        "the machine does not answer: its real-time cycle has stopped", pending.event.channel)));
   }
 }
 
-Outcome outcome_of(const channels::RunReport& run, const std::vector<channels::AlarmReport>& alarms,
-                   double cycle_s) {
+CommandResult command_result(const channels::RunReport& run,
+                             const std::vector<channels::AlarmReport>& alarms, double cycle_s) {
   if (run.ok) {
     return json{{"program", run.program},
                 {"ok", true},

@@ -21,8 +21,8 @@
 
 namespace stanok::daemon {
 
-using Outcome = Expected<nlohmann::json, protocol::Failure>;
-using Answer = std::function<void(const Outcome&)>;
+using CommandResult = Expected<nlohmann::json, protocol::Failure>;
+using Answer = std::function<void(const CommandResult&)>;
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 enum class WaitFor : std::uint8_t { accepted, end_of_run };
@@ -74,7 +74,8 @@ class CommandDesk {
 };
 
 // The result of a run that is over: {"program","ok","blocks","path_mm","time_s"}, or why it ended.
-[[nodiscard]] Outcome outcome_of(const channels::RunReport& run,
-                                 const std::vector<channels::AlarmReport>& alarms, double cycle_s);
+[[nodiscard]] CommandResult command_result(const channels::RunReport& run,
+                                           const std::vector<channels::AlarmReport>& alarms,
+                                           double cycle_s);
 
 }  // namespace stanok::daemon

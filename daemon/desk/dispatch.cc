@@ -28,13 +28,13 @@ Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, i
 }
 
 Unexpected<Failure> no_such_drive(const std::string& drive) {
-  return fail(FailureKind::refused, "E6050", "no such drive: " + drive);
+  return fail(FailureKind::refused, "E6050", "there is no drive " + drive);
 }
 
 }  // namespace
 
 void log_command(const SessionState& session, const protocol::Request& request,
-                 const Outcome& outcome) {
+                 const CommandResult& outcome) {
   const std::string parameters = protocol::json_text(request.parameters);
   if (outcome) {
     spdlog::info("session {} ({}): {} {}: done", session.id, session.peer, request.method,
@@ -127,11 +127,11 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   if (!method->action.empty()) return command(call);
   const auto handler = handlers().find(method->name);
   if (handler == handlers().end())
-    return call.answer(fail(FailureKind::internal, "", "nobody answers " + request.method));
+    return call.answer(fail(FailureKind::internal, "", "the daemon has no handler for " + request.method));
   if (const Query* query = std::get_if<Query>(&handler->second))
     return call.answer((*query)(*this, call.parameters));
   if (const Task* task = std::get_if<Task>(&handler->second)) return (*task)(*this, call);
-  const Outcome outcome = std::get<Order>(handler->second)(*this, call);
+  const CommandResult outcome = std::get<Order>(handler->second)(*this, call);
   if (method->effect != protocol::Effect::looks) log_command(session, request, outcome);
   call.answer(outcome);
 }
@@ -156,7 +156,7 @@ void Dispatch::control_channel(Call call) {
   if (!takes) control_.give_back(channel, call.session.id);
   note_control();
   tell_control(channel, [this, channel, takes, id = call.session.id,
-                         answer = std::move(call.answer)](const Outcome& outcome) {
+                         answer = std::move(call.answer)](const CommandResult& outcome) {
     if (!outcome && takes) {
       control_.give_back(channel, id);
       note_control();
@@ -170,7 +170,7 @@ void Dispatch::control_channel(Call call) {
 void Dispatch::tell_control() {
   for (const auto& channel : machine_.file().machine.channels) {
     if (told_control_[channel.id] != control_.session_with(channel.id))
-      tell_control(channel.id, [](const Outcome&) {});
+      tell_control(channel.id, [](const CommandResult&) {});
   }
 }
 
@@ -182,13 +182,13 @@ void Dispatch::tell_control(int channel, Answer answer) {
   event.number = control_.session_with(channel);
   told_control_[channel] = event.number;
   desk_.submit(event, WaitFor::accepted,
-               [this, channel, answer = std::move(answer)](const Outcome& outcome) {
+               [this, channel, answer = std::move(answer)](const CommandResult& outcome) {
                  if (!outcome) told_control_[channel] = not_known;
                  answer(outcome);
                });
 }
 
-Outcome Dispatch::start_log() const {
+CommandResult Dispatch::start_log() const {
   const auto started = machine_.start_log();
   if (!started)
     return fail(FailureKind::refused, "E9011",
@@ -197,7 +197,7 @@ Outcome Dispatch::start_log() const {
   return json{{"path", (*started)->string()}};
 }
 
-Outcome Dispatch::stop_log() const {
+CommandResult Dispatch::stop_log() const {
   const auto stopped = machine_.stop_log();
   if (!stopped) return fail(FailureKind::refused, "E9012", "no log is being written");
   return json{{"path", stopped->string()}};
@@ -206,7 +206,7 @@ Outcome Dispatch::stop_log() const {
 void Dispatch::load_tables(Call call) {
   const auto name = call.parameters.value("file", std::string("tables"));
   const auto log_and_answer = [who = call.session, name,
-                               answer = std::move(call.answer)](const Outcome& outcome) {
+                               answer = std::move(call.answer)](const CommandResult& outcome) {
     protocol::Request request;
     request.method = "tool.load";
     request.parameters = {{"file", name}};
@@ -220,7 +220,7 @@ void Dispatch::load_tables(Call call) {
   submit_one_by_one(desk_, std::move(*commands), log_and_answer);
 }
 
-Outcome Dispatch::tool_get(const json& parameters) const {
+CommandResult Dispatch::tool_get(const json& parameters) const {
   const int number = parameters.value("number", 0);
   const int edge = parameters.value("edge", 1);
   if (const auto tool = tool_edge(machine_, number, edge)) return *tool;
@@ -232,7 +232,7 @@ Outcome Dispatch::tool_get(const json& parameters) const {
 // Sessions may go before the answer comes; the log entry must not need them.
 void Dispatch::command(const Call& call) {
   const auto log_and_answer = [who = call.session, request = call.request,
-                               answer = call.answer](const Outcome& outcome) {
+                               answer = call.answer](const CommandResult& outcome) {
     log_command(who, request, outcome);
     answer(outcome);
   };
@@ -247,7 +247,7 @@ void Dispatch::command(const Call& call) {
 }
 
 // Drives are reset and made to fail beside the cycle: what they then report enters it as feedback.
-Outcome Dispatch::reset_drive(const Call& call) {
+CommandResult Dispatch::reset_drive(const Call& call) {
   if (const auto obstacle = control_.obstacle_to_all(call.session.id))
     return Unexpected<Failure>(*obstacle);
   const auto drive = call.parameters["drive"].get<std::string>();
@@ -255,7 +255,7 @@ Outcome Dispatch::reset_drive(const Call& call) {
   return json{{"accepted", true}};
 }
 
-Outcome Dispatch::make_drive_fail(const Call& call) {
+CommandResult Dispatch::make_drive_fail(const Call& call) {
   if (const auto obstacle = control_.obstacle_to_all(call.session.id))
     return Unexpected<Failure>(*obstacle);
   if (machine_.drive_choice() != "embedded") {
@@ -268,7 +268,7 @@ Outcome Dispatch::make_drive_fail(const Call& call) {
   return json{{"accepted", true}};
 }
 
-Outcome Dispatch::allow_workpieces(const json& parameters) {
+CommandResult Dispatch::allow_workpieces(const json& parameters) {
   const bool allowed = parameters.value("on", 1) != 0;
   machine_.allow_workpieces(allowed);
   return json{{"allowed", allowed}};
@@ -280,13 +280,13 @@ void Dispatch::shut_down(Call call) {
   on_shutdown_();
 }
 
-Outcome Dispatch::lower_role(const Call& call) {
+CommandResult Dispatch::lower_role(const Call& call) {
   const auto wanted = protocol::role_named(call.parameters["role"].get<std::string>());
   call.session.role = std::min(call.session.role, wanted.value_or(call.session.role));
   return json{{"role", protocol::role_name(call.session.role)}};
 }
 
-Outcome Dispatch::subscribe(const Call& call, const json& topics, int channel) {
+CommandResult Dispatch::subscribe(const Call& call, const json& topics, int channel) {
   const double rate_hz = call.parameters.value("rate_hz", usual_rate_hz);
   call.session.subscription = Subscription(topics, rate_hz, channel);
   return json{{"topics", topics}, {"rate_hz", rate_hz}};

@@ -26,7 +26,7 @@ struct SessionState {
   protocol::Role role = protocol::Role::observer;
   std::string peer;  // for logs: "uid 1000, pid 4711"
   Subscription subscription;
-  // Stops that the daemon had taken when the request at hand came in.
+  // Stops that the daemon had taken when the current request came in.
   std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
 };
 
@@ -35,7 +35,7 @@ struct SessionState {
 
 // Every command and its outcome, in the daemon's own log; any thread.
 void log_command(const SessionState& session, const protocol::Request& request,
-                 const Outcome& outcome);
+                 const CommandResult& outcome);
 
 // What the daemon knows of itself, for system.info.
 struct DaemonDescription {
@@ -80,7 +80,7 @@ class Dispatch {
   // What the daemon answers itself: what it sees; what it has done at once; a task that answers
   // now or later.
   using Query = nlohmann::json (*)(Dispatch& self, const nlohmann::json& parameters);
-  using Order = Outcome (*)(Dispatch& self, const Call& call);
+  using Order = CommandResult (*)(Dispatch& self, const Call& call);
   using Task = void (*)(Dispatch& self, Call call);
   using Handler = std::variant<Query, Order, Task>;
   // By method: a line for every one that does not go to the machine.
@@ -91,17 +91,17 @@ class Dispatch {
   void control_channel(Call call);
   void tell_control();
   void tell_control(int channel, Answer answer);
-  [[nodiscard]] Outcome start_log() const;
-  [[nodiscard]] Outcome stop_log() const;
+  [[nodiscard]] CommandResult start_log() const;
+  [[nodiscard]] CommandResult stop_log() const;
   void load_tables(Call call);
-  [[nodiscard]] Outcome tool_get(const nlohmann::json& parameters) const;
-  [[nodiscard]] Outcome reset_drive(const Call& call);
-  [[nodiscard]] Outcome make_drive_fail(const Call& call);
-  [[nodiscard]] Outcome allow_workpieces(const nlohmann::json& parameters);
+  [[nodiscard]] CommandResult tool_get(const nlohmann::json& parameters) const;
+  [[nodiscard]] CommandResult reset_drive(const Call& call);
+  [[nodiscard]] CommandResult make_drive_fail(const Call& call);
+  [[nodiscard]] CommandResult allow_workpieces(const nlohmann::json& parameters);
   void shut_down(Call call);
-  [[nodiscard]] static Outcome lower_role(const Call& call);
-  [[nodiscard]] static Outcome subscribe(const Call& call, const nlohmann::json& topics,
-                                         int channel);
+  [[nodiscard]] static CommandResult lower_role(const Call& call);
+  [[nodiscard]] static CommandResult subscribe(const Call& call, const nlohmann::json& topics,
+                                               int channel);
   [[nodiscard]] int channel_or_first(const nlohmann::json& parameters) const;
   [[nodiscard]] nlohmann::json system_info() const;
 

@@ -7,11 +7,11 @@
 
 namespace stanok::daemon {
 
-// Of `drive list`: bus, address, kind, requests of one exchange.
+// The answer to `drive list`: bus, address, kind, requests of one exchange.
 [[nodiscard]] nlohmann::json drive_list(const RunningMachine& machine);
 
-// Of `drive status`: state, fault, measured values and errors of every drive; exchanges, errors by
-// kind and percentiles of the round trip of the bus.
+// The answer to `drive status`: state, fault, measured values and errors of every drive; exchanges,
+// errors by kind and percentiles of the round trip of the bus.
 [[nodiscard]] nlohmann::json drive_status(RunningMachine& machine);
 
 }  // namespace stanok::daemon

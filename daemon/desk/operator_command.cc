@@ -34,7 +34,7 @@ Expected<json, Failure> admitted_parameters(const config::MachineFile& file, pro
                                             const protocol::Request& request) {
   if (method == nullptr) {
     return not_admitted(FailureKind::method_not_found, "E9002",
-                        "unknown method \"" + request.method + "\"");
+                        "there is no method \"" + request.method + "\"");
   }
   if (role < method->role) {
     return not_admitted(FailureKind::not_permitted, "E9004",
@@ -47,7 +47,7 @@ Expected<json, Failure> admitted_parameters(const config::MachineFile& file, pro
   const int channel = parameters->value("channel", 0);
   if (channel != 0 && !has_channel(file, channel)) {
     return not_admitted(FailureKind::refused, "E6001",
-                        "no such channel: " + std::to_string(channel), channel);
+                        "there is no channel " + std::to_string(channel), channel);
   }
   return parameters;
 }

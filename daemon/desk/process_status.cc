@@ -37,7 +37,7 @@ json automatic_laws(const channels::ProcessOutput& process) {
   return rows;
 }
 
-// Of the feed, by the operator.
+// How the operator interrupts the feed.
 json interruption(const channels::ProcessOutput& process) {
   if (process.interruption.stand_mm <= 0.0) return nullptr;
   return {{"la_mm", process.interruption.stand_mm},

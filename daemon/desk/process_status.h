@@ -1,4 +1,4 @@
-// What `process.status` tells of a channel: the feed law at hand, what operators and sensors make
+// What `process.status` tells of a channel: the current feed law, what operators and sensors make
 // of the feed, and S, S_0, n and v (docs/programmer/feed-laws.md).
 #pragma once
 

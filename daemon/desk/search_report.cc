@@ -74,7 +74,7 @@ json search_json(const channels::SearchReport& report) {
   result["spindles"] = spindles_json(state);
   result["coolant"] = coolant_text(state.coolant);
   result["feed_law"] = state.feed_law.kind != lang::FeedLaw::Kind::off;
-  result["force_control"] = !state.force_orders.empty();
+  result["force_control"] = !state.force_commands.empty();
   result["not_executed"] = omissions_json(state);
   return result;
 }

@@ -5,7 +5,7 @@
 
 #include "base/catalogue.h"
 #include "base/enum_names.h"
-#include "daemon/desk/channel_figures.h"
+#include "daemon/desk/channel_display.h"
 #include "daemon/desk/process_status.h"
 
 namespace stanok::daemon {
@@ -120,8 +120,8 @@ bool is_verified(const channels::AxisConfig& config, const ChannelOutput& output
          (feedback.enabled || apart <= config.following_error_max);
 }
 
-// Of the scheme with this number, bit k: axis k of the channel takes part; all do where there is
-// none.
+// Which axes take part in the scheme with this number, bit k: axis k of the channel; all do where
+// there is none.
 unsigned participants_of(const channels::ChannelConfig& config, int scheme) {
   const auto at = std::find_if(config.schemes.begin(), config.schemes.end(),
                                [&](const auto& one) { return one.id == scheme; });
@@ -161,7 +161,7 @@ bool is_at_rest(const channels::CycleOutput& output) {
                       [](const ChannelOutput& c) { return c.moving || c.running; });
 }
 
-// The program of the run at hand, or of the last one; the one that is loaded else.
+// The program of the current run, or of the last one; the one that is loaded else.
 std::string program_of(const ChannelOutput& output, const std::vector<channels::RunReport>& runs,
                        const std::string& loaded) {
   if (!output.running && !loaded.empty()) return loaded;
@@ -186,7 +186,7 @@ ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
 json StatusReport::machine() const {
   const auto& config = machine_.file().machine;
   const auto output = machine_.newest_output();
-  const LoopFigures figures = machine_.loop_figures();
+  const LoopStatistics statistics = machine_.loop_statistics();
   const RealTimeRights rights = machine_.real_time_rights();
   json channels = json::array();
   for (const auto& channel : config.channels) {
@@ -204,10 +204,10 @@ json StatusReport::machine() const {
           {"idle", is_at_rest(output)},
           {"drives", machine_.drive_choice()},
           {"rt",
-           {{"cycle_us", percentiles_us(figures.cycle_time)},
-            {"latency_us", percentiles_us(figures.latency)},
-            {"overruns", figures.overruns},
-            {"periods_skipped", figures.periods_skipped}}},
+           {{"cycle_us", percentiles_us(statistics.cycle_time)},
+            {"latency_us", percentiles_us(statistics.latency)},
+            {"overruns", statistics.overruns},
+            {"periods_skipped", statistics.periods_skipped}}},
           {"real_time",
            {{"scheduling", rights.has_fifo_scheduling ? "fifo" : "other"},
             {"memory_locked", rights.has_locked_memory},
@@ -379,8 +379,8 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   json rows = json::array();
   for (std::size_t k = 0; k < alarms.size(); ++k) {
     if (channel != 0 && alarms[k].channel != channel) continue;
-    const bool is_standing = stands(alarms[k], k, output);
-    if (choice == AlarmChoice::active && !is_standing) continue;
+    const bool active = is_active(alarms[k], k, output);
+    if (choice == AlarmChoice::active && !active) continue;
     json row = alarm_json(alarms[k]);
     const auto notes = notes_.find(alarms[k].channel);
     row["acknowledged"] = notes != notes_.end() && k < notes->second.alarms_acknowledged;
@@ -389,10 +389,10 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   return {{"alarms", std::move(rows)}};
 }
 
-// An alarm stands until somebody has acknowledged it, and as long as its channel is in that state;
-// what a reset has cleared does not come back with the next one.
-bool StatusReport::stands(const channels::AlarmReport& alarm, std::size_t index,
-                          const channels::CycleOutput& output) const {
+// An alarm is active until somebody has acknowledged it, and as long as its channel is in that
+// state; what a reset has cleared does not come back with the next one.
+bool StatusReport::is_active(const channels::AlarmReport& alarm, std::size_t index,
+                             const channels::CycleOutput& output) const {
   const auto notes = notes_.find(alarm.channel);
   if (notes != notes_.end() && index < notes->second.alarms_cleared) return false;
   const bool is_acknowledged = notes != notes_.end() && index < notes->second.alarms_acknowledged;

@@ -19,7 +19,7 @@ class StatusReport {
 
   [[nodiscard]] nlohmann::json machine() const;
   [[nodiscard]] nlohmann::json channel_list() const;
-  // Of a channel that exists.
+  // The channel exists.
   [[nodiscard]] nlohmann::json channel(int id) const;
   // All channels by their number, as subscriptions send them.
   [[nodiscard]] nlohmann::json channels() const;
@@ -47,8 +47,8 @@ class StatusReport {
                                        const channels::ChannelOutput& output,
                                        const Books& books) const;
   [[nodiscard]] nlohmann::json alarm_rows(int channel, AlarmChoice choice) const;
-  [[nodiscard]] bool stands(const channels::AlarmReport& alarm, std::size_t index,
-                            const channels::CycleOutput& output) const;
+  [[nodiscard]] bool is_active(const channels::AlarmReport& alarm, std::size_t index,
+                               const channels::CycleOutput& output) const;
 
   RunningMachine& machine_;
   const NotesOfChannels& notes_;

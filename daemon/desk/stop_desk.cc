@@ -9,7 +9,7 @@ using protocol::FailureKind;
 
 constexpr auto standing_cycle_time_max = std::chrono::seconds(2);
 
-Outcome refused_stop(const char* code, std::string text, int channel) {
+CommandResult refused_stop(const char* code, std::string text, int channel) {
   const FailureKind kind =
       code == std::string_view("E9006") ? FailureKind::timed_out : FailureKind::refused;
   return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
@@ -26,7 +26,7 @@ bool StopDesk::take(protocol::Role role, const protocol::Request& request, Answe
   if (!stop) return answer(Unexpected<Failure>(stop.error())), true;
   stop->id = ++last_id_ | channels::stop_id_mark;
   if (!machine_.submit_stop(*stop))
-    return answer(refused_stop("E9007", "too many requests at once", stop->channel)), true;
+    return answer(refused_stop("E9007", "there are too many requests at once", stop->channel)), true;
   pending_.emplace(stop->id, Pending{*stop, std::move(answer)});
   return true;
 }
@@ -61,7 +61,8 @@ void StopDesk::tick(SteadyTime now) {
   std::map<std::uint64_t, Pending> given_up;
   given_up.swap(pending_);
   for (const auto& [id, pending] : given_up)
-    pending.answer(refused_stop("E9006", "the machine does not answer: its cycle stands",
+    pending.answer(refused_stop("E9006",
+                                "the machine does not answer: its real-time cycle has stopped",
                                 pending.stop.channel));
 }
 

@@ -1,7 +1,7 @@
 // StopDesk: stops on their way into the cycle and their answers on the way back.
 //
-// As CommandDesk, for the reception's thread: it waits for nothing that another thread holds. When
-// the cycle itself stands, everything that waits is answered with E9006.
+// Does for the reception's thread what CommandDesk does for the server's: it waits for nothing that
+// another thread holds. When the cycle itself stands, everything that waits is answered with E9006.
 #pragma once
 
 #include <cstdint>

@@ -119,7 +119,7 @@ void submit_next(const std::shared_ptr<Loading>& loading) {
   if (loading->done == loading->commands.size())
     return loading->answer(json{{"values", loading->done}});
   loading->desk.submit(
-      loading->commands[loading->done], WaitFor::accepted, [loading](const Outcome& outcome) {
+      loading->commands[loading->done], WaitFor::accepted, [loading](const CommandResult& outcome) {
         if (outcome) {
           ++loading->done;
           return submit_next(loading);

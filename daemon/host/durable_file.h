@@ -1,7 +1,7 @@
 // Files that survive a power failure: whole or not there, never half.
 //
 // The first line says kind, version and checksum of what follows. A new text is written to a
-// temporary beside the file, every byte counted, then fsync, the file at hand becomes the previous
+// temporary beside the file, every byte counted, then fsync, the current file becomes the previous
 // copy, rename, fsync of the directory. So at any instant the file, or its previous copy, is good.
 #pragma once
 

@@ -1,6 +1,6 @@
 // ProcessorShare: a thread that others may flood uses a part of a processor at most.
 //
-// Asked between two pieces of work: when the thread has used up its time in the window at hand, it
+// Asked between two pieces of work: when the thread has used up its time in the current window, it
 // sleeps to the end of the window. For threads with a priority before which all others wait.
 #pragma once
 

@@ -29,7 +29,7 @@ struct LogFileStatus {
 
 class LogFiles {
  public:
-  // Files are DIR/NAME-YYYYMMDD-HHMMSS.lcm; one that is larger goes on in a next piece.
+  // Files are DIR/NAME-YYYYMMDD-HHMMSS.lcm; one that is larger goes on in a next file.
   LogFiles(std::filesystem::path directory, std::string name, std::int64_t size_max_bytes);
 
   // What the messages go into.

@@ -39,7 +39,7 @@ struct CycleRings {
 };
 
 // Hands over what is in the rings now: texts and inputs before the outputs they led to, so that a
-// log that ends anywhere lacks no input of a set-point it has. Returns how many records there were.
+// log that ends anywhere lacks no input of a setpoint it has. Returns how many records there were.
 std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& listeners);
 
 class PublisherThread {

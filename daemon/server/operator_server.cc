@@ -105,7 +105,7 @@ void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session
   session->state().stops_before = stops_before;
   dispatch.handle(session->state(), *request,
                   [asker = std::weak_ptr<Session>(session), id = request->id,
-                   wanted = request->wants_answer](const Outcome& outcome) {
+                   wanted = request->wants_answer](const CommandResult& outcome) {
                     const auto alive = asker.lock();
                     if (alive) alive->note_role(alive->state().role);
                     if (!alive || !wanted) return;
@@ -169,7 +169,7 @@ void OperatorServer::Parts::serve() {
       io.run();
     } catch (const std::exception& fault) {
       reception.fail();
-      spdlog::critical("the operator server: {}; the machine is stopped", fault.what());
+      spdlog::critical("the operator server failed: {}; the machine is stopped", fault.what());
     }
   }
 }

@@ -120,7 +120,7 @@ void Reception::Parts::admit(LocalSocket::socket socket) {
     session->send(protocol::notification_line("hello", greeting(machine.file(), session->state())));
     counter.on_arrival(session);
   } else {
-    session->turn_away("E9008", "too many clients");
+    session->turn_away("E9008", "there are too many clients");
     if (sessions.size() > limits.clients_max + limits.turned_away_max)
       static_cast<void>(end_oldest_turned_away());
   }
@@ -140,7 +140,7 @@ bool Reception::Parts::make_room() {
     return entry.second->has_place() && entry.second->role() == protocol::Role::observer;
   });
   if (observer == sessions.end()) return false;
-  observer->second->drop("E9008", "an operator needs the place");
+  observer->second->drop("E9008", "the connection was closed because an operator needs its place");
   return true;
 }
 
@@ -173,7 +173,7 @@ bool Reception::Parts::take_stop(Session& session, const protocol::Frame& frame)
   const auto request = protocol::parse_request(frame.text);
   if (!request) return false;
   const auto answer = [asker = session.weak_from_this(),
-                       request = *request](const Outcome& outcome) {
+                       request = *request](const CommandResult& outcome) {
     const auto alive = asker.lock();
     if (!alive) return;
     SessionState who;
@@ -219,7 +219,7 @@ void Reception::Parts::await_signal() {
 
 // A second reason hastens nothing: a terminal that is closed sends several signals.
 void Reception::Parts::begin_end(const std::string& why) {
-  if (ending.has_begun()) return spdlog::info("asked to end {}, while ending", why);
+  if (ending.has_begun()) return spdlog::info("asked to end {} while it is ending already", why);
   ending.begin(std::chrono::steady_clock::now());
   spdlog::info("ending {}: feed hold, then drives off", why);
 }
@@ -258,7 +258,7 @@ void Reception::run() {
     try {
       parts_->serve_one_round();
     } catch (const std::exception& fault) {
-      spdlog::critical("the reception of clients: {}; the machine is stopped", fault.what());
+      spdlog::critical("the reception of clients failed: {}; the machine is stopped", fault.what());
       parts_->failed = true;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -94,8 +94,8 @@ channels::CycleOutput AssembledMachine::newest_output() {
   return newest_;
 }
 
-LoopFigures AssembledMachine::loop_figures() {
-  return loop_ == nullptr ? LoopFigures{} : loop_->figures();
+LoopStatistics AssembledMachine::loop_statistics() {
+  return loop_ == nullptr ? LoopStatistics{} : loop_->statistics();
 }
 
 RealTimeRights AssembledMachine::real_time_rights() {

@@ -2,7 +2,7 @@
 //
 // The loop calls `cycle`; the publisher thread brings the outputs; the operator server asks through
 // RunningMachine. What passes from one to the other are the event queue, the newest output under a
-// lock outside of real time, and the figures of the loop.
+// lock outside of real time, and the statistics of the loop.
 #pragma once
 
 #include <atomic>
@@ -71,7 +71,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] runtime::Outlook outlook(int channel) override {
     return foresight_.outlook(channel, newest_output());
   }
-  [[nodiscard]] LoopFigures loop_figures() override;
+  [[nodiscard]] LoopStatistics loop_statistics() override;
   [[nodiscard]] RealTimeRights real_time_rights() override;
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
   [[nodiscard]] std::uint64_t inputs_lost() override { return machine_.inputs_lost(); }

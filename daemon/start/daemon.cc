@@ -142,17 +142,19 @@ int run_daemon(const DaemonOptions& options) {
   const auto fail = [&](std::string_view who, std::string_view reason) {
     server.fail();
     ends = true;
-    spdlog::critical("{}: {}; the machine is stopped", who, reason);
+    spdlog::critical("{} failed: {}; the machine is stopped", who, reason);
   };
   const KeptState kept(state.path(), machine);
   const RunningDrives drives(assembly);
   const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server},
-                                  [&](std::string_view reason) { fail("publisher", reason); });
+                                  [&](std::string_view reason) { fail("the publisher", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
       [&](int index, std::string_view reason) {
-        fail(file.machine.channels[static_cast<std::size_t>(index)].name, reason);
+        fail("the preparation of channel " +
+                 file.machine.channels[static_cast<std::size_t>(index)].name,
+             reason);
       });
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,

@@ -34,12 +34,14 @@ void add_options(CLI::App& app, CommandLine& given) {
   app.add_option("--lcm", given.options.lcm, "LCM URL, or off")->type_name("URL");
   app.add_option("--program-root", given.options.program_root, "folder of the part programs")
       ->type_name("FOLDER");
-  app.add_option("--drives", given.options.drives, "real, or embedded: simulated ones inside")
+  app.add_option("--drives", given.options.drives,
+                 "real, or embedded: simulated drives inside the daemon")
       ->transform(CLI::CheckedTransformer(choices).description(""))
       ->type_name("real|embedded");
   app.add_option("--log", given.options.log_directory, "folder to write an LCM log into")
       ->type_name("FOLDER");
-  app.add_flag("--check-config", given.check_only, "read the machine file, say what is wrong, end");
+  app.add_flag("--check-config", given.check_only,
+               "check the machine file, print its faults and end");
 }
 
 int run(const CommandLine& given) {
@@ -53,7 +55,7 @@ int run(const CommandLine& given) {
   return stanok::daemon::run_daemon(given.options);
 }
 
-// The exit code; throws what cannot be mended here.
+// The exit code; throws what cannot be handled here.
 int run(int argc, char** argv) {
   CLI::App app("stanokd: runs a machine");
   app.set_version_flag("--version", std::string(stanok::protocol::version));

@@ -90,7 +90,7 @@ class AxisExchange {
   [[nodiscard]] TargetSource source_under(PowerRequest request) const RT_SAFE;
   void set_targets(const std::optional<Demand>& demand, const DriveTarget& target) RT_SAFE;
   [[nodiscard]] bool moves_axis() const RT_SAFE { return config_.spindle == 0; }
-  // Of the last answer, as the drive counts: without the offset.
+  // The position of the last answer, as the drive counts: without the offset.
   [[nodiscard]] double counted_position() const RT_SAFE;
   [[nodiscard]] bool is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE;
   [[nodiscard]] Band reach_out_of_sight() const RT_SAFE;

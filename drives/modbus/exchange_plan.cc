@@ -32,7 +32,7 @@ std::vector<RegisterRun> runs_of(const RegisterMap& map, std::span<const FieldOf
   return runs;
 }
 
-// Of function 6, one register each.
+// Writes by function 6 have one register each.
 std::vector<RegisterRun> single_registers(const std::vector<RegisterRun>& runs) {
   std::vector<RegisterRun> singles;
   for (const RegisterRun& run : runs) {

@@ -127,7 +127,7 @@ class ModbusBus final : public DriveBus {
   Latest<Signals> inputs_;
   std::atomic<std::uint64_t> writes_{0};
 
-  // Of the bus thread.
+  // These belong to the bus thread.
   std::unique_ptr<ModbusLink> link_;
   std::vector<AxisExchange> axes_;
   std::vector<Plans> plans_;

@@ -30,7 +30,7 @@ class ModbusLink {
   ModbusLink(const ModbusLink&) = delete;
   ModbusLink& operator=(const ModbusLink&) = delete;
 
-  // Of every answer from now on.
+  // The time limit of every answer from now on.
   void wait_at_most(std::chrono::nanoseconds time);
 
   // Waits at most that time. A link that could not be made is not connected.

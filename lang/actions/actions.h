@@ -123,7 +123,7 @@ void write_table(ActiveBlock& block, CodeNumber code);  // G10
 // Reference points (actions_reference.cc)
 void go_to_reference_point(ActiveBlock& block, CodeNumber code);  // G28 G30
 void store_reference_point(ActiveBlock& block, CodeNumber code);  // G28.1 G30.1
-// Where the axes stand in M; not under tip control.
+// Where the axes stand in M; not under TCP.
 [[nodiscard]] AxisValues machine_position(const ActiveBlock& block);
 
 // Transformations (actions_transformation.cc)

@@ -65,7 +65,8 @@ std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
   plane.second_gain = block.modal.map.gain(plane.second);
   if (std::abs(plane.first_gain) != std::abs(plane.second_gain)) {
     block
-        .fail("E4303", code_word(code), "an arc while the axes of its plane are scaled differently",
+        .fail("E4303", code_word(code),
+              "an arc is not possible while the axes of its plane are scaled differently",
               "it would become an ellipse")
         .notes.push_back(block.modal.origin_of(Group::scaling));
     return std::nullopt;
@@ -93,7 +94,7 @@ std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
   plane.first_scale = block.modal.cylinder_radius_mm * std::numbers::pi / 180.0;
   if (std::abs(plane.second_gain) == 1.0) return plane;
   block
-      .fail("E4303", code_word(code), "an arc on a cylinder while Z is scaled",
+      .fail("E4303", code_word(code), "an arc on a cylinder is not possible while Z is scaled",
             "it would become an ellipse")
       .notes.push_back(block.modal.origin_of(Group::scaling));
   return std::nullopt;
@@ -134,7 +135,7 @@ std::optional<Point> centre_from_words(ActiveBlock& block, const ArcPlane& plane
       if (block.has(letter)) continue;
       block
           .fail("E4038", {}, std::string("with an absolute centre `") + letter + "` is needed too",
-                "incomplete centre")
+                "the centre is incomplete")
           .notes.push_back(block.modal.origin_of(Group::arc_distance));
       return std::nullopt;
     }

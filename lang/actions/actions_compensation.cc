@@ -58,7 +58,8 @@ bool has_plane(ActiveBlock& block, CodeNumber code) {
   for (const std::size_t coordinate : coordinates[static_cast<std::size_t>(block.modal.plane())]) {
     if (block.channel_words.geometry_axis(coordinate) >= 0) continue;
     block
-        .fail("E4036", {'G', code, {}}, "radius compensation in a plane whose axes are missing",
+        .fail("E4036", {'G', code, {}},
+              "the channel lacks an axis of the plane of radius compensation",
               "the channel lacks an axis of the plane")
         .notes.push_back(block.modal.origin_of(Group::plane));
     return false;
@@ -99,12 +100,12 @@ bool changes_coordinates(const Code& code) {
     case Group::polar:
       return true;
     default:
-      return code.letter == 'G' && code.group == Group::none && code.phase == Phase::settings;
+      return code.letter == 'G' && code.group == Group::none && code.order == EffectOrder::settings;
   }
 }
 
 bool is_forbidden(const ActiveBlock& block, const Code& code) {
-  const bool changes_tool = code.phase == Phase::tool_change;
+  const bool changes_tool = code.order == EffectOrder::tool_change;
   const bool other_motion = code.axes != AxisWords::unused && code.letter == 'G' &&
                             (code.group != Group::motion || code.number > g(3));
   const bool machine_coordinates = code.letter == 'G' && code.number == g(53);
@@ -121,11 +122,12 @@ struct Activity {
 void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
   const bool again = code.group == Group::radius_compensation && code.number != g(40);
   if (again && !active.before) return;
-  const bool now = code.phase < Phase::radius_compensation ? active.before : active.after;
+  const bool now = code.order < EffectOrder::radius_compensation ? active.before : active.after;
   if (!again && (!now || !is_forbidden(block, code))) return;
-  BlockFault& fault = block.fail(
-      again ? "E4142" : "E4141", {code.letter, code.number, {}},
-      "`" + code_text(code.letter, code.number) + "` while radius compensation is active", "");
+  BlockFault& fault = block.fail(again ? "E4142" : "E4141", {code.letter, code.number, {}},
+                                 "`" + code_text(code.letter, code.number) +
+                                     "` is not allowed while radius compensation is active",
+                                 "");
   if (active.before) fault.notes.push_back(block.modal.origin_of(Group::radius_compensation));
   fault.help.push_back("switch it off with `G40` before");
 }
@@ -144,7 +146,7 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   }
   if (active.before && block.has('T') && block.channel.kind == ChannelKind::lathe) {
     block
-        .fail("E4141", {'T', -1, {}}, "a tool change while radius compensation is active",
+        .fail("E4141", {'T', -1, {}}, "the tool cannot change while radius compensation is active",
               "T changes the tool at once")
         .notes.push_back(block.modal.origin_of(Group::radius_compensation));
   }

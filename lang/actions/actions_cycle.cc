@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "lang/actions/hole.h"
+#include "lang/actions/hole_moves.h"
 
 namespace stanok::lang {
 namespace {
@@ -81,10 +81,11 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
   } else if (needs_dwell(code) && cycle.dwell_s < 0.0) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
   } else if (code == g(76) && cycle.peck <= 0.0) {
-    block.fail("E4063", code_word(code), name + " needs a positive Q, the way from the edge",
+    block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
                "no Q");
   } else if ((code == g(86) || code == g(76)) && !block.modal.spindle_running) {
-    block.fail("E4064", code_word(code), name + " while the spindle stands", "no M3 or M4 before");
+    block.fail("E4064", code_word(code), name + " needs a spindle that turns",
+               "no M3 or M4 before");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
     block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
         .notes.push_back(block.modal.origin_of(Group::feed_mode));
@@ -117,7 +118,7 @@ bool uses_its_words(ActiveBlock& block, CodeNumber code) {
   return true;
 }
 
-void make_hole(Hole& hole, CodeNumber code) {
+void make_hole(HoleMoves& hole, CodeNumber code) {
   if (pecks(code)) {
     hole.peck(code);
   } else if (taps(code)) {
@@ -150,7 +151,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (block.failed()) return;
   const auto repeats = repeats_of(block, code);
   if (!repeats) return;
-  Hole hole(block, *axis);
+  HoleMoves hole(block, *axis);
   for (int i = 0; i < *repeats && !block.failed(); ++i) {
     Move positioning;
     resolve_ends(block, positioning);

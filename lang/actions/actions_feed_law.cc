@@ -56,8 +56,8 @@ bool check_surroundings(ActiveBlock& block, const LawForm& form, LawScope scope)
         law_without_path(block.words, "for a motion of rotary axes alone", "no path in mm");
   } else if (form.kind == FeedLaw::Kind::interrupted && !feed_is_known(block.modal)) {
     block
-        .fail("E4342", word, "the interrupted law without a feed",
-              "it cuts and stands at the feed of F")
+        .fail("E4342", word, "the interrupted feed law has no feed",
+              "it cuts and rests at the feed F")
         .help.emplace_back("program F before or in this block");
   }
   return !block.failed();
@@ -95,8 +95,8 @@ LawSurroundings law_surroundings(const ActiveBlock& block) {
 
 bool allows_feed_law(ActiveBlock& block, const WordName& word) {
   if (block.modal.feed_mode() != FeedMode::inverse_time) return true;
-  BlockFault& fault =
-      block.fail("E4334", word, "a feed law while the feed is an inverse time", "not in G93");
+  BlockFault& fault = block.fail(
+      "E4334", word, "a feed law is not possible while the feed is an inverse time", "not in G93");
   fault.notes.push_back(block.modal.origin_of(Group::feed_mode));
   fault.help.emplace_back("program `G94` or `G95` before or in this block");
   return false;
@@ -105,13 +105,13 @@ bool allows_feed_law(ActiveBlock& block, const WordName& word) {
 bool spindle_takes_law(ActiveBlock& block, const WordName& word, const std::string& what) {
   if (refuse_spindle_that_is_axis(block, 0, word)) return false;
   if (block.modal.code(Group::spindle_mode) == g(96)) {
-    BlockFault& fault =
-        block.fail("E4344", word, what + " while G96 holds the cutting speed constant",
-                   "who gives the speed?");
+    BlockFault& fault = block.fail(
+        "E4344", word, what + " is not possible while G96 holds the cutting speed constant",
+        "both give the speed");
     fault.notes.push_back(block.modal.origin_of(Group::spindle_mode));
     fault.help.emplace_back("program `G97` before");
   } else if (!spindle_turns(block, 0)) {
-    block.fail("E4343", word, what + " while the spindle stands", "no M3 or M4 before")
+    block.fail("E4343", word, what + " needs a spindle that turns", "no M3 or M4 before")
         .help.emplace_back("program S and `M3` or `M4` before or in this block");
   }
   return !block.failed();

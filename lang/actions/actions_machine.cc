@@ -81,7 +81,9 @@ void take_tool(ActiveBlock& block, CodeNumber) {
 
 void change_tool(ActiveBlock& block, CodeNumber) {
   if (block.modal.tool_prepared < 0) {
-    block.fail("E4051", {'M', m(6), {}}, "`M6` without a tool", "no T was programmed before")
+    block
+        .fail("E4051", {'M', m(6), {}}, "`M6` has no tool to change to",
+              "no T was programmed before")
         .help.push_back("name the tool first, e.g. `T1 M6`");
     return;
   }
@@ -143,7 +145,7 @@ void dwell(ActiveBlock& block, CodeNumber) {
     if (!spindle) return;
     const double speed = speed_of_spindle(block, *spindle);
     if (speed <= 0.0) {
-      block.fail("E4052", {'S', -1, {}}, "dwell in revolutions without a spindle speed",
+      block.fail("E4052", {'S', -1, {}}, "a dwell in revolutions needs a spindle speed",
                  "the spindle stands");
       return;
     }

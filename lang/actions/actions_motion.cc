@@ -17,7 +17,7 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(block, g(53), {Exclusion::transformation})) return;
   if (block.modal.length.mode == LengthMode::tip) {
     BlockFault& fault =
-        block.fail("E4040", word, "`G53` while the tool tip is controlled (G43.4)", "");
+        block.fail("E4040", word, "`G53` is not allowed while TCP (G43.4) is active", "");
     fault.notes.push_back(block.modal.origin_of(Group::length));
     fault.help.push_back("switch it off with `G49` before");
   } else if (code > g(1)) {
@@ -97,7 +97,8 @@ void resolve_modal_feed(ActiveBlock& block, Move& move) {
       return;
     }
     block
-        .fail("E4020", {}, modal.feed_known ? "motion at feed with F0" : "motion at feed without F",
+        .fail("E4020", {},
+              modal.feed_known ? "the feed of a motion at feed is 0" : "a motion at feed needs F",
               "no feed")
         .notes.push_back(modal.origin_of(Group::feed_mode));
   }

@@ -8,7 +8,7 @@
 namespace stanok::lang {
 namespace {
 
-// Shortest way in which a probe can change, mm or deg.
+// Shortest travel in which a probe can change, mm or deg.
 constexpr double probing_way_min = 0.01;
 
 double longest_way(const AxisValues& from, const AxisValues& to) {
@@ -29,7 +29,7 @@ void probe(ActiveBlock& block, CodeNumber code) {
   move.alarm_when_missed = code == g(38, 2) || code == g(38, 4);
   resolve_ends(block, move.line);
   if (longest_way(block.modal.position_W, move.line.end) < probing_way_min) {
-    block.fail("E4321", {'G', code, {}}, "probing needs a way to go",
+    block.fail("E4321", {'G', code, {}}, "a probing move needs a length",
                "the end is where the axes stand");
     return;
   }

@@ -42,7 +42,7 @@ AxisValues machine_position(const ActiveBlock& block) {
 void go_to_reference_point(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(
           block, code,
-          {Exclusion::radius_compensation, Exclusion::tip_control, Exclusion::transformation})) {
+          {Exclusion::radius_compensation, Exclusion::tcp, Exclusion::transformation})) {
     return;
   }
   const auto which = point_number(block, code);
@@ -61,7 +61,7 @@ void go_to_reference_point(ActiveBlock& block, CodeNumber code) {
 }
 
 void store_reference_point(ActiveBlock& block, CodeNumber code) {
-  if (excluded_by_mode(block, code, {Exclusion::tip_control, Exclusion::transformation})) return;
+  if (excluded_by_mode(block, code, {Exclusion::tcp, Exclusion::transformation})) return;
   const auto which = point_number(block, code);
   if (which) block.tables.store_reference_point(*which, machine_position(block));
 }

@@ -90,7 +90,8 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
     modal.compensation = {};
     modal.set(Group::radius_compensation, g(40), block.line);
     if (inner.awaits_position) {
-      fail_contour(block, code, "tip control changes in line " + std::to_string(one.origin.line));
+      fail_contour(block, code,
+                   "TCP (RTCP) is switched in line " + std::to_string(one.origin.line));
     } else if (inner.fault) {
       fail_contour(block, code,
                    "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);

@@ -187,8 +187,9 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
   if (refuse_spindle_that_is_axis(block, *spindle, {'G', code, {}})) return;
   if (modal.feed_law.speed != FeedLaw::Speed::unchanged) {
     block
-        .fail("E4344", {'G', code, {}}, "`G96` while a feed law gives the speed of the spindle",
-              "who gives the speed?")
+        .fail("E4344", {'G', code, {}},
+              "`G96` is not possible while a feed law gives the speed of the spindle",
+              "both give the speed")
         .help.emplace_back("end the law with `#feedlaw (off)` or an F word before");
     return;
   }
@@ -199,7 +200,7 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
     block.fail("E4022", {modal.speed_limit_rev_per_min < 0.0 ? 'D' : 'S', -1, {}},
                "a speed must not be negative", "negative speed");
   } else if (modal.cutting_speed_m_per_min == 0.0) {
-    block.fail("E4054", {'G', g(96), {}}, "`G96` without a cutting speed", "no S")
+    block.fail("E4054", {'G', g(96), {}}, "`G96` needs a cutting speed", "no S")
         .help.push_back("give m/min (G20: ft/min), e.g. `G96 S180 D2500`");
   } else {
     send_cutting_speed(block);

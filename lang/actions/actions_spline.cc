@@ -159,7 +159,7 @@ void collect_nurbs_point(ActiveBlock& block, CodeNumber code) {
 void end_nurbs(ActiveBlock& block, CodeNumber code) {
   ProgrammedCurve& curve = block.modal.curve;
   if (!curve.open()) {
-    block.fail("E4312", code_word(code), "`G5.3` without `G5.2` before", "no curve to end");
+    block.fail("E4312", code_word(code), "`G5.3` has no `G5.2` before it", "no curve to end");
     return;
   }
   const auto order = static_cast<std::size_t>(curve.order);

@@ -16,7 +16,9 @@ void drop_state(ActiveBlock& block, CodeNumber) {
 void restore_saved_state(ActiveBlock& block, CodeNumber) {
   const ModalState* const saved = block.states.saved();
   if (saved == nullptr) {
-    block.fail("E4014", {'M', m(72), {}}, "`M72` without a saved state", "nothing to restore")
+    block
+        .fail("E4014", {'M', m(72), {}}, "`M72` has no saved state to restore",
+              "nothing to restore")
         .help.push_back("save it before with M70 in the same program or subprogram");
     return;
   }

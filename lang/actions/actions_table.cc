@@ -181,7 +181,7 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
     fault.help.emplace_back("write the length with `G10 L1 P1 Z120.5`, the radius with `L1` and R");
     return;
   }
-  if (excluded_by_mode(block, g(10), {Exclusion::tip_control, Exclusion::transformation})) return;
+  if (excluded_by_mode(block, g(10), {Exclusion::tcp, Exclusion::transformation})) return;
   const auto tool = table_tool(block);
   if (!tool || !check_lengths(block)) return;
   WorkFrame frame = block.modal.frame();

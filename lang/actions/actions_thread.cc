@@ -78,7 +78,7 @@ void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
   if (refuse_spindle_that_is_axis(block, spindle, {'G', code, {}})) return;
   if (spindle_turns(block, spindle)) return;
   block
-      .fail("E4064", {'G', code, {}}, "`" + code_text('G', code) + "` while the spindle stands",
+      .fail("E4064", {'G', code, {}}, "`" + code_text('G', code) + "` needs a spindle that turns",
             "no M3 or M4 before")
       .help.push_back("program S and `M3` or `M4` before");
 }

@@ -122,7 +122,7 @@ void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   const double angle = block.has('Q') ? block.value('Q') : 0.0;
   if (!block.has('P') || block.value('P') <= 0.0) ask_for(block, 'P', "P, a positive lead");
   if (!block.has('I') || block.value('I') == 0.0)
-    ask_for(block, 'I', "I, the way to the thread's peak");
+    ask_for(block, 'I', "I, the distance to the peak of the thread");
   if (!block.has('J') || block.value('J') <= 0.0) ask_for(block, 'J', "J, a positive first depth");
   if (block.value('K') <= 0.0) ask_for(block, 'K', "K, a positive depth");
   if (degression < 1.0) ask_for(block, 'R', "R of at least 1");

@@ -10,7 +10,7 @@ namespace {
 
 bool excludes_transformation(ActiveBlock& block, CodeNumber code) {
   return excluded_by_mode(block, code,
-                          {Exclusion::radius_compensation, Exclusion::tip_control,
+                          {Exclusion::radius_compensation, Exclusion::tcp,
                            Exclusion::drilling_cycle, Exclusion::rotation});
 }
 

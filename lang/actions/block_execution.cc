@@ -53,7 +53,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
   const Code* const motion = find_code('G', number);
   if (motion->axes == AxisWords::unused) {
     BlockFault& fault =
-        block.fail("E4012", {}, "axis words without a motion code", "no motion is active");
+        block.fail("E4012", {}, "axis words need a motion code", "no motion is active");
     fault.notes.push_back(block.modal.origin_of(Group::motion));
     return;
   }
@@ -67,7 +67,7 @@ void check_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
   if (block.incremental == 0 || codes.axis_user == nullptr) return;
   const Code& user = *codes.axis_user;
   const bool moves =
-      user.phase == Phase::motion || user.action == CodeAction::go_to_reference_point;
+      user.order == EffectOrder::motion || user.action == CodeAction::go_to_reference_point;
   if (moves) return;
   const char letter = first_letter(block.words.letters & block.channel_words.incremental_letters());
   block.fail("E4302", {letter, -1, {}},
@@ -105,7 +105,7 @@ void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
       block
           .fail("E4015", {letter, -1, {}},
                 std::string("`") + letter + "` would be taken by two codes of the block",
-                "meant for which?")
+                "it is not clear for which")
           .help.push_back("program `" + code_text(row.letter, row.number) +
                           "` in a block of its own");
       return;
@@ -137,12 +137,12 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
-// In the order of their phases; codes of one phase stay as written.
+// In the order in which they take effect; codes of one rank stay as written.
 void sort_by_phase(BlockCodes& codes) {
   const auto first = codes.rows.begin();
   for (auto next = first; next != first + codes.count; ++next) {
     const auto later = std::upper_bound(
-        first, next, *next, [](const Code* a, const Code* b) { return a->phase < b->phase; });
+        first, next, *next, [](const Code* a, const Code* b) { return a->order < b->order; });
     std::rotate(later, next, next + 1);
   }
 }

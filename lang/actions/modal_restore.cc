@@ -93,7 +93,7 @@ std::string_view reason_against_restoring(const ModalState& now, const ModalStat
   const bool tip = now.length.mode == LengthMode::tip || saved.length.mode == LengthMode::tip;
   if ((parts & (state_tool | state_length)) != 0 && tip &&
       (now.length.mode != saved.length.mode || now.length.offset_mm != saved.length.offset_mm)) {
-    return "tool tip control differs";
+    return "TCP (RTCP) differs";
   }
   return {};
 }

@@ -29,7 +29,7 @@ enum class Flow : std::uint8_t {
   run_contour,  // the lines from `contour_line` to `flow_line`, then back to where the tool stands
 };
 
-// Blocks N first to N last of the text at hand, for cycles that refer to a contour.
+// Blocks N first to N last of the current text, for cycles that refer to a contour.
 struct Contour {
   struct Block {
     BlockWords words;
@@ -75,7 +75,7 @@ struct ActiveBlock : BlockSurroundings {
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
   double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
 
-  // An action after which the position is known only when the axes stand (tip control, M902, G12.1)
+  // An action after which the position is known only when the axes stand (TCP, M902, G12.1)
   // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions
   // are done, and the block is to be executed again with this number when the position is known.
   bool awaits_position = false;

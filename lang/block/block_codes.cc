@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lang/words/later_word.h"
+#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -54,7 +54,7 @@ const Code high_speed_by_p{'G',
                            g(5),
                            Group::none,
                            0,
-                           Phase::path_mode,
+                           EffectOrder::path_mode,
                            AxisWords::unused,
                            letters_of("P"),
                            Availability::everywhere,
@@ -64,7 +64,7 @@ const Code high_speed_by_q{'G',
                            g(5, 1),
                            Group::none,
                            0,
-                           Phase::path_mode,
+                           EffectOrder::path_mode,
                            AxisWords::unused,
                            letters_of("Q"),
                            Availability::everywhere,
@@ -88,12 +88,13 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   const std::string name = code_text(letter, number);
   const WordName word{letter, number, {}};
   if (row == nullptr) {
-    return fault_at("E4004", word, "unknown code `" + name + "`", "no such code");
+    return fault_at("E4004", word, "unknown code `" + name + "`", "there is no such code");
   }
   if (row->action == CodeAction::unsupported) {
     BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
                                 std::string(row->title));
-    if (const LaterWord* later = find_later_word(name)) fault.help.emplace_back(later->instead);
+    if (const UnsupportedWord* unsupported = find_unsupported_word(name))
+      fault.help.emplace_back(unsupported->instead);
     return fault;
   }
   if (kind != nullptr) {

@@ -24,8 +24,8 @@ WordName first_law_word(const BlockWords& words) {
 }
 
 BlockFault law_without_path(const BlockWords& words, const std::string& where, std::string label) {
-  BlockFault fault =
-      fault_at("E4333", first_law_word(words), "a feed law " + where, std::move(label));
+  BlockFault fault = fault_at("E4333", first_law_word(words), "a feed law is not possible " + where,
+                              std::move(label));
   fault.help.emplace_back(
       "program it with G1, G2, G3, G5 or G5.1, or before, in a block without axis words");
   return fault;

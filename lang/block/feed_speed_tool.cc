@@ -9,20 +9,20 @@
 namespace stanok::lang {
 namespace {
 
-constexpr Code word_row(char letter, Phase phase, Availability availability, CodeAction action,
-                        std::string_view title) {
-  return {letter, 0, Group::none, 0, phase, AxisWords::unused, 0, availability, action, title};
+constexpr Code word_row(char letter, EffectOrder order, Availability availability,
+                        CodeAction action, std::string_view title) {
+  return {letter, 0, Group::none, 0, order, AxisWords::unused, 0, availability, action, title};
 }
 
 constexpr Code feed_word =
-    word_row('F', Phase::feed, Availability::everywhere, CodeAction::take_feed, "feed");
-constexpr Code speed_word =
-    word_row('S', Phase::speed, Availability::not_master, CodeAction::take_speed, "spindle speed");
+    word_row('F', EffectOrder::feed, Availability::everywhere, CodeAction::take_feed, "feed");
+constexpr Code speed_word = word_row('S', EffectOrder::speed, Availability::not_master,
+                                     CodeAction::take_speed, "spindle speed");
 // Behind the spindle of its block, which a law may need, and before the motion.
-constexpr Code law_words = word_row(0, Phase::motion_modifier, Availability::not_master,
+constexpr Code law_words = word_row(0, EffectOrder::motion_modifier, Availability::not_master,
                                     CodeAction::take_feed_law, "feed law");
 constexpr Code tool_word =
-    word_row('T', Phase::tool, Availability::not_master, CodeAction::take_tool, "tool");
+    word_row('T', EffectOrder::tool, Availability::not_master, CodeAction::take_tool, "tool");
 
 // G76 has F of its own on lathe channels only.
 bool takes_word(const Code& code, char letter, ChannelKind kind) {

@@ -18,8 +18,7 @@ struct ExcludedMode {
 constexpr ExcludedMode modes[] = {
     {Exclusion::radius_compensation, Group::radius_compensation, "radius compensation is active",
      "switch it off with `G40` before"},
-    {Exclusion::tip_control, Group::length, "the tool tip is controlled",
-     "switch it off with `G49` before"},
+    {Exclusion::tcp, Group::length, "TCP (RTCP) is active", "switch it off with `G49` before"},
     {Exclusion::transformation, Group::transformation,
      "a face or cylinder transformation is active", "switch it off with `G13.1` before"},
     {Exclusion::drilling_cycle, Group::motion, "a drilling cycle is active",
@@ -34,7 +33,7 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
   switch (exclusion) {
     case Exclusion::radius_compensation:
       return modal.code(Group::radius_compensation) != g(40);
-    case Exclusion::tip_control:
+    case Exclusion::tcp:
       return modal.length.mode == LengthMode::tip;
     case Exclusion::transformation:
       return modal.code(Group::transformation) != g(13, 1);
@@ -71,7 +70,8 @@ bool excluded_by_mode(ActiveBlock& block, CodeNumber code,
   if (!mode) return false;
   BlockFault& fault = block.fail(
       "E4301", {letter, code, {}},
-      "`" + code_text(letter, code) + "` while " + std::string(mode->name), "not in this mode");
+      "`" + code_text(letter, code) + "` is not allowed while " + std::string(mode->name),
+      "not in this mode");
   fault.notes.push_back(mode->set_by);
   fault.help.emplace_back(mode->remedy);
   return true;

@@ -12,14 +12,14 @@ namespace stanok::lang {
 
 enum class Exclusion : std::uint8_t {
   radius_compensation,  // G41, G42
-  tip_control,          // G43.4
+  tcp,          // G43.4
   transformation,       // G12.1, G7.1
   drilling_cycle,
   inverse_time,  // G93
   rotation,      // G68
 };
 struct ActiveMode {
-  std::string_view name;  // "the tool tip is controlled"
+  std::string_view name;  // "TCP (RTCP) is active"
   std::string_view remedy;
   Note set_by;
 };

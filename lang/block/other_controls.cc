@@ -25,9 +25,9 @@ constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
     {g(21), Channels::lathes, "in code system C of Fanuc lathes it is a thread cycle",
      "the cycle is `G78`; to move, write `G0` or `G1` into the block"},
     {g(28, 1), Channels::all, "on other controls it goes there",
-     "the way to a reference point is `G28`; to move, write `G0` or `G1` into the block"},
+     "`G28` goes to a reference point; to move, write `G0` or `G1` into the block"},
     {g(30, 1), Channels::all, "on Fanuc controls it goes to a floating reference point",
-     "the way to a reference point is `G30`; to move, write `G0` or `G1` into the block"},
+     "`G30` goes to a reference point; to move, write `G0` or `G1` into the block"},
     {g(50), Channels::lathes, "in code system A of Fanuc lathes it sets the coordinates",
      "set them with `G92`; to move, write `G0` or `G1` into the block"},
     {g(60), Channels::all, "on Fanuc mills it is a positioning from one side",
@@ -42,7 +42,8 @@ constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
 
 BlockFault two_meanings(WordName word, std::string message, std::string_view meaning,
                         std::string_view remedy) {
-  BlockFault fault = fault_at("E4016", std::move(word), std::move(message), "meant for what?");
+  BlockFault fault =
+      fault_at("E4016", std::move(word), std::move(message), "it is not clear what is meant");
   fault.notes.push_back({std::string(meaning), {}});
   fault.help.emplace_back(remedy);
   return fault;

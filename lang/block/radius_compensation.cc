@@ -133,7 +133,7 @@ CompensationResult CompensationStage::wait_with_element(Command& command) {
     return std::nullopt;
   }
   if (waiting_.size() == waiting_max) {
-    return fault_of(command.origin, "E4148", "too many blocks without a move in the plane",
+    return fault_of(command.origin, "E4148", "too many blocks follow without a move in the plane",
                     "radius compensation needs the next move");
   }
   waiting_.push_back(command);

@@ -1,4 +1,4 @@
-// Modal states saved by M70 and M73, at most one for each call at hand.
+// Modal states saved by M70 and M73, at most one for each call that has not returned.
 #pragma once
 
 #include <algorithm>

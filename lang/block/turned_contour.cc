@@ -9,20 +9,21 @@
 namespace stanok::lang {
 namespace {
 
-// Where `piece` comes to the level `depth`, which lies between those of its ends.
-double along_at(const TurnedPiece& piece, double depth) {
-  const double low = std::min(piece.start.along, piece.end.along);
-  const double high = std::max(piece.start.along, piece.end.along);
-  if (!piece.arc) {
-    const double part = (depth - piece.start.depth) / (piece.end.depth - piece.start.depth);
-    return std::clamp(piece.start.along + part * (piece.end.along - piece.start.along), low, high);
+// Where `segment` comes to the level `depth`, which lies between those of its ends.
+double along_at(const TurnedSegment& segment, double depth) {
+  const double low = std::min(segment.start.along, segment.end.along);
+  const double high = std::max(segment.start.along, segment.end.along);
+  if (!segment.arc) {
+    const double part = (depth - segment.start.depth) / (segment.end.depth - segment.start.depth);
+    return std::clamp(segment.start.along + part * (segment.end.along - segment.start.along), low,
+                      high);
   }
-  const double radius =
-      std::hypot(piece.start.depth - piece.centre.depth, piece.start.along - piece.centre.along);
-  const double up = depth - piece.centre.depth;
+  const double radius = std::hypot(segment.start.depth - segment.centre.depth,
+                                   segment.start.along - segment.centre.along);
+  const double up = depth - segment.centre.depth;
   const double reach = std::sqrt(std::max((radius - up) * (radius + up), 0.0));
-  const bool before = (low + high) / 2.0 < piece.centre.along;
-  return std::clamp(piece.centre.along + (before ? -reach : reach), low, high);
+  const bool before = (low + high) / 2.0 < segment.centre.along;
+  return std::clamp(segment.centre.along + (before ? -reach : reach), low, high);
 }
 
 TurningPoint sum(TurningPoint a, TurningPoint b) {
@@ -59,7 +60,8 @@ TurnedContour::TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint s
                              TurningPoint allowance, PassAxis along)
     : start_(start), along_z_(along == PassAxis::z) {
   if (moves.size() < 2 || moves.front().arc) {
-    problem_ = "it must lead to the contour with G0 or G1, and have one more move";
+    problem_ =
+        "its first block must lead to the contour with G0 or G1, and one more move must follow";
     problem_line_ = moves.empty() ? 0 : moves.front().line;
     return;
   }
@@ -73,7 +75,7 @@ TurnedContour::TurnedContour(const std::vector<PlaneMove>& moves, TurningPoint s
     add(moves[k], at, allowance);
     at = moves[k].end;
   }
-  if (problem_.empty() && pieces_.empty()) problem_ = "it has no length";
+  if (problem_.empty() && segments_.empty()) problem_ = "it has no length";
 }
 
 TurnedPoint TurnedContour::turned(TurningPoint p) const {
@@ -94,31 +96,32 @@ void TurnedContour::add(const PlaneMove& move, TurningPoint start, TurningPoint 
   const std::vector<TurningPoint> ends =
       move.arc ? quarters(move, start) : std::vector<TurningPoint>{move.end};
   for (const TurningPoint& to : ends) {
-    add_piece({turned(sum(from, allowance)), turned(sum(to, allowance)), move.arc,
-               turned(sum(move.centre, allowance))},
-              move.line);
+    add_segment({turned(sum(from, allowance)), turned(sum(to, allowance)), move.arc,
+                 turned(sum(move.centre, allowance))},
+                move.line);
     from = to;
   }
 }
 
-void TurnedContour::add_piece(const TurnedPiece& piece, std::uint32_t line) {
-  const double along = piece.end.along - piece.start.along;
+void TurnedContour::add_segment(const TurnedSegment& segment, std::uint32_t line) {
+  const double along = segment.end.along - segment.start.along;
   if (along < -same_point && problem_.empty()) {
     problem_ = along_z_ ? "it goes back along Z" : "it goes back along X";
     problem_line_ = line;
   }
-  if (std::hypot(along, piece.end.depth - piece.start.depth) > same_point) pieces_.push_back(piece);
+  if (std::hypot(along, segment.end.depth - segment.start.depth) > same_point)
+    segments_.push_back(segment);
 }
 
 double TurnedContour::deepest() const {
-  double depth = pieces_.front().start.depth;
-  for (const TurnedPiece& piece : pieces_) depth = std::max(depth, piece.end.depth);
+  double depth = segments_.front().start.depth;
+  for (const TurnedSegment& segment : segments_) depth = std::max(depth, segment.end.depth);
   return depth;
 }
 
 double TurnedContour::shallowest() const {
-  double depth = pieces_.front().start.depth;
-  for (const TurnedPiece& piece : pieces_) depth = std::min(depth, piece.end.depth);
+  double depth = segments_.front().start.depth;
+  for (const TurnedSegment& segment : segments_) depth = std::min(depth, segment.end.depth);
   return depth;
 }
 
@@ -132,15 +135,15 @@ std::vector<TurnedStretch> TurnedContour::stretches(double depth) const {
     if (open.end - open.begin > same_point) list.push_back(open);
     is_open = false;
   };
-  for (const TurnedPiece& piece : pieces_) {
-    const bool deep = piece.end.depth >= depth;
-    if (is_open && !deep) close(along_at(piece, depth));
+  for (const TurnedSegment& segment : segments_) {
+    const bool deep = segment.end.depth >= depth;
+    if (is_open && !deep) close(along_at(segment, depth));
     if (!is_open && deep) {
-      open = {along_at(piece, depth), 0.0, false};
+      open = {along_at(segment, depth), 0.0, false};
       is_open = true;
     }
   }
-  if (is_open) close(pieces_.back().end.along);
+  if (is_open) close(segments_.back().end.along);
   return list;
 }
 

@@ -1,7 +1,7 @@
 // A contour to be turned, in the coordinates of its roughing: `depth` goes from the start point
 // into the material (along X for G71, along Z for G72), `along` is the direction of the passes.
 //
-// The contour is a chain of pieces that are monotonic in both; mm, from the start point.
+// The contour is a chain of segments that are monotonic in both; mm, from the start point.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct TurnedPoint {
   double along = 0.0;
 };
 
-struct TurnedPiece {
+struct TurnedSegment {
   TurnedPoint start;
   TurnedPoint end;
   bool arc = false;
@@ -59,20 +59,20 @@ class TurnedContour {
 
   [[nodiscard]] TurningPoint point(TurnedPoint p) const;
   [[nodiscard]] TurnedPoint turned(TurningPoint p) const;
-  [[nodiscard]] TurnedPoint first_point() const { return pieces_.front().start; }
+  [[nodiscard]] TurnedPoint first_point() const { return segments_.front().start; }
   [[nodiscard]] double deepest() const;
   [[nodiscard]] double shallowest() const;
   [[nodiscard]] std::vector<TurnedStretch> stretches(double depth) const;
 
  private:
   void add(const PlaneMove& move, TurningPoint start, TurningPoint allowance);
-  void add_piece(const TurnedPiece& piece, std::uint32_t line);
+  void add_segment(const TurnedSegment& segment, std::uint32_t line);
 
   TurningPoint start_;
   bool along_z_;
   double depth_sign_ = 1.0;
   double along_sign_ = 1.0;
-  std::vector<TurnedPiece> pieces_;
+  std::vector<TurnedSegment> segments_;
   std::string problem_;
   std::uint32_t problem_line_ = 0;
 };

@@ -48,8 +48,8 @@ enum class MoveKind : std::uint8_t { rapid, line, arc };
 // How the feed, and with it perhaps the speed of the spindle, steps along the path.
 // Feeds in mm/min or mm/rev as `feed_mode` says, lengths of path in mm, speeds of the master
 // spindle in rev/min or m/min as `speed` says. Each value by itself is checked: steps and lengths
-// are multiples of the machine's discretes. Whether feed and speed stay positive over the path is
-// known only where the path is.
+// are multiples of the increments of the machine. Whether feed and speed stay positive over the
+// path is known only where the path is.
 struct FeedLaw {
   enum class Kind : std::uint8_t {
     off,
@@ -163,7 +163,7 @@ struct Dwell {
 
 enum class SpindleAction : std::uint8_t { set_speed, clockwise, counter_clockwise, stop, orient };
 
-// M19 P: the way to the angle.
+// M19 P: the direction of the turn to the angle.
 enum class OrientWay : std::uint8_t { shortest, clockwise, counter_clockwise };
 
 struct SpindleCommand {
@@ -224,7 +224,7 @@ struct OverrideControl {
   bool feed_stop_enabled = true;  // M53
 };
 
-// #adaptive: an order to force control. Values that are not given are 0.
+// #adaptive: a command to force control. Values that are not given are 0.
 struct ForceControl {
   enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off };
   Kind kind = Kind::off;

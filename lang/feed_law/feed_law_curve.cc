@@ -24,13 +24,13 @@ MaybeFault check_sizes(const CurveArrays& arrays) {
   const bool fits =
       arrays.feeds.size() == count && (arrays.speeds.empty() || arrays.speeds.size() == count);
   if (!fits) {
-    return no_curve("the arrays of the curve differ in length: " + text(arrays.ways) + " ways, " +
-                        text(arrays.feeds) + " feeds" +
+    return no_curve("the arrays of the curve differ in length: " + text(arrays.ways) +
+                        " distances, " + text(arrays.feeds) + " feeds" +
                         (arrays.speeds.empty() ? "" : ", " + text(arrays.speeds) + " speeds"),
-                    "give each way its feed, and its speed if there are speeds");
+                    "give each distance its feed, and its speed if there are speeds");
   }
   if (count < 2 || count > limits::feed_law_points) {
-    return no_curve("a curve of " + text(arrays.ways) + " points",
+    return no_curve("the curve has " + text(arrays.ways) + " points",
                     "give 2 to " + std::to_string(limits::feed_law_points) + " points");
   }
   return std::nullopt;
@@ -38,15 +38,15 @@ MaybeFault check_sizes(const CurveArrays& arrays) {
 
 MaybeFault check_ways(Elements ways) {
   const auto text = [&](std::size_t i) {
-    return "way[" + std::to_string(i) + "] = " + law_number_text(ways[i]);
+    return "distance[" + std::to_string(i) + "] = " + law_number_text(ways[i]);
   };
   if (ways[0] != 0.0) {
     return no_curve("the curve begins with " + text(0) + ", not with 0",
-                    "begin with the way 0, where the law begins");
+                    "begin with the distance 0, where the law begins");
   }
   for (std::size_t i = 1; i < ways.size(); ++i) {
     if (ways[i] > ways[i - 1]) continue;
-    return no_curve(text(i) + " does not lie behind " + text(i - 1), "let the ways ascend");
+    return no_curve(text(i) + " does not lie behind " + text(i - 1), "let the distances ascend");
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// A feed law as a row of numbers, for the text of a saved state (lang/actions/gvector.h).
+// A feed law as a row of numbers, for the text of a saved state (lang/actions/saved_state.h).
 #pragma once
 
 #include <optional>

@@ -83,7 +83,7 @@ class LawReader {
       fail("E4339", feed_last,
            text(feed_last) + " is not even one `dS` away from " + text(feed_first) +
                ": `dl` cannot follow from them",
-           "no step between", "add `dl`, the way after which a step is due");
+           "no step between", "add `dl`, the distance after which a step is due");
     } else if (scope_ == LawScope::modal) {
       fail("E4340", feed_last,
            text(feed_last) +
@@ -169,7 +169,7 @@ class LawReader {
 
   double feed(LawAddress address) { return positive(address) * around_.length_unit; }
 
-  // A length above zero, a multiple of the discrete.
+  // A length above zero, a multiple of the increment of the machine.
   double length(LawAddress address) {
     if (words_.has(address)) static_cast<void>(positive(address));
     return signed_length(address);

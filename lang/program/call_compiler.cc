@@ -65,7 +65,7 @@ bool CallCompiler::check_argument_count(const Builtin& builtin, const Expression
   reporter_.error("E3005", call.span,
                   "`" + call.text + "` takes " + expected_count({least, most, any}) + ", not " +
                       std::to_string(given),
-                  "wrong number of arguments");
+                  "the number of arguments is wrong");
   return false;
 }
 
@@ -222,7 +222,7 @@ void CallCompiler::check_channel_call(const Builtin& builtin, const Expression& 
     reporter_
         .warning("W710", call.children[1].span,
                  "\"" + name->text + "\" is not included; it is looked for at run time",
-                 "no part of this program")
+                 "it is not part of this program")
         .help.push_back("add `#include \"" + name->text + "\"`");
   }
   if (!channel) return;
@@ -246,7 +246,7 @@ ValueType CallCompiler::compile_user_call(const Callee& callee, const Expression
     reporter_.error("E3005", call.span,
                     "`" + call.text + "` takes " + expected_count({least, most, false}) + ", not " +
                         std::to_string(given),
-                    "wrong number of arguments");
+                    "the number of arguments is wrong");
     return {};
   }
   if (form == Form::expression && signature.result == Type::none) {

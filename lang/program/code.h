@@ -26,7 +26,7 @@ enum class Op : std::uint8_t {
   push_axis,    // ( -> axis): the axis called texts[operand]
   pop,          // (value -> )
   duplicate,    // the top `count` values once more
-  load_local,   // slots of the function at hand
+  load_local,   // slots of the current function
   store_local,
   load_file,  // slots of the file
   store_file,

@@ -129,7 +129,7 @@ void Compiler::compile_own(const NumberedProgram& start) {
   if (!file_.numbered_programs.emplace(start.number, code_.position()).second) {
     reporter_.error("E3002", code_.statement_span(),
                     "program O" + std::to_string(start.number) + " stands twice in this file",
-                    "second program of this number");
+                    "this is the second program of this number");
   }
 }
 

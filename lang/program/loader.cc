@@ -167,8 +167,8 @@ void Loader::parse(FileIndex index) {
   const Source& source = program_->files[index]->source;
   Reporter& reporter = *loaded_[index].reporter;
   if (source.lone_frame_mark().length != 0) {
-    reporter.warning("W210", source.lone_frame_mark(), "a frame mark without its second",
-                     "only one line with %");
+    reporter.warning("W210", source.lone_frame_mark(), "the program has only one line with %",
+                     "a second one is missing");
   }
   ParserContext context;
   context.channel = index == 0 ? channel_ : nullptr;

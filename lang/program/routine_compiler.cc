@@ -214,7 +214,7 @@ std::optional<Callee> RoutineCompiler::find_o_subprogram(const OLabel& label) {
       const auto& files = context_.program.files;
       reporter_
           .error("E7006", label.span, "O" + label.name + " stands in two included files",
-                 "which one is meant?")
+                 "it is not clear which one is meant")
           .notes.push_back(
               {"in " + files[hit->file]->source.name() + " and in " + files[file]->source.name(),
                {}});

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lang/actions/gvector.h"
 #include "lang/actions/modal_restore.h"
+#include "lang/actions/saved_state.h"
 #include "lang/feed_law/feed_law_curve.h"
 #include "lang/run/block_runner.h"
 #include "lang/text/number.h"
@@ -14,14 +14,14 @@ namespace stanok::lang {
 namespace {
 
 // Values are positive; an oscillation of 0 N ends one, and the clamps ascend.
-bool are_possible(const ForceControl& order) {
-  if (order.kind == ForceControl::Kind::force) {
-    return order.force_n > 0.0 && order.feed_min >= 0.0 &&
-           (order.feed_max == 0.0 || order.feed_min < order.feed_max);
+bool are_possible(const ForceControl& command) {
+  if (command.kind == ForceControl::Kind::force) {
+    return command.force_n > 0.0 && command.feed_min >= 0.0 &&
+           (command.feed_max == 0.0 || command.feed_min < command.feed_max);
   }
-  if (order.kind == ForceControl::Kind::oscillate)
-    return order.oscillation_n >= 0.0 && order.oscillation_hz > 0.0;
-  return order.level_um >= 0.0 && order.reduced_mass_kg >= 0.0 && order.oscillation_hz >= 0.0;
+  if (command.kind == ForceControl::Kind::oscillate)
+    return command.oscillation_n >= 0.0 && command.oscillation_hz > 0.0;
+  return command.level_um >= 0.0 && command.reduced_mass_kg >= 0.0 && command.oscillation_hz >= 0.0;
 }
 
 // The arguments of #workpiece.
@@ -120,37 +120,37 @@ void BlockDirectives::fail_feed_law(BlockFault fault) {
 
 // #adaptive: the values are on the stack in their order, in units of the machine.
 void BlockDirectives::order_force_control(const Instruction& instruction) {
-  ForceControl order;
-  order.kind = static_cast<ForceControl::Kind>(instruction.extra);
+  ForceControl command;
+  command.kind = static_cast<ForceControl::Kind>(instruction.extra);
   std::array<double, 3> values{};
   for (std::size_t i = instruction.count; i-- > 0;) values.at(i) = vm_.stack().pop_number();
-  switch (order.kind) {
+  switch (command.kind) {
     case ForceControl::Kind::off:
     case ForceControl::Kind::vibration_off:
       break;
     case ForceControl::Kind::force:
-      order.force_n = values[0];
-      order.feed_min = values[1] * state_.length_unit();
-      order.feed_max = values[2] * state_.length_unit();
-      order.per_revolution = state_.modal.feed_mode() == FeedMode::per_revolution;
+      command.force_n = values[0];
+      command.feed_min = values[1] * state_.length_unit();
+      command.feed_max = values[2] * state_.length_unit();
+      command.per_revolution = state_.modal.feed_mode() == FeedMode::per_revolution;
       break;
     case ForceControl::Kind::oscillate:
-      order.oscillation_n = values[0];
-      order.oscillation_hz = values[1];
+      command.oscillation_n = values[0];
+      command.oscillation_hz = values[1];
       break;
     case ForceControl::Kind::vibration_on:
-      order.level_um = values[0];
-      order.reduced_mass_kg = values[1];
-      order.oscillation_hz = values[2];
+      command.level_um = values[0];
+      command.reduced_mass_kg = values[1];
+      command.oscillation_hz = values[2];
       break;
   }
   if (!state_.channel.has_force_control)
     return vm_.fail("E6060", "force control needs a power sensor of the channel's spindle",
                     "not in this channel");
-  if (!are_possible(order))
-    return vm_.fail("E6061", "values that force control cannot take", "not these values");
+  if (!are_possible(command))
+    return vm_.fail("E6061", "force control cannot take these values", "not these values");
   state_.begin_commands(vm_.instruction_origin());
-  state_.queue.emit(order);
+  state_.queue.emit(command);
 }
 
 // The arguments are on the stack: nothing, the value, or value and axis.
@@ -173,7 +173,7 @@ void BlockDirectives::ask_overhang(const Instruction& instruction) {
   const auto overhang = pop_overhang(instruction);
   if (!overhang) return;
   if (state_.modal.tool_active == 0) {
-    return vm_.fail("E5012", "the overhang of a tool while none is active", "no tool");
+    return vm_.fail("E5012", "there is no active tool whose overhang could be set", "no tool");
   }
   pending_.expect_overhang(*overhang);
   requests_.ask(Request{});
@@ -246,13 +246,13 @@ void BlockDirectives::save_gvector() {
                     "not such a sum");
   }
   vm_.stack().push(
-      value_of(gvector_text(state_.modal, static_cast<StateParts>(std::lround(parts)))));
+      value_of(saved_state_text(state_.modal, static_cast<StateParts>(std::lround(parts)))));
 }
 
 // restore_gvector (text): a sync point; the state is restored with the answer.
 void BlockDirectives::restore_gvector(const Instruction& instruction) {
   const Value text = vm_.stack().pop();
-  const auto saved = read_gvector(text_of(text));
+  const auto saved = read_saved_state(text_of(text));
   if (!saved) {
     return vm_.fail("E3022", "this text is no saved state", "damaged, or of another version");
   }

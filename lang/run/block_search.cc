@@ -219,9 +219,9 @@ void SearchCollector::take(const SpindleCommand& command) {
 }
 
 void SearchCollector::take(const ForceControl& order) {
-  if (order.kind == ForceControl::Kind::off) return state_.force_orders.clear();
-  std::erase_if(state_.force_orders, [&](const auto& old) { return old.kind == order.kind; });
-  state_.force_orders.push_back(order);
+  if (order.kind == ForceControl::Kind::off) return state_.force_commands.clear();
+  std::erase_if(state_.force_commands, [&](const auto& old) { return old.kind == order.kind; });
+  state_.force_commands.push_back(order);
 }
 
 void SearchCollector::take(const Request& request, const Origin& origin) {

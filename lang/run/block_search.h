@@ -59,8 +59,8 @@ struct SearchState {
   std::set<int> spindles_as_axes;  // M902 without M903
   CoolantCommand coolant;
   OverrideControl overrides;
-  std::vector<ForceControl> force_orders;  // in force, one of a kind
-  FeedLaw feed_law;                        // modal
+  std::vector<ForceControl> force_commands;  // in force, one of a kind
+  FeedLaw feed_law;                          // modal
   int tool_prepared = 0;
   int tool = 0;
   bool tool_changed = false;

@@ -139,7 +139,7 @@ void ChannelRequests::ask_value(const Instruction& instruction) {
 
 // What would mean something else under another scheme must be off.
 bool ChannelRequests::check_own_kinematics() {
-  const auto mode = active_mode(state_.modal, {Exclusion::tip_control, Exclusion::transformation,
+  const auto mode = active_mode(state_.modal, {Exclusion::tcp, Exclusion::transformation,
                                                Exclusion::rotation, Exclusion::drilling_cycle});
   if (!mode) return true;
   Diagnostic diagnostic =

@@ -73,7 +73,7 @@ class Interpreter {
   // as far as that is clear. For those who look for all faults of a program; nothing may move.
   [[nodiscard]] Passed pass_fault();
 
-  // Line of the statement at hand, for status displays.
+  // Line of the current statement, for status displays.
   [[nodiscard]] Origin origin() const;
 
   // Steps of this run: instructions and lines, a block counts hundred.

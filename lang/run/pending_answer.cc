@@ -75,7 +75,7 @@ bool PendingAnswer::accept() {
   return std::exchange(owed_, false);
 }
 
-PendingAnswer::Outcome PendingAnswer::take(const Answer& answer) {
+PendingAnswer::Taken PendingAnswer::take(const Answer& answer) {
   if (!answer.ok && answer.raises) return {{}, refusal_of("E5010", answer)};
   const AnswerUse use = std::exchange(use_, AnswerUse::position_only);
   switch (use) {
@@ -102,27 +102,27 @@ PendingAnswer::Outcome PendingAnswer::take(const Answer& answer) {
   return {};
 }
 
-PendingAnswer::Outcome PendingAnswer::take_truth(const Answer& answer) {
+PendingAnswer::Taken PendingAnswer::take_truth(const Answer& answer) {
   channel_error_ = answer.ok ? "" : answer.text;
   return {value_of(answer.ok), {}};
 }
 
-PendingAnswer::Outcome PendingAnswer::take_number(const Answer& answer) {
+PendingAnswer::Taken PendingAnswer::take_number(const Answer& answer) {
   const double unit = std::exchange(unit_, 1.0);
   if (!answer.ok) return {{}, refusal_of("E6032", answer)};
   return {value_of(answer.number / unit), {}};
 }
 
 // A statement whose value nobody reads: a false result must not be lost.
-PendingAnswer::Outcome PendingAnswer::take_statement(const Answer& answer) {
-  Outcome outcome{value_of(answer.ok), {}};
-  if (answer.ok) return outcome;
+PendingAnswer::Taken PendingAnswer::take_statement(const Answer& answer) {
+  Taken taken{value_of(answer.ok), {}};
+  if (answer.ok) return taken;
   channel_error_ = answer.text;
-  outcome.refusal = Refusal{std::string(statement_.code),
-                            "`" + std::string(statement_.name) + "` failed: " + answer.text,
-                            "returned false",
-                            {}};
-  return outcome;
+  taken.refusal = Refusal{std::string(statement_.code),
+                          "`" + std::string(statement_.name) + "` failed: " + answer.text,
+                          "returned false",
+                          {}};
+  return taken;
 }
 
 }  // namespace stanok::lang

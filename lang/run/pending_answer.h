@@ -13,7 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "lang/actions/actions.h"
-#include "lang/actions/gvector.h"
+#include "lang/actions/saved_state.h"
 #include "lang/contract/command.h"
 #include "lang/tree/value.h"
 
@@ -45,7 +45,7 @@ class PendingAnswer {
     std::vector<Note> notes;
   };
   // What an answer comes to, in this order.
-  struct Outcome {
+  struct Taken {
     std::optional<Value> pushed;
     std::optional<Refusal> refusal;
     AnswerUse use = AnswerUse::position_only;  // what is left to do, else position_only
@@ -78,7 +78,7 @@ class PendingAnswer {
 
   // False when no answer was owed; from here on none is.
   [[nodiscard]] bool accept();
-  [[nodiscard]] Outcome take(const Answer& answer);
+  [[nodiscard]] Taken take(const Answer& answer);
 
   // What was kept for the answer.
   [[nodiscard]] const Restoring& restoring() const { return restoring_; }
@@ -90,9 +90,9 @@ class PendingAnswer {
   void set_channel_error(std::string_view text) { channel_error_ = text; }
 
  private:
-  [[nodiscard]] Outcome take_truth(const Answer& answer);
-  [[nodiscard]] Outcome take_number(const Answer& answer);
-  [[nodiscard]] Outcome take_statement(const Answer& answer);
+  [[nodiscard]] Taken take_truth(const Answer& answer);
+  [[nodiscard]] Taken take_number(const Answer& answer);
+  [[nodiscard]] Taken take_statement(const Answer& answer);
 
   bool owed_ = false;
   AnswerUse use_ = AnswerUse::position_only;

@@ -232,16 +232,16 @@ void ProgramRun::answer(const Answer& answer) {
   if (!pending_.accept()) return;
   if (answer.position_valid) blocks_.adopt_position(answer.position_B);
   if (state_.queue.empty()) blocks_.read_tables_again();
-  PendingAnswer::Outcome outcome = pending_.take(answer);
-  if (outcome.pushed) vm_.stack().push(std::move(*outcome.pushed));
-  if (outcome.refusal) {
-    PendingAnswer::Refusal& refusal = *outcome.refusal;
+  PendingAnswer::Taken taken = pending_.take(answer);
+  if (taken.pushed) vm_.stack().push(std::move(*taken.pushed));
+  if (taken.refusal) {
+    PendingAnswer::Refusal& refusal = *taken.refusal;
     Diagnostic diagnostic =
         vm_.diagnostic(refusal.code, std::move(refusal.message), std::move(refusal.label));
     diagnostic.notes = std::move(refusal.notes);
     vm_.fail_with(std::move(diagnostic));
   }
-  finish(outcome.use, answer);
+  finish(taken.use, answer);
 }
 
 // What is done with the answer to a request, where it has no value for the stack.

@@ -1,4 +1,4 @@
-// Whether a run goes on, and why it failed: nothing else changes the phase of a run.
+// Whether a run goes on, and why it failed: nothing else changes the stage of a run.
 //
 // Owner: ProgramRun, on the thread of the preparation. Invariants: a failed run has an error, and
 // the commands of the block that failed are gone from the queue, so that motion stops at the end of
@@ -15,24 +15,24 @@ namespace stanok::lang {
 
 class RunState {
  public:
-  enum class Phase : std::uint8_t { idle, running, ended, failed };
+  enum class Stage : std::uint8_t { idle, running, ended, failed };
 
   // `queue` must outlive this.
   explicit RunState(CommandQueue& queue) : queue_(queue) {}
 
-  [[nodiscard]] bool running() const { return phase_ == Phase::running; }
-  [[nodiscard]] bool failed() const { return phase_ == Phase::failed; }
+  [[nodiscard]] bool running() const { return stage_ == Stage::running; }
+  [[nodiscard]] bool failed() const { return stage_ == Stage::failed; }
   [[nodiscard]] const Diagnostic& error() const { return error_; }
   // Line of the block whose fault ended the run; 0: another fault did.
   [[nodiscard]] std::uint32_t faulty_line() const { return faulty_line_; }
 
-  void begin() { phase_ = Phase::running; }
-  void end() { phase_ = Phase::ended; }
+  void begin() { stage_ = Stage::running; }
+  void end() { stage_ = Stage::ended; }
   void fail(Diagnostic diagnostic) {
     error_ = std::move(diagnostic);
     queue_.clear();
     faulty_line_ = 0;
-    phase_ = Phase::failed;
+    stage_ = Stage::failed;
   }
   // The words of the block in `line` were at fault: it can be passed.
   void blame_block(std::uint32_t line) { faulty_line_ = line; }
@@ -43,7 +43,7 @@ class RunState {
 
  private:
   CommandQueue& queue_;
-  Phase phase_ = Phase::idle;
+  Stage stage_ = Stage::idle;
   std::uint32_t faulty_line_ = 0;
   Diagnostic error_;
 };

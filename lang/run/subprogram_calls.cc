@@ -189,7 +189,7 @@ NumberedProgramSearch SubprogramCalls::find_numbered(CodeNumber code, int number
   const auto& files = vm_.program().files;
   Diagnostic diagnostic =
       vm_.diagnostic("E7006", "O" + std::to_string(number) + " stands in two included files",
-                     "which one is meant?");
+                     "it is not clear which one is meant");
   diagnostic.notes.push_back({"in " + files[search.rivals->first]->source.name() + " and in " +
                                   files[search.rivals->second]->source.name(),
                               {}});
@@ -232,7 +232,7 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
   const auto found = known.find(code.program);
   if (found == known.end()) {
     return vm_.fail("E7005", "\"" + code.program + "\" is not part of this program",
-                    "a computed code calls only macros that stand in the text too");
+                    "a computed code can call only macros that the text calls too");
   }
   if (!vm_.check_call_depth()) return;
   Frame frame = subprogram_frame(found->second);

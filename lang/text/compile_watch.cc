@@ -15,14 +15,13 @@ namespace {
 }  // namespace
 
 void CompileWatch::pass() const {
-  if (interrupted_ && interrupted_())
-    end_with("E6072", "the loading of the program was ended before its end");
+  if (interrupted_ && interrupted_()) end_with("E6072", "the loading of the program was cancelled");
 }
 
 void CompileWatch::count_statement() {
   pass();
   if (++statements_ > limits::statements)
-    end_with("E8002", "the program has more than 1000000 statements beside plain blocks");
+    end_with("E8002", "the program has more than 1000000 statements besides plain blocks");
 }
 
 }  // namespace stanok::lang

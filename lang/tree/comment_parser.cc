@@ -1,6 +1,6 @@
 #include "lang/tree/comment_parser.h"
 
-#include "lang/words/later_word.h"
+#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -129,7 +129,7 @@ bool parse_comment(TokenCursor& cursor, IsoBlock& block) {
             "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
             "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
             "active comment")
-        .help.emplace_back(find_later_word("(LOG,...)")->instead);
+        .help.emplace_back(find_unsupported_word("(LOG,...)")->instead);
     return false;
   }
   return true;

@@ -175,7 +175,7 @@ bool DeclarationParser::parse_initial(DeclaredItem& item) {
 
 MaybeStatement DeclarationParser::parse_function(Type result, const Token& name) {
   if (!cursor_.at_file_level()) {
-    reporter_.error("E2012", name.span, "a function inside braces or O-lines",
+    reporter_.error("E2012", name.span, "a function stands inside braces or O-lines",
                     "functions are defined at file level");
     return std::nullopt;
   }

@@ -127,7 +127,7 @@ MaybeStatement DirectiveParser::parse_tool_overhang(const Span& name) {
   if (directive.arguments.size() > 2) {
     reporter_
         .error("E3005", name, "`#tool_overhang` takes a value and an axis",
-               "wrong number of arguments")
+               "the number of arguments is wrong")
         .help.push_back(
             "write `#tool_overhang (35)`, `#tool_overhang (35, X)`, or `()` for the "
             "value of the tool table");
@@ -153,7 +153,7 @@ MaybeStatement DirectiveParser::parse_workpiece(WorkpieceForm form, const Span& 
         .error("E3005", name,
                text + " takes " + std::to_string(wanted) + " arguments, not " +
                    std::to_string(directive.arguments.size()),
-               "wrong number of arguments")
+               "the number of arguments is wrong")
         .help.push_back(position
                             ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
                             : "write `#workpiece (type, resolution, machining, X, Y, Z, zero_X, "
@@ -181,7 +181,7 @@ MaybeStatement DirectiveParser::parse_adaptive(const Span& name) {
   if (form->kind == ForceKind::vibration_on && !parse_vibration_switch(directive))
     return std::nullopt;
   const bool good = cursor_.accept(",") ? expressions_.parse_list(")", directive.arguments)
-                                        : cursor_.expect(")", "the orders of `#adaptive`");
+                                        : cursor_.expect(")", "a command of `#adaptive`");
   if (!good || !cursor_.finish_line()) return std::nullopt;
   const std::size_t given = directive.arguments.size();
   // The clamps come together, as do the values of the oscillation.

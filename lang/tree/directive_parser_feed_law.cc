@@ -72,9 +72,10 @@ MaybeStatement DirectiveParser::feed_law_statement(const Span& name, const Token
     const bool right = wanted == no_law ? given == 0 : given == 2 || given == 3;
     if (!right) {
       return refuse_law_arguments(name, given,
-                                  wanted == no_law ? "`#feedlaw (off)`"
-                                                   : "`#feedlaw (curve, ways, feeds)` or "
-                                                     "`#feedlaw (curve, ways, feeds, speeds)`");
+                                  wanted == no_law
+                                      ? "`#feedlaw (off)`"
+                                      : "`#feedlaw (curve, distances, feeds)` or "
+                                        "`#feedlaw (curve, distances, feeds, speeds)`");
     }
     statement.kind = FeedLawDirective{std::move(arguments)};
     return statement;
@@ -96,7 +97,7 @@ MaybeStatement DirectiveParser::refuse_law_arguments(const Span& name, std::size
                                                      const std::string& signature) {
   reporter_
       .error("E3005", name, "this feed law does not take " + std::to_string(given) + " values",
-             "wrong number of arguments")
+             "the number of arguments is wrong")
       .help.push_back("write " + signature);
   return std::nullopt;
 }

@@ -6,8 +6,8 @@
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/tree/comment_parser.h"
-#include "lang/words/later_word.h"
 #include "lang/words/named_address.h"
+#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 
@@ -77,11 +77,13 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
         .error("E2090", scanner_.here(),
                std::string("`") + c + "` words are not supported in this release",
                c == ',' ? "corner chamfer and rounding" : "polar coordinates")
-        .help.emplace_back(find_later_word({&c, 1})->instead);
+        .help.emplace_back(find_unsupported_word({&c, 1})->instead);
     return false;
   }
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
-    reporter_.error("E1003", scanner_.here(), "blank inside a number", "a number goes on here")
+    reporter_
+        .error("E1003", scanner_.here(), "there is a blank inside a number",
+               "a number goes on here")
         .help.push_back("write the number without blanks, or the missing address");
     return false;
   }
@@ -237,7 +239,7 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
   if (is_code && word.value.node == Node::number) {
     const double tenths = word.value.number * 10.0;
     if (!is_integer(tenths) || tenths < 0.0 || tenths > 32767.0) {
-      reporter_.error("E4004", word.span, "unknown code", "no such code");
+      reporter_.error("E4004", word.span, "unknown code", "there is no such code");
       return false;
     }
     word.name.code = static_cast<int>(std::lround(tenths));

@@ -115,7 +115,7 @@ MaybeStatement OLineParser::parse_program_number(const OLineAhead& line, const S
   const bool inside = !cursor_.at_file_level();
   if (inside || line.label.size() > program_digits_max) {
     reporter_.error("E2012", span,
-                    inside ? "a numbered program inside braces or O-lines"
+                    inside ? "a numbered program stands inside braces or O-lines"
                            : "a program number has at most 8 digits",
                     "");
     return std::nullopt;

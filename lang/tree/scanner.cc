@@ -211,7 +211,7 @@ Token Scanner::read_string_token() {
       const char escaped = character(1);
       c = escaped == 'n' ? '\n' : escaped == 't' ? '\t' : escaped;
       if (escaped != 'n' && escaped != 't' && escaped != '"' && escaped != '\\') {
-        reporter_.error("E1005", here(2), "unknown escape in a string", "not an escape")
+        reporter_.error("E1005", here(2), "the escape in the string is unknown", "not an escape")
             .help.push_back(R"(use \" \\ \n or \t)");
       }
       ++offset_;

@@ -92,8 +92,8 @@ class TextValues {
   const char* at_ = nullptr;
   const char* end_ = nullptr;
   int depth_ = 0;      // as TokenCursor::nesting_
-  int operators_ = 0;  // of the value at hand
-  std::string name_;   // of the parameter at hand
+  int operators_ = 0;  // of the current value
+  std::string name_;   // of the current parameter
   std::vector<TextSetting> settings_;
   ValueFault fault_;
   std::string_view fault_text_;

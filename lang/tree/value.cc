@@ -96,7 +96,7 @@ std::optional<double> computed(Operation operation, double left, double right,
   const bool divides = operation == Operation::divide || operation == Operation::modulo ||
                        operation == Operation::bracket_modulo;
   if (divides && right == 0.0) {
-    fault = {"E3008", "division by zero"};
+    fault = {"E3008", "a number is divided by zero"};
     return std::nullopt;
   }
   const double result = raw_result(operation, left, right);

@@ -32,17 +32,17 @@ bool is_fixed(char letter, int number) {
   return letter == 'G' ? has(fixed_g) : has(fixed_m);
 }
 
-Phase phase_of(UserCode::Kind kind) {
-  if (kind == UserCode::Kind::output_after) return Phase::functions_after;
-  if (kind == UserCode::Kind::output_with_motion) return Phase::motion_modifier;
-  return Phase::functions_before;
+EffectOrder order_of(UserCode::Kind kind) {
+  if (kind == UserCode::Kind::output_after) return EffectOrder::functions_after;
+  if (kind == UserCode::Kind::output_with_motion) return EffectOrder::motion_modifier;
+  return EffectOrder::functions_before;
 }
 
 Code row_of(const UserCode& output) {
   Code row;
   row.letter = 'M';
   row.number = static_cast<CodeNumber>(output.number);
-  row.phase = phase_of(output.kind);
+  row.order = order_of(output.kind);
   row.words = letters_of("PQ");
   row.action = CodeAction::send_machine_function;
   row.title = "function of the machine";

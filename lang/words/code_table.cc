@@ -7,7 +7,7 @@ namespace {
 
 using enum Group;
 using enum CodeAction;
-using P = Phase;
+using P = EffectOrder;
 constexpr auto no_axes = AxisWords::unused;
 constexpr auto axes = AxisWords::optional;
 constexpr auto needs_axes = AxisWords::required;
@@ -17,16 +17,16 @@ constexpr auto mill_only = Availability::mill_only;
 constexpr auto lathe_only = Availability::lathe_only;
 constexpr CodeAction later = unsupported;
 
-constexpr Code g(CodeNumber number, Group group, Phase phase, AxisWords axis_words,
+constexpr Code g(CodeNumber number, Group group, EffectOrder order, AxisWords axis_words,
                  std::string_view words, Availability availability, CodeAction action,
                  std::string_view title) {
-  return {'G',          number, group, group_bit(group), phase, axis_words, letters_of(words),
+  return {'G',          number, group, group_bit(group), order, axis_words, letters_of(words),
           availability, action, title};
 }
 
-constexpr Code m(CodeNumber number, Group group, Phase phase, std::string_view words,
+constexpr Code m(CodeNumber number, Group group, EffectOrder order, std::string_view words,
                  Availability availability, CodeAction action, std::string_view title) {
-  return {'M',          number, group, group_bit(group), phase, no_axes, letters_of(words),
+  return {'M',          number, group, group_bit(group), order, no_axes, letters_of(words),
           availability, action, title};
 }
 
@@ -101,8 +101,8 @@ constexpr auto code_rows = std::to_array<Code>({
       "tool length given by axis words"),
     g(432, length, P::length, no_axes, "H", not_master, compensate_length,
       "second tool length added"),
-    g(434, length, P::length, no_axes, "H", not_master, compensate_length, "tool tip control"),
-    g(435, length, P::length, no_axes, "H", not_master, later, "tool tip control by vector"),
+    g(434, length, P::length, no_axes, "H", not_master, compensate_length, "TCP (RTCP)"),
+    g(435, length, P::length, no_axes, "H", not_master, later, "TCP (RTCP) by tool vector"),
     g(440, length, P::length, no_axes, "H", not_master, compensate_length, "tool length, negative"),
     g(490, length, P::length, no_axes, "", everywhere, compensate_length, "tool length off"),
     g(500, scaling, P::settings, no_axes, "S", everywhere, cancel_scaling, "scaling off"),

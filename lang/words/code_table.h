@@ -15,7 +15,7 @@
 namespace stanok::lang {
 
 // The order in which the parts of a block take effect, whatever the order of its words.
-enum class Phase : std::uint8_t {
+enum class EffectOrder : std::uint8_t {
   feed_mode,
   feed,
   spindle_mode,
@@ -64,7 +64,7 @@ struct Code {
   CodeNumber number = 0;
   Group group = Group::none;
   GroupSet groups = 0;  // all groups it conflicts in; `group` is among them
-  Phase phase = Phase::motion;
+  EffectOrder order = EffectOrder::motion;
   AxisWords axes = AxisWords::unused;
   LetterSet words = 0;  // beside the axis words; F, S and T are always allowed
   Availability availability = Availability::everywhere;

@@ -1,8 +1,9 @@
-// Range of the machine axes over a piece against their soft limits (motion/bounds/piece_bounds.h).
+// Range of the machine axes over a segment against their soft limits
+// (motion/bounds/segment_bounds.h).
 #include <array>
 #include <cmath>
 
-#include "motion/bounds/piece_bounds.h"
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/geometry.h"
 #include "motion/path/sampling.h"
 
@@ -12,13 +13,13 @@ namespace {
 constexpr double position_rounding = 1e-9;  // mm or deg
 constexpr int search_steps = 60;  // golden section: the interval shrinks below 1e-12 of itself
 
-Point axes_at(const Piece& piece, double u) {
+Point axes_at(const Segment& segment, double u) {
   JetPoint point_s;
-  evaluate_at_parameter(piece, u, point_s);
+  evaluate_at_parameter(segment, u, point_s);
   Point point_W;
   for (std::size_t k = 0; k < axes_max; ++k) point_W[k] = point_s[k].value;
   Point axes_M;
-  to_machine(piece, point_W, axes_M);
+  to_machine(segment, point_W, axes_M);
   return axes_M;
 }
 
@@ -57,9 +58,9 @@ class Watch {
 };
 
 // Extreme of one axis between two parameters: largest of sign * q, q having one extreme there.
-double extreme(const Piece& piece, std::size_t axis, double sign, double from, double to) {
+double extreme(const Segment& segment, std::size_t axis, double sign, double from, double to) {
   const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
-  const auto value = [&](double u) { return sign * axes_at(piece, u)[axis]; };
+  const auto value = [&](double u) { return sign * axes_at(segment, u)[axis]; };
   double left = to - ratio * (to - from);
   double right = from + ratio * (to - from);
   double value_left = value(left);
@@ -83,7 +84,7 @@ double extreme(const Piece& piece, std::size_t axis, double sign, double from, d
 }
 
 // Looks between samples where an extreme there might pass a limit.
-void look_between(const Piece& piece, const MotionConfig& config, double from, double to,
+void look_between(const Segment& segment, const MotionConfig& config, double from, double to,
                   const std::array<Point, 3>& samples, Watch& watch) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
     const double before = samples[0][k];
@@ -92,32 +93,32 @@ void look_between(const Piece& piece, const MotionConfig& config, double from, d
     const double margin = between_samples * std::abs(after - 2.0 * here + before);
     const auto& limits = config.axes[k];
     if (std::max({before, here, after}) + margin > limits.position_max) {
-      watch.look(static_cast<int>(k), extreme(piece, k, 1.0, from, to));
+      watch.look(static_cast<int>(k), extreme(segment, k, 1.0, from, to));
     }
     if (std::min({before, here, after}) - margin < limits.position_min) {
-      watch.look(static_cast<int>(k), extreme(piece, k, -1.0, from, to));
+      watch.look(static_cast<int>(k), extreme(segment, k, -1.0, from, to));
     }
   }
 }
 
 }  // namespace
 
-std::optional<Excess> soft_limit_excess(const Piece& piece, const MotionConfig& config) {
+std::optional<Excess> soft_limit_excess(const Segment& segment, const MotionConfig& config) {
   Watch watch(config);
-  if (is_affine(piece) && piece.geometry.kind == PieceKind::line) {
-    watch.look(axes_at(piece, 0.0));
-    watch.look(axes_at(piece, 1.0));
+  if (is_affine(segment) && segment.geometry.kind == SegmentKind::line) {
+    watch.look(axes_at(segment, 0.0));
+    watch.look(axes_at(segment, 1.0));
     return watch.excess();
   }
-  const int intervals = sampling_intervals(piece, config);
+  const int intervals = sampling_intervals(segment, config);
   const double step = 1.0 / intervals;
   std::array<Point, 3> samples;
   for (int i = 0; i <= intervals; ++i) {
     samples[0] = samples[1];
     samples[1] = samples[2];
-    samples[2] = axes_at(piece, i * step);
+    samples[2] = axes_at(segment, i * step);
     watch.look(samples[2]);
-    if (i >= 2) look_between(piece, config, (i - 2) * step, i * step, samples, watch);
+    if (i >= 2) look_between(segment, config, (i - 2) * step, i * step, samples, watch);
   }
   return watch.excess();
 }

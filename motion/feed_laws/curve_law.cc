@@ -5,28 +5,28 @@
 
 namespace stanok::motion {
 CurveLaw::CurveLaw(const LawUnits& units, const std::vector<CurveLawPoint>& points,
-                   double feed_step, double discrete_mm)
+                   double feed_step, double increment_mm)
     : FeedLaw(units) {
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    add_line(points[k], points[k + 1], feed_step, discrete_mm);
+    add_line(points[k], points[k + 1], feed_step, increment_mm);
   const CurveLawPoint& last = points.back();
   stretches_.push_back({.end_mm = unlimited, .feed = last.feed, .speed = last.speed});
 }
 
 // Stretches from one point of the curve to the next. Where the way has no room for increments of
-// the size asked for, one at each discrete, they are larger.
+// the size asked for, one at each increment of the machine, they are larger.
 void CurveLaw::add_line(const CurveLawPoint& from, const CurveLawPoint& to, double feed_step,
-                        double discrete_mm) {
+                        double increment_mm) {
   const double way = to.way_mm - from.way_mm;
   const double change =
       std::max(std::abs(to.feed - from.feed) / feed_step, std::abs(to.speed - from.speed));
-  const double room = std::max(std::floor(way / discrete_mm + same_way_mm), 1.0);
+  const double room = std::max(std::floor(way / increment_mm + same_way_mm), 1.0);
   const double step = std::max(1.0 / std::max(change, 1.0), 1.0 / room);  // share of the line
   for (double k = 0.0, done = 0.0; done < 1.0; k += 1.0) {
     const double next = (k + 1.0) * step;
     const bool last = next >= 1.0 - same_way_mm;
     const double end =
-        last ? to.way_mm : from.way_mm + discrete_mm * std::round(next * way / discrete_mm);
+        last ? to.way_mm : from.way_mm + increment_mm * std::round(next * way / increment_mm);
     stretches_.push_back({.end_mm = end,
                           .feed = from.feed + (to.feed - from.feed) * done,
                           .speed = from.speed + (to.speed - from.speed) * done});

@@ -1,7 +1,7 @@
 // A curve of feeds over the path, approximated by linear laws.
 //
 // Between two points of the curve the feed goes in increments of one size, the last one smaller, at
-// places as far apart as the slope wants, rounded to discretes of the machine; the speed of the
+// places as far apart as the slope wants, rounded to increments of the machine; the speed of the
 // spindle goes along in as many increments. Behind the last point its values hold.
 #pragma once
 
@@ -19,9 +19,9 @@ struct CurveLawPoint {
 
 class CurveLaw final : public FeedLaw {
  public:
-  // `feed_step`: the machine's smallest increment of feed; `discrete_mm`: of path.
+  // `feed_step`: the machine's smallest increment of feed; `increment_mm`: of path.
   CurveLaw(const LawUnits& units, const std::vector<CurveLawPoint>& points, double feed_step,
-           double discrete_mm);
+           double increment_mm);
 
   [[nodiscard]] LawKind kind() const RT_SAFE override { return LawKind::curve; }
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
@@ -30,7 +30,7 @@ class CurveLaw final : public FeedLaw {
 
  private:
   void add_line(const CurveLawPoint& from, const CurveLawPoint& to, double feed_step,
-                double discrete_mm);
+                double increment_mm);
 
   std::vector<LawStretch> stretches_;
 };

@@ -26,7 +26,7 @@ struct LawStretch {
   double end_mm = unlimited;  // path of the law at which it ends
   double feed = 0.0;          // 0: that of the block
   double speed = 0.0;         // of the spindle; 0: unchanged
-  double stand_mm = 0.0;      // length of the fictitious path at its end: the axes stand meanwhile
+  double stand_mm = 0.0;      // length of the equivalent dwell path at its end: the axes rest
 };
 
 class FeedLaw {
@@ -51,7 +51,8 @@ class FeedLaw {
   LawUnits units_;
 };
 
-// Lengths of path that differ by less are the same place: far below a discrete, far above rounding.
+// Lengths of path that differ by less are the same place: far below an increment of the machine,
+// far above rounding.
 inline constexpr double same_way_mm = 1e-7;
 
 // How many whole steps lie within a way.

@@ -1,5 +1,5 @@
-// Interrupted feed: a real path L_B at the programmed feed, then a fictitious path L_A at the same
-// feed, during which the axes stand, and so on.
+// Interrupted feed: a real path L_B at the programmed feed, then an equivalent dwell path L_A at
+// the same feed, during which the axes stand, and so on.
 #pragma once
 
 #include "motion/feed_laws/feed_law.h"

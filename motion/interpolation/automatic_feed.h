@@ -45,7 +45,7 @@ class AutomaticFeed {
   // cycle before went, in mm.
   void advance(std::optional<double> signal, double way_mm) RT_SAFE;
 
-  // Of the programmed feed, part_min to 1.
+  // The part of the programmed feed, from part_min to 1.
   [[nodiscard]] double part() const RT_SAFE { return part_; }
   [[nodiscard]] ModuleState state() const RT_SAFE { return state_; }
   [[nodiscard]] std::uint64_t increments() const RT_SAFE { return increments_; }  // since it runs

@@ -6,7 +6,7 @@ namespace stanok::motion {
 namespace {
 
 constexpr double same_place_mm = 1e-9;
-constexpr std::uint32_t pieces_per_look = 256;  // bound of work
+constexpr std::uint32_t segments_per_look = 256;  // bound of work
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void FeedInterruption::set(const InterruptionLengths& lengths, const PathCursor&
 }
 
 void FeedInterruption::begin_chain(const PathCursor& cursor) RT_SAFE {
-  next_piece_ = cursor.piece_number();
+  next_segment_ = cursor.segment_number();
   next_s_ = 0.0;
 }
 
@@ -43,55 +43,56 @@ void FeedInterruption::end_chain(double length) RT_SAFE {
   wall_ = {};
 }
 
-bool FeedInterruption::is_counted(const Piece& piece) const RT_SAFE {
-  return !piece.rapid && (piece.geometry.metric.axes & geometry_axes_) != 0;
+bool FeedInterruption::is_counted(const Segment& segment) const RT_SAFE {
+  return !segment.rapid && (segment.geometry.metric.axes & geometry_axes_) != 0;
 }
 
 void FeedInterruption::look(const PathQueue& queue, const PathCursor& cursor, double s) RT_SAFE {
   if (!is_on() || is_first_) return;
   // Run past: the path was not to be stopped there.
-  if (is_found_ && s > wall_.s + same_place_mm) seek(cursor, s, is_counted(cursor.piece(queue)));
+  if (is_found_ && s > wall_.s + same_place_mm) seek(cursor, s, is_counted(cursor.segment(queue)));
   if (is_found_) return;
-  const std::uint64_t first = cursor.piece_number();
-  const std::uint64_t behind_last = first + cursor.pieces_seen(queue);
-  const std::uint64_t until = std::min(behind_last, next_piece_ + pieces_per_look);
-  while (next_piece_ < until && !is_found_) {
-    const Piece& piece = queue.pieces[static_cast<std::size_t>(next_piece_ - first)];
-    if (is_counted(piece) && left_mm_ <= piece.length) {
-      wall_ = {.piece = next_piece_, .s = next_s_ + left_mm_};
-      feed_ = {.per_s = piece.feed_per_s, .rev_per_min = piece.process.rev_per_min};
+  const std::uint64_t first = cursor.segment_number();
+  const std::uint64_t behind_last = first + cursor.segments_seen(queue);
+  const std::uint64_t until = std::min(behind_last, next_segment_ + segments_per_look);
+  while (next_segment_ < until && !is_found_) {
+    const Segment& segment = queue.segments[static_cast<std::size_t>(next_segment_ - first)];
+    if (is_counted(segment) && left_mm_ <= segment.length) {
+      wall_ = {.segment = next_segment_, .s = next_s_ + left_mm_};
+      feed_ = {.per_s = segment.feed_per_s, .rev_per_min = segment.process.rev_per_min};
       is_found_ = true;
       return;
     }
-    if (is_counted(piece)) left_mm_ -= piece.length;
-    next_s_ += piece.length;
-    ++next_piece_;
+    if (is_counted(segment)) left_mm_ -= segment.length;
+    next_s_ += segment.length;
+    ++next_segment_;
   }
-  wall_ = next_piece_ < behind_last ? PathWall{.piece = next_piece_ - 1, .s = next_s_} : PathWall{};
+  wall_ = next_segment_ < behind_last ? PathWall{.segment = next_segment_ - 1, .s = next_s_}
+                                      : PathWall{};
 }
 
-bool FeedInterruption::is_due(const Piece& piece, double s) const RT_SAFE {
+bool FeedInterruption::is_due(const Segment& segment, double s) const RT_SAFE {
   if (!is_on()) return false;
-  if (is_first_) return is_counted(piece);
+  if (is_first_) return is_counted(segment);
   return is_found_ && s >= wall_.s - same_place_mm;
 }
 
 StandFeed FeedInterruption::stand(const PathQueue& queue, const PathCursor& cursor, double s)
     RT_SAFE {
-  const Piece& piece = cursor.piece(queue);
-  if (is_first_) feed_ = {.per_s = piece.feed_per_s, .rev_per_min = piece.process.rev_per_min};
+  const Segment& segment = cursor.segment(queue);
+  if (is_first_) feed_ = {.per_s = segment.feed_per_s, .rev_per_min = segment.process.rev_per_min};
   is_first_ = false;
   ++count_;
-  seek(cursor, s, is_counted(piece));
+  seek(cursor, s, is_counted(segment));
   return feed_;
 }
 
-// The next rest is L_B behind s, which lies in the piece at hand.
+// The next rest is L_B behind s, which lies in the current segment.
 void FeedInterruption::seek(const PathCursor& cursor, double s, bool counts_from_s) RT_SAFE {
   is_found_ = false;
   wall_ = {};
-  next_piece_ = cursor.piece_number();
-  next_s_ = cursor.piece_start();
+  next_segment_ = cursor.segment_number();
+  next_s_ = cursor.segment_start();
   left_mm_ = lengths_.cut_mm + (counts_from_s ? s - next_s_ : 0.0);
 }
 

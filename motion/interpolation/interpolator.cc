@@ -22,13 +22,13 @@ void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetP
 
 // A gate lies on the path that is known.
 bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
-  return control.closed_from_block != FeedControl::no_gate && !queue.pieces.empty() &&
-         queue.pieces[queue.pieces.size() - 1].tag.block >= control.closed_from_block;
+  return control.closed_from_block != FeedControl::no_gate && !queue.segments.empty() &&
+         queue.segments[queue.segments.size() - 1].tag.block >= control.closed_from_block;
 }
 
-// The spindle turns as fast as the feed of the piece at hand was planned for.
+// The spindle turns as fast as the feed of the current segment was planned for.
 bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE {
-  const double planned = queue.pieces.front().process.rev_per_min;
+  const double planned = queue.segments.front().process.rev_per_min;
   return planned <= 0.0 || planned == control.spindle_rev_per_min;
 }
 
@@ -89,10 +89,10 @@ void Interpolator::interrupt(const InterruptionLengths& lengths) RT_SAFE {
   interruption_.set(lengths, cursor_, motion_.s, !at_rest());
 }
 
-// At rest within the chain at hand where its feed is to be interrupted.
+// At rest within the current chain where its feed is to be interrupted.
 bool Interpolator::is_interrupted(const PathQueue& queue) const RT_SAFE {
   if (!interruption_.is_on() || !at_rest() || is_synchronous() || has_run_chunk()) return false;
-  return interruption_.is_due(cursor_.piece(queue), motion_.s);
+  return interruption_.is_due(cursor_.segment(queue), motion_.s);
 }
 
 void Interpolator::begin_interruption(const PathQueue& queue) RT_SAFE {
@@ -100,7 +100,7 @@ void Interpolator::begin_interruption(const PathQueue& queue) RT_SAFE {
   stand_feed_ = interruption_.stand(queue, cursor_, motion_.s);
 }
 
-// Goes on along the fictitious path; returns what is left of the time at its end.
+// Goes on along the equivalent dwell path; returns what is left of the time at its end.
 double Interpolator::stand(const FeedControl& control, double time) RT_SAFE {
   const double speed =
       control.hold ? 0.0 : stand_feed_.per_s * control.feed_part(stand_feed_.rev_per_min);
@@ -116,7 +116,7 @@ double Interpolator::stand(const FeedControl& control, double time) RT_SAFE {
 bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
                              std::uint64_t chunk_limit) const RT_SAFE {
   if (queue.chunks.empty()) return false;
-  if (queue.pieces[cursor_.pieces_left()].tag.block >= control.closed_from_block) return false;
+  if (queue.segments[cursor_.segments_left()].tag.block >= control.closed_from_block) return false;
   const Chunk& next = queue.chunks.front();
   const bool ends_alone = next.last && next.overlap_s <= 0.0;
   return next.sequence < chunk_limit && (ends_alone || queue.chunks.size() > 1);
@@ -143,7 +143,7 @@ double Interpolator::follow_spindle(PathQueue& queue, const FeedControl& control
   return 0.0;
 }
 
-// Whether the chunk at hand lies behind. Close to rest s comes to its end, to rounding, before the
+// Whether the current chunk lies behind. Close to rest s comes to its end, to rounding, before the
 // motion does.
 bool Interpolator::has_run_chunk() const RT_SAFE {
   if (is_synchronous()) return synchronous_.is_over();
@@ -161,7 +161,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   interruption_.look(queue, cursor_, motion_.s);
   // Rapid traverse does not know of force control: it runs as it was planned.
   FeedControl asked = control;
-  if (cursor_.piece(queue).rapid && (is_nominal_ || at_rest())) asked.controlled_per_s = 0.0;
+  if (cursor_.segment(queue).rapid && (is_nominal_ || at_rest())) asked.controlled_per_s = 0.0;
   const bool wants_nominal =
       overlap_ == Overlap::runs ||
       (asked.is_nominal() && follows_spindle(queue, control) && knows_next(queue) &&
@@ -171,7 +171,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   if (is_nominal_) planner_.forget();
   const double before = motion_.s;
   double left = 0.0;
-  asked.hold = control.hold || interruption_.holds(cursor_.piece(queue));
+  asked.hold = control.hold || interruption_.holds(cursor_.segment(queue));
   if (!planner_.advance(queue, cursor_, asked, interruption_.wall(), time, motion_, left)) {
     return run_nominal(queue, time);
   }
@@ -185,7 +185,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   return left;
 }
 
-// Goes over to the committed phases where they stand in the very state at hand: in a phase of
+// Goes over to the committed phases where they stand in the very state of now: in a phase of
 // constant speed, or at its start at rest.
 void Interpolator::rejoin_nominal(PathQueue& queue) RT_SAFE {
   if (motion_.a != 0.0) return;
@@ -229,32 +229,33 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   return unused;
 }
 
-// The piece behind the one at hand lies behind a gate.
-bool Interpolator::is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
+// The segment behind the current one lies behind a gate.
+bool Interpolator::is_next_segment_closed(const PathQueue& queue, const FeedControl& control) const
     RT_SAFE {
-  const bool last_of_chunk = cursor_.pieces_left() <= 1;
+  const bool last_of_chunk = cursor_.segments_left() <= 1;
   if (last_of_chunk && (cursor_.chunk().last || queue.chunks.empty())) return false;
-  return queue.pieces[1].tag.block >= control.closed_from_block;
+  return queue.segments[1].tag.block >= control.closed_from_block;
 }
 
 bool Interpolator::stands_at_gate(const PathQueue& queue, const FeedControl& control) const
     RT_SAFE {
   if (!at_rest()) return false;
   if (!cursor_.has_chunk()) {
-    return !queue.chunks.empty() && queue.pieces.front().tag.block >= control.closed_from_block;
+    return !queue.chunks.empty() && queue.segments.front().tag.block >= control.closed_from_block;
   }
   constexpr double rounding = 1e-9;  // mm
-  return is_next_piece_closed(queue, control) &&
-         motion_.s >= cursor_.piece_start() + cursor_.piece(queue).length - rounding;
+  return is_next_segment_closed(queue, control) &&
+         motion_.s >= cursor_.segment_start() + cursor_.segment(queue).length - rounding;
 }
 
-// Leaves the chunk at hand behind. False: the chain goes on, but its next chunk is not there or
+// Leaves the current chunk behind. False: the chain goes on, but its next chunk is not there or
 // closed; the chunk is kept.
 bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
                                 InterpolatorOutput& out) RT_SAFE {
   const double length = cursor_.chunk().length;
-  const bool gate_here = !is_nominal_ && !cursor_.chunk().last && !queue.chunks.empty() &&
-                         queue.pieces[cursor_.pieces_left()].tag.block >= control.closed_from_block;
+  const bool gate_here =
+      !is_nominal_ && !cursor_.chunk().last && !queue.chunks.empty() &&
+      queue.segments[cursor_.segments_left()].tag.block >= control.closed_from_block;
   if (!knows_next(queue) || gate_here) {
     motion_ = {.s = length};
     return false;
@@ -269,8 +270,8 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
   const bool chain_ends = cursor_.chunk().last;
   if (chain_ends) {
     stand_mm_ = cursor_.chunk().stand_mm;
-    stand_feed_ = {.per_s = cursor_.piece(queue).feed_per_s,
-                   .rev_per_min = cursor_.piece(queue).process.rev_per_min};
+    stand_feed_ = {.per_s = cursor_.segment(queue).feed_per_s,
+                   .rev_per_min = cursor_.segment(queue).process.rev_per_min};
     interruption_.end_chain(length);
     stand_here(queue);
     out.chain_ended = true;
@@ -286,19 +287,19 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
   return true;
 }
 
-// The axes stand at the point of the path at hand from now on.
+// The axes stand at the current point of the path from now on.
 void Interpolator::stand_here(const PathQueue& queue) RT_SAFE {
-  const Piece& piece = cursor_.piece(queue);
+  const Segment& segment = cursor_.segment(queue);
   JetPoint point;
   JetPoint axes;
-  evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point);
+  evaluate(segment, cursor_.s_in_segment(queue, motion_.s), point);
   for (std::size_t k = 0; k < point.size(); ++k) standing_point_[k] = point[k].value;
   derivatives_to_zero(point, standing_point_);
-  to_axes(piece.transform, point, axes);
-  unwind(piece.transform, axes);
+  to_axes(segment.transform, point, axes);
+  unwind(segment.transform, axes);
   for (std::size_t k = 0; k < axes.size(); ++k) standing_axes_[k] = axes[k].value;
-  last_tag_ = piece.tag;
-  last_process_ = piece.process;
+  last_tag_ = segment.tag;
+  last_process_ = segment.process;
   motion_ = {};
 }
 
@@ -330,29 +331,29 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
     derivatives_to_zero(out.axes, standing_axes_);
     return;
   }
-  const Piece& piece = cursor_.piece(queue);
+  const Segment& segment = cursor_.segment(queue);
   out.state = state(queue, control);
-  out.tag = piece.tag;
+  out.tag = segment.tag;
   out.feed_commanded =
-      piece.rapid ? 0.0 : piece.feed_per_s * control.spindle_part(piece.process.rev_per_min);
-  out.process = piece.process;
-  if (!piece.rapid && !is_synchronous()) out.working_axes = piece.geometry.metric.axes;
+      segment.rapid ? 0.0 : segment.feed_per_s * control.spindle_part(segment.process.rev_per_min);
+  out.process = segment.process;
+  if (!segment.rapid && !is_synchronous()) out.working_axes = segment.geometry.metric.axes;
   JetPoint point_s;
-  evaluate(piece, cursor_.s_in_piece(queue, motion_.s), point_s);
+  evaluate(segment, cursor_.s_in_segment(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
-  if (is_synchronous()) turns_to_way(piece, point_s, out);
+  if (is_synchronous()) turns_to_way(segment, point_s, out);
   if (overlap_ == Overlap::runs) add_next_chain(queue, out);
-  to_axes(piece.transform, out.point, out.axes);
-  unwind(piece.transform, out.axes);
+  to_axes(segment.transform, out.point, out.axes);
+  unwind(segment.transform, out.axes);
   for (std::size_t k = 0; k < out.axes.size(); ++k) last_axes_[k] = out.axes[k].value;
 }
 
-// s counts turns: what is told outside is the tip's way in mm.
-void Interpolator::turns_to_way(const Piece& piece, const JetPoint& point_s,
+// s counts turns: what is told outside is the tip's path in mm.
+void Interpolator::turns_to_way(const Segment& segment, const JetPoint& point_s,
                                 InterpolatorOutput& out) const RT_SAFE {
   double squared = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
-    if (piece.geometry.metric.counts(k)) squared += point_s[k].first * point_s[k].first;
+    if (segment.geometry.metric.counts(k)) squared += point_s[k].first * point_s[k].first;
   }
   const double lead = std::sqrt(squared);
   out.s_speed = lead * std::abs(motion_.v);

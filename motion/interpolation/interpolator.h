@@ -29,20 +29,21 @@ enum class PathState : std::uint8_t {
   moving,
   holding,   // at rest on the path by hold or override 0
   starved,   // at rest on the path: the next chunk of the chain did not arrive in time
-  standing,  // on a fictitious path, which a feed law or an interruption puts in
+  standing,  // on an equivalent dwell path, which a feed law or an interruption puts in
 };
 
 struct InterpolatorOutput {
   PathState state = PathState::idle;
-  BlockTag tag;          // of the piece at hand, or the last one
+  BlockTag tag;          // of the current segment, or the last one
   JetPoint point{};      // programmed point in W with time derivatives, mm, mm/s, ...
-  JetPoint axes{};       // machine axes M with time derivatives, through the piece's transform
+  JetPoint axes{};       // machine axes M with time derivatives, through the segment's transform
   double s_speed = 0.0;  // path speed, mm/s
-  double feed_commanded = 0.0;  // programmed feed of the piece in mm/s before override, 0 in rapid
+  double feed_commanded =
+      0.0;  // programmed feed of the segment in mm/s before override, 0 in rapid
   // Axes whose way counts as that of a working feed, bit k: channel axis k; 0 in rapid, in threads
   // and without a path.
   unsigned working_axes = 0;
-  PieceProcess process;           // of the piece at hand, or the last one
+  SegmentProcess process;         // of the current segment, or the last one
   double path_advanced = 0.0;     // path length travelled in this cycle, mm (or deg)
   bool at_gate = false;           // at rest before a gate of FeedControl
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
@@ -67,7 +68,7 @@ class Interpolator {
   void interrupt(const InterruptionLengths& lengths) RT_SAFE;
   [[nodiscard]] const FeedInterruption& interruption() const RT_SAFE { return interruption_; }
 
-  // How spindle `index` of the channel turns at the set-point to come.
+  // How spindle `index` of the channel turns at the setpoint to come.
   void see_spindle(std::size_t index, const SpindleMotion& motion) RT_SAFE {
     spindles_[index] = motion;
   }
@@ -89,7 +90,7 @@ class Interpolator {
  private:
   [[nodiscard]] bool may_enter(const PathQueue& queue, const FeedControl& control,
                                std::uint64_t chunk_limit) const RT_SAFE;
-  // Runs for `time` within the chunk at hand, or, under override, beyond its end; returns what is
+  // Runs for `time` within the current chunk, or, under override, beyond its end; returns what is
   // left of it.
   [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
   void enter(PathQueue& queue) RT_SAFE;
@@ -111,13 +112,13 @@ class Interpolator {
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
                                   InterpolatorOutput& out) RT_SAFE;
-  [[nodiscard]] bool is_next_piece_closed(const PathQueue& queue, const FeedControl& control) const
-      RT_SAFE;
+  [[nodiscard]] bool is_next_segment_closed(const PathQueue& queue,
+                                            const FeedControl& control) const RT_SAFE;
   [[nodiscard]] bool stands_at_gate(const PathQueue& queue, const FeedControl& control) const
       RT_SAFE;
   void stand_here(const PathQueue& queue) RT_SAFE;
   void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
-  void turns_to_way(const Piece& piece, const JetPoint& point_s, InterpolatorOutput& out) const
+  void turns_to_way(const Segment& segment, const JetPoint& point_s, InterpolatorOutput& out) const
       RT_SAFE;
   void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
   [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
@@ -125,12 +126,12 @@ class Interpolator {
   double cycle_s_ = 0.001;
   int axis_count_ = 0;
   PathCursor cursor_;
-  PathMotion motion_;  // along the chunk at hand
-  // Time within the phase at hand, counted in whole cycles from its first instant, so that nothing
+  PathMotion motion_;  // along the current chunk
+  // Time within the current phase, counted in whole cycles from its first instant, so that nothing
   // accumulates over a long phase.
   double phase_time_first_ = 0.0;
   double phase_cycles_ = 0.0;
-  // The next chain within the end of the one at hand: decided once, when its time comes.
+  // The next chain within the end of the current one: decided once, when its time comes.
   enum class Overlap : std::uint8_t { undecided, runs, refused };
   Overlap overlap_ = Overlap::undecided;
   PathMotion next_motion_;  // along the first chunk of the next chain
@@ -145,12 +146,12 @@ class Interpolator {
   // Machine axes of the cycle before: those that a scheme gives only up to whole turns go on from
   // there.
   Point last_axes_{};
-  // Where the axes stand while no path is at hand.
+  // Where the axes stand while there is no path.
   Point standing_point_{};
   Point standing_axes_{};
   BlockTag last_tag_;
-  PieceProcess last_process_;
-  double stand_mm_ = 0.0;  // what is left of the fictitious path
+  SegmentProcess last_process_;
+  double stand_mm_ = 0.0;  // what is left of the equivalent dwell path
   StandFeed stand_feed_;
 };
 

@@ -17,7 +17,7 @@ PathMotion motion_after(const PathQueue& queue, std::size_t first, double t) RT_
 
 }  // namespace
 
-// Runs the next chain as far as it overlaps the end of the one at hand. It begins in the first
+// Runs the next chain as far as it overlaps the end of the current one. It begins in the first
 // cycle that comes into the overlap, or not at all; once begun it is run as committed.
 void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& control,
                                std::uint64_t chunk_limit) RT_SAFE {
@@ -35,7 +35,7 @@ void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& contro
   next_motion_ = motion;
 }
 
-// Time that the committed phases of the chunk at hand still take, or more than `farthest`.
+// Time that the committed phases of the current chunk still take, or more than `farthest`.
 double Interpolator::time_to_end(const PathQueue& queue, double farthest) const RT_SAFE {
   if (!cursor_.has_phase()) return 0.0;
   double time = -(phase_time_first_ + phase_cycles_ * cycle_s_);
@@ -45,7 +45,7 @@ double Interpolator::time_to_end(const PathQueue& queue, double farthest) const 
   return time;
 }
 
-// The chain at hand has ended, the next one runs already.
+// The current chain has ended, the next one runs already.
 void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
   phase_time_first_ = cursor_.chunk().overlap_s;
   phase_cycles_ = 0.0;
@@ -59,18 +59,18 @@ void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
   overlap_ = Overlap::undecided;
 }
 
-// The axes move by the sum of both chains: the end of one piece is the start of the other.
+// The axes move by the sum of both chains: the end of one segment is the start of the other.
 void Interpolator::add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE {
-  const Piece& piece = queue.pieces[cursor_.pieces_left()];
-  const PathMetric& metric = piece.geometry.metric;
+  const Segment& segment = queue.segments[cursor_.segments_left()];
+  const PathMetric& metric = segment.geometry.metric;
   JetPoint point_s;
   JetPoint next{};
-  evaluate(piece, next_motion_.s, point_s);
+  evaluate(segment, next_motion_.s, point_s);
   along_time(point_s, next_motion_.v, next_motion_.a, next_motion_.j, axis_count_, next);
   double speed2 = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
     kinematics::Jet& sum = out.point[k];
-    sum.value += next[k].value - piece.geometry.start[k];
+    sum.value += next[k].value - segment.geometry.start[k];
     sum.first += next[k].first;
     sum.second += next[k].second;
     sum.third += next[k].third;

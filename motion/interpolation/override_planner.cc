@@ -124,11 +124,11 @@ void OverridePlanner::narrow_reach(const FeedControl& control) RT_SAFE {
     reach_.controlled_per_s = spindle_room * control.controlled_max_per_s;
 }
 
-double OverridePlanner::cap(std::size_t piece, Caps caps) RT_SAFE {
-  return caps == Caps::asked ? sight_.asked_speed(piece) : sight_.hard_speed(piece);
+double OverridePlanner::cap(std::size_t segment, Caps caps) RT_SAFE {
+  return caps == Caps::asked ? sight_.asked_speed(segment) : sight_.hard_speed(segment);
 }
 
-// Drafts a plan that serves the operator better than the one at hand; false: there is none.
+// Drafts a plan that serves the operator better than the current one; false: there is none.
 bool OverridePlanner::find_plan(const FeedControl& control, double time, const PathMotion& motion)
     RT_SAFE {
   const bool stands = motion.v == 0.0 && motion.a == 0.0;
@@ -138,34 +138,34 @@ bool OverridePlanner::find_plan(const FeedControl& control, double time, const P
     return !(stands && has_plan_) && try_speed(motion, 0.0, time, Caps::hard).is_safe;
   }
   draft_caps_ = Caps::asked;
-  const Verdict verdict = try_speed(motion, asked, time, Caps::asked);
-  if (verdict.is_safe) return true;
-  const double slower = verdict.binding_speed;
+  const RestSearch search = try_speed(motion, asked, time, Caps::asked);
+  if (search.is_safe) return true;
+  const double slower = search.binding_speed;
   if (slower > 0.0 && slower < asked && try_speed(motion, slower, time, Caps::asked).is_safe)
     return true;
   if (stands && (try_hop(motion) || try_creep(motion, asked, time))) return true;
   if (has_plan_ && plan_caps_ == Caps::asked && plan_control_ == control) return false;
-  // The plan at hand was found for another override: slow down to this one, at once if it can.
+  // The current plan was found for another override: slow down to this one, at once if it can.
   draft().clear();
-  if (find_rest(motion, sight_.piece_at(motion.s, 0), Caps::asked).is_safe) return true;
+  if (find_rest(motion, sight_.segment_at(motion.s, 0), Caps::asked).is_safe) return true;
   draft_caps_ = Caps::hard;
   return try_speed(motion, asked, time, Caps::hard).is_safe;
 }
 
 // Drafts: for `time` towards speed v, then to rest.
-OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, double v, double time,
-                                                    Caps caps) RT_SAFE {
-  const std::size_t first = sight_.piece_at(from.s, 0);
+OverridePlanner::RestSearch OverridePlanner::try_speed(const PathMotion& from, double v,
+                                                       double time, Caps caps) RT_SAFE {
+  const std::size_t first = sight_.segment_at(from.s, 0);
   RampLimits limits = sight_.ramp(first);
   PhaseRun run;
   PathMotion then;
   std::size_t last = first;
-  for (bool settled = false; !settled;) {  // ends: limits only shrink, over finitely many pieces
+  for (bool settled = false; !settled;) {  // ends: limits only shrink, over finitely many segments
     draft().clear();
     run = change_speed(from, v, limits);
     then = draft().add_part(run, from, v, time);
     settled = true;
-    const std::size_t end = sight_.piece_at(then.s, last);
+    const std::size_t end = sight_.segment_at(then.s, last);
     while (last < end) {
       const RampLimits lower = lower_of(limits, sight_.ramp(++last));
       settled = settled && lower.a >= limits.a && lower.j >= limits.j;
@@ -177,15 +177,15 @@ OverridePlanner::Verdict OverridePlanner::try_speed(const PathMotion& from, doub
       {from.v, then.v,
        std::min(highest_speed(from, v, limits.j), std::max(from.v, then.v) + limits.a * time)});
   const bool slows = v < from.v && from.a <= 0.0;  // and may be slow enough where it must be
-  for (std::size_t piece = first; piece <= last; ++piece) {
-    const double v_cap = cap(piece, caps);
+  for (std::size_t segment = first; segment <= last; ++segment) {
+    const double v_cap = cap(segment, caps);
     if (is_faster(v_high, v_cap) && !(slows && keeps(run, first, last, caps)))
       return {.binding_speed = v_cap};
   }
-  return find_rest(then, sight_.piece_at(then.s, first), caps);
+  return find_rest(then, sight_.segment_at(then.s, first), caps);
 }
 
-// Drafts a slow start from rest, close before a piece of low limits, which a cycle of full jerk
+// Drafts a slow start from rest, close before a segment of low limits, which a cycle of full jerk
 // would pass too fast.
 bool OverridePlanner::try_creep(const PathMotion& from, double v, double time) RT_SAFE {
   constexpr int tries = 12;
@@ -198,13 +198,13 @@ bool OverridePlanner::try_creep(const PathMotion& from, double v, double time) R
 
 // Drafts a short move from rest to the end of the known path, for which a cycle is too coarse.
 bool OverridePlanner::try_hop(const PathMotion& from) RT_SAFE {
-  constexpr std::size_t pieces = 8;
-  if (sight_.size() > pieces) return false;
+  constexpr std::size_t segments = 8;
+  if (sight_.size() > segments) return false;
   RampLimits limits = sight_.ramp(0);
   double v_max = sight_.asked_speed(0);
-  for (std::size_t piece = 1; piece < sight_.size(); ++piece) {
-    limits = lower_of(limits, sight_.ramp(piece));
-    v_max = std::min(v_max, sight_.asked_speed(piece));
+  for (std::size_t segment = 1; segment < sight_.size(); ++segment) {
+    limits = lower_of(limits, sight_.ramp(segment));
+    v_max = std::min(v_max, sight_.asked_speed(segment));
   }
   const double wall = sight_.end(sight_.size() - 1);
   if (!(wall > from.s) || v_max <= 0.0) return false;
@@ -219,86 +219,86 @@ bool OverridePlanner::try_hop(const PathMotion& from) RT_SAFE {
   return true;
 }
 
-// Adds a way to rest to the draft: at once, or, where a piece ahead is too slow or would spoil the
-// brake with its limits, first down to the speed of that piece, from there on the same again.
-OverridePlanner::Verdict OverridePlanner::find_rest(PathMotion from, std::size_t piece, Caps caps)
-    RT_SAFE {
+// Adds a way to rest to the draft: at once, or, where a segment ahead is too slow or would spoil
+// the brake with its limits, first down to the speed of that segment, from there on the same again.
+OverridePlanner::RestSearch OverridePlanner::find_rest(PathMotion from, std::size_t segment,
+                                                       Caps caps) RT_SAFE {
   constexpr int stages_max = 8;
-  Verdict verdict;
+  RestSearch search;
   for (int stage = 0; stage < stages_max && draft().has_room(); ++stage) {
-    const Outlook outlook = survey(from, piece, caps);
-    if (stage == 0) verdict.binding_speed = outlook.binding_speed;
-    if (outlook.fits && can_slow_down(from, outlook.limits) &&
-        keeps(change_speed(from, 0.0, outlook.limits), piece, outlook.last, caps)) {
-      if (!stop_at_wall(from, piece, outlook, caps)) stop(from, outlook);
-      verdict.is_safe = true;
-      return verdict;
+    const BrakingRange range = survey(from, segment, caps);
+    if (stage == 0) search.binding_speed = range.binding_speed;
+    if (range.fits && can_slow_down(from, range.limits) &&
+        keeps(change_speed(from, 0.0, range.limits), segment, range.last, caps)) {
+      if (!stop_at_wall(from, segment, range, caps)) stop(from, range);
+      search.is_safe = true;
+      return search;
     }
-    const Tight& tight = outlook.tight;
+    const Tight& tight = range.tight;
     if (!tight.found || !can_slow_down(from, tight.limits)) {
-      if (from.a == 0.0 || !ease(from, piece, caps)) return verdict;
+      if (from.a == 0.0 || !ease(from, segment, caps)) return search;
       continue;
     }
     const PhaseRun run = change_speed(from, tight.v, tight.limits);
-    verdict.binding_speed = cap(tight.piece, caps);
-    if (!keeps(run, piece, tight.piece - 1, caps)) return verdict;
+    search.binding_speed = cap(tight.segment, caps);
+    if (!keeps(run, segment, tight.segment - 1, caps)) return search;
     draft().add(run);
     const double reached = from.s + length_of(run, from.s);
     if (tight.v <= 0.0) {
-      verdict.is_safe = true;
-      return verdict;
+      search.is_safe = true;
+      return search;
     }
-    piece = tight.piece;
-    from = {.s = sight_.start(piece), .v = tight.v};
+    segment = tight.segment;
+    from = {.s = sight_.start(segment), .v = tight.v};
     draft().add_hold(reached, from.s, tight.v);
   }
-  return verdict;
+  return search;
 }
 
-// Looks over the braking distance from a state, piece by piece, as the limits shrink.
-OverridePlanner::Outlook OverridePlanner::survey(const PathMotion& from, std::size_t piece,
-                                                 Caps caps) RT_SAFE {
-  Outlook outlook{.last = piece, .limits = sight_.ramp(piece)};
-  double rest = from.s + length_of(change_speed(from, 0.0, outlook.limits), from.s);
-  while (rest > sight_.end(outlook.last)) {
-    if (outlook.last + 1 == sight_.size()) return outlook;  // the end of what is known
-    const std::size_t next = ++outlook.last;
+// Looks over the braking distance from a state, segment by segment, as the limits shrink.
+OverridePlanner::BrakingRange OverridePlanner::survey(const PathMotion& from, std::size_t segment,
+                                                      Caps caps) RT_SAFE {
+  BrakingRange range{.last = segment, .limits = sight_.ramp(segment)};
+  double rest = from.s + length_of(change_speed(from, 0.0, range.limits), from.s);
+  while (rest > sight_.end(range.last)) {
+    if (range.last + 1 == sight_.size()) return range;  // the end of what is known
+    const std::size_t next = ++range.last;
     const double v_cap = cap(next, caps);
-    if (is_faster(highest_speed(from, 0.0, outlook.limits.j), v_cap)) {
-      const double eased = std::max(eased_speed(from.v, from.a, outlook.limits.j), 0.0);
+    if (is_faster(highest_speed(from, 0.0, range.limits.j), v_cap)) {
+      const double eased = std::max(eased_speed(from.v, from.a, range.limits.j), 0.0);
       const double v = from.a < 0.0 ? std::min(v_cap, eased) : v_cap;
       const double slack =
-          sight_.start(next) - from.s - length_of(change_speed(from, v, outlook.limits), from.s);
-      outlook.binding_speed = v_cap;
-      if (slack < 0.0) return outlook;
-      // A faster piece behind a slower one must wait until the slower one is served.
-      const Tight& tight = outlook.tight;
+          sight_.start(next) - from.s - length_of(change_speed(from, v, range.limits), from.s);
+      range.binding_speed = v_cap;
+      if (slack < 0.0) return range;
+      // A faster segment behind a slower one must wait until the slower one is served.
+      const Tight& tight = range.tight;
       if (!tight.found || (slack < tight.slack && v <= tight.v)) {
-        outlook.tight = {
-            .found = true, .piece = next, .slack = slack, .v = v, .limits = outlook.limits};
+        range.tight = {
+            .found = true, .segment = next, .slack = slack, .v = v, .limits = range.limits};
       }
     }
-    const RampLimits lower = lower_of(outlook.limits, sight_.ramp(next));
-    if (lower.a < outlook.limits.a || lower.j < outlook.limits.j) {
-      outlook.limits = lower;
+    const RampLimits lower = lower_of(range.limits, sight_.ramp(next));
+    if (lower.a < range.limits.a || lower.j < range.limits.j) {
+      range.limits = lower;
       rest = from.s + length_of(change_speed(from, 0.0, lower), from.s);
     }
   }
-  outlook.fits = true;
-  return outlook;
+  range.fits = true;
+  return range;
 }
 
 // Whether a run, which at most speeds up first and then slows down, and its last speed held from
-// there on, keep the speed of every piece.
+// there on, keep the speed of every segment.
 bool OverridePlanner::keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
     RT_SAFE {
-  if (run.size() == 0) return true;  // the speed at hand is held, which the caller knows to be kept
+  if (run.size() == 0) return true;  // the current speed is held, which the caller knows to be kept
   const PathMotion peak = peak_of(run);
-  for (std::size_t piece = first; piece <= last; ++piece) {
-    const double v_cap = cap(piece, caps) * (1.0 + equal_speeds);
+  for (std::size_t segment = first; segment <= last; ++segment) {
+    const double v_cap = cap(segment, caps) * (1.0 + equal_speeds);
     if (peak.v <= v_cap) continue;
-    const double begin = std::max(sight_.start(piece), run[0].s);
-    const double end = sight_.end(piece);
+    const double begin = std::max(sight_.start(segment), run[0].s);
+    const double end = sight_.end(segment);
     if (end <= peak.s) {
       if (speed_at(run, end) > v_cap) return false;
     } else if (begin < peak.s || place_of_speed(run, v_cap) > begin) {
@@ -308,17 +308,17 @@ bool OverridePlanner::keeps(const PhaseRun& run, std::size_t first, std::size_t 
   return true;
 }
 
-// Takes the acceleration away at once, before pieces that do not allow it.
-bool OverridePlanner::ease(PathMotion& from, std::size_t& piece, Caps caps) RT_SAFE {
-  RampLimits limits = sight_.ramp(piece);
+// Takes the acceleration away at once, before segments that do not allow it.
+bool OverridePlanner::ease(PathMotion& from, std::size_t& segment, Caps caps) RT_SAFE {
+  RampLimits limits = sight_.ramp(segment);
   PhaseRun run;
-  std::size_t last = piece;
+  std::size_t last = segment;
   for (bool settled = false; !settled;) {  // ends as in try_speed
     const double v = eased_speed(from.v, from.a, limits.j);
     if (v < 0.0) return false;
     run = change_speed(from, v, limits);
     settled = true;
-    const std::size_t end = sight_.piece_at(from.s + length_of(run, from.s), last);
+    const std::size_t end = sight_.segment_at(from.s + length_of(run, from.s), last);
     while (last < end) {
       const RampLimits lower = lower_of(limits, sight_.ramp(++last));
       settled = settled && lower.j >= limits.j;
@@ -328,52 +328,51 @@ bool OverridePlanner::ease(PathMotion& from, std::size_t& piece, Caps caps) RT_S
   if (is_faster(std::abs(from.a), limits.a) || run.size() == 0) return false;
   const Phase& end = run[run.size() - 1];
   if (end.s_end > sight_.end(last)) return false;
-  if (!keeps(run, piece, last, caps)) return false;
+  if (!keeps(run, segment, last, caps)) return false;
   draft().add(run);
   from = {.s = end.s_end, .v = end.v_end};
-  piece = sight_.piece_at(from.s, piece);
+  segment = sight_.segment_at(from.s, segment);
   return true;
 }
 
-// Close before the end of the known path: goes on at the speed at hand, where all pieces allow it,
-// and brakes so that it ends there exactly.
-bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t piece,
-                                   const Outlook& outlook, Caps caps) RT_SAFE {
-  if (from.a != 0.0 || outlook.last + 1 != sight_.size()) return false;
-  const double wall = sight_.end(outlook.last);
-  const double brake = wall - length_of(change_speed(from, 0.0, outlook.limits), from.s);
+// Close before the end of the known path: goes on at the current speed, where all segments allow
+// it, and brakes so that it ends there exactly.
+bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t segment,
+                                   const BrakingRange& range, Caps caps) RT_SAFE {
+  if (from.a != 0.0 || range.last + 1 != sight_.size()) return false;
+  const double wall = sight_.end(range.last);
+  const double brake = wall - length_of(change_speed(from, 0.0, range.limits), from.s);
   if (brake <= from.s || brake > from.s + from.v * stop_cycles * cycle_s_) return false;
-  for (std::size_t k = piece; k <= outlook.last; ++k) {
+  for (std::size_t k = segment; k <= range.last; ++k) {
     if (is_faster(from.v, cap(k, caps))) return false;
   }
   draft().add_hold(from.s, brake, from.v);
-  draft().add(change_speed({.s = brake, .v = from.v}, 0.0, outlook.limits));
+  draft().add(change_speed({.s = brake, .v = from.v}, 0.0, range.limits));
   draft().end_at(wall);
   return true;
 }
 
 // Brakes to rest. When that ends just before the end of the known path, it is made a little softer,
 // so that it ends there exactly.
-void OverridePlanner::stop(const PathMotion& from, const Outlook& outlook) RT_SAFE {
-  PhaseRun run = change_speed(from, 0.0, outlook.limits);
-  const double wall = sight_.end(outlook.last);
+void OverridePlanner::stop(const PathMotion& from, const BrakingRange& range) RT_SAFE {
+  PhaseRun run = change_speed(from, 0.0, range.limits);
+  const double wall = sight_.end(range.last);
   const double room = wall - from.s;
   const double reach = from.v * stop_cycles * cycle_s_;
-  if (outlook.last + 1 == sight_.size() && run.size() > 0 &&
-      length_of(run, from.s) + reach >= room) {
+  if (range.last + 1 == sight_.size() && run.size() > 0 && length_of(run, from.s) + reach >= room) {
     // Part of the limits: too soft, it ends behind the wall, or the deceleration there is cannot be
     // taken away before the motion turns back.
-    const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * outlook.limits.j) : 0.0;
+    const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * range.limits.j) : 0.0;
     double soft = std::clamp(least, 0.2, 1.0);
     double hard = 1.0;
     constexpr int halvings = 50;
     for (int k = 0; k < halvings; ++k) {
       const double part = 0.5 * (soft + hard);
-      const RampLimits limits{.a = part * outlook.limits.a, .j = part * outlook.limits.j};
+      const RampLimits limits{.a = part * range.limits.a, .j = part * range.limits.j};
       run = change_speed(from, 0.0, limits);
       (length_of(run, from.s) > room ? soft : hard) = part;
     }
-    run = change_speed(from, 0.0, {.a = hard * outlook.limits.a, .j = hard * outlook.limits.j});
+    run = change_speed(from, 0.0, {.a = hard * range.limits.a, .j = hard * range.limits.j});
     draft().add(run);
     if (room - length_of(run, from.s) < 1e-11) draft().end_at(wall);
     return;

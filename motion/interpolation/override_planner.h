@@ -1,8 +1,8 @@
 // OverridePlanner: feed hold, resume and override on the committed path, planned in the cycle.
 //
 // Every cycle it tries to go on for one more cycle as asked, and accepts that only if from there a
-// way to rest exists that keeps the limits of every piece it touches. The way found is kept: when a
-// later wish is refused it is simply followed. So there is always a way to rest, and limits are
+// way to rest exists that keeps the limits of every segment it touches. The way found is kept: when
+// a later wish is refused it is simply followed. So there is always a way to rest, and limits are
 // kept without looking farther than the braking distance (docs/developer/motion.md#override).
 // Real-time.
 #pragma once
@@ -37,23 +37,23 @@ class OverridePlanner {
 
  private:
   enum class Caps { asked, hard };
-  // Result of a search for a way to rest.
-  struct Verdict {
+  // What a search for a braking motion to rest came to.
+  struct RestSearch {
     bool is_safe = false;
     double binding_speed = 0.0;  // what the place in the way asks for; 0: a wall
   };
   // The place ahead that leaves the least room to slow down for it.
   struct Tight {
     bool found = false;
-    std::size_t piece = 0;
+    std::size_t segment = 0;
     double slack = 0.0;
     double v = 0.0;
     RampLimits limits{};
   };
   // What lies within the braking distance.
-  struct Outlook {
+  struct BrakingRange {
     bool fits = false;     // a brake to rest under `limits` stays on known path
-    std::size_t last = 0;  // piece in which it comes to rest
+    std::size_t last = 0;  // segment in which it comes to rest
     RampLimits limits{};
     Tight tight{};
     double binding_speed = 0.0;
@@ -61,20 +61,21 @@ class OverridePlanner {
 
   void extend_reach(const FeedControl& control) RT_SAFE;
   void narrow_reach(const FeedControl& control) RT_SAFE;
-  [[nodiscard]] double cap(std::size_t piece, Caps caps) RT_SAFE;
+  [[nodiscard]] double cap(std::size_t segment, Caps caps) RT_SAFE;
   [[nodiscard]] bool find_plan(const FeedControl& control, double time, const PathMotion& motion)
       RT_SAFE;
-  [[nodiscard]] Verdict try_speed(const PathMotion& from, double v, double time, Caps caps) RT_SAFE;
+  [[nodiscard]] RestSearch try_speed(const PathMotion& from, double v, double time, Caps caps)
+      RT_SAFE;
   [[nodiscard]] bool try_creep(const PathMotion& from, double v, double time) RT_SAFE;
   [[nodiscard]] bool try_hop(const PathMotion& from) RT_SAFE;
-  [[nodiscard]] Verdict find_rest(PathMotion from, std::size_t piece, Caps caps) RT_SAFE;
-  [[nodiscard]] Outlook survey(const PathMotion& from, std::size_t piece, Caps caps) RT_SAFE;
+  [[nodiscard]] RestSearch find_rest(PathMotion from, std::size_t segment, Caps caps) RT_SAFE;
+  [[nodiscard]] BrakingRange survey(const PathMotion& from, std::size_t segment, Caps caps) RT_SAFE;
   [[nodiscard]] bool keeps(const PhaseRun& run, std::size_t first, std::size_t last, Caps caps)
       RT_SAFE;
-  [[nodiscard]] bool ease(PathMotion& from, std::size_t& piece, Caps caps) RT_SAFE;
-  [[nodiscard]] bool stop_at_wall(const PathMotion& from, std::size_t piece, const Outlook& outlook,
-                                  Caps caps) RT_SAFE;
-  void stop(const PathMotion& from, const Outlook& outlook) RT_SAFE;
+  [[nodiscard]] bool ease(PathMotion& from, std::size_t& segment, Caps caps) RT_SAFE;
+  [[nodiscard]] bool stop_at_wall(const PathMotion& from, std::size_t segment,
+                                  const BrakingRange& range, Caps caps) RT_SAFE;
+  void stop(const PathMotion& from, const BrakingRange& range) RT_SAFE;
   [[nodiscard]] RestPlan& draft() RT_SAFE { return plans_[1 - current_]; }
 
   double cycle_s_;

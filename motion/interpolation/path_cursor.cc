@@ -6,44 +6,44 @@ namespace stanok::motion {
 
 void PathCursor::enter(PathQueue& queue) RT_SAFE {
   has_chunk_ = queue.chunks.pop(chunk_);
-  pieces_left_ = chunk_.pieces;
+  segments_left_ = chunk_.segments;
   phases_left_ = chunk_.phases;
-  piece_start_ = 0.0;
+  segment_start_ = 0.0;
 }
 
 void PathCursor::leave(PathQueue& queue) RT_SAFE {
-  queue.pieces.pop_front(pieces_left_);
+  queue.segments.pop_front(segments_left_);
   queue.phases.pop_front(phases_left_);
-  piece_number_ += pieces_left_;
-  pieces_left_ = 0;
+  segment_number_ += segments_left_;
+  segments_left_ = 0;
   phases_left_ = 0;
   has_chunk_ = false;
 }
 
 void PathCursor::drop(PathQueue& queue) RT_SAFE {
-  piece_number_ += queue.pieces.size();
+  segment_number_ += queue.segments.size();
   queue.chunks.pop_front(queue.chunks.size());
-  queue.pieces.pop_front(queue.pieces.size());
+  queue.segments.pop_front(queue.segments.size());
   queue.phases.pop_front(queue.phases.size());
-  pieces_left_ = 0;
+  segments_left_ = 0;
   phases_left_ = 0;
   has_chunk_ = false;
 }
 
 void PathCursor::go_to(PathQueue& queue, double s, std::uint64_t closed_from_block) RT_SAFE {
-  while (pieces_left_ > 1 && s >= piece_start_ + queue.pieces.front().length &&
-         queue.pieces[1].tag.block < closed_from_block) {
-    piece_start_ += queue.pieces.front().length;
-    queue.pieces.pop_front();
-    --pieces_left_;
-    ++piece_number_;
+  while (segments_left_ > 1 && s >= segment_start_ + queue.segments.front().length &&
+         queue.segments[1].tag.block < closed_from_block) {
+    segment_start_ += queue.segments.front().length;
+    queue.segments.pop_front();
+    --segments_left_;
+    ++segment_number_;
   }
 }
 
-double PathCursor::s_in_piece(const PathQueue& queue, double s) const RT_SAFE {
-  const double length = queue.pieces.front().length;
-  if (pieces_left_ == 1 && s >= chunk_.length) return length;
-  return std::clamp(s - piece_start_, 0.0, length);
+double PathCursor::s_in_segment(const PathQueue& queue, double s) const RT_SAFE {
+  const double length = queue.segments.front().length;
+  if (segments_left_ == 1 && s >= chunk_.length) return length;
+  return std::clamp(s - segment_start_, 0.0, length);
 }
 
 void PathCursor::pass_phase(PathQueue& queue) RT_SAFE {
@@ -51,9 +51,9 @@ void PathCursor::pass_phase(PathQueue& queue) RT_SAFE {
   --phases_left_;
 }
 
-std::uint32_t PathCursor::pieces_seen(const PathQueue& queue) const RT_SAFE {
-  if (chunk_.last || queue.chunks.empty()) return pieces_left_;
-  return pieces_left_ + queue.chunks.front().pieces;
+std::uint32_t PathCursor::segments_seen(const PathQueue& queue) const RT_SAFE {
+  if (chunk_.last || queue.chunks.empty()) return segments_left_;
+  return segments_left_ + queue.chunks.front().segments;
 }
 
 }  // namespace stanok::motion

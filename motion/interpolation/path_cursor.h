@@ -1,7 +1,7 @@
 // PathCursor: where the cycle stands in the queue of committed path.
 //
-// It enters chunks, walks over their pieces and phases and gives what lies behind back to the
-// producer. Path positions s count from the start of the chunk at hand; the chunk after it, when it
+// It enters chunks, walks over their segments and phases and gives what lies behind back to the
+// producer. Path positions s count from the start of the current chunk; the chunk after it, when it
 // belongs to the same chain and is in the queue, can be seen but not changed.
 #pragma once
 
@@ -14,29 +14,29 @@ namespace stanok::motion {
 
 class PathCursor {
  public:
-  // Enters the next chunk at its start; the queue must hold one and no chunk be at hand.
+  // Enters the next chunk at its start; the queue must hold one, and there is no current chunk.
   void enter(PathQueue& queue) RT_SAFE;
-  // Leaves the chunk at hand: all its pieces and phases are given back.
+  // Leaves the current chunk: all its segments and phases are given back.
   void leave(PathQueue& queue) RT_SAFE;
-  // Leaves the whole path, what is queued included; its pieces keep their numbers.
+  // Leaves the whole path, what is queued included; its segments keep their numbers.
   void drop(PathQueue& queue) RT_SAFE;
 
   [[nodiscard]] bool has_chunk() const RT_SAFE { return has_chunk_; }
   [[nodiscard]] const Chunk& chunk() const RT_SAFE { return chunk_; }
 
-  // The piece at hand and where it begins.
-  [[nodiscard]] const Piece& piece(const PathQueue& queue) const RT_SAFE {
-    return queue.pieces.front();
+  // The current segment and where it begins.
+  [[nodiscard]] const Segment& segment(const PathQueue& queue) const RT_SAFE {
+    return queue.segments.front();
   }
-  [[nodiscard]] double piece_start() const RT_SAFE { return piece_start_; }
-  // Goes on to the piece that contains s; a place between two pieces belongs to the second. The
-  // last piece of the chunk is kept, and the last one before a gate.
+  [[nodiscard]] double segment_start() const RT_SAFE { return segment_start_; }
+  // Goes on to the segment that contains s; a place between two segments belongs to the second. The
+  // last segment of the chunk is kept, and the last one before a gate.
   void go_to(PathQueue& queue, double s, std::uint64_t closed_from_block = FeedControl::no_gate)
       RT_SAFE;
-  // s within the piece at hand, exactly its length at the end of the chunk.
-  [[nodiscard]] double s_in_piece(const PathQueue& queue, double s) const RT_SAFE;
+  // s within the current segment, exactly its length at the end of the chunk.
+  [[nodiscard]] double s_in_segment(const PathQueue& queue, double s) const RT_SAFE;
 
-  // Committed phases from the one at hand on.
+  // Committed phases from the current one on.
   [[nodiscard]] bool has_phase() const RT_SAFE { return phases_left_ > 0; }
   [[nodiscard]] const Phase& phase(const PathQueue& queue) const RT_SAFE {
     return queue.phases.front();
@@ -44,19 +44,20 @@ class PathCursor {
   void pass_phase(PathQueue& queue) RT_SAFE;
   [[nodiscard]] std::uint32_t phases_left() const RT_SAFE { return phases_left_; }
 
-  // What can be seen from the piece at hand on: pieces of this chunk and of the chain's next one.
-  [[nodiscard]] std::uint32_t pieces_left() const RT_SAFE { return pieces_left_; }
-  [[nodiscard]] std::uint32_t pieces_seen(const PathQueue& queue) const RT_SAFE;
-  // Number of the piece at hand, counted over all chunks.
-  [[nodiscard]] std::uint64_t piece_number() const RT_SAFE { return piece_number_; }
+  // What can be seen from the current segment on: segments of this chunk and of the chain's next
+  // one.
+  [[nodiscard]] std::uint32_t segments_left() const RT_SAFE { return segments_left_; }
+  [[nodiscard]] std::uint32_t segments_seen(const PathQueue& queue) const RT_SAFE;
+  // Number of the current segment, counted over all chunks.
+  [[nodiscard]] std::uint64_t segment_number() const RT_SAFE { return segment_number_; }
 
  private:
   Chunk chunk_{};
   bool has_chunk_ = false;
-  std::uint32_t pieces_left_ = 0;
+  std::uint32_t segments_left_ = 0;
   std::uint32_t phases_left_ = 0;
-  double piece_start_ = 0.0;
-  std::uint64_t piece_number_ = 0;
+  double segment_start_ = 0.0;
+  std::uint64_t segment_number_ = 0;
 };
 
 }  // namespace stanok::motion

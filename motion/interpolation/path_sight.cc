@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "motion/profile/speed_piece.h"
+#include "motion/profile/speed_segment.h"
 
 namespace stanok::motion {
 namespace {
 
-// How many of the first `count` pieces lie before block `closed`; blocks ascend.
-std::size_t open_pieces(const PathQueue& queue, std::size_t count, std::uint64_t closed) RT_SAFE {
+// How many of the first `count` segments lie before block `closed`; blocks ascend.
+std::size_t open_segments(const PathQueue& queue, std::size_t count, std::uint64_t closed) RT_SAFE {
   std::size_t first = 0;
   while (first < count) {
     const std::size_t middle = first + (count - first) / 2;
-    if (queue.pieces[middle].tag.block < closed) {
+    if (queue.segments[middle].tag.block < closed) {
       first = middle + 1;
     } else {
       count = middle;
@@ -23,24 +23,24 @@ std::size_t open_pieces(const PathQueue& queue, std::size_t count, std::uint64_t
 
 }  // namespace
 
-PathSight::PathSight() : kept_(2 * pieces_max) {}
+PathSight::PathSight() : kept_(2 * segments_max) {}
 
 void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
                      const Reach& reach, const PathWall& wall) RT_SAFE {
   queue_ = &queue;
   control_ = control;
   reach_ = reach;
-  first_ = cursor.piece_number();
-  size_ = std::min<std::size_t>(cursor.pieces_seen(queue), pieces_max);
+  first_ = cursor.segment_number();
+  size_ = std::min<std::size_t>(cursor.segments_seen(queue), segments_max);
   if (control.closed_from_block != FeedControl::no_gate) {
-    size_ = std::max<std::size_t>(open_pieces(queue, size_, control.closed_from_block), 1);
+    size_ = std::max<std::size_t>(open_segments(queue, size_, control.closed_from_block), 1);
   }
-  if (wall.piece != PathWall::no_piece) {
-    const std::uint64_t behind = wall.piece >= first_ ? wall.piece - first_ + 1 : 1;
+  if (wall.segment != PathWall::no_segment) {
+    const std::uint64_t behind = wall.segment >= first_ ? wall.segment - first_ + 1 : 1;
     size_ = std::min<std::size_t>(size_, static_cast<std::size_t>(behind));
   }
   wall_s_ = wall.s;
-  starts_[0] = cursor.piece_start();
+  starts_[0] = cursor.segment_start();
   starts_known_ = 0;
 }
 
@@ -52,13 +52,13 @@ double PathSight::start(std::size_t index) RT_SAFE {
   return starts_[index];
 }
 
-// Of the programmed feed, that the present speed may come from.
-double PathSight::highest_part(const Piece& piece) const RT_SAFE {
+// The part of the programmed feed that the present speed may come from.
+double PathSight::highest_part(const Segment& segment) const RT_SAFE {
   double part = 1.0;
-  const double rev_per_min = piece.process.rev_per_min;
+  const double rev_per_min = segment.process.rev_per_min;
   if (rev_per_min > 0.0) part = std::max(part, reach_.rev_per_min / rev_per_min);
-  if (reach_.controlled_per_s > 0.0 && is_controlled(piece.geometry.metric.axes, piece.rapid))
-    part = std::max(part, reach_.controlled_per_s / piece.feed_per_s);
+  if (reach_.controlled_per_s > 0.0 && is_controlled(segment.geometry.metric.axes, segment.rapid))
+    part = std::max(part, reach_.controlled_per_s / segment.feed_per_s);
   return reach_.feed_override * part;
 }
 
@@ -66,20 +66,20 @@ const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
   const std::uint64_t number = first_ + index;
   Limits& kept = kept_[number % kept_.size()];
   if (kept.number == number && kept.reach == reach_) return kept;
-  const Piece& piece = queue_->pieces[index];
-  const SpeedPiece nominal = speed_piece(piece, 1.0);
-  const double part = highest_part(piece);
-  const SpeedPiece limits = part > 1.0 && !piece.rapid ? speed_piece(piece, part) : nominal;
+  const Segment& segment = queue_->segments[index];
+  const SpeedSegment nominal = speed_segment(segment, 1.0);
+  const double part = highest_part(segment);
+  const SpeedSegment limits = part > 1.0 && !segment.rapid ? speed_segment(segment, part) : nominal;
   kept = {.number = number,
           .reach = reach_,
-          .length = piece.length,
-          .feed = piece.rapid ? nominal.v : piece.feed_per_s,
+          .length = segment.length,
+          .feed = segment.rapid ? nominal.v : segment.feed_per_s,
           .v = limits.v,
           .ramp = limits.ramp,
-          .rev_per_min = piece.process.rev_per_min,
-          .way_axes = piece.geometry.metric.axes,
-          .rapid = piece.rapid,
-          .has_law = piece.process.kind != LawKind::none};
+          .rev_per_min = segment.process.rev_per_min,
+          .way_axes = segment.geometry.metric.axes,
+          .rapid = segment.rapid,
+          .has_law = segment.process.kind != LawKind::none};
   return kept;
 }
 
@@ -96,7 +96,7 @@ double PathSight::asked_speed(std::size_t index) RT_SAFE {
   return std::min(limits.v, part * limits.feed);
 }
 
-std::size_t PathSight::piece_at(double s, std::size_t from) RT_SAFE {
+std::size_t PathSight::segment_at(double s, std::size_t from) RT_SAFE {
   std::size_t index = from;
   while (index + 1 < size_ && s >= end(index)) ++index;
   return index;

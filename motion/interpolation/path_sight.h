@@ -1,9 +1,9 @@
-// PathSight: the limits of the pieces that lie ahead, as the cycle sees them.
+// PathSight: the limits of the segments that lie ahead, as the cycle sees them.
 //
-// Two caps of speed for each piece: the *hard* one, which the axes and the programmed feed (at the
-// highest override that may still be in the speed) allow and for which the limits of acceleration
-// and jerk hold, and the *asked* one, which the override asks for now. Limits are worked out once
-// for a piece and kept. Real-time; memory is taken in the constructor.
+// Two caps of speed for each segment: the *hard* one, which the axes and the programmed feed (at
+// the highest override that may still be in the speed) allow and for which the limits of
+// acceleration and jerk hold, and the *asked* one, which the override asks for now. Limits are
+// worked out once for a segment and kept. Real-time; memory is taken in the constructor.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +21,16 @@
 
 namespace stanok::motion {
 
-// A place at which the path comes to rest, on a piece that is known: s along the chunk at hand.
+// A place at which the path comes to rest, on a segment that is known: s along the current chunk.
 struct PathWall {
-  static constexpr std::uint64_t no_piece = ~std::uint64_t{0};
-  std::uint64_t piece = no_piece;  // number of the piece that holds it
+  static constexpr std::uint64_t no_segment = ~std::uint64_t{0};
+  std::uint64_t segment = no_segment;  // number of the segment that holds it
   double s = unlimited;
 };
 
 class PathSight {
  public:
-  static constexpr std::size_t pieces_max = 2048;  // seen at a time; farther is a wall
+  static constexpr std::size_t segments_max = 2048;  // seen at a time; farther is a wall
 
   PathSight();
 
@@ -43,13 +43,13 @@ class PathSight {
     friend bool operator==(const Reach&, const Reach&) = default;
   };
 
-  // Looks along the path from the piece at hand as far as the wall, once a cycle. A gate ahead is a
-  // wall, too.
+  // Looks along the path from the current segment as far as the wall, once a cycle. A gate ahead is
+  // a wall, too.
   void look(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
             const Reach& reach, const PathWall& wall) RT_SAFE;
 
   [[nodiscard]] std::size_t size() const RT_SAFE { return size_; }
-  // Where piece `index` starts and ends along the chunk at hand; index < size().
+  // Where segment `index` starts and ends along the current chunk; index < size().
   [[nodiscard]] double start(std::size_t index) RT_SAFE;
   [[nodiscard]] double end(std::size_t index) RT_SAFE {
     return std::min(start(index + 1), wall_s_);
@@ -58,15 +58,15 @@ class PathSight {
   [[nodiscard]] double asked_speed(std::size_t index) RT_SAFE;
   [[nodiscard]] const RampLimits& ramp(std::size_t index) RT_SAFE { return limits_of(index).ramp; }
 
-  // The piece that contains s, from piece `from` on.
-  [[nodiscard]] std::size_t piece_at(double s, std::size_t from) RT_SAFE;
+  // The segment that contains s, from segment `from` on.
+  [[nodiscard]] std::size_t segment_at(double s, std::size_t from) RT_SAFE;
 
  private:
   struct Limits {
-    std::uint64_t number = ~std::uint64_t{0};  // of the piece
+    std::uint64_t number = ~std::uint64_t{0};  // of the segment
     Reach reach;
     double length = 0.0;
-    double feed = 0.0;  // programmed; of a rapid piece what its axes allow
+    double feed = 0.0;  // programmed; of a rapid segment what its axes allow
     double v = 0.0;
     RampLimits ramp;
     double rev_per_min = 0.0;  // that a feed per revolution was planned for
@@ -77,7 +77,7 @@ class PathSight {
   [[nodiscard]] bool is_controlled(unsigned way_axes, bool rapid) const RT_SAFE {
     return !rapid && (way_axes & control_.controlled_axes) != 0;
   }
-  [[nodiscard]] double highest_part(const Piece& piece) const RT_SAFE;
+  [[nodiscard]] double highest_part(const Segment& segment) const RT_SAFE;
   [[nodiscard]] const Limits& limits_of(std::size_t index) RT_SAFE;
 
   const PathQueue* queue_ = nullptr;
@@ -87,7 +87,7 @@ class PathSight {
   std::size_t size_ = 0;
   std::size_t starts_known_ = 0;
   double wall_s_ = unlimited;
-  std::array<double, pieces_max + 1> starts_{};
+  std::array<double, segments_max + 1> starts_{};
   std::vector<Limits> kept_;
 };
 

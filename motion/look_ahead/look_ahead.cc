@@ -49,13 +49,13 @@ void shift(std::vector<Phase>& phases, double ds) {
 LookAhead::LookAhead(const MotionConfig& config) : config_(config) {}
 
 void LookAhead::add(const PathBuilder::Built& built) {
-  const Piece& piece = built.piece;
-  STANOK_ASSERT(piece.length > 0.0);
+  const Segment& segment = built.segment;
+  STANOK_ASSERT(segment.length > 0.0);
   const std::uint64_t known = blocks_.empty() ? 0 : blocks_.back();
   const bool begins = window_.empty() || built.counts_as_block;
-  blocks_.push_back(known + (begins ? 1 : blocks_between(window_.back().tag, piece.tag)));
-  window_.push_back(piece);
-  speeds_.push_back(speed_piece(piece, 1.0));
+  blocks_.push_back(known + (begins ? 1 : blocks_between(window_.back().tag, segment.tag)));
+  window_.push_back(segment);
+  speeds_.push_back(speed_segment(segment, 1.0));
   speeds_.back().ramp.j *= built.jerk_part;
   overlap_ = built.overlap;
   stand_mm_ = built.stand_mm;
@@ -65,13 +65,13 @@ void LookAhead::add(const PathBuilder::Built& built) {
 }
 
 void LookAhead::add(ThreadChain chain) {
-  STANOK_ASSERT(window_.empty() && chain.pieces.size() <= chunk_pieces_max);
+  STANOK_ASSERT(window_.empty() && chain.segments.size() <= chunk_segments_max);
   Committed committed;
-  committed.chunk = {.pieces = static_cast<std::uint32_t>(chain.pieces.size()),
+  committed.chunk = {.segments = static_cast<std::uint32_t>(chain.segments.size()),
                      .last = true,
                      .coupling = chain.coupling};
-  for (const Piece& piece : chain.pieces) committed.chunk.length += piece.length;
-  committed.pieces = std::move(chain.pieces);
+  for (const Segment& segment : chain.segments) committed.chunk.length += segment.length;
+  committed.segments = std::move(chain.segments);
   ready_.push_back(std::move(committed));
 }
 
@@ -79,12 +79,12 @@ bool LookAhead::deliver(PathQueue& queue) {
   while (!ready_.empty()) {
     Committed& next = ready_.front();
     if (next.overlap) return true;
-    if (queue.pieces.space() < next.pieces.size() || queue.phases.space() < next.phases.size() ||
-        queue.chunks.space() == 0) {
+    if (queue.segments.space() < next.segments.size() ||
+        queue.phases.space() < next.phases.size() || queue.chunks.space() == 0) {
       return false;
     }
     bool pushed = true;
-    for (const Piece& piece : next.pieces) pushed = queue.pieces.push(piece) && pushed;
+    for (const Segment& segment : next.segments) pushed = queue.segments.push(segment) && pushed;
     for (const Phase& phase : next.phases) pushed = queue.phases.push(phase) && pushed;
     next.chunk.sequence = delivered_++;
     pushed = queue.chunks.push(next.chunk) && pushed;
@@ -117,7 +117,7 @@ void LookAhead::plan_window(bool chain_ends) {
     STANOK_ASSERT(stops);
   }
   phases_.clear();
-  for (const Segment& segment : plan_.segments()) plan_.append_phases(segment, phases_);
+  for (const KeySpan& span : plan_.spans()) plan_.append_phases(span, phases_);
   const std::size_t boundary =
       chain_ends ? window_.size()
                  : cut_at_or_before(std::min(last_boundary_to_commit(), start_of_last_descent()));
@@ -141,11 +141,10 @@ void LookAhead::commit(std::size_t boundary, bool chain_ends) {
   rest_phases_.swap(phases_);
   shift(rest_phases_, s_end);
   rest_keys_.clear();
-  for (const Segment& segment : plan_.segments()) {
-    if (segment.last <= boundary) continue;
-    rest_keys_.push_back({.pieces = segment.last - boundary,
-                          .s = plan_.boundary(segment.last) - s_end,
-                          .v = segment.v1});
+  for (const KeySpan& span : plan_.spans()) {
+    if (span.last <= boundary) continue;
+    rest_keys_.push_back(
+        {.segments = span.last - boundary, .s = plan_.boundary(span.last) - s_end, .v = span.v1});
   }
   STANOK_ASSERT(!phases.empty());
   const double v = phases.back().v_end;
@@ -153,49 +152,49 @@ void LookAhead::commit(std::size_t boundary, bool chain_ends) {
   forget(boundary, v);
 }
 
-// The pieces that came since cannot be joined at the speed of the last cut: the last plan is run as
-// it is up to its next key point from which they can be; at the latest that is where it ends, at
+// The segments that came since cannot be joined at the speed of the last cut: the last plan is run
+// as it is up to its next key point from which they can be; at the latest that is where it ends, at
 // rest.
 void LookAhead::run_last_plan_on(bool chain_ends) {
   STANOK_ASSERT(!rest_keys_.empty());
   std::size_t k = 0;
   for (; k + 1 < rest_keys_.size(); ++k) {
-    const auto first = speeds_.begin() + static_cast<std::ptrdiff_t>(rest_keys_[k].pieces);
+    const auto first = speeds_.begin() + static_cast<std::ptrdiff_t>(rest_keys_[k].segments);
     if (plan_.plan({first, speeds_.end()}, rest_keys_[k].v)) break;
   }
   const RestKey key = rest_keys_[k];
   std::vector<Phase> phases;
   split_phases(rest_phases_, key.s, phases);
-  commit_chunks(key.pieces, phases, chain_ends && key.pieces == window_.size());
-  forget(key.pieces, key.v);
+  commit_chunks(key.segments, phases, chain_ends && key.segments == window_.size());
+  forget(key.segments, key.v);
   shift(rest_phases_, key.s);
   rest_keys_.erase(rest_keys_.begin(), rest_keys_.begin() + static_cast<std::ptrdiff_t>(k + 1));
   for (RestKey& rest : rest_keys_) {
-    rest.pieces -= key.pieces;
+    rest.segments -= key.segments;
     rest.s -= key.s;
   }
 }
 
-// Puts the first pieces of the window and the phases over them into chunks of the size allowed.
-void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends) {
+// Puts the first segments of the window and the phases over them into chunks of the size allowed.
+void LookAhead::commit_chunks(std::size_t segments, std::vector<Phase>& phases, bool chain_ends) {
   double s_first = 0.0;
   double s_last = 0.0;
-  for (std::size_t first = 0; first < pieces;) {
-    const std::size_t last = std::min(pieces, first + chunk_pieces_max);
+  for (std::size_t first = 0; first < segments;) {
+    const std::size_t last = std::min(segments, first + chunk_segments_max);
     for (std::size_t k = first; k < last; ++k) s_last += window_[k].length;
     Committed committed;
     const auto begin = window_.begin();
-    committed.pieces.assign(begin + static_cast<std::ptrdiff_t>(first),
-                            begin + static_cast<std::ptrdiff_t>(last));
-    if (last == pieces) {
+    committed.segments.assign(begin + static_cast<std::ptrdiff_t>(first),
+                              begin + static_cast<std::ptrdiff_t>(last));
+    if (last == segments) {
       committed.phases.swap(phases);
     } else {
       split_phases(phases, s_last, committed.phases);
     }
     shift(committed.phases, s_first);
-    committed.chunk = {.pieces = static_cast<std::uint32_t>(committed.pieces.size()),
+    committed.chunk = {.segments = static_cast<std::uint32_t>(committed.segments.size()),
                        .phases = static_cast<std::uint32_t>(committed.phases.size()),
-                       .last = chain_ends && last == pieces,
+                       .last = chain_ends && last == segments,
                        .length = s_last - s_first,
                        .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
     if (committed.chunk.last) {
@@ -211,10 +210,10 @@ void LookAhead::commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bo
 
 // How long the next chain, which begins with `start`, may overlap the one that ends with `end`.
 void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
-  const Piece& last = end.pieces.back();
-  const Piece& first = start.pieces.front();
-  // Straight ways that are nothing beside the length of their block give way to blends: no overlap.
-  if (last.geometry.kind == PieceKind::line && first.geometry.kind == PieceKind::line) {
+  const Segment& last = end.segments.back();
+  const Segment& first = start.segments.front();
+  // Straight paths that are nothing beside the length of their block give way to blends: no overlap.
+  if (last.geometry.kind == SegmentKind::line && first.geometry.kind == SegmentKind::line) {
     end.chunk.overlap_s =
         overlap_duration(*end.overlap, last_ramp(end.phases), first_ramp(start.phases),
                          {.incoming = last.length, .outgoing = first.length}, config_);
@@ -222,9 +221,9 @@ void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
   end.overlap.reset();
 }
 
-// Takes committed pieces out of the window; what remains starts at speed `v`.
-void LookAhead::forget(std::size_t pieces, double v) {
-  const auto count = static_cast<std::ptrdiff_t>(pieces);
+// Takes committed segments out of the window; what remains starts at speed `v`.
+void LookAhead::forget(std::size_t segments, double v) {
+  const auto count = static_cast<std::ptrdiff_t>(segments);
   window_.erase(window_.begin(), window_.begin() + count);
   speeds_.erase(speeds_.begin(), speeds_.begin() + count);
   blocks_.erase(blocks_.begin(), blocks_.begin() + count);
@@ -244,35 +243,33 @@ std::size_t LookAhead::last_boundary_to_commit() const {
 
 // The last boundary with a = 0, at or before the one given.
 std::size_t LookAhead::cut_at_or_before(std::size_t boundary) const {
-  const auto& segments = plan_.segments();
-  if (boundary == 0 || segments.empty()) return 0;
-  const auto after = std::upper_bound(
-      segments.begin(), segments.end(), boundary,
-      [](std::size_t place, const Segment& segment) { return place < segment.first; });
-  const Segment& segment = *(after - 1);
-  if (segment.last <= boundary) return segment.last;
-  const double held_from =
-      plan_.boundary(segment.first) + segment.wait_first + segment.up_distance();
-  const double held_to = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
-  for (std::size_t b = boundary; b > segment.first && plan_.boundary(b) > held_from; --b) {
+  const auto& spans = plan_.spans();
+  if (boundary == 0 || spans.empty()) return 0;
+  const auto after =
+      std::upper_bound(spans.begin(), spans.end(), boundary,
+                       [](std::size_t place, const KeySpan& span) { return place < span.first; });
+  const KeySpan& span = *(after - 1);
+  if (span.last <= boundary) return span.last;
+  const double held_from = plan_.boundary(span.first) + span.wait_first + span.up_distance();
+  const double held_to = plan_.boundary(span.last) - span.wait_last - span.down_distance();
+  for (std::size_t b = boundary; b > span.first && plan_.boundary(b) > held_from; --b) {
     if (plan_.boundary(b) < held_to) return b;
   }
-  return segment.first;
+  return span.first;
 }
 
 // The boundary behind which the plan only slows down for the end of what is known.
 std::size_t LookAhead::start_of_last_descent() const {
-  const auto& segments = plan_.segments();
-  std::size_t k = segments.size();
-  while (k > 0 && segments[k - 1].top <= segments[k - 1].v0 &&
-         segments[k - 1].v1 < segments[k - 1].v0) {
+  const auto& spans = plan_.spans();
+  std::size_t k = spans.size();
+  while (k > 0 && spans[k - 1].top <= spans[k - 1].v0 && spans[k - 1].v1 < spans[k - 1].v0) {
     --k;
   }
   if (k == 0) return 0;
-  const Segment& segment = segments[k - 1];
-  const double descent = plan_.boundary(segment.last) - segment.wait_last - segment.down_distance();
-  std::size_t boundary = segment.last;
-  while (boundary > segment.first && plan_.boundary(boundary) > descent) --boundary;
+  const KeySpan& span = spans[k - 1];
+  const double descent = plan_.boundary(span.last) - span.wait_last - span.down_distance();
+  std::size_t boundary = span.last;
+  while (boundary > span.first && plan_.boundary(boundary) > descent) --boundary;
   return boundary;
 }
 

@@ -1,4 +1,4 @@
-// LookAhead: pieces of a chain in, committed jerk-limited profile out.
+// LookAhead: segments of a chain in, committed jerk-limited profile out.
 //
 // How far it commits depends on content only: a chunk is committed when at least 1000 later blocks
 // and the stopping distance are known, or the chain ends (docs/developer/motion.md#commit); commits
@@ -20,12 +20,12 @@ namespace stanok::motion {
 
 class LookAhead {
  public:
-  static constexpr std::uint64_t blocks_beyond = 1000;   // known beyond what is committed
-  static constexpr std::size_t chunk_pieces_max = 2048;  // the queue holds several chunks
+  static constexpr std::uint64_t blocks_beyond = 1000;     // known beyond what is committed
+  static constexpr std::size_t chunk_segments_max = 2048;  // the queue holds several chunks
 
   explicit LookAhead(const MotionConfig& config);
 
-  // Takes a piece; plans and keeps committed chunks ready when content allows.
+  // Takes a segment; plans and keeps committed chunks ready when content allows.
   void add(const PathBuilder::Built& built);
 
   // A chain that a spindle leads, whole; the chain before has ended.
@@ -36,44 +36,44 @@ class LookAhead {
   // never farther away than the next end of a chain.
   [[nodiscard]] bool deliver(PathQueue& queue);
 
-  // Nothing is pending: all pieces taken were committed and delivered.
+  // Nothing is pending: all segments taken were committed and delivered.
   [[nodiscard]] bool is_empty() const;
 
-  // Drops everything (abort). The next piece starts at rest.
+  // Drops everything (abort). The next segment starts at rest.
   void clear();
 
  private:
   struct Committed {
-    std::vector<Piece> pieces;
+    std::vector<Segment> segments;
     std::vector<Phase> phases;
     Chunk chunk;
     // The next chain may overlap the end of this chunk; how long, its start will tell.
     std::optional<OverlapCorner> overlap;
   };
-  // A state with a = 0 after so many pieces, s of path.
+  // A state with a = 0 after so many segments, s of path.
   struct RestKey {
-    std::size_t pieces = 0;
+    std::size_t segments = 0;
     double s = 0.0;
     double v = 0.0;
   };
 
   void plan_window(bool chain_ends);
   void commit(std::size_t boundary, bool chain_ends);
-  void commit_chunks(std::size_t pieces, std::vector<Phase>& phases, bool chain_ends);
+  void commit_chunks(std::size_t segments, std::vector<Phase>& phases, bool chain_ends);
   void decide_overlap(Committed& end, const Committed& start) const;
   void run_last_plan_on(bool chain_ends);
-  void forget(std::size_t pieces, double v);
+  void forget(std::size_t segments, double v);
 
   [[nodiscard]] std::uint64_t blocks_after(std::size_t boundary) const;
   [[nodiscard]] std::size_t last_boundary_to_commit() const;
   [[nodiscard]] std::size_t cut_at_or_before(std::size_t boundary) const;
   [[nodiscard]] std::size_t start_of_last_descent() const;
 
-  // The chain at hand from the last commit on: pieces, their limits, and how many blocks were known
-  // when each one came.
+  // The current chain from the last commit on: segments, their limits, and how many blocks were
+  // known when each one came.
   MotionConfig config_;
-  std::vector<Piece> window_;
-  std::vector<SpeedPiece> speeds_;
+  std::vector<Segment> window_;
+  std::vector<SpeedSegment> speeds_;
   std::vector<std::uint64_t> blocks_;
   std::optional<OverlapCorner> overlap_;  // at the end of the chain
   double stand_mm_ = 0.0;                 // there, too
@@ -82,7 +82,7 @@ class LookAhead {
 
   SpeedPlan plan_;
   std::vector<Phase> phases_;  // of the plan, s from the start of the window
-  // What the last plan held for the pieces it did not commit: a way to rest, always, and the key
+  // What the last plan held for the segments it did not commit: a way to rest, always, and the key
   // points on it.
   std::vector<Phase> rest_phases_;
   std::vector<RestKey> rest_keys_;

@@ -8,13 +8,13 @@
 namespace stanok::motion {
 namespace {
 
-// A piece counts as violated, and two speeds as different, beyond this part of the speed.
+// A segment counts as violated, and two speeds as different, beyond this part of the speed.
 constexpr double speed_tolerance = 1e-10;
 
-// How many places are tried for a key point that frees a ramp of bad limits, and how many pieces
+// How many places are tried for a key point that frees a ramp of bad limits, and how many segments
 // are looked at for each.
 constexpr int detours_tried = 8;
-constexpr std::size_t pieces_looked_at = 16;
+constexpr std::size_t segments_looked_at = 16;
 
 // Whether better limits are worth another look at a ramp.
 bool pays(const RampLimits& now, const RampLimits& then) {
@@ -24,22 +24,22 @@ bool pays(const RampLimits& now, const RampLimits& then) {
 
 }  // namespace
 
-bool SpeedPlan::plan(const std::vector<SpeedPiece>& pieces, double v_start) {
-  take(pieces);
-  segments_.clear();
+bool SpeedPlan::plan(const std::vector<SpeedSegment>& segments, double v_start) {
+  take(segments);
+  spans_.clear();
   Key left{.boundary = 0, .v = v_start};
-  std::vector<Key> pending{{.boundary = pieces.size(), .v = 0.0}};
-  // Each round adds a key point, accepts a segment or lowers a speed; the bound only guards against
+  std::vector<Key> pending{{.boundary = segments.size(), .v = 0.0}};
+  // Each round adds a key point, accepts a span or lowers a speed; the bound only guards against
   // rounding.
-  for (std::size_t round = 0; round < 64 * pieces.size() + 64; ++round) {
+  for (std::size_t round = 0; round < 64 * segments.size() + 64; ++round) {
     if (pending.empty()) return true;
     Key& right = pending.back();
-    Segment segment;
+    KeySpan span;
     if (left.begins_stair) {
       accept(left.stair, left, pending);
       continue;
     }
-    const Fit result = fit(left, right, unlimited, segment);
+    const Fit result = fit(left, right, unlimited, span);
     if (result == Fit::left_too_fast) {
       if (!lower_left(pending, left, right)) return false;
       continue;
@@ -50,35 +50,35 @@ bool SpeedPlan::plan(const std::vector<SpeedPiece>& pieces, double v_start) {
       right.begins_stair = false;
       continue;
     }
-    if (const auto key = later_start(left, right, segment)) {
+    if (const auto key = later_start(left, right, span)) {
       pending.push_back(*key);
       continue;
     }
-    if (const auto key = earlier_end(left, right, segment)) {
+    if (const auto key = earlier_end(left, right, span)) {
       pending.push_back(*key);
       continue;
     }
-    const std::size_t piece = slowest_violated(segment);
-    if (piece != npos) {
-      if (add_keys(left, piece, pending)) continue;
-      if (fit(left, right, v_[piece], segment) != Fit::fits) return false;
+    const std::size_t segment = slowest_violated(span);
+    if (segment != npos) {
+      if (add_keys(left, segment, pending)) continue;
+      if (fit(left, right, v_[segment], span) != Fit::fits) return false;
     }
-    accept(segment, left, pending);
+    accept(span, left, pending);
   }
   return false;
 }
 
-void SpeedPlan::take(const std::vector<SpeedPiece>& pieces) {
-  const std::size_t n = pieces.size();
+void SpeedPlan::take(const std::vector<SpeedSegment>& segments) {
+  const std::size_t n = segments.size();
   boundaries_.resize(n + 1);
   for (std::vector<double>* column : {&v_, &minus_v_, &a_, &j_}) column->resize(n);
   boundaries_[0] = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    boundaries_[i + 1] = boundaries_[i] + pieces[i].length;
-    v_[i] = pieces[i].v;
-    minus_v_[i] = -pieces[i].v;
-    a_[i] = pieces[i].ramp.a;
-    j_[i] = pieces[i].ramp.j;
+    boundaries_[i + 1] = boundaries_[i] + segments[i].length;
+    v_[i] = segments[i].v;
+    minus_v_[i] = -segments[i].v;
+    a_[i] = segments[i].ramp.a;
+    j_[i] = segments[i].ramp.j;
   }
   slowest_.build(v_);
   fastest_.build(minus_v_);
@@ -86,20 +86,20 @@ void SpeedPlan::take(const std::vector<SpeedPiece>& pieces) {
   least_j_.build(j_);
 }
 
-// The key point on the left is too fast for the room there is: it is lowered, and the segment that
+// The key point on the left is too fast for the room there is: it is lowered, and the span that
 // led to it is planned again. False at the start of the plan, whose speed is given.
 bool SpeedPlan::lower_left(std::vector<Key>& pending, Key& left, const Key& right) {
-  if (segments_.empty()) return false;
+  if (spans_.empty()) return false;
   const double v = reachable_speed(right.v, distance(left.boundary, right.boundary),
                                    limits_over(left.boundary, right.boundary));
   pending.push_back({.boundary = left.boundary, .v = std::min(v, left.v)});
-  left = {.boundary = segments_.back().first, .v = segments_.back().v0};
-  segments_.pop_back();
+  left = {.boundary = spans_.back().first, .v = spans_.back().v0};
+  spans_.pop_back();
   return true;
 }
 
-void SpeedPlan::accept(const Segment& segment, Key& left, std::vector<Key>& pending) {
-  segments_.push_back(segment);
+void SpeedPlan::accept(const KeySpan& span, Key& left, std::vector<Key>& pending) {
+  spans_.push_back(span);
   left = pending.back();
   pending.pop_back();
 }
@@ -122,8 +122,8 @@ RampLimits SpeedPlan::limits_between(double s0, double s1) const {
   return limits_over(std::min(first, n - 1), std::clamp(last, first + 1, n));
 }
 
-// Limits of a ramp that leaves a boundary, over the pieces it touches: a lower limit makes the ramp
-// longer, and a longer ramp may touch more pieces, until nothing changes.
+// Limits of a ramp that leaves a boundary, over the segments it touches: a lower limit makes the
+// ramp longer, and a longer ramp may touch more segments, until nothing changes.
 RampLimits SpeedPlan::outward_limits(std::size_t from, Direction direction, double v0,
                                      double v1) const {
   const bool forward = direction == Direction::forward;
@@ -150,54 +150,53 @@ double SpeedPlan::boundary_limit(std::size_t boundary) const {
   return std::min(v_[boundary - 1], v_[boundary]);
 }
 
-double SpeedPlan::duration(const Segment& segment) const {
-  const double up = segment.up_distance();
-  const double down = segment.down_distance();
-  const double held = distance(segment.first, segment.last) - up - down;
-  return ramp_duration(segment.v0, segment.top, segment.up) +
-         ramp_duration(segment.top, segment.v1, segment.down) + held / segment.top;
+double SpeedPlan::duration(const KeySpan& span) const {
+  const double up = span.up_distance();
+  const double down = span.down_distance();
+  const double held = distance(span.first, span.last) - up - down;
+  return ramp_duration(span.v0, span.top, span.up) + ramp_duration(span.top, span.v1, span.down) +
+         held / span.top;
 }
 
 SpeedPlan::Fit SpeedPlan::fit(const Key& left, const Key& right, double v_cap,
-                              Segment& segment) const {
-  segment = {.first = left.boundary, .last = right.boundary, .v0 = left.v, .v1 = right.v};
+                              KeySpan& span) const {
+  span = {.first = left.boundary, .last = right.boundary, .v0 = left.v, .v1 = right.v};
   const double cap =
       std::max({std::min(v_cap, highest_limit(left.boundary, right.boundary)), left.v, right.v});
-  segment.top = cap;
-  segment.up = outward_limits(left.boundary, Direction::forward, left.v, cap);
-  segment.down = outward_limits(right.boundary, Direction::backward, right.v, cap);
+  span.top = cap;
+  span.up = outward_limits(left.boundary, Direction::forward, left.v, cap);
+  span.down = outward_limits(right.boundary, Direction::backward, right.v, cap);
   const double length = distance(left.boundary, right.boundary);
-  if (segment.up_distance() + segment.down_distance() <= length) return Fit::fits;
-  return fit_peak(cap, segment);
+  if (span.up_distance() + span.down_distance() <= length) return Fit::fits;
+  return fit_peak(cap, span);
 }
 
 // There is no room for the top wanted: the ramps meet at a lower one. Their limits follow from the
-// pieces they touch, as in outward_limits.
-SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, Segment& segment) const {
+// segments they touch, as in outward_limits.
+SpeedPlan::Fit SpeedPlan::fit_peak(double v_cap, KeySpan& span) const {
   constexpr int rounds = 16;
-  const double s0 = boundaries_[segment.first];
-  const double s1 = boundaries_[segment.last];
-  segment.up = limits_over(segment.first, segment.first + 1);
-  segment.down = limits_over(segment.last - 1, segment.last);
+  const double s0 = boundaries_[span.first];
+  const double s1 = boundaries_[span.last];
+  span.up = limits_over(span.first, span.first + 1);
+  span.down = limits_over(span.last - 1, span.last);
   for (int round = 0;; ++round) {
-    if (round == rounds) segment.up = segment.down = limits_over(segment.first, segment.last);
-    const bool rises = segment.v0 < segment.v1;
-    const double least = ramp_distance(segment.v0, segment.v1, rises ? segment.up : segment.down);
+    if (round == rounds) span.up = span.down = limits_over(span.first, span.last);
+    const bool rises = span.v0 < span.v1;
+    const double least = ramp_distance(span.v0, span.v1, rises ? span.up : span.down);
     if (least > s1 - s0) return rises ? Fit::right_too_fast : Fit::left_too_fast;
-    segment.top = peak_speed(segment.v0, segment.v1, s1 - s0, segment.up, segment.down, v_cap);
+    span.top = peak_speed(span.v0, span.v1, s1 - s0, span.up, span.down, v_cap);
     if (round == rounds) return Fit::fits;
-    const RampLimits up = limits_between(s0, std::min(s0 + segment.up_distance(), s1));
-    const RampLimits down = limits_between(std::max(s1 - segment.down_distance(), s0), s1);
-    if (up.a >= segment.up.a && up.j >= segment.up.j && down.a >= segment.down.a &&
-        down.j >= segment.down.j) {
+    const RampLimits up = limits_between(s0, std::min(s0 + span.up_distance(), s1));
+    const RampLimits down = limits_between(std::max(s1 - span.down_distance(), s0), s1);
+    if (up.a >= span.up.a && up.j >= span.up.j && down.a >= span.down.a && down.j >= span.down.j) {
       return Fit::fits;
     }
-    segment.up = lower_of(up, segment.up);
-    segment.down = lower_of(down, segment.down);
+    span.up = lower_of(up, span.up);
+    span.down = lower_of(down, span.down);
   }
 }
 
-// The highest speed at a boundary that a ramp over the pieces between it and a key point attains.
+// The highest speed at a boundary that a ramp over the segments between it and a key point attains.
 double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
   const std::size_t first = std::min(from.boundary, boundary);
   const std::size_t last = std::max(from.boundary, boundary);
@@ -205,8 +204,8 @@ double SpeedPlan::speed_across(const Key& from, std::size_t boundary) const {
   return std::min({v, slowest_.value(first, last - 1), boundary_limit(boundary)});
 }
 
-// The fastest way from `left` to `right` over a key point at `boundary`: slow between the slow end,
-// which lies against the direction, and that key point, at the speed of that end or up to the
+// The fastest path from `left` to `right` over a key point at `boundary`: slow between the slow
+// end, which lies against the direction, and that key point, at the speed of that end or up to the
 // highest that can be reached there.
 std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const Key& right,
                                                         std::size_t boundary,
@@ -219,8 +218,8 @@ std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const K
   for (const double v : {slow.v, speed_across(slow, boundary)}) {
     if (v <= 0.0 || v < slow.v || v > v_max) continue;
     const Key middle{.boundary = boundary, .v = v};
-    Segment before;
-    Segment after;
+    KeySpan before;
+    KeySpan after;
     if (fit(left, middle, forward ? v : unlimited, before) != Fit::fits) continue;
     if (fit(middle, right, forward ? unlimited : v, after) != Fit::fits) continue;
     const double time = duration(before) + duration(after);
@@ -230,23 +229,23 @@ std::optional<SpeedPlan::Detour> SpeedPlan::best_detour(const Key& left, const K
   return best;
 }
 
-// Behind the last of the first pieces from `start` on, before `stop` and `reach`, that are as bad
+// Behind the last of the first segments from `start` on, before `stop` and `reach`, that are as bad
 // as `limits`.
 std::size_t SpeedPlan::behind_worst(std::size_t start, std::size_t stop, double reach,
                                     const RampLimits& limits) const {
   std::size_t next = npos;
-  const std::size_t end = std::min(stop, start + pieces_looked_at);
+  const std::size_t end = std::min(stop, start + segments_looked_at);
   for (std::size_t i = start; i < end && i + 1 < stop && boundaries_[i + 1] < reach; ++i) {
     if (a_[i] <= limits.a || j_[i] <= limits.j) next = i + 1;
   }
   return next;
 }
 
-// The same backwards.
+// Looks backwards where the function above looks forwards.
 std::size_t SpeedPlan::before_worst(std::size_t end, std::size_t stop, double reach,
                                     const RampLimits& limits) const {
   std::size_t next = npos;
-  const std::size_t first = std::max(stop, end > pieces_looked_at ? end - pieces_looked_at : 0);
+  const std::size_t first = std::max(stop, end > segments_looked_at ? end - segments_looked_at : 0);
   for (std::size_t i = end; i > first && i - 1 > stop && boundaries_[i - 1] > reach; --i) {
     if (a_[i - 1] <= limits.a || j_[i - 1] <= limits.j) next = i - 1;
   }
@@ -254,12 +253,12 @@ std::size_t SpeedPlan::before_worst(std::size_t end, std::size_t stop, double re
 }
 
 std::optional<SpeedPlan::Key> SpeedPlan::later_start(const Key& left, const Key& right,
-                                                     const Segment& segment) const {
-  if (segment.top <= left.v) return std::nullopt;
-  const double reach = boundaries_[left.boundary] + segment.up_distance();
+                                                     const KeySpan& span) const {
+  if (span.top <= left.v) return std::nullopt;
+  const double reach = boundaries_[left.boundary] + span.up_distance();
   std::optional<Key> best;
-  double best_duration = duration(segment) * (1.0 - 1e-9);
-  RampLimits limits = segment.up;
+  double best_duration = duration(span) * (1.0 - 1e-9);
+  RampLimits limits = span.up;
   std::size_t start = left.boundary;
   for (int k = 0; k < detours_tried; ++k) {
     start = behind_worst(start, right.boundary, reach, limits);
@@ -275,12 +274,12 @@ std::optional<SpeedPlan::Key> SpeedPlan::later_start(const Key& left, const Key&
 }
 
 std::optional<SpeedPlan::Key> SpeedPlan::earlier_end(const Key& left, const Key& right,
-                                                     const Segment& segment) const {
-  if (segment.top <= right.v) return std::nullopt;
-  const double reach = boundaries_[right.boundary] - segment.down_distance();
+                                                     const KeySpan& span) const {
+  if (span.top <= right.v) return std::nullopt;
+  const double reach = boundaries_[right.boundary] - span.down_distance();
   std::optional<Key> best;
-  double best_duration = duration(segment) * (1.0 - 1e-9);
-  RampLimits limits = segment.down;
+  double best_duration = duration(span) * (1.0 - 1e-9);
+  RampLimits limits = span.down;
   std::size_t end = right.boundary;
   for (int k = 0; k < detours_tried; ++k) {
     end = before_worst(end, left.boundary, reach, limits);
@@ -295,41 +294,41 @@ std::optional<SpeedPlan::Key> SpeedPlan::earlier_end(const Key& left, const Key&
   return best;
 }
 
-std::size_t SpeedPlan::slowest_violated(const Segment& segment) const {
+std::size_t SpeedPlan::slowest_violated(const KeySpan& span) const {
   const double allowed = 1.0 + speed_tolerance;
-  const std::size_t slowest = slowest_.place(segment.first, segment.last - 1);
-  if (segment.top <= v_[slowest] * allowed) return npos;
-  const double s0 = boundaries_[segment.first];
-  const double s1 = boundaries_[segment.last];
-  const RampCourse up(segment.v0, segment.top, segment.up);
-  const RampCourse down(segment.v1, segment.top, segment.down);
+  const std::size_t slowest = slowest_.place(span.first, span.last - 1);
+  if (span.top <= v_[slowest] * allowed) return npos;
+  const double s0 = boundaries_[span.first];
+  const double s1 = boundaries_[span.last];
+  const RampCourse up(span.v0, span.top, span.up);
+  const RampCourse down(span.v1, span.top, span.down);
   const double top_first = s0 + up.length();
   const double top_last = std::max(s1 - down.length(), top_first);
   std::size_t found = npos;
   const auto consider = [&](std::size_t i) {
     if (found == npos || v_[i] < v_[found]) found = i;
   };
-  std::size_t i = segment.first;
-  for (; i < segment.last && boundaries_[i + 1] < top_first; ++i) {
+  std::size_t i = span.first;
+  for (; i < span.last && boundaries_[i + 1] < top_first; ++i) {
     const double v = v_[i] * allowed;
-    if (v < segment.top && s0 + up.distance_to(v) < boundaries_[i + 1]) consider(i);
+    if (v < span.top && s0 + up.distance_to(v) < boundaries_[i + 1]) consider(i);
   }
-  const std::size_t top_begin = std::min(i, segment.last - 1);
-  std::size_t k = segment.last;
+  const std::size_t top_begin = std::min(i, span.last - 1);
+  std::size_t k = span.last;
   for (; k > top_begin + 1 && boundaries_[k - 1] > top_last; --k) {
     const double v = v_[k - 1] * allowed;
-    if (v < segment.top && s1 - down.distance_to(v) > boundaries_[k - 1]) consider(k - 1);
+    if (v < span.top && s1 - down.distance_to(v) > boundaries_[k - 1]) consider(k - 1);
   }
   const std::size_t held = slowest_.place(top_begin, k - 1);
-  if (segment.top > v_[held] * allowed) consider(held);
+  if (span.top > v_[held] * allowed) consider(held);
   return found;
 }
 
-bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending) {
+bool SpeedPlan::add_keys(Key& left, std::size_t segment, std::vector<Key>& pending) {
   const Key right = pending.back();
-  const double v = v_[piece];
-  std::size_t begin = piece;
-  std::size_t end = piece + 1;
+  const double v = v_[segment];
+  std::size_t begin = segment;
+  std::size_t end = segment + 1;
   const double same = v * (1.0 + speed_tolerance);
   while (begin > left.boundary && v_[begin - 1] >= v && v_[begin - 1] <= same) --begin;
   while (end < right.boundary && v_[end] >= v && v_[end] <= same) ++end;
@@ -345,7 +344,7 @@ bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending
   if (left_at < boundaries_[begin] && begin > left.boundary && right.v <= v) {
     return add_stair(left, right, begin, Direction::backward, pending);
   }
-  // A key point beside the piece that is faster than the piece leaves no choice: it will be
+  // A key point beside the segment that is faster than the segment leaves no choice: it will be
   // lowered.
   const bool ends_inside = end < right.boundary && (left_at >= boundaries_[end] || right.v > v);
   const bool begins_inside = begin > left.boundary && (reached <= boundaries_[begin] || left.v > v);
@@ -356,7 +355,7 @@ bool SpeedPlan::add_keys(Key& left, std::size_t piece, std::vector<Key>& pending
   return ends_inside || begins_inside;
 }
 
-void SpeedPlan::append_phases(const Segment& segment, std::vector<Phase>& phases) const {
+void SpeedPlan::append_phases(const KeySpan& span, std::vector<Phase>& phases) const {
   const auto hold = [&](double s0, double s1, double v) {
     if (!(s1 > s0) || v <= 0.0) {
       if (!phases.empty()) phases.back().s_end = s1;
@@ -369,23 +368,23 @@ void SpeedPlan::append_phases(const Segment& segment, std::vector<Phase>& phases
     }
     phases.push_back({.duration = (s1 - s0) / v, .s = s0, .v = v, .s_end = s1, .v_end = v});
   };
-  const double s0 = boundaries_[segment.first];
-  const double s1 = boundaries_[segment.last];
-  const PhaseRun up = ramp_up(s0 + segment.wait_first, segment.v0, segment.top, segment.up);
-  const PhaseRun down = ramp_down(segment.top, s1 - segment.wait_last, segment.v1, segment.down);
+  const double s0 = boundaries_[span.first];
+  const double s1 = boundaries_[span.last];
+  const PhaseRun up = ramp_up(s0 + span.wait_first, span.v0, span.top, span.up);
+  const PhaseRun down = ramp_down(span.top, s1 - span.wait_last, span.v1, span.down);
   double at = s0;
   if (up.size() > 0) {
-    hold(s0, up[0].s, segment.v0);
+    hold(s0, up[0].s, span.v0);
     phases.insert(phases.end(), up.begin(), up.end());
     at = up[up.size() - 1].s_end;
   }
   if (down.size() == 0) {
-    hold(at, s1, segment.top);
+    hold(at, s1, span.top);
     return;
   }
-  hold(at, down[0].s, segment.top);
+  hold(at, down[0].s, span.top);
   phases.insert(phases.end(), down.begin(), down.end());
-  hold(down[down.size() - 1].s_end, s1, segment.v1);
+  hold(down[down.size() - 1].s_end, s1, span.v1);
 }
 
 }  // namespace stanok::motion

@@ -1,8 +1,8 @@
-// Stairs of the speed plan: ramps below limits that rise or fall slowly over many short pieces.
+// Stairs of the speed plan: ramps below limits that rise or fall slowly over many short segments.
 //
 // A stair leads from a key point outward, forwards or backwards along the path, to a higher speed
 // at a boundary farther out: some length at the key point's speed, then one ramp. It is placed so
-// that no piece on its way is passed too fast (docs/developer/motion.md#profile).
+// that no segment on its way is passed too fast (docs/developer/motion.md#profile).
 #include <algorithm>
 
 #include "motion/look_ahead/speed_plan.h"
@@ -105,15 +105,15 @@ double SpeedPlan::stair_wait(const Key& from, std::size_t end, double v,
 }
 
 // Whether the stair from the key point outward to boundary `end`, `wait` of length at the key's
-// speed and then the ramp, keeps the speed of every piece; none may be slower than the key point.
+// speed and then the ramp, keeps the speed of every segment; none may be slower than the key point.
 bool SpeedPlan::stair_fits(const Key& from, std::size_t end, const RampCourse& ramp,
                            double wait) const {
   const bool outward_is_forward = end > from.boundary;
   for (std::size_t far = end; far != from.boundary;) {
     const double far_side = distance(from.boundary, far);
     if (far_side <= wait) break;
-    const std::size_t piece = outward_is_forward ? --far : far++;
-    if (v_[piece] < ramp.high() && wait + ramp.distance_to(v_[piece]) < far_side) return false;
+    const std::size_t segment = outward_is_forward ? --far : far++;
+    if (v_[segment] < ramp.high() && wait + ramp.distance_to(v_[segment]) < far_side) return false;
   }
   return wait + ramp.length() <= distance(from.boundary, end) * (1.0 + 1e-12);
 }

@@ -142,8 +142,8 @@ double arc_parameter(const Geometry& g, double s, double length) RT_SAFE {
 }  // namespace
 
 double arc_length(const Geometry& geometry) RT_SAFE {
-  if (geometry.kind == PieceKind::quintic) return geometry.knots.back();
-  if (geometry.kind == PieceKind::arc) {
+  if (geometry.kind == SegmentKind::quintic) return geometry.knots.back();
+  if (geometry.kind == SegmentKind::arc) {
     const double change = geometry.radius_change;
     const double straight = straight_squared(geometry);
     if (change == 0.0) return std::hypot(geometry.radius * geometry.sweep, std::sqrt(straight));
@@ -171,12 +171,12 @@ double parameter_at(const Geometry& geometry, double s, double length) RT_SAFE {
   if (s <= 0.0) return 0.0;
   if (s >= length) return 1.0;
   switch (geometry.kind) {
-    case PieceKind::quintic:
+    case SegmentKind::quintic:
       return quintic_parameter(geometry, s);
-    case PieceKind::arc:
+    case SegmentKind::arc:
       return arc_parameter(geometry, s, length);
-    case PieceKind::line:
-    case PieceKind::even:
+    case SegmentKind::line:
+    case SegmentKind::even:
       break;
   }
   return s / length;

@@ -1,4 +1,4 @@
-// Arc length of a piece against its parameter u, and the way back: u from s.
+// Arc length of a segment against its parameter u, and the way back: u from s.
 //
 // ds/du = |dP/du| over the axes of the metric. It is integrated by Gauss-Legendre with eight nodes:
 // for quintics on intervals of at most 1/16 in u, for arcs whose radius changes from the start.
@@ -11,7 +11,7 @@
 
 namespace stanok::motion {
 
-// Arc length of the whole piece; for a quintic from its knots.
+// Arc length of the whole segment; for a quintic from its knots.
 [[nodiscard]] double arc_length(const Geometry& geometry) RT_SAFE;
 
 // Fills the knots of a quintic from its coefficients.

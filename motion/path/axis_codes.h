@@ -1,6 +1,6 @@
-// Integer codes of an axis set-point, for drives that take increments.
+// Integer codes of an axis setpoint, for drives that take increments.
 //
-// Position and velocity are coded apart: the position in whole discretes, as the measuring system
+// Position and velocity are coded apart: the position in whole increments, as the measuring system
 // counts them; the velocity kmv times finer, so that what is derived from it is worth deriving.
 // Source: V. Kombarov, V. Sorokin, stability of contour feed (2013), eqs. (11) to (14), with
 // rounding to the nearest integer; docs/developer/motion.md#codes.
@@ -14,8 +14,8 @@
 namespace stanok::motion {
 
 struct CodeScale {
-  double resolution = 0.001;  // mm or deg per discrete
-  double kmv = 10000.0;       // units of the velocity code per discrete and cycle
+  double resolution = 0.001;  // mm or deg per increment
+  double kmv = 10000.0;       // units of the velocity code per increment and cycle
 };
 
 [[nodiscard]] constexpr std::int64_t position_code(double position, const CodeScale& scale)

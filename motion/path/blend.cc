@@ -1,6 +1,6 @@
 // Fitting a blend to the tolerance (motion/path/blend.h).
 //
-// t and k are tangent and curvature (q', q'') of the two pieces at the corner; a blend of reach L
+// t and k are tangent and curvature (q', q'') of the two segments at the corner; a blend of reach L
 // deviates by about bow * L * |t_out - t_in| + sag * L^2 * |k_out - k_in|, for lines exactly so.
 #include "motion/path/blend.h"
 
@@ -80,34 +80,34 @@ Growth growth(const Contact& in, const Contact& out, const PathMetric& metric,
   return grown;
 }
 
-Contact contact_at(const Piece& piece, double s) {
+Contact contact_at(const Segment& segment, double s) {
   JetPoint point_s;
-  evaluate(piece, s, point_s);
+  evaluate(segment, s, point_s);
   return contact(point_s);
 }
 
-// How much of a piece a blend may replace.
-double replaceable(const Piece& piece) {
-  if (piece.geometry.kind == PieceKind::line) return piece.length;
-  if (piece.geometry.kind == PieceKind::quintic) return curve_part_max * piece.length;
-  return piece.length * std::min(1.0, arc_angle_max / std::abs(piece.geometry.sweep));
+// How much of a segment a blend may replace.
+double replaceable(const Segment& segment) {
+  if (segment.geometry.kind == SegmentKind::line) return segment.length;
+  if (segment.geometry.kind == SegmentKind::quintic) return curve_part_max * segment.length;
+  return segment.length * std::min(1.0, arc_angle_max / std::abs(segment.geometry.sweep));
 }
 
-Blend blend_of_reach(const Piece& incoming, const Piece& outgoing, double reach) {
+Blend blend_of_reach(const Segment& incoming, const Segment& outgoing, double reach) {
   return {blend_curve(incoming.geometry.metric, contact_at(incoming, incoming.length - reach),
                       contact_at(outgoing, reach), reach),
           reach};
 }
 
-// Path length of the point of `piece` nearest to `target`, by Newton's method from `s`.
-double foot(const Piece& piece, const Point& target, double s) {
-  const PathMetric& metric = piece.geometry.metric;
+// Path length of the point of `segment` nearest to `target`, by Newton's method from `s`.
+double foot(const Segment& segment, const Point& target, double s) {
+  const PathMetric& metric = segment.geometry.metric;
   for (int i = 0; i < foot_steps; ++i) {
-    const Contact at = contact_at(piece, s);
+    const Contact at = contact_at(segment, s);
     const Point gap = difference(target, at.position);
     const double bent = 1.0 - metric_product(metric, gap, at.curvature);
     const double step = metric_product(metric, gap, at.tangent) / std::max(bent, 0.1);
-    s = std::clamp(s + step, 0.0, piece.length);
+    s = std::clamp(s + step, 0.0, segment.length);
   }
   return s;
 }
@@ -132,14 +132,14 @@ Distance distance(const Point& a, const Point& b, const Tolerance& tolerance,
   return between;
 }
 
-Point position_at(const Piece& piece, double u) {
+Point position_at(const Segment& segment, double u) {
   JetPoint point_s;
-  evaluate_at_parameter(piece, u, point_s);
+  evaluate_at_parameter(segment, u, point_s);
   return contact(point_s).position;
 }
 
 // Distance of a point of the blend to the nearer of the two legs, at its foot there.
-Distance to_nearer_leg(const Piece& incoming, const Piece& outgoing, double reach, double u,
+Distance to_nearer_leg(const Segment& incoming, const Segment& outgoing, double reach, double u,
                        const Point& point, const Tolerance& tolerance, const MotionConfig& config) {
   const double before =
       foot(incoming, point, incoming.length - reach * std::max(0.0, 1.0 - 2.0 * u));
@@ -150,24 +150,24 @@ Distance to_nearer_leg(const Piece& incoming, const Piece& outgoing, double reac
 }
 
 // Share of the tolerance at which the curve passes `corner`: Newton's method on the parameter.
-double corner_share(const Piece& curve, const Point& corner, double u, const Tolerance& tolerance,
+double corner_share(const Segment& curve, const Point& corner, double u, const Tolerance& tolerance,
                     const MotionConfig& config) {
   const double s = foot(curve, corner, u * curve.length);
   return distance(contact_at(curve, s).position, corner, tolerance, config).share;
 }
 
-Piece piece_of(const Shape& shape) {
-  Piece piece;
-  piece.geometry = shape.geometry;
-  piece.length = shape.length;
-  return piece;
+Segment segment_of(const Shape& shape) {
+  Segment segment;
+  segment.geometry = shape.geometry;
+  segment.length = shape.length;
+  return segment;
 }
 
 }  // namespace
 
-double deviation_share(const Blend& blend, const Piece& incoming, const Piece& outgoing,
+double deviation_share(const Blend& blend, const Segment& incoming, const Segment& outgoing,
                        const Tolerance& tolerance, const MotionConfig& config) {
-  const Piece curve = piece_of(blend.shape);
+  const Segment curve = segment_of(blend.shape);
   double share = corner_share(curve, incoming.geometry.end, 0.5, tolerance, config);
   for (int i = 1; i < deviation_samples; ++i) {
     const double u = static_cast<double>(i) / deviation_samples;
@@ -178,21 +178,21 @@ double deviation_share(const Blend& blend, const Piece& incoming, const Piece& o
   return share;
 }
 
-double corner_reach(const Piece& incoming, const Piece& outgoing, const Tolerance& tolerance,
+double corner_reach(const Segment& incoming, const Segment& outgoing, const Tolerance& tolerance,
                     const MotionConfig& config) {
   const Growth grown = growth(contact_at(incoming, incoming.length), contact_at(outgoing, 0.0),
                               incoming.geometry.metric, tolerance, config);
   return bow / grown.kink;
 }
 
-std::optional<Blend> fit_blend(const Piece& incoming, const Piece& outgoing, double reach_max,
+std::optional<Blend> fit_blend(const Segment& incoming, const Segment& outgoing, double reach_max,
                                const Tolerance& tolerance, const MotionConfig& config) {
   const Tolerance used = used_of(tolerance);
   const Growth grown = growth(contact_at(incoming, incoming.length), contact_at(outgoing, 0.0),
                               incoming.geometry.metric, used, config);
   double reach = std::min({reach_max, grown.reach(), replaceable(incoming), replaceable(outgoing)});
   const bool between_lines =
-      incoming.geometry.kind == PieceKind::line && outgoing.geometry.kind == PieceKind::line;
+      incoming.geometry.kind == SegmentKind::line && outgoing.geometry.kind == SegmentKind::line;
   for (int i = 0; i < fit_attempts && reach >= reach_min; ++i) {
     const Blend blend = blend_of_reach(incoming, outgoing, reach);
     if (between_lines) return blend;

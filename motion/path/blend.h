@@ -1,7 +1,7 @@
-// Blends: quintic curves that replace the corner between two pieces, within tolerance.
+// Blends: quintic curves that replace the corner between two segments, within tolerance.
 //
-// A blend leaves the incoming piece at the path length L (its reach) before the corner and enters
-// the outgoing piece L after it, with their tangents and curvatures, in all axes together. Its
+// A blend leaves the incoming segment at the path length L (its reach) before the corner and enters
+// the outgoing segment L after it, with their tangents and curvatures, in all axes together. Its
 // shape has control points at L, beta L and gamma L from the corner; between two lines its largest
 // deviation is exactly L (1 + 5 beta + 10 gamma) / 32 * |t_out - t_in|, reached at the corner.
 // Derivation and choice of beta and gamma: docs/developer/motion.md#blends.
@@ -25,22 +25,22 @@ struct Blend {
   double reach = 0.0;  // L
 };
 
-// The longest blend between two pieces that meet, up to `reach_max`, within `tolerance`; none when
-// even the shortest sensible one deviates too far.
-[[nodiscard]] std::optional<Blend> fit_blend(const Piece& incoming, const Piece& outgoing,
+// The longest blend between two segments that meet, up to `reach_max`, within `tolerance`; none
+// when even the shortest sensible one deviates too far.
+[[nodiscard]] std::optional<Blend> fit_blend(const Segment& incoming, const Segment& outgoing,
                                              double reach_max, const Tolerance& tolerance,
                                              const MotionConfig& config);
 
-// The distance r from the corner of two straight pieces at which the point corner - r t_in + r
+// The distance r from the corner of two straight segments at which the point corner - r t_in + r
 // t_out still keeps `tolerance`, against the corner and against either leg
 // (docs/developer/motion.md#overlap).
-[[nodiscard]] double corner_reach(const Piece& incoming, const Piece& outgoing,
+[[nodiscard]] double corner_reach(const Segment& incoming, const Segment& outgoing,
                                   const Tolerance& tolerance, const MotionConfig& config);
 
-// Largest deviation of `blend` from the programmed way over `incoming` and `outgoing`, as a share
+// Largest deviation of `blend` from the programmed path over `incoming` and `outgoing`, as a share
 // of the tolerance, found at samples; includes the distance at which the corner itself is passed.
-[[nodiscard]] double deviation_share(const Blend& blend, const Piece& incoming,
-                                     const Piece& outgoing, const Tolerance& tolerance,
+[[nodiscard]] double deviation_share(const Blend& blend, const Segment& incoming,
+                                     const Segment& outgoing, const Tolerance& tolerance,
                                      const MotionConfig& config);
 
 }  // namespace stanok::motion

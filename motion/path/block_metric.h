@@ -1,8 +1,8 @@
 // What a programmed block moves, and what its path coordinate counts.
 //
 // The one place that says when a block moves at all, and whether its feed is one along the tip's
-// way in mm or one of rotary axes in deg: the feed of a block and the pieces made of it follow the
-// same answer.
+// way in mm or one of rotary axes in deg: the feed of a block and the segments made of it follow
+// the same answer.
 #pragma once
 
 #include "motion/path/path.h"
@@ -15,11 +15,11 @@ inline constexpr double standstill = 1e-9;
 
 enum class BlockWay {
   none,      // nothing moves
-  geometry,  // s counts the tip's way in mm
-  others     // X, Y and Z stand: s counts the way of all other axes
+  geometry,  // s counts the tip's path in mm
+  others     // X, Y and Z stand: s counts the distance of all other axes
 };
 
-// A block from `start`; arcs and curves whose way is shorter than `standstill` count as lines.
+// A block from `start`; arcs and curves whose length is shorter than `standstill` count as lines.
 [[nodiscard]] BlockWay way_of(const PathBlock& block, const Point& start,
                               const MotionConfig& config);
 

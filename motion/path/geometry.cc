@@ -80,25 +80,25 @@ Jet parameter_by_length(const PathMetric& metric, const ParametricPoint& p, doub
   return {u, u1, -0.5 * g1 * inverse_squared, u1 * inverse_squared * (g1 * g1 / g - 0.5 * g2)};
 }
 
-void line_by_length(const Piece& piece, double u, JetPoint& point_s) RT_SAFE {
-  const Geometry& g = piece.geometry;
+void line_by_length(const Segment& segment, double u, JetPoint& point_s) RT_SAFE {
+  const Geometry& g = segment.geometry;
   for (std::size_t k = 0; k < axes_max; ++k) {
     const double way = g.end[k] - g.start[k];
-    point_s[k] = {g.start[k] + way * u, way / piece.length, 0.0, 0.0};
+    point_s[k] = {g.start[k] + way * u, way / segment.length, 0.0, 0.0};
   }
 }
 
 }  // namespace
 
-void evaluate_at_parameter(const Piece& piece, double u, JetPoint& point_s) RT_SAFE {
-  const Geometry& g = piece.geometry;
-  if (g.kind == PieceKind::line) {
-    line_by_length(piece, u, point_s);
+void evaluate_at_parameter(const Segment& segment, double u, JetPoint& point_s) RT_SAFE {
+  const Geometry& g = segment.geometry;
+  if (g.kind == SegmentKind::line) {
+    line_by_length(segment, u, point_s);
   } else {
     ParametricPoint p;
-    g.kind == PieceKind::arc ? arc_at(g, u, p) : quintic_at(g, u, p);
-    const Jet u_s = g.kind == PieceKind::even ? Jet{u, 1.0 / piece.length, 0.0, 0.0}
-                                              : parameter_by_length(g.metric, p, u);
+    g.kind == SegmentKind::arc ? arc_at(g, u, p) : quintic_at(g, u, p);
+    const Jet u_s = g.kind == SegmentKind::even ? Jet{u, 1.0 / segment.length, 0.0, 0.0}
+                                                : parameter_by_length(g.metric, p, u);
     for (std::size_t k = 0; k < axes_max; ++k) {
       point_s[k] = compose(u_s, p.P[k], p.P1[k], p.P2[k], p.P3[k]);
     }
@@ -108,8 +108,8 @@ void evaluate_at_parameter(const Piece& piece, double u, JetPoint& point_s) RT_S
   for (std::size_t k = 0; k < axes_max; ++k) point_s[k].value = stored[k];
 }
 
-void evaluate(const Piece& piece, double s, JetPoint& point_s) RT_SAFE {
-  evaluate_at_parameter(piece, parameter_at(piece.geometry, s, piece.length), point_s);
+void evaluate(const Segment& segment, double s, JetPoint& point_s) RT_SAFE {
+  evaluate_at_parameter(segment, parameter_at(segment.geometry, s, segment.length), point_s);
 }
 
 void along_time(const JetPoint& point_s, double v, double a, double j, int axis_count,

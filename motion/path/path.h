@@ -1,8 +1,8 @@
-// The path as data: programmed blocks in, curvature-continuous pieces and a jerk-limited profile
+// The path as data: programmed blocks in, curvature-continuous segments and a jerk-limited profile
 // out.
 //
-// A *chain* is a run of pieces from rest to rest in one metric: its path coordinate s is the length
-// of the tool tip's way in mm, or, when no linear word moves, of the rotary words in deg.
+// A *chain* is a run of segments from rest to rest in one metric: its path coordinate s is the
+// length of the tool tip's path in mm, or, when no linear word moves, of the rotary words in deg.
 // Coordinates: the programmed point in W, mm and deg, in the order of the channel's axes
 // (kinematics/scheme.h). All types here are plain data and cross into the real-time cycle.
 #pragma once
@@ -84,7 +84,7 @@ struct PathBlock {
   bool rapid = false;
   Point end{};  // all axes
   double feed_per_s =
-      0.0;  // mm/s along the tip's way; deg/s when only rotary words move; rapid: unused
+      0.0;  // mm/s along the tip's path; deg/s when only rotary words move; rapid: unused
   double tolerance_mm = 0.0;  // how far the path may leave the corner at the block's end; 0 = exact
                               // path (stop at corners)
   double tolerance_deg = 0.0;  // the same for rotary axes
@@ -100,14 +100,14 @@ struct PathBlock {
   BlockProcess process;
 };
 
-enum class PieceKind : std::uint8_t {
+enum class SegmentKind : std::uint8_t {
   line,
   arc,
   quintic,
   even  // a quintic whose parameter goes evenly with s, whatever s counts
 };
 
-// Which axes make up the path coordinate: s is the Euclidean length of their common way.
+// Says which axes make up the path coordinate: s is the Euclidean length of their common path.
 struct PathMetric {
   int axis_count = axes_max;  // axes of the channel; components beyond stay as they start
   unsigned axes = 0b111;      // bit k: axis k counts
@@ -118,9 +118,9 @@ struct PathMetric {
   friend constexpr bool operator==(const PathMetric&, const PathMetric&) = default;
 };
 
-// Geometry of a piece over its own parameter u in [0, 1]; evaluation in motion/path/geometry.h.
+// Geometry of a segment over its own parameter u in [0, 1]; evaluation in motion/path/geometry.h.
 struct Geometry {
-  PieceKind kind = PieceKind::line;
+  SegmentKind kind = SegmentKind::line;
   PathMetric metric;
   Point start{};
   Point end{};  // stored, exact: evaluation at u = 1 returns it to the bit
@@ -137,12 +137,12 @@ struct Geometry {
   std::array<double, 9> knots{};
 };
 
-// Bounds of a piece over all axes of the machine, through the kinematics: with v, a, j along the
+// Bounds of a segment over all axes of the machine, through the kinematics: with v, a, j along the
 // path every axis keeps its limits while
 //   v * velocity <= 1,   v^2 * curvature + |a| * tangent <= 1,
 //   v^3 * aberrancy + 3 v |a| * bend + |j| * thrust <= 1.
 // Each is the maximum over the axes of |q^(n)(s)| / limit, q the axis position as a function of s.
-struct PieceBounds {
+struct SegmentBounds {
   double velocity = 0.0;   // max |q'|   / v_max   s/mm
   double tangent = 0.0;    // max |q'|   / a_max   s^2/mm
   double thrust = 0.0;     // max |q'|   / j_max   s^3/mm
@@ -164,12 +164,12 @@ struct PieceBounds {
   Euclidean euclidean{};
 };
 
-// The same along a piece of the block.
-struct PieceProcess {
+// How the process moves along one segment of the block.
+struct SegmentProcess {
   const FeedLaw* law = nullptr;  // not for the cycle
   LawKind kind = LawKind::none;
   LawSpeed speed = LawSpeed::unchanged;
-  double way_start = 0.0;  // path of the law where the piece begins, and where it ends
+  double way_start = 0.0;  // path of the law where the segment begins, and where it ends
   double way_stop = 0.0;
   double way_end = unlimited;
   double rev_per_min = 0.0;           // as of the block
@@ -178,15 +178,15 @@ struct PieceProcess {
   double spindle_speed_behind = 0.0;  // and behind this part of the block
 };
 
-struct Piece {
+struct Segment {
   BlockTag tag;
   Geometry geometry;
-  PieceBounds bounds;
+  SegmentBounds bounds;
   double length = 0.0;      // in s; > 0
   double feed_per_s = 0.0;  // programmed feed along s; infinity for rapid
   bool rapid = false;
   const kinematics::Transform* transform = nullptr;
-  PieceProcess process;
+  SegmentProcess process;
 };
 
 // Constant jerk along s for `duration`: s(t) = s + v t + a t^2/2 + j t^3/6. `s` counts from the
@@ -202,7 +202,7 @@ struct Phase {
 };
 
 // A chain that a spindle leads: its path coordinate s counts turns of the spindle from the start of
-// the thread, its pieces are lines and even quintics, it has no phases
+// the thread, its segments are lines and even quintics, it has no phases
 // (motion/threads/synchronous_run.h).
 struct SpindleCoupling {
   enum class Kind : std::uint8_t { none, thread, tap };
@@ -229,15 +229,15 @@ struct SpindleCoupling {
   double dwell_s = 0.0;
 };
 
-// A committed stretch of a chain: the next `pieces` and `phases` of their rings. Chunks of a chain
-// meet in one state (s, v, a), to the bit.
+// A committed stretch of a chain: the next `segments` and `phases` of their rings. Chunks of a
+// chain meet in one state (s, v, a), to the bit.
 struct Chunk {
-  std::uint32_t pieces = 0;
+  std::uint32_t segments = 0;
   std::uint32_t phases = 0;
   bool last = false;  // the chain ends at rest at the end of this chunk
   double length = 0.0;
   double overlap_s = 0.0;      // the next chain may begin so long before this one has ended; s
-  double stand_mm = 0.0;       // fictitious path at the end of the chain: the axes stand meanwhile
+  double stand_mm = 0.0;       // equivalent dwell path at the end of the chain: the axes rest
   std::uint64_t sequence = 0;  // counts all chunks of the channel
   std::uint32_t lookahead_blocks = 0;  // blocks known beyond this chunk when it was committed
   SpindleCoupling coupling{};          // of a chain that is one chunk

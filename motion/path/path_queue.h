@@ -7,27 +7,27 @@
 namespace stanok::motion {
 
 struct PathQueue {
-  explicit PathQueue(std::size_t piece_capacity = 16384)
-      : pieces(piece_capacity), phases(piece_capacity * 4), chunks(256) {}
-  Ring<Piece> pieces;
+  explicit PathQueue(std::size_t segment_capacity = 16384)
+      : segments(segment_capacity), phases(segment_capacity * 4), chunks(256) {}
+  Ring<Segment> segments;
   Ring<Phase> phases;
-  Ring<Chunk> chunks;  // pushed last: a chunk in the ring has all its pieces and phases in theirs
+  Ring<Chunk> chunks;  // pushed last: a chunk in the ring has all its segments and phases in theirs
 
-  // Consumer. It sees the first `count` chunks pushed since construction, and of pieces and phases
-  // what belongs to them.
+  // Consumer. It sees the first `count` chunks pushed since construction, and of segments and
+  // phases what belongs to them.
   void show(std::size_t count) RT_SAFE {
     std::size_t place = chunks.shown() - chunks.popped();
     chunks.show(count);
     for (; place < chunks.size(); ++place) {
-      shown_pieces_ += chunks[place].pieces;
+      shown_segments_ += chunks[place].segments;
       shown_phases_ += chunks[place].phases;
     }
-    pieces.show(shown_pieces_);
+    segments.show(shown_segments_);
     phases.show(shown_phases_);
   }
 
  private:
-  std::size_t shown_pieces_ = 0;  // since construction
+  std::size_t shown_segments_ = 0;  // since construction
   std::size_t shown_phases_ = 0;
 };
 

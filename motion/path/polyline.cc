@@ -4,7 +4,7 @@
 
 namespace stanok::motion {
 
-void Polyline::add(const Piece& line, const Tolerance& tolerance) {
+void Polyline::add(const Segment& line, const Tolerance& tolerance) {
   const double t_start = legs_.empty() ? 0.0 : legs_.back().t_end;
   legs_.push_back({line, tolerance, t_start, t_start + line.length});
 }

@@ -1,7 +1,7 @@
-// Polyline: the programmed way of a run of straight blocks, as points over its own length t.
+// Polyline: the programmed path of a run of straight blocks, as points over its own length t.
 //
 // t counts in mm from the start of the first block ever added. Before the first and behind the last
-// leg the way goes on straight, so that a spline may have its knots there.
+// leg the path goes on straight, so that a spline may have its knots there.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace stanok::motion {
 
 // One block of the run.
 struct Leg {
-  Piece line;
+  Segment line;
   Tolerance tolerance;
   double t_start = 0.0;
   double t_end = 0.0;
@@ -23,7 +23,7 @@ struct Leg {
 class Polyline {
  public:
   void clear() { legs_.clear(); }
-  void add(const Piece& line, const Tolerance& tolerance);
+  void add(const Segment& line, const Tolerance& tolerance);
   // Forgets legs that end at or before t; the last one stays.
   void forget_before(double t);
 

@@ -69,7 +69,7 @@ Shape line(const PathMetric& metric, const Point& start, const Point& end) {
 
 Shape arc(const PathMetric& metric, const Point& start, const PathBlock& block) {
   Geometry geometry = between(metric, start, block.end);
-  geometry.kind = PieceKind::arc;
+  geometry.kind = SegmentKind::arc;
   geometry.plane = block.plane;
   geometry.centre = block.centre;
   const Polar from = polar(start, block.plane, block.centre);
@@ -85,7 +85,7 @@ Shape arc(const PathMetric& metric, const Point& start, const PathBlock& block) 
 
 Shape curve(const PathMetric& metric, const Point& start, const PathBlock& block) {
   Geometry geometry = between(metric, start, block.end);
-  geometry.kind = PieceKind::quintic;
+  geometry.kind = SegmentKind::quintic;
   for (std::size_t k = 0; k < axes_max; ++k) {
     geometry.coefficients[k] = {start[k], block.end[k] - start[k], 0.0, 0.0, 0.0, 0.0};
   }
@@ -107,7 +107,7 @@ Contact contact(const JetPoint& point_s) {
 
 Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& to, double reach) {
   Geometry geometry = between(metric, from.position, to.position);
-  geometry.kind = PieceKind::quintic;
+  geometry.kind = SegmentKind::quintic;
   // Control points P1 = P0 + (1 - beta) L t and P2 = P0 + (1 - gamma) L t + h^2/20 q''.
   const double h = 5.0 * (1.0 - blend_beta) * reach;
   const double g = 20.0 * (2.0 * blend_beta - 1.0 - blend_gamma) * reach;
@@ -120,11 +120,12 @@ Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& 
   return with_length(geometry);
 }
 
-Shape part(const Piece& whole, double s_start, const Point& start, double s_end, const Point& end) {
+Shape part(const Segment& whole, double s_start, const Point& start, double s_end,
+           const Point& end) {
   Geometry geometry = whole.geometry;
   geometry.start = start;
   geometry.end = end;
-  if (geometry.kind == PieceKind::arc) {
+  if (geometry.kind == SegmentKind::arc) {
     const double from = parameter_at(whole.geometry, s_start, whole.length);
     const double to = parameter_at(whole.geometry, s_end, whole.length);
     geometry.radius += whole.geometry.radius_change * from;
@@ -132,7 +133,7 @@ Shape part(const Piece& whole, double s_start, const Point& start, double s_end,
     geometry.start_angle += whole.geometry.sweep * from;
     geometry.sweep *= to - from;
   }
-  if (geometry.kind == PieceKind::quintic) {
+  if (geometry.kind == SegmentKind::quintic) {
     const double from = parameter_at(whole.geometry, s_start, whole.length);
     const double to = parameter_at(whole.geometry, s_end, whole.length);
     for (auto& coefficients : geometry.coefficients) coefficients = part_of(coefficients, from, to);

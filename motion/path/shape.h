@@ -40,9 +40,9 @@ struct Contact {
 [[nodiscard]] std::array<double, 6> quintic_between(double p0, double v0, double a0, double p1,
                                                     double v1, double a1);
 
-// The part of a piece between two path lengths; `start` and `end` are its points there, so
+// The part of a segment between two path lengths; `start` and `end` are its points there, so
 // that neighbours share them to the bit.
-[[nodiscard]] Shape part(const Piece& whole, double s_start, const Point& start, double s_end,
+[[nodiscard]] Shape part(const Segment& whole, double s_start, const Point& start, double s_end,
                          const Point& end);
 
 }  // namespace stanok::motion

@@ -1,7 +1,7 @@
 // AxisMove: one axis by itself from rest to rest, outside of any path: jogging, homing.
 //
-// The way is planned whole when it begins: up to the speed, on with it, and down, so that the end
-// is exact; it may be stopped anywhere, and then ends before. Real-time.
+// The travel is planned whole when it begins: up to the speed, on with it, and down, so that the
+// end is exact; it may be stopped anywhere, and then ends before. Real-time.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace stanok::motion {
 
-// Of one axis, in mm or deg per s, s^2, s^3; all > 0.
+// Limits of one axis, in mm or deg per s, s^2, s^3; all > 0.
 struct AxisMoveLimits {
   double speed = 0.0;
   RampLimits ramp;
@@ -21,7 +21,7 @@ struct AxisMoveLimits {
 
 class AxisMove {
  public:
-  // From rest. A way of no length is at its end at once.
+  // From rest. A travel of no length is at its end at once.
   void begin(double from, double to, const AxisMoveLimits& limits) RT_SAFE;
   // To rest as soon as the limits allow.
   void stop() RT_SAFE;
@@ -39,7 +39,7 @@ class AxisMove {
   std::array<Phase, phases_max> phases_{};
   std::size_t size_ = 0;
   std::size_t at_ = 0;
-  double t_ = 0.0;  // within the phase at hand
+  double t_ = 0.0;  // within the current phase
   double from_ = 0.0;
   double sign_ = 1.0;
   double end_ = 0.0;   // where it comes to rest

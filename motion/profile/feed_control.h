@@ -15,14 +15,14 @@ struct FeedControl {
   double rapid_override = 1.0;  // 0..1
   double law_part = 1.0;  // 0..1, of programmed feed: what laws formed in the cycle leave of it
   // Force control (motion/segments/feed_modifier.h): the feed that it asks for in place of the
-  // programmed one, mm/s, 0: it does not; what that may become at most; on pieces whose way counts
-  // one of these axes, bit k: channel axis k.
+  // programmed one, mm/s, 0: it does not; what that may become at most; on segments whose way
+  // counts one of these axes, bit k: channel axis k.
   double controlled_per_s = 0.0;
   double controlled_max_per_s = 0.0;
   unsigned controlled_axes = 0;
   bool hold = false;           // feed hold: come to rest on the path
   bool leaves_thread = false;  // within a thread, too, which a hold lets run to its end
-  // A gate: the path comes to rest before the first piece of this block or a later one.
+  // A gate: the path comes to rest before the first segment of this block or a later one.
   std::uint64_t closed_from_block = no_gate;
   double spindle_rev_per_min = 0.0;  // that a feed per revolution follows
 

@@ -35,7 +35,7 @@ class RestPlan {
   std::array<Phase, capacity> phases_{};
   std::size_t size_ = 0;
   std::size_t at_ = 0;
-  double t_ = 0.0;  // within the phase at hand
+  double t_ = 0.0;  // within the current phase
 };
 
 }  // namespace stanok::motion

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/bounds/piece_bounds.h"
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/geometry.h"
 #include "motion/profile/profile.h"
 
@@ -35,8 +35,8 @@ struct CornerLeg {
 };
 
 // `jerk_part`: how much of the block's jerk is used.
-CornerLeg leg_of(const Piece& block, double jerk_part, const MotionConfig& config) {
-  const PieceLimits limits = piece_limits(piece_bounds(block, config), block.feed_per_s);
+CornerLeg leg_of(const Segment& block, double jerk_part, const MotionConfig& config) {
+  const SegmentLimits limits = segment_limits(segment_bounds(block, config), block.feed_per_s);
   const double j = jerk_part * limits.j;
   const double way = 0.5 * block.length;
   const double reached = std::min(std::cbrt(way * way * j), std::sqrt(2.0 * limits.a * way));
@@ -57,7 +57,7 @@ double time_with_rest(const CornerLeg& leg) {
 
 }  // namespace
 
-Join judge_join(const Piece& incoming, const Piece& outgoing) {
+Join judge_join(const Segment& incoming, const Segment& outgoing) {
   const PathMetric& metric = incoming.geometry.metric;
   if (metric != outgoing.geometry.metric || incoming.transform != outgoing.transform) {
     return Join::turn;
@@ -77,17 +77,17 @@ Join judge_join(const Piece& incoming, const Piece& outgoing) {
   return cosine < cosine_min ? Join::turn : Join::corner;
 }
 
-bool keeps_speed(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+bool keeps_speed(const Segment& incoming, const Segment& blend, const Segment& outgoing,
                  const MotionConfig& config) {
-  const double v = piece_limits(blend.bounds, blend.feed_per_s).v;
+  const double v = segment_limits(blend.bounds, blend.feed_per_s).v;
   if (v >= feed_kept * blend.feed_per_s) return true;
   return v >=
          feed_kept * std::min(leg_of(incoming, 1.0, config).v, leg_of(outgoing, 1.0, config).v);
 }
 
-bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+bool is_stop_faster(const Segment& incoming, const Segment& blend, const Segment& outgoing,
                     double stop_saves, const MotionConfig& config) {
-  const double v = piece_limits(blend.bounds, blend.feed_per_s).v;
+  const double v = segment_limits(blend.bounds, blend.feed_per_s).v;
   const CornerLeg before = leg_of(incoming, 1.0, config);
   const CornerLeg after = leg_of(outgoing, 1.0, config);
   const double top = std::min(before.v, after.v);
@@ -96,8 +96,8 @@ bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outg
   return ramp_loss(before, 0.0) + ramp_loss(after, 0.0) - stop_saves < by_blend;
 }
 
-OverlapGain overlap_gain(const OverlapCorner& corner, const Piece& incoming, const Piece& outgoing,
-                         const MotionConfig& config) {
+OverlapGain overlap_gain(const OverlapCorner& corner, const Segment& incoming,
+                         const Segment& outgoing, const MotionConfig& config) {
   const CornerLeg before = leg_of(incoming, 1.0, config);
   const CornerLeg after = leg_of(outgoing, 1.0, config);
   const OverlapRoom room{.incoming = incoming.length, .outgoing = outgoing.length};

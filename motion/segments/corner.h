@@ -16,18 +16,19 @@ enum class Join : std::uint8_t {
 };
 
 // Judges the join at which `incoming` ends and `outgoing` starts.
-[[nodiscard]] Join judge_join(const Piece& incoming, const Piece& outgoing);
+[[nodiscard]] Join judge_join(const Segment& incoming, const Segment& outgoing);
 
 // Whether the blend, whose bounds are known, is passed nearly as fast as the feed or the length of
 // the blocks allow, so that the time need not be asked for.
-[[nodiscard]] bool keeps_speed(const Piece& incoming, const Piece& blend, const Piece& outgoing,
-                               const MotionConfig& config);
+[[nodiscard]] bool keeps_speed(const Segment& incoming, const Segment& blend,
+                               const Segment& outgoing, const MotionConfig& config);
 
 // Whether the axes come through sooner when they stop at the corner instead of taking `blend`.
 // Ramps are counted at the limits of either block, within half of its
 // length. The stop is shorter by `stop_saves` (s) than one without an overlap.
-[[nodiscard]] bool is_stop_faster(const Piece& incoming, const Piece& blend, const Piece& outgoing,
-                                  double stop_saves, const MotionConfig& config);
+[[nodiscard]] bool is_stop_faster(const Segment& incoming, const Segment& blend,
+                                  const Segment& outgoing, double stop_saves,
+                                  const MotionConfig& config);
 
 // What an overlap saves against a stop, counted in the same way.
 struct OverlapGain {
@@ -36,7 +37,7 @@ struct OverlapGain {
   // jerks of both legs add; gentler ramps may gain more by the overlap than they cost.
   double jerk_part = 1.0;
 };
-[[nodiscard]] OverlapGain overlap_gain(const OverlapCorner& corner, const Piece& incoming,
-                                       const Piece& outgoing, const MotionConfig& config);
+[[nodiscard]] OverlapGain overlap_gain(const OverlapCorner& corner, const Segment& incoming,
+                                       const Segment& outgoing, const MotionConfig& config);
 
 }  // namespace stanok::motion

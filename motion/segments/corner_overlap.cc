@@ -18,7 +18,7 @@ constexpr double overlap_tolerance_used = 0.99;
 constexpr double sum_rounding = 1e-12;
 
 // Machine axes per path length.
-Point machine_direction(const Piece& line) {
+Point machine_direction(const Segment& line) {
   JetPoint point_s;
   JetPoint axes_M;
   evaluate_at_parameter(line, 0.0, point_s);
@@ -76,7 +76,7 @@ double acceleration_near(std::span<const Phase> phases, double t, double cycle_s
                   std::abs(motion_at(*other.phase, other.t).a));
 }
 
-// The chord between two set-points passes the corner farther off than the axes do, by a T^2 / 8:
+// The chord between two setpoints passes the corner farther off than the axes do, by a T^2 / 8:
 // how much of the reach that takes.
 double chord_share(double reach, std::span<const Phase> braking, std::span<const Phase> starting,
                    double cycle_s) {
@@ -155,11 +155,11 @@ bool keeps_limits(const OverlapCorner& corner, std::span<const Phase> braking,
 
 }  // namespace
 
-std::optional<OverlapCorner> overlap_corner(const Piece& incoming, const Piece& outgoing,
+std::optional<OverlapCorner> overlap_corner(const Segment& incoming, const Segment& outgoing,
                                             const Tolerance& tolerance,
                                             const MotionConfig& config) {
-  const bool straight = incoming.geometry.kind == PieceKind::line &&
-                        outgoing.geometry.kind == PieceKind::line && is_affine(incoming);
+  const bool straight = incoming.geometry.kind == SegmentKind::line &&
+                        outgoing.geometry.kind == SegmentKind::line && is_affine(incoming);
   if (!straight || tolerance.mm <= 0.0 || tolerance.deg <= 0.0) return std::nullopt;
   return OverlapCorner{
       .reach = overlap_tolerance_used * corner_reach(incoming, outgoing, tolerance, config),

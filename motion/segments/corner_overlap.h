@@ -28,8 +28,8 @@ struct OverlapCorner {
 };
 
 // None where the legs are not both straight lines of the machine axes or the path is exact.
-[[nodiscard]] std::optional<OverlapCorner> overlap_corner(const Piece& incoming,
-                                                          const Piece& outgoing,
+[[nodiscard]] std::optional<OverlapCorner> overlap_corner(const Segment& incoming,
+                                                          const Segment& outgoing,
                                                           const Tolerance& tolerance,
                                                           const MotionConfig& config);
 
@@ -46,7 +46,7 @@ struct OverlapCorner {
 // begins there, that keeps the reach and the limits of every axis; neither is farther from the
 // corner than its room. 0: none.
 struct OverlapRoom {
-  double incoming = 0.0;  // length of the straight way before the corner
+  double incoming = 0.0;  // length of the straight path before the corner
   double outgoing = 0.0;  // and behind it
 };
 [[nodiscard]] double overlap_duration(const OverlapCorner& corner, std::span<const Phase> braking,

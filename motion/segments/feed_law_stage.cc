@@ -9,9 +9,10 @@
 namespace stanok::motion {
 namespace {
 
-// Gives a piece the feed and the speed of a stretch.
-void apply(const FeedLaw& law, const LawStretch& stretch, std::uint64_t increments, Piece& piece) {
-  PieceProcess& process = piece.process;
+// Gives a segment the feed and the speed of a stretch.
+void apply(const FeedLaw& law, const LawStretch& stretch, std::uint64_t increments,
+           Segment& segment) {
+  SegmentProcess& process = segment.process;
   process.kind = law.kind();
   process.speed = law.units().speed;
   process.increments = increments;
@@ -19,7 +20,7 @@ void apply(const FeedLaw& law, const LawStretch& stretch, std::uint64_t incremen
   if (law.units().speed == LawSpeed::rev_per_min && process.rev_per_min > 0.0)
     process.rev_per_min = stretch.speed;
   if (stretch.feed > 0.0)
-    piece.feed_per_s = feed_per_s(stretch.feed, law.units().per_revolution, process.rev_per_min);
+    segment.feed_per_s = feed_per_s(stretch.feed, law.units().per_revolution, process.rev_per_min);
 }
 
 }  // namespace
@@ -29,18 +30,18 @@ double feed_per_s(double feed, bool per_revolution, double rev_per_min) RT_SAFE 
 }
 
 PathBuilder::Built FeedLawStage::next() {
-  if (waiting_.front().piece.process.law != nullptr) return next_part();
+  if (waiting_.front().segment.process.law != nullptr) return next_part();
   PathBuilder::Built built = waiting_.front();
   waiting_.pop_front();
   return built;
 }
 
-// Up to the next increment of the law, or the rest of the piece.
+// Up to the next increment of the law, or the rest of the segment.
 PathBuilder::Built FeedLawStage::next_part() {
   const PathBuilder::Built& whole = waiting_.front();
-  const PieceProcess& process = whole.piece.process;
+  const SegmentProcess& process = whole.segment.process;
   const FeedLaw& law = *process.law;
-  const double length = whole.piece.length;
+  const double length = whole.segment.length;
   const double way_per_s = (process.way_stop - process.way_start) / length;
   const double way_from = process.way_start + way_per_s * from_;
   const std::uint64_t increments = law.increments_at(way_from);
@@ -51,24 +52,24 @@ PathBuilder::Built FeedLawStage::next_part() {
   const bool law_goes_on = stretch.end_mm < process.way_end - same_way_mm;
 
   PathBuilder::Built built = whole;
-  Piece& piece = built.piece;
-  Point to_point = whole.piece.geometry.end;
+  Segment& segment = built.segment;
+  Point to_point = whole.segment.geometry.end;
   if (!is_rest) {
     JetPoint point_s;
-    evaluate(whole.piece, to, point_s);
+    evaluate(whole.segment, to, point_s);
     to_point = contact(point_s).position;
   }
   if (from_ > 0.0 || !is_rest) {
-    const Point from_point = from_ > 0.0 ? from_point_ : whole.piece.geometry.start;
-    const Shape shape = part(whole.piece, from_, from_point, to, to_point);
-    piece.geometry = shape.geometry;
-    piece.length = shape.length;
+    const Point from_point = from_ > 0.0 ? from_point_ : whole.segment.geometry.start;
+    const Shape shape = part(whole.segment, from_, from_point, to, to_point);
+    segment.geometry = shape.geometry;
+    segment.length = shape.length;
   }
-  apply(law, stretch, increments, piece);
-  piece.process.way_start = way_from;
-  piece.process.way_stop = std::min(stretch.end_mm, process.way_stop);
+  apply(law, stretch, increments, segment);
+  segment.process.way_start = way_from;
+  segment.process.way_stop = std::min(stretch.end_mm, process.way_stop);
   built.counts_as_block = true;
-  piece.process.spindle_speed_behind = law.stretch(law.increments_at(process.way_stop)).speed;
+  segment.process.spindle_speed_behind = law.stretch(law.increments_at(process.way_stop)).speed;
   if (stretch.stand_mm > 0.0 && comes_to_increment && law_goes_on) {
     built.ends_chain = true;
     built.overlap.reset();

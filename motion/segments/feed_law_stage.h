@@ -1,9 +1,9 @@
-// FeedLawStage: pieces of the path divided at the increments of their feed laws.
+// FeedLawStage: segments of the path divided at the increments of their feed laws.
 //
-// Between PathBuilder and LookAhead. Each part of a piece has the feed of its stretch of the law,
+// Between PathBuilder and LookAhead. Each part of a segment has the feed of its stretch of the law,
 // so that an increment lies on the path itself: override, hold, look-ahead and the profile cannot
-// move it. Parts are made one at a time, when they are asked for. Pieces without a law pass as they
-// are. Owner: the channel's preparation.
+// move it. Parts are made one at a time, when they are asked for. Segments without a law pass as
+// they are. Owner: the channel's preparation.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ class FeedLawStage {
   void add(const PathBuilder::Built& built) { waiting_.push_back(built); }
   [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
 
-  // The next piece with one feed; the stage must not be empty.
+  // The next segment with one feed; the stage must not be empty.
   [[nodiscard]] PathBuilder::Built next();
 
   void clear();
@@ -26,7 +26,7 @@ class FeedLawStage {
   [[nodiscard]] PathBuilder::Built next_part();
 
   std::deque<PathBuilder::Built> waiting_;
-  double from_ = 0.0;  // of the first waiting piece, so much is given already
+  double from_ = 0.0;  // of the first waiting segment, so much is given already
   Point from_point_{};
 };
 

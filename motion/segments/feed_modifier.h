@@ -1,7 +1,7 @@
 // FeedModifier: what the cycle asks for the feed of a cut while the process is controlled.
 //
 // The channel tells the modifier once a cycle what path, spindle and sensors do; it answers with
-// the feed of the set-points to come. It acts on working feeds of linear axes only: rapid moves,
+// the feed of the setpoints to come. It acts on working feeds of linear axes only: rapid moves,
 // threads and blocks of rotary axes alone run as they are programmed. The limits of the axes,
 // override, hold and the laws of blocks act on what it asks for
 // (docs/programmer/adaptive-control.md, "Order"). Owner: whoever assembles the machine; called in
@@ -15,13 +15,13 @@
 
 namespace stanok::motion {
 
-// What program or operator order; values that are not given are 0: those of the machine file.
-struct ForceOrder {
+// What program or operator command; values that are not given are 0: those of the machine file.
+struct ForceCommand {
   // adjust: changes what is given, on or off.
   enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off, adjust };
   Kind kind = Kind::off;
   // force
-  double force_n = 0.0;   // P_z; 0: as ordered before
+  double force_n = 0.0;   // P_z; 0: as commanded before
   double feed_min = 0.0;  // mm/min, or mm per revolution
   double feed_max = 0.0;
   bool per_revolution = false;  // the clamps
@@ -39,9 +39,9 @@ struct CutState {
   bool at_speed = false;             // its ramp is over
   std::uint32_t spindle_starts = 0;  // times that it began to turn, or to turn back
 
-  std::int64_t transverse_code = 0;  // position of the transverse axis, discretes
+  std::int64_t transverse_code = 0;  // position of the transverse axis, increments
   double transverse_mm = 0.0;        // the same, not rounded
-  double discrete_mm = 0.001;        // of that axis
+  double increment_mm = 0.001;       // of that axis
   double radius_mm = 0.0;            // at which the tool stands in the frame of the program
   bool frame_is_new = false;         // the frame was set, with the axes at rest
 
@@ -78,7 +78,7 @@ enum class ForceEvent : std::uint8_t {
 enum class ForceState : std::uint8_t {
   off,
   idle_power,  // waits until the idle power is known
-  holding,     // rapid, air, or what cannot be controlled: the regulator stands
+  holding,     // rapid, air, or what cannot be controlled: the controller is held
   regulating,
   fault,  // a sensor gives no trustworthy value
 };
@@ -86,11 +86,11 @@ enum class ForceState : std::uint8_t {
 // Values of the control for displays and logs.
 struct ForceStatus {
   ForceState state = ForceState::off;
-  double force_set_n = 0.0;  // mean set-point
-  double force_now_n = 0.0;  // set-point with its oscillation
+  double force_set_n = 0.0;  // mean setpoint
+  double force_now_n = 0.0;  // setpoint with its oscillation
   double force_n = 0.0;      // estimated from the power
   double power_w = 0.0;
-  double power_idle_w = 0.0;  // N_x at the speed at hand
+  double power_idle_w = 0.0;  // N_x at the current speed
   double radius_mm = 0.0;     // of the counter
   double feed_per_s = 0.0;    // asked for
   double feed_min_per_s = 0.0;
@@ -111,11 +111,11 @@ class FeedModifier {
   FeedModifier& operator=(const FeedModifier&) = delete;
   virtual ~FeedModifier() = default;
 
-  // False: there is no such control, as an oscillation while no force is ordered.
-  [[nodiscard]] virtual bool order(const ForceOrder& order) RT_SAFE = 0;
+  // False: there is no such control, as an oscillation while no force is commanded.
+  [[nodiscard]] virtual bool command(const ForceCommand& command) RT_SAFE = 0;
   // Once a cycle, also while it is off.
   [[nodiscard]] virtual FeedDemand advance(const CutState& cut) RT_SAFE = 0;
-  // The path may go on behind an order or a start of the spindle.
+  // The path may go on behind a command or a start of the spindle.
   [[nodiscard]] virtual bool is_ready() const RT_SAFE = 0;
   // What happened in the cycle.
   [[nodiscard]] virtual ForceEvent event() const RT_SAFE = 0;

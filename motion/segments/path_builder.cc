@@ -1,4 +1,4 @@
-// Blocks to pieces, one block behind (motion/segments/path_builder.h).
+// Blocks to segments, one block behind (motion/segments/path_builder.h).
 //
 // The last block taken is pending: its start is settled, its end waits for the join with the block
 // that follows. A blend takes at most half of the block that follows, and of the pending block all
@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "base/assert.h"
-#include "motion/bounds/piece_bounds.h"
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/blend.h"
 #include "motion/path/block_metric.h"
 #include "motion/path/geometry.h"
@@ -25,7 +25,7 @@ namespace {
 // joins with rounded coordinates or a step of curvature pass slowly; real corners stop.
 constexpr double exact_tolerance = 1e-9;  // mm or deg
 
-// Shorter rests between two blends are not worth a piece of their own; their blend gives way.
+// Shorter rests between two blends are not worth a segment of their own; their blend gives way.
 constexpr double rest_min = 1e-4;
 
 constexpr double shortest_part = 0.02;  // mm; of a block that is divided near a singularity
@@ -49,7 +49,7 @@ Shape shape_of(const Point& start, const PathBlock& block, const MotionConfig& c
   return line(metric, start, block.end);
 }
 
-PieceProcess process_of(const BlockProcess& block) {
+SegmentProcess process_of(const BlockProcess& block) {
   return {.law = block.law,
           .way_start = block.way_start,
           .way_stop = block.way_start + block.way_length,
@@ -57,9 +57,9 @@ PieceProcess process_of(const BlockProcess& block) {
           .rev_per_min = block.rev_per_min};
 }
 
-// The same between two path lengths of the piece.
-PieceProcess part_of(const Piece& whole, double from, double to) {
-  PieceProcess process = whole.process;
+// The process of a part of the segment, between two of its path lengths.
+SegmentProcess part_of(const Segment& whole, double from, double to) {
+  SegmentProcess process = whole.process;
   const double way = process.way_stop - process.way_start;
   process.way_start = whole.process.way_start + way * (from / whole.length);
   if (to < whole.length) process.way_stop = whole.process.way_start + way * (to / whole.length);
@@ -77,13 +77,13 @@ double reach_allowed(double left, double length_after) {
   return left - half < rest_wanted(left) ? left : half;
 }
 
-// Share of the tolerance at which set-points on a blend between two lines pass the corner: the
+// Share of the tolerance at which setpoints on a blend between two lines pass the corner: the
 // chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8.
-double chord_share(const Piece& incoming, const Piece& blend, const Piece& outgoing,
+double chord_share(const Segment& incoming, const Segment& blend, const Segment& outgoing,
                    const Tolerance& tolerance, const MotionConfig& config) {
   constexpr double override_max = 2.0;
   constexpr double unseen = 1e-6;  // mm; chords of an exact path
-  if (incoming.geometry.kind != PieceKind::line || outgoing.geometry.kind != PieceKind::line) {
+  if (incoming.geometry.kind != SegmentKind::line || outgoing.geometry.kind != SegmentKind::line) {
     return 0.0;
   }
   JetPoint middle;
@@ -97,16 +97,17 @@ double chord_share(const Piece& incoming, const Piece& blend, const Piece& outgo
     distance2 += distance * distance;
     bend2 += middle[k].second * middle[k].second;
   }
-  const double way = piece_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
+  const double way =
+      segment_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
   return (std::sqrt(distance2) + 0.125 * way * way * std::sqrt(bend2)) /
          std::max(tolerance.mm, unseen);
 }
 
-// The soft limits less what a smooth run may deviate. Where the tip is led through rotary axes,
+// The soft limits less what a smooth run may deviate. Where TCP leads the tip through rotary axes,
 // their deviation is felt at the end of a lever.
-MotionConfig narrowed(MotionConfig config, const Piece& piece, const Tolerance& tolerance) {
+MotionConfig narrowed(MotionConfig config, const Segment& segment, const Tolerance& tolerance) {
   constexpr double lever = 1000.0;  // mm
-  const double swing = is_affine(piece) ? 0.0 : lever * tolerance.deg * std::numbers::pi / 180.0;
+  const double swing = is_affine(segment) ? 0.0 : lever * tolerance.deg * std::numbers::pi / 180.0;
   for (AxisLimits& axis : config.axes) {
     const double margin = axis.linear ? tolerance.mm + swing : tolerance.deg;
     axis.position_min += margin;
@@ -232,9 +233,9 @@ void PathBuilder::close_run(SmoothRun::End end) {
 }
 
 void PathBuilder::emit_run() {
-  for (Piece& piece : smoothed_) {
-    piece.bounds = piece_bounds(piece, config_);
-    append(piece);
+  for (Segment& segment : smoothed_) {
+    segment.bounds = segment_bounds(segment, config_);
+    append(segment);
   }
   smoothed_.clear();
 }
@@ -272,16 +273,16 @@ void PathBuilder::join(const Pending& block) {
 
 // A blend, or a stop, which the next block may overlap: the fastest of them.
 void PathBuilder::join_corner(Pending& next) {
-  const Piece& incoming = pending_->whole;
-  const Piece& outgoing = next.whole;
+  const Segment& incoming = pending_->whole;
+  const Segment& outgoing = next.whole;
   const Tolerance tolerance = lower_of(pending_->tolerance, next.tolerance);
   const auto curve = blend_to(
       next, {std::max(exact_tolerance, tolerance.mm), std::max(exact_tolerance, tolerance.deg)});
-  if (curve && keeps_speed(incoming, curve->piece, outgoing, config_)) return take(*curve, next);
+  if (curve && keeps_speed(incoming, curve->segment, outgoing, config_)) return take(*curve, next);
   const auto overlap = overlap_corner(incoming, outgoing, tolerance, config_);
   OverlapGain gain;
   if (overlap) gain = overlap_gain(*overlap, incoming, outgoing, config_);
-  if (curve && !is_stop_faster(incoming, curve->piece, outgoing, gain.time, config_)) {
+  if (curve && !is_stop_faster(incoming, curve->segment, outgoing, gain.time, config_)) {
     return take(*curve, next);
   }
   if (gain.time <= 0.0) return stop();
@@ -295,19 +296,20 @@ std::optional<PathBuilder::Curve> PathBuilder::blend_to(const Pending& next,
   auto curve = fit_curve(next, used);
   constexpr int attempts = 3;  // a smaller blend is bent more, where the feed sets its speed
   for (int k = 0; k < attempts && curve; ++k) {
-    const double share = chord_share(pending_->whole, curve->piece, next.whole, tolerance, config_);
+    const double share =
+        chord_share(pending_->whole, curve->segment, next.whole, tolerance, config_);
     if (share <= 1.0) break;
     used = {used.mm / share, used.deg / share};
     curve = fit_curve(next, used);
   }
-  if (!curve || soft_limit_excess(curve->piece, config_)) return std::nullopt;
+  if (!curve || soft_limit_excess(curve->segment, config_)) return std::nullopt;
   return curve;
 }
 
 std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
                                                          const Tolerance& tolerance) const {
-  const Piece& incoming = pending_->whole;
-  const Piece& outgoing = next.whole;
+  const Segment& incoming = pending_->whole;
+  const Segment& outgoing = next.whole;
   const double left = incoming.length - std::max(pending_->from, pending_->straight);
   const double reach_max = reach_allowed(left, outgoing.length);
   auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
@@ -315,30 +317,30 @@ std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
     blend = fit_blend(incoming, outgoing, left - rest_wanted(left), tolerance, config_);
   }
   if (!blend) return std::nullopt;
-  Curve curve{.piece = outgoing, .reach = blend->reach};
-  Piece& piece = curve.piece;
-  piece.tag = incoming.tag;
-  piece.geometry = blend->shape.geometry;
-  piece.length = blend->shape.length;
-  piece.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
-  piece.rapid = incoming.rapid && outgoing.rapid;
-  if (incoming.feed_per_s < outgoing.feed_per_s) piece.process = incoming.process;
-  piece.bounds = piece_bounds(piece, config_);
+  Curve curve{.segment = outgoing, .reach = blend->reach};
+  Segment& segment = curve.segment;
+  segment.tag = incoming.tag;
+  segment.geometry = blend->shape.geometry;
+  segment.length = blend->shape.length;
+  segment.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
+  segment.rapid = incoming.rapid && outgoing.rapid;
+  if (incoming.feed_per_s < outgoing.feed_per_s) segment.process = incoming.process;
+  segment.bounds = segment_bounds(segment, config_);
   return curve;
 }
 
 // Emits a blend and what is left of the pending block before it.
 void PathBuilder::take(const Curve& curve, Pending& next) {
-  Piece piece = curve.piece;
+  Segment segment = curve.segment;
   const double corner = pending_->whole.length;
   if (curve.reach < corner - pending_->from) {
-    emit_pending(corner - curve.reach, piece.geometry.start);
+    emit_pending(corner - curve.reach, segment.geometry.start);
   } else {
-    piece.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
+    segment.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
   }
-  append_blend(piece, next, curve.reach);
+  append_blend(segment, next, curve.reach);
   next.from = curve.reach;
-  next.from_point = piece.geometry.end;
+  next.from_point = segment.geometry.end;
 }
 
 // The pending block from where the blend at its start ends up to `to`, in two parts when they may
@@ -356,8 +358,8 @@ void PathBuilder::emit_pending(double to, const Point& to_point, double jerk_par
   emit_part(middle, middle_point, to, to_point, jerk_part_at_end);
 }
 
-// The bounds of a piece hold for all of it: near a singularity of the scheme, where they grow
-// steeply, a piece is no longer than its distance from there.
+// The bounds of a segment hold for all of it: near a singularity of the scheme, where they grow
+// steeply, a segment is no longer than its distance from there.
 void PathBuilder::emit_part(double from, const Point& from_point, double to, const Point& to_point,
                             double jerk_part) {
   const double length = to - from;
@@ -374,40 +376,41 @@ void PathBuilder::emit_part(double from, const Point& from_point, double to, con
       return emit_part(middle, middle_point, to, to_point, jerk_part);
     }
   }
-  Piece piece = pending_->whole;
-  if (from > 0.0 || to < piece.length) {
+  Segment segment = pending_->whole;
+  if (from > 0.0 || to < segment.length) {
     const Shape rest = part(pending_->whole, from, from_point, to, to_point);
-    piece.geometry = rest.geometry;
-    piece.length = rest.length;
-    piece.process = part_of(pending_->whole, from, to);
+    segment.geometry = rest.geometry;
+    segment.length = rest.length;
+    segment.process = part_of(pending_->whole, from, to);
   }
-  piece.bounds = piece_bounds(piece, config_);
-  append(piece, jerk_part);
+  segment.bounds = segment_bounds(segment, config_);
+  append(segment, jerk_part);
 }
 
 // Between two blocks of one feed law its path goes on through the blend; else the blend belongs to
 // either block up to its middle.
-void PathBuilder::append_blend(Piece piece, const Pending& next, double reach) {
-  const Piece& incoming = pending_->whole;
-  const Piece& outgoing = next.whole;
-  const PieceProcess before =
+void PathBuilder::append_blend(Segment segment, const Pending& next, double reach) {
+  const Segment& incoming = pending_->whole;
+  const Segment& outgoing = next.whole;
+  const SegmentProcess before =
       part_of(incoming, std::max(incoming.length - reach, 0.0), incoming.length);
-  const PieceProcess behind = part_of(outgoing, 0.0, reach);
+  const SegmentProcess behind = part_of(outgoing, 0.0, reach);
   if (before.law == behind.law) {
     if (before.law != nullptr) {
-      piece.process = before;
-      piece.process.way_stop = behind.way_stop;
+      segment.process = before;
+      segment.process.way_stop = behind.way_stop;
     }
-    return append(piece);
+    return append(segment);
   }
-  const double middle = 0.5 * piece.length;
+  const double middle = 0.5 * segment.length;
   JetPoint point_s;
-  evaluate(piece, middle, point_s);
+  evaluate(segment, middle, point_s);
   const Point middle_point = contact(point_s).position;
   for (const bool first : {true, false}) {
-    Piece half = piece;
-    const Shape shape = first ? part(piece, 0.0, piece.geometry.start, middle, middle_point)
-                              : part(piece, middle, middle_point, piece.length, piece.geometry.end);
+    Segment half = segment;
+    const Shape shape =
+        first ? part(segment, 0.0, segment.geometry.start, middle, middle_point)
+              : part(segment, middle, middle_point, segment.length, segment.geometry.end);
     half.geometry = shape.geometry;
     half.length = shape.length;
     half.process = first ? before : behind;
@@ -415,8 +418,8 @@ void PathBuilder::append_blend(Piece piece, const Pending& next, double reach) {
   }
 }
 
-void PathBuilder::append(const Piece& piece, double jerk_part) {
-  built_.push_back({.piece = piece, .jerk_part = jerk_part});
+void PathBuilder::append(const Segment& segment, double jerk_part) {
+  built_.push_back({.segment = segment, .jerk_part = jerk_part});
   stands_ = false;
 }
 
@@ -432,7 +435,7 @@ void PathBuilder::stop() {
   pending_.reset();
 }
 
-// The same, but `next` may begin before, on a straight way of several times the reach: at equal
+// The same, but `next` may begin before, on a straight path of several times the reach: at equal
 // jerks it makes 2^3 reaches meanwhile.
 void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next) {
   constexpr double reaches = 16.0;

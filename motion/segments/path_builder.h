@@ -1,4 +1,5 @@
-// PathBuilder: programmed blocks to a chain of pieces with continuous curvature, within tolerance.
+// PathBuilder: programmed blocks to a chain of segments with continuous curvature, within
+// tolerance.
 //
 // Corners (line-line, line-arc, arc-arc, tangent joins with a step of curvature too) are replaced
 // by quintic blends in all axes together, so that rotary axes stay synchronous; the deviation from
@@ -33,7 +34,7 @@ class PathBuilder {
   // The same, with other axes as X, Y and Z of the workpiece space from here on.
   void restart(const Point& point, const std::array<int, 3>& geometry);
 
-  // Takes the next block. Pieces that are final now are appended to `out`; a piece with
+  // Takes the next block. Segments that are final now are appended to `out`; a segment with
   // `ends_chain` set closes a chain at rest. An unreachable pose is reported and the block is not
   // taken.
   [[nodiscard]] std::optional<Unreachable> add(const PathBlock& block);
@@ -41,17 +42,17 @@ class PathBuilder {
   // No block follows for now: what is pending becomes final and the chain ends at rest.
   void finish();
 
-  // A final piece, in path order.
+  // A final segment, in path order.
   struct Built {
-    Piece piece;
-    bool ends_chain = false;  // the path stands still at the end of this piece
+    Segment segment;
+    bool ends_chain = false;  // the path stands still at the end of this segment
     // The next chain follows, and may begin before this one has ended.
     std::optional<OverlapCorner> overlap = std::nullopt;
-    double jerk_part = 1.0;  // of the jerk the axes allow, that the profile may use on the piece
+    double jerk_part = 1.0;  // of the jerk the axes allow, that the profile may use on the segment
     double stand_mm = 0.0;   // Chunk::stand_mm
     bool counts_as_block = false;  // for look-ahead: a part that a feed law made of a block
   };
-  // Final pieces not yet taken; the caller empties it.
+  // Final segments not yet taken; the caller empties it.
   [[nodiscard]] std::vector<Built>& built() { return built_; }
 
   // End of the last block taken, in W.
@@ -60,7 +61,7 @@ class PathBuilder {
  private:
   // The last block taken: its end still waits for the join with the next one.
   struct Pending {
-    Piece whole;  // the programmed block
+    Segment whole;  // the programmed block
     Tolerance tolerance;
     bool keeps_clear = false;  // of the soft limits, by its tolerance
     double from = 0.0;         // path length already taken by the blend at its start
@@ -71,7 +72,7 @@ class PathBuilder {
 
   // A blend, and how far it reaches into both blocks.
   struct Curve {
-    Piece piece;
+    Segment segment;
     double reach = 0.0;
   };
 
@@ -96,19 +97,19 @@ class PathBuilder {
   void stop();
   void stand_at_programmed_end();
   void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
-  void append(const Piece& piece, double jerk_part = 1.0);
-  void append_blend(Piece piece, const Pending& next, double reach);
+  void append(const Segment& segment, double jerk_part = 1.0);
+  void append_blend(Segment segment, const Pending& next, double reach);
   void end_chain();
 
   MotionConfig config_;
   Point end_{};
   std::optional<PathBlock> standing_;  // the last block, where it did not move
-  bool stands_ = true;                 // the last piece ended a chain, or there is none
+  bool stands_ = true;                 // the last segment ended a chain, or there is none
   // Either the last block is pending, or it is the last one of an open run.
   std::optional<Pending> pending_;
   Pending last_of_run_;
   SmoothRun run_;
-  std::vector<Piece> smoothed_;
+  std::vector<Segment> smoothed_;
   std::vector<Built> built_;
 };
 

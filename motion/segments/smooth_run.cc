@@ -1,4 +1,4 @@
-// Where knots stand, and pieces of the spline (motion/segments/smooth_run.h).
+// Where knots stand, and segments of the spline (motion/segments/smooth_run.h).
 #include "motion/segments/smooth_run.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr std::size_t lag = 24;                 // spans that may still change
 constexpr std::size_t graded = 40;              // spans around new knots that are looked at
 constexpr double forward_min = 0.5;             // of the spline along its block, per t
 
-// How far the chord between two set-points lies off a curve at most, (v T)^2 / 8R: the axes hold
+// How far the chord between two setpoints lies off a curve at most, (v T)^2 / 8R: the axes hold
 // v^2 / R within their accelerations, whatever the feed and its override.
 Tolerance chord_margin(const MotionConfig& config) {
   Point acceleration{};
@@ -40,8 +40,9 @@ Tolerance chord_margin(const MotionConfig& config) {
   return {part * geometry_norm(config, acceleration), part * rotary};
 }
 
-bool is_run_block(const Piece& piece) {
-  return piece.geometry.kind == PieceKind::line && !piece.rapid && piece.length >= length_min;
+bool is_run_block(const Segment& segment) {
+  return segment.geometry.kind == SegmentKind::line && !segment.rapid &&
+         segment.length >= length_min;
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ SmoothRun::SmoothRun(const MotionConfig& config)
       chord_margin_(chord_margin(config)),
       turn_cosine_min_(std::cos(config.run_turn_max_deg * std::numbers::pi / 180.0)) {}
 
-bool SmoothRun::may_join(const Piece& incoming, const Piece& outgoing,
+bool SmoothRun::may_join(const Segment& incoming, const Segment& outgoing,
                          const Tolerance& tolerance) const {
   if (config_.run_turn_max_deg <= 0.0) return false;
   if (!is_run_block(incoming) || !is_run_block(outgoing)) return false;
@@ -81,7 +82,7 @@ void SmoothRun::clear() {
   frozen_ = 0;
 }
 
-SmoothRun::Place SmoothRun::begin(const Piece& first, const Tolerance& tolerance, End end,
+SmoothRun::Place SmoothRun::begin(const Segment& first, const Tolerance& tolerance, End end,
                                   const Place& taken) {
   clear();
   spline_.way.add(first, tolerance);
@@ -103,14 +104,14 @@ SmoothRun::Place SmoothRun::begin(const Piece& first, const Tolerance& tolerance
   return place;
 }
 
-void SmoothRun::add(const Piece& next, const Tolerance& tolerance, std::vector<Piece>& out) {
+void SmoothRun::add(const Segment& next, const Tolerance& tolerance, std::vector<Segment>& out) {
   spline_.way.add(next, tolerance);
   place_knots();
   settle();
   if (settled_ > emitted_ + lag) emit(settled_ - lag, out);
 }
 
-SmoothRun::Place SmoothRun::end(End end, std::vector<Piece>& out) {
+SmoothRun::Place SmoothRun::end(End end, std::vector<Segment>& out) {
   const double to = end == End::at_rest ? place_last_knots() : place_knots_before_straight();
   settle();
   std::size_t until = emitted_;
@@ -157,7 +158,7 @@ void SmoothRun::make_room_before(double t) {
     spline_.knots.pop_back();
 }
 
-// Knots as far apart as may be, up to the end of the way known.
+// Knots as far apart as may be, up to the end of the path known.
 void SmoothRun::place_knots() {
   for (;;) {
     const double next = next_knot();
@@ -166,7 +167,7 @@ void SmoothRun::place_knots() {
   }
 }
 
-// The next knot, or a place behind the end of the way known while that is too short to tell.
+// The next knot, or a place behind the end of the path known while that is too short to tell.
 double SmoothRun::next_knot() const {
   const double last = spline_.knots.back();
   const std::size_t index = spline_.way.index_at(last);
@@ -288,13 +289,13 @@ bool SmoothRun::fits_leg(const Leg& leg, double a, double b,
   return true;
 }
 
-void SmoothRun::emit(std::size_t until, std::vector<Piece>& out) {
+void SmoothRun::emit(std::size_t until, std::vector<Segment>& out) {
   for (; emitted_ < until; ++emitted_) emit_span(emitted_, out);
   frozen_ = emitted_ + RunSpline::support;
   forget_emitted();
 }
 
-void SmoothRun::emit_span(std::size_t span, std::vector<Piece>& out) {
+void SmoothRun::emit_span(std::size_t span, std::vector<Segment>& out) {
   const bool straight = spline_.is_straight(span);
   const RunSpline::ControlPoints control = spline_.control_points(span);
   spline_.for_each_stretch(span, [&](const Leg& leg, double a, double b) {
@@ -308,36 +309,36 @@ void SmoothRun::emit_span(std::size_t span, std::vector<Piece>& out) {
   });
 }
 
-void SmoothRun::emit_line(std::vector<Piece>& out) {
+void SmoothRun::emit_line(std::vector<Segment>& out) {
   if (!straight_.is_open) return;
   straight_.is_open = false;
   const Leg& leg = spline_.way.leg(spline_.way.index_at(0.5 * (straight_.from + straight_.to)));
-  Piece piece = leg.line;
+  Segment segment = leg.line;
   const Point end = point_of(leg, straight_.to);
-  const Shape shape = line(piece.geometry.metric, emitted_to_, end);
-  piece.geometry = shape.geometry;
-  piece.length = shape.length;
-  out.push_back(piece);
+  const Shape shape = line(segment.geometry.metric, emitted_to_, end);
+  segment.geometry = shape.geometry;
+  segment.length = shape.length;
+  out.push_back(segment);
   emitted_to_ = end;
 }
 
 void SmoothRun::emit_curve(const Leg& leg, const RunSpline::ControlPoints& points,
-                           std::vector<Piece>& out) {
-  Piece piece = leg.line;
-  piece.geometry.kind = PieceKind::quintic;
-  piece.geometry.start = emitted_to_;
-  piece.geometry.end = points[3];
+                           std::vector<Segment>& out) {
+  Segment segment = leg.line;
+  segment.geometry.kind = SegmentKind::quintic;
+  segment.geometry.start = emitted_to_;
+  segment.geometry.end = points[3];
   for (std::size_t k = 0; k < axes_max; ++k) {
     const double p0 = points[0][k];
     const double p1 = points[1][k];
     const double p2 = points[2][k];
     const double p3 = points[3][k];
-    piece.geometry.coefficients[k] = {
+    segment.geometry.coefficients[k] = {
         p0, 3.0 * (p1 - p0), 3.0 * (p2 - 2.0 * p1 + p0), p3 - p0 - 3.0 * (p2 - p1), 0.0, 0.0};
   }
-  measure(piece.geometry);
-  piece.length = arc_length(piece.geometry);
-  out.push_back(piece);
+  measure(segment.geometry);
+  segment.length = arc_length(segment.geometry);
+  out.push_back(segment);
   emitted_to_ = points[3];
 }
 

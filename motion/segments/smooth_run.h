@@ -1,10 +1,10 @@
 // SmoothRun: a cubic spline with continuous curvature in place of a run of straight blocks that
 // turn little.
 //
-// The spline is a quasi-interpolant of the programmed way over its length: control points lie on
+// The spline is a quasi-interpolant of the programmed path over its length: control points lie on
 // it at the Greville abscissae of the knots, less the second difference that makes quadratics exact
 // (docs/developer/motion.md#runs). It is local, needs no solution of equations and is straight
-// where the way is. Knots stand as far apart as the tolerance allows: every stretch between two
+// where the path is. Knots stand as far apart as the tolerance allows: every stretch between two
 // knots or corners is compared with its block by the control points of the difference, which bound
 // it, and knots are put in until all are within tolerance. Owner: the channel's preparation.
 #pragma once
@@ -23,16 +23,16 @@ class SmoothRun {
   explicit SmoothRun(const MotionConfig& config);
 
   // Whether two straight blocks in a row may belong to one run.
-  [[nodiscard]] bool may_join(const Piece& incoming, const Piece& outgoing,
+  [[nodiscard]] bool may_join(const Segment& incoming, const Segment& outgoing,
                               const Tolerance& tolerance) const;
 
   [[nodiscard]] bool is_open() const { return !spline_.way.is_empty(); }
   void clear();
 
-  // How the way goes on where the run has an end.
+  // How the path goes on where the run has an end.
   enum class End : std::uint8_t {
     straight,  // along half of the block there, as it is programmed, for a blend with another block
-    at_rest,   // the axes stand there: the spline begins or ends with the way, bent as it likes
+    at_rest,   // the axes stand there: the spline begins or ends with the path, bent as it likes
   };
   // A place on a block, by path length from its start.
   struct Place {
@@ -41,12 +41,12 @@ class SmoothRun {
   };
   // Opens a run with its first block, of which a blend has taken the part up to `taken`; returns
   // where on it the spline begins: there or later.
-  [[nodiscard]] Place begin(const Piece& first, const Tolerance& tolerance, End end,
+  [[nodiscard]] Place begin(const Segment& first, const Tolerance& tolerance, End end,
                             const Place& taken);
-  // Takes the next block. Pieces that are final are appended to `out`, without bounds.
-  void add(const Piece& next, const Tolerance& tolerance, std::vector<Piece>& out);
+  // Takes the next block. Segments that are final are appended to `out`, without bounds.
+  void add(const Segment& next, const Tolerance& tolerance, std::vector<Segment>& out);
   // Closes the run. Returns where on its last block the spline ends.
-  [[nodiscard]] Place end(End end, std::vector<Piece>& out);
+  [[nodiscard]] Place end(End end, std::vector<Segment>& out);
 
  private:
   void place_knots();
@@ -64,10 +64,11 @@ class SmoothRun {
   void grade(std::size_t span);
   [[nodiscard]] bool is_long_straight(std::size_t span) const;
 
-  void emit(std::size_t until, std::vector<Piece>& out);
-  void emit_span(std::size_t span, std::vector<Piece>& out);
-  void emit_line(std::vector<Piece>& out);
-  void emit_curve(const Leg& leg, const RunSpline::ControlPoints& points, std::vector<Piece>& out);
+  void emit(std::size_t until, std::vector<Segment>& out);
+  void emit_span(std::size_t span, std::vector<Segment>& out);
+  void emit_line(std::vector<Segment>& out);
+  void emit_curve(const Leg& leg, const RunSpline::ControlPoints& points,
+                  std::vector<Segment>& out);
   void forget_emitted();
 
   MotionConfig config_;

@@ -20,7 +20,7 @@ inline constexpr std::size_t coupled_spindles_max = 4;  // of one channel
 
 // How a spindle turns at one instant; clockwise is positive.
 struct SpindleMotion {
-  double turns = 0.0;  // since power-on; whole numbers are the encoder's mark
+  double turns = 0.0;  // since power-on; whole numbers are the encoder's index pulse
   double speed = 0.0;  // turns/s
   double acceleration = 0.0;
   double jerk = 0.0;

@@ -12,11 +12,11 @@ namespace {
 
 using kinematics::Jet;
 
-// Of the regulator: that of the observer it follows.
+// Frequency of the controller: that of the observer it follows.
 constexpr double bandwidth = SpindleObserver::bandwidth;  // rad/s
 
 // Shares of the limits that the run-in uses at the speed it begins with; the rest is for a spindle
-// that turns up to 20 % faster meanwhile (1.2^3 = 1.73) and for the regulator.
+// that turns up to 20 % faster meanwhile (1.2^3 = 1.73) and for the controller.
 constexpr double run_in_share = 0.45;
 // The share of its speed by which a spindle may change during the run-in.
 constexpr double change_in_run_in = 0.25;
@@ -37,7 +37,7 @@ constexpr double stop_reserve = 1.05;
 constexpr double lag_max = 1.0 / 50;  // turns off the law
 constexpr double settled_lag = lag_max / 4;
 
-// The share of jerk and acceleration with which the regulator takes a large difference away.
+// The share of jerk and acceleration with which the controller takes a large difference away.
 constexpr double taken_back = 0.5;
 
 PathMotion after(const PathMotion& m, double j, double t) RT_SAFE {
@@ -62,7 +62,7 @@ RampLimits scaled(const RampLimits& limits, double share) RT_SAFE {
 
 }  // namespace
 
-// The regulator answers a step of the encoder with its gain of s; three tenths of that are enough
+// The controller answers a step of the encoder with its gain of s; three tenths of that are enough
 // (measured with 256, 1,024 and 4,096 pulses at 1 to 16 turns/s and leads of 1 to 23 mm).
 double jerk_to_follow(int encoder_pulses, double cycle_s) {
   constexpr double part = 0.3;
@@ -221,7 +221,7 @@ bool SynchronousRun::is_due(const SpindleMotion& spindle) RT_SAFE {
   return true;
 }
 
-// Where the path is to be at the set-point: in the law, or on the ramp that leads into it. The
+// Where the path is to be at the setpoint: in the law, or on the ramp that leads into it. The
 // ramp's time is the angle since its start over the speed it was made for.
 Jet SynchronousRun::course(const SpindleMotion& spindle) RT_SAFE {
   const Jet law{direction_ * spindle.turns - origin_, direction_ * spindle.speed,
@@ -270,7 +270,7 @@ bool SynchronousRun::changes_limits(const Jet& course) RT_SAFE {
   return true;
 }
 
-// A regulator that is held back by its limits overshoots: while there is time, those of the chain
+// A controller that is held back by its limits overshoots: while there is time, those of the chain
 // come when the path has settled in the law, first that of the acceleration and in a cycle whose
 // jerk is within it that of the jerk.
 bool SynchronousRun::joins_chain(const Jet& course) RT_SAFE {
@@ -312,12 +312,12 @@ bool SynchronousRun::brakes_before_corner(const RampLimits& limits) const RT_SAF
   return motion_.s + way + ramp_distance(0.0, v, limits) < coupling_.entry_end;
 }
 
-// Where the course, which is that of the set-point, was at the start of its cycle.
+// Where the course, which is that of the setpoint, was at the start of its cycle.
 PathMotion SynchronousRun::before(const Jet& course) const RT_SAFE {
   return after({course.value, course.first, course.second}, course.third, -cycle_s_);
 }
 
-// The jerk over the cycle up to the set-point: that of the course, and the regulator's on the
+// The jerk over the cycle up to the setpoint: that of the course, and the controller's on the
 // difference at the start of the cycle. Its loops lie in each other: what the path is off asks for
 // a speed, that for an acceleration, that for a jerk. A difference so large that the jerk would be
 // beyond the limits is taken away as the limits can, on the curves of constant jerk v^3 ~ s^2 and

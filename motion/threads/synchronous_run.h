@@ -4,7 +4,7 @@
 //   s = +-(turns of the spindle - turns at the start),
 // the start being at the start angle of every pass, so that all passes cut one helix at any speed.
 // Run-in: from rest the path comes into the law by a ramp that is played by the angle of the
-// spindle, not by time, and ends half its turns after s = 0. In the law a regulator of third order
+// spindle, not by time, and ends half its turns after s = 0. In the law a controller of third order
 // gives the jerk of each cycle from the predicted angle and its derivatives; what the axes allow
 // bounds it, and there is always a way to rest within the chain. Run-out: such a way, to the very
 // end. A tap stops the spindle for the bottom, turns it back and follows it to where it began
@@ -48,7 +48,7 @@ class SynchronousRun {
   // The chain begins, at rest at s = 0.
   void begin(const SpindleCoupling& coupling, double length) RT_SAFE;
 
-  // The state at the next set-point; `spindle` is predicted for its instant. Before the run-in a
+  // The state at the next setpoint; `spindle` is predicted for its instant. Before the run-in a
   // hold keeps the path at rest; later only `leaves_thread` brings it to rest within the chain: a
   // thread at once, a tap together with its spindle.
   PathMotion advance(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;
@@ -108,12 +108,12 @@ class SynchronousRun {
   void run_brake() RT_SAFE;
 
   double cycle_s_;
-  double gain_s_;  // of the regulator: jerk by s, v, a
+  double gain_s_;  // of the controller: jerk by s, v, a
   double gain_v_;
   double gain_a_;
 
   SpindleCoupling coupling_;
-  RampLimits limits_;  // at hand
+  RampLimits limits_;  // the current ones
   double length_ = 0.0;
   Stage stage_ = Stage::over;
   PathMotion motion_;
@@ -136,7 +136,7 @@ class SynchronousRun {
 
   std::int64_t dwell_cycles_ = 0;
   bool spindle_stops_ = false;  // by order
-  // The way to rest at hand.
+  // The current way to rest.
   WayToRest brake_;
   double brake_time_ = 0.0;
   Stage stage_before_ = Stage::over;  // goes on when the brake does not end the chain

@@ -10,19 +10,20 @@
 namespace stanok::motion {
 namespace {
 
-constexpr std::size_t blocks_max = 500;  // three pieces each, in one chunk of the queue
+constexpr std::size_t blocks_max = 500;  // three segments each, in one chunk of the queue
 
 // A corner is made for a spindle that turns so much faster than programmed, where it may be; it
 // must be good for the lesser one.
 constexpr double reserve_wanted = 1.45;
 constexpr double reserve_least = 1.25;
 
-// The jerk that a corner leaves to the regulator, over what one block needs for its encoder, where
+// The jerk that a corner leaves to the controller, over what one block needs for its encoder, where
 // it may be; the lesser one is what no random chain came off the law with.
 constexpr double jerk_wanted = 1.0;
 constexpr double jerk_least = 0.6;
 
-// Of a block, that one corner may take; and where another one follows that needs room.
+// The part of a block that one corner may take; and the part where another one follows that needs
+// room.
 constexpr double part_max = 0.95;
 constexpr double part_of_two = 0.475;
 
@@ -34,7 +35,7 @@ constexpr double reversal_mm_per_s2 = 120.0;
 // Turns that a spindle may overrun the bottom of a tap, where the axes have the room.
 constexpr std::array<double, 3> overruns{1.0, 0.25, 0.0};
 
-PieceBounds largest(const PieceBounds& one, const PieceBounds& other) {
+SegmentBounds largest(const SegmentBounds& one, const SegmentBounds& other) {
   return {.velocity = std::max(one.velocity, other.velocity),
           .tangent = std::max(one.tangent, other.tangent),
           .thrust = std::max(one.thrust, other.thrust),
@@ -44,19 +45,19 @@ PieceBounds largest(const PieceBounds& one, const PieceBounds& other) {
 }
 
 // Sums of what acts along and across the path: where s counts turns no Euclidean length is 1.
-PieceBounds bounds_by_turns(const Piece& piece, const MotionConfig& config) {
-  PieceBounds bounds = piece_bounds(piece, config);
+SegmentBounds bounds_by_turns(const Segment& segment, const MotionConfig& config) {
+  SegmentBounds bounds = segment_bounds(segment, config);
   bounds.euclidean = {};
   return bounds;
 }
 
-ThreadFault too_slow_axis(const Piece& piece, double speed, const MotionConfig& config) {
+ThreadFault too_slow_axis(const Segment& segment, double speed, const MotionConfig& config) {
   JetPoint point;
   JetPoint axes;
-  evaluate(piece, 0.0, point);
-  to_machine(piece, point, axes);
+  evaluate(segment, 0.0, point);
+  to_machine(segment, point, axes);
   ThreadFault fault{.kind = ThreadFault::Kind::axis_too_slow,
-                    .speed_max = SpindleCoupling::speed_share / piece.bounds.velocity};
+                    .speed_max = SpindleCoupling::speed_share / segment.bounds.velocity};
   double most = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
     const double used = std::abs(axes[k].first) / config.axes[k].velocity_max;
@@ -121,7 +122,7 @@ std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block, double
   if (const auto excess = soft_limit_excess(block.whole, config_)) return unreachable(*excess);
   if (block.whole.bounds.velocity * speed_ > SpindleCoupling::speed_share)
     return too_slow_axis(block.whole, speed_, config_);
-  const double jerk = piece_limits(block.whole.bounds, unlimited).j;
+  const double jerk = segment_limits(block.whole.bounds, unlimited).j;
   if (jerk < jerk_to_follow_) {
     return ThreadFault{.kind = ThreadFault::Kind::encoder_too_coarse,
                        .lead_max = lead_mm * jerk / jerk_to_follow_};
@@ -133,7 +134,7 @@ std::optional<ThreadFault> ThreadBuilder::add(const ThreadBlock& block) {
   Straight next = straight(block, end_);
   if (auto fault = fault_of(next, block.lead_mm)) return fault;
   if (blocks_.size() >= blocks_max) return ThreadFault{.kind = ThreadFault::Kind::too_many_blocks};
-  const PieceBounds straights = straights_;
+  const SegmentBounds straights = straights_;
   straights_ = largest(straights_, next.whole.bounds);
   auto fault = append(next);
   if (fault) straights_ = straights;
@@ -162,7 +163,7 @@ std::optional<ThreadFault> ThreadBuilder::round_corners_anew() {
     block.corner.reset();
     fault = connect(block);
   }
-  const PieceBounds bounds = bounds_of_chain();
+  const SegmentBounds bounds = bounds_of_chain();
   if (!fault && !leaves_jerk(bounds, speed_, jerk_least * jerk_to_follow_)) {
     fault = ThreadFault{.kind = ThreadFault::Kind::corner_too_sharp,
                         .speed_max = speed_that_leaves_jerk(bounds)};
@@ -171,18 +172,18 @@ std::optional<ThreadFault> ThreadBuilder::round_corners_anew() {
   return fault;
 }
 
-// Of a chain with corners at this speed of the spindle, turns/s.
-PieceLimits ThreadBuilder::limits_at(const PieceBounds& bounds, double speed) {
-  return piece_limits(bounds, speed > 0.0 ? reserve_least * speed : unlimited);
+// Limits of a chain with corners at this speed of the spindle, turns/s.
+SegmentLimits ThreadBuilder::limits_at(const SegmentBounds& bounds, double speed) {
+  return segment_limits(bounds, speed > 0.0 ? reserve_least * speed : unlimited);
 }
 
-// For the regulator, so that the path follows the steps of the encoder. Of a speed that is not
+// For the controller, so that the path follows the steps of the encoder. Of a speed that is not
 // known nothing is asked.
-bool ThreadBuilder::leaves_jerk(const PieceBounds& bounds, double speed, double jerk) {
+bool ThreadBuilder::leaves_jerk(const SegmentBounds& bounds, double speed, double jerk) {
   return speed <= 0.0 || limits_at(bounds, speed).j >= jerk;
 }
 
-double ThreadBuilder::speed_that_leaves_jerk(const PieceBounds& bounds) const {
+double ThreadBuilder::speed_that_leaves_jerk(const SegmentBounds& bounds) const {
   constexpr int halvings = 40;
   double low = 0.0;
   double high = speed_;
@@ -193,8 +194,8 @@ double ThreadBuilder::speed_that_leaves_jerk(const PieceBounds& bounds) const {
   return low;
 }
 
-PieceBounds ThreadBuilder::bounds_of_chain() const {
-  PieceBounds bounds;
+SegmentBounds ThreadBuilder::bounds_of_chain() const {
+  SegmentBounds bounds;
   for (const Straight& block : blocks_) {
     bounds = largest(bounds, block.whole.bounds);
     if (block.corner) bounds = largest(bounds, block.corner->bounds);
@@ -239,7 +240,7 @@ std::optional<ThreadFault> ThreadBuilder::add_tap(const ThreadBlock& block) {
   return std::nullopt;
 }
 
-// Of the tip, in mm per turn.
+// The change of the speed of the tip at a corner, in mm per turn.
 double ThreadBuilder::change_of_lead(const Straight& one, const Straight& next) const {
   double squared = 0.0;
   for (std::size_t k = 0; k < next.per_turn.size(); ++k) {
@@ -256,7 +257,7 @@ ThreadBuilder::Corner ThreadBuilder::corner(const Straight& one, const Straight&
   Geometry& before = corner.before.geometry;
   Geometry& behind = corner.behind.geometry;
   const double h = turns;
-  before.kind = behind.kind = PieceKind::even;
+  before.kind = behind.kind = SegmentKind::even;
   before.start = on(one.whole.geometry.end, one.per_turn, -h);
   behind.end = on(next.whole.geometry.start, next.per_turn, h);
   for (std::size_t k = 0; k < static_cast<std::size_t>(config_.axis_count); ++k) {
@@ -267,10 +268,10 @@ ThreadBuilder::Corner ThreadBuilder::corner(const Straight& one, const Straight&
     behind.coefficients[k] = {
         behind.start[k], h * (d1 + 0.5 * change), 0.5 * h * change, -h * change / 6.0, 0.0, 0.0};
   }
-  for (Piece* piece : {&corner.before, &corner.behind}) {
-    piece->length = turns;
-    piece->bounds = bounds_by_turns(*piece, config_);
-    corner.bounds = largest(corner.bounds, piece->bounds);
+  for (Segment* segment : {&corner.before, &corner.behind}) {
+    segment->length = turns;
+    segment->bounds = bounds_by_turns(*segment, config_);
+    corner.bounds = largest(corner.bounds, segment->bounds);
   }
   return corner;
 }
@@ -292,13 +293,13 @@ std::optional<ThreadFault> ThreadBuilder::join(Straight& one, Straight& next, do
   const bool may_grow = !one.keeps_tolerance && !next.keeps_tolerance;
   Corner found = corner(one, next, std::min(turns_max, tolerance / (deviation * change)));
   const auto has_reserve = [this](const Corner& of) {
-    return piece_limits(of.bounds, unlimited).v >= reserve_wanted * speed_ &&
+    return segment_limits(of.bounds, unlimited).v >= reserve_wanted * speed_ &&
            leaves_jerk(largest(straights_, of.bounds), speed_, jerk_wanted * jerk_to_follow_);
   };
   while (may_grow && found.turns < turns_max && !has_reserve(found))
     found = corner(one, next, std::min(turns_max, growth * found.turns));
-  const PieceBounds bounds = largest(straights_, found.bounds);
-  const double speed_max = piece_limits(found.bounds, unlimited).v / reserve_least;
+  const SegmentBounds bounds = largest(straights_, found.bounds);
+  const double speed_max = segment_limits(found.bounds, unlimited).v / reserve_least;
   if (speed_max < speed_ || !leaves_jerk(bounds, speed_, jerk_least * jerk_to_follow_)) {
     return ThreadFault{.kind = ThreadFault::Kind::corner_too_sharp,
                        .speed_max = std::min(speed_max, speed_that_leaves_jerk(bounds))};
@@ -313,35 +314,35 @@ std::optional<ThreadFault> ThreadBuilder::join(Straight& one, Straight& next, do
 
 ThreadChain ThreadBuilder::finish() {
   ThreadChain chain;
-  const PieceBounds bounds = bounds_of_chain();
+  const SegmentBounds bounds = bounds_of_chain();
   bool has_corner = false;
   for (const Straight& block : blocks_) {
-    Piece rest = block.whole;
+    Segment rest = block.whole;
     rest.geometry.start = block.from_point;
     rest.length -= block.from;
     if (block.corner) {
       rest.geometry.end = block.corner->before.geometry.start;
       rest.length -= block.corner->turns;
     }
-    chain.pieces.push_back(rest);
+    chain.segments.push_back(rest);
     if (!block.corner) continue;
     has_corner = true;
-    chain.pieces.push_back(block.corner->before);
-    chain.pieces.push_back(block.corner->behind);
+    chain.segments.push_back(block.corner->before);
+    chain.segments.push_back(block.corner->behind);
   }
   const double speed = has_corner ? speed_ : 0.0;
-  const auto section = [this, speed](const PieceBounds& of) {
-    const PieceLimits limits = limits_at(of, speed);
+  const auto section = [speed](const SegmentBounds& of) {
+    const SegmentLimits limits = limits_at(of, speed);
     return SpindleCoupling::Section{limits.a, limits.j};
   };
   chain.coupling = coupling_;
   chain.coupling.speed_max = limits_at(bounds, speed).v;
   chain.coupling.chain = section(bounds);
-  chain.coupling.entry = section(chain.pieces.front().bounds);
-  chain.coupling.exit = section(chain.pieces.back().bounds);
-  chain.coupling.entry_end = chain.pieces.front().length;
-  for (const Piece& piece : chain.pieces) chain.coupling.exit_begin += piece.length;
-  chain.coupling.exit_begin -= chain.pieces.back().length;
+  chain.coupling.entry = section(chain.segments.front().bounds);
+  chain.coupling.exit = section(chain.segments.back().bounds);
+  chain.coupling.entry_end = chain.segments.front().length;
+  for (const Segment& segment : chain.segments) chain.coupling.exit_begin += segment.length;
+  chain.coupling.exit_begin -= chain.segments.back().length;
   blocks_.clear();
   return chain;
 }

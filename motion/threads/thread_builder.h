@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "motion/bounds/piece_bounds.h"
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/geometry.h"
 #include "motion/path/path.h"
 
@@ -48,7 +48,7 @@ struct ThreadFault {
 };
 
 struct ThreadChain {
-  std::vector<Piece> pieces;  // lengths in turns
+  std::vector<Segment> segments;  // lengths in turns
   SpindleCoupling coupling;
 };
 
@@ -74,13 +74,13 @@ class ThreadBuilder {
 
  private:
   struct Corner {
-    Piece before;
-    Piece behind;
+    Segment before;
+    Segment behind;
     double turns = 0.0;  // of each
-    PieceBounds bounds;
+    SegmentBounds bounds;
   };
   struct Straight {
-    Piece whole;
+    Segment whole;
     Point per_turn{};        // q'
     double tolerance = 0.0;  // mm
     bool keeps_tolerance = false;
@@ -97,16 +97,16 @@ class ThreadBuilder {
   [[nodiscard]] std::optional<ThreadFault> connect(Straight next);
   [[nodiscard]] std::optional<ThreadFault> round_corners_anew();
   [[nodiscard]] double change_of_lead(const Straight& one, const Straight& next) const;
-  [[nodiscard]] PieceBounds bounds_of_chain() const;
-  [[nodiscard]] static PieceLimits limits_at(const PieceBounds& bounds, double speed);
-  [[nodiscard]] static bool leaves_jerk(const PieceBounds& bounds, double speed, double jerk);
-  [[nodiscard]] double speed_that_leaves_jerk(const PieceBounds& bounds) const;
+  [[nodiscard]] SegmentBounds bounds_of_chain() const;
+  [[nodiscard]] static SegmentLimits limits_at(const SegmentBounds& bounds, double speed);
+  [[nodiscard]] static bool leaves_jerk(const SegmentBounds& bounds, double speed, double jerk);
+  [[nodiscard]] double speed_that_leaves_jerk(const SegmentBounds& bounds) const;
 
   MotionConfig config_;
   SpindleCoupling coupling_;
   double speed_ = 0.0;
   double jerk_to_follow_ = 0.0;
-  PieceBounds straights_;  // largest of all blocks, and of the one that is being added
+  SegmentBounds straights_;  // largest of all blocks, and of the one that is being added
   Point end_{};
   std::vector<Straight> blocks_;
 };

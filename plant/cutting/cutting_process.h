@@ -1,7 +1,7 @@
 // CuttingProcess: the force on a turning tool, the power it takes and the vibration it makes.
 //
 //   P_z = C t h^y (HB / HB_0)^e,  N = P_z w R / efficiency
-// t: depth of cut from the stock; h: thickness of the chip, the way of the tool in the cut over the
+// t: depth of cut from the stock; h: thickness of the chip, the travel of the tool in the cut over the
 // last revolution, so that a change of feed acts over a whole one; HB: hardness of the material
 // there. Allocates in its constructor only.
 #pragma once
@@ -21,7 +21,7 @@ struct ToolPoint {
   double z_mm = 0.0;
 };
 
-// Way of the tool in the cut over the last revolution of the spindle.
+// Travel of the tool in the cut over the last revolution of the spindle.
 class ChipThickness {
  public:
   ChipThickness();

@@ -1,4 +1,4 @@
-// What a feed axis has to find its reference: encoder with index pulses, reference switch, limit
+// What a feed axis has to find its reference: encoder with index pulses, home switch, limit
 // switches. Positions are those of the machine, mm or deg.
 //
 // The encoder counts from the place where the machine is when its power comes on, or, an absolute
@@ -34,7 +34,7 @@ class MeasuringSystem {
   [[nodiscard]] bool on_limit_negative() const RT_SAFE;
   [[nodiscard]] bool on_limit_positive() const RT_SAFE;
 
-  // As counted; 0 before the first pulse.
+  // The position as counted; 0 before the first pulse.
   [[nodiscard]] double index_position() const RT_SAFE { return index_position_; }
   [[nodiscard]] std::uint16_t index_count() const RT_SAFE { return index_count_; }
 

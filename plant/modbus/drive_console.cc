@@ -38,7 +38,7 @@ std::string make_fault(const std::vector<std::string>& words,
                        const std::vector<SimulatedDriveConfig>& drives, ModbusServer& server) {
   if (words.size() != 3) return usage;
   const auto found = injection(words[1], words[2], drives);
-  if (!found) return "no such axis or fault: " + words[1] + " " + words[2];
+  if (!found) return "there is no such axis or fault: " + words[1] + " " + words[2];
   server.inject(found->drive, found->kind);
   return "";
 }
@@ -47,11 +47,11 @@ std::string take_load(const std::vector<std::string>& words,
                       const std::vector<SimulatedDriveConfig>& drives, ModbusServer& server) {
   if (words.size() != 3 && words.size() != 5) return usage;
   const auto drive = drive_named(words[1], drives);
-  if (!drive) return "no such axis: " + words[1];
+  if (!drive) return "there is no axis " + words[1];
   std::array<double, 3> values{};
   for (std::size_t k = 0; k + 2 < words.size(); ++k) {
     const auto value = number_of(words[k + 2]);
-    if (!value) return "no number: " + words[k + 2];
+    if (!value) return "this is not a number: " + words[k + 2];
     values[k] = *value;
   }
   server.load(*drive, {.power_w = values[0], .vibration_um = values[1], .vibration_hz = values[2]});

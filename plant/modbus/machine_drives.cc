@@ -9,7 +9,7 @@ namespace stanok::plant {
 namespace {
 
 drives::AxisDriveConfig default_drive(const channels::AxisConfig& axis, int place) {
-  const bool in_cycle = axis.regulator.feedback == channels::FeedbackPlace::cycle;
+  const bool in_cycle = axis.controller.feedback == channels::FeedbackPlace::cycle;
   return {.axis = axis.name,
           .unit = place,
           .kind = in_cycle ? drives::DriveKind::velocity : drives::DriveKind::position,
@@ -77,7 +77,7 @@ std::vector<SimulatedDriveConfig> drives_of(const config::MachineFile& machine) 
       drive.axis.dry_friction = machine.axis_plants[k].dry_friction;
       drive.reference = reference(machine.axis_plants[k]);
     }
-    if (machine.machine.axes[k].regulator.feedback == channels::FeedbackPlace::cycle)
+    if (machine.machine.axes[k].controller.feedback == channels::FeedbackPlace::cycle)
       drive.kind = PlantKind::velocity_axis;
   }
   for (const channels::SpindleConfig& spindle : machine.machine.spindles) {

@@ -142,7 +142,7 @@ int serve(const Options& options) {
   for (const std::string& text : options.faults) {
     const auto found = injection_of(text, drives);
     if (!found) {
-      std::cerr << "stanok-drives: --fault " << text << ": no such axis or fault; see --help\n";
+      std::cerr << "stanok-drives: --fault " << text << ": there is no such axis or fault; see --help\n";
       return exit_usage;
     }
     injections.push_back(*found);

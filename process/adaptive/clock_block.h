@@ -1,5 +1,5 @@
 // ClockBlock and RapidKey, blocks 22 and 23: the code of the clock that drives the interpolator,
-// formed from the power set-point, and the way round it for rapid moves.
+// formed from the power setpoint, and the way round it for rapid moves.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -9,7 +9,7 @@ namespace stanok::process {
 
 // Block 22. The printed block follows N_z itself; facing at constant speed N_z falls with the
 // radius and the feed with it, while the force needs the same feed. Normalised by w R it is the
-// force set-point: the feed goes as it swings about its mean, and does not see speed and radius.
+// force setpoint: the feed goes as it swings about its mean, and does not see speed and radius.
 [[nodiscard]] inline double clock_part(const ComputingBlock& computing, double power_w,
                                        double force_mean_n) RT_SAFE {
   if (force_mean_n <= 0.0) return 1.0;

@@ -8,8 +8,8 @@
 namespace stanok::process {
 namespace {
 
+using motion::ForceCommand;
 using motion::ForceEvent;
-using motion::ForceOrder;
 using motion::ForceState;
 
 // The smallest feed where neither program nor machine file gives one, part of the programmed one.
@@ -21,41 +21,42 @@ constexpr double follows_within = 0.05;
 }  // namespace
 
 ForceControl::ForceControl(const ForceControlConfig& config)
-    : config_(config), compensator_(config), regulator_(config), law_(config), watch_(config) {
+    : config_(config), compensator_(config), controller_(config), law_(config), watch_(config) {
   amplifier_.set_level(config.vibration_level_um);
 }
 
-bool ForceControl::order(const ForceOrder& order) RT_SAFE {
-  switch (order.kind) {
-    case ForceOrder::Kind::off:
+bool ForceControl::command(const ForceCommand& command) RT_SAFE {
+  switch (command.kind) {
+    case ForceCommand::Kind::off:
       switch_off();
       return true;
-    case ForceOrder::Kind::force:
-      order_force(order);
+    case ForceCommand::Kind::force:
+      command_force(command);
       return law_.mean_n() > 0.0;
-    case ForceOrder::Kind::oscillate:
-      if (!is_on() || order.oscillation_n >= law_.mean_n()) return false;
-      law_.set_programmed({.force_n = order.oscillation_n, .frequency_hz = order.oscillation_hz});
+    case ForceCommand::Kind::oscillate:
+      if (!is_on() || command.oscillation_n >= law_.mean_n()) return false;
+      law_.set_programmed(
+          {.force_n = command.oscillation_n, .frequency_hz = command.oscillation_hz});
       return true;
-    case ForceOrder::Kind::vibration_on:
-      return order_vibration(order);
-    case ForceOrder::Kind::vibration_off:
+    case ForceCommand::Kind::vibration_on:
+      return command_vibration(command);
+    case ForceCommand::Kind::vibration_off:
       law_.set_automatic(0.0, 0.0);
       return true;
-    case ForceOrder::Kind::adjust:
-      adjust(order);
+    case ForceCommand::Kind::adjust:
+      adjust(command);
       return true;
   }
   return false;
 }
 
-// The force ordered last is kept for an operator who switches on again.
+// The force commanded last is kept for an operator who switches on again.
 void ForceControl::switch_off() RT_SAFE {
   status_ = {};
-  regulator_.reset();
+  controller_.reset();
   watch_.reset();
   const double force_n = law_.mean_n();
-  law_ = SetPointLaw(config_);
+  law_ = SetpointLaw(config_);
   law_.set_mean(force_n);
   amplifier_.set_level(config_.vibration_level_um);
   feed_asked_ = 0.0;
@@ -63,13 +64,13 @@ void ForceControl::switch_off() RT_SAFE {
   overload_is_told_ = false;
 }
 
-void ForceControl::order_force(const ForceOrder& order) RT_SAFE {
-  if (order.force_n > 0.0) set_force(order.force_n);
+void ForceControl::command_force(const ForceCommand& command) RT_SAFE {
+  if (command.force_n > 0.0) set_force(command.force_n);
   if (law_.mean_n() <= 0.0) return;
-  clamps_ = {.feed_min = order.feed_min,
-             .feed_max = order.feed_max,
-             .per_revolution = order.per_revolution};
-  if (!order.per_revolution) {
+  clamps_ = {.feed_min = command.feed_min,
+             .feed_max = command.feed_max,
+             .per_revolution = command.per_revolution};
+  if (!command.per_revolution) {
     clamps_.feed_min /= s_per_min;
     clamps_.feed_max /= s_per_min;
   }
@@ -84,28 +85,28 @@ void ForceControl::set_force(double force_n) RT_SAFE {
   const double before = law_.mean_n();
   law_.set_mean(force_n);
   if (is_on() && before > 0.0)
-    regulator_.scale(std::pow(force_n / before, 1.0 / config_.feed_exponent));
+    controller_.scale(std::pow(force_n / before, 1.0 / config_.feed_exponent));
 }
 
 // What an operator sets holds from now on, beyond the program.
-void ForceControl::adjust(const ForceOrder& order) RT_SAFE {
-  if (order.force_n > 0.0) set_force(order.force_n);
-  if (order.level_um > 0.0) {
-    config_.vibration_level_um = order.level_um;
-    amplifier_.set_level(order.level_um);
+void ForceControl::adjust(const ForceCommand& command) RT_SAFE {
+  if (command.force_n > 0.0) set_force(command.force_n);
+  if (command.level_um > 0.0) {
+    config_.vibration_level_um = command.level_um;
+    amplifier_.set_level(command.level_um);
   }
-  if (order.reduced_mass_kg > 0.0) config_.reduced_mass_kg = order.reduced_mass_kg;
-  if (order.oscillation_hz > 0.0) config_.oscillation_hz = order.oscillation_hz;
-  const bool forms = order.reduced_mass_kg > 0.0 || order.oscillation_hz > 0.0;
+  if (command.reduced_mass_kg > 0.0) config_.reduced_mass_kg = command.reduced_mass_kg;
+  if (command.oscillation_hz > 0.0) config_.oscillation_hz = command.oscillation_hz;
+  const bool forms = command.reduced_mass_kg > 0.0 || command.oscillation_hz > 0.0;
   if (forms && law_.can_form()) law_.set_automatic(config_.reduced_mass_kg, config_.oscillation_hz);
 }
 
-bool ForceControl::order_vibration(const ForceOrder& order) RT_SAFE {
-  const auto given = [](double ordered, double otherwise)
-                         RT_SAFE { return ordered > 0.0 ? ordered : otherwise; };
-  amplifier_.set_level(given(order.level_um, config_.vibration_level_um));
-  law_.set_automatic(given(order.reduced_mass_kg, config_.reduced_mass_kg),
-                     given(order.oscillation_hz, config_.oscillation_hz));
+bool ForceControl::command_vibration(const ForceCommand& command) RT_SAFE {
+  const auto given = [](double commanded, double otherwise)
+                         RT_SAFE { return commanded > 0.0 ? commanded : otherwise; };
+  amplifier_.set_level(given(command.level_um, config_.vibration_level_um));
+  law_.set_automatic(given(command.reduced_mass_kg, config_.reduced_mass_kg),
+                     given(command.oscillation_hz, config_.oscillation_hz));
   return is_on() && amplifier_.level_um() > 0.0 && law_.can_form();
 }
 
@@ -140,7 +141,7 @@ motion::FeedDemand ForceControl::advance(const motion::CutState& cut) RT_SAFE {
 void ForceControl::count_radius(const motion::CutState& cut) RT_SAFE {
   const RadiusCounter::Slide slide{.position_mm = cut.transverse_mm,
                                    .code = cut.transverse_code,
-                                   .discrete_mm = cut.discrete_mm};
+                                   .increment_mm = cut.increment_mm};
   key_.block(cut.frame_is_new);
   radius_.count(key_.pass(slide.code - transverse_code_));
   if (cut.frame_is_new) radius_.preset(cut.radius_mm, slide);
@@ -204,16 +205,16 @@ motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
   const double turns_per_s = cut.rev_per_min / s_per_min;
   cuts_ = is_cutting(cut);
   status_.state = cuts_ ? ForceState::regulating : ForceState::holding;
-  const ForceSetPoint set_point = form_set_point(cut);
-  if (turns_per_s > 0.0 && cut.is_controllable) regulate(cut, set_point);
+  const ForceSetpoint setpoint = form_setpoint(cut);
+  if (turns_per_s > 0.0 && cut.is_controllable) regulate(cut, setpoint);
   // Blocks 22 and 23.
   const double part =
-      clock_part(computing_, computing_.power_w(set_point.emphasised_n), set_point.mean_n);
-  const double clock = std::clamp(part * regulator_.feed_per_rev() * turns_per_s,
+      clock_part(computing_, computing_.power_w(setpoint.emphasised_n), setpoint.mean_n);
+  const double clock = std::clamp(part * controller_.feed_per_rev() * turns_per_s,
                                   status_.feed_min_per_s, status_.feed_max_per_s);
   constexpr double code_of_program = 0.0;
-  return demand(regulator_.has_feed() ? rapid_key(cut.is_rapid, code_of_program, clock)
-                                      : code_of_program);
+  return demand(controller_.has_feed() ? rapid_key(cut.is_rapid, code_of_program, clock)
+                                       : code_of_program);
 }
 
 // At working feed, with power enough to be in the workpiece.
@@ -227,45 +228,45 @@ bool ForceControl::is_cutting(const motion::CutState& cut) RT_SAFE {
 }
 
 // Blocks 16 to 21.
-ForceSetPoint ForceControl::form_set_point(const motion::CutState& cut) RT_SAFE {
+ForceSetpoint ForceControl::form_setpoint(const motion::CutState& cut) RT_SAFE {
   const Vibration vibration =
       amplifier_.pass({.amplitude_um = cut.vibration_um, .frequency_hz = cut.vibration_hz},
                       config_.vibration_release);
-  const ForceSetPoint set_point =
+  const ForceSetpoint setpoint =
       law_.advance({.cycle_s = cut.cycle_s,
                     .revolution_s = cut.rev_per_min > 0.0 ? s_per_min / cut.rev_per_min : 0.0,
                     .vibration = vibration,
                     .cuts = cuts_});
   note(law_.event());
-  status_.force_set_n = set_point.mean_n;
-  status_.force_now_n = set_point.now_n;
+  status_.force_set_n = setpoint.mean_n;
+  status_.force_now_n = setpoint.now_n;
   status_.vibration_um = vibration.amplitude_um;
   status_.vibration_hz = vibration.frequency_hz;
   status_.oscillation_n = law_.oscillation().force_n;
   status_.oscillation_hz = law_.oscillation().frequency_hz;
-  return set_point;
+  return setpoint;
 }
 
 // Blocks 13 and 14.
-void ForceControl::regulate(const motion::CutState& cut, const ForceSetPoint& set_point) RT_SAFE {
+void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& setpoint) RT_SAFE {
   const double turns_per_s = cut.rev_per_min / s_per_min;
-  if (!regulator_.has_feed()) regulator_.begin_with(cut.feed_programmed / turns_per_s);
-  const double wanted_w = computing_.power_w(set_point.sensed_n);
-  const double mean_w = computing_.power_w(set_point.mean_n);
+  if (!controller_.has_feed()) controller_.begin_with(cut.feed_programmed / turns_per_s);
+  const double wanted_w = computing_.power_w(setpoint.sensed_n);
+  const double mean_w = computing_.power_w(setpoint.mean_n);
   const double deviation = deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
   const double expected = cut.feed_override * feed_asked_;
   const bool follows = !cut.has_law && cut.feed_override >= 1.0 &&
                        std::abs(cut.path_speed - expected) <= follows_within * expected;
-  regulator_.advance({.cycle_s = cut.cycle_s,
-                      .revolution_s = 1.0 / turns_per_s,
-                      .deviation = mean_w > 0.0 ? deviation / mean_w : 0.0,
-                      .cuts = cuts_,
-                      .follows = follows,
-                      .may_rise = !watch_.is_suspicious(),
-                      .feed_min = status_.feed_min_per_s / turns_per_s,
-                      .feed_max = status_.feed_max_per_s / turns_per_s});
-  if (regulator_.is_at_minimum() && !overload_is_told_) note(ForceEvent::overload_at_feed_min);
-  overload_is_told_ = regulator_.is_at_minimum();
+  controller_.advance({.cycle_s = cut.cycle_s,
+                       .revolution_s = 1.0 / turns_per_s,
+                       .deviation = mean_w > 0.0 ? deviation / mean_w : 0.0,
+                       .cuts = cuts_,
+                       .follows = follows,
+                       .may_rise = !watch_.is_suspicious(),
+                       .feed_min = status_.feed_min_per_s / turns_per_s,
+                       .feed_max = status_.feed_max_per_s / turns_per_s});
+  if (controller_.is_at_minimum() && !overload_is_told_) note(ForceEvent::overload_at_feed_min);
+  overload_is_told_ = controller_.is_at_minimum();
 }
 
 }  // namespace stanok::process

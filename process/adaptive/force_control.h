@@ -1,18 +1,18 @@
 // ForceControl: the adaptive system of the cutting force, blocks 8 to 23 wired as in the drawing.
 //
-// Power sensor 8 and vibration sensor 16 come in with CutState, block 1 with orders and the
+// Power sensor 8 and vibration sensor 16 come in with CutState, block 1 with commands and the
 // programmed feed, block 3 takes the demand. Docs and the table of blocks:
 // docs/programmer/adaptive-control.md. One object per channel. Real-time; allocates nothing.
 #pragma once
 
 #include "motion/segments/feed_modifier.h"
-#include "process/adaptive/feed_regulator.h"
+#include "process/adaptive/feed_controller.h"
 #include "process/adaptive/force_control_config.h"
 #include "process/adaptive/idle_power_compensator.h"
 #include "process/adaptive/power_correction.h"
 #include "process/adaptive/power_watch.h"
 #include "process/adaptive/radius_counter.h"
-#include "process/adaptive/set_point_law.h"
+#include "process/adaptive/setpoint_law.h"
 #include "process/adaptive/vibration_amplifier.h"
 
 namespace stanok::process {
@@ -21,7 +21,7 @@ class ForceControl final : public motion::FeedModifier {
  public:
   explicit ForceControl(const ForceControlConfig& config);
 
-  [[nodiscard]] bool order(const motion::ForceOrder& order) RT_SAFE override;
+  [[nodiscard]] bool command(const motion::ForceCommand& command) RT_SAFE override;
   [[nodiscard]] motion::FeedDemand advance(const motion::CutState& cut) RT_SAFE override;
   [[nodiscard]] bool is_ready() const RT_SAFE override;
   [[nodiscard]] motion::ForceEvent event() const RT_SAFE override { return event_; }
@@ -36,18 +36,18 @@ class ForceControl final : public motion::FeedModifier {
     bool per_revolution = false;
   };
   void switch_off() RT_SAFE;
-  void order_force(const motion::ForceOrder& order) RT_SAFE;
+  void command_force(const motion::ForceCommand& command) RT_SAFE;
   void set_force(double force_n) RT_SAFE;
-  void adjust(const motion::ForceOrder& order) RT_SAFE;
-  [[nodiscard]] bool order_vibration(const motion::ForceOrder& order) RT_SAFE;
+  void adjust(const motion::ForceCommand& command) RT_SAFE;
+  [[nodiscard]] bool command_vibration(const motion::ForceCommand& command) RT_SAFE;
   [[nodiscard]] bool is_on() const RT_SAFE { return status_.state != motion::ForceState::off; }
   void count_radius(const motion::CutState& cut) RT_SAFE;
   void resolve_clamps(const motion::CutState& cut) RT_SAFE;
   void watch_sensors(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] motion::FeedDemand control(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] bool is_cutting(const motion::CutState& cut) RT_SAFE;
-  [[nodiscard]] ForceSetPoint form_set_point(const motion::CutState& cut) RT_SAFE;
-  void regulate(const motion::CutState& cut, const ForceSetPoint& set_point) RT_SAFE;
+  [[nodiscard]] ForceSetpoint form_setpoint(const motion::CutState& cut) RT_SAFE;
+  void regulate(const motion::CutState& cut, const ForceSetpoint& setpoint) RT_SAFE;
   [[nodiscard]] motion::FeedDemand demand(double feed_per_s) RT_SAFE;
   void note(motion::ForceEvent event) RT_SAFE;
 
@@ -56,9 +56,9 @@ class ForceControl final : public motion::FeedModifier {
   RadiusCounter radius_;              // 10
   OverhangKey key_;                   // 11
   ComputingBlock computing_;          // 12
-  FeedRegulator regulator_;           // 14
+  FeedController controller_;         // 14
   VibrationAmplifier amplifier_;      // 17 to 20, 18 its level
-  SetPointLaw law_;                   // 21
+  SetpointLaw law_;                   // 21
   PowerWatch watch_;
 
   Clamps clamps_;

@@ -21,7 +21,7 @@ struct ForceControlConfig {
   double power_answer_s = 0.3;     // to a change of the feed, beyond chip and lag
   SensorFault on_sensor_fault = SensorFault::hold;
 
-  // Feed regulator, block 14.
+  // Feed controller, block 14.
   double gain = 0.35;           // open loop gain times dead time; 1/e has no overshoot
   double feed_exponent = 0.75;  // y of P_z = C t S^y
   double feed_lag_s = 0.0;      // of the feed drives

@@ -5,7 +5,7 @@
 // self- oscillation dies out when that is a0 / sqrt(2) (asynchronous quenching of van der Pol's
 // equation):
 //   P_osc >= (a0 / sqrt 2) m_d |w_d^2 - (2 pi f)^2|.
-// The feed acts on the force through the thickness of the chip, the way of the tool over one
+// The feed acts on the force through the thickness of the chip, the travel of the tool over one
 // revolution T: an oscillation of the feed is averaged over T, by |sin(pi f T) / (pi f T)|, and at
 // f = k n / 60 no force swings at all. Real-time.
 #pragma once

@@ -1,4 +1,4 @@
-// ComputingBlock and Comparator, blocks 12 and 13: the power that the force set-point means, and
+// ComputingBlock and Comparator, blocks 12 and 13: the power that the force setpoint means, and
 // how far the measured one is from it. With the compensator they form the correction, block 15.
 #pragma once
 

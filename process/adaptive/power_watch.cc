@@ -168,7 +168,8 @@ bool PowerWatch::lives() const RT_SAFE {
   return is_clear && moved / demanded >= answered_part;
 }
 
-// The regulator follows a cut that becomes heavier: the power stays, and the feed is none too high.
+// The controller follows a cut that becomes heavier: the power stays, and the feed is none too
+// high.
 bool PowerWatch::falls_slowly(const Inputs& inputs) const RT_SAFE {
   const double part = inputs.feed_per_rev / std::max(reference_.feed, least);
   return part < 1.0 - feed_slides && part > 1.0 - feed_fell && reference_.left_s >= slow_s;

@@ -1,5 +1,5 @@
 // RadiusCounter and OverhangKey, blocks 10 and 11: the radius at which the tool cuts, counted in
-// discretes of the transverse axis.
+// increments of the transverse axis.
 //
 // The counter is preset where the axes stand in a frame that is new: at the reference point, behind
 // work offsets and tools. Between, it follows the pulses of the transverse axis and nothing else.
@@ -31,25 +31,25 @@ class RadiusCounter {
  public:
   struct Slide {
     double position_mm = 0.0;
-    std::int64_t code = 0;  // position in discretes
-    double discrete_mm = 0.001;
+    std::int64_t code = 0;  // position in increments
+    double increment_mm = 0.001;
   };
   // The tool stands at this radius while the slide stands there: what lies between them is rounded
-  // once, so that the counter stays within a discrete of the radius.
+  // once, so that the counter stays within an increment of the radius.
   void preset(double radius_mm, const Slide& slide) RT_SAFE {
-    discrete_mm_ = slide.discrete_mm;
-    code_ = slide.code + nearest_integer((radius_mm - slide.position_mm) / slide.discrete_mm);
+    increment_mm_ = slide.increment_mm;
+    code_ = slide.code + nearest_integer((radius_mm - slide.position_mm) / slide.increment_mm);
   }
   void count(std::int64_t pulses) RT_SAFE { code_ += pulses; }
 
   [[nodiscard]] std::int64_t code() const RT_SAFE { return code_; }  // K_R
   [[nodiscard]] double radius_mm() const RT_SAFE {
-    return discrete_mm_ * static_cast<double>(code_ < 0 ? -code_ : code_);
+    return increment_mm_ * static_cast<double>(code_ < 0 ? -code_ : code_);
   }
 
  private:
   std::int64_t code_ = 0;
-  double discrete_mm_ = 0.001;
+  double increment_mm_ = 0.001;
 };
 
 }  // namespace stanok::process

@@ -92,7 +92,7 @@ class ControlReader {
     return &line;
   }
 
-  // The value of a number of the line at hand; nothing, and an error, when it is none.
+  // The value of a number of the current line; nothing, and an error, when it is none.
   std::optional<double> value(const ControlLine& line, std::size_t index,
                               const std::string& wanted) {
     const std::string& number = line.numbers[index];
@@ -100,7 +100,7 @@ class ControlReader {
     if (std::isfinite(value)) return value;
     const bool has_comma = number.find(',') != std::string::npos;
     refuse(malformed,
-           "'" + number + "' is no number; expected " + wanted +
+           "'" + number + "' is not a number; expected " + wanted +
                (has_comma ? ", with a point and not a comma" : ""),
            index);
     return std::nullopt;

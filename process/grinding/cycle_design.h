@@ -48,7 +48,7 @@ struct CycleDesign {
 // (`verification`).
 [[nodiscard]] Expected<CycleDesign, Findings> design_cycle(const DesignRequest& request);
 
-// The same figures for a law that is given, as by a control file. A process that chatters is not
+// Designs with a law that is given, as by a control file. A process that chatters is not
 // compared.
 [[nodiscard]] CycleDesign assessed_cycle(const DesignRequest& request, InfeedLaw law);
 

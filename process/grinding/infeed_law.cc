@@ -11,7 +11,7 @@ double relative_growth(double z) {
   return z == 0.0 ? 1.0 : std::expm1(z) / z;
 }
 
-// Time of a way along which the feed goes linearly from `first` to `last`: the way divided by their
+// Time of a travel along which the feed goes linearly from `first` to `last`: the distance divided by their
 // logarithmic mean, s.
 double linear_feed_time_s(double way_mm, double first, double last) {
   const double change = (last - first) / first;

@@ -41,7 +41,7 @@ class InfeedWay {
   [[nodiscard]] bool is_at_end() const { return segment_ + 1 >= law_.size(); }
 
  private:
-  // Time from here to the end of the segment at hand, s.
+  // Time from here to the end of the current segment, s.
   [[nodiscard]] double rest_s() const;
   [[nodiscard]] double slope_per_s() const;  // dV/dX
 

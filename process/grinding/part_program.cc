@@ -90,15 +90,15 @@ std::vector<FeedBlock> feed_blocks(const InfeedLaw& law) {
     const InfeedRow& end = law[k + 1];
     if (begin.x_mm == end.x_mm) continue;
     const double change = std::abs(std::log(end.feed_mm_per_s / begin.feed_mm_per_s));
-    const int pieces = std::max(1, static_cast<int>(std::ceil(change / feed_change_max)));
-    for (int piece = 0; piece < pieces; ++piece) {
+    const int steps = std::max(1, static_cast<int>(std::ceil(change / feed_change_max)));
+    for (int step = 0; step < steps; ++step) {
       const auto at = [&](int place) {
         return std::lerp(begin.feed_mm_per_s, end.feed_mm_per_s,
-                         static_cast<double>(place) / pieces);
+                         static_cast<double>(place) / steps);
       };
-      const double part = static_cast<double>(piece + 1) / pieces;
-      const double end_mm = piece + 1 == pieces ? end.x_mm : std::lerp(begin.x_mm, end.x_mm, part);
-      blocks.push_back({end_mm, std::min(at(piece), at(piece + 1))});
+      const double part = static_cast<double>(step + 1) / steps;
+      const double end_mm = step + 1 == steps ? end.x_mm : std::lerp(begin.x_mm, end.x_mm, part);
+      blocks.push_back({end_mm, std::min(at(step), at(step + 1))});
     }
   }
   return blocks;

@@ -17,7 +17,7 @@ class Surface {
         allowance_mm_(allowance_mm),
         oversize_(depth_mm_.size()) {}
 
-  // Of the angle that is under the wheel.
+  // The depth ground so far at the angle that is under the wheel.
   [[nodiscard]] double depth_mm() const { return depth_mm_[angle_]; }
   // Takes a layer there and turns by one angle.
   void grind(double layer_mm) {

@@ -11,7 +11,7 @@ N40 G54
 N50 G64 P0.01
 
 (Tilted faces: with A at the tilt the tool stands square on a plane that falls by 30 deg. Turning the program with C brings)
-(every side under the tool. The tip is led in coordinates of the workpiece, so X, Y, Z read like the drawing)
+(every side under the tool. With TCP, X, Y and Z are those of the workpiece and read like the drawing)
 for (num side = 0; side < sides; side = side + 1)
 {
   N100 G0 A=tilt C=90*side

@@ -87,7 +87,7 @@ class ProgramWriter {
   std::int64_t scale_ = 1;       // units of a coordinate in 1 mm or deg
   std::int64_t feed_scale_ = 1;  // units of the feed in 1 mm/min
   std::string text_;
-  std::string line_;            // the block at hand
+  std::string line_;            // the current block
   std::vector<PathStep> path_;  // never empty
   std::int64_t blocks_ = 0;
   double feed_time_s_ = 0.0;

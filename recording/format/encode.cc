@@ -34,7 +34,7 @@ motion::BlockTag tag_of(const Message& message) {
           .file = static_cast<std::uint16_t>(message.file)};
 }
 
-// What set-point and state messages share.
+// What setpoint and state messages share.
 template <class Message>
 void put_status(const channels::ChannelOutput& output, Message& message) {
   message.channel = output.id;

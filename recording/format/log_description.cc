@@ -35,7 +35,7 @@ auto all_types() {
                   workpiece_t, tool_t, path_t, log_meta_t, log_check_t, log_types_t, tool_row_t>();
 }
 
-// As many as `message`, log_meta_t or log_types_t, has places for.
+// Puts in as many types as `message`, log_meta_t or log_types_t, has places for.
 template <class Message>
 void put_types(Message& message) {
   const auto types = all_types();

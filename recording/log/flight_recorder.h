@@ -57,7 +57,7 @@ class FlightRecorder final : public MessageSink {
   // Copies no messages: quick, however much there is.
   [[nodiscard]] FlightRecording recording();
 
-  [[nodiscard]] std::size_t bytes() const;  // of the messages at hand
+  [[nodiscard]] std::size_t bytes() const;  // of the messages that are kept
 
  private:
   using Second = FlightRecording::Second;

@@ -17,7 +17,7 @@ std::uint8_t* put_big_endian(std::uint64_t value, std::size_t count, std::uint8_
   return place;
 }
 
-// Also of the numbers of a forged log.
+// Adds without overflow, also the numbers of a forged log.
 std::int64_t sum_of_any(std::int64_t one, std::int64_t other) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(one) +
                                    static_cast<std::uint64_t>(other));

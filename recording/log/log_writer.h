@@ -21,7 +21,7 @@
 
 namespace stanok::recording {
 
-// Of one file, as its last check event says.
+// How one file ends, as its last check event says.
 enum class LogEnd : std::int8_t { goes_on, complete, next_piece };
 
 struct LogError {

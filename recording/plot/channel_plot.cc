@@ -90,7 +90,7 @@ class Gathering {
     line_ = &line;
   }
 
-  // True when the set-point is the first one of a run or scheme.
+  // True when the setpoint is the first one of a run or scheme.
   bool begin_run(const channels::ChannelOutput& output) {
     const int run = static_cast<int>(output.run);
     const bool is_new = run != last_run_ || output.scheme != last_scheme_;

@@ -1,4 +1,4 @@
-// What the pictures of one channel show, gathered from its set-points in bounded memory.
+// What the pictures of one channel show, gathered from its setpoints in bounded memory.
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ struct ForcePlot {
   [[nodiscard]] bool is_empty() const { return force_set.points().empty(); }
 };
 
-// Of one channel; empty where it was never on.
+// Collects force control of one channel; empty where it was never on.
 [[nodiscard]] Expected<ForcePlot, LogError> gather_force(const std::filesystem::path& file,
                                                          const LogContents& contents, int channel);
 

@@ -224,7 +224,7 @@ class ScriptText {
     });
   }
 
-  // Of what is moved at feed; the frame cuts rapid traverse, unless there is nothing else.
+  // The range of what moves at feed; the frame cuts rapid traverse, unless there is nothing else.
   [[nodiscard]] Range path_range(std::size_t coordinate) const {
     std::optional<Range> range;
     const auto include = [&](const ThinnedPath& path) {

@@ -112,7 +112,7 @@ class Count {
     }
     const auto [last, is_first] = last_seq_.try_emplace(&channel, heading->stamp.seq);
     if (is_first) channel.cycle_first = heading->stamp.cycle;
-    // A set-point comes every cycle: what the recorder was too late for has no number.
+    // A setpoint comes every cycle: what the recorder was too late for has no number.
     const bool comes_every_cycle = type.topic == Topic::setpoint && !is_first;
     const std::uint64_t never_sent =
         comes_every_cycle ? count_between(channel.cycle_last, heading->stamp.cycle) : 0;

@@ -1,4 +1,4 @@
-// The set-points of one channel of a log as CSV: a heading, then one row per cycle.
+// The setpoints of one channel of a log as CSV: a heading, then one row per cycle.
 //
 // Numbers are written so that reading them gives the same bits. Columns of the axes carry their
 // machine names and units; those of the programmed point the words of the program.
@@ -13,7 +13,7 @@
 namespace stanok::recording {
 
 // Returns the number of rows. `contents` are those of the same file; `channel` is one of its
-// set-point channels.
+// setpoint channels.
 [[nodiscard]] Expected<std::int64_t, LogError> export_setpoints(const std::filesystem::path& file,
                                                                 const LogContents& contents,
                                                                 int channel, std::FILE* csv);

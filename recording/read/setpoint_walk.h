@@ -1,4 +1,4 @@
-// All set-points of one channel of a log, in the order of the file.
+// All setpoints of one channel of a log, in the order of the file.
 #pragma once
 
 #include <functional>

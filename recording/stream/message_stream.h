@@ -32,7 +32,7 @@ struct TextRecord {
   std::int64_t cycle = 0;
   std::int32_t channel = 0;  // 0: the machine
   std::uint32_t run = 0;     // program run that reads it
-  std::uint16_t file = 0;    // index by which set-points name it
+  std::uint16_t file = 0;    // index by which setpoints name it
   TextKind kind = TextKind::program;
   std::string_view name;
   std::string_view text;

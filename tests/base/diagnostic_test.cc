@@ -82,11 +82,11 @@ TEST(Diagnostic, WithoutAColumnTheLineIsNamed) {
   Diagnostic diagnostic;
   diagnostic.code = "W921";
   diagnostic.severity = Severity::warning;
-  diagnostic.message = "rapid traverse through material";
+  diagnostic.message = "a rapid traverse goes through material";
   diagnostic.place.file = "part.nc";
   diagnostic.place.line = 12;
   EXPECT_EQ(to_text(diagnostic),
-            "warning[W921]: rapid traverse through material\n  --> part.nc:12\n");
+            "warning[W921]: a rapid traverse goes through material\n  --> part.nc:12\n");
 }
 
 TEST(Diagnostic, OnlyErrorsMakeAListFail) {

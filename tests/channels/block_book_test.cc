@@ -1,4 +1,4 @@
-// What is told of the block at hand: active codes and its end, while the preparation is far ahead.
+// What is told of the current block: active codes and its end, while the preparation is far ahead.
 #include "channels/stores/block_book.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // G96, G95 and their limits, exactly: on a spindle that has every speed at once each cycle has
-// n = 1000 v / (pi D) within its limits at the diameter of the set-point, and the path takes the
+// n = 1000 v / (pi D) within its limits at the diameter of the setpoint, and the path takes the
 // time and the revolutions that this makes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

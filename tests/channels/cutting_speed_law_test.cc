@@ -1,4 +1,4 @@
-// Laws of cutting speed with feed, from the program to the set-points: v_n to v_k and S_n to S_k in
+// Laws of cutting speed with feed, from the program to the setpoints: v_n to v_k and S_n to S_k in
 // increments at the same places, n = 1000 v / (pi D) at each diameter, against the sum over the
 // increments that is made here.
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // G95, G96 and G97 through the whole chain: feed per revolution and cutting speed of each cycle
-// against v = pi D n / 1000 and S = f n, on the diameters that the set-points say.
+// against v = pi D n / 1000 and S = f n, on the diameters that the setpoints say.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

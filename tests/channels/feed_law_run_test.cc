@@ -12,8 +12,8 @@
 namespace stanok::channels {
 namespace {
 
-using testing::discrete_mm;
 using ::testing::ElementsAre;
+using testing::increment_mm;
 using ::testing::IsEmpty;
 using testing::MachineBench;
 
@@ -53,8 +53,8 @@ std::vector<std::string> alarms_of(const std::string& program, int line) {
 // Increments that a law with one at every `step` mm has made at `way`; at an increment either
 // count.
 void expect_count(const Cut& one, double step, double increments_max = 1e9) {
-  const double low = std::min(std::floor((one.way - discrete_mm) / step), increments_max);
-  const double high = std::min(std::floor((one.way + discrete_mm) / step), increments_max);
+  const double low = std::min(std::floor((one.way - increment_mm) / step), increments_max);
+  const double high = std::min(std::floor((one.way + increment_mm) / step), increments_max);
   EXPECT_GE(static_cast<double>(one.process.increments), low) << "at " << one.way;
   EXPECT_LE(static_cast<double>(one.process.increments), high) << "at " << one.way;
 }
@@ -71,7 +71,7 @@ TEST(FeedLawRun, LinearFeedRisesWithTheWay) {
   EXPECT_EQ(cuts.back().process.law, motion::LawKind::linear);
 }
 
-// dl follows from the length, rounded down to discretes: 7 mm / 30 -> 0.233 mm.
+// dl follows from the length, rounded down to increments of the machine: 7 mm / 30 -> 0.233 mm.
 TEST(FeedLawRun, LinearFeedReachesItsLastFeed) {
   const auto cuts = cut("G0 X60 Z0\nG94 G1 Z-7 S_n=100 S_k=70 dS=1\nM30\n");
   for (const Cut& one : cuts) {
@@ -88,7 +88,7 @@ TEST(FeedLawRun, ModulatedFeedGoesOnAcrossBlocks) {
       cut("G0 X60 Z0\nG94 G61\nSmin=100 Smax=200 dS=10 dl=0.2\nG1 Z-5.5\nZ-11.3\n#feedlaw (off)\n"
           "G1 Z-12 F50\nM30\n");
   for (const Cut& one : cuts) {
-    if (one.way > 11.3 - discrete_mm) break;
+    if (one.way > 11.3 - increment_mm) break;
     expect_count(one, 0.2);
     const auto in_cycle = one.process.increments % 20;
     const auto above = static_cast<double>(in_cycle < 10 ? in_cycle : 20 - in_cycle);
@@ -286,7 +286,7 @@ TEST(ResetFeedPerRevolution, NeedsTheSpindleAnewAfterAReset) {
   EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4021"));
 }
 
-TEST(FeedLawRun, RefusesMoreIncrementsThanDiscretes) {
+TEST(FeedLawRun, RefusesMoreIncrementsThanTheMachineHas) {
   EXPECT_THAT(alarms_of("G0 X60 Z0\nG94\nG1 Z-0.05 S_n=10 S_k=1000 dS=0.1\nM30\n", 3),
               ElementsAre("E5105"));
 }

@@ -12,8 +12,8 @@
 namespace stanok::channels {
 namespace {
 
+using motion::ForceCommand;
 using motion::ForceEvent;
-using motion::ForceOrder;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -21,8 +21,8 @@ using testing::MachineBench;
 
 class ScriptedModifier final : public motion::FeedModifier {
  public:
-  bool order(const ForceOrder& order) RT_SAFE override {
-    if (orders_taken < orders.size()) orders[orders_taken++] = order;
+  bool command(const ForceCommand& order) RT_SAFE override {
+    if (commands_taken < orders.size()) orders[commands_taken++] = order;
     return takes_orders;
   }
   motion::FeedDemand advance(const motion::CutState& cut) RT_SAFE override {
@@ -36,8 +36,8 @@ class ScriptedModifier final : public motion::FeedModifier {
   ForceEvent event() const RT_SAFE override { return told; }
   motion::ForceStatus status() const RT_SAFE override { return {}; }
 
-  std::array<ForceOrder, 16> orders{};
-  std::size_t orders_taken = 0;
+  std::array<ForceCommand, 16> orders{};
+  std::size_t commands_taken = 0;
   bool takes_orders = true;
   motion::FeedDemand demand;
   motion::CutState latest;
@@ -85,15 +85,15 @@ TEST_F(ForceControlOfAChannel, GoesAtTheFeedAskedFor) {
 TEST_F(ForceControlOfAChannel, TakesTheOrdersOfAProgramInItsUnits) {
   run("G18 G8 G94\n#adaptive (force, 1200, 30, 240)\nG95\n#adaptive (force, 900, 0.1, 0.5)\n"
       "#adaptive (oscillate, 50, 4)\n#adaptive (vibration, on, 5, 2, 4)\n#adaptive (off)\nM30\n");
-  ASSERT_EQ(modifier.orders_taken, 6U) << "and off at the end";
-  EXPECT_EQ(modifier.orders[0].kind, ForceOrder::Kind::force);
+  ASSERT_EQ(modifier.commands_taken, 6U) << "and off at the end";
+  EXPECT_EQ(modifier.orders[0].kind, ForceCommand::Kind::force);
   EXPECT_EQ(modifier.orders[0].force_n, 1200.0);
   EXPECT_EQ(modifier.orders[0].feed_max, 240.0);
   EXPECT_FALSE(modifier.orders[0].per_revolution);
   EXPECT_TRUE(modifier.orders[1].per_revolution);
   EXPECT_EQ(modifier.orders[2].oscillation_n, 50.0);
   EXPECT_EQ(modifier.orders[3].reduced_mass_kg, 2.0);
-  EXPECT_EQ(modifier.orders[4].kind, ForceOrder::Kind::off);
+  EXPECT_EQ(modifier.orders[4].kind, ForceCommand::Kind::off);
 }
 
 TEST_F(ForceControlOfAChannel, EndsAProgramWhoseOrderIsNotTaken) {
@@ -179,15 +179,15 @@ TEST_F(ForceControlOfAChannel, TakesTheOrdersOfAnOperator) {
     bench->ask(event);
     bench->cycle();
   }
-  ASSERT_EQ(modifier.orders_taken, 6U);
-  EXPECT_EQ(modifier.orders[0].kind, ForceOrder::Kind::force);
+  ASSERT_EQ(modifier.commands_taken, 6U);
+  EXPECT_EQ(modifier.orders[0].kind, ForceCommand::Kind::force);
   EXPECT_EQ(modifier.orders[0].force_n, 1500.0);
-  EXPECT_EQ(modifier.orders[1].kind, ForceOrder::Kind::adjust);
+  EXPECT_EQ(modifier.orders[1].kind, ForceCommand::Kind::adjust);
   EXPECT_EQ(modifier.orders[1].level_um, 7.0);
   EXPECT_EQ(modifier.orders[2].reduced_mass_kg, 3.0);
   EXPECT_EQ(modifier.orders[3].oscillation_hz, 5.0);
   EXPECT_EQ(modifier.orders[4].force_n, 800.0);
-  EXPECT_EQ(modifier.orders[5].kind, ForceOrder::Kind::off);
+  EXPECT_EQ(modifier.orders[5].kind, ForceCommand::Kind::off);
   for (const OperatorReply& reply : bench->replies()) EXPECT_TRUE(reply.ok);
 }
 
@@ -198,7 +198,7 @@ TEST_F(ForceControlOfAChannel, RefusesOrdersThatSayNothing) {
   bench->cycle();
   ASSERT_EQ(bench->replies().size(), 3U);
   for (const OperatorReply& reply : bench->replies()) EXPECT_EQ(reply.code.view(), "E6061");
-  EXPECT_EQ(modifier.orders_taken, 0U);
+  EXPECT_EQ(modifier.commands_taken, 0U);
 }
 
 TEST(ForceControlOfAnotherChannel, IsNotThere) {

@@ -1,4 +1,4 @@
-// The machine as a whole on a virtual clock: programs in, set-points out.
+// The machine as a whole on a virtual clock: programs in, setpoints out.
 #include "channels/machine/machine.h"
 
 #include <gmock/gmock.h>

@@ -139,7 +139,7 @@ TEST_F(SchemeSwitch, TheSamePoseIsTheSameTipInBothSchemes) {
       "    || abs (z - 100 + 150 - $pos[Z]) > 0.001) { terminate (1001, \"moved\"); }\n"
       "G43.4 H0\n"
       "if (abs (x - 300 - $pos[X]) > 0.001 || abs (z - 100 + 150 - $pos[Z]) > 0.001)\n"
-      "  { terminate (1002, \"moved by tip control\"); }\nM30\n");
+      "  { terminate (1002, \"moved by TCP\"); }\nM30\n");
   EXPECT_EQ(alarm(), "");
 }
 

@@ -47,8 +47,8 @@ class CycleLoop : public ::testing::Test {
  protected:
   static MachineConfig machine() {
     MachineConfig config = testing::two_channel_machine();
-    config.axes[0].regulator = {.feedback = FeedbackPlace::cycle,
-                                .gains = {.kp = 30.0, .kint = 0.5, .ka = 0.002, .kr = 1e-5}};
+    config.axes[0].controller = {.feedback = FeedbackPlace::cycle,
+                                 .gains = {.kp = 30.0, .kint = 0.5, .ka = 0.002, .kr = 1e-5}};
     return config;
   }
   // X stands `error` behind what its drive was told.
@@ -86,7 +86,7 @@ TEST_F(CycleLoop, MachineThatIsSwitchedOffAsksForNothing) {
 }
 
 // On an axis that is where it should be, U is what the coming cycle asks for: at the instant of the
-// set-point and with its derivatives.
+// setpoint and with its derivatives.
 TEST_F(CycleLoop, MotionIsFedForward) {
   bench.program("line.nc", "G1 X20 F6000\nM30\n");
   bench.run(1, "line.nc");

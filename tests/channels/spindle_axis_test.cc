@@ -37,7 +37,7 @@ TEST(SpindleAxis, TurnsAsASpindleThenGoesWhereItIsProgrammed) {
       EXPECT_GE(c.position, 0.0);
       EXPECT_LT(c.position, 360.0);
     }
-    // The set-point is where the velocity says, whatever C is.
+    // The setpoint is where the velocity says, whatever C is.
     EXPECT_NEAR(step_of_c(before, c.position), 1e-3 * c.velocity, 0.01);
     before = c.position;
   });

@@ -1,4 +1,4 @@
-// Laws of spindle speed with feed, from the program to the set-points: n_n to n_k and S_n to S_k in
+// Laws of spindle speed with feed, from the program to the setpoints: n_n to n_k and S_n to S_k in
 // increments at the same places, against the sum over the increments that is made here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ std::string program_of(const SpindleLawCase& c) {
          word_unless_zero("dS", c.feed_step) + word_unless_zero("dl", c.dl) + "\nM5\nM30\n";
 }
 
-// What the law says: |dl| is a whole number of discretes first, its number of increments comes from
-// the feed, or from the length where the feed stays, and dn follows from it.
+// What the law says: |dl| is a whole number of machine increments first, its number of increments
+// comes from the feed, or from the length where the feed stays, and dn follows from it.
 struct Reckoning {
   double dl = 0.0;
   double feed_step = 0.0;

@@ -17,8 +17,8 @@ namespace stanok::channels {
 namespace {
 
 using testing::cycle_s;
-using testing::discrete_mm;
 using ::testing::ElementsAre;
+using testing::increment_mm;
 using ::testing::IsEmpty;
 using testing::MachineBench;
 
@@ -82,9 +82,9 @@ TEST_P(RigidTap, KeepsItsHelixInAndOutAndThroughItsReversal) {
     ++samples;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_NEAR(bottom, -20.0, discrete_mm);
+  EXPECT_NEAR(bottom, -20.0, increment_mm);
   EXPECT_GT(samples, 1000);
-  EXPECT_LE(error, 2.0 * discrete_mm);
+  EXPECT_LE(error, 2.0 * increment_mm);
   EXPECT_EQ(fastest_in, std::abs(c.speed_in));
   EXPECT_EQ(fastest_back, -std::abs(c.speed_back));
 }
@@ -139,7 +139,7 @@ TEST(ProgrammedThread, CutsATaperOfTwoStarts) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_EQ(pass, 2);
   EXPECT_GT(samples, 2 * 1100);  // 24 mm at 20 mm/s
-  EXPECT_LE(error, discrete_mm);
+  EXPECT_LE(error, increment_mm);
 }
 
 // G78 repeats its pass at each depth, always on the same helix.
@@ -163,7 +163,7 @@ TEST(ProgrammedThread, PassesOfG78FollowOneHelix) {
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_THAT(depths, ElementsAre(14.5, 14.0, 13.75));
-  EXPECT_LE(error, discrete_mm);
+  EXPECT_LE(error, increment_mm);
 }
 
 // The two blocks of G76: fed in along a flank of 30 degrees, so that each pass begins so much
@@ -196,7 +196,7 @@ TEST(ProgrammedThread, PassesOfG76InTwoBlocksLieOnTheirFlank) {
     EXPECT_NEAR(depths[k], 0.5 * std::sqrt(static_cast<double>(k) + 1.0), 1e-9);
   EXPECT_NEAR(depths[3], 0.9, 1e-9);
   EXPECT_NEAR(depths[4], 1.0, 1e-9);
-  EXPECT_LE(error, discrete_mm);
+  EXPECT_LE(error, increment_mm);
 }
 
 // The spindle slows down as the diameter grows, and the thread with it.
@@ -218,7 +218,7 @@ TEST(ProgrammedThread, FollowsASpindleThatHoldsItsCuttingSpeed) {
     slowest = std::min(slowest, channel.process.spindle_rev_per_min);
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_LE(error, discrete_mm);
+  EXPECT_LE(error, increment_mm);
   // 60 m/min at the diameters 20.4 and 31.6.
   EXPECT_NEAR(fastest, 60000.0 / (std::numbers::pi * 20.4), 2.0);
   EXPECT_NEAR(slowest, 60000.0 / (std::numbers::pi * 31.6), 2.0);

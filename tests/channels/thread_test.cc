@@ -1,4 +1,4 @@
-// Threads through the whole chain: program text to set-points, the spindle as the machine turns it.
+// Threads through the whole chain: program text to setpoints, the spindle as the machine turns it.
 //
 // The law is s = lead * (angle - start angle) / 360. The angle is the one that the machine tells
 // for C, the axis of the spindle, or that of a formula where the test plays its drive.
@@ -19,9 +19,9 @@ namespace stanok::channels {
 namespace {
 
 using testing::cycle_s;
-using testing::discrete_mm;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
+using testing::increment_mm;
 using ::testing::IsEmpty;
 using testing::lathe_C;
 using testing::lathe_X;
@@ -41,7 +41,7 @@ struct Watched {
   std::optional<ChannelOutput> before;
 };
 
-// By the derivatives, and by the way from one set-point to the next.
+// By the derivatives, and by the way from one setpoint to the next.
 void watch_limits(const ChannelOutput& channel, Watched& watched) {
   for (const std::size_t k : {lathe_X, lathe_Z}) {
     if (!watched.before) break;
@@ -72,7 +72,7 @@ TEST(Thread, FollowsTheAngleOfTheSpindle) {
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_GT(watched.samples, 1800);  // 29 mm at 15 mm/s
-  EXPECT_LE(watched.error, discrete_mm);
+  EXPECT_LE(watched.error, increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
   EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -30.0);
 }
@@ -103,7 +103,7 @@ TEST(Thread, CutsAHelixPerStartAngle) {
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_EQ(pass, 3);
   EXPECT_GT(watched.samples, 3 * 600);  // 16 mm at 22.5 mm/s
-  EXPECT_LE(watched.error, discrete_mm);
+  EXPECT_LE(watched.error, increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -135,7 +135,7 @@ TEST(Thread, FollowsTheMeasuredAngleNotTheCommandedOne) {
   } while (cycles < 10 || (bench.channel(1).running && cycles < 60000));
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_GT(watched.samples, 10 * 1200);  // 27 mm at 20 mm/s
-  EXPECT_LE(watched.error, discrete_mm);
+  EXPECT_LE(watched.error, increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -160,7 +160,7 @@ TEST(Thread, StaysOnTheHelixWhileTheSpindleOverrideChanges) {
   });
   EXPECT_TRUE(lowered);
   EXPECT_GT(watched.samples, 5000);  // 20 mm at 15 mm/s, 38 mm at 9 mm/s
-  EXPECT_LE(watched.error, discrete_mm);
+  EXPECT_LE(watched.error, increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -190,7 +190,7 @@ TEST(Thread, ACycleOfPassesCutsOneHelix) {
   EXPECT_THAT(depths, ElementsAre(DoubleNear(10.6, 1e-9), DoubleNear(10.2, 1e-9),
                                   DoubleNear(10.1, 1e-9), DoubleNear(10.1, 1e-9)));
   EXPECT_GT(watched.samples, 4 * 2000);  // 24 mm at 10 mm/s
-  EXPECT_LE(watched.error, discrete_mm);
+  EXPECT_LE(watched.error, increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -216,11 +216,11 @@ TEST(Thread, ATapComesBackOnItsHelix) {
     ++watched.samples;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_NEAR(bottom, -20.0, discrete_mm);
+  EXPECT_NEAR(bottom, -20.0, increment_mm);
   EXPECT_EQ(fastest_back, -3600.0);  // 600 rev/min in deg/s
   EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, 5.0);
   EXPECT_GT(watched.samples, 2 * 1500);
-  EXPECT_LE(watched.error, 2.0 * discrete_mm);
+  EXPECT_LE(watched.error, 2.0 * increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
@@ -283,7 +283,7 @@ TEST(Thread, AHoldBeforeItLetsTheStartAnglePass) {
     bench.ask(OperatorAction::program_resume, 1);
     bench.run_to_end(watch);
     EXPECT_THAT(bench.alarm_codes(), IsEmpty()) << begin;
-    EXPECT_LE(watched.error, discrete_mm) << begin;
+    EXPECT_LE(watched.error, increment_mm) << begin;
     EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -10.0) << begin;
   }
 }
@@ -353,7 +353,7 @@ TEST(Thread, AResetInATapStopsTheSpindleOnTheHelix) {
   EXPECT_EQ(bench.channel(1).axes[lathe_C].velocity, 0.0);
   // 600 rev/min at 1500 rev/min/s: two turns, 3 mm.
   EXPECT_NEAR(bench.channel(1).axes[lathe_Z].position, -13.0, 0.2);
-  EXPECT_LE(error, 2.0 * discrete_mm);
+  EXPECT_LE(error, 2.0 * increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 

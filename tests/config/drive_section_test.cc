@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
                   ":17:11: ", "registers belongs to the standard map"},
         FaultCase{"AnAxisThatIsOnOrOff", "[axis.drive]\nkind = \"on_off\"\n",
                   ":17:8: ", "a drive that only runs or stops cannot move an axis"},
-        FaultCase{"KindAgainstTheRegulator", "[axis.drive]\nkind = \"velocity\"\n",
+        FaultCase{"KindAgainstTheController", "[axis.drive]\nkind = \"velocity\"\n",
                   ":17:8: ", "kind and [axis.regulator] feedback differ"},
         FaultCase{"PatternOutsideItsMask", "[axis.drive.words]\nstop=0\nrun=1\nrunning=[1,2]\n",
                   ":19:9: ", "running must be [mask, value]"},

@@ -156,7 +156,7 @@ class FullFile : public ::testing::Test {
   MachineFile file_;
 };
 
-TEST_F(FullFile, AxisGetsItsLimitsHomingRegulatorAndDrive) {
+TEST_F(FullFile, AxisGetsItsLimitsHomingControllerAndDrive) {
   const channels::AxisConfig& axis = file_.machine.axes[0];
   EXPECT_EQ(axis.name, "X2");
   EXPECT_FALSE(axis.rotary);
@@ -174,13 +174,13 @@ TEST_F(FullFile, AxisGetsItsLimitsHomingRegulatorAndDrive) {
   EXPECT_EQ(axis.homing.order, 2);
   EXPECT_EQ(axis.homing.position, 350.0);
   EXPECT_EQ(axis.homing.velocity, -15.0);
-  EXPECT_EQ(axis.regulator.feedback, channels::FeedbackPlace::cycle);
-  EXPECT_EQ(axis.regulator.gains.kp, 20.0);
-  EXPECT_EQ(axis.regulator.gains.kd, 0.5);
-  EXPECT_EQ(axis.regulator.gains.kint, 0.1);
-  EXPECT_EQ(axis.regulator.gains.kv, 0.99);
-  EXPECT_EQ(axis.regulator.gains.ka, 0.002);
-  EXPECT_EQ(axis.regulator.gains.kr, 1e-5);
+  EXPECT_EQ(axis.controller.feedback, channels::FeedbackPlace::cycle);
+  EXPECT_EQ(axis.controller.gains.kp, 20.0);
+  EXPECT_EQ(axis.controller.gains.kd, 0.5);
+  EXPECT_EQ(axis.controller.gains.kint, 0.1);
+  EXPECT_EQ(axis.controller.gains.kv, 0.99);
+  EXPECT_EQ(axis.controller.gains.ka, 0.002);
+  EXPECT_EQ(axis.controller.gains.kr, 1e-5);
   EXPECT_EQ(axis.brake_s, 0.2);
   EXPECT_EQ(axis.power_s, 0.3);
   const drives::AxisDriveConfig& drive = file_.bus.axes[0];

@@ -30,7 +30,7 @@ inline const config::MachineFile& mill_of_the_bench() {
 class DaemonBench {
  public:
   // One request: its answer comes now or later.
-  using Slot = std::shared_ptr<std::optional<Outcome>>;
+  using Slot = std::shared_ptr<std::optional<CommandResult>>;
 
   DaemonBench()
       : assembly_({.file = mill_of_the_bench(),
@@ -52,7 +52,7 @@ class DaemonBench {
   // Sessions count from 0 and are there when they are first asked for.
   Slot ask(int session, const std::string& method,
            nlohmann::json parameters = nlohmann::json::object()) {
-    const auto slot = std::make_shared<std::optional<Outcome>>();
+    const auto slot = std::make_shared<std::optional<CommandResult>>();
     protocol::Request request;
     request.id = 1;
     request.method = method;
@@ -60,16 +60,16 @@ class DaemonBench {
     SessionState& asker = sessions_[session];
     asker.id = session;
     asker.role = protocol::Role::integrator;
-    dispatch_.handle(asker, request, [slot, method](const Outcome& outcome) {
+    dispatch_.handle(asker, request, [slot, method](const CommandResult& outcome) {
       EXPECT_FALSE(slot->has_value()) << method << " was answered twice";
       *slot = outcome;
     });
     return slot;
   }
   // The answer, if it comes within so many cycles.
-  std::optional<Outcome> answer(const std::string& method,
-                                nlohmann::json parameters = nlohmann::json::object(),
-                                int cycles_max = 120'000) {
+  std::optional<CommandResult> answer(const std::string& method,
+                                      nlohmann::json parameters = nlohmann::json::object(),
+                                      int cycles_max = 120'000) {
     const Slot slot = ask(0, method, std::move(parameters));
     for (int n = 0; n < cycles_max && !slot->has_value(); ++n) cycle();
     return *slot;

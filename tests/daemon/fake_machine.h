@@ -101,7 +101,7 @@ class FakeMachine final : public RunningMachine {
     const std::lock_guard lock(mutex_);
     return tables_now;
   }
-  [[nodiscard]] LoopFigures loop_figures() override { return {}; }
+  [[nodiscard]] LoopStatistics loop_statistics() override { return {}; }
   [[nodiscard]] RealTimeRights real_time_rights() override { return {}; }
   [[nodiscard]] std::uint64_t outputs_lost() override { return 0; }
   [[nodiscard]] std::uint64_t inputs_lost() override { return 0; }

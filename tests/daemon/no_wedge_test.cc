@@ -7,7 +7,7 @@
 #include "tests/daemon/daemon_bench.h"
 #include "tests/daemon/live_daemon.h"
 #include "tests/daemon/random_commands.h"
-#include "tests/daemon/set_point_watch.h"
+#include "tests/daemon/setpoint_watch.h"
 
 namespace stanok::daemon {
 namespace {
@@ -24,7 +24,7 @@ class NoWedge : public ::testing::TestWithParam<int> {};
 TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   RandomCommands random(static_cast<std::uint64_t>(GetParam()));
   DaemonBench bench;
-  SetPointWatch watch;
+  SetpointWatch watch;
   for (const auto& [name, text] : programs_of_random_commands()) bench.program(name, text);
   bench.demand("machine.on");
   std::deque<std::pair<RandomCommand, DaemonBench::Slot>> unanswered;

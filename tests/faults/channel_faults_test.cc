@@ -7,7 +7,7 @@
 #include <random>
 
 #include "tests/daemon/daemon_bench.h"
-#include "tests/daemon/set_point_watch.h"
+#include "tests/daemon/setpoint_watch.h"
 
 namespace stanok::daemon {
 namespace {
@@ -23,7 +23,7 @@ class ChannelFaults : public ::testing::Test {
     bench.cycles(300);
   }
   void watch(int cycles) {
-    for (int n = 0; n < cycles && !HasFatalFailure(); ++n) set_points.look(bench.cycle());
+    for (int n = 0; n < cycles && !HasFatalFailure(); ++n) setpoints.look(bench.cycle());
   }
   void run_master() {
     bench.demand("program.run", {{"program", "master.nc"}, {"channel", 2}});
@@ -33,7 +33,7 @@ class ChannelFaults : public ::testing::Test {
   }
 
   DaemonBench bench;
-  SetPointWatch set_points;
+  SetpointWatch setpoints;
 };
 
 // The lease is 200 ms; from 20 mm/s the axis then needs 20 / 4000 s and the ramps of its jerk,
@@ -101,7 +101,7 @@ TEST_F(ChannelFaults, OverridesThatJumpKeepTheLimits) {
   for (; jumps < 2000 && bench.channel(1).running && !HasFatalFailure(); ++jumps) {
     static_cast<void>(bench.ask(0, "override.feed", {{"percent", jumps % 2 == 0 ? 0 : 200}}));
     for (unsigned n = 0; n < random() % 30; ++n) {
-      set_points.look(bench.cycle());
+      setpoints.look(bench.cycle());
       ASSERT_LE(std::abs(bench.channel(1).axes[0].acceleration), a_max);
     }
   }

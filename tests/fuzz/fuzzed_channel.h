@@ -21,7 +21,7 @@ class OneFile final : public Files {
     if (name == text_->name) return text_;
     Diagnostic missing;
     missing.code = "E7001";
-    missing.message = "file not found: " + std::string(name);
+    missing.message = "the file was not found: " + std::string(name);
     return tl::unexpected(missing);
   }
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/kinematics/specimens.h"
+#include "tests/kinematics/test_machines.h"
 
 namespace stanok::kinematics {
 namespace {
@@ -55,11 +55,11 @@ CubicMotion random_motion(Poses& poses) {
 
 using Samples = std::array<Axes, 7>;  // at -3h ... 3h
 
-Samples samples(const Specimen& specimen, PointMode mode, const ToolVector& tool,
+Samples samples(const TestMachine& machine, PointMode mode, const ToolVector& tool,
                 const CubicMotion& motion, unsigned winding_axes) {
-  const auto map = mode == PointMode::tip ? specimen.tip : specimen.axes;
+  const auto map = mode == PointMode::tip ? machine.tip : machine.axes;
   const auto at = [&](Real t) {
-    return map(specimen.config, motion.at(t), reference::exact(tool.nose_to_tip_mm));
+    return map(machine.config, motion.at(t), reference::exact(tool.nose_to_tip_mm));
   };
   const Axes middle = at(0);
   Samples all{};
@@ -88,13 +88,13 @@ struct Derivatives {
   }
 };
 
-class EverySchemeOnItsReference : public ::testing::TestWithParam<Specimen> {};
+class EverySchemeOnItsReference : public ::testing::TestWithParam<TestMachine> {};
 
 TEST_P(EverySchemeOnItsReference, HasItsPositionsVelocitiesAccelerationsAndJerks) {
   SCOPED_TRACE(::testing::Message() << "seed " << derivative_seed);
-  const Specimen& specimen = GetParam();
-  const auto scheme = specimen.scheme();
-  Poses poses(specimen, derivative_seed);
+  const TestMachine& machine = GetParam();
+  const auto scheme = machine.scheme();
+  Poses poses(machine, derivative_seed);
   for (int i = 0; i < 4000; ++i) {
     const CubicMotion motion = random_motion(poses);
     const AxisVector<Jet> point = motion.jet();
@@ -105,7 +105,7 @@ TEST_P(EverySchemeOnItsReference, HasItsPositionsVelocitiesAccelerationsAndJerks
     const PointMode mode = i % 3 == 0 ? PointMode::axes : PointMode::tip;
     AxisVector<Jet> axes_M{};
     scheme->inverse(mode, tool, point, axes_M);
-    const Samples all = samples(specimen, mode, tool, motion, scheme->winding_axes());
+    const Samples all = samples(machine, mode, tool, motion, scheme->winding_axes());
     for (std::size_t axis = 0; axis < axes_max; ++axis) {
       const Derivatives want(all, axis);
       // Derivatives that happen to vanish are judged against the size of the motion: 60 mm/s and
@@ -122,8 +122,9 @@ TEST_P(EverySchemeOnItsReference, HasItsPositionsVelocitiesAccelerationsAndJerks
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Specimens, EverySchemeOnItsReference, ::testing::ValuesIn(specimens()),
-                         [](const auto& specimen) { return specimen.param.name; });
+INSTANTIATE_TEST_SUITE_P(TestMachines, EverySchemeOnItsReference,
+                         ::testing::ValuesIn(test_machines()),
+                         [](const auto& machine) { return machine.param.name; });
 
 }  // namespace
 }  // namespace stanok::kinematics

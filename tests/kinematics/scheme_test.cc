@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/kinematics/specimens.h"
+#include "tests/kinematics/test_machines.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::kinematics {
@@ -27,7 +27,7 @@ int length_axis(const SchemeConfig& config) {
       config.geometry);
 }
 
-class EveryScheme : public ::testing::TestWithParam<Specimen> {};
+class EveryScheme : public ::testing::TestWithParam<TestMachine> {};
 
 TEST_P(EveryScheme, ForwardOfInverseIsThePointInBothModesWithToolAndFrame) {
   SCOPED_TRACE(::testing::Message() << "seed " << scheme_seed);
@@ -147,13 +147,13 @@ TEST_P(EveryScheme, AllocatesNothingInTheCycle) {
   EXPECT_LT(scheme->winding_axes(), 1U << static_cast<unsigned>(axes_max));
 }
 
-INSTANTIATE_TEST_SUITE_P(Specimens, EveryScheme, ::testing::ValuesIn(specimens()),
-                         [](const auto& specimen) { return specimen.param.name; });
+INSTANTIATE_TEST_SUITE_P(TestMachines, EveryScheme, ::testing::ValuesIn(test_machines()),
+                         [](const auto& machine) { return machine.param.name; });
 
-TEST(Scheme, EveryTypeHasASpecimen) {
+TEST(Scheme, EveryTypeHasATestMachine) {
   for (const TypeOfScheme& type : scheme_types()) {
-    EXPECT_TRUE(std::ranges::any_of(specimens(), [&](const Specimen& specimen) {
-      return specimen.config.type == type.name;
+    EXPECT_TRUE(std::ranges::any_of(test_machines(), [&](const TestMachine& machine) {
+      return machine.config.type == type.name;
     })) << type.name;
   }
 }

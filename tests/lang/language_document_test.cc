@@ -10,7 +10,7 @@
 #include "lang/text/limits.h"
 #include "lang/tree/builtin.h"
 #include "lang/words/code_table.h"
-#include "lang/words/later_word.h"
+#include "lang/words/unsupported_word.h"
 #include "tests/lang/program_support.h"
 #include "tests/support/project_folders.h"
 
@@ -169,7 +169,7 @@ std::string law_table_text() {
 
 std::string later_table_text() {
   std::string text = "\n| not yet | would be | what works |\n|---|---|---|\n";
-  for (const LaterWord& row : later_words()) {
+  for (const UnsupportedWord& row : unsupported_words()) {
     text += "| `" + std::string(row.word) + "` | " + std::string(row.meaning) + " | " +
             std::string(row.instead) + " |\n";
   }
@@ -236,7 +236,7 @@ TEST_F(LanguageDocument, HasExamplesThatLoadAndExamplesThatAreRejected) {
 }
 
 TEST_F(LanguageDocument, SaysOfWhatIsNotYetWhatWorks) {
-  for (const LaterWord& row : later_words()) {
+  for (const UnsupportedWord& row : unsupported_words()) {
     std::string word(row.word);
     if (word == ",") word = "G1 X1,R2";
     if (word == "@" || word == "^") word = "G0 " + word + "5";

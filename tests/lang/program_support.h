@@ -48,7 +48,7 @@ class MemoryFiles : public Files {
     }
     Diagnostic missing;
     missing.code = "E7001";
-    missing.message = "file not found: " + std::string(name);
+    missing.message = "the file was not found: " + std::string(name);
     return tl::unexpected(missing);
   }
 };

@@ -1,4 +1,4 @@
-// Integer codes of set-points against the geometry of rounding and the formulas of the paper
+// Integer codes of setpoints against the geometry of rounding and the formulas of the paper
 // (V. Kombarov, V. Sorokin, stability of contour feed).
 #include "motion/path/axis_codes.h"
 
@@ -24,7 +24,7 @@ struct CodedCircle {
   [[nodiscard]] double y(int n) const { return radius * std::sin(start_angle + n * step / radius); }
 };
 
-// Circles fed with less than one discrete in a cycle.
+// Circles fed with less than one increment in a cycle.
 CodedCircle slow_circle(std::mt19937_64& random) {
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -53,7 +53,7 @@ class SlowCircles : public ::testing::Test {
   }
 };
 
-// The rounded point lies in a square of one discrete about the true one: half its diagonal.
+// The rounded point lies in a square of one increment about the true one: half its diagonal.
 TEST_F(SlowCircles, RoundingToNearestKeepsTheRadiusWithinHalfADiagonal) {
   double worst = 0.0;
   double worst_truncated = 0.0;
@@ -117,7 +117,7 @@ TEST(AxisCodes, VelocityIsThatOfThePaperLessTheSagOfTheArc) {
   }
 }
 
-// Figure 3 of the paper: 10 mm/min at 1 kHz and 1000 discretes per mm is 1/6 of a discrete in a
+// Figure 3 of the paper: 10 mm/min at 1 kHz and 1000 increments per mm is 1/6 of an increment in a
 // cycle; its increments are 0 and 1.
 TEST(AxisCodes, IncrementsOfPositionAreOffBy500PercentAtTenMillimetresPerMinute) {
   const CodeScale scale;
@@ -143,7 +143,7 @@ TEST(AxisCodes, IncrementsOfPositionAreOffBy500PercentAtTenMillimetresPerMinute)
 }
 
 // The whole run of a slow arc, ramps and the step into the end included.
-TEST(AxisCodes, EveryCycleOfAPathSlowerThanADiscreteIsCodedWithinHalfAUnit) {
+TEST(AxisCodes, EveryCycleOfAPathSlowerThanAnIncrementIsCodedWithinHalfAUnit) {
   const Limits limits;
   ChainMaker chain(limits);
   chain.arc(0.3, 1.7 * std::numbers::pi, 0.4).end_chain();

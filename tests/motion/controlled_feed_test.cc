@@ -50,7 +50,7 @@ TEST(ControlledFeed, DoesNotExceedTheFeedOfALawOfTheBlock) {
   for (int k = 0; k < 30; ++k) chain.line(10.0, 60.0);
   chain.end_chain();
   std::vector<PathBuilder::Built> built = chain.built();
-  for (PathBuilder::Built& one : built) one.piece.process.kind = LawKind::linear;
+  for (PathBuilder::Built& one : built) one.segment.process.kind = LawKind::linear;
   for (const auto& [asked, expected] : {std::pair{90.0, 60.0}, std::pair{20.0, 20.0}}) {
     const auto samples = run_path(three_axes(usual_limits), built,
                                   [asked = asked](int) { return controlled(asked); });
@@ -64,7 +64,7 @@ TEST(ControlledFeed, LeavesOtherAxesAlone) {
   for (int k = 0; k < 10; ++k) chain.line(10.0, 60.0);
   chain.end_chain();
   std::vector<PathBuilder::Built> built = chain.built();
-  for (PathBuilder::Built& one : built) one.piece.geometry.metric.axes = 0b1000;  // rotary alone
+  for (PathBuilder::Built& one : built) one.segment.geometry.metric.axes = 0b1000;  // rotary alone
   const auto samples =
       run_path(three_axes(usual_limits), built, [](int) { return controlled(20.0); });
   for (const double speed : cruising_speeds(samples, 30.0, 70.0)) EXPECT_NEAR(speed, 60.0, 1e-9);
@@ -84,8 +84,8 @@ TEST(ControlledFeed, LeavesRapidMovesToTheirPlan) {
     EXPECT_EQ(plain[k].out.axes[0].value, under[k].out.axes[0].value);
 }
 
-// A feed that changes in every cycle, on pieces of random lengths and limits: within the limits of
-// the axis, and exactly to the end.
+// A feed that changes in every cycle, on segments of random lengths and limits: within the limits
+// of the axis, and exactly to the end.
 TEST(ControlledFeed, KeepsTheLimitsWhateverIsAskedFor) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);

@@ -38,14 +38,14 @@ FeedControl nominal(int) {
   return {};
 }
 
-// Path of feed up to each place: rapid pieces do not count.
+// Path of feed up to each place: rapid segments do not count.
 double feed_path(const std::vector<PathBuilder::Built>& built, double s) {
   double begin = 0.0;
   double counted = 0.0;
   for (const auto& one : built) {
-    const double inside = std::clamp(s - begin, 0.0, one.piece.length);
-    if (!one.piece.rapid) counted += inside;
-    begin += one.piece.length;
+    const double inside = std::clamp(s - begin, 0.0, one.segment.length);
+    if (!one.segment.rapid) counted += inside;
+    begin += one.segment.length;
   }
   return counted;
 }

@@ -21,7 +21,7 @@ namespace stanok::motion {
 namespace {
 
 using stanok::testing::cycle_s;
-using stanok::testing::discrete_mm;
+using stanok::testing::increment_mm;
 
 // Axes so strong that the laws are exact.
 MotionConfig strong_mill() {
@@ -39,14 +39,14 @@ MotionConfig strong_mill() {
 struct Step {
   double way = 0.0;
   double feed = 0.0;   // mm/min
-  double stand = 0.0;  // mm of fictitious path at `feed`, at the end of the way
+  double stand = 0.0;  // mm of equivalent dwell path at `feed`, at its end
 };
 
 struct Sample {
   double time = 0.0;
   double way = 0.0;
   double feed = 0.0;
-  PieceProcess process;
+  SegmentProcess process;
   JetPoint axes{};
 };
 
@@ -116,7 +116,7 @@ bool is_feed_at(const std::vector<Step>& steps, double way, double feed) {
   double start = 0.0;
   for (const Step& step : steps) {
     const double end = start + step.way;
-    if (way >= start - discrete_mm && way <= end + discrete_mm &&
+    if (way >= start - increment_mm && way <= end + increment_mm &&
         std::abs(feed - step.feed / 60.0) < 1e-9)
       return true;
     start = end;
@@ -190,7 +190,7 @@ void expect_run(const Travel& run, const std::vector<Step>& steps, double increm
   for (const Step& step : steps) way += step.way;
   EXPECT_NEAR(run.way, way, 1e-6);
   EXPECT_NEAR(run.time, time_of(steps), cycle_s);
-  const double tolerance = discrete_mm + way_lost(steps);
+  const double tolerance = increment_mm + way_lost(steps);
   for (const Sample& sample : run.samples) {
     if (sample.time > run.time) break;
     EXPECT_NEAR(sample.way, way_after(steps, sample.time), tolerance) << "at " << sample.time;
@@ -315,7 +315,7 @@ struct InterruptedCase {
 
 class InterruptedFeed : public ::testing::TestWithParam<InterruptedCase> {};
 
-TEST_P(InterruptedFeed, StandsForTheTimeOfItsFictitiousPath) {
+TEST_P(InterruptedFeed, StandsForTheTimeOfItsEquivalentDwellPath) {
   const InterruptedCase& c = GetParam();
   std::vector<PathBlock> blocks = block_of(c.way, c.length);
   const double length = length_of(blocks);
@@ -442,7 +442,7 @@ std::vector<AnyLaw> all_laws() {
              LawUnits{},
              std::vector<CurveLawPoint>{
                  {.feed = 300.0}, {.way_mm = 6.0, .feed = 1500.0}, {.way_mm = 15.0, .feed = 200.0}},
-             5.0, discrete_mm);
+             5.0, increment_mm);
        },
        1500.0}};
 }
@@ -504,7 +504,7 @@ TEST(FeedLaw, TakesItsTimeUnderAConstantOverride) {
   }
 }
 
-// The fictitious path is travelled at the feed under override, and not at all in a hold.
+// The equivalent dwell path counts down at the feed under override, and not at all in a hold.
 TEST(FeedLaw, StandsLongerUnderOverrideAndHold) {
   const InterruptedLaw law(2.0, 2.0);  // at 600 mm/min: 0.2 s each
   std::vector<PathBlock> blocks{line_to({4.0, 0.0, 0.0})};
@@ -531,7 +531,7 @@ TEST(FeedLaw, OfACurvePassesItsPointsWithinOneIncrement) {
                                           {.way_mm = 3.5, .feed = 90.0, .speed = 800.0},
                                           {.way_mm = 9.0, .feed = 91.0, .speed = 400.0}};
   const LawUnits units{.speed = LawSpeed::rev_per_min};
-  const CurveLaw law(units, points, 0.5, discrete_mm);
+  const CurveLaw law(units, points, 0.5, increment_mm);
   for (int n = 0; n < 324; ++n) {
     const double way = 0.0371 * n;
     std::size_t k = 0;
@@ -539,7 +539,7 @@ TEST(FeedLaw, OfACurvePassesItsPointsWithinOneIncrement) {
     const double part =
         std::min(1.0, (way - points[k].way_mm) / (points[k + 1].way_mm - points[k].way_mm));
     const LawStretch stretch = law.stretch(law.increments_at(way));
-    const double steepest = (137.0 - 90.0) / 0.5 * discrete_mm;
+    const double steepest = (137.0 - 90.0) / 0.5 * increment_mm;
     EXPECT_NEAR(stretch.feed, points[k].feed + part * (points[k + 1].feed - points[k].feed),
                 0.5 + steepest);
     EXPECT_NEAR(stretch.speed, points[k].speed + part * (points[k + 1].speed - points[k].speed),

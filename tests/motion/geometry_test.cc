@@ -22,12 +22,12 @@ Point random_point(Random& random, double size) {
   return point;
 }
 
-Piece random_line(Random& random) {
-  return piece_of(line(five_axes, random_point(random, 200.0), random_point(random, 200.0)));
+Segment random_line(Random& random) {
+  return segment_of(line(five_axes, random_point(random, 200.0), random_point(random, 200.0)));
 }
 
 // Helix whose end is rounded to `rounding`, so that its radius changes a little.
-Piece random_arc(Random& random, double rounding) {
+Segment random_arc(Random& random, double rounding) {
   const Point start = random_point(random, 100.0);
   const std::array<double, 2> centre{random.between(-100.0, 100.0), random.between(-100.0, 100.0)};
   PathBlock block =
@@ -36,11 +36,11 @@ Piece random_arc(Random& random, double rounding) {
     block.end[0] = std::round(block.end[0] / rounding) * rounding;
     block.end[1] = std::round(block.end[1] / rounding) * rounding;
   }
-  return piece_of(arc(five_axes, start, block));
+  return segment_of(arc(five_axes, start, block));
 }
 
 // A blend between two random directions and curvatures, as they come at corners up to 160 deg.
-Piece random_quintic(Random& random) {
+Segment random_quintic(Random& random) {
   const double reach = std::pow(10.0, random.between(-3.0, 1.5));
   const double turn = random.between(0.0, 160.0) * pi / 180.0;
   const double heading = random.between(0.0, 2.0 * pi);
@@ -56,10 +56,10 @@ Piece random_quintic(Random& random) {
     from.position[k] = corner[k] - reach * from.tangent[k];
     to.position[k] = corner[k] + reach * to.tangent[k];
   }
-  return piece_of(blend_curve(five_axes, from, to, reach));
+  return segment_of(blend_curve(five_axes, from, to, reach));
 }
 
-Piece random_piece(Random& random, int kind) {
+Segment random_segment(Random& random, int kind) {
   switch (kind) {
     case 0:
       return random_line(random);
@@ -78,10 +78,10 @@ INSTANTIATE_TEST_SUITE_P(LineArcRoundedArcQuintic, EveryKind, ::testing::Range(0
 TEST_P(EveryKind, TravelsAtUnitSpeedToRounding) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const Piece piece = random_piece(random, GetParam());
+    const Segment segment = random_segment(random, GetParam());
     for (int n = 0; n <= 40; ++n) {
       JetPoint p;
-      evaluate(piece, piece.length * n / 40.0, p);
+      evaluate(segment, segment.length * n / 40.0, p);
       EXPECT_NEAR(xyz_norm(p[0].first, p[1].first, p[2].first), 1.0, 4e-15);
       // |q'| = 1 throughout makes q'' normal to q' and q' q''' = -|q''|^2.
       const double turn = xyz_norm(p[0].second, p[1].second, p[2].second);
@@ -91,8 +91,8 @@ TEST_P(EveryKind, TravelsAtUnitSpeedToRounding) {
         along += p[k].first * p[k].second;
         third += p[k].first * p[k].third;
       }
-      EXPECT_NEAR(along, 0.0, 1e-13 * (1.0 / piece.length + turn));
-      EXPECT_NEAR(third, 0.0, 1e-11 * (1.0 / (piece.length * piece.length) + turn * turn));
+      EXPECT_NEAR(along, 0.0, 1e-13 * (1.0 / segment.length + turn));
+      EXPECT_NEAR(third, 0.0, 1e-11 * (1.0 / (segment.length * segment.length) + turn * turn));
     }
   }
 }
@@ -100,37 +100,37 @@ TEST_P(EveryKind, TravelsAtUnitSpeedToRounding) {
 TEST_P(EveryKind, ReturnsStoredEndsToTheBit) {
   Random random(2);
   for (int i = 0; i < 100; ++i) {
-    const Piece piece = random_piece(random, GetParam());
+    const Segment segment = random_segment(random, GetParam());
     JetPoint p;
-    evaluate(piece, 0.0, p);
-    for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(p[k].value, piece.geometry.start[k]);
-    evaluate(piece, piece.length, p);
-    for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(p[k].value, piece.geometry.end[k]);
+    evaluate(segment, 0.0, p);
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(p[k].value, segment.geometry.start[k]);
+    evaluate(segment, segment.length, p);
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(p[k].value, segment.geometry.end[k]);
     // The curve itself arrives there: no jump to the stored value.
     JetPoint shortly_before;
-    evaluate(piece, std::nextafter(piece.length, 0.0), shortly_before);
+    evaluate(segment, std::nextafter(segment.length, 0.0), shortly_before);
     for (std::size_t k = 0; k < 5; ++k) {
-      EXPECT_NEAR(shortly_before[k].value, piece.geometry.end[k], 2e-12);
+      EXPECT_NEAR(shortly_before[k].value, segment.geometry.end[k], 2e-12);
     }
   }
 }
 
 // Central differences of one order less: error h^2/6 times the derivative two orders above, plus
-// rounding; h is a thousandth of the piece's own scale.
+// rounding; h is a thousandth of the segment's own scale.
 TEST_P(EveryKind, DerivativesAgreeWithDifferences) {
   Random random(3);
   for (int i = 0; i < 100; ++i) {
-    const Piece piece = random_piece(random, GetParam());
-    const double s = piece.length * random.between(0.1, 0.9);
+    const Segment segment = random_segment(random, GetParam());
+    const double s = segment.length * random.between(0.1, 0.9);
     JetPoint p;
-    evaluate(piece, s, p);
+    evaluate(segment, s, p);
     const double scale =
-        1.0 / (1.0 / piece.length + xyz_norm(p[0].second, p[1].second, p[2].second));
+        1.0 / (1.0 / segment.length + xyz_norm(p[0].second, p[1].second, p[2].second));
     const double h = 1e-4 * scale;
     JetPoint before;
     JetPoint after;
-    evaluate(piece, s - h, before);
-    evaluate(piece, s + h, after);
+    evaluate(segment, s - h, before);
+    evaluate(segment, s + h, after);
     for (std::size_t k = 0; k < 5; ++k) {
       const double size = 20.0 + std::abs(p[k].first);
       EXPECT_NEAR((after[k].value - before[k].value) / (2.0 * h), p[k].first,
@@ -165,14 +165,14 @@ long double reference_length(const Geometry& g, double u) {
 TEST(Quintic, ParameterBelongsToTheArcLength) {
   Random random(4);
   for (int i = 0; i < 60; ++i) {
-    const Piece piece = random_quintic(random);
-    EXPECT_NEAR(static_cast<double>(reference_length(piece.geometry, 1.0)), piece.length,
-                1e-11 * piece.length);
+    const Segment segment = random_quintic(random);
+    EXPECT_NEAR(static_cast<double>(reference_length(segment.geometry, 1.0)), segment.length,
+                1e-11 * segment.length);
     for (int n = 1; n < 8; ++n) {
-      const double s = piece.length * random.between(0.0, 1.0);
-      const double u = parameter_at(piece.geometry, s, piece.length);
-      EXPECT_NEAR(static_cast<double>(reference_length(piece.geometry, u)), s,
-                  1e-11 * piece.length);
+      const double s = segment.length * random.between(0.0, 1.0);
+      const double u = parameter_at(segment.geometry, s, segment.length);
+      EXPECT_NEAR(static_cast<double>(reference_length(segment.geometry, u)), s,
+                  1e-11 * segment.length);
     }
   }
 }
@@ -186,11 +186,11 @@ TEST(Quintic, LeavesAndEntersWithGivenTangentAndCurvature) {
   to.position = {3.0, 2.0, 0.0, 7.0};
   to.tangent = {0.0, 1.0, 0.0, 5.0};
   to.curvature = {0.1, 0.0, 0.0, 0.3};
-  const Piece piece = piece_of(blend_curve(five_axes, from, to, reach));
+  const Segment segment = segment_of(blend_curve(five_axes, from, to, reach));
   JetPoint start;
   JetPoint end;
-  evaluate(piece, 0.0, start);
-  evaluate(piece, piece.length, end);
+  evaluate(segment, 0.0, start);
+  evaluate(segment, segment.length, end);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(start[k].first, from.tangent[k], 1e-14);
     EXPECT_NEAR(start[k].second, from.curvature[k], 1e-13);
@@ -201,12 +201,13 @@ TEST(Quintic, LeavesAndEntersWithGivenTangentAndCurvature) {
 
 TEST(Arc, IsTheCircleOfTheFormula) {
   const Point start{10.0, 0.0, 0.0};
-  const Piece piece = piece_of(arc(five_axes, start, arc_to(start, {0.0, 0.0}, 2.0 * pi, {})));
-  EXPECT_NEAR(piece.length, 20.0 * pi, 1e-13);
+  const Segment segment =
+      segment_of(arc(five_axes, start, arc_to(start, {0.0, 0.0}, 2.0 * pi, {})));
+  EXPECT_NEAR(segment.length, 20.0 * pi, 1e-13);
   for (int n = 0; n < 100; ++n) {
-    const double s = piece.length * n / 100.0;
+    const double s = segment.length * n / 100.0;
     JetPoint p;
-    evaluate(piece, s, p);
+    evaluate(segment, s, p);
     EXPECT_NEAR(p[0].value, 10.0 * std::cos(s / 10.0), 1e-13);
     EXPECT_NEAR(p[1].value, 10.0 * std::sin(s / 10.0), 1e-13);
     EXPECT_NEAR(p[0].third, 0.01 * std::sin(s / 10.0), 1e-16);
@@ -216,20 +217,21 @@ TEST(Arc, IsTheCircleOfTheFormula) {
 TEST(Arc, KeepsWholeTurnsOfTheSweep) {
   const Point start{5.0, 0.0, 0.0};
   Point end{0.0, 0.0, 12.0};
-  const Piece piece = piece_of(arc(five_axes, start, arc_to(start, {0.0, 0.0}, -6.5 * pi, end)));
-  EXPECT_NEAR(piece.length, std::hypot(5.0 * 6.5 * pi, 12.0), 1e-12);
+  const Segment segment =
+      segment_of(arc(five_axes, start, arc_to(start, {0.0, 0.0}, -6.5 * pi, end)));
+  EXPECT_NEAR(segment.length, std::hypot(5.0 * 6.5 * pi, 12.0), 1e-12);
   JetPoint p;
-  evaluate(piece, piece.length / 2.0, p);
+  evaluate(segment, segment.length / 2.0, p);
   EXPECT_NEAR(p[2].value, 6.0, 1e-13);
   EXPECT_NEAR(p[0].value, 5.0 * std::cos(-3.25 * pi), 1e-12);
 }
 
 TEST(Time, CircleAtConstantSpeedHasCentripetalAcceleration) {
   const Point start{10.0, 0.0, 0.0};
-  const Piece piece = piece_of(arc(five_axes, start, arc_to(start, {0.0, 0.0}, pi, {})));
+  const Segment segment = segment_of(arc(five_axes, start, arc_to(start, {0.0, 0.0}, pi, {})));
   JetPoint s;
   JetPoint t;
-  evaluate(piece, 0.0, s);
+  evaluate(segment, 0.0, s);
   along_time(s, 30.0, 0.0, 0.0, 5, t);
   EXPECT_NEAR(t[1].first, 30.0, 1e-13);
   EXPECT_NEAR(t[0].second, -30.0 * 30.0 / 10.0, 1e-11);
@@ -247,16 +249,16 @@ TEST(Time, FollowsTheChainRule) {
   EXPECT_DOUBLE_EQ(t[0].third, 6.0 * 27.0 + 3.0 * 12.0 * 15.0 + 12.0 * 7.0);
 }
 
-TEST(PieceLimits, LeaveRoomForTangentialAccelerationAndJerk) {
+TEST(SegmentLimits, LeaveRoomForTangentialAccelerationAndJerk) {
   Random random(5);
   for (int i = 0; i < 2000; ++i) {
     const auto magnitude = [&](double low, double high) {
       return random.chance(0.1) ? 0.0 : std::pow(10.0, random.between(low, high));
     };
-    const PieceBounds b{magnitude(-4, 0), magnitude(-5, -1), magnitude(-7, -2),
-                        magnitude(-6, 2), magnitude(-8, 2),  magnitude(-7, 4)};
+    const SegmentBounds b{magnitude(-4, 0), magnitude(-5, -1), magnitude(-7, -2),
+                          magnitude(-6, 2), magnitude(-8, 2),  magnitude(-7, 4)};
     const double feed = random.chance(0.3) ? unlimited : std::pow(10.0, random.between(-2, 3));
-    const PieceLimits limits = piece_limits(b, feed);
+    const SegmentLimits limits = segment_limits(b, feed);
     ASSERT_GT(limits.v, 0.0);
     ASSERT_GT(limits.a, 0.0);
     ASSERT_GT(limits.j, 0.0);
@@ -271,14 +273,14 @@ TEST(PieceLimits, LeaveRoomForTangentialAccelerationAndJerk) {
   }
 }
 
-TEST(PieceLimits, LeaveNearlyEverythingWhenTheFeedBinds) {
-  const PieceBounds b{.velocity = 1.0 / 400.0,
-                      .tangent = 1.0 / 4000.0,
-                      .thrust = 1e-5,
-                      .curvature = 0.1 / 4000.0,
-                      .bend = 1e-6,
-                      .aberrancy = 1e-7};
-  const PieceLimits limits = piece_limits(b, 2.0);
+TEST(SegmentLimits, LeaveNearlyEverythingWhenTheFeedBinds) {
+  const SegmentBounds b{.velocity = 1.0 / 400.0,
+                        .tangent = 1.0 / 4000.0,
+                        .thrust = 1e-5,
+                        .curvature = 0.1 / 4000.0,
+                        .bend = 1e-6,
+                        .aberrancy = 1e-7};
+  const SegmentLimits limits = segment_limits(b, 2.0);
   EXPECT_EQ(limits.v, 2.0);
   EXPECT_GT(limits.a, 0.99 * 4000.0);
   EXPECT_GT(limits.j, 0.97 * 1e5);

@@ -1,4 +1,4 @@
-// The nominal run from pieces to setpoints: limits, ends, steady speed, chains within a cycle.
+// The nominal run from segments to setpoints: limits, ends, steady speed, chains within a cycle.
 #include "motion/interpolation/interpolator.h"
 
 #include <gtest/gtest.h>
@@ -60,14 +60,14 @@ TEST(Interpolator, LimitsHoldOnRandomChainsAndTheEndIsExact) {
   }
 }
 
-TEST(Interpolator, PieceSpeedsAreKeptEverywhere) {
+TEST(Interpolator, SegmentSpeedsAreKeptEverywhere) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
     ChainMaker chain(usual_limits);
     double feed = 100.0;
-    for (int k = 0; k < 300; ++k) {  // dense: several pieces a cycle
+    for (int k = 0; k < 300; ++k) {  // dense: several segments a cycle
       feed = std::clamp(feed * (0.8 + 0.45 * part(random)), 2.0, 400.0);
       chain.line(0.02 + 0.2 * part(random), feed);
     }
@@ -146,7 +146,7 @@ TEST(Interpolator, DroppedPathLeavesTheAxesWhereTheyStand) {
   while (!interpolator.at_rest()) interpolator.advance(queue, {.hold = true}, out);
   const double stopped_at = out.axes[0].value;
   interpolator.drop_path(queue);
-  EXPECT_TRUE(queue.pieces.empty());
+  EXPECT_TRUE(queue.segments.empty());
   EXPECT_TRUE(queue.phases.empty());
   interpolator.advance(queue, {}, out);
   EXPECT_EQ(out.state, PathState::idle);

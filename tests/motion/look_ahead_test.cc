@@ -8,7 +8,7 @@
 namespace stanok::motion::testing {
 namespace {
 
-// All chunks with their phases, delivered after every piece or only when everything is planned.
+// All chunks with their phases, delivered after every segment or only when everything is planned.
 struct CommittedPath {
   std::vector<Chunk> chunks;
   std::vector<std::vector<Phase>> phases;
@@ -21,7 +21,7 @@ void drain(PathQueue& queue, CommittedPath& path) {
     auto& phases = path.phases.emplace_back();
     for (std::uint32_t k = 0; k < chunk.phases; ++k) phases.push_back(queue.phases[k]);
     queue.phases.pop_front(chunk.phases);
-    queue.pieces.pop_front(chunk.pieces);
+    queue.segments.pop_front(chunk.segments);
   }
 }
 
@@ -30,8 +30,8 @@ CommittedPath commit_all(const std::vector<PathBuilder::Built>& built, std::size
   LookAhead look_ahead(three_axes(usual_limits));
   CommittedPath path;
   std::size_t count = 0;
-  for (const auto& piece : built) {
-    look_ahead.add(piece);
+  for (const auto& segment : built) {
+    look_ahead.add(segment);
     if (++count % deliver_every != 0) continue;
     static_cast<void>(look_ahead.deliver(queue));
     drain(queue, path);
@@ -60,10 +60,10 @@ TEST(LookAhead, CommitsOnlyWhatAThousandLaterBlocksSecure) {
   const ChainMaker chain = random_walk(1, 6000, 0.1);
   const CommittedPath path = commit_all(chain.built(), 1);
   ASSERT_GT(path.chunks.size(), 3U);
-  std::uint32_t beyond = 0;  // one block a piece
+  std::uint32_t beyond = 0;  // one block a segment
   for (auto chunk = path.chunks.rbegin(); chunk != path.chunks.rend(); ++chunk) {
     EXPECT_GE(chunk->lookahead_blocks, std::min(beyond, 1000U));
-    beyond += chunk->pieces;
+    beyond += chunk->segments;
   }
 }
 
@@ -119,16 +119,16 @@ TEST(LookAhead, LongDenseChainRunsWithinItsLimitsAndWithoutStopping) {
 }
 
 TEST(LookAhead, ChunksAreOfASizeThatTheQueueHoldsSeveralOf) {
-  ChainMaker chain(usual_limits);  // one block of very many pieces, then a dense rest
+  ChainMaker chain(usual_limits);  // one block of very many segments, then a dense rest
   for (int k = 0; k < 9000; ++k) chain.line(0.001, 400.0);
   chain.end_chain();
   const CommittedPath path = commit_all(chain.built(), 1);
-  std::uint32_t pieces = 0;
+  std::uint32_t segments = 0;
   for (const Chunk& chunk : path.chunks) {
-    EXPECT_LE(chunk.pieces, LookAhead::chunk_pieces_max);
-    pieces += chunk.pieces;
+    EXPECT_LE(chunk.segments, LookAhead::chunk_segments_max);
+    segments += chunk.segments;
   }
-  EXPECT_EQ(pieces, 9000U);
+  EXPECT_EQ(segments, 9000U);
 }
 
 TEST(LookAhead, ClearedPathStartsAgainAtRest) {

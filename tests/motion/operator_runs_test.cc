@@ -30,7 +30,7 @@ std::unique_ptr<const Machine> three_axis_mill() {
   return machine;
 }
 
-// The tip is led through head and table: lines in W are curves of the axes.
+// TCP (RTCP) through head and table: lines in W are curves of the axes.
 std::unique_ptr<const Machine> five_axis_mill() {
   auto machine = std::make_unique<Machine>();
   machine->config = mill(5);
@@ -74,10 +74,10 @@ Point values_of(const JetPoint& jets) {
   return values;
 }
 
-// What aborts met: kinds of piece on which they came to rest.
-using Places = std::map<PieceKind, int>;
+// What aborts met: kinds of segment on which they came to rest.
+using Places = std::map<SegmentKind, int>;
 
-// A channel of the machine from preparation to set-points.
+// A channel of the machine from preparation to setpoints.
 class Run {
  public:
   explicit Run(const Machine& machine)
@@ -127,7 +127,7 @@ class Run {
       cycle(control);
     }
     const InterpolatorOutput stopped = samples_.back().out;
-    if (stopped.state != PathState::idle) ++places[queue_.pieces.front().geometry.kind];
+    if (stopped.state != PathState::idle) ++places[queue_.segments.front().geometry.kind];
     look_ahead_.clear();
     builder_.restart({});
     builder_.built().clear();
@@ -207,7 +207,7 @@ struct AbortScene {
   std::unique_ptr<const Machine> (*machine)();
   Program (*program)(Random& random, const Point& start);
   bool exact_path;
-  std::set<PieceKind> kinds;  // on which aborts come to rest
+  std::set<SegmentKind> kinds;  // on which aborts come to rest
 };
 
 // Up to three programs that are aborted, and one that is run to its end.
@@ -247,8 +247,8 @@ class OperatorRuns : public ::testing::TestWithParam<AbortScene> {
       run_seed(scene, *machine, seed, places);
       if (HasFatalFailure()) return;
     }
-    for (const PieceKind kind : scene.kinds) {
-      EXPECT_GT(places[kind], 0) << "no abort came to rest on piece kind "
+    for (const SegmentKind kind : scene.kinds) {
+      EXPECT_GT(places[kind], 0) << "no abort came to rest on segment kind "
                                  << static_cast<int>(kind);
     }
   }
@@ -289,20 +289,20 @@ INSTANTIATE_TEST_SUITE_P(
     All, OperatorRuns,
     ::testing::Values(
         AbortScene{
-            "corners", three_axis_mill, corners, false, {PieceKind::line, PieceKind::quintic}},
-        AbortScene{"arcs", three_axis_mill, arcs, false, {PieceKind::arc}},
-        AbortScene{"splines", three_axis_mill, splines, false, {PieceKind::quintic}},
-        AbortScene{"smooth_runs", three_axis_mill, smooth_runs, false, {PieceKind::quintic}},
+            "corners", three_axis_mill, corners, false, {SegmentKind::line, SegmentKind::quintic}},
+        AbortScene{"arcs", three_axis_mill, arcs, false, {SegmentKind::arc}},
+        AbortScene{"splines", three_axis_mill, splines, false, {SegmentKind::quintic}},
+        AbortScene{"smooth_runs", three_axis_mill, smooth_runs, false, {SegmentKind::quintic}},
         AbortScene{"five_axes",
                    five_axis_mill,
                    five_axis_moves,
                    false,
-                   {PieceKind::line, PieceKind::quintic}},
+                   {SegmentKind::line, SegmentKind::quintic}},
         AbortScene{"exact_path",
                    three_axis_mill,
                    lines_and_arcs,
                    true,
-                   {PieceKind::line, PieceKind::arc}}),
+                   {SegmentKind::line, SegmentKind::arc}}),
     [](const auto& scene) { return scene.param.name; });
 
 }  // namespace

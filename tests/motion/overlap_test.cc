@@ -53,9 +53,9 @@ Built build(const Polyline& line, const MotionConfig& config,
 
 // The same chains with full stops between them.
 Built without_overlaps(Built built) {
-  for (auto& piece : built) {
-    piece.overlap.reset();
-    piece.jerk_part = 1.0;
+  for (auto& segment : built) {
+    segment.overlap.reset();
+    segment.jerk_part = 1.0;
   }
   return built;
 }
@@ -93,7 +93,7 @@ TEST(Overlap, UnequalJerksMeetAtTheReachOfTheTolerance) {
   line.to(30, 0).to(30, 30);
   const Built built = build(line, config);
   LookAhead look_ahead(config);
-  for (const auto& piece : built) look_ahead.add(piece);
+  for (const auto& segment : built) look_ahead.add(segment);
   PathQueue queue;
   ASSERT_TRUE(look_ahead.deliver(queue));
   const double r = tolerance_part * 0.01 / std::numbers::sqrt2;
@@ -117,7 +117,7 @@ TEST(Overlap, ExactPathAndExactStopHaveNone) {
   Polyline exact = square();
   exact.tolerance = 0.0;
   for (const auto& built : {build(exact, config), build(square(), config, BlockEnding::exact_stop)})
-    for (const auto& piece : built) EXPECT_FALSE(piece.overlap);
+    for (const auto& segment : built) EXPECT_FALSE(segment.overlap);
 }
 
 TEST(Overlap, EndOfAChainWaitsForTheStartOfTheNext) {
@@ -149,7 +149,7 @@ TEST(Overlap, StopsAtTheCornerItselfBeforeAGate) {
 TEST(Overlap, CycleUsesNoHeap) {
   const MotionConfig config = three_axes(channel_limits);
   LookAhead look_ahead(config);
-  for (const auto& piece : build(square(), config)) look_ahead.add(piece);
+  for (const auto& segment : build(square(), config)) look_ahead.add(segment);
   PathQueue queue;
   ASSERT_TRUE(look_ahead.deliver(queue));
   Interpolator interpolator(config);
@@ -210,7 +210,7 @@ Point position(const Sample& sample) {
 double deviation(const std::vector<Sample>& samples, const Polyline& line) {
   double worst = 0.0;
   std::size_t leg = 1;
-  double corner = unlimited;  // of the leg at hand from the trace
+  double corner = unlimited;  // of the current leg from the trace
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Point before = position(samples[i - 1]);
     const Point here = position(samples[i]);
@@ -276,8 +276,8 @@ TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndAndSaveTime) {
     for (std::size_t k = 0; k < built.size(); ++k) {
       if (!built[k].overlap) continue;
       ++overlaps;
-      EXPECT_EQ(built[k].piece.geometry.kind, PieceKind::line);
-      EXPECT_EQ(built[k + 1].piece.geometry.kind, PieceKind::line);
+      EXPECT_EQ(built[k].segment.geometry.kind, SegmentKind::line);
+      EXPECT_EQ(built[k + 1].segment.geometry.kind, SegmentKind::line);
     }
     const auto samples = run_path(machine.config, built);
     EXPECT_LE(share_of_limits(samples, machine.config), 1.0 + 1e-9);
@@ -363,7 +363,7 @@ TEST(Overlap, SetpointsDoNotDependOnHowFarPreparationIsAhead) {
     Interpolator interpolator(machine.config);
     std::size_t next = 0;
     for (std::size_t k = 1; k < far.size(); ++k) {
-      // No more than the chunk at hand needs.
+      // No more than the current chunk needs.
       while (queue.chunks.size() < 3 && next < built.size()) {
         look_ahead.add(built[next++]);
         ASSERT_TRUE(look_ahead.deliver(queue));

@@ -58,7 +58,7 @@ class RandomOperator {
 
 struct OverrideScene {
   const char* name;
-  int pieces;
+  int segments;
   double length_exponent;  // lengths 10^e ... 10^(e + 3) mm
   double changes_per_cycle;
 };
@@ -70,7 +70,7 @@ TEST_P(OverrideScenes, LimitsHoldAndTheEndIsExactWhateverTheOperatorDoes) {
   for (unsigned seed = 1; seed <= 25; ++seed) {
     SCOPED_TRACE(::testing::Message() << scene.name << " seed " << seed);
     std::mt19937_64 random(seed);
-    const ChainMaker chain = random_chain(random, scene.pieces, scene.length_exponent);
+    const ChainMaker chain = random_chain(random, scene.segments, scene.length_exponent);
     RandomOperator settings(seed, scene.changes_per_cycle);
     int cycles = 0;
     const auto samples = run_path(three_axes(usual_limits), chain.built(), [&](int k) {
@@ -96,8 +96,8 @@ INSTANTIATE_TEST_SUITE_P(All, OverrideScenes,
                                            OverrideScene{"tiny", 600, -4.0, 0.05}),
                          [](const auto& scene) { return scene.param.name; });
 
-// Each piece's own speed, acceleration and jerk along s, not only those of the axis.
-TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
+// Each segment's own speed, acceleration and jerk along s, not only those of the axis.
+TEST(Override, SegmentLimitsHoldAboveOneHundredPercent) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
@@ -109,9 +109,9 @@ TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
       const Limits own{.v = 20.0 + 200.0 * part(random),
                        .a = 300.0 + 1700.0 * part(random),
                        .j = 5e3 + 4.5e4 * part(random)};
-      const double piece = std::pow(10.0, 2.5 * part(random) - 1.5);
-      chain.slow_line(piece, 80.0, own);
-      length += piece;
+      const double segment = std::pow(10.0, 2.5 * part(random) - 1.5);
+      chain.slow_line(segment, 80.0, own);
+      length += segment;
       ends.push_back(length);
       speeds.push_back(std::min(own.v, 1.7 * 80.0));
       accelerations.push_back(own.a);
@@ -124,20 +124,20 @@ TEST(Override, PieceLimitsHoldAboveOneHundredPercent) {
     double top = 0.0;
     for (const Sample& sample : samples) {
       const auto at = std::upper_bound(ends.begin(), ends.end(), sample.s) - ends.begin();
-      const auto piece = std::min<std::size_t>(static_cast<std::size_t>(at), ends.size() - 1);
+      const auto segment = std::min<std::size_t>(static_cast<std::size_t>(at), ends.size() - 1);
       const auto& x = sample.out.axes[0];
-      EXPECT_LE(x.first, speeds[piece] * (1.0 + 1e-8));
-      EXPECT_LE(std::abs(x.second), accelerations[piece] * (1.0 + 1e-8));
-      EXPECT_LE(std::abs(x.third), jerks[piece] * (1.0 + 1e-8));
+      EXPECT_LE(x.first, speeds[segment] * (1.0 + 1e-8));
+      EXPECT_LE(std::abs(x.second), accelerations[segment] * (1.0 + 1e-8));
+      EXPECT_LE(std::abs(x.third), jerks[segment] * (1.0 + 1e-8));
       top = std::max(top, x.first);
     }
     EXPECT_GT(top, 80.5);  // it did use the override
   }
 }
 
-// Blends of some tens of nm between lines: a cycle passes several pieces, the limits of each hold
-// at its set-points.
-TEST(Override, PieceLimitsHoldWhereACyclePassesSeveralPieces) {
+// Blends of some tens of nm between lines: a cycle passes several segments, the limits of each hold
+// at its setpoints.
+TEST(Override, SegmentLimitsHoldWhereACyclePassesSeveralSegments) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
@@ -152,9 +152,9 @@ TEST(Override, PieceLimitsHoldWhereACyclePassesSeveralPieces) {
                                       .a = 10.0 + 100.0 * part(random),
                                       .j = 5e3 + 5e3 * part(random)}
                              : usual_limits);
-      const double piece = std::pow(10.0, (is_blend ? -5.0 : -4.5) + 1.5 * part(random));
-      chain.slow_line(piece, 80.0, own.back());
-      length += piece;
+      const double segment = std::pow(10.0, (is_blend ? -5.0 : -4.5) + 1.5 * part(random));
+      chain.slow_line(segment, 80.0, own.back());
+      length += segment;
       ends.push_back(length);
     }
     chain.end_chain();
@@ -260,12 +260,12 @@ TEST(Override, ComesToRestAtTheEndOfWhatArrivedAndGoesOnWhenMoreDoes) {
   double arrived = 0.0;
   const auto deliver_one = [&] {
     const Chunk chunk = prepared.chunks.front();
-    for (std::uint32_t k = 0; k < chunk.pieces; ++k)
-      ASSERT_TRUE(queue.pieces.push(prepared.pieces[k]));
+    for (std::uint32_t k = 0; k < chunk.segments; ++k)
+      ASSERT_TRUE(queue.segments.push(prepared.segments[k]));
     for (std::uint32_t k = 0; k < chunk.phases; ++k)
       ASSERT_TRUE(queue.phases.push(prepared.phases[k]));
     ASSERT_TRUE(queue.chunks.push(chunk));
-    prepared.pieces.pop_front(chunk.pieces);
+    prepared.segments.pop_front(chunk.segments);
     prepared.phases.pop_front(chunk.phases);
     prepared.chunks.pop_front();
     arrived += chunk.length;

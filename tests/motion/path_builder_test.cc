@@ -1,4 +1,4 @@
-// Chains of pieces: order, continuity, tolerance, stops, soft limits.
+// Chains of segments: order, continuity, tolerance, stops, soft limits.
 #include "motion/segments/path_builder.h"
 
 #include <gtest/gtest.h>
@@ -117,12 +117,12 @@ Deviation worst_deviation(const Program& program, const std::vector<Built>& buil
   }
   Deviation worst;
   for (const Built& b : built) {
-    if (b.piece.geometry.kind != PieceKind::quintic) continue;
-    const auto n = static_cast<std::size_t>(b.piece.tag.block);
+    if (b.segment.geometry.kind != SegmentKind::quintic) continue;
+    const auto n = static_cast<std::size_t>(b.segment.tag.block);
     double corner = unlimited;
     for (int i = 0; i <= 60; ++i) {
       JetPoint jet;
-      evaluate(b.piece, b.piece.length * i / 60.0, jet);
+      evaluate(b.segment, b.segment.length * i / 60.0, jet);
       Point p{};
       for (std::size_t k = 0; k < 5; ++k) p[k] = jet[k].value;
       const Deviation before = deviation_at(courses[n], p, 0.0, 1.0, axis_count);
@@ -133,7 +133,7 @@ Deviation worst_deviation(const Program& program, const std::vector<Built>& buil
       corner = std::min(corner, xyz_distance(p, program.blocks[n].end));
     }
     // Chords of 1/60 of the blend pass the corner at most that much farther off.
-    worst.mm = std::max(worst.mm, corner - b.piece.length / 120.0);
+    worst.mm = std::max(worst.mm, corner - b.segment.length / 120.0);
   }
   return worst;
 }
@@ -161,7 +161,7 @@ TEST_P(Axes, BlendsStayWithinTolerance) {
 }
 
 // Relative to the size of the values that meet.
-void expect_continuous(const Piece& before, const Piece& after, int axis_count) {
+void expect_continuous(const Segment& before, const Segment& after, int axis_count) {
   JetPoint end;
   JetPoint start;
   evaluate(before, before.length, end);
@@ -184,18 +184,18 @@ TEST_P(Axes, TangentAndCurvatureContinueAcrossJoins) {
     const Program program = random_program(random, GetParam(), 40);
     const std::vector<Built> built = build(program, config);
     for (std::size_t i = 0; i + 1 < built.size(); ++i) {
-      ASSERT_GT(built[i].piece.length, 0.0);
-      ASSERT_LE(built[i].piece.tag.block, built[i + 1].piece.tag.block);
+      ASSERT_GT(built[i].segment.length, 0.0);
+      ASSERT_LE(built[i].segment.tag.block, built[i + 1].segment.tag.block);
       if (built[i].ends_chain) {
-        EXPECT_EQ(built[i].piece.geometry.end, built[i + 1].piece.geometry.start);
+        EXPECT_EQ(built[i].segment.geometry.end, built[i + 1].segment.geometry.start);
         continue;
       }
       ++joins;
-      expect_continuous(built[i].piece, built[i + 1].piece, GetParam());
+      expect_continuous(built[i].segment, built[i + 1].segment, GetParam());
     }
     ASSERT_TRUE(built.back().ends_chain);
-    EXPECT_EQ(built.back().piece.geometry.end, program.blocks.back().end);
-    EXPECT_EQ(built.front().piece.geometry.start, program.start);
+    EXPECT_EQ(built.back().segment.geometry.end, program.blocks.back().end);
+    EXPECT_EQ(built.front().segment.geometry.start, program.start);
   }
   EXPECT_GT(joins, 3000);
 }
@@ -206,9 +206,9 @@ TEST(PathBuilder, RightAngleDeviatesByTheClosedForm) {
       build({{}, {line_to({10.0, 0.0}, 2.0), line_to({10.0, 10.0}, 2.0)}}, blending_mill(3));
   ASSERT_EQ(built.size(), 3U);
   const double reach = 0.97 * 0.01 * 16.0 / ((1.0 + 5.0 * 0.6 + 10.0 * 0.15) * std::sin(pi / 4.0));
-  EXPECT_NEAR(built[0].piece.length, 10.0 - reach, 1e-12);
+  EXPECT_NEAR(built[0].segment.length, 10.0 - reach, 1e-12);
   JetPoint middle;
-  evaluate(built[1].piece, 0.5 * built[1].piece.length, middle);
+  evaluate(built[1].segment, 0.5 * built[1].segment.length, middle);
   EXPECT_NEAR(std::hypot(middle[0].value - 10.0, middle[1].value), 0.0097, 1e-10);
 }
 
@@ -216,7 +216,7 @@ TEST(PathBuilder, CollinearLinesPassWithoutBlend) {
   const std::vector<Built> built =
       build({{}, {line_to({1.0, 2.0, 3.0}), line_to({2.0, 4.0, 6.0})}}, blending_mill(3));
   ASSERT_EQ(built.size(), 2U);
-  EXPECT_EQ(built[0].piece.geometry.kind, PieceKind::line);
+  EXPECT_EQ(built[0].segment.geometry.kind, SegmentKind::line);
   EXPECT_FALSE(built[0].ends_chain);
 }
 
@@ -225,8 +225,8 @@ TEST(PathBuilder, KinkOfRotaryRateOnAStraightWayIsBlended) {
       build({{}, {line_to({10.0, 0.0, 0.0, 5.0}, 2.0), line_to({20.0, 0.0, 0.0, 25.0}, 2.0)}},
             blending_mill(5));
   ASSERT_EQ(built.size(), 3U);
-  EXPECT_EQ(built[1].piece.geometry.kind, PieceKind::quintic);
-  expect_continuous(built[0].piece, built[1].piece, 5);
+  EXPECT_EQ(built[1].segment.geometry.kind, SegmentKind::quintic);
+  expect_continuous(built[0].segment, built[1].segment, 5);
 }
 
 TEST(PathBuilder, ArcsOfOneCirclePassWithoutBlend) {
@@ -243,9 +243,9 @@ TEST(PathBuilder, TangentLineAndArcAreBlendedForTheirStepOfCurvature) {
   const std::vector<Built> built =
       build({{}, {line_to(corner), arc_to(corner, {10.0, 5.0}, pi, {})}}, blending_mill(3));
   ASSERT_EQ(built.size(), 3U);
-  EXPECT_EQ(built[1].piece.geometry.kind, PieceKind::quintic);
+  EXPECT_EQ(built[1].segment.geometry.kind, SegmentKind::quintic);
   EXPECT_FALSE(built[0].ends_chain || built[1].ends_chain);
-  EXPECT_GT(built[1].piece.length, 0.5);
+  EXPECT_GT(built[1].segment.length, 0.5);
 }
 
 struct StopCase {
@@ -266,7 +266,7 @@ TEST_P(Stops, EndTheChainAtTheProgrammedPoint) {
       build({{}, {GetParam().first, GetParam().second}}, blending_mill(5));
   ASSERT_EQ(built.size(), 2U);
   EXPECT_TRUE(built[0].ends_chain);
-  EXPECT_EQ(built[0].piece.geometry.end, GetParam().first.end);
+  EXPECT_EQ(built[0].segment.geometry.end, GetParam().first.end);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -288,7 +288,7 @@ TEST(PathBuilder, RotaryWordsAloneMakeAWayInDegrees) {
   const std::vector<Built> built =
       build({{}, {line_to({0.0, 0.0, 0.0, 30.0, 40.0})}}, blending_mill(5));
   ASSERT_EQ(built.size(), 1U);
-  EXPECT_DOUBLE_EQ(built[0].piece.length, 50.0);
+  EXPECT_DOUBLE_EQ(built[0].segment.length, 50.0);
 }
 
 TEST(PathBuilder, RotaryCornersAreBlendedWithinTheirTolerance) {
@@ -297,7 +297,7 @@ TEST(PathBuilder, RotaryCornersAreBlendedWithinTheirTolerance) {
       blending_mill(5));
   ASSERT_EQ(built.size(), 3U);
   JetPoint middle;
-  evaluate(built[1].piece, 0.5 * built[1].piece.length, middle);
+  evaluate(built[1].segment, 0.5 * built[1].segment.length, middle);
   EXPECT_NEAR(30.0 - middle[3].value, 0.97 * 0.05, 1e-9);
   EXPECT_NEAR(middle[4].value, 0.97 * 0.05, 1e-9);
 }
@@ -308,12 +308,12 @@ TEST(PathBuilder, RapidAndFeedBlendAtTheFeedOfTheSlower) {
   const std::vector<Built> built =
       build({{}, {rapid, line_to({20.0, 0.1}, 30.0)}}, blending_mill(3));
   ASSERT_EQ(built.size(), 3U);
-  EXPECT_TRUE(built[0].piece.rapid);
-  EXPECT_EQ(built[0].piece.feed_per_s, unlimited);
-  EXPECT_FALSE(built[1].piece.rapid);
-  EXPECT_EQ(built[1].piece.feed_per_s, 30.0);
-  EXPECT_DOUBLE_EQ(built[0].piece.bounds.velocity, 1.0 / 350.0);
-  EXPECT_NEAR(built[2].piece.bounds.velocity, 1.0 / 400.0, 1e-6);
+  EXPECT_TRUE(built[0].segment.rapid);
+  EXPECT_EQ(built[0].segment.feed_per_s, unlimited);
+  EXPECT_FALSE(built[1].segment.rapid);
+  EXPECT_EQ(built[1].segment.feed_per_s, 30.0);
+  EXPECT_DOUBLE_EQ(built[0].segment.bounds.velocity, 1.0 / 350.0);
+  EXPECT_NEAR(built[2].segment.bounds.velocity, 1.0 / 400.0, 1e-6);
 }
 
 TEST(PathBuilder, BlocksWithoutMotionAreSwallowed) {
@@ -331,7 +331,7 @@ TEST(PathBuilder, ExactStopOfABlockWithoutMotionStopsThePathThere) {
   EXPECT_TRUE(built[0].ends_chain);
 }
 
-TEST(PathBuilder, PieceIsFinalOneBlockLater) {
+TEST(PathBuilder, SegmentIsFinalOneBlockLater) {
   PathBuilder builder(blending_mill(3));
   builder.restart({});
   EXPECT_FALSE(builder.add(line_to({10.0})));
@@ -368,7 +368,7 @@ TEST(PathBuilder, DenseBlocksBecomeOneBlendEach) {
   EXPECT_LE(built.size(), 1002U);
   for (std::size_t i = 0; i + 1 < built.size(); ++i) {
     EXPECT_FALSE(built[i].ends_chain);
-    expect_continuous(built[i].piece, built[i + 1].piece, 3);
+    expect_continuous(built[i].segment, built[i + 1].segment, 3);
   }
 }
 

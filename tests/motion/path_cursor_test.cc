@@ -6,34 +6,34 @@
 namespace stanok::motion {
 namespace {
 
-void push_chunk(PathQueue& queue, std::uint32_t pieces) {
-  Piece piece;
-  piece.length = 1.0;
-  for (std::uint32_t k = 0; k < pieces; ++k) {
-    ASSERT_TRUE(queue.pieces.push(piece));
+void push_chunk(PathQueue& queue, std::uint32_t segments) {
+  Segment segment;
+  segment.length = 1.0;
+  for (std::uint32_t k = 0; k < segments; ++k) {
+    ASSERT_TRUE(queue.segments.push(segment));
     ASSERT_TRUE(queue.phases.push({.duration = 1.0, .v = 1.0, .s_end = 1.0, .v_end = 1.0}));
   }
   ASSERT_TRUE(queue.chunks.push(
-      {.pieces = pieces, .phases = pieces, .length = static_cast<double>(pieces)}));
+      {.segments = segments, .phases = segments, .length = static_cast<double>(segments)}));
 }
 
-TEST(PathCursor, PiecesAreNumberedOverAllChunks) {
+TEST(PathCursor, SegmentsAreNumberedOverAllChunks) {
   PathQueue queue(16);
   push_chunk(queue, 3);
   push_chunk(queue, 2);
   PathCursor cursor;
   cursor.enter(queue);
-  EXPECT_EQ(cursor.pieces_seen(queue), 5U);
+  EXPECT_EQ(cursor.segments_seen(queue), 5U);
   cursor.go_to(queue, 1.5);
-  EXPECT_EQ(cursor.piece_number(), 1U);
-  EXPECT_EQ(cursor.piece_start(), 1.0);
+  EXPECT_EQ(cursor.segment_number(), 1U);
+  EXPECT_EQ(cursor.segment_start(), 1.0);
   cursor.leave(queue);
   cursor.enter(queue);
-  EXPECT_EQ(cursor.piece_number(), 3U);
+  EXPECT_EQ(cursor.segment_number(), 3U);
 }
 
-// What was seen ahead is kept by number (PathSight): no piece may take the number of another.
-TEST(PathCursor, PiecesThatAreDroppedUnseenKeepTheirNumbers) {
+// What was seen ahead is kept by number (PathSight): no segment may take the number of another.
+TEST(PathCursor, SegmentsThatAreDroppedUnseenKeepTheirNumbers) {
   PathQueue queue(16);
   push_chunk(queue, 3);
   push_chunk(queue, 2);
@@ -42,11 +42,11 @@ TEST(PathCursor, PiecesThatAreDroppedUnseenKeepTheirNumbers) {
   cursor.go_to(queue, 1.5);
   cursor.drop(queue);
   EXPECT_FALSE(cursor.has_chunk());
-  EXPECT_EQ(queue.chunks.size() + queue.pieces.size() + queue.phases.size(), 0U);
+  EXPECT_EQ(queue.chunks.size() + queue.segments.size() + queue.phases.size(), 0U);
   push_chunk(queue, 4);
   cursor.enter(queue);
-  EXPECT_EQ(cursor.piece_number(), 5U);
-  EXPECT_EQ(cursor.pieces_left(), 4U);
+  EXPECT_EQ(cursor.segment_number(), 5U);
+  EXPECT_EQ(cursor.segments_left(), 4U);
 }
 
 }  // namespace

@@ -104,11 +104,11 @@ struct Course {
   }
 };
 
-inline Piece piece_of(const Shape& shape) {
-  Piece piece;
-  piece.geometry = shape.geometry;
-  piece.length = shape.length;
-  return piece;
+inline Segment segment_of(const Shape& shape) {
+  Segment segment;
+  segment.geometry = shape.geometry;
+  segment.length = shape.length;
+  return segment;
 }
 
 inline double xyz_norm(double x, double y, double z) {

@@ -38,26 +38,26 @@ inline MotionConfig three_axes(const Limits& limits, double cycle_s = 0.001) {
   return config;
 }
 
-// Appends pieces, each of which starts where the last one ended. Straight pieces run along X, so
-// that any succession of them is smooth.
+// Appends segments, each of which starts where the last one ended. Straight segments run along X,
+// so that any succession of them is smooth.
 class ChainMaker {
  public:
   explicit ChainMaker(const Limits& limits) : limits_(limits) {}
 
-  // A straight piece along X.
+  // A straight segment along X.
   ChainMaker& line(double length, double feed_per_s) {
-    Piece piece = next(length, feed_per_s);
-    piece.geometry.end[0] += length;
-    piece.bounds = {
+    Segment segment = next(length, feed_per_s);
+    segment.geometry.end[0] += length;
+    segment.bounds = {
         .velocity = 1.0 / limits_.v, .tangent = 1.0 / limits_.a, .thrust = 1.0 / limits_.j};
-    return add(piece);
+    return add(segment);
   }
 
   // The same with stricter limits of its own: the path speed is bounded by `v`, the tangential
   // acceleration and jerk by `a` and `j`.
   ChainMaker& slow_line(double length, double feed_per_s, const Limits& own) {
     line(length, feed_per_s);
-    built_.back().piece.bounds = {
+    built_.back().segment.bounds = {
         .velocity = 1.0 / own.v, .tangent = 1.0 / own.a, .thrust = 1.0 / own.j};
     return *this;
   }
@@ -65,9 +65,9 @@ class ChainMaker {
   // A full circle or part of it in X and Y; the path's direction jumps at its ends, which only the
   // planner's limits along s can tell.
   ChainMaker& arc(double radius, double sweep, double feed_per_s) {
-    Piece piece = next(radius * std::abs(sweep), feed_per_s);
-    Geometry& geometry = piece.geometry;
-    geometry.kind = PieceKind::arc;
+    Segment segment = next(radius * std::abs(sweep), feed_per_s);
+    Geometry& geometry = segment.geometry;
+    geometry.kind = SegmentKind::arc;
     geometry.plane = {0, 1};
     geometry.radius = radius;
     geometry.sweep = sweep;
@@ -75,19 +75,19 @@ class ChainMaker {
     geometry.centre = {geometry.start[0] - radius, geometry.start[1]};
     geometry.end[0] = geometry.centre[0] + radius * std::cos(sweep);
     geometry.end[1] = geometry.centre[1] + radius * std::sin(sweep);
-    piece.bounds = {.velocity = 1.0 / limits_.v,
-                    .tangent = 1.0 / limits_.a,
-                    .thrust = 1.0 / limits_.j,
-                    .curvature = 1.0 / radius / limits_.a,
-                    .bend = 1.0 / radius / limits_.j,
-                    .aberrancy = 1.0 / (radius * radius) / limits_.j};
-    return add(piece);
+    segment.bounds = {.velocity = 1.0 / limits_.v,
+                      .tangent = 1.0 / limits_.a,
+                      .thrust = 1.0 / limits_.j,
+                      .curvature = 1.0 / radius / limits_.a,
+                      .bend = 1.0 / radius / limits_.j,
+                      .aberrancy = 1.0 / (radius * radius) / limits_.j};
+    return add(segment);
   }
 
-  // Rapid travel instead of the feed of the last piece.
+  // Rapid travel instead of the feed of the last segment.
   ChainMaker& as_rapid() {
-    built_.back().piece.rapid = true;
-    built_.back().piece.feed_per_s = unlimited;
+    built_.back().segment.rapid = true;
+    built_.back().segment.feed_per_s = unlimited;
     return *this;
   }
 
@@ -97,25 +97,25 @@ class ChainMaker {
   }
 
   [[nodiscard]] const std::vector<PathBuilder::Built>& built() const { return built_; }
-  [[nodiscard]] const Point& end() const { return built_.back().piece.geometry.end; }
+  [[nodiscard]] const Point& end() const { return built_.back().segment.geometry.end; }
   [[nodiscard]] double length() const {
     double sum = 0.0;
-    for (const auto& built : built_) sum += built.piece.length;
+    for (const auto& built : built_) sum += built.segment.length;
     return sum;
   }
 
  private:
-  Piece next(double length, double feed_per_s) {
-    Piece piece;
-    piece.tag = {.run = 1, .block = block_++, .line = static_cast<std::uint32_t>(block_)};
-    if (!built_.empty()) piece.geometry.start = end();
-    piece.geometry.end = piece.geometry.start;
-    piece.length = length;
-    piece.feed_per_s = feed_per_s;
-    return piece;
+  Segment next(double length, double feed_per_s) {
+    Segment segment;
+    segment.tag = {.run = 1, .block = block_++, .line = static_cast<std::uint32_t>(block_)};
+    if (!built_.empty()) segment.geometry.start = end();
+    segment.geometry.end = segment.geometry.start;
+    segment.length = length;
+    segment.feed_per_s = feed_per_s;
+    return segment;
   }
-  ChainMaker& add(const Piece& piece) {
-    built_.push_back({.piece = piece, .ends_chain = false});
+  ChainMaker& add(const Segment& segment) {
+    built_.push_back({.segment = segment, .ends_chain = false});
     return *this;
   }
 
@@ -146,7 +146,7 @@ inline std::vector<Sample> run_path(
   samples.push_back({});
   if (!built.empty()) {
     for (std::size_t k = 0; k < axes_max; ++k) {
-      samples[0].out.axes[k].value = built.front().piece.geometry.start[k];
+      samples[0].out.axes[k].value = built.front().segment.geometry.start[k];
     }
   }
   for (int cycle = 0; cycle < cycles_max; ++cycle) {
@@ -206,7 +206,7 @@ inline double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// Of a point from the straight way between two others, in X, Y, Z.
+// Of a point from the straight path between two others, in X, Y, Z.
 inline double distance_to_leg(const Point& p, const Point& a, const Point& b) {
   double along = 0.0;
   double squared = 0.0;

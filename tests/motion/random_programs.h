@@ -119,7 +119,7 @@ struct WindingWay {
   std::size_t axis_count = 3;
 };
 
-// Short blocks along a winding way; now and then a corner.
+// Short blocks along a winding path; now and then a corner.
 inline Program winding_way(Random& random, const Point& start, const WindingWay& way) {
   Program program{.start = start, .blocks = {}};
   double heading = random.between(-3.0, 3.0);

@@ -116,9 +116,9 @@ TEST_P(Tap, GoesInAndComesBackOnOneHelix) {
     dwelling += std::abs(bench.output().axes[Z].first) < 0.1 ? 1 : 0;
   }
   EXPECT_GT(bench.output().chunks_done, done);
-  EXPECT_LE(error, 2.0 * discrete_mm);
+  EXPECT_LE(error, 2.0 * increment_mm);
   // With ripple the spindle stops elsewhere than it was asked to; the helix stays the same.
-  EXPECT_NEAR(bottom, -20.0, the.ripple > 0.0 ? lead : 2.0 * discrete_mm);
+  EXPECT_NEAR(bottom, -20.0, the.ripple > 0.0 ? lead : 2.0 * increment_mm);
   EXPECT_GE(dwelling, 100);
   EXPECT_EQ(bench.output().axes[Z].value, 5.0);
   EXPECT_EQ(spindle.wanted(), the.speed);
@@ -155,7 +155,7 @@ TEST(RigidTap, LeavingATapStopsItsSpindleAndStaysOnTheHelix) {
   EXPECT_EQ(spindle.wanted(), 0.0);
   EXPECT_EQ(bench.output().axes[Z].first, 0.0);
   const double off = spindle.angle() + bench.output().axes[Z].value / 1.5;
-  EXPECT_LE(std::abs(off - std::round(off)) * 1.5, 2.0 * discrete_mm);
+  EXPECT_LE(std::abs(off - std::round(off)) * 1.5, 2.0 * increment_mm);
 }
 
 }  // namespace

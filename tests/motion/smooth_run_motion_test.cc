@@ -20,7 +20,7 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-// Short blocks along a winding way, now and then a corner.
+// Short blocks along a winding path, now and then a corner.
 std::vector<PathBlock> winding_way(Draw& draw, int count, double tolerance) {
   std::vector<PathBlock> blocks;
   Point at{};
@@ -54,7 +54,7 @@ std::vector<PathBuilder::Built> built_of(const MotionConfig& config,
   return builder.built();
 }
 
-// Of the set-points from the blocks around the one they belong to.
+// Of the setpoints from the blocks around the one they belong to.
 double worst_deviation(const std::vector<Sample>& samples, const std::vector<PathBlock>& blocks) {
   double worst = 0.0;
   for (const Sample& sample : samples) {
@@ -115,7 +115,7 @@ TEST(SmoothRunMotion, KeepsThemUnderHoldResumeAndOverride) {
   }
 }
 
-// Chords between set-points cut an inside corner by (v T)^2 / 8R more than the curve does: 2.1 um
+// Chords between setpoints cut an inside corner by (v T)^2 / 8R more than the curve does: 2.1 um
 // of 5 um here, where the curve turns at 17,000 mm/s^2.
 TEST(SmoothRunMotion, ChordsBetweenSetpointsPassCornersWithinTolerance) {
   constexpr double tolerance = 0.005;

@@ -17,7 +17,7 @@ using std::numbers::pi;
 struct BuiltRun {
   MotionConfig config;
   std::vector<PathBlock> blocks;
-  std::vector<Piece> pieces;  // from the builder
+  std::vector<Segment> segments;  // from the builder
   std::vector<bool> ends_chain;
   Tolerance tolerance;
 };
@@ -33,7 +33,7 @@ void build(BuiltRun& run) {
   }
   builder.finish();
   for (const auto& built : builder.built()) {
-    run.pieces.push_back(built.piece);
+    run.segments.push_back(built.segment);
     run.ends_chain.push_back(built.ends_chain);
   }
 }
@@ -66,7 +66,7 @@ BuiltRun random_run(std::uint64_t seed, double turn, double longest) {
   return run;
 }
 
-// The nearest point of the programmed way: distance in X, Y, Z and the other axes there.
+// The nearest point of the programmed path: distance in X, Y, Z and the other axes there.
 struct Foot {
   double distance = 1e300;
   Point point{};
@@ -92,9 +92,9 @@ Foot foot_on(const BuiltRun& run, const Point& p, std::size_t first, std::size_t
   return best;
 }
 
-Point position_at(const Piece& piece, double u) {
+Point position_at(const Segment& segment, double u) {
   JetPoint jet;
-  evaluate_at_parameter(piece, u, jet);
+  evaluate_at_parameter(segment, u, jet);
   Point p;
   for (std::size_t k = 0; k < axes_max; ++k) p[k] = jet[k].value;
   return p;
@@ -104,12 +104,12 @@ TEST(SmoothRun, StaysWithinToleranceOfTheProgrammedWay) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const BuiltRun run = random_run(seed, seed % 2 == 0 ? 0.34 : 0.1, seed % 3 == 0 ? 30.0 : 1.0);
     double worst = 0.0;
-    for (const Piece& piece : run.pieces) {
-      const auto block = static_cast<std::size_t>(piece.tag.block);
+    for (const Segment& segment : run.segments) {
+      const auto block = static_cast<std::size_t>(segment.tag.block);
       const std::size_t first = block > 12 ? block - 12 : 0;
       const std::size_t last = std::min(run.blocks.size(), block + 12);
       for (int i = 0; i <= 8; ++i) {
-        const Foot foot = foot_on(run, position_at(piece, i / 8.0), first, last);
+        const Foot foot = foot_on(run, position_at(segment, i / 8.0), first, last);
         worst = std::max(worst, foot.distance);
       }
     }
@@ -122,11 +122,11 @@ TEST(SmoothRun, PassesEveryProgrammedPointWithinTolerance) {
     const BuiltRun run = random_run(seed, 0.3, 3.0);
     std::vector<double> nearest(run.blocks.size(), 1e300);
     std::vector<double> rotary(run.blocks.size(), 1e300);
-    for (const Piece& piece : run.pieces) {
+    for (const Segment& segment : run.segments) {
       for (int i = 0; i <= 64; ++i) {
-        const Point p = position_at(piece, i / 64.0);
-        for (std::size_t n = piece.tag.block > 3 ? piece.tag.block - 3 : 0;
-             n < std::min<std::size_t>(run.blocks.size(), piece.tag.block + 2); ++n) {
+        const Point p = position_at(segment, i / 64.0);
+        for (std::size_t n = segment.tag.block > 3 ? segment.tag.block - 3 : 0;
+             n < std::min<std::size_t>(run.blocks.size(), segment.tag.block + 2); ++n) {
           const Point& corner = run.blocks[n].end;
           const double distance = std::hypot(p[0] - corner[0], p[1] - corner[1], p[2] - corner[2]);
           if (distance >= nearest[n]) continue;
@@ -135,7 +135,7 @@ TEST(SmoothRun, PassesEveryProgrammedPointWithinTolerance) {
         }
       }
     }
-    // Between samples lies at most 1/128 of the longest piece: 3 mm of way, 2 deg/mm.
+    // Between samples lies at most 1/128 of the longest segment: 3 mm of path, 2 deg/mm.
     for (std::size_t n = 0; n < nearest.size(); ++n) {
       EXPECT_LE(nearest[n], run.tolerance.mm + 3.0 / 128.0 * 0.2) << "seed " << seed;
       EXPECT_LE(rotary[n], run.tolerance.deg + 3.0 / 128.0 * 2.9 + 2.9 * run.tolerance.mm)
@@ -147,16 +147,16 @@ TEST(SmoothRun, PassesEveryProgrammedPointWithinTolerance) {
 TEST(SmoothRun, ContinuesInPositionDirectionAndCurvature) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const BuiltRun run = random_run(seed, 0.34, 2.0);
-    for (std::size_t n = 1; n < run.pieces.size(); ++n) {
+    for (std::size_t n = 1; n < run.segments.size(); ++n) {
       if (run.ends_chain[n - 1]) continue;
       JetPoint before;
       JetPoint after;
-      evaluate_at_parameter(run.pieces[n - 1], 1.0, before);
-      evaluate_at_parameter(run.pieces[n], 0.0, after);
+      evaluate_at_parameter(run.segments[n - 1], 1.0, before);
+      evaluate_at_parameter(run.segments[n], 0.0, after);
       for (std::size_t k = 0; k < 5; ++k) {
         EXPECT_EQ(before[k].value, after[k].value);
         EXPECT_NEAR(before[k].first, after[k].first, 1e-8 * (1.0 + std::abs(after[k].first)));
-        const double length = std::min(run.pieces[n - 1].length, run.pieces[n].length);
+        const double length = std::min(run.segments[n - 1].length, run.segments[n].length);
         const double curvature = std::max(std::abs(before[k].second), std::abs(after[k].second));
         EXPECT_NEAR(before[k].second, after[k].second, 1e-8 * (1.0 + curvature) + 1e-8 / length);
       }
@@ -183,11 +183,11 @@ TEST(SmoothRun, BeginsWhereTheBlendBeforeItEnds) {
     build(run);
     ASSERT_EQ(std::ranges::count(run.ends_chain, true), 1);
     Point end{};
-    for (const Piece& piece : run.pieces) {
-      EXPECT_EQ(piece.geometry.start, end);
-      const Point begin = position_at(piece, 1e-12);
+    for (const Segment& segment : run.segments) {
+      EXPECT_EQ(segment.geometry.start, end);
+      const Point begin = position_at(segment, 1e-12);
       EXPECT_LT(xyz_norm(begin[0] - end[0], begin[1] - end[1], begin[2] - end[2]), 1e-11);
-      end = piece.geometry.end;
+      end = segment.geometry.end;
     }
   }
 }
@@ -205,13 +205,13 @@ TEST(SmoothRun, TakesEveryBlockInOrderWithItsFeed) {
   }
   build(run);
   std::uint64_t block = 1;
-  for (const Piece& piece : run.pieces) {
-    EXPECT_TRUE(piece.tag.block == block || piece.tag.block == block + 1) << block;
-    block = piece.tag.block;
-    EXPECT_EQ(piece.feed_per_s, run.blocks[block - 1].feed_per_s);
+  for (const Segment& segment : run.segments) {
+    EXPECT_TRUE(segment.tag.block == block || segment.tag.block == block + 1) << block;
+    block = segment.tag.block;
+    EXPECT_EQ(segment.feed_per_s, run.blocks[block - 1].feed_per_s);
   }
   EXPECT_EQ(block, run.blocks.size());
-  EXPECT_EQ(run.pieces.back().geometry.end, run.blocks.back().end);
+  EXPECT_EQ(run.segments.back().geometry.end, run.blocks.back().end);
 }
 
 TEST(SmoothRun, IsStraightWhereTheWayIs) {
@@ -222,16 +222,16 @@ TEST(SmoothRun, IsStraightWhereTheWayIs) {
   build(run);
   double straight = 0.0;
   double bent = 0.0;
-  for (const Piece& piece : run.pieces) {
-    (piece.geometry.kind == PieceKind::line ? straight : bent) += piece.length;
+  for (const Segment& segment : run.segments) {
+    (segment.geometry.kind == SegmentKind::line ? straight : bent) += segment.length;
   }
   // A corner of 5.7 deg within 0.01 mm needs a few tenths of a millimetre.
   EXPECT_GT(straight, 110.0);
   EXPECT_GT(bent, 0.1);
-  EXPECT_LE(run.pieces.size(), 60U);
+  EXPECT_LE(run.segments.size(), 60U);
 }
 
-// Chords of a circle: the way itself lies inside by h^2 / 8R; the curve must not add to that what
+// Chords of a circle: the path itself lies inside by h^2 / 8R; the curve must not add to that what
 // the tolerance would permit.
 TEST(SmoothRun, FollowsACircleFarCloserThanTheToleranceAsks) {
   constexpr double R = 10.0;
@@ -245,13 +245,13 @@ TEST(SmoothRun, FollowsACircleFarCloserThanTheToleranceAsks) {
     run.blocks.push_back(line_to({R * std::sin(angle), R - R * std::cos(angle)}));
   }
   build(run);
-  for (const Piece& piece : run.pieces) {
-    if (piece.tag.block < 20 || piece.tag.block > run.blocks.size() - 20) continue;
+  for (const Segment& segment : run.segments) {
+    if (segment.tag.block < 20 || segment.tag.block > run.blocks.size() - 20) continue;
     for (const double u : {0.0, 0.5, 1.0}) {
-      const Point p = position_at(piece, u);
+      const Point p = position_at(segment, u);
       EXPECT_NEAR(std::hypot(p[0], p[1] - R), R, 0.1 * run.tolerance.mm);
       JetPoint jet;
-      evaluate_at_parameter(piece, u, jet);
+      evaluate_at_parameter(segment, u, jet);
       EXPECT_NEAR(std::hypot(jet[0].second, jet[1].second), 1.0 / R, 0.05 / R);
     }
   }
@@ -263,7 +263,7 @@ TEST(SmoothRun, LeavesExactPathsAndSharpCornersAlone) {
   run.tolerance = {0.0, 0.0};
   run.blocks = {line_to({1.0}), line_to({2.0, 0.1}), line_to({3.0, 0.1})};
   build(run);
-  for (const Piece& piece : run.pieces) EXPECT_EQ(piece.geometry.kind, PieceKind::line);
+  for (const Segment& segment : run.segments) EXPECT_EQ(segment.geometry.kind, SegmentKind::line);
 }
 
 }  // namespace

@@ -18,46 +18,49 @@ struct Planned {
   double length = 0.0;
 };
 
-Planned plan(const std::vector<SpeedPiece>& pieces) {
+Planned plan(const std::vector<SpeedSegment>& segments) {
   SpeedPlan planner;
-  EXPECT_TRUE(planner.plan(pieces, 0.0));
+  EXPECT_TRUE(planner.plan(segments, 0.0));
   Planned planned;
-  for (const Segment& segment : planner.segments()) planner.append_phases(segment, planned.phases);
+  for (const KeySpan& span : planner.spans()) planner.append_phases(span, planned.phases);
   for (const Phase& phase : planned.phases) planned.duration += phase.duration;
-  planned.length = planner.boundary(pieces.size());
+  planned.length = planner.boundary(segments.size());
   return planned;
 }
 
-// Every phase against every piece it touches, sampled closely.
-void expect_limits(const std::vector<SpeedPiece>& pieces, const Planned& planned) {
-  std::size_t piece = 0;
-  double end = pieces[0].length;
+// Every phase against every segment it touches, sampled closely.
+void expect_limits(const std::vector<SpeedSegment>& segments, const Planned& planned) {
+  std::size_t segment = 0;
+  double end = segments[0].length;
   for (const Phase& phase : planned.phases) {
     constexpr int samples = 40;
     for (int k = 0; k <= samples; ++k) {
       const PathMotion motion = motion_at(phase, phase.duration * k / samples);
-      while (piece + 1 < pieces.size() && motion.s > end + 1e-9) end += pieces[++piece].length;
-      if (motion.s > end - 1e-9 || motion.s < end - pieces[piece].length + 1e-9) continue;
-      ASSERT_LE(motion.v, pieces[piece].v * (1.0 + 1e-9)) << "piece " << piece;
-      ASSERT_LE(std::abs(motion.a), pieces[piece].ramp.a * (1.0 + 1e-9)) << "piece " << piece;
-      ASSERT_LE(std::abs(motion.j), pieces[piece].ramp.j * (1.0 + 1e-9)) << "piece " << piece;
+      while (segment + 1 < segments.size() && motion.s > end + 1e-9)
+        end += segments[++segment].length;
+      if (motion.s > end - 1e-9 || motion.s < end - segments[segment].length + 1e-9) continue;
+      ASSERT_LE(motion.v, segments[segment].v * (1.0 + 1e-9)) << "segment " << segment;
+      ASSERT_LE(std::abs(motion.a), segments[segment].ramp.a * (1.0 + 1e-9))
+          << "segment " << segment;
+      ASSERT_LE(std::abs(motion.j), segments[segment].ramp.j * (1.0 + 1e-9))
+          << "segment " << segment;
     }
   }
 }
 
-TEST(SpeedPlan, OnePieceTakesTheTimeOfTwoRampsAndACruise) {
+TEST(SpeedPlan, OneSegmentTakesTheTimeOfTwoRampsAndACruise) {
   const Planned planned = plan({{.length = 100.0, .v = 80.0, .ramp = machine}});
   EXPECT_NEAR(planned.duration, 100.0 / 80.0 + ramp_duration(0.0, 80.0, machine), 1e-12);
 }
 
-TEST(SpeedPlan, PiecesOfOneSpeedAreLikeOne) {
-  std::vector<SpeedPiece> many(200, {.length = 0.5, .v = 80.0, .ramp = machine});
+TEST(SpeedPlan, SegmentsOfOneSpeedAreLikeOne) {
+  std::vector<SpeedSegment> many(200, {.length = 0.5, .v = 80.0, .ramp = machine});
   const Planned planned = plan(many);
   EXPECT_NEAR(planned.duration, 100.0 / 80.0 + ramp_duration(0.0, 80.0, machine), 1e-11);
   EXPECT_LE(planned.phases.size(), 7U);
 }
 
-TEST(SpeedPlan, SlowPieceIsPassedAtItsSpeedAndLeftAtOnce) {
+TEST(SpeedPlan, SlowSegmentIsPassedAtItsSpeedAndLeftAtOnce) {
   // 50 mm, a slow millimetre, 50 mm: by symmetry two equal halves, each with its own cruise.
   const Planned planned = plan({{.length = 50.0, .v = 100.0, .ramp = machine},
                                 {.length = 1.0, .v = 20.0, .ramp = machine},
@@ -68,7 +71,7 @@ TEST(SpeedPlan, SlowPieceIsPassedAtItsSpeedAndLeftAtOnce) {
   EXPECT_NEAR(planned.duration, 2.0 * half + 1.0 / 20.0, 1e-11);
 }
 
-TEST(SpeedPlan, PoorLimitsOfASlowPieceDoNotSpoilTheRampBehindIt) {
+TEST(SpeedPlan, PoorLimitsOfASlowSegmentDoNotSpoilTheRampBehindIt) {
   const RampLimits poor{.a = 100.0, .j = 2000.0};
   const Planned planned = plan({{.length = 50.0, .v = 100.0, .ramp = machine},
                                 {.length = 0.02, .v = 30.0, .ramp = poor},
@@ -89,16 +92,17 @@ TEST(SpeedPlan, PoorLimitsNextToRestDoNotSpoilTheRampBehindThem) {
   const double ramps = ramp_distance(v, 100.0, machine) + ramp_distance(0.0, 100.0, machine);
   const double expected = ramp_duration(0.0, v, poor) + ramp_duration(v, 100.0, machine) +
                           ramp_duration(0.0, 100.0, machine) + (50.0 - ramps) / 100.0;
-  std::vector<SpeedPiece> pieces{{.length = 0.15, .v = 100.0, .ramp = machine},
-                                 {.length = 0.1, .v = 30.0, .ramp = poor},
-                                 {.length = 50.0, .v = 100.0, .ramp = machine}};
-  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
-  std::reverse(pieces.begin(), pieces.end());
-  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
+  std::vector<SpeedSegment> segments{{.length = 0.15, .v = 100.0, .ramp = machine},
+                                     {.length = 0.1, .v = 30.0, .ramp = poor},
+                                     {.length = 50.0, .v = 100.0, .ramp = machine}};
+  EXPECT_LT(plan(segments).duration, expected + 1e-9);
+  std::reverse(segments.begin(), segments.end());
+  EXPECT_LT(plan(segments).duration, expected + 1e-9);
 }
 
 TEST(SpeedPlan, PoorLimitsNextToRestDoNotSpoilARampThatBeginsOnOtherPoorOnes) {
-  // At worst: down to w in front of the poor piece by the poorest of the good limits, then to rest.
+  // At worst: down to w in front of the poor segment by the poorest of the good limits, then to
+  // rest.
   const RampLimits poor{.a = 400.0, .j = 1.2e6};
   const RampLimits good{.a = 3000.0, .j = 1.2e6};
   const double w = reachable_speed(0.0, 1.2, poor);
@@ -106,27 +110,28 @@ TEST(SpeedPlan, PoorLimitsNextToRestDoNotSpoilARampThatBeginsOnOtherPoorOnes) {
   const double held = 17.0 - ramp_distance(0.0, top, good) - ramp_distance(top, w, good);
   const double expected = ramp_duration(0.0, top, good) + held / top + ramp_duration(top, w, good) +
                           ramp_duration(w, 0.0, poor);
-  std::vector<SpeedPiece> pieces{{.length = 8.5, .v = 200.0, .ramp = good},
-                                 {.length = 8.5, .v = 200.0, .ramp = {.a = 3000.0, .j = 2e6}},
-                                 {.length = 0.8, .v = 40.0, .ramp = {.a = 400.0, .j = 1.3e6}},
-                                 {.length = 0.4, .v = 200.0, .ramp = {.a = 2600.0, .j = 1.7e6}}};
-  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
-  std::reverse(pieces.begin(), pieces.end());
-  EXPECT_LT(plan(pieces).duration, expected + 1e-9);
+  std::vector<SpeedSegment> segments{
+      {.length = 8.5, .v = 200.0, .ramp = good},
+      {.length = 8.5, .v = 200.0, .ramp = {.a = 3000.0, .j = 2e6}},
+      {.length = 0.8, .v = 40.0, .ramp = {.a = 400.0, .j = 1.3e6}},
+      {.length = 0.4, .v = 200.0, .ramp = {.a = 2600.0, .j = 1.7e6}}};
+  EXPECT_LT(plan(segments).duration, expected + 1e-9);
+  std::reverse(segments.begin(), segments.end());
+  EXPECT_LT(plan(segments).duration, expected + 1e-9);
 }
 
 TEST(SpeedPlan, PathAndItsMirrorImageTakeTheSameTime) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   for (int k = 0; k < 50; ++k) {
-    std::vector<SpeedPiece> pieces;
+    std::vector<SpeedSegment> segments;
     for (int i = 0; i < 30; ++i) {
-      pieces.push_back(
+      segments.push_back(
           {.length = 0.5 + 5.0 * part(random), .v = 10.0 + 150.0 * part(random), .ramp = machine});
     }
-    const double there = plan(pieces).duration;
-    std::reverse(pieces.begin(), pieces.end());
-    EXPECT_NEAR(plan(pieces).duration, there, 0.01 * there);
+    const double there = plan(segments).duration;
+    std::reverse(segments.begin(), segments.end());
+    EXPECT_NEAR(plan(segments).duration, there, 0.01 * there);
   }
 }
 
@@ -134,42 +139,42 @@ TEST(SpeedPlan, PathAndItsMirrorImageTakeTheSameTime) {
 // that for what is held between stairs.
 TEST(SpeedPlan, SlowlyRisingLimitIsFollowedClosely) {
   for (const double slope : {50.0, 200.0, 500.0}) {
-    std::vector<SpeedPiece> pieces;
+    std::vector<SpeedSegment> segments;
     double ideal = 0.0;
     double ideal_with_loss = 0.0;
     const double loss = slope * slope / machine.j;
-    for (int piece = 0; piece < 1200; ++piece) {
-      const double s = 0.05 * piece;
+    for (int segment = 0; segment < 1200; ++segment) {
+      const double s = 0.05 * segment;
       const double v = std::sqrt(900.0 + 2.0 * slope * s);
-      pieces.push_back({.length = 0.05, .v = v, .ramp = machine});
+      segments.push_back({.length = 0.05, .v = v, .ramp = machine});
       ideal += 0.05 / v;
       ideal_with_loss += 0.05 / (v - loss);
     }
-    const double v_end = pieces.back().v;
+    const double v_end = segments.back().v;
     const double start_and_end =
         ramp_duration(0.0, 30.0, machine) + ramp_duration(v_end, 0.0, machine);
-    EXPECT_GT(plan(pieces).duration, ideal);
-    EXPECT_LT(plan(pieces).duration, 1.02 * ideal_with_loss + start_and_end) << "slope " << slope;
+    EXPECT_GT(plan(segments).duration, ideal);
+    EXPECT_LT(plan(segments).duration, 1.02 * ideal_with_loss + start_and_end) << "slope " << slope;
   }
 }
 
-TEST(SpeedPlan, LimitsAreKeptOnRandomRunsOfPieces) {
+TEST(SpeedPlan, LimitsAreKeptOnRandomRunsOfSegments) {
   for (unsigned seed = 1; seed <= 150; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    std::vector<SpeedPiece> pieces;
+    std::vector<SpeedSegment> segments;
     const double exponent = -3.0 + 3.0 * part(random);
     double v = 50.0;
     for (int k = 0; k < 120; ++k) {
       v = std::clamp(v * std::exp(part(random) - 0.5), 1.0, 400.0);
-      pieces.push_back(
+      segments.push_back(
           {.length = std::pow(10.0, exponent + part(random)),
            .v = v,
            .ramp = {.a = 100.0 + 2000.0 * part(random), .j = 1000.0 + 50000.0 * part(random)}});
     }
-    const Planned planned = plan(pieces);
-    expect_limits(pieces, planned);
+    const Planned planned = plan(segments);
+    expect_limits(segments, planned);
     EXPECT_EQ(planned.phases.back().s_end, planned.length);
     EXPECT_EQ(planned.phases.back().v_end, 0.0);
     for (std::size_t k = 1; k < planned.phases.size(); ++k) {
@@ -179,21 +184,21 @@ TEST(SpeedPlan, LimitsAreKeptOnRandomRunsOfPieces) {
 }
 
 // A key point that was too fast is lowered until the ramp behind it fills its room to the last bit;
-// rounding must not make that ramp touch the piece before, whose limits are poorer.
-TEST(SpeedPlan, RampsThatFillTheirRoomObeyNoPieceBesideIt) {
+// rounding must not make that ramp touch the segment before, whose limits are poorer.
+TEST(SpeedPlan, RampsThatFillTheirRoomObeyNoSegmentBesideIt) {
   for (const unsigned seed : {25320U, 33193U, 39447U, 46293U}) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    std::vector<SpeedPiece> pieces(4 + static_cast<std::size_t>(20.0 * part(random)));
-    for (SpeedPiece& piece : pieces) {
+    std::vector<SpeedSegment> segments(4 + static_cast<std::size_t>(20.0 * part(random)));
+    for (SpeedSegment& segment : segments) {
       const bool poor = part(random) < 0.5;
-      piece.length = std::pow(10.0, 1.5 * part(random) - 1.5);
-      piece.v = poor ? 5.0 + 45.0 * part(random) : 200.0;
-      piece.ramp.a = poor ? 20.0 + 300.0 * part(random) : 2500.0;
-      piece.ramp.j = poor ? 500.0 + 5e3 * part(random) : 5e4;
+      segment.length = std::pow(10.0, 1.5 * part(random) - 1.5);
+      segment.v = poor ? 5.0 + 45.0 * part(random) : 200.0;
+      segment.ramp.a = poor ? 20.0 + 300.0 * part(random) : 2500.0;
+      segment.ramp.j = poor ? 500.0 + 5e3 * part(random) : 5e4;
     }
     SCOPED_TRACE(seed);
-    expect_limits(pieces, plan(pieces));
+    expect_limits(segments, plan(segments));
   }
 }
 

@@ -76,7 +76,7 @@ TEST(SpindleObserver, SmoothsTheCountsOfAnEncoder) {
 }
 
 TEST(SpindleObserver, KnowsACommandAtOnce) {
-  // From 10 turns/s at -30 turns/s^2, with a mark that stands a quarter of a turn aside.
+  // From 10 turns/s at -30 turns/s^2, with an index pulse a quarter of a turn aside.
   SpindleObserver observer;
   observer.observe(90.0);
   for (int k = 1; k <= 200; ++k) {

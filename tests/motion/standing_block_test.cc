@@ -31,9 +31,9 @@ PlannedBlocks planned(const std::vector<PathBlock>& blocks, int axis_count = 3) 
   builder.finish();
   PlannedBlocks result;
   for (const PathBuilder::Built& built : builder.built()) {
-    EXPECT_GT(built.piece.length, 0.0);
+    EXPECT_GT(built.segment.length, 0.0);
     look_ahead.add(built);
-    result.end = built.piece.geometry.end;
+    result.end = built.segment.geometry.end;
   }
   EXPECT_TRUE(look_ahead.deliver(queue));
   EXPECT_TRUE(look_ahead.is_empty());
@@ -102,8 +102,8 @@ TEST(StandingBlocks, WantNoFeed) {
   EXPECT_EQ(planned({line_to(at_x(1.0), feed), repeated}).end, at_x(1.0));
 }
 
-// A rotary way of 0.3 deg beside 1e-10 mm counts in deg, for the length as for the piece.
-TEST(BlockMetric, IsThatOfThePiece) {
+// A rotary way of 0.3 deg beside 1e-10 mm counts in deg, for the length as for the segment.
+TEST(BlockMetric, IsThatOfTheSegment) {
   const MotionConfig config = mill(5);
   Point end = at_x(1e-10);
   end[3] = 0.3;

@@ -14,7 +14,7 @@
 namespace stanok::motion::testing {
 namespace {
 
-// Largest distance, in mm along Z, of the set-points between two places from the helix that the
+// Largest distance, in mm along Z, of the setpoints between two places from the helix that the
 // formula of the spindle gives. `lead` is along Z and has its sign.
 double helix_error(const std::vector<ThreadSample>& samples, const Turning& turning, double z_start,
                    double lead, double angle_deg, double z_from, double z_to) {
@@ -41,7 +41,7 @@ TEST(SynchronousRun, CutsTheHelixOfTheStartAngleAtSteadySpeed) {
   bench.send(builder);
   const auto samples = bench.cut();
   EXPECT_EQ(samples.back().z, -20.0);  // to the bit
-  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 90.0, -1.0, -19.0), 0.2 * discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 90.0, -1.0, -19.0), 0.2 * increment_mm);
   EXPECT_LE(bench.used(), 1.0 + rounding);
 }
 
@@ -75,7 +75,7 @@ TEST_P(Ripple, TenPassesCutOneHelixPerStart) {
     const double ramp = 5.0 + 1.2 * speed * lead * 0.06;
     EXPECT_LE(helix_error(samples, turning, z, way * lead, start_deg, z + way * ramp,
                           -60.0 - z - way * ramp),
-              discrete_mm);
+              increment_mm);
     EXPECT_EQ(samples.back().z, -60.0 - z);
     EXPECT_EQ(samples.back().v_z, 0.0);
   }
@@ -120,7 +120,7 @@ TEST(SynchronousRun, FollowsASpindleThatTurnsCounterClockwise) {
   const auto samples = bench.cut();
   // Falling angles, falling Z.
   const Turning against = [&](double t) { return -turning(t); };
-  EXPECT_LE(helix_error(samples, against, 0.0, -2.0, -30.0, -1.0, -19.0), 0.2 * discrete_mm);
+  EXPECT_LE(helix_error(samples, against, 0.0, -2.0, -30.0, -1.0, -19.0), 0.2 * increment_mm);
 }
 
 TEST(SynchronousRun, KeepsTheHelixWhileTheSpeedChanges) {
@@ -136,7 +136,7 @@ TEST(SynchronousRun, KeepsTheHelixWhileTheSpeedChanges) {
   ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
   bench.send(builder);
   const auto samples = bench.cut();
-  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -58.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -58.0), increment_mm);
   EXPECT_LE(bench.used(), 1.0 + rounding);
 }
 
@@ -150,7 +150,7 @@ TEST(SynchronousRun, ATaperHasItsLeadAlongThePath) {
   bench.send(builder);
   const auto samples = bench.cut();
   const double lead_z = -2.0 * 40.0 / std::hypot(3.0, 40.0);
-  EXPECT_LE(helix_error(samples, turning, 0.0, lead_z, 0.0, -2.0, -38.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, lead_z, 0.0, -2.0, -38.0), increment_mm);
   for (const ThreadSample& sample : samples)
     EXPECT_NEAR(sample.x, 10.0 - sample.z * 3.0 / 40.0, 1e-9);  // on the line, run-in and all
 }
@@ -168,7 +168,7 @@ TEST(SynchronousRun, AChainDoesNotStopAtItsCorners) {
   ASSERT_FALSE(builder.add(block_to(at(12.0, -30.0), 2.0 * slope)));
   bench.send(builder);
   const auto samples = bench.cut();
-  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -29.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -29.0), increment_mm);
   EXPECT_EQ(samples.back().x, 12.0);
   EXPECT_EQ(samples.back().z, -30.0);
   EXPECT_LE(bench.used(), 1.0 + rounding);
@@ -331,9 +331,9 @@ TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   ASSERT_FALSE(builder.add(block_to(at(0.0, -40.0), 2.0)));
   bench.send(builder);
   const auto samples = bench.cut();
-  EXPECT_LE(helix_error(samples, turning, 0.0, -1.0, 0.0, -1.0, -9.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -1.0, 0.0, -1.0, -9.0), increment_mm);
   // Ten turns have passed where the second lead begins.
-  EXPECT_LE(helix_error(samples, turning, -10.0, -2.0, 0.0, -12.0, -38.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, -10.0, -2.0, 0.0, -12.0, -38.0), increment_mm);
   EXPECT_LE(bench.used(), 1.0 + rounding);
 }
 
@@ -357,7 +357,7 @@ TEST(SynchronousRun, ASpindleThatChangesItsSpeedPassesItsStartAngleAnew) {
     bench.want_speed(20.0);
     const auto samples = bench.cut();
     EXPECT_FALSE(bench.output().has_lost_spindle) << start;
-    EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -30.0, -50.0), discrete_mm) << start;
+    EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -30.0, -50.0), increment_mm) << start;
   }
 }
 
@@ -378,7 +378,7 @@ TEST(SynchronousRun, ASpindleThatComesDownToItsSpeedIsWaitedFor) {
   bench.send(builder);
   const auto samples = bench.cut();
   EXPECT_FALSE(bench.output().has_lost_spindle);
-  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -4.0, -18.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -4.0, -18.0), increment_mm);
   EXPECT_LE(bench.used(), 1.0 + rounding);
 }
 
@@ -394,7 +394,7 @@ TEST(SynchronousRun, AHoldWaitsForTheEndOfTheThread) {
   bench.control().hold = true;
   bench.control().feed_override = 0.5;
   const auto samples = bench.cut();
-  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -5.0, -19.0), discrete_mm);
+  EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -5.0, -19.0), increment_mm);
   EXPECT_EQ(samples.back().z, -20.0);
 }
 

@@ -1,6 +1,6 @@
 // ThreadBench: threads on two axes of a lathe, led by a spindle that is a formula of time.
 //
-// The path sees the spindle only through an encoder, one cycle late. All set-points are watched:
+// The path sees the spindle only through an encoder, one cycle late. All setpoints are watched:
 // limits, and that positions and derivatives belong together.
 #pragma once
 
@@ -23,7 +23,7 @@
 namespace stanok::motion::testing {
 
 using stanok::testing::cycle_s;
-using stanok::testing::discrete_mm;
+using stanok::testing::increment_mm;
 using stanok::testing::steady;
 using stanok::testing::Turning;
 using stanok::testing::with_ripple;
@@ -56,7 +56,7 @@ inline Point at(double x, double z) {
   return point;
 }
 
-// One set-point.
+// One setpoint.
 struct ThreadSample {
   double t = 0.0;
   double x = 0.0;
@@ -98,7 +98,7 @@ class ThreadBench {
     ASSERT_TRUE(look_ahead_.deliver(queue_));
   }
 
-  // Until the chain is over; the samples of all its set-points.
+  // Until the chain is over; the samples of all its setpoints.
   std::vector<ThreadSample> cut(double seconds_max = 30.0) {
     const std::uint64_t done = output_.chunks_done;
     std::vector<ThreadSample> samples;
@@ -138,7 +138,7 @@ class ThreadBench {
     return commands_ ? commands_(later) : SpindleMotion{.speed_wanted = speed_wanted_};
   }
 
-  // Set-points by their derivatives, and the speed between them by differences.
+  // Setpoints by their derivatives, and the speed between them by differences.
   void watch_limits() {
     for (std::size_t k = 0; k < 2; ++k) {
       const AxisLimits& limits = config_.axes[k];
@@ -147,7 +147,7 @@ class ThreadBench {
                         std::abs(q.second) / limits.acceleration_max,
                         std::abs(q.third) / limits.jerk_max});
       if (before_) {
-        // Between two set-points at most one change of jerk within the limits: both ends of the
+        // Between two setpoints at most one change of jerk within the limits: both ends of the
         // cycle tell where the other one is, to J T^3 / 6.
         const kinematics::Jet& p = (*before_)[k];
         const double due = p.value + cycle_s * (p.first + 0.5 * cycle_s * p.second);

@@ -17,7 +17,7 @@ TEST(ThreadBuilder, NamesTheAxisThatIsTooSlowAndTheHighestSpeed) {
   EXPECT_EQ(fault->kind, ThreadFault::Kind::axis_too_slow);
   EXPECT_EQ(fault->axis, static_cast<int>(Z));
   EXPECT_NEAR(fault->value, 300.0, 1e-9);
-  // A hundredth of the speed is kept for the regulator.
+  // A hundredth of the speed is kept for the controller.
   EXPECT_NEAR(fault->limit, 247.5, 1e-9);
   EXPECT_NEAR(fault->speed_max, 247.5 / 6.0, 1e-9);
 }

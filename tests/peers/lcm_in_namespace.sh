@@ -2,7 +2,7 @@
 # The LCM stream of the daemon against LCM's own tools, in a network namespace with a loopback only.
 #
 # lcm-logger records what stanokd publishes on the default URL while a program runs; missing
-# sequence numbers of the set-points are counted and printed, not judged: UDP may lose under load.
+# sequence numbers of the setpoints are counted and printed, not judged: UDP may lose under load.
 # Then lcm-logplayer plays the recorder's own log file, and must hand on every event of it.
 # Exit code 77 (skipped) where namespaces or LCM's tools are not to be had.
 #
@@ -47,7 +47,7 @@ wait "$logger" || true
 echo "recorded by lcm-logger:"
 summary "$folder/peer.lcm"
 [[ $(count "$folder/peer.lcm" SETPOINT) -gt 0 ]] || fail "nothing was recorded"
-printf 'set-points: '
+printf 'setpoints: '
 summary "$folder/peer.lcm" SETPOINT | tail -n 1
 
 own=$(ls "$folder"/log/*.lcm)

@@ -1,5 +1,5 @@
-// A circle R20 on simulated servo axes: what each term of the position regulator is worth, and what
-// differences of integer positions cost. Expected values are those of the transfer functions.
+// A circle R20 on simulated servo axes: what each term of the position controller is worth, and
+// what differences of integer positions cost. Expected values are those of the transfer functions.
 #include "tests/support/contour_following.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ constexpr double kp = 40.0;
 
 enum Terms { none, with_kv, with_ka, with_kr };
 
-motion::RegulatorGains gains_with(Terms terms, const VelocityLoopConfig& loop) {
-  motion::RegulatorGains gains = inverting_gains(kp, loop);
+motion::ControllerGains gains_with(Terms terms, const VelocityLoopConfig& loop) {
+  motion::ControllerGains gains = inverting_gains(kp, loop);
   if (terms < with_kr) gains.kr = 0.0;
   if (terms < with_ka) gains.ka = 0.0;
   if (terms < with_kv) gains.kv = 0.0;

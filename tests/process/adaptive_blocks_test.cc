@@ -10,7 +10,7 @@
 #include "process/adaptive/oscillation.h"
 #include "process/adaptive/power_correction.h"
 #include "process/adaptive/radius_counter.h"
-#include "process/adaptive/set_point_law.h"
+#include "process/adaptive/setpoint_law.h"
 #include "process/adaptive/vibration_amplifier.h"
 
 namespace stanok::process {
@@ -37,7 +37,7 @@ TEST(Comparator, IsAboveZeroUnderOverload) {
   EXPECT_EQ(deviation_w(2100.0, 300.0, 2000.0), -200.0);
 }
 
-// The feed does not see speed and radius, only how the set-point swings.
+// The feed does not see speed and radius, only how the setpoint swings.
 TEST(ClockBlock, IsNormalisedBySpeedAndRadius) {
   for (const double radius : {60.0, 40.0, 5.0}) {
     for (const double speed : {100.0, 900.0}) {
@@ -52,40 +52,40 @@ TEST(RapidKey, PassesTheCodeOfTheProgramUnderTheRapidFlag) {
   EXPECT_EQ(rapid_key(false, 300.0, 2.0), 2.0);
 }
 
-// Random moves in whole discretes and between, and overhang commands: the counter is where the
-// slide and the overhangs are, to one discrete; the drive gets the pulses of the moves and no
+// Random moves in whole increments and between, and overhang commands: the counter is where the
+// slide and the overhangs are, to one increment; the drive gets the pulses of the moves and no
 // others.
-TEST(RadiusCounter, IsExactToOneDiscreteAndKeepsOverhangsFromTheDrive) {
+TEST(RadiusCounter, IsExactToOneIncrementAndKeepsOverhangsFromTheDrive) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> step_mm(-0.8, 0.8);
   std::uniform_real_distribution<double> overhang_mm(-10.0, 10.0);
-  constexpr double discrete = 0.0005;
+  constexpr double increment = 0.0005;
   RadiusCounter counter;
   OverhangKey key;
   double slide = 100.0;
   double overhang = 0.0;
-  std::int64_t code = std::llround(slide / discrete);
+  std::int64_t code = std::llround(slide / increment);
   std::int64_t to_drive = 0;
-  counter.preset(slide, {.position_mm = slide, .code = code, .discrete_mm = discrete});
+  counter.preset(slide, {.position_mm = slide, .code = code, .increment_mm = increment});
   for (int k = 0; k < 20000; ++k) {
     if (k % 997 == 0) {
       overhang = overhang_mm(random);
       key.block(true);
-      to_drive += key.pass(std::llround(overhang / discrete));
+      to_drive += key.pass(std::llround(overhang / increment));
       counter.preset(slide + overhang,
-                     {.position_mm = slide, .code = code, .discrete_mm = discrete});
+                     {.position_mm = slide, .code = code, .increment_mm = increment});
       key.block(false);
     } else {
       slide += step_mm(random);
-      const std::int64_t next = std::llround(slide / discrete);
+      const std::int64_t next = std::llround(slide / increment);
       to_drive += key.pass(next - code);
       counter.count(key.pass(next - code));
       code = next;
     }
-    ASSERT_LE(std::abs(static_cast<double>(counter.code()) - (slide + overhang) / discrete),
+    ASSERT_LE(std::abs(static_cast<double>(counter.code()) - (slide + overhang) / increment),
               1.0 + 1e-6);
   }
-  EXPECT_EQ(to_drive, code - std::llround(100.0 / discrete));
+  EXPECT_EQ(to_drive, code - std::llround(100.0 / increment));
 }
 
 // Compensator: a spindle with the idle power of the plant, P (n/2 + n^2/2).
@@ -221,11 +221,11 @@ TEST(FormableFrequency, StaysAwayFromMultiplesOfTheSpindle) {
 }
 
 // A self-oscillation that settles at 20 um and 100 Hz.
-TEST(SetPointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCut) {
-  SetPointLaw law({.feed_exponent = 0.75, .oscillation_reserve = 1.1});
+TEST(SetpointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCut) {
+  SetpointLaw law({.feed_exponent = 0.75, .oscillation_reserve = 1.1});
   law.set_mean(2000.0);
   law.set_automatic(2.0, 4.0);
-  SetPointLaw::Inputs inputs{.cycle_s = 0.001, .revolution_s = 0.1, .vibration = {}, .cuts = true};
+  SetpointLaw::Inputs inputs{.cycle_s = 0.001, .revolution_s = 0.1, .vibration = {}, .cuts = true};
   const auto run = [&](double seconds) {
     for (double t = 0.0; t < seconds; t += inputs.cycle_s) static_cast<void>(law.advance(inputs));
   };
@@ -245,23 +245,23 @@ TEST(SetPointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCu
   EXPECT_EQ(law.oscillation().force_n, 0.0);
 }
 
-TEST(SetPointLaw, IsConstantToTheBitWithoutOscillation) {
-  SetPointLaw law(ForceControlConfig{});
+TEST(SetpointLaw, IsConstantToTheBitWithoutOscillation) {
+  SetpointLaw law(ForceControlConfig{});
   law.set_mean(1234.5678);
   for (int k = 0; k < 1000; ++k) {
-    const ForceSetPoint set_point = law.advance({.cuts = true});
-    ASSERT_EQ(set_point.now_n, 1234.5678);
-    ASSERT_EQ(set_point.emphasised_n, 1234.5678);
+    const ForceSetpoint setpoint = law.advance({.cuts = true});
+    ASSERT_EQ(setpoint.now_n, 1234.5678);
+    ASSERT_EQ(setpoint.emphasised_n, 1234.5678);
   }
 }
 
-TEST(SetPointLaw, LimitsWhatTheFeedCannotForm) {
-  SetPointLaw law({.feed_exponent = 0.75});
+TEST(SetpointLaw, LimitsWhatTheFeedCannotForm) {
+  SetpointLaw law({.feed_exponent = 0.75});
   law.set_mean(1000.0);
   law.set_programmed({.force_n = 900.0, .frequency_hz = 5.0});
-  const ForceSetPoint set_point = law.advance({.revolution_s = 0.1, .cuts = true});
+  const ForceSetpoint setpoint = law.advance({.revolution_s = 0.1, .cuts = true});
   EXPECT_EQ(law.event(), motion::ForceEvent::oscillation_limited);
-  EXPECT_GT(set_point.emphasised_n, 0.0);
+  EXPECT_GT(setpoint.emphasised_n, 0.0);
   // 0.9 of the feed, through the chip (2/pi at half a turn) and the exponent.
   EXPECT_NEAR(law.oscillation().force_n, 900.0 * 0.75 * 2.0 / pi, 1e-9);
 }

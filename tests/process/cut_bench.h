@@ -118,9 +118,9 @@ class CutBench {
   double since_sample_s_ = 0.0;
 };
 
-inline motion::ForceOrder force_order(double force_n, double feed_min = 10.0,
-                                      double feed_max = 600.0) {
-  return {.kind = motion::ForceOrder::Kind::force,
+inline motion::ForceCommand force_command(double force_n, double feed_min = 10.0,
+                                          double feed_max = 600.0) {
+  return {.kind = motion::ForceCommand::Kind::force,
           .force_n = force_n,
           .feed_min = feed_min,
           .feed_max = feed_max};

@@ -12,13 +12,13 @@
 namespace stanok::process {
 namespace {
 
+using motion::ForceCommand;
 using motion::ForceEvent;
-using motion::ForceOrder;
 using motion::ForceState;
 using ::testing::Contains;
 using testing::CutBench;
 using testing::CutScene;
-using testing::force_order;
+using testing::force_command;
 using ::testing::IsEmpty;
 
 ForceControlConfig config() {
@@ -27,7 +27,7 @@ ForceControlConfig config() {
 
 // In the cut with the force held.
 void begin(CutBench& bench, double force_n, double depth_mm) {
-  ASSERT_TRUE(bench.control.order(force_order(force_n)));
+  ASSERT_TRUE(bench.control.command(force_command(force_n)));
   bench.wait_until_ready();
   ASSERT_EQ(bench.control.status().captures, 1U);
   bench.cut_at_feed();
@@ -36,7 +36,7 @@ void begin(CutBench& bench, double force_n, double depth_mm) {
   bench.run(std::max(4.0, 30.0 * 60.0 / bench.cut.rev_per_min));
 }
 
-// Time until the force stays within 2 % of its set-point, and how far it went beyond on the way
+// Time until the force stays within 2 % of its setpoint, and how far it went beyond on the way
 // back.
 struct ForceSettling {
   double time_s = 0.0;
@@ -109,7 +109,7 @@ TEST(ForceControl, KeepsTheClampsWhateverTheCutIs) {
   std::uniform_real_distribution<double> depth(0.0, 6.0);
   std::uniform_real_distribution<double> hardness(120.0, 400.0);
   CutBench bench(config());
-  ASSERT_TRUE(bench.control.order(force_order(1200.0, 30.0, 240.0)));
+  ASSERT_TRUE(bench.control.command(force_command(1200.0, 30.0, 240.0)));
   bench.wait_until_ready();
   bench.cut_at_feed();
   for (int k = 0; k < 60; ++k) {
@@ -129,7 +129,7 @@ TEST(ForceControl, SaysOnceThatTheForceIsTooHighAtTheLowestFeed) {
   EXPECT_EQ(std::ranges::count(bench.events, ForceEvent::overload_at_feed_min), 1);
 }
 
-// The feed out of the cut is that of the cut, not what a regulator without load would make of it.
+// The feed out of the cut is that of the cut, not what a controller without load would make of it.
 TEST(ForceControl, StandsInTheAirAndInRapid) {
   CutBench bench(config());
   begin(bench, 1200.0, 2.0);
@@ -157,15 +157,15 @@ TEST(ForceControl, HoldsTheForceFacingAtConstantSpeed) {
   begin(bench, 1200.0, 2.0);
   double radius = 60.0;
   double error_max = 0.0;
-  const double discrete = bench.cut.discrete_mm;
+  const double increment = bench.cut.increment_mm;
   bench.cut.transverse_mm = radius;
-  bench.cut.transverse_code = std::llround(radius / discrete);
+  bench.cut.transverse_code = std::llround(radius / increment);
   bench.cut.frame_is_new = true;
   while (radius > 20.0) {
     radius -= bench.cut.path_speed * bench.cut.cycle_s;
     bench.radius_now_mm = radius;
     bench.cut.transverse_mm = radius;
-    bench.cut.transverse_code = std::llround(radius / discrete);
+    bench.cut.transverse_code = std::llround(radius / increment);
     bench.cycle();
     error_max = std::max(error_max, std::abs(bench.force_n / 1200.0 - 1.0));
   }
@@ -202,7 +202,7 @@ TEST(ForceControl, HoldsTheFeedWhereTheOperatorHasLessOfIt) {
 TEST(ForceControl, TakesAnotherForceAtOnce) {
   CutBench bench(config());
   begin(bench, 1200.0, 2.0);
-  ASSERT_TRUE(bench.control.order({.kind = ForceOrder::Kind::adjust, .force_n = 900.0}));
+  ASSERT_TRUE(bench.control.command({.kind = ForceCommand::Kind::adjust, .force_n = 900.0}));
   bench.cycle();
   bench.run(2.5 * 0.1);  // the chip, and the sensor
   EXPECT_NEAR(bench.force_n, 900.0, 0.02 * 900.0);
@@ -254,13 +254,13 @@ INSTANTIATE_TEST_SUITE_P(Reactions, SensorFaultOf,
 
 TEST(ForceControl, RefusesAnOscillationWithoutAForceOrAboveIt) {
   CutBench bench(config());
-  const ForceOrder oscillation{
-      .kind = ForceOrder::Kind::oscillate, .oscillation_n = 100.0, .oscillation_hz = 4.0};
-  EXPECT_FALSE(bench.control.order(oscillation));
-  ASSERT_TRUE(bench.control.order(force_order(1200.0)));
-  EXPECT_TRUE(bench.control.order(oscillation));
-  EXPECT_FALSE(bench.control.order(
-      {.kind = ForceOrder::Kind::oscillate, .oscillation_n = 1200.0, .oscillation_hz = 4.0}));
+  const ForceCommand oscillation{
+      .kind = ForceCommand::Kind::oscillate, .oscillation_n = 100.0, .oscillation_hz = 4.0};
+  EXPECT_FALSE(bench.control.command(oscillation));
+  ASSERT_TRUE(bench.control.command(force_command(1200.0)));
+  EXPECT_TRUE(bench.control.command(oscillation));
+  EXPECT_FALSE(bench.control.command(
+      {.kind = ForceCommand::Kind::oscillate, .oscillation_n = 1200.0, .oscillation_hz = 4.0}));
 }
 
 struct Swing {
@@ -287,9 +287,9 @@ TEST(ForceControl, SwingsTheForceAsFarAsTheProgramAsks) {
   for (const double frequency : {1.0, 2.0, 4.0, 6.0}) {
     CutBench bench(config());
     begin(bench, 1200.0, 2.0);
-    ASSERT_TRUE(bench.control.order({.kind = ForceOrder::Kind::oscillate,
-                                     .oscillation_n = 120.0,
-                                     .oscillation_hz = frequency}));
+    ASSERT_TRUE(bench.control.command({.kind = ForceCommand::Kind::oscillate,
+                                       .oscillation_n = 120.0,
+                                       .oscillation_hz = frequency}));
     bench.run(4.0);
     const Swing force = swing(bench, frequency, 4.0);
     EXPECT_NEAR(force.mean, 1200.0, 12.0) << frequency;
@@ -304,8 +304,8 @@ TEST(ForceControl, SwingsTheForceAsFarAsTheProgramAsks) {
 TEST(ForceControl, ShiftsAnOscillationAwayFromMultiplesOfTheSpindle) {
   CutBench bench(config());
   begin(bench, 1200.0, 2.0);
-  ASSERT_TRUE(bench.control.order(
-      {.kind = ForceOrder::Kind::oscillate, .oscillation_n = 40.0, .oscillation_hz = 10.0}));
+  ASSERT_TRUE(bench.control.command(
+      {.kind = ForceCommand::Kind::oscillate, .oscillation_n = 40.0, .oscillation_hz = 10.0}));
   bench.run(2.0);
   EXPECT_THAT(bench.events, Contains(ForceEvent::frequency_shifted));
   EXPECT_EQ(bench.control.status().oscillation_hz, 15.0);
@@ -321,7 +321,7 @@ TEST(ForceControl, IsNotMovedByVibrationWithinTheDeadZone) {
   const auto feeds_under = [&](double vibration_um) {
     CutBench bench(with);
     begin(bench, 1200.0, 2.0);
-    EXPECT_TRUE(bench.control.order({.kind = ForceOrder::Kind::vibration_on}));
+    EXPECT_TRUE(bench.control.command({.kind = ForceCommand::Kind::vibration_on}));
     std::vector<double> feeds;
     bench.run(2.0, [&] {
       bench.cut.vibration_um = vibration_um * (0.5 + 0.5 * std::sin(bench.time_s));

@@ -17,7 +17,7 @@ namespace {
 using motion::ForceEvent;
 using motion::ForceState;
 using testing::CutBench;
-using testing::force_order;
+using testing::force_command;
 
 ForceControlConfig config_of_watch() {
   return {.efficiency = 0.85, .power_lag_s = 0.025};
@@ -25,7 +25,7 @@ ForceControlConfig config_of_watch() {
 
 // In the cut with the force held; the sensor sound until now.
 void hold_force(CutBench& bench) {
-  ASSERT_TRUE(bench.control.order(force_order(1200.0)));
+  ASSERT_TRUE(bench.control.command(force_command(1200.0)));
   bench.wait_until_ready();
   bench.cut_at_feed();
   bench.run(0.5);
@@ -122,7 +122,7 @@ TEST_P(SoundSensor, IsNeverFoundStuck) {
     const double cut_w = power_w - bench.idle_w();
     return count * std::round((bench.idle_w() + cut_w * (1.0 + noise * gauss(random))) / count);
   };
-  ASSERT_TRUE(bench.control.order(force_order(between(400.0, 2000.0), 10.0, 1200.0)));
+  ASSERT_TRUE(bench.control.command(force_command(between(400.0, 2000.0), 10.0, 1200.0)));
   bench.wait_until_ready();
   bench.cut_at_feed();
   bench.run(0.5);
@@ -159,7 +159,7 @@ TEST(PowerWatch, DoesNotTouchTheFeedAfterStepsOfTheCut) {
     };
     CutBench bench(config_of_watch(), {.rev_per_min = between(300.0, 1500.0)});
     PowerWatch watch(config_of_watch());
-    ASSERT_TRUE(bench.control.order(force_order(1200.0, 10.0, 1200.0)));
+    ASSERT_TRUE(bench.control.command(force_command(1200.0, 10.0, 1200.0)));
     bench.wait_until_ready();
     bench.cut_at_feed();
     bench.run(0.5);

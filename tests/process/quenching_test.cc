@@ -12,7 +12,7 @@ namespace stanok::process {
 namespace {
 
 using testing::CutBench;
-using testing::force_order;
+using testing::force_command;
 
 constexpr double self_um = 12.0;
 constexpr double self_hz = 110.0;
@@ -32,8 +32,8 @@ class Quenching {
 
   // Amplitude at the plant's own frequency, after the oscillation has worked for a while.
   double residual_um() {
-    EXPECT_TRUE(bench_.control.order(force_order(1500.0)));
-    EXPECT_TRUE(bench_.control.order({.kind = motion::ForceOrder::Kind::vibration_on}));
+    EXPECT_TRUE(bench_.control.command(force_command(1500.0)));
+    EXPECT_TRUE(bench_.control.command({.kind = motion::ForceCommand::Kind::vibration_on}));
     bench_.wait_until_ready();
     bench_.cut_at_feed();
     bench_.depth_mm = 2.0;

@@ -39,7 +39,7 @@ TEST(FlightRecorder, NeedsNoMoreMemoryLater) {
   EXPECT_LT(flight.bytes(), 2 * early);
 }
 
-// Messages of the set-points of a file: first and last cycle, and that none is missing between.
+// Messages of the setpoints of a file: first and last cycle, and that none is missing between.
 void expect_cycles(const std::filesystem::path& file, std::int64_t first, std::int64_t last) {
   const auto contents = read_contents(file);
   ASSERT_TRUE(contents);

@@ -16,7 +16,7 @@ namespace {
 constexpr int recorded_cycles = 200;
 // Behind LOG_META, behind 64 and 128 kB, at the flush, and the trailer.
 constexpr std::int64_t checks = 5;
-// LOG_META, LOG_TYPES, the tool, a set-point every cycle, the state and the process every 50 ms.
+// LOG_META, LOG_TYPES, the tool, a setpoint every cycle, the state and the process every 50 ms.
 constexpr std::int64_t events = 3 + recorded_cycles + 2 * (recorded_cycles / 50) + checks;
 
 class LogReading : public ::testing::Test {
@@ -144,7 +144,7 @@ TEST(LogReader, SaysWhyAFileCannotBeOpened) {
 }
 
 // Outputs that the recorder was too late for have no running number.
-TEST(LogWithAGap, MissesTheSetPointsOfCyclesThatNeverCame) {
+TEST(LogWithAGap, MissesTheSetpointsOfCyclesThatNeverCame) {
   const auto file = test_file("lcm");
   {
     auto writer = LogWriter::open(file);

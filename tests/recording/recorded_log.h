@@ -24,7 +24,7 @@ inline std::filesystem::path test_file(const std::string& name) {
          (std::string(test->test_suite_name()) + "." + test->name() + "." + name);
 }
 
-// The LCM channel of the set-points of small_machine().
+// The LCM channel of the setpoints of small_machine().
 inline constexpr const char* setpoint_channel = "STANOK_MILL_CH1_SETPOINT";
 
 inline LogDescription small_machine() {

@@ -15,22 +15,22 @@ namespace stanok::runtime {
 namespace {
 
 // mill3 with velocity drives on a bus that is polled every `poll_ms`.
-config::MachineFile mill(const motion::RegulatorGains& gains, int poll_ms) {
+config::MachineFile mill(const motion::ControllerGains& gains, int poll_ms) {
   config::MachineFile file =
       config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) / "config" /
                                 "machines" / "mill3.toml");
   file.bus.poll_ms = poll_ms;
   for (channels::AxisConfig& axis : file.machine.axes) {
-    axis.regulator = {.feedback = channels::FeedbackPlace::cycle,
-                      .gains = gains,
-                      .demand_held_s = poll_ms * 1e-3};
+    axis.controller = {.feedback = channels::FeedbackPlace::cycle,
+                       .gains = gains,
+                       .demand_held_s = poll_ms * 1e-3};
     axis.following_error_max = 2.0;
   }
   return file;
 }
 
 // The gains that invert the simulated drives of the machine file (docs/developer/motion.md).
-motion::RegulatorGains inverting(double kp) {
+motion::ControllerGains inverting(double kp) {
   const config::SimulationConfig drive;
   const double w = 2.0 * std::numbers::pi * drive.servo_frequency_hz;
   const double r = 2.0 * std::numbers::pi * drive.resonance_frequency_hz;
@@ -40,7 +40,7 @@ motion::RegulatorGains inverting(double kp) {
 struct Followed {
   bool ok = false;
   std::vector<double> errors;      // of X, at the instants of the drive
-  std::vector<double> velocities;  // of its set-point in the same cycles
+  std::vector<double> velocities;  // of its setpoint in the same cycles
 };
 
 class CycleLoop : public ::testing::Test {

@@ -157,7 +157,7 @@ TEST(Replay, OfALogThatEndsWithALossSaysSo) {
   EXPECT_EQ(result.cycles, 100);
 }
 
-TEST(Replay, OfALogThatLacksSetPointsGoesToTheGap) {
+TEST(Replay, OfALogThatLacksSetpointsGoesToTheGap) {
   RecordedByChance run("mill3.toml", DriveChoice::ideal, 10);
   run.run(60);
   run.lose_outputs(5);

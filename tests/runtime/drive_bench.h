@@ -125,7 +125,7 @@ class DriveBench {
   [[nodiscard]] const std::string& text() const { return last_text_; }
   [[nodiscard]] bool is_homed(std::size_t k) const { return output_->feedback[k].referenced; }
   // Of the plant, whatever the encoder counts.
-  [[nodiscard]] double set_point(std::size_t k) const { return output_->axes[k].position; }
+  [[nodiscard]] double setpoint(std::size_t k) const { return output_->axes[k].position; }
 
  private:
   config::TemporaryFiles files_;

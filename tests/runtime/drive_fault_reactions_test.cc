@@ -72,7 +72,7 @@ class DriveFaultReactions : public ::testing::TestWithParam<Reaction> {
         << bench.text();
     for (int k = 0; k < 30000 && bench.output().running; ++k) bench.cycle();
     EXPECT_EQ(bench.machine().alarms().size(), 1U);
-    EXPECT_NEAR(bench.set_point(0), 0.0, 1e-9);
+    EXPECT_NEAR(bench.setpoint(0), 0.0, 1e-9);
     EXPECT_NEAR(bench.output().feedback[0].position, 0.0, 0.05);
   }
 
@@ -110,13 +110,13 @@ TEST_P(DriveFaultReactions, StopAlongThePathWithinTwoCyclesAndWaitForAnOperator)
   EXPECT_FALSE(bench.output().drives[0].enabled);
   EXPECT_FALSE(bench.output().drives[1].enabled);
   // The drive works again: nothing goes on by itself.
-  const double stands_at = bench.set_point(1);
+  const double stands_at = bench.setpoint(1);
   bench.fail("X", FaultKind::none);
   bench.run(2.0);
-  EXPECT_EQ(bench.set_point(1), stands_at);
+  EXPECT_EQ(bench.setpoint(1), stands_at);
   // What is shown, kept and touched off is what the drive says, not where the channel had stopped.
   EXPECT_TRUE(bench.output().feedback[0].valid);
-  EXPECT_NEAR(bench.set_point(0), bench.output().feedback[0].position, 0.01);
+  EXPECT_NEAR(bench.setpoint(0), bench.output().feedback[0].position, 0.01);
   EXPECT_FALSE(bench.output().running);
   EXPECT_EQ(bench.output().state, channels::ChannelState::alarm);
   recover();

@@ -40,7 +40,7 @@ TEST(Homing, FiveAxesInAnyOrderOfTheirSwitches) {
     // it in the machine, stays off.
     for (std::size_t k = 0; k < 5; ++k) {
       const auto id = bench.ask(OperatorAction::jog, std::string(1, "XYZUV"[k]), 150.0,
-                                99.0 - bench.set_point(k));
+                                99.0 - bench.setpoint(k));
       ASSERT_EQ(bench.reply_to(id), "ok") << bench.text();
       bench.run(4.0);
       EXPECT_NEAR(bench.output().feedback[k].position, 99.0, 5.0 * mm);
@@ -60,13 +60,13 @@ TEST(Homing, ParkedAxesAreReleasedForItAndParkedAgain) {
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "ok") << bench.text();
   bench.run(0.5);
   for (const std::size_t parked : {3U, 4U}) {
-    EXPECT_NEAR(bench.set_point(parked), 0.0, 1e-9);
+    EXPECT_NEAR(bench.setpoint(parked), 0.0, 1e-9);
     EXPECT_TRUE(bench.output().feedback[parked].brake_closed);
     EXPECT_FALSE(bench.output().feedback[parked].enabled);
   }
   const double marks[] = {-445.0, 295.0, 345.0};
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_NEAR(bench.set_point(k), marks[k], 0.1);
+    EXPECT_NEAR(bench.setpoint(k), marks[k], 0.1);
     EXPECT_TRUE(bench.output().feedback[k].enabled);
   }
 }
@@ -113,14 +113,14 @@ TEST(Homing, ASpindleThatBecomesAnAxisTurnsToItsIndexPulse) {
   AngleBehindIndex angle;
   const SimulationResult result = simulate(options, {&angle}, [] { return false; });
   EXPECT_TRUE(result.ok) << (result.alarms.empty() ? "" : result.alarms[0].diagnostic.message);
-  // The mark reads `position`, 0: C90 is 90 deg behind the pulse, in the latched counts, too.
+  // The index pulse reads `position`, 0: C90 is 90 deg behind it, in the latched counts, too.
   EXPECT_NEAR(angle.last, 90.0, 0.1);
 }
 
 TEST(Homing, SaysWhatItDidNotFindAndLeavesTheAxisWithoutReference) {
   DriveBench bench({{.home_from = 150.0, .home_to = 160.0}});  // behind both limit switches
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::home)), "A2001");
-  EXPECT_EQ(bench.text(), "axis X: no reference switch between the limit switches");
+  EXPECT_EQ(bench.text(), "axis X: there is no home switch between the limit switches");
   EXPECT_FALSE(bench.is_homed(0));
 }
 
@@ -140,22 +140,22 @@ TEST(Homing, AResetStopsIt) {
 // speed and the brake take it: 20 mm/s for 0.2 s, and D = v T / 2 = 0.63 mm.
 TEST(Jogging, EndsWhenItIsNotRenewed) {
   DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
-  const double from = bench.set_point(0);
+  const double from = bench.setpoint(0);
   ASSERT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", 20.0)), "ok");
   bench.run(0.5);
   EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
-  EXPECT_GT(bench.set_point(0) - from, 2.0);
-  EXPECT_LT(bench.set_point(0) - from, 20.0 * 0.2 + 0.7);
+  EXPECT_GT(bench.setpoint(0) - from, 2.0);
+  EXPECT_LT(bench.setpoint(0) - from, 20.0 * 0.2 + 0.7);
 }
 
 TEST(Jogging, GoesOnWhileItIsRenewed) {
   DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
-  const double from = bench.set_point(0);
+  const double from = bench.setpoint(0);
   for (int k = 0; k < 20; ++k) {
     bench.ask(OperatorAction::jog, "X", -10.0);
     bench.run(0.1);
   }
-  EXPECT_NEAR(bench.set_point(0) - from, -20.0, 0.5);
+  EXPECT_NEAR(bench.setpoint(0) - from, -20.0, 0.5);
   bench.run(0.5);
   EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
 }
@@ -164,11 +164,11 @@ TEST(Jogging, TheOtherDirectionStopsItAtOnce) {
   DriveBench bench({{.home_from = 50.0, .home_to = 60.0}});
   bench.ask(OperatorAction::jog, "X", 20.0);
   bench.run(0.15);
-  const double at = bench.set_point(0);
+  const double at = bench.setpoint(0);
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", -20.0)), "E6056");
   bench.run(0.3);
   EXPECT_EQ(bench.output().axes[0].velocity, 0.0);
-  EXPECT_LT(bench.set_point(0) - at, 1.0);  // braking: v T / 2 = 0.63 mm
+  EXPECT_LT(bench.setpoint(0) - at, 1.0);  // braking: v T / 2 = 0.63 mm
   EXPECT_EQ(bench.reply_to(bench.ask(OperatorAction::jog, "X", -20.0)), "ok");
 }
 
@@ -198,7 +198,7 @@ TEST(Jogging, KeepsTheTravelOfAnAxisWithReference) {
     bench.ask(OperatorAction::jog, "X", 150.0);
     bench.run(0.1);
   }
-  EXPECT_EQ(bench.set_point(0), 100.0);
+  EXPECT_EQ(bench.setpoint(0), 100.0);
   EXPECT_NE(bench.output().state, channels::ChannelState::alarm);
 }
 

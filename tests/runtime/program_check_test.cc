@@ -27,7 +27,7 @@ class TextsInMemory : public lang::Files {
           lang::SourceText{found->first, found->first, found->second});
     Diagnostic missing;
     missing.code = "E7001";
-    missing.message = "file not found: " + std::string(name);
+    missing.message = "the file was not found: " + std::string(name);
     return tl::unexpected(missing);
   }
 

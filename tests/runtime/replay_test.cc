@@ -165,7 +165,7 @@ TEST(Replay, OfAChannelThatASessionHadToItselfIsTheSame) {
   EXPECT_TRUE(replay(without, {}).difference) << "the input is what the refusal depends on";
 }
 
-// A log with one bit of one set-point changed: its cycle, channel and axis are named.
+// A log with one bit of one setpoint changed: its cycle, channel and axis are named.
 TEST(Replay, FindsOneChangedBit) {
   const RecordedContour run(DriveChoice::ideal, 3, 2000);
   constexpr std::int64_t changed_cycle = 1234;

@@ -55,7 +55,7 @@ TEST(SimulatedDrives, FollowAtEveryPollOfTheContract) {
   }
 }
 
-// Bits of the set-points of a channel from the first cycle in which a program runs.
+// Bits of the setpoints of a channel from the first cycle in which a program runs.
 class SetpointBits final : public CycleObserver {
  public:
   void observe(const channels::CycleOutput& output) override {
@@ -71,7 +71,7 @@ class SetpointBits final : public CycleObserver {
   std::vector<std::uint64_t> bits;
 };
 
-// Drives follow set-points; they do not change them. With a drive on the bus the spindle, too.
+// Drives follow setpoints; they do not change them. With a drive on the bus the spindle, too.
 TEST(SimulatedDrives, SetpointsAreTheSameWithAndWithoutDrives) {
   const config::TemporaryFiles files;
   files.write("part.nc",

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "simulation/cube_cases.h"
-#include "simulation/loose_pieces.h"
+#include "simulation/offcuts.h"
 #include "tests/simulation/analytic_parts.h"
 
 namespace stanok::simulation {
@@ -53,7 +53,7 @@ TEST(SurfaceMesh, IsClosedForRandomCuts) {
 }
 
 // A cut through the block leaves 6 of its 20 mm on one side, and a flat plate is cut off above.
-TEST(SurfaceMesh, LosesThePiecesThatAreCutLoose) {
+TEST(SurfaceMesh, LosesItsOffcuts) {
   Blank blank = testing::box(20.0, 10.0, 10.0);
   blank.resolution = 0.25;
   Workpiece workpiece(blank, *grid_of(blank));
@@ -63,13 +63,13 @@ TEST(SurfaceMesh, LosesThePiecesThatAreCutLoose) {
                       {{7.5, -5.0, 8.0}, {7.5, 15.0, 8.0}});
   Mesh mesh = surface_of(workpiece.material());
   const double whole = mesh.volume();
-  const LoosePieces loose = take_off_loose_pieces(mesh);
-  EXPECT_EQ(loose.count, 2U);
-  EXPECT_NEAR(loose.volume_mm3, 6.0 * 100.0 + 12.0 * 10.0 * 1.0, 15.0);
-  EXPECT_NEAR(mesh.volume(), whole - loose.volume_mm3, 1e-3);
+  const Offcuts offcuts = take_off_offcuts(mesh);
+  EXPECT_EQ(offcuts.count, 2U);
+  EXPECT_NEAR(offcuts.volume_mm3, 6.0 * 100.0 + 12.0 * 10.0 * 1.0, 15.0);
+  EXPECT_NEAR(mesh.volume(), whole - offcuts.volume_mm3, 1e-3);
   EXPECT_NEAR(mesh.volume(), 12.0 * 10.0 * 7.0, 15.0);
   EXPECT_EQ(open_edges(mesh), 0);
-  EXPECT_EQ(take_off_loose_pieces(mesh).count, 0U);
+  EXPECT_EQ(take_off_offcuts(mesh).count, 0U);
 }
 
 TEST(SurfaceMesh, HasTheVolumeOfTheBlankOutwards) {

@@ -51,13 +51,14 @@ class ToolSolidTest : public ::testing::TestWithParam<Case> {};
 TEST_P(ToolSolidTest, HasTheRadiusOfTheDrawing) {
   constexpr double deviation = 0.01;
   const ToolSolid solid = solid_of(GetParam().shape, deviation);
-  for (const ProfilePiece& piece : solid.bodies.front().pieces) {
+  for (const ProfileSegment& segment : solid.bodies.front().segments) {
     for (int i = 1; i < 10; ++i) {
-      const double height = piece.from + (piece.to - piece.from) * i / 10.0;
+      const double height = segment.from + (segment.to - segment.from) * i / 10.0;
       // A chord is off by `deviation` across it, by more along the radius where it lies flat.
-      EXPECT_NEAR(piece.radius_at(height), drawn_radius(GetParam().shape, height), 0.15) << height;
+      EXPECT_NEAR(segment.radius_at(height), drawn_radius(GetParam().shape, height), 0.15)
+          << height;
       const double drawn_above = drawn_radius(GetParam().shape, height + 2.0 * deviation);
-      EXPECT_LE(piece.radius_at(height), drawn_above + 2.0 * deviation) << height;
+      EXPECT_LE(segment.radius_at(height), drawn_above + 2.0 * deviation) << height;
     }
   }
   EXPECT_DOUBLE_EQ(solid.bodies.front().top(), 12.0);
@@ -70,8 +71,8 @@ bool is_inside(const Body& body, const ToolPlace& place, const Vector& point) {
   const Vector from_tip = point - place.tip;
   const double height = from_tip.dot(place.axis);
   const double distance = (from_tip - height * place.axis).norm();
-  for (const ProfilePiece& piece : body.pieces) {
-    if (height >= piece.from && height <= piece.to && distance <= piece.radius_at(height))
+  for (const ProfileSegment& segment : body.segments) {
+    if (height >= segment.from && height <= segment.to && distance <= segment.radius_at(height))
       return true;
   }
   return false;
@@ -129,10 +130,10 @@ TEST_P(ToolSolidTest, KeepsItsCoreWithin) {
   for (std::size_t i = 0; i < solid.bodies.size(); ++i) {
     EXPECT_GE(core.bodies[i].bottom(), solid.bodies[i].bottom() + set_back - 1e-9);
     EXPECT_LE(core.bodies[i].top(), solid.bodies[i].top() - set_back + 1e-9);
-    for (const ProfilePiece& piece : core.bodies[i].pieces) {
-      const double height = (piece.from + piece.to) / 2.0;
+    for (const ProfileSegment& segment : core.bodies[i].segments) {
+      const double height = (segment.from + segment.to) / 2.0;
       const ToolPlace upright;
-      const Vector at(piece.radius_at(height), 0.0, height);
+      const Vector at(segment.radius_at(height), 0.0, height);
       EXPECT_TRUE(is_inside(solid.bodies[i], upright, at)) << height;
     }
   }

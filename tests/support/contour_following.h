@@ -1,7 +1,7 @@
-// A circle, followed by two simulated servo axes under position regulators: interpolator, regulator
-// and drive, cycle by cycle. For tests and for the figures of docs/developer/motion.md.
+// A circle, followed by two simulated servo axes under position controllers: interpolator,
+// controller and drive, cycle by cycle. For tests and for the figures of docs/developer/motion.md.
 //
-// At every cycle instant the positions are measured in whole discretes, the regulators ask for
+// At every cycle instant the positions are measured in whole increments, the controllers ask for
 // their velocities, and the drives move for one cycle.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "motion/path/axis_codes.h"
-#include "motion/threads/position_regulator.h"
+#include "motion/threads/position_controller.h"
 #include "plant/mechanics/servo_axis.h"
 #include "tests/motion/path_samples.h"
 
@@ -20,16 +20,16 @@ namespace stanok::testing {
 struct CircleTask {
   double radius = 20.0;       // mm
   double feed_per_s = 100.0;  // mm/s
-  double resolution = 0.001;  // mm per discrete
+  double resolution = 0.001;  // mm per increment
   plant::VelocityLoopConfig loop{};
 };
 
-// Where the regulator has V, a and J from.
+// Where the controller has V, a and J from.
 enum class RateSource { interpolator, differences };
 
 // One cycle on the steady part of the circle; X and Y in mm.
 struct FollowedCycle {
-  std::array<double, 2> error{};   // set-point less position of the load at the end of the cycle
+  std::array<double, 2> error{};   // setpoint less position of the load at the end of the cycle
   std::array<double, 2> demand{};  // U in mm/s during the cycle
 };
 
@@ -37,7 +37,7 @@ inline constexpr double circle_cycle_s = 0.001;
 
 // The gains that invert the drive: its transfer function from U to the position of the load is
 // 1 / (s + ka s^2 + kr s^3 + ...).
-inline motion::RegulatorGains inverting_gains(double kp, const plant::VelocityLoopConfig& loop) {
+inline motion::ControllerGains inverting_gains(double kp, const plant::VelocityLoopConfig& loop) {
   const double w = 2.0 * std::numbers::pi * loop.bandwidth_hz;
   const double r = 2.0 * std::numbers::pi * loop.resonance_hz;
   return {.kp = kp, .kv = 1.0, .ka = 2.0 * loop.damping / w, .kr = 1.0 / (w * w) + 1.0 / (r * r)};
@@ -53,14 +53,14 @@ inline std::vector<motion::testing::Sample> circle_samples(const CircleTask& tas
                                    chain.built());
 }
 
-// One axis of it under its regulator.
+// One axis of it under its controller.
 class FollowingAxis {
  public:
-  FollowingAxis(const CircleTask& task, const motion::RegulatorGains& gains, RateSource source,
+  FollowingAxis(const CircleTask& task, const motion::ControllerGains& gains, RateSource source,
                 double start)
       : source_(source),
         scale_{.resolution = task.resolution},
-        regulator_(gains, 1000.0),
+        controller_(gains, 1000.0),
         differences_(position_code(start, scale_), task.resolution, circle_cycle_s),
         drive_(task.loop, {}, start) {}
 
@@ -73,7 +73,7 @@ class FollowingAxis {
     const motion::SetpointRates coming = source_ == RateSource::differences
                                              ? differenced
                                              : motion::coming_rates(now, circle_cycle_s);
-    const double demand = regulator_.demand(behind * scale_.resolution, coming);
+    const double demand = controller_.demand(behind * scale_.resolution, coming);
     drive_.follow({.position = next.value, .velocity = demand}, circle_cycle_s);
     return demand;
   }
@@ -82,14 +82,14 @@ class FollowingAxis {
  private:
   RateSource source_;
   motion::CodeScale scale_;
-  motion::PositionRegulator regulator_;
+  motion::PositionController controller_;
   motion::CodeDifferences differences_;
   plant::ServoAxis drive_;
 };
 
 // The cycles at full feed, half a second after it was reached.
 inline std::vector<FollowedCycle> follow_circle(const CircleTask& task,
-                                                const motion::RegulatorGains& gains,
+                                                const motion::ControllerGains& gains,
                                                 RateSource source) {
   constexpr int settling_cycles = 500;
   const auto samples = circle_samples(task);

@@ -187,7 +187,7 @@ void add_process_options(CLI::App& command, GrindOptions& options) {
       .add_option("--spark-out", options.spark_out_revolutions,
                   "revolutions of the part after the last X")
       ->check(CLI::Range(0.0, 1000.0));
-  command.add_option("--time-step", options.time_step_s, "of the simulation, s (0.0005)")
+  command.add_option("--time-step", options.time_step_s, "step of the simulation, s (0.0005)")
       ->check(CLI::Range(1e-6, 0.0005));
 }
 
@@ -222,21 +222,25 @@ void add_machine_options(CLI::App& command, GrindOptions& options) {
 }
 
 void add_staircase_options(CLI::App& command, GrindOptions& options) {
-  command.add_option("--points", options.points, "number of switch points; else as many as pay")
+  command
+      .add_option("--points", options.points, "number of switch points; default: as many as pay")
       ->check(CLI::Range(0, process::switch_points_max));
   command.add_option("--at", options.at_mm, "their X in mm, falling: 0.26,0.09,0.02")
       ->delimiter(',')
       ->excludes("--points");
-  command.add_option("--decimals", options.decimals, "of X and feeds in the table; else 4 or more")
+  command
+      .add_option("--decimals", options.decimals,
+                  "decimals of X and feeds in the table; default: 4 or more")
       ->check(CLI::Range(3, 7));
 }
 
 void add_iteration_options(CLI::App& command, GrindOptions& options) {
   command.add_option("--koc", options.feedback, "gain of the iteration, below 1 (0.5)")
       ->check(CLI::PositiveNumber);
-  command.add_option("--iterations", options.iterations, "at most; 0: the constant feed (40)")
+  command
+      .add_option("--iterations", options.iterations, "most iterations; 0: the constant feed (40)")
       ->check(CLI::Range(0, 1000));
-  command.add_flag("--force", options.force, "iterate on, also with a gain that is not stable");
+  command.add_flag("--force", options.force, "keep iterating, even at a gain that is not stable");
 }
 
 using Run = int (*)(const GrindOptions&);
@@ -253,7 +257,7 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
     return std::pair(command, options);
   };
   const auto [design, of_design] =
-      add("design", "infeed cycle of a process: optimum, table, program", &run_design);
+      add("design", "design the infeed cycle of a process: optimum, table, program", &run_design);
   design->add_option("PROCESS", of_design->input, "process file (.toml) or control file")
       ->type_name("FILE")
       ->required();
@@ -272,7 +276,8 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
   add_process_options(*verify, *of_verify);
   add_result_options(*verify, *of_verify);
 
-  const auto [program, of_program] = add("program", "part program of a control file", &run_program);
+  const auto [program, of_program] =
+      add("program", "write the part program of a control file", &run_program);
   program->add_option("CONTROL_FILE", of_program->input, "control file")
       ->type_name("FILE")
       ->required();
@@ -285,12 +290,13 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
   add_machine_options(*program, *of_program);
 
   const auto [study, of_study] =
-      add("study", "designs over varied numbers of a process, as CSV", &run_study_command);
+      add("study", "design cycles over varied numbers of a process, as CSV", &run_study_command);
   study->add_option("PROCESS", of_study->input, "process file (.toml) or control file")
       ->type_name("FILE")
       ->required();
   study->add_option("--vary", of_study->variations, "KEY=FROM:TO:COUNT, several times")->required();
-  study->add_option("--out", of_study->out, "CSV file; else stdout")->type_name("FILE");
+  study->add_option("--out", of_study->out, "CSV file; default: the standard output")
+      ->type_name("FILE");
   add_process_options(*study, *of_study);
   add_staircase_options(*study, *of_study);
 }

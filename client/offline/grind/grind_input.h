@@ -19,7 +19,7 @@ struct GrindOptions {
   double burn_margin = -1.0;
   double spark_out_revolutions = -1.0;
   double time_step_s = 0.0;
-  // Of a design or a study.
+  // What a design or a study needs besides.
   int points = -1;  // below 0: as many as pay
   std::vector<double> at_mm;
   int decimals = 0;  // 0: as many as the feeds need
@@ -32,7 +32,7 @@ struct GrindOptions {
   std::string program;
   std::string picture;
   std::string optimum_picture;
-  // Of a part program.
+  // What a part program needs besides.
   GrindMachineOptions machine;
   double gauge_margin_mm = 0.0;
 };

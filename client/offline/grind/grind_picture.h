@@ -18,7 +18,7 @@ struct GrindPicture {
 };
 
 // The upper part is the paper's plane of removal and allowance: boundary, law and trajectory; the
-// middle one the way of the wheel head and its feed over time; the lower one Q/D.
+// middle one the travel of the wheel head and its feed over time; the lower one Q/D.
 [[nodiscard]] std::string picture_script(const GrindPicture& picture,
                                          const std::filesystem::path& file);
 

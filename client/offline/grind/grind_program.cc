@@ -24,7 +24,7 @@ const ChannelConfig& grind_channel(const MachineConfig& machine, int id) {
   const auto channel = std::ranges::find_if(machine.channels, suits);
   if (channel == machine.channels.end()) {
     throw std::runtime_error(machine.name +
-                             " has no such channel; a grinding program wants one of "
+                             " has no such channel; a grinding program needs one of "
                              "kind \"grind\"");
   }
   return *channel;
@@ -50,13 +50,13 @@ void check_speed(const MachineConfig& machine, int id, const char* what, double 
                   speed_rpm, id, machine.name, spindle->speed_min, spindle->speed_max));
 }
 
-// Places between the discretes of the axis would be switched at the next one.
-void check_discretes(const channels::AxisConfig& axis, const process::InfeedLaw& law) {
-  constexpr double part_of_discrete = 1e-3;
+// Places between the increments of the axis would be switched at the next one.
+void check_increments(const channels::AxisConfig& axis, const process::InfeedLaw& law) {
+  constexpr double part_of_increment = 1e-3;
   for (const process::InfeedRow& row : law) {
-    const double discretes = row.x_mm / axis.resolution;
-    if (std::abs(discretes - std::round(discretes)) <= part_of_discrete) continue;
-    fmt::print(stderr, "warning: X {} lies between two discretes of axis {}, {:g} mm\n", row.x_mm,
+    const double increments = row.x_mm / axis.resolution;
+    if (std::abs(increments - std::round(increments)) <= part_of_increment) continue;
+    fmt::print(stderr, "warning: X {} lies between two increments of axis {}, {:g} mm\n", row.x_mm,
                axis.name, axis.resolution);
     return;
   }
@@ -71,7 +71,7 @@ process::ProgramOptions program_options(const process::GrindingProcess& process,
   if (options.machine_file.empty()) return program;
   const MachineConfig machine = config::read_machine_file(options.machine_file).machine;
   const ChannelConfig& channel = grind_channel(machine, options.channel);
-  check_discretes(infeed_axis(machine, channel), law);
+  check_increments(infeed_axis(machine, channel), law);
   if (channel.spindles.empty()) {
     throw std::runtime_error("channel " + std::to_string(channel.id) + " of " + machine.name +
                              " has no spindle that turns the part");

@@ -101,10 +101,11 @@ void add_interpret_command(CLI::App& app, int& exit_code) {
       command->add_option("--from-line", options->from_line, "begin at this line (block search)");
   command->add_option("--from-block", options->from_block, "begin at block N (block search)")
       ->excludes(line);
-  command->add_option("--pass", options->passes, "at the n-th time the block is met; default 1")
+  command
+      ->add_option("--pass", options->passes, "at this pass of a loop through the block; default 1")
       ->check(CLI::PositiveNumber);
   command->add_flag("--without-calculation", options->without_calculation,
-                    "leave out what stands before, instead of interpreting it");
+                    "skip the blocks before it instead of interpreting them");
   command->add_flag("--quiet", options->quiet, "print the summary only");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

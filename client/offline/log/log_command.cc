@@ -46,16 +46,16 @@ std::string channel_list(const recording::LogContents& contents) {
   return list.empty() ? "none" : list;
 }
 
-// The channels to work on: the one that was asked for, or all with set-points.
+// The channels to work on: the one that was asked for, or all with setpoints.
 std::vector<int> chosen_channels(const recording::LogContents& contents, int channel) {
   std::vector<int> channels;
   for (const auto& [number, name] : contents.setpoint_channels) {
     if (channel == 0 || number == channel) channels.push_back(number);
   }
   if (channels.empty()) {
-    throw std::runtime_error("no set-points of " +
+    throw std::runtime_error("no setpoints of " +
                              (channel == 0 ? "any channel" : "channel " + std::to_string(channel)) +
-                             "; channels with set-points: " + channel_list(contents));
+                             "; channels with setpoints: " + channel_list(contents));
   }
   return channels;
 }
@@ -80,7 +80,7 @@ int export_csv(const LogOptions& options) {
   const auto contents = value_or_throw(recording::read_contents(options.file));
   const auto channels = chosen_channels(contents, options.channel);
   if (channels.size() > 1) {
-    throw std::runtime_error("the log has set-points of channels " + channel_list(contents) +
+    throw std::runtime_error("the log has setpoints of channels " + channel_list(contents) +
                              "; choose one with --channel");
   }
   warn_when_damaged(contents, options.file);
@@ -156,7 +156,7 @@ int verify(const LogOptions& options) {
         first.cycle, first.channel, first.field, first.recorded, first.repeated,
         first.units_in_last_place));
   } else {
-    write_data(fmt::format("{} set-points of {} cycles are the same, bit for bit\n",
+    write_data(fmt::format("{} setpoints of {} cycles are the same, bit for bit\n",
                            result.setpoints, result.cycles));
   }
   return exit_code_of(result);
@@ -193,10 +193,11 @@ void add_log_commands(CLI::App& app, int& exit_code) {
     return std::pair(command, options);
   };
   const auto [info, info_options] =
-      add("info", "what a log file holds, and its damage", &print_contents);
+      add("info", "show what a log file contains, and what is damaged", &print_contents);
   info->add_flag("--json", info_options->json, "print JSON");
 
-  const auto [csv, csv_options] = add("export", "set-points of a log file as CSV", &export_csv);
+  const auto [csv, csv_options] =
+      add("export", "write the setpoints of a log file as CSV", &export_csv);
   csv->add_option("--csv", csv_options->out, "file to write; - is the standard output")
       ->type_name("FILE")
       ->required();
@@ -204,24 +205,24 @@ void add_log_commands(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
 
   const auto [pictures, plot_options] =
-      add("plot", "pictures of a log file: path, speed, axes (PNG and SVG, by gnuplot)", &plot);
+      add("plot", "draw path, speed and axes of a log file (PNG and SVG, by gnuplot)", &plot);
   pictures->add_option("--out", plot_options->out, "directory for the pictures")
       ->type_name("FOLDER")
       ->required();
-  pictures->add_option("--channel", plot_options->channel, "channel of the machine; else all")
+  pictures->add_option("--channel", plot_options->channel, "channel of the machine; default: all")
       ->check(CLI::PositiveNumber);
 
   const auto [again, verify_options] = add(
-      "verify", "repeat the run of a log from its inputs and compare every set-point bit for bit",
+      "verify", "repeat the run of a log from its inputs and compare every setpoint bit for bit",
       &verify);
   again->add_flag("--json", verify_options->json, "print JSON");
 
-  const auto [bus, play_options] = add("play", "publish a log on the LCM bus once more", &play);
-  bus->add_option("--speed", play_options->speed, "1: as recorded; 0: as fast as it goes")
+  const auto [bus, play_options] = add("play", "publish a log on the LCM bus again", &play);
+  bus->add_option("--speed", play_options->speed, "1: as recorded; 0: as fast as possible")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   bus->add_option("--lcm", play_options->lcm,
-                  "LCM URL; else LCM_DEFAULT_URL, else the local multicast group")
+                  "LCM URL; default: LCM_DEFAULT_URL, or the local multicast group")
       ->type_name("URL");
 }
 

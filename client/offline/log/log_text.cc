@@ -14,7 +14,7 @@ using recording::DamageKind;
 using recording::LogContents;
 using recording::LogDescription;
 
-// Of any two times, as a damaged log may have them.
+// Holds for any two times, as a damaged log may have them.
 double seconds_between(std::int64_t first_utime, std::int64_t utime) {
   return (static_cast<double>(utime) - static_cast<double>(first_utime)) * 1e-6;
 }
@@ -76,7 +76,7 @@ std::string end_text(const recording::LogCoverage& coverage) {
     case recording::LogEnd::complete:
       return "";
     case recording::LogEnd::next_piece:
-      return "the recording goes on in its next piece\n";
+      return "the recording goes on in its next file\n";
     case recording::LogEnd::goes_on:
       return "no trailer: the recording was cut (power failure, kill, full disk) or still goes "
              "on\n";

@@ -35,7 +35,7 @@ void add_job_options(CLI::App& command, JobOptions& options) {
 void add_steps_option(CLI::App& command, JobOptions& options) {
   command
       .add_option("--steps", options.steps,
-                  "million steps after which a program without end is left")
+                  "stop a program without an end after so many million steps")
       ->check(CLI::Range(1, 1'000'000));
 }
 

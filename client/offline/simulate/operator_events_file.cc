@@ -48,7 +48,7 @@ std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
       const json event = protocol::json_from_text(text);
-      if (event.is_discarded()) throw std::invalid_argument("the line is no JSON text");
+      if (event.is_discarded()) throw std::invalid_argument("the line is not a JSON text");
       events.push_back(timed_event(event));
     } catch (const std::exception& reason) {
       throw std::runtime_error(path + ":" + std::to_string(line) + ": " + reason.what());

@@ -61,7 +61,7 @@ struct Line {
     double value = 0.0;
     const auto [rest, error] = std::from_chars(cell.text.begin(), cell.text.end(), value);
     if (error != std::errc{} || rest != cell.text.end() || !std::isfinite(value))
-      refuse(cell, "'" + std::string(cell.text) + "' is no number");
+      refuse(cell, "'" + std::string(cell.text) + "' is not a number");
     return value;
   }
 };
@@ -137,7 +137,7 @@ std::vector<runtime::SensorRow> read_sensor_file(
     }
     rows.push_back(row_of(line, columns, spindles.size()));
     if (rows.size() > 1 && rows.back().t < rows[rows.size() - 2].t)
-      line.refuse({text, 1}, "t goes back; rows must ascend in time");
+      line.refuse({text, 1}, "t goes back; the rows must ascend in time");
   }
   if (columns.empty()) throw std::runtime_error(path + ":1:1: the head line is missing: t,power_w");
   return rows;

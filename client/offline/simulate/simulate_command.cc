@@ -321,10 +321,11 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->type_name("CH=FILE");
   command->add_option("--axis-trace", options->axis_traces, "CH=FILE.csv: machine axes per cycle")
       ->type_name("CH=FILE");
-  command->add_option("--log", options->log, "LCM log of all set-points, states and inputs")
+  command->add_option("--log", options->log, "LCM log of all setpoints, states and inputs")
       ->type_name("FILE");
   command->add_option("--until", options->until_s, "stop after this machine time, s");
-  command->add_flag("--drives", options->drives, "run the simulated drives; else they are ideal");
+  command->add_flag("--drives", options->drives,
+                    "run the simulated drives; without it they are ideal");
   command->add_option("--events", options->events, "operator events, one JSON object a line")
       ->type_name("FILE");
   command

@@ -85,11 +85,10 @@ bool is_over(const FollowOptions& options, const WorkpieceStream& stream) {
 int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
   const bool is_written = album.finish(stream);
   if (const auto& missing = stream.missing(); missing.count > 0) {
-    complain(
-        0, "W720",
-        fmt::format("{} setpoints are missing, the first at {:.3f} s: the tool is led straight "
-                    "over each gap, and what it cut beside that is not shown",
-                    missing.count, missing.first_s));
+    complain(0, "W720",
+             fmt::format("{} setpoints are missing, the first at {:.3f} s: the tool goes straight "
+                         "over each gap, and what it cut beside that is not shown",
+                         missing.count, missing.first_s));
   }
   const auto workpieces = stream.workpieces();
   if (workpieces.empty()) {
@@ -163,7 +162,8 @@ void add_workpiece_follow_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<FollowOptions>();
   CLI::App& noun = noun_command(app, "workpiece", "virtual workpiece");
   CLI::App* command = noun.add_subcommand(
-      "follow", "cut along with a machine: pictures as it goes, STL at the end");
+      "follow",
+      "cut a virtual workpiece along with a machine: pictures while it runs, STL at the end");
   command->add_option("SOURCE", options->source, "log file, or URL of the LCM bus")
       ->type_name("FILE|URL")
       ->required();

@@ -10,7 +10,7 @@
 #include "base/diagnostic.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
-#include "simulation/loose_pieces.h"
+#include "simulation/offcuts.h"
 #include "simulation/part_picture.h"
 #include "simulation/stl_file.h"
 
@@ -76,7 +76,7 @@ std::vector<simulation::Vector> marks_of(const Workpiece& workpiece) {
 }
 
 simulation::PictureLabels labels_of(const NamedWorkpiece& named,
-                                    const simulation::LoosePieces& loose) {
+                                    const simulation::Offcuts& offcuts) {
   const Workpiece& workpiece = *named.workpiece;
   simulation::PictureLabels labels;
   labels.title = named.title;
@@ -85,11 +85,11 @@ simulation::PictureLabels labels_of(const NamedWorkpiece& named,
                   workpiece.report().findings().size()),
       fmt::format("removed {:.1f} cm³ of {:.1f} cm³", workpiece.report().removed_mm3() / 1000.0,
                   volume_of(workpiece.blank()) / 1000.0)};
-  if (loose.count > 0) {
-    labels.facts.push_back(
-        fmt::format("{} cut loose and not shown: {:.1f} cm³",
-                    loose.count == 1 ? "a piece is" : fmt::format("{} pieces are", loose.count),
-                    loose.volume_mm3 / 1000.0));
+  if (offcuts.count > 0) {
+    labels.facts.push_back(fmt::format(
+        "{} not shown: {:.1f} cm³",
+        offcuts.count == 1 ? "one offcut is" : fmt::format("{} offcuts are", offcuts.count),
+        offcuts.volume_mm3 / 1000.0));
   }
   labels.marks = marks_of(workpiece);
   return labels;
@@ -160,12 +160,12 @@ std::vector<std::string> write_files(const std::vector<NamedWorkpiece>& workpiec
       note(write_report(workpiece, name_of, numbered(files.report, i + 1)));
     if (files.stl.empty() && files.picture.empty()) continue;
     simulation::Mesh mesh = surface_of(workpiece.material());
-    const simulation::LoosePieces loose = take_off_loose_pieces(mesh);
+    const simulation::Offcuts offcuts = take_off_offcuts(mesh);
     if (!files.stl.empty())
       note(write_stl(mesh, numbered(files.stl, i + 1), "stanok " + workpieces[i].title));
     if (!files.picture.empty()) {
       note(draw_part(mesh, workpiece.blank(), workpiece.material().grid(),
-                     labels_of(workpieces[i], loose), numbered(files.picture, i + 1)));
+                     labels_of(workpieces[i], offcuts), numbered(files.picture, i + 1)));
     }
   }
   return failures;

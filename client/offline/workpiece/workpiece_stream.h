@@ -1,6 +1,6 @@
 // WorkpieceStream: the virtual workpieces of a machine out of its LCM messages, recorded or live.
 //
-// Set-points lead the tools, TOOL says which, TOOL_ROW how they are, PROCESS whether the spindle
+// Setpoints lead the tools, TOOL says which, TOOL_ROW how they are, PROCESS whether the spindle
 // turns, WORKPIECE what is cut; program texts give names to the runs. Messages of other machines
 // are left alone.
 #pragma once
@@ -29,9 +29,9 @@ class WorkpieceStream {
   // A message on the LCM channel of that name.
   void take(std::string_view channel_name, std::span<const std::uint8_t> bytes);
 
-  // Machine time of the latest set-point, s.
+  // Machine time of the latest setpoint, s.
   [[nodiscard]] double time_s() const { return time_s_; }
-  // Set-points that did not come, of all channels, and when the first of them was due.
+  // Setpoints that did not come, of all channels, and when the first of them was due.
   struct Missing {
     std::int64_t count = 0;
     double first_s = 0.0;
@@ -47,7 +47,7 @@ class WorkpieceStream {
     WorkpieceNews news;
     channels::ToolAtWork tool;
     double spindle_rev_per_min = 0.0;
-    std::int64_t next_cycle = 0;                              // of its set-points; 0: none came yet
+    std::int64_t next_cycle = 0;                              // of its setpoints; 0: none came yet
     std::map<std::uint32_t, std::vector<std::string>> files;  // of the programs, by run
   };
 

@@ -1,4 +1,4 @@
-; Length moves the programmed point; tip control waits for the axes.
+; Length moves the programmed point; TCP (RTCP) waits for the axes.
 T3 M6 G0 Z100
 ; expect: prepare T3
 ; expect: change T3

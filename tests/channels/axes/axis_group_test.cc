@@ -16,8 +16,8 @@ constexpr lang::AxisSet only_y = 1U << bench_y;
 
 class AxisGroupTest : public ::testing::Test {
  protected:
-  ChannelFigures figures_ = bench_figures();
-  AxisGroup axes_{figures_};
+  ChannelConstants constants_ = bench_constants();
+  AxisGroup axes_{constants_};
 };
 
 TEST_F(AxisGroupTest, BeginsAtTheStartWithoutPower) {

@@ -1,5 +1,5 @@
-// The search for the reference mark, on a drive that is a straight edge: where the switches and the
-// index pulses are is known here, so is the mark.
+// The search for the home position, on a drive that is a straight edge: where the switches and the
+// index pulses are is known here, so is the home position.
 #include "channels/axes/axis_homing.h"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ AxisHoming::Result run(Bench& bench, const HomingConfig& config, double start, A
   return AxisHoming::Result::failed;
 }
 
-// Wherever switch and axis are, in both directions: the mark is the edge that the search meets,
+// Wherever switch and axis are, in both directions: home is the edge that the search meets,
 // within what the axis goes in a poll at the slow velocity.
 TEST(AxisHoming, MeetsTheEdgeOfTheSwitchFromAnywhere) {
   std::mt19937_64 random(3);
@@ -103,13 +103,13 @@ TEST(AxisHoming, MeetsTheEdgeOfTheSwitchFromAnywhere) {
     ASSERT_EQ(run(bench, search(velocity), start, homing), AxisHoming::Result::found)
         << homing.reason();
     const double edge = velocity > 0.0 ? bench.home_from : bench.home_to;
-    const double beyond = (homing.mark() + bench.zero - edge) * (velocity > 0.0 ? 1.0 : -1.0);
+    const double beyond = (homing.home() + bench.zero - edge) * (velocity > 0.0 ? 1.0 : -1.0);
     EXPECT_GE(beyond, -1e-9);
     EXPECT_LE(beyond, std::abs(velocity) / 10.0 * poll + 1e-9);
   }
 }
 
-// With the index pulse the mark is exact, whatever the poll.
+// With the index pulse the home position is exact, whatever the poll.
 TEST(AxisHoming, IndexPulseBehindTheSwitchIsExact) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -125,7 +125,7 @@ TEST(AxisHoming, IndexPulseBehindTheSwitchIsExact) {
     config.index = true;
     AxisHoming homing;
     ASSERT_EQ(run(bench, config, -299.0 + 598.0 * part(random), homing), AxisHoming::Result::found);
-    EXPECT_NEAR(homing.mark() + bench.zero, 100.0 + bench.index_offset, 1e-9);
+    EXPECT_NEAR(homing.home() + bench.zero, 100.0 + bench.index_offset, 1e-9);
   }
 }
 
@@ -135,10 +135,10 @@ TEST(AxisHoming, LimitSwitchCanBeTheMark) {
     bench.limit_negative = -300.0;
     bench.limit_positive = 300.0;
     HomingConfig config = search(20.0);
-    config.mark = HomingMark::limit_switch;
+    config.signal = HomingSignal::limit_switch;
     AxisHoming homing;
     ASSERT_EQ(run(bench, config, start, homing), AxisHoming::Result::found);
-    EXPECT_NEAR(homing.mark() + bench.zero, 300.0, 2.0 * poll + 1e-9);
+    EXPECT_NEAR(homing.home() + bench.zero, 300.0, 2.0 * poll + 1e-9);
     EXPECT_FALSE(bench.seen.limit_positive);  // a program may start
   }
 }
@@ -150,10 +150,10 @@ TEST(AxisHoming, AnAxisThatTurnsNeedsItsIndexOnly) {
     Bench bench;
     bench.index_pitch = 360.0;
     HomingConfig config = search(200.0);
-    config.mark = HomingMark::index_alone;
+    config.signal = HomingSignal::index_alone;
     AxisHoming homing;
     ASSERT_EQ(run(bench, config, 1.0 + 358.0 * part(random), homing), AxisHoming::Result::found);
-    EXPECT_NEAR(std::remainder(homing.mark() + bench.zero, 360.0), 0.0, 1e-9);
+    EXPECT_NEAR(std::remainder(homing.home() + bench.zero, 360.0), 0.0, 1e-9);
   }
 }
 
@@ -161,13 +161,13 @@ TEST(AxisHoming, SaysWhatIsMissing) {
   AxisHoming homing;
   Bench bare;
   EXPECT_EQ(run(bare, search(40.0), 0.0, homing), AxisHoming::Result::failed);
-  EXPECT_EQ(homing.reason(), "no reference switch on the whole travel");
+  EXPECT_EQ(homing.reason(), "there is no home switch on the whole travel");
 
   Bench between;
   between.limit_negative = -100.0;
   between.limit_positive = 100.0;
   EXPECT_EQ(run(between, search(40.0), 0.0, homing), AxisHoming::Result::failed);
-  EXPECT_EQ(homing.reason(), "no reference switch between the limit switches");
+  EXPECT_EQ(homing.reason(), "there is no home switch between the limit switches");
 
   Bench without_index;
   without_index.home_from = 50.0;
@@ -175,7 +175,7 @@ TEST(AxisHoming, SaysWhatIsMissing) {
   HomingConfig config = search(40.0);
   config.index = true;
   EXPECT_EQ(run(without_index, config, 0.0, homing), AxisHoming::Result::failed);
-  EXPECT_EQ(homing.reason(), "no index pulse");
+  EXPECT_EQ(homing.reason(), "the encoder gave no index pulse");
 }
 
 }  // namespace

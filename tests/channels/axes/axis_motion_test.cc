@@ -24,13 +24,13 @@ class AxisMotionTest : public ::testing::Test {
   }
 
   motion::MotionConfig config_ = bench_motion();
-  ChannelFigures figures_ = bench_figures();
+  ChannelConstants constants_ = bench_constants();
   BenchSchemes made_ = bench_schemes();
   SchemeTable schemes_{made_, 0};
-  AxisGroup axes_{figures_};
-  DriveGuard drives_{figures_, axes_};
+  AxisGroup axes_{constants_};
+  DriveGuard drives_{constants_, axes_};
   motion::PathQueue queue_;
-  AxisMotion motion_{config_, figures_, schemes_, axes_, drives_};
+  AxisMotion motion_{config_, constants_, schemes_, axes_, drives_};
   std::vector<AxisFeedback> feedback_ = bench_feedback(10.0, 20.0, 0.0);
 };
 
@@ -104,9 +104,9 @@ TEST_F(AxisMotionTest, WhileTheMachineIsOffPositionsOfAllAxesAreAdopted) {
 
 TEST_F(AxisMotionTest, AxesAreHomedThatLookForASwitchAndAreMovedByThisChannel) {
   EXPECT_EQ(motion_.axes_to_home(), 0);
-  figures_.axes[bench_x].manual.homing.order = 1;
-  figures_.axes[bench_y].manual.homing.order = 1;
-  figures_.axes[bench_c].manual.homing.order = 2;  // a spindle now
+  constants_.axes[bench_x].manual.homing.order = 1;
+  constants_.axes[bench_y].manual.homing.order = 1;
+  constants_.axes[bench_c].manual.homing.order = 2;  // a spindle now
   axes_.set_owned(bench_y, false);
   EXPECT_EQ(motion_.axes_to_home(), 1U << bench_x);
 }

@@ -24,9 +24,9 @@ class DriveGuardTest : public ::testing::Test {
   }
   AxisFeedback& drive(int axis) { return of_axis(feedback_, axis); }
 
-  ChannelFigures figures_ = bench_figures();
-  AxisGroup axes_{figures_};
-  DriveGuard drives_{figures_, axes_};
+  ChannelConstants constants_ = bench_constants();
+  AxisGroup axes_{constants_};
+  DriveGuard drives_{constants_, axes_};
   std::vector<AxisFeedback> feedback_ = bench_feedback(10.0, 20.0, 0.0);
 };
 

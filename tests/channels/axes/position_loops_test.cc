@@ -11,11 +11,11 @@ namespace {
 using namespace stanok::testing;
 
 // X closes its loop in the drive, Y in the cycle with kp 30 /s and no feed forward.
-ChannelFigures loop_of_y_in_the_cycle() {
-  ChannelFigures figures = bench_figures();
-  figures.axes[bench_y].regulator = {.feedback = FeedbackPlace::cycle,
-                                     .gains = {.kp = 30.0, .kv = 0.0}};
-  return figures;
+ChannelConstants loop_of_y_in_the_cycle() {
+  ChannelConstants constants = bench_constants();
+  constants.axes[bench_y].controller = {.feedback = FeedbackPlace::cycle,
+                                        .gains = {.kp = 30.0, .kv = 0.0}};
+  return constants;
 }
 
 class PositionLoopsTest : public ::testing::Test {
@@ -28,10 +28,10 @@ class PositionLoopsTest : public ::testing::Test {
     return axes_.setpoint(bench_y).velocity_demand;
   }
 
-  ChannelFigures figures_ = loop_of_y_in_the_cycle();
-  AxisGroup axes_{figures_};
-  DriveGuard drives_{figures_, axes_};
-  PositionLoops loops_{figures_};
+  ChannelConstants constants_ = loop_of_y_in_the_cycle();
+  AxisGroup axes_{constants_};
+  DriveGuard drives_{constants_, axes_};
+  PositionLoops loops_{constants_};
   std::vector<AxisFeedback> feedback_ = bench_feedback(10.0, 20.0, 0.0);
   motion::JetPoint point_{};
 };

@@ -1,4 +1,4 @@
-// The last guards before a set-point reaches a drive.
+// The last guards before a setpoint reaches a drive.
 #include "channels/axes/setpoint_guard.h"
 
 #include <gtest/gtest.h>
@@ -24,9 +24,9 @@ class SetpointGuardTest : public ::testing::Test {
     return impossible_step(motion_, bench_cycle_s, axes_, point, steps);
   }
 
-  ChannelFigures figures_ = bench_figures();
+  ChannelConstants constants_ = bench_constants();
   motion::MotionConfig motion_ = bench_motion();
-  AxisGroup axes_{figures_};
+  AxisGroup axes_{constants_};
 };
 
 // An axis of 100 mm/s moves 0.1 mm in a cycle of 1 ms; twice that and an increment may be

@@ -22,12 +22,12 @@ lang::SpindleCommand clockwise(double rev_per_min, int spindle = 0) {
 }
 
 // Spindle 1 is the master and becomes C; spindle 5 becomes no axis. Both take 60 rev/min a cycle.
-ChannelFigures two_spindles() {
-  ChannelFigures figures = bench_figures();
-  figures.spindles[1] = figures.spindles[0];
-  figures.spindles[1].id = 5;
-  figures.spindle_count = 2;
-  return figures;
+ChannelConstants two_spindles() {
+  ChannelConstants constants = bench_constants();
+  constants.spindles[1] = constants.spindles[0];
+  constants.spindles[1].id = 5;
+  constants.spindle_count = 2;
+  return constants;
 }
 
 class SpindleGroupTest : public ::testing::Test {
@@ -44,14 +44,14 @@ class SpindleGroupTest : public ::testing::Test {
   }
 
   motion::MotionConfig config_ = bench_motion();
-  ChannelFigures figures_ = two_spindles();
+  ChannelConstants constants_ = two_spindles();
   BenchSchemes made_ = bench_schemes();
   SchemeTable schemes_{made_, 0};
-  AxisGroup axes_{figures_};
-  DriveGuard drives_{figures_, axes_};
+  AxisGroup axes_{constants_};
+  DriveGuard drives_{constants_, axes_};
   motion::PathQueue queue_;
-  AxisMotion motion_{config_, figures_, schemes_, axes_, drives_};
-  SpindleGroup spindles_{figures_, axes_, drives_, motion_};
+  AxisMotion motion_{config_, constants_, schemes_, axes_, drives_};
+  SpindleGroup spindles_{constants_, axes_, drives_, motion_};
 };
 
 TEST_F(SpindleGroupTest, ZeroMeansTheMasterAndANegativeNumberAll) {

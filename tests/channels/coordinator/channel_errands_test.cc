@@ -102,7 +102,7 @@ TEST_F(ChannelErrandsTest, ARunWhoseOwnerFailsIsHeldOrReset) {
   ASSERT_TRUE(errands_.start(start).ok);
   errands_.follow_owners();
   EXPECT_EQ(target_.state().situation(), Situation::running);
-  bench_.table[0].run.fail("E3008", "division by zero", {});
+  bench_.table[0].run.fail("E3008", "a number is divided by zero", {});
   errands_.follow_owners();
   EXPECT_EQ(target_.run.hold_cause(), HoldCause::owner_failed);
 }

@@ -24,8 +24,8 @@ TEST(ForceTermsTest, AnOrderHasWhatTheProgramSays) {
   program.kind = lang::ForceControl::Kind::oscillate;
   program.oscillation_n = 12.0;
   program.oscillation_hz = 3.0;
-  const motion::ForceOrder order = order_of(program);
-  EXPECT_EQ(order.kind, motion::ForceOrder::Kind::oscillate);
+  const motion::ForceCommand order = command_of(program);
+  EXPECT_EQ(order.kind, motion::ForceCommand::Kind::oscillate);
   EXPECT_EQ(order.oscillation_n, 12.0);
   EXPECT_EQ(order.oscillation_hz, 3.0);
 }

@@ -116,7 +116,7 @@ TEST_F(ItemWorkerTest, TheEndOfARunEndsWhatItBroughtAbout) {
 
 TEST_F(ItemWorkerTest, AFailedRunLeavesAnAlarm) {
   add(ItemKind::run_failed).code = FixedText<8>("E3008");
-  made_.text = ShortText("division by zero");
+  made_.text = ShortText("a number is divided by zero");
   push();
   cycle();
   EXPECT_EQ(situation(), Situation::alarm);

@@ -12,8 +12,8 @@ using namespace stanok::testing;
 
 class RecordedModifier : public motion::FeedModifier {
  public:
-  [[nodiscard]] bool order(const motion::ForceOrder& order) RT_SAFE override {
-    latest_order = order;
+  [[nodiscard]] bool command(const motion::ForceCommand& order) RT_SAFE override {
+    latest_command = order;
     return accepts;
   }
   [[nodiscard]] motion::FeedDemand advance(const motion::CutState& state) RT_SAFE override {
@@ -26,25 +26,25 @@ class RecordedModifier : public motion::FeedModifier {
   }
   [[nodiscard]] motion::ForceStatus status() const RT_SAFE override { return {}; }
 
-  motion::ForceOrder latest_order;
+  motion::ForceCommand latest_command;
   motion::CutState cut;
   bool accepts = true;
   bool ready = true;
 };
 
-ChannelFigures figures_with(motion::FeedModifier* modifier) {
-  ChannelFigures figures = bench_figures();
-  figures.feed_modifier = modifier;
-  figures.machine_spindle[0] = 1;
-  figures.automatic_feeds[0] = {
+ChannelConstants constants_with(motion::FeedModifier* modifier) {
+  ChannelConstants constants = bench_constants();
+  constants.feed_modifier = modifier;
+  constants.machine_spindle[0] = 1;
+  constants.automatic_feeds[0] = {
       .law = motion::LawKind::modulated, .level = 10.0, .release = 5.0, .part_min = 0.25};
-  return figures;
+  return constants;
 }
 
 class ProcessGroupTest : public ::testing::Test {
  protected:
   RecordedModifier modifier_;
-  CycleBench bench_{figures_with(&modifier_)};
+  CycleBench bench_{constants_with(&modifier_)};
   ProcessGroup& process_ = bench_.parts.process;
 };
 
@@ -60,7 +60,7 @@ TEST_F(ProcessGroupTest, TellsTheModifierWhereTheToolIsAndHowTheSpindleTurns) {
   static_cast<void>(process_.advance(0.7));
   EXPECT_EQ(modifier_.cut.transverse_mm, 10.0);
   EXPECT_EQ(modifier_.cut.transverse_code, 10000);
-  EXPECT_EQ(modifier_.cut.discrete_mm, bench_resolution);
+  EXPECT_EQ(modifier_.cut.increment_mm, bench_resolution);
   EXPECT_EQ(modifier_.cut.feed_override, 0.7);
   EXPECT_TRUE(modifier_.cut.frame_is_new);
   static_cast<void>(process_.advance(0.7));
@@ -91,7 +91,7 @@ TEST_F(ProcessGroupTest, WhatTheModifierAsksForIsTheFeedOfTheLinearAxes) {
 TEST_F(ProcessGroupTest, WithoutForceControlThereIsNothingToOrder) {
   CycleBench bare;
   EXPECT_FALSE(bare.parts.process.has_force_control());
-  EXPECT_FALSE(bare.parts.process.order({}));
+  EXPECT_FALSE(bare.parts.process.command({}));
   EXPECT_TRUE(bare.parts.process.is_ready());
   EXPECT_EQ(bare.parts.process.advance(1.0), motion::ForceEvent::none);
 }

@@ -9,11 +9,11 @@
 namespace stanok::channels {
 namespace {
 
-using Outcome = SearchRunner::Outcome;
+using Result = SearchRunner::Result;
 
 class SearchRunnerTest : public ::testing::Test {
  protected:
-  Outcome look(const std::string& target, bool calculates) {
+  Result look(const std::string& target, bool calculates) {
     bench_.files.texts["part.nc"] = "G94\nS500 M3\nG0 X10 Y5 Z5\nG1 X20 F100\nG1 X30\nM30\n";
     Diagnostics warnings;
     const auto program = lang::compile("part.nc", bench_.files, &parts_.description, warnings);
@@ -22,10 +22,9 @@ class SearchRunnerTest : public ::testing::Test {
     notice.ok = calculates;
     return finished(search_.look(notice, *program));
   }
-  Outcome finished(Outcome outcome) {
-    while (outcome == Outcome::working || outcome == Outcome::computing)
-      outcome = search_.advance(64);
-    return outcome;
+  Result finished(Result result) {
+    while (result == Result::working || result == Result::computing) result = search_.advance(64);
+    return result;
   }
 
   PreparationBench bench_;
@@ -35,7 +34,7 @@ class SearchRunnerTest : public ::testing::Test {
 };
 
 TEST_F(SearchRunnerTest, FindsTheBlockAndTellsWhereItIs) {
-  ASSERT_EQ(look("5", true), Outcome::found);
+  ASSERT_EQ(look("5", true), Result::found);
   EXPECT_TRUE(search_.is_set());
   EXPECT_FALSE(search_.is_under_way());
   const auto report = bench_.reports.search(1);
@@ -48,9 +47,9 @@ TEST_F(SearchRunnerTest, FindsTheBlockAndTellsWhereItIs) {
 }
 
 TEST_F(SearchRunnerTest, TheRunIsEnteredWithItsStateAndAnApproach) {
-  ASSERT_EQ(look("5", true), Outcome::found);
+  ASSERT_EQ(look("5", true), Result::found);
   parts_.restart(1, {});
-  ASSERT_EQ(finished(search_.begin_run()), Outcome::entered);
+  ASSERT_EQ(finished(search_.begin_run()), Result::entered);
   EXPECT_FALSE(search_.is_set());
   lang::Command command;
   bool spindle = false;
@@ -66,15 +65,15 @@ TEST_F(SearchRunnerTest, TheRunIsEnteredWithItsStateAndAnApproach) {
 }
 
 TEST_F(SearchRunnerTest, WithoutCalculationTheRunIsEnteredAtOnce) {
-  ASSERT_EQ(look("5", false), Outcome::found);
+  ASSERT_EQ(look("5", false), Result::found);
   parts_.restart(1, {});
-  EXPECT_EQ(search_.begin_run(), Outcome::entered);
+  EXPECT_EQ(search_.begin_run(), Result::entered);
   lang::Command command;
   EXPECT_FALSE(search_.next_entry(command));
 }
 
 TEST_F(SearchRunnerTest, WhatIsNoBlockFailsAndLeavesNothing) {
-  EXPECT_EQ(look("N77", true), Outcome::failed);
+  EXPECT_EQ(look("N77", true), Result::failed);
   EXPECT_FALSE(search_.is_set());
   EXPECT_FALSE(search_.fault().code.empty());
 }

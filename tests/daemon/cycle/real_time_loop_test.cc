@@ -49,7 +49,7 @@ class InjectedWork final : public CyclicWork {
 
 struct LoopRun {
   std::vector<std::int64_t> asked;  // wake-up times in periods after the start
-  LoopFigures figures;
+  LoopStatistics statistics;
   std::int64_t noted = 0;
 };
 
@@ -62,7 +62,7 @@ LoopRun run(
   RealTimeLoop loop(work, clock, period);
   work.loop = &loop;
   loop.run();
-  LoopRun result{.asked = {}, .figures = loop.figures(), .noted = work.noted};
+  LoopRun result{.asked = {}, .statistics = loop.statistics(), .noted = work.noted};
   for (const std::int64_t time : clock.asked) result.asked.push_back((time - start) / period);
   return result;
 }
@@ -70,8 +70,8 @@ LoopRun run(
 TEST(RealTimeLoop, WakesAtMultiplesOfThePeriodFromItsStart) {
   const LoopRun result = run({100, 200, 300, 400});
   EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 3, 4}));
-  EXPECT_EQ(result.figures.cycles, 4);
-  EXPECT_EQ(result.figures.overruns, 0);
+  EXPECT_EQ(result.statistics.cycles, 4);
+  EXPECT_EQ(result.statistics.overruns, 0);
 }
 
 TEST(RealTimeLoop, DoesNotAddUpLateness) {
@@ -80,23 +80,23 @@ TEST(RealTimeLoop, DoesNotAddUpLateness) {
   for (std::size_t k = 0; k < result.asked.size(); ++k) {
     EXPECT_EQ(result.asked[k], static_cast<std::int64_t>(k + 1));
   }
-  EXPECT_EQ(result.figures.latency.max(), 4 * 7919);
-  EXPECT_EQ(result.figures.overruns, 0);
+  EXPECT_EQ(result.statistics.latency.max(), 4 * 7919);
+  EXPECT_EQ(result.statistics.overruns, 0);
 }
 
 TEST(RealTimeLoop, CountsAnOverrunAndLeavesOutTheWakeUpsThatHavePassed) {
   // The second cycle begins at 2 and ends at 5.5: 3, 4 and 5 have passed.
   const LoopRun result = run({0, 3 * period + period / 2, 0, 0});
   EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 6, 7}));
-  EXPECT_EQ(result.figures.overruns, 1);
-  EXPECT_EQ(result.figures.periods_skipped, 3);
+  EXPECT_EQ(result.statistics.overruns, 1);
+  EXPECT_EQ(result.statistics.periods_skipped, 3);
   EXPECT_EQ(result.noted, 3);
 }
 
 TEST(RealTimeLoop, IsNotOverrunByACycleThatTakesExactlyThePeriod) {
   const LoopRun result = run({period, period, period});
   EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 3}));
-  EXPECT_EQ(result.figures.overruns, 0);
+  EXPECT_EQ(result.statistics.overruns, 0);
 }
 
 // SIGSTOP and SIGCONT, or half a second stolen: one late cycle, no burst behind it.
@@ -104,14 +104,14 @@ TEST(RealTimeLoop, ChasesNothingAfterALongStop) {
   const LoopRun result = run(std::vector<std::int64_t>(4, 1000),
                              [](std::size_t k) { return k == 1 ? 500 * period : 0; });
   EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 503, 504}));
-  EXPECT_EQ(result.figures.overruns, 1);
-  EXPECT_EQ(result.figures.periods_skipped, 500);
+  EXPECT_EQ(result.statistics.overruns, 1);
+  EXPECT_EQ(result.statistics.periods_skipped, 500);
 }
 
 TEST(RealTimeLoop, MeasuresEveryCycle) {
   const LoopRun result = run(std::vector<std::int64_t>(1000, 12'345));
-  EXPECT_EQ(result.figures.cycle_time.count(), 1000U);
-  EXPECT_EQ(result.figures.cycle_time.max(), 12'345);
+  EXPECT_EQ(result.statistics.cycle_time.count(), 1000U);
+  EXPECT_EQ(result.statistics.cycle_time.max(), 12'345);
 }
 
 TEST(MonotonicClock, SleepsUntilTheTimeAndNotAtAllForOneThatHasPassed) {

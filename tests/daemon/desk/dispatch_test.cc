@@ -26,14 +26,14 @@ class DispatchTest : public ::testing::Test {
   DispatchTest() { session.role = Role::integrator; }
 
   // The answer; nothing while it is still to come.
-  std::shared_ptr<std::optional<Outcome>> ask(const std::string& method,
-                                              json parameters = json::object()) {
-    const auto slot = std::make_shared<std::optional<Outcome>>();
+  std::shared_ptr<std::optional<CommandResult>> ask(const std::string& method,
+                                                    json parameters = json::object()) {
+    const auto slot = std::make_shared<std::optional<CommandResult>>();
     protocol::Request request;
     request.id = 1;
     request.method = method;
     request.parameters = std::move(parameters);
-    dispatch.handle(session, request, [slot](const Outcome& outcome) {
+    dispatch.handle(session, request, [slot](const CommandResult& outcome) {
       EXPECT_FALSE(slot->has_value()) << "answered twice";
       *slot = outcome;
     });
@@ -301,7 +301,7 @@ class WaitForTheEnd : public DispatchTest {
     tick(50ms);
     ASSERT_TRUE(slot->has_value());
   }
-  std::shared_ptr<std::optional<Outcome>> slot;
+  std::shared_ptr<std::optional<CommandResult>> slot;
 };
 
 TEST_F(WaitForTheEnd, AnswersWithTheFiguresOfTheRun) {

@@ -24,7 +24,7 @@ class TableLoading : public ::testing::Test {
   }
 
   DaemonBench bench;
-  Outcome answer = json();
+  CommandResult answer = json();
 };
 
 TEST_F(TableLoading, ChangesWhatTheTextNames) {

@@ -1,7 +1,8 @@
 // The modal state saved and restored: M70 to M73, save_gvector, restore_gvector.
+#include "lang/actions/saved_state.h"
+
 #include <random>
 
-#include "lang/actions/gvector.h"
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {
@@ -69,8 +70,8 @@ class SavedStates : public ProgramTest {
 TEST_F(SavedStates, AreTheSameAfterTheirText) {
   for (int n = 0; n < 500; ++n) {
     const ModalState state = random_state();
-    const std::string text = gvector_text(state, state_all);
-    const auto read = read_gvector(text);
+    const std::string text = saved_state_text(state, state_all);
+    const auto read = read_saved_state(text);
     ASSERT_TRUE(read) << text;
     EXPECT_EQ(read->parts, state_all);
     for (const Group group : {Group::motion, Group::plane, Group::feed_mode, Group::work_offset,
@@ -89,20 +90,20 @@ TEST_F(SavedStates, AreTheSameAfterTheirText) {
     EXPECT_EQ(read->state.mist, state.mist);
     EXPECT_EQ(read->state.rotation.rotation, state.rotation.rotation);
     EXPECT_EQ(read->state.map.numbers(), state.map.numbers());
-    EXPECT_EQ(gvector_text(read->state, state_all), text);
+    EXPECT_EQ(saved_state_text(read->state, state_all), text);
     for (const char c : text) ASSERT_TRUE(c >= 0x20 && c < 0x7F);
   }
 }
 
 TEST_F(SavedStates, AreRefusedWhenOneCharacterOfTheTextIsWrong) {
-  const std::string text = gvector_text(random_state(), state_all);
+  const std::string text = saved_state_text(random_state(), state_all);
   for (std::size_t i = 0; i < text.size(); ++i) {
     std::string damaged = text;
     damaged[i] = damaged[i] == '0' ? '1' : '0';
-    EXPECT_FALSE(read_gvector(damaged)) << i;
-    EXPECT_FALSE(read_gvector(text.substr(0, i))) << i;
+    EXPECT_FALSE(read_saved_state(damaged)) << i;
+    EXPECT_FALSE(read_saved_state(text.substr(0, i))) << i;
   }
-  EXPECT_FALSE(read_gvector(text + " "));
+  EXPECT_FALSE(read_saved_state(text + " "));
 }
 
 TEST_F(SavedStates, ComeBackByFunctions) {

@@ -136,8 +136,9 @@ TEST_F(FeedLaws, AreInInchesLikeTheirProgram) {
   EXPECT_EQ(error_code("G20 S_n=2 dS=0.1 dl=0.05\nM30\n"), "E4336");
 }
 
-// A discrete of 0.005 mm takes 0.015, not 0.012; a channel whose discrete is not known takes both.
-TEST_F(FeedLaws, HaveLengthsInDiscretesOfTheirChannel) {
+// An increment of 0.005 mm takes 0.015, not 0.012; a channel whose increment is not known takes
+// both.
+TEST_F(FeedLaws, HaveLengthsInIncrementsOfTheirChannel) {
   channel.finest_resolution_mm = 0.005;
   EXPECT_EQ(error_code("S_n=60 dS=1 dl=0.015\nM30\n"), "");
   EXPECT_EQ(error_code("S_n=60 dS=1 dl=0.012\nM30\n"), "E4336");

@@ -13,36 +13,36 @@ motion::AxisLimits limits(bool linear) {
           .rapid_max = bench_velocity_max};
 }
 
-channels::AxisFigures axis(std::string_view name, bool linear) {
-  channels::AxisFigures figures;
-  figures.codes = {bench_resolution, 10000.0};
-  figures.brake_s = 0.002;
-  figures.power_s = 0.003;
-  figures.name = {name};
-  figures.demand_max = 1.2 * bench_velocity_max;
-  figures.manual.name = {name};
-  figures.manual.limits = limits(linear);
-  return figures;
+channels::AxisConstants axis(std::string_view name, bool linear) {
+  channels::AxisConstants constants;
+  constants.codes = {bench_resolution, 10000.0};
+  constants.brake_s = 0.002;
+  constants.power_s = 0.003;
+  constants.name = {name};
+  constants.demand_max = 1.2 * bench_velocity_max;
+  constants.manual.name = {name};
+  constants.manual.limits = limits(linear);
+  return constants;
 }
 
 }  // namespace
 
-channels::ChannelFigures bench_figures() {
-  channels::ChannelFigures figures;
-  figures.id = 4;
-  figures.axis_count = 3;
-  figures.cycle_s = bench_cycle_s;
-  figures.axes[bench_x] = axis("X", true);
-  figures.axes[bench_y] = axis("Y", true);
-  figures.axes[bench_c] = axis("C", false);
-  figures.machine_axis = {1, 0, 2};
-  figures.start = {10.0, 20.0, 0.0};
-  figures.spindles[0].speed_max = 6000.0;
-  figures.spindles[0].acceleration = 60000.0;
-  figures.spindles[0].axis = "C";
-  figures.spindle_axis[0] = bench_c;
-  figures.spindle_count = 1;
-  return figures;
+channels::ChannelConstants bench_constants() {
+  channels::ChannelConstants constants;
+  constants.id = 4;
+  constants.axis_count = 3;
+  constants.cycle_s = bench_cycle_s;
+  constants.axes[bench_x] = axis("X", true);
+  constants.axes[bench_y] = axis("Y", true);
+  constants.axes[bench_c] = axis("C", false);
+  constants.machine_axis = {1, 0, 2};
+  constants.start = {10.0, 20.0, 0.0};
+  constants.spindles[0].speed_max = 6000.0;
+  constants.spindles[0].acceleration = 60000.0;
+  constants.spindles[0].axis = "C";
+  constants.spindle_axis[0] = bench_c;
+  constants.spindle_count = 1;
+  return constants;
 }
 
 motion::MotionConfig bench_motion() {
@@ -88,8 +88,8 @@ std::vector<channels::AxisFeedback> bench_feedback(double x, double y, double c)
 }
 
 channels::AxisFeedback& of_axis(std::vector<channels::AxisFeedback>& feedback, int axis) {
-  const auto figures = bench_figures();
-  const int place = figures.machine_axis[static_cast<std::size_t>(axis)];
+  const auto constants = bench_constants();
+  const int place = constants.machine_axis[static_cast<std::size_t>(axis)];
   return feedback.at(static_cast<std::size_t>(place));
 }
 

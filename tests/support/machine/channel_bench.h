@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "channels/axes/channel_figures.h"
+#include "channels/axes/channel_constants.h"
 #include "kinematics/scheme.h"
 #include "motion/path/path.h"
 
@@ -19,7 +19,7 @@ inline constexpr double bench_velocity_max = 100.0;  // mm/s or deg/s
 inline constexpr double bench_resolution = 0.001;    // mm or deg
 
 // Channel 4; its axes are the machine's axes 1, 0 and 2. X and Y start at 10 and 20.
-[[nodiscard]] channels::ChannelFigures bench_figures();
+[[nodiscard]] channels::ChannelConstants bench_constants();
 [[nodiscard]] motion::MotionConfig bench_motion();
 
 // Scheme 0 has X and Y, scheme 1 X alone and parks Y at 0.

@@ -42,8 +42,8 @@ class CoordinatorBench {
   Signals inputs;
 
  private:
-  static channels::ChannelFigures figures(int id, int first_axis) {
-    channels::ChannelFigures made = bench_figures();
+  static channels::ChannelConstants constants(int id, int first_axis) {
+    channels::ChannelConstants made = bench_constants();
     made.id = id;
     made.machine_axis = {first_axis, first_axis + 1, first_axis + 2};
     return made;
@@ -65,10 +65,10 @@ class CoordinatorBench {
   std::array<channels::ChannelLink, 2> links_;
   std::array<std::uint32_t, 2> resets_done_{};
   std::int64_t now_ = 0;
-  channels::Channel first_{bench_motion(), figures(4, 0),
+  channels::Channel first_{bench_motion(), constants(4, 0),
                            schemes_,       0,
                            links_[0],      {&events_, &reports_, &outputs_, &inputs}};
-  channels::Channel second_{bench_motion(), figures(7, 3),
+  channels::Channel second_{bench_motion(), constants(7, 3),
                             schemes_,       0,
                             links_[1],      {&events_, &reports_, &outputs_, &inputs}};
   std::array<channels::Channel*, 2> all_{&first_, &second_};

@@ -9,9 +9,10 @@ namespace stanok::testing {
 
 class CycleBench {
  public:
-  // `figures`: of the channel, where they differ from bench_figures().
-  explicit CycleBench(const channels::ChannelFigures& figures = bench_figures())
-      : parts(bench_motion(), figures, schemes_, 0, link, {&events, &reports, &outputs, &inputs}) {}
+  // `constants`: of the channel, where they differ from bench_constants().
+  explicit CycleBench(const channels::ChannelConstants& constants = bench_constants())
+      : parts(bench_motion(), constants, schemes_, 0, link,
+              {&events, &reports, &outputs, &inputs}) {}
 
   // Power, a program and a run of it.
   void begin_run() {

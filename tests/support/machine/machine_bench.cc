@@ -9,7 +9,7 @@ Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> MemoryFiles::read(
   if (found == texts.end()) {
     Diagnostic missing;
     missing.code = "E7001";
-    missing.message = "file not found: " + std::string(name);
+    missing.message = "the file was not found: " + std::string(name);
     return Unexpected<Diagnostic>(missing);
   }
   auto source = std::make_shared<lang::SourceText>();

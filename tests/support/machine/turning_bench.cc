@@ -92,12 +92,12 @@ void expect_cut(const std::vector<CutCycle>& cycles, const CutTime& wanted, Feed
   const double late_s = feed_of == FeedOf::revolution ? cycle_s : 0.0;
   const double late_mm = late_s * wanted.variation();
   const double feed_at_end = cycles[cycles.size() - 2].process.feed_mm_per_min / s_per_min;
-  EXPECT_NEAR(cycles.back().way, wanted.way(), discrete_mm);  // chords, even over corners
+  EXPECT_NEAR(cycles.back().way, wanted.way(), increment_mm);  // chords, even over corners
   EXPECT_NEAR(cycles.back().time_s, wanted.total(), cycle_s + ramps_s + late_mm / feed_at_end);
   for (const CutCycle& one : cycles) {
     if (one.is_last) break;
     const double feed = one.process.feed_mm_per_min / s_per_min;
-    EXPECT_NEAR(wanted.at(one.way) * feed, one.time_s * feed, discrete_mm + late_mm)
+    EXPECT_NEAR(wanted.at(one.way) * feed, one.time_s * feed, increment_mm + late_mm)
         << "after " << one.time_s << " s at " << one.way << " mm";
     if (::testing::Test::HasFailure()) return;
   }

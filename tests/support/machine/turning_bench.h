@@ -70,7 +70,7 @@ class CutTime {
 enum class FeedOf { time, revolution };
 
 // A cut takes the time it should, within one cycle, and is at any time where it should be, within
-// one discrete, beside what `feed_of` allows.
+// one increment, beside what `feed_of` allows.
 void expect_cut(const std::vector<CutCycle>& cycles, const CutTime& wanted, FeedOf feed_of);
 
 // n = 1000 v / (pi D), between two limits.

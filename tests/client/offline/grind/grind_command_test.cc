@@ -207,7 +207,7 @@ std::vector<TraceRow> read_trace(const std::string& file) {
   return rows;
 }
 
-// Switched within one discrete of the machine (0.1 um), feeds to 1e-6, at rest at the last X.
+// Switched within one increment of the machine (0.1 um), feeds to 1e-6, at rest at the last X.
 TEST_F(Grind, ProgramFollowsTheTableInTheSimulation) {
   ASSERT_EQ(run("grind program " + example_folder + "plunge_grinding.txt -o " + path("p.nc") +
                 " --machine " + grinder),
@@ -222,16 +222,16 @@ TEST_F(Grind, ProgramFollowsTheTableInTheSimulation) {
   const std::vector<std::array<double, 3>> table = {
       {0.3000, 0.2602, 0.0400}, {0.2602, 0.0893, 0.0294}, {0.0893, 0.0700, 0.0233},
       {0.0700, 0.0500, 0.0177}, {0.0500, 0.0200, 0.0097}, {0.0200, -0.0048, 0.0040}};
-  constexpr double discrete = 0.0001;
+  constexpr double increment = 0.0001;
   for (const auto& [begin, end, feed] : table) {
     int inside = 0;
     for (const TraceRow& row : trace) {
-      if (row.vx >= 0.0 || row.x > begin - discrete || row.x < end + discrete) continue;
+      if (row.vx >= 0.0 || row.x > begin - increment || row.x < end + increment) continue;
       ++inside;
       ASSERT_NEAR(row.vx, -feed, 1e-6) << "X " << row.x;
       ASSERT_NEAR(row.feed, feed, 1e-6) << "X " << row.x;
     }
-    EXPECT_NEAR(inside * 0.001, (begin - end - 2.0 * discrete) / feed, 0.002);
+    EXPECT_NEAR(inside * 0.001, (begin - end - 2.0 * increment) / feed, 0.002);
   }
   const auto lowest = std::ranges::min_element(trace, {}, &TraceRow::x);
   EXPECT_EQ(lowest->x, -0.0048);

@@ -62,8 +62,8 @@ TEST_F(SensorFile, SaysWhereAndWhyItIsWrong) {
   EXPECT_THAT(refusal("t,force\n"), HasSubstr(":1:3: 'force' is no sensor"));
   EXPECT_THAT(refusal("t,power_w.2\n"), HasSubstr(":1:3: the machine has no spindle 2"));
   EXPECT_THAT(refusal("t,power_w\n0,1\n1,2,3\n"), HasSubstr(":3:5: 3 values under 2 columns"));
-  EXPECT_THAT(refusal("t,power_w\n0,1\n1, 2x\n"), HasSubstr(":3:4: '2x' is no number"));
-  EXPECT_THAT(refusal("t,power_w\n0,nan\n"), HasSubstr(":2:3: 'nan' is no number"));
+  EXPECT_THAT(refusal("t,power_w\n0,1\n1, 2x\n"), HasSubstr(":3:4: '2x' is not a number"));
+  EXPECT_THAT(refusal("t,power_w\n0,nan\n"), HasSubstr(":2:3: 'nan' is not a number"));
   EXPECT_THAT(refusal("t,power_w\n1,1\n0.5,1\n"), HasSubstr(":3:1: t goes back"));
   EXPECT_THAT(refusal(""), HasSubstr(":1:1: the head line is missing"));
   spindles_.clear();

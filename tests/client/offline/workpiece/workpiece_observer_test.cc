@@ -71,7 +71,7 @@ class WorkpieceRun : public ::testing::Test {
     return to_json(*workpieces.at(0).workpiece, stream.names());
   }
 
-  // What is missing of the log when the set-points of these cycles did not come.
+  // What is missing of the log when the setpoints of these cycles did not come.
   [[nodiscard]] WorkpieceStream::Missing missing_without(std::int64_t from, std::int64_t to) const {
     const auto recorded = runtime::read_run(log_);
     WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, &recorded->files);

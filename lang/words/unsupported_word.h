@@ -7,15 +7,15 @@
 
 namespace stanok::lang {
 
-struct LaterWord {
+struct UnsupportedWord {
   std::string_view word;     // "G6.2", "@", "(LOG,...)"
   std::string_view meaning;  // what it would do
   std::string_view instead;  // what does the same today
 };
 
-[[nodiscard]] std::span<const LaterWord> later_words();
+[[nodiscard]] std::span<const UnsupportedWord> unsupported_words();
 
 // The row of a word, or nullptr: the code table alone knows more about it.
-[[nodiscard]] const LaterWord* find_later_word(std::string_view word);
+[[nodiscard]] const UnsupportedWord* find_unsupported_word(std::string_view word);
 
 }  // namespace stanok::lang

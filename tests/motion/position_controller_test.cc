@@ -1,6 +1,6 @@
-// The regulator against steady-state errors known in closed form, on drives simple enough to be
+// The controller against steady-state errors known in closed form, on drives simple enough to be
 // solved by hand.
-#include "motion/threads/position_regulator.h"
+#include "motion/threads/position_controller.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ struct LaggingDrive {
   }
 };
 
-// A set-point with constant jerk that begins at 0.
+// A setpoint with constant jerk that begins at 0.
 struct ConstantJerk {
   double velocity = 0.0;
   double acceleration = 0.0;
@@ -45,23 +45,23 @@ struct ConstantJerk {
 };
 
 // Following error at the cycle instant after `seconds`.
-double error_after(double seconds, PositionRegulator regulator, const ConstantJerk& course,
+double error_after(double seconds, PositionController controller, const ConstantJerk& course,
                    LaggingDrive drive) {
   const int cycles = static_cast<int>(std::lround(seconds / cycle_s));
   drive.velocity = course.velocity;
   for (int n = 0; n < cycles; ++n) {
     const kinematics::Jet setpoint = course.at(n * cycle_s);
     const double error = setpoint.value - drive.position;
-    drive.run(regulator.demand(error, coming_rates(setpoint, cycle_s)));
+    drive.run(controller.demand(error, coming_rates(setpoint, cycle_s)));
   }
   return course.at(cycles * cycle_s).value - drive.position;
 }
 
-TEST(PositionRegulator, EveryTermIsItsGainTimesItsQuantity) {
+TEST(PositionController, EveryTermIsItsGainTimesItsQuantity) {
   const SetpointRates rates{.velocity = 30.0, .acceleration = -400.0, .jerk = 5000.0};
   struct Case {
     const char* name;
-    RegulatorGains gains;
+    ControllerGains gains;
     double expected;  // after the errors 0.5 and 0.2
   };
   const Case cases[] = {
@@ -76,70 +76,70 @@ TEST(PositionRegulator, EveryTermIsItsGainTimesItsQuantity) {
        8.0 - 2.1 + 2.1 + 27.0 - 0.8 + 0.05},
   };
   for (const Case& one : cases) {
-    PositionRegulator regulator(one.gains, no_limit);
-    static_cast<void>(regulator.demand(0.5, rates));
-    EXPECT_NEAR(regulator.demand(0.2, rates), one.expected, 1e-12) << one.name;
+    PositionController controller(one.gains, no_limit);
+    static_cast<void>(controller.demand(0.5, rates));
+    EXPECT_NEAR(controller.demand(0.2, rates), one.expected, 1e-12) << one.name;
   }
 }
 
-TEST(PositionRegulator, FirstCycleHasNoChangeOfError) {
-  PositionRegulator regulator({.kd = 1000.0, .kv = 0.0}, no_limit);
-  EXPECT_EQ(regulator.demand(0.5, {}), 0.0);
+TEST(PositionController, FirstCycleHasNoChangeOfError) {
+  PositionController controller({.kd = 1000.0, .kv = 0.0}, no_limit);
+  EXPECT_EQ(controller.demand(0.5, {}), 0.0);
 }
 
 // v / kp: the error that drives the axis at v.
-TEST(PositionRegulator, ProportionalLoopLagsByVelocityOverGain) {
+TEST(PositionController, ProportionalLoopLagsByVelocityOverGain) {
   for (const double v : {0.01, 10.0, 100.0, -200.0}) {
-    const PositionRegulator regulator({.kp = 40.0, .kv = 0.0}, no_limit);
-    EXPECT_NEAR(error_after(2.0, regulator, {.velocity = v}, {}), v / 40.0, 1e-9 * std::abs(v));
+    const PositionController controller({.kp = 40.0, .kv = 0.0}, no_limit);
+    EXPECT_NEAR(error_after(2.0, controller, {.velocity = v}, {}), v / 40.0, 1e-9 * std::abs(v));
   }
 }
 
-TEST(PositionRegulator, ShareOfVelocityThatIsNotFedForwardIsLeftAsError) {
-  const PositionRegulator regulator({.kp = 40.0, .kv = 0.9}, no_limit);
-  EXPECT_NEAR(error_after(2.0, regulator, {.velocity = 100.0}, {}), 0.1 * 100.0 / 40.0, 1e-9);
+TEST(PositionController, ShareOfVelocityThatIsNotFedForwardIsLeftAsError) {
+  const PositionController controller({.kp = 40.0, .kv = 0.9}, no_limit);
+  EXPECT_NEAR(error_after(2.0, controller, {.velocity = 100.0}, {}), 0.1 * 100.0 / 40.0, 1e-9);
 }
 
 // A drive with the lag L follows a parabola when U = v + L a; what is missing comes from the error:
 // L a / kp, whatever the cycle.
-TEST(PositionRegulator, ParabolaLeavesLagTimesAccelerationOverGain) {
+TEST(PositionController, ParabolaLeavesLagTimesAccelerationOverGain) {
   const ConstantJerk course{.velocity = -100.0, .acceleration = 500.0};
   const LaggingDrive drive{.lag_s = 0.004};
-  const PositionRegulator without({.kp = 40.0}, no_limit);
+  const PositionController without({.kp = 40.0}, no_limit);
   EXPECT_NEAR(error_after(1.0, without, course, drive), 0.004 * 500.0 / 40.0, 1e-9);
-  const PositionRegulator with({.kp = 40.0, .ka = 0.004}, no_limit);
+  const PositionController with({.kp = 40.0, .ka = 0.004}, no_limit);
   EXPECT_NEAR(error_after(1.0, with, course, drive), 0.0, 1e-9);
 }
 
 // An error that grows steadily (L J t / kp) needs its own rate to be fed forward: kr stands for
 // what drives of higher order ask for beyond ka.
-TEST(PositionRegulator, JerkActsThroughItsGain) {
+TEST(PositionController, JerkActsThroughItsGain) {
   const ConstantJerk course{.jerk = 2000.0};
   const LaggingDrive drive{.lag_s = 0.004};
-  const PositionRegulator without({.kp = 40.0, .ka = 0.004}, no_limit);
-  const PositionRegulator with({.kp = 40.0, .ka = 0.004, .kr = 1e-4}, no_limit);
+  const PositionController without({.kp = 40.0, .ka = 0.004}, no_limit);
+  const PositionController with({.kp = 40.0, .ka = 0.004, .kr = 1e-4}, no_limit);
   EXPECT_NEAR(error_after(1.0, with, course, drive) - error_after(1.0, without, course, drive),
               -1e-4 * 2000.0 / 40.0, 1e-9);
 }
 
-TEST(PositionRegulator, SumOfErrorsTakesOverWhatADriftLeaves) {
+TEST(PositionController, SumOfErrorsTakesOverWhatADriftLeaves) {
   const LaggingDrive drifting{.drift = 2.0};
-  const PositionRegulator without({.kp = 40.0}, no_limit);
+  const PositionController without({.kp = 40.0}, no_limit);
   EXPECT_NEAR(error_after(5.0, without, {.velocity = 10.0}, drifting), -2.0 / 40.0, 1e-9);
-  const PositionRegulator with({.kp = 40.0, .kint = 0.2}, no_limit);
+  const PositionController with({.kp = 40.0, .kint = 0.2}, no_limit);
   EXPECT_NEAR(error_after(5.0, with, {.velocity = 10.0}, drifting), 0.0, 1e-9);
 }
 
-// 6 m/min and 1 ms: a set-point of the end of the cycle against a position of its start keeps the
+// 6 m/min and 1 ms: a setpoint of the end of the cycle against a position of its start keeps the
 // axis ahead by one cycle's way, 100 um.
-TEST(PositionRegulator, ErrorOfTwoInstantsCostsTheWayOfTheTimeBetween) {
+TEST(PositionController, ErrorOfTwoInstantsCostsTheWayOfTheTimeBetween) {
   const ConstantJerk course{.velocity = 100.0};
   const auto lead = [&](int shift) {
-    PositionRegulator regulator({.kp = 40.0}, no_limit);
+    PositionController controller({.kp = 40.0}, no_limit);
     LaggingDrive drive{.velocity = 100.0};
     for (int n = 0; n < 2000; ++n) {
       const double error = course.at((n + shift) * cycle_s).value - drive.position;
-      drive.run(regulator.demand(error, coming_rates(course.at(n * cycle_s), cycle_s)));
+      drive.run(controller.demand(error, coming_rates(course.at(n * cycle_s), cycle_s)));
     }
     return drive.position - course.at(2000 * cycle_s).value;
   };
@@ -148,36 +148,36 @@ TEST(PositionRegulator, ErrorOfTwoInstantsCostsTheWayOfTheTimeBetween) {
 }
 
 // V of the cycle that is over instead of the one to come: a T is missing in U.
-TEST(PositionRegulator, VelocityOfTheCycleBeforeCostsAccelerationTimesCycleOverGain) {
+TEST(PositionController, VelocityOfTheCycleBeforeCostsAccelerationTimesCycleOverGain) {
   const ConstantJerk course{.acceleration = 500.0};
-  PositionRegulator regulator({.kp = 40.0}, no_limit);
+  PositionController controller({.kp = 40.0}, no_limit);
   LaggingDrive drive;
   for (int n = 0; n < 1000; ++n) {
     const double error = course.at(n * cycle_s).value - drive.position;
-    drive.run(regulator.demand(error, coming_rates(course.at((n - 1) * cycle_s), cycle_s)));
+    drive.run(controller.demand(error, coming_rates(course.at((n - 1) * cycle_s), cycle_s)));
   }
   EXPECT_NEAR(course.at(1.0).value - drive.position, 500.0 * cycle_s / 40.0, 1e-9);
 }
 
-TEST(PositionRegulator, DemandStaysWithinItsLimit) {
-  PositionRegulator regulator({.kp = 40.0, .kd = 10.0, .kint = 1.0, .ka = 0.01}, 120.0);
+TEST(PositionController, DemandStaysWithinItsLimit) {
+  PositionController controller({.kp = 40.0, .kd = 10.0, .kint = 1.0, .ka = 0.01}, 120.0);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (int n = 0; n < 10000; ++n) {
     const SetpointRates rates{.velocity = 200.0 * value(random),
                               .acceleration = 9e3 * value(random)};
-    ASSERT_LE(std::abs(regulator.demand(5.0 * value(random), rates)), 120.0);
+    ASSERT_LE(std::abs(controller.demand(5.0 * value(random), rates)), 120.0);
   }
 }
 
 // The sum may grow until U is at its limit of 100: to 100 / 1, less what kp gives. An error of -1
 // then asks for 100 - 2 * 5 at most; a sum that had wound up to 10000 would stay at the limit.
-TEST(PositionRegulator, LeavesItsLimitAsSoonAsTheErrorTurns) {
+TEST(PositionController, LeavesItsLimitAsSoonAsTheErrorTurns) {
   for (const double side : {1.0, -1.0}) {
-    PositionRegulator regulator({.kp = 5.0, .kint = 1.0, .kv = 0.0}, 100.0);
-    for (int n = 0; n < 1000; ++n) static_cast<void>(regulator.demand(side * 10.0, {}));
-    EXPECT_EQ(regulator.demand(side * 10.0, {}), side * 100.0);
-    const double demand = side * regulator.demand(side * -1.0, {});
+    PositionController controller({.kp = 5.0, .kint = 1.0, .kv = 0.0}, 100.0);
+    for (int n = 0; n < 1000; ++n) static_cast<void>(controller.demand(side * 10.0, {}));
+    EXPECT_EQ(controller.demand(side * 10.0, {}), side * 100.0);
+    const double demand = side * controller.demand(side * -1.0, {});
     EXPECT_LT(demand, 90.0);
     EXPECT_GT(demand, 0.0);  // what was summed up within the limit is kept
   }
@@ -185,38 +185,38 @@ TEST(PositionRegulator, LeavesItsLimitAsSoonAsTheErrorTurns) {
 
 // A step of 1 mm with U limited to 1 mm/s takes a second of travel; a sum that is wound up
 // meanwhile would carry the axis far beyond.
-TEST(PositionRegulator, AxisThatTravelsAtTheLimitDoesNotOvershootByItsSum) {
-  PositionRegulator regulator({.kp = 40.0, .kint = 0.2}, 1.0);
+TEST(PositionController, AxisThatTravelsAtTheLimitDoesNotOvershootByItsSum) {
+  PositionController controller({.kp = 40.0, .kint = 0.2}, 1.0);
   LaggingDrive drive;
   double highest = 0.0;
   for (int n = 0; n < 3000; ++n) {
-    drive.run(regulator.demand(1.0 - drive.position, {}));
+    drive.run(controller.demand(1.0 - drive.position, {}));
     highest = std::max(highest, drive.position);
   }
   EXPECT_NEAR(drive.position, 1.0, 1e-6);
   EXPECT_LT(highest, 1.0 + 1.0 / 40.0);  // within the way on which kp alone leaves the limit
 }
 
-TEST(PositionRegulator, ResetMakesItNew) {
-  const RegulatorGains gains{.kp = 31.0, .kd = 2.0, .kint = 0.3, .ka = 0.001};
-  PositionRegulator used(gains, 200.0);
+TEST(PositionController, ResetMakesItNew) {
+  const ControllerGains gains{.kp = 31.0, .kd = 2.0, .kint = 0.3, .ka = 0.001};
+  PositionController used(gains, 200.0);
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> error(-0.1, 0.1);
   for (int n = 0; n < 500; ++n) static_cast<void>(used.demand(0.05 + error(random), {}));
   used.reset();
-  PositionRegulator fresh(gains, 200.0);
+  PositionController fresh(gains, 200.0);
   for (int n = 0; n < 500; ++n) {
     const double each = error(random);
     ASSERT_EQ(used.demand(each, {.velocity = 1.0}), fresh.demand(each, {.velocity = 1.0}));
   }
 }
 
-TEST(PositionRegulator, AllocatesNothing) {
-  PositionRegulator regulator({.kp = 40.0, .kint = 0.1}, 100.0);
+TEST(PositionController, AllocatesNothing) {
+  PositionController controller({.kp = 40.0, .kint = 0.1}, 100.0);
   CodeDifferences differences(0, 0.001, cycle_s);
   const stanok::testing::NoAllocation guard;
-  static_cast<void>(regulator.demand(0.1, differences.advance(7)));
-  regulator.reset();
+  static_cast<void>(controller.demand(0.1, differences.advance(7)));
+  controller.reset();
 }
 
 // The mean of a derivative over the cycle is the change of the quantity before it.

@@ -1,6 +1,6 @@
-// SetPointLaw, block 21: the set-point of the cutting force over time.
+// SetpointLaw, block 21: the setpoint of the cutting force over time.
 //
-// Constant; with an oscillation that the program orders; or with one that is formed from the
+// Constant; with an oscillation that the program commands; or with one that is formed from the
 // vibration as soon as that has settled above its level. A formed oscillation stays as it is until
 // the cut ends: it quenches what it was formed from. For the feed ahead (blocks 12 and 22) the
 // oscillation is emphasised by what chip thickness, force exponent and feed drives take away from
@@ -19,16 +19,16 @@ struct Oscillation {
   double frequency_hz = 0.0;
 };
 
-struct ForceSetPoint {
+struct ForceSetpoint {
   double mean_n = 0.0;
   double now_n = 0.0;         // what the force shall be
   double sensed_n = 0.0;      // the same, as late as chip and power sensor show it
   double emphasised_n = 0.0;  // what the feed ahead is formed from
 };
 
-class SetPointLaw {
+class SetpointLaw {
  public:
-  explicit SetPointLaw(const ForceControlConfig& config) : config_(config) { set_mean(0.0); }
+  explicit SetpointLaw(const ForceControlConfig& config) : config_(config) { set_mean(0.0); }
 
   void set_mean(double force_n) RT_SAFE { mean_n_ = force_n; }
   [[nodiscard]] double mean_n() const RT_SAFE { return mean_n_; }
@@ -44,9 +44,9 @@ class SetPointLaw {
     Vibration vibration{};
     bool cuts = false;
   };
-  [[nodiscard]] ForceSetPoint advance(const Inputs& inputs) RT_SAFE;
+  [[nodiscard]] ForceSetpoint advance(const Inputs& inputs) RT_SAFE;
 
-  // As it is formed now.
+  // The oscillation as it is formed now.
   [[nodiscard]] const Oscillation& oscillation() const RT_SAFE { return formed_; }
   // What the latest cycle had to change of what was asked for.
   [[nodiscard]] motion::ForceEvent event() const RT_SAFE { return event_; }

@@ -1,4 +1,4 @@
-// One specimen or more of every type of scheme, complete and with all constants different from
+// One machine or more of every type of scheme, complete and with all constants different from
 // zero, each with its independent reference; random poses for them.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace stanok::kinematics {
 
-struct Specimen {
+struct TestMachine {
   std::string name;
   SchemeConfig config;  // five axes X Y Z B C
   // Machine axes of a point in PointMode::tip.
@@ -26,11 +26,11 @@ struct Specimen {
   [[nodiscard]] std::unique_ptr<const Scheme> scheme() const { return make(config); }
 };
 
-inline void PrintTo(const Specimen& specimen, std::ostream* stream) {
-  *stream << specimen.name;
+inline void PrintTo(const TestMachine& machine, std::ostream* stream) {
+  *stream << machine.name;
 }
 
-namespace specimen {
+namespace test_machine {
 
 inline SchemeConfig config_of(const std::string& type) {
   SchemeConfig config;
@@ -88,7 +88,7 @@ std::unique_ptr<const Scheme> make_foreign(const SchemeConfig& config) {
   return std::make_unique<const Type>(config);
 }
 
-inline Specimen turned_specimen(const char* name, const SchemeConfig& config) {
+inline TestMachine turned_machine(const char* name, const SchemeConfig& config) {
   using Map =
       reference::Axes (*)(const SchemeConfig&, const reference::Axes&, const reference::Vector&);
   const Map map = config.type == "polar_face" ? reference::polar_face
@@ -97,28 +97,28 @@ inline Specimen turned_specimen(const char* name, const SchemeConfig& config) {
   return {.name = name, .config = config, .tip = map, .axes = map};
 }
 
-}  // namespace specimen
+}  // namespace test_machine
 
-inline const std::vector<Specimen>& specimens() {
-  using namespace specimen;  // NOLINT: the helpers of this list
+inline const std::vector<TestMachine>& test_machines() {
+  using namespace test_machine;  // NOLINT: the helpers of this list
   using reference::shifted;
   constexpr double half_root = 0.70710678118654752;
   const SchemeConfig rear = lathe(XReading::radius, Turret::rear);
   const SchemeConfig front = lathe(XReading::diameter, Turret::front);
-  static const std::vector<Specimen> all = {
+  static const std::vector<TestMachine> all = {
       {"cartesian", config_of("cartesian"), shifted, shifted},
       {"head_table", head_table({0, 1, 0}, {0, 0, 1}), reference::head_table, shifted},
       {"head_table_oblique", head_table({0, half_root, half_root}, {0.48, 0.6, 0.64}),
        reference::head_table, shifted},
       {"head_head", head_head(), reference::head_head, shifted},
       {"table_table", table_table(), reference::table_table, shifted},
-      turned_specimen("lathe", rear),
-      turned_specimen("lathe_front_diameter", front),
-      turned_specimen("polar_face_of_a_mill", face_scheme(config_of("cartesian"), 4, false)),
-      turned_specimen("polar_face", face_scheme(rear, 4, false)),
-      turned_specimen("polar_face_negative", face_scheme(front, 3, true)),
-      turned_specimen("cylinder", cylinder_scheme(rear, 4, 24.5)),
-      turned_specimen("cylinder_front_diameter", cylinder_scheme(front, 3, 310.0)),
+      turned_machine("lathe", rear),
+      turned_machine("lathe_front_diameter", front),
+      turned_machine("polar_face_of_a_mill", face_scheme(config_of("cartesian"), 4, false)),
+      turned_machine("polar_face", face_scheme(rear, 4, false)),
+      turned_machine("polar_face_negative", face_scheme(front, 3, true)),
+      turned_machine("cylinder", cylinder_scheme(rear, 4, 24.5)),
+      turned_machine("cylinder_front_diameter", cylinder_scheme(front, 3, 310.0)),
       {"belt_gantry", config_of("belt_gantry"), reference::belt_gantry, reference::belt_gantry,
        make_foreign<BeltGantry>},
       {"linear_delta", config_of("linear_delta"), reference::linear_delta, reference::linear_delta,
@@ -131,8 +131,8 @@ inline const std::vector<Specimen>& specimens() {
 // turns, or (polar_face, cylinder) a length where other types have an angle.
 class Poses {
  public:
-  explicit Poses(const Specimen& specimen, unsigned seed)
-      : engine_(seed), millimetres_(-specimen.span_mm, specimen.span_mm) {}
+  explicit Poses(const TestMachine& machine, unsigned seed)
+      : engine_(seed), millimetres_(-machine.span_mm, machine.span_mm) {}
 
   AxisVector<double> next() {
     AxisVector<double> pose{};

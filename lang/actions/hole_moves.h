@@ -8,10 +8,10 @@
 
 namespace stanok::lang {
 
-class Hole {
+class HoleMoves {
  public:
   // `axis`: of the channel, along which the tool goes.
-  Hole(ActiveBlock& block, std::size_t axis) : block_(block), axis_(axis) {}
+  HoleMoves(ActiveBlock& block, std::size_t axis) : block_(block), axis_(axis) {}
 
   // Over the hole: up to R first when the tool is below it.
   void approach(const Move& positioning);

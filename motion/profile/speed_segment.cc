@@ -1,4 +1,4 @@
-#include "motion/profile/speed_piece.h"
+#include "motion/profile/speed_segment.h"
 
 #include <algorithm>
 
@@ -6,12 +6,12 @@
 
 namespace stanok::motion {
 
-SpeedPiece speed_piece(const Piece& piece, double part) RT_SAFE {
+SpeedSegment speed_segment(const Segment& segment, double part) RT_SAFE {
   constexpr double speed_max = 1e6;
   constexpr double acceleration_max = 1e9;
   constexpr double jerk_max = 1e12;
-  const PieceLimits limits = piece_limits(piece.bounds, part * piece.feed_per_s);
-  return {.length = piece.length,
+  const SegmentLimits limits = segment_limits(segment.bounds, part * segment.feed_per_s);
+  return {.length = segment.length,
           .v = std::min(limits.v, speed_max),
           .ramp = {.a = std::min(limits.a, acceleration_max), .j = std::min(limits.j, jerk_max)}};
 }

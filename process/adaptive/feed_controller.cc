@@ -1,4 +1,4 @@
-#include "process/adaptive/feed_regulator.h"
+#include "process/adaptive/feed_controller.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 namespace stanok::process {
 namespace {
 
-// The force counts as held within this part of its set-point.
+// The force counts as held within this part of its setpoint.
 constexpr double held_within = 0.1;
 
-// The integrator is given no more than a force of e^-0.5 or e^1 times the set-point at once.
+// The integrator is given no more than a force of e^-0.5 or e^1 times the setpoint at once.
 constexpr double error_low = -0.5;
 constexpr double error_high = 1.0;
 
@@ -18,22 +18,22 @@ constexpr double lags_to_settle = 3.0;
 
 }  // namespace
 
-void FeedRegulator::reset() RT_SAFE {
-  *this = FeedRegulator(config_);
+void FeedController::reset() RT_SAFE {
+  *this = FeedController(config_);
 }
 
-void FeedRegulator::begin_with(double feed_per_rev) RT_SAFE {
+void FeedController::begin_with(double feed_per_rev) RT_SAFE {
   feed_ = feed_per_rev;
 }
 
-void FeedRegulator::scale(double factor) RT_SAFE {
+void FeedController::scale(double factor) RT_SAFE {
   feed_ *= factor;
   feed_held_ *= factor;
   is_scaled_ = true;
   scaled_s_ = 0.0;
 }
 
-void FeedRegulator::advance(const RegulatorInputs& inputs) RT_SAFE {
+void FeedController::advance(const FeedControllerInputs& inputs) RT_SAFE {
   feed_ = std::clamp(feed_, inputs.feed_min, inputs.feed_max);
   following_s_ = inputs.follows ? following_s_ + inputs.cycle_s : 0.0;
   if (!inputs.cuts) {

@@ -1,5 +1,5 @@
 // Tool, spindles and distance to go, as a status shows them.
-#include "daemon/desk/channel_figures.h"
+#include "daemon/desk/channel_display.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(ChannelFigures, NameTheToolOfTheTable) {
+TEST(ChannelDisplay, NameTheToolOfTheTable) {
   channels::TablesConfig tables;
   tables.tools.resize(2);
   tables.tools[0].number = 5;
@@ -22,7 +22,7 @@ TEST(ChannelFigures, NameTheToolOfTheTable) {
   EXPECT_TRUE(tool_at_work({0, 1}, tables)["name"].is_null());
 }
 
-TEST(ChannelFigures, TellSpindlesAsCommandedAndAsMeasured) {
+TEST(ChannelDisplay, TellSpindlesAsCommandedAndAsMeasured) {
   channels::ChannelConfig config;
   config.spindles = {1, 2, 3};
   channels::ChannelOutput output;
@@ -45,7 +45,7 @@ TEST(ChannelFigures, TellSpindlesAsCommandedAndAsMeasured) {
   EXPECT_EQ(spindles[2]["direction"], "stopped");
 }
 
-TEST(ChannelFigures, GoToTheEndOfTheBlock) {
+TEST(ChannelDisplay, GoToTheEndOfTheBlock) {
   channels::ChannelConfig config;
   config.words = {"X", "Y"};
   channels::ChannelOutput output;

@@ -1,4 +1,4 @@
-#include "lang/actions/hole.h"
+#include "lang/actions/hole_moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ bool is_lead(ActiveBlock& block, double speed) {
       block.fail("E4016", {'K', -1, {}},
                  lead > 0.0 ? "`K`, the lead of the tap, and F contradict each other"
                             : "`K`, the lead of the tap, must be positive",
-                 "meant for what?");
+                 "it is not clear what is meant");
   fault.notes.push_back({"on Fanuc controls K is a number of holes: here it is L", {}});
   fault.help.emplace_back("keep K, the lead, or F, lead times speed");
   return false;
@@ -49,7 +49,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
   const ModalState& modal = block.modal;
   const double speed = speed_of_spindle(block, spindle);
   if (speed <= 0.0) {
-    block.fail("E4064", {'G', code, {}}, "tapping without a spindle speed", "no S before")
+    block.fail("E4064", {'G', code, {}}, "tapping needs a spindle speed", "no S before")
         .help.push_back("program S before, e.g. `S300 M3`");
     return 0.0;
   }
@@ -59,7 +59,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
     lead = modal.feed_mode() == FeedMode::per_revolution ? modal.feed_mm : modal.feed_mm / speed;
   }
   if (lead <= 0.0) {
-    block.fail("E4066", {'G', code, {}}, "tapping without a lead", "no F and no K")
+    block.fail("E4066", {'G', code, {}}, "tapping needs a lead", "no F and no K")
         .help.push_back("add the lead, e.g. `K1.5`, or F = lead times speed");
   }
   return lead;
@@ -67,7 +67,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
 
 }  // namespace
 
-void Hole::go(Move move, double level) {
+void HoleMoves::go(Move move, double level) {
   move.words = axis_bit(axis_);
   move.end = block_.modal.position_W;
   move.end[axis_] = level;
@@ -77,13 +77,13 @@ void Hole::go(Move move, double level) {
   block_.queue.emit(move);
 }
 
-void Hole::rapid(double level) {
+void HoleMoves::rapid(double level) {
   Move move;
   resolve_feed(block_, move);
   go(move, level);
 }
 
-void Hole::feed(double level) {
+void HoleMoves::feed(double level) {
   Move move;
   move.kind = MoveKind::line;
   move.words = axis_bit(axis_);
@@ -91,11 +91,11 @@ void Hole::feed(double level) {
   if (!block_.failed()) go(move, level);
 }
 
-void Hole::dwell() {
+void HoleMoves::dwell() {
   block_.queue.emit(Dwell{block_.modal.cycle.dwell_s});
 }
 
-void Hole::approach(const Move& positioning) {
+void HoleMoves::approach(const Move& positioning) {
   const DrillingCycle& cycle = block_.modal.cycle;
   if (block_.modal.position_W[axis_] < cycle.retract_level) rapid(cycle.retract_level);
   if (positioning.words != 0) {
@@ -107,7 +107,7 @@ void Hole::approach(const Move& positioning) {
   if (block_.modal.position_W[axis_] > cycle.retract_level) rapid(cycle.retract_level);
 }
 
-void Hole::retract() {
+void HoleMoves::retract() {
   const DrillingCycle& cycle = block_.modal.cycle;
   const bool to_initial = block_.modal.code(Group::return_level) == g(98);
   const double level =
@@ -115,7 +115,7 @@ void Hole::retract() {
   if (level != block_.modal.position_W[axis_]) rapid(level);
 }
 
-void Hole::peck(CodeNumber code) {
+void HoleMoves::peck(CodeNumber code) {
   const DrillingCycle& cycle = block_.modal.cycle;
   double depth = cycle.retract_level;
   while (!block_.failed()) {
@@ -133,7 +133,7 @@ void Hole::peck(CodeNumber code) {
   }
 }
 
-void Hole::bore_out(CodeNumber code) {
+void HoleMoves::bore_out(CodeNumber code) {
   const DrillingCycle& cycle = block_.modal.cycle;
   feed(cycle.bottom);
   if (block_.failed()) return;
@@ -148,7 +148,7 @@ void Hole::bore_out(CodeNumber code) {
   block_.queue.emit(spindle);
 }
 
-void Hole::tap(CodeNumber code) {
+void HoleMoves::tap(CodeNumber code) {
   const auto spindle = named_spindle(block_);
   if (!spindle) return;
   const double lead_mm = lead_of(block_, *spindle, code);
@@ -168,7 +168,7 @@ void Hole::tap(CodeNumber code) {
 }
 
 // The channel reverses the spindle at the bottom and comes back to where the move begins.
-void Hole::tap_rigidly(int spindle, double lead_mm) {
+void HoleMoves::tap_rigidly(int spindle, double lead_mm) {
   const DrillingCycle& cycle = block_.modal.cycle;
   SynchronousMove move;
   move.kind = SynchronousMove::Kind::rigid_tap;
@@ -184,7 +184,7 @@ void Hole::tap_rigidly(int spindle, double lead_mm) {
 }
 
 // The chuck takes up what feed and spindle differ by; overrides would make that too much.
-void Hole::tap_with_floating_chuck(int spindle, SpindleAction turning, double lead_mm) {
+void HoleMoves::tap_with_floating_chuck(int spindle, SpindleAction turning, double lead_mm) {
   const DrillingCycle& cycle = block_.modal.cycle;
   const double speed = speed_of_spindle(block_, spindle);
   Move move;
@@ -208,7 +208,7 @@ void Hole::tap_with_floating_chuck(int spindle, SpindleAction turning, double le
 }
 
 // Rapid by a vector in the plane.
-void Hole::shift(double first, double second) {
+void HoleMoves::shift(double first, double second) {
   static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
   const auto& plane = coordinates[static_cast<std::size_t>(block_.modal.plane())];
   const double by[] = {first, second};
@@ -227,7 +227,7 @@ void Hole::shift(double first, double second) {
 
 // The spindle stops at the angle of the last M19, and the tool goes away from its edge by Q: at
 // angle 0 the edge points along the first axis of the plane, angles run to the second one.
-void Hole::bore_finely() {
+void HoleMoves::bore_finely() {
   const ModalState& modal = block_.modal;
   const double angle = modal.orient_angle_deg * std::numbers::pi / 180.0;
   feed(modal.cycle.bottom);

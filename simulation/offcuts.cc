@@ -1,5 +1,5 @@
-// Pieces are the sets of points that triangles join (union-find with path halving).
-#include "simulation/loose_pieces.h"
+// Bodies are the sets of points that triangles join (union-find with path halving).
+#include "simulation/offcuts.h"
 
 #include <algorithm>
 #include <map>
@@ -8,9 +8,9 @@
 namespace stanok::simulation {
 namespace {
 
-class Pieces {
+class Bodies {
  public:
-  explicit Pieces(const Mesh& mesh) : parent_(mesh.points.size()) {
+  explicit Bodies(const Mesh& mesh) : parent_(mesh.points.size()) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const auto& [a, b, c] : mesh.triangles) {
       join(a, b);
@@ -32,11 +32,11 @@ class Pieces {
   std::vector<std::uint32_t> parent_;
 };
 
-// Of each piece by its name; below 0: a hollow.
-std::map<std::uint32_t, double> volumes_of(const Mesh& mesh, Pieces& pieces) {
+// Of each body by its name; below 0: a hollow.
+std::map<std::uint32_t, double> volumes_of(const Mesh& mesh, Bodies& bodies) {
   std::map<std::uint32_t, double> volumes;
   for (const auto& triangle : mesh.triangles)
-    volumes[pieces.of(triangle[0])] += mesh.volume_under(triangle);
+    volumes[bodies.of(triangle[0])] += mesh.volume_under(triangle);
   return volumes;
 }
 
@@ -58,26 +58,26 @@ void drop_unused_points(Mesh& mesh) {
 
 }  // namespace
 
-LoosePieces take_off_loose_pieces(Mesh& mesh) {
-  Pieces pieces(mesh);
-  const std::map<std::uint32_t, double> volumes = volumes_of(mesh, pieces);
+Offcuts take_off_offcuts(Mesh& mesh) {
+  Bodies bodies(mesh);
+  const std::map<std::uint32_t, double> volumes = volumes_of(mesh, bodies);
   if (volumes.size() < 2) return {};
   const auto part = std::ranges::max_element(
       volumes, [](const auto& a, const auto& b) { return a.second < b.second; });
-  const auto is_loose = [&](std::uint32_t piece) {
-    return piece != part->first && volumes.at(piece) > 0.0;
+  const auto is_loose = [&](std::uint32_t body) {
+    return body != part->first && volumes.at(body) > 0.0;
   };
-  LoosePieces loose;
-  for (const auto& [piece, volume_mm3] : volumes) {
-    if (!is_loose(piece)) continue;
-    ++loose.count;
-    loose.volume_mm3 += volume_mm3;
+  Offcuts offcuts;
+  for (const auto& [body, volume_mm3] : volumes) {
+    if (!is_loose(body)) continue;
+    ++offcuts.count;
+    offcuts.volume_mm3 += volume_mm3;
   }
-  if (loose.count == 0) return loose;
+  if (offcuts.count == 0) return offcuts;
   std::erase_if(mesh.triangles,
-                [&](const auto& triangle) { return is_loose(pieces.of(triangle[0])); });
+                [&](const auto& triangle) { return is_loose(bodies.of(triangle[0])); });
   drop_unused_points(mesh);
-  return loose;
+  return offcuts;
 }
 
 }  // namespace stanok::simulation

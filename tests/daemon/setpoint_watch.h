@@ -1,4 +1,4 @@
-// SetPointWatch: looks at every cycle of a DaemonBench for what no fault may ever bring about.
+// SetpointWatch: looks at every cycle of a DaemonBench for what no fault may ever bring about.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace stanok::daemon {
 
-// Set-points are numbers, and within a run no axis goes faster than it may: a step of a cycle is at
+// Setpoints are numbers, and within a run no axis goes faster than it may: a step of a cycle is at
 // most velocity_max times the cycle.
-class SetPointWatch {
+class SetpointWatch {
  public:
   void look(const channels::CycleOutput& output) {
     const auto& machine = mill_of_the_bench().machine;

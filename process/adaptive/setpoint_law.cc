@@ -1,4 +1,4 @@
-#include "process/adaptive/set_point_law.h"
+#include "process/adaptive/setpoint_law.h"
 
 #include <cmath>
 #include <numbers>
@@ -19,12 +19,12 @@ constexpr double feed_swing_max = 0.9;
 
 }  // namespace
 
-void SetPointLaw::set_programmed(const Oscillation& oscillation) RT_SAFE {
+void SetpointLaw::set_programmed(const Oscillation& oscillation) RT_SAFE {
   programmed_ = oscillation;
   was_shifted_ = was_limited_ = false;
 }
 
-void SetPointLaw::set_automatic(double mass_kg, double frequency_hz) RT_SAFE {
+void SetpointLaw::set_automatic(double mass_kg, double frequency_hz) RT_SAFE {
   mass_kg_ = mass_kg;
   automatic_hz_ = frequency_hz;
   has_automatic_ = false;
@@ -32,7 +32,7 @@ void SetPointLaw::set_automatic(double mass_kg, double frequency_hz) RT_SAFE {
   was_shifted_ = was_limited_ = false;
 }
 
-ForceSetPoint SetPointLaw::advance(const Inputs& inputs) RT_SAFE {
+ForceSetpoint SetpointLaw::advance(const Inputs& inputs) RT_SAFE {
   event_ = motion::ForceEvent::none;
   watch(inputs);
   form(has_automatic_ ? automatic_ : programmed_, inputs.revolution_s);
@@ -47,7 +47,7 @@ ForceSetPoint SetPointLaw::advance(const Inputs& inputs) RT_SAFE {
 
 // The mean over a revolution comes half a revolution late, beyond each multiple of the spindle's
 // frequency with the other sign; the lag of the sensor takes its part of phase and amplitude.
-double SetPointLaw::sensed_swing(double revolution_s) const RT_SAFE {
+double SetpointLaw::sensed_swing(double revolution_s) const RT_SAFE {
   const double turn_angle = 0.5 * full_turn * formed_.frequency_hz * revolution_s;
   const double sign = std::sin(turn_angle) < 0.0 ? -1.0 : 1.0;
   const double lag = std::atan(full_turn * formed_.frequency_hz * config_.power_lag_s);
@@ -55,7 +55,7 @@ double SetPointLaw::sensed_swing(double revolution_s) const RT_SAFE {
 }
 
 // Forms the automatic oscillation once, from a vibration that has settled above its level.
-void SetPointLaw::watch(const Inputs& inputs) RT_SAFE {
+void SetpointLaw::watch(const Inputs& inputs) RT_SAFE {
   if (!inputs.cuts || !can_form()) {
     has_automatic_ = false;
     settled_s_ = 0.0;
@@ -78,7 +78,7 @@ void SetPointLaw::watch(const Inputs& inputs) RT_SAFE {
 }
 
 // What can be formed of the oscillation at this speed of the spindle.
-void SetPointLaw::form(const Oscillation& wanted, double revolution_s) RT_SAFE {
+void SetpointLaw::form(const Oscillation& wanted, double revolution_s) RT_SAFE {
   formed_ = {};
   if (wanted.force_n <= 0.0 || mean_n_ <= 0.0) return;
   formed_.frequency_hz = formable_frequency(wanted.frequency_hz, revolution_s);

@@ -1,4 +1,4 @@
-// Fixed figures of a channel in the cycle: of its axes, its spindles and its process.
+// Constants of a channel in the cycle: of its axes, its spindles and its process.
 #pragma once
 
 #include <array>
@@ -17,24 +17,24 @@ namespace stanok::channels {
 static_assert(spindles_max == motion::coupled_spindles_max);
 inline constexpr std::size_t automatic_feeds_max = 2;  // laws that the cycle forms of a channel
 
-// Fixed figures of one axis in the cycle.
-struct AxisFigures {
+// Constants of one axis in the cycle.
+struct AxisConstants {
   motion::CodeScale codes;
   double brake_s = 0.0;        // time a brake takes to close or open
   double power_s = 0.0;        // time a drive takes to take over
   bool homed_at_start = true;  // until a drive says otherwise
   FixedText<16> name;
-  RegulatorConfig regulator;
-  double demand_max = 0.0;  // mm/s or deg/s, of the regulator
+  ControllerConfig controller;
+  double demand_max = 0.0;  // mm/s or deg/s, of the controller
   ManualAxis manual{};
 };
 
-struct ChannelFigures {
+struct ChannelConstants {
   std::int32_t id = 1;
   int axis_count = 0;
   double cycle_s = 0.001;
   bool stops_go_on = false;  // M0 and M60 continue at once, M99 ends the run (simulate)
-  std::array<AxisFigures, motion::axes_max> axes{};
+  std::array<AxisConstants, motion::axes_max> axes{};
   std::array<int, motion::axes_max> machine_axis{};  // index among all axes of the machine
   std::array<double, motion::axes_max> start{};
   std::array<SpindleConfig, spindles_max> spindles{};

@@ -1,4 +1,4 @@
-// How a piece's allowance is shared between its curvature, tangential acceleration and jerk
+// How a segment's allowance is shared between its curvature, tangential acceleration and jerk
 // (motion/path/geometry.h, docs/developer/motion.md#bounds).
 #include <algorithm>
 #include <cmath>
@@ -8,14 +8,14 @@
 namespace stanok::motion {
 namespace {
 
-// Shares of acceleration and jerk that curvature may take at the piece's top speed; the rest is
+// Shares of acceleration and jerk that curvature may take at the segment's top speed; the rest is
 // left for the tangential ones. Speed grows with the square and cube roots of these shares only, so
 // that the last 15 % of the allowance buy 8 % and 5 % of speed and would leave no way to change it.
 constexpr double curvature_share = 0.85;
 constexpr double aberrancy_share = 0.85;
-// Of the jerk that aberrancy leaves, the share that v a q'' may take; tangential jerk has the rest.
+// The share of the jerk left by aberrancy that v a q'' may take; tangential jerk has the rest.
 constexpr double bend_share = 0.5;
-// The same where they add in squares: equal parts.
+// Where they add in squares, both have equal parts.
 constexpr double bend_share_of_squares = 0.7;
 
 // Speeds and their derivatives stay finite where no axis has a limit.
@@ -24,7 +24,7 @@ constexpr double acceleration_ceiling = 1e9;  // mm/s^2
 constexpr double jerk_ceiling = 1e12;         // mm/s^3
 
 // What is left at speed v when the parts along and across the path add as they come.
-PieceLimits rest_of_sums(const PieceBounds& bounds, double v) RT_SAFE {
+SegmentLimits rest_of_sums(const SegmentBounds& bounds, double v) RT_SAFE {
   const double acceleration_left = 1.0 - v * v * bounds.curvature;
   const double jerk_left = 1.0 - v * v * v * bounds.aberrancy;
   const double bend = 3.0 * v * bounds.bend;
@@ -34,9 +34,9 @@ PieceLimits rest_of_sums(const PieceBounds& bounds, double v) RT_SAFE {
   return {v, a, j};
 }
 
-// The same when they add in squares.
-PieceLimits rest_of_squares(const PieceBounds& bounds, double v) RT_SAFE {
-  const PieceBounds::Euclidean& e = bounds.euclidean;
+// Does what rest_of_sums does, where both add in squares.
+SegmentLimits rest_of_squares(const SegmentBounds& bounds, double v) RT_SAFE {
+  const SegmentBounds::Euclidean& e = bounds.euclidean;
   const double across = v * v * e.curvature;
   const double acceleration_left = std::sqrt(std::max(0.0, 1.0 - across * across));
   const double jerk_left = 1.0 - v * v * v * bounds.aberrancy;
@@ -51,13 +51,13 @@ PieceLimits rest_of_squares(const PieceBounds& bounds, double v) RT_SAFE {
 
 }  // namespace
 
-PieceLimits piece_limits(const PieceBounds& bounds, double feed_per_s) RT_SAFE {
+SegmentLimits segment_limits(const SegmentBounds& bounds, double feed_per_s) RT_SAFE {
   const double v = std::min({feed_per_s, speed_ceiling, 1.0 / bounds.velocity,
                              std::sqrt(curvature_share / bounds.curvature),
                              std::cbrt(aberrancy_share / bounds.aberrancy)});
-  const PieceLimits sums = rest_of_sums(bounds, v);
+  const SegmentLimits sums = rest_of_sums(bounds, v);
   if (!bounds.euclidean.holds) return sums;
-  const PieceLimits squares = rest_of_squares(bounds, v);
+  const SegmentLimits squares = rest_of_squares(bounds, v);
   return squares.a * squares.j > sums.a * sums.j ? squares : sums;
 }
 

@@ -19,8 +19,8 @@ struct SavedState {
   ModalState state;  // what belongs to no part has its default value
 };
 
-[[nodiscard]] std::string gvector_text(const ModalState& state, StateParts parts);
+[[nodiscard]] std::string saved_state_text(const ModalState& state, StateParts parts);
 // Nothing when the text is damaged or of another version.
-[[nodiscard]] std::optional<SavedState> read_gvector(std::string_view text);
+[[nodiscard]] std::optional<SavedState> read_saved_state(std::string_view text);
 
 }  // namespace stanok::lang

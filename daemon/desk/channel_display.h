@@ -21,7 +21,7 @@ namespace stanok::daemon {
                                          const channels::ChannelOutput& output,
                                          const drives::BusStatus& bus);
 
-// By the words of programs, from the programmed point to the end of the block at hand, a cycle
+// By the words of programs, from the programmed point to the end of the current block, a cycle
 // being one block; null while no program runs.
 [[nodiscard]] nlohmann::json distance_to_go(const channels::ChannelConfig& config,
                                             const channels::ChannelOutput& output,

@@ -1,9 +1,9 @@
-// Position regulator of one axis whose loop is closed in the cycle: the velocity demand of its
+// Position controller of one axis whose loop is closed in the cycle: the velocity demand of its
 // drive.
 //
 //   U = kp e + kd (change of e) + kint (sum of e) + kv V + ka A + kr J
 //
-// e is the following error at the start of a cycle; V, A and J are what the set-point will do in
+// e is the following error at the start of a cycle; V, A and J are what the setpoint will do in
 // that cycle. Source: V. Kombarov, V. Sorokin, stability of contour feed (2013), eq. (16), and
 // eqs. (1) to (4) for the rates that differences of integer positions give.
 // docs/developer/motion.md derives the gains. Units: mm or deg, s.
@@ -16,7 +16,7 @@
 
 namespace stanok::motion {
 
-struct RegulatorGains {
+struct ControllerGains {
   double kp = 0.0;    // 1/s
   double kd = 0.0;    // 1/s
   double kint = 0.0;  // 1/s
@@ -25,7 +25,7 @@ struct RegulatorGains {
   double kr = 0.0;  // s^2
 };
 
-// Mean rates of change of a set-point over a cycle, per s, s^2, s^3.
+// Mean rates of change of a setpoint over a cycle, per s, s^2, s^3.
 struct SetpointRates {
   double velocity = 0.0;
   double acceleration = 0.0;
@@ -41,7 +41,7 @@ struct SetpointRates {
 // rounding of a position appears in them divided by T, T^2 and T^3.
 class CodeDifferences {
  public:
-  // Stands at `position_code`; `resolution` in mm or deg per discrete.
+  // Stands at `position_code`; `resolution` in mm or deg per increment.
   CodeDifferences(std::int64_t position_code, double resolution, double cycle_s);
 
   // Over the cycle that leads to `position_code`.
@@ -54,13 +54,13 @@ class CodeDifferences {
   SetpointRates before_;
 };
 
-class PositionRegulator {
+class PositionController {
  public:
-  PositionRegulator() = default;
+  PositionController() = default;
   // The drive is asked for at most `demand_max` either way; > 0.
-  PositionRegulator(const RegulatorGains& gains, double demand_max);
+  PositionController(const ControllerGains& gains, double demand_max);
 
-  // U for the coming cycle. `error` is set-point less position, both of the instant at which that
+  // U for the coming cycle. `error` is setpoint less position, both of the instant at which that
   // cycle begins. The sum of errors stands still while U is at its limit, unless it comes back.
   [[nodiscard]] double demand(double error, const SetpointRates& coming) RT_SAFE;
 
@@ -68,7 +68,7 @@ class PositionRegulator {
   void reset() RT_SAFE;
 
  private:
-  RegulatorGains gains_;
+  ControllerGains gains_;
   double demand_max_ = 0.0;
   double error_sum_ = 0.0;
   double error_before_ = 0.0;

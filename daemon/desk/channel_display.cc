@@ -1,4 +1,4 @@
-#include "daemon/desk/channel_figures.h"
+#include "daemon/desk/channel_display.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// Derivative bounds of a piece (motion/bounds/piece_bounds.h) and the speeds they allow.
-#include "motion/bounds/piece_bounds.h"
+// Derivative bounds of a segment (motion/bounds/segment_bounds.h) and the speeds they allow.
+#include "motion/bounds/segment_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,16 +28,16 @@ constexpr double margin_share_max = 0.05;
 constexpr double margin_seen_min = 1e-4;  // of a limit; what takes less need not be resolved
 constexpr double override_max = 2.0;
 
-bool moves(const Piece& piece, std::size_t axis) {
-  const Geometry& g = piece.geometry;
-  const bool is_polynomial = g.kind == PieceKind::quintic || g.kind == PieceKind::even;
+bool moves(const Segment& segment, std::size_t axis) {
+  const Geometry& g = segment.geometry;
+  const bool is_polynomial = g.kind == SegmentKind::quintic || g.kind == SegmentKind::even;
   if (!is_polynomial) return g.start[axis] != g.end[axis];
   return std::any_of(g.coefficients[axis].begin() + 1, g.coefficients[axis].end(),
                      [](double c) { return c != 0.0; });
 }
 
-PieceBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& config) {
-  PieceBounds bounds;
+SegmentBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& config) {
+  SegmentBounds bounds;
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
     const AxisLimits& limit = config.axes[k];
     const double velocity_max =
@@ -54,13 +54,13 @@ PieceBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& 
 
 // The one limit of X, Y and Z, if there is one: the transform may turn them, and nothing else
 // moves.
-std::optional<AxisLimits> common_limits(const Piece& piece, const MotionConfig& config) {
-  if (!is_affine(piece)) return std::nullopt;
+std::optional<AxisLimits> common_limits(const Segment& segment, const MotionConfig& config) {
+  if (!is_affine(segment)) return std::nullopt;
   std::optional<AxisLimits> common;
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
     const AxisLimits& limits = config.axes[k];
     if (std::ranges::find(config.geometry, static_cast<int>(k)) == config.geometry.end()) {
-      if (moves(piece, k)) return std::nullopt;
+      if (moves(segment, k)) return std::nullopt;
       continue;
     }
     const bool differs = common && (limits.acceleration_max != common->acceleration_max ||
@@ -73,7 +73,7 @@ std::optional<AxisLimits> common_limits(const Piece& piece, const MotionConfig& 
 }
 
 // `turn`: largest Euclidean |q''|.
-PieceBounds::Euclidean euclidean_bounds(double turn, const AxisLimits& limits) {
+SegmentBounds::Euclidean euclidean_bounds(double turn, const AxisLimits& limits) {
   return {.holds = true,
           .tangent = 1.0 / limits.acceleration_max,
           .thrust = 1.0 / limits.jerk_max,
@@ -81,11 +81,11 @@ PieceBounds::Euclidean euclidean_bounds(double turn, const AxisLimits& limits) {
           .bend = turn / limits.jerk_max};
 }
 
-AxisDerivatives of_affine_line(const Piece& piece) {
+AxisDerivatives of_affine_line(const Segment& segment) {
   JetPoint point_s;
   JetPoint axes_M;
-  evaluate_at_parameter(piece, 0.0, point_s);
-  to_machine(piece, point_s, axes_M);
+  evaluate_at_parameter(segment, 0.0, point_s);
+  to_machine(segment, point_s, axes_M);
   AxisDerivatives q;
   for (std::size_t k = 0; k < axes_max; ++k) q[k].first = std::abs(axes_M[k].first);
   return q;
@@ -123,21 +123,21 @@ double spiral_factor(const Geometry& g) {
 // Above this the arc is a spiral rather than a circle with rounded ends, and is sampled.
 constexpr double spiral_factor_max = 1.01;
 
-AxisDerivatives of_affine_arc(const Piece& piece, double factor) {
-  const Geometry& g = piece.geometry;
+AxisDerivatives of_affine_arc(const Segment& segment, double factor) {
+  const Geometry& g = segment.geometry;
   // An affine map takes each derivative of a jet by itself, so one jet carries three directions:
   // the linear part per s, and the two unit vectors of the plane.
   JetPoint directions_W{};
   for (std::size_t k = 0; k < axes_max; ++k) {
-    directions_W[k] = Jet(g.start[k], (g.end[k] - g.start[k]) / piece.length, 0.0, 0.0);
+    directions_W[k] = Jet(g.start[k], (g.end[k] - g.start[k]) / segment.length, 0.0, 0.0);
   }
   directions_W[static_cast<std::size_t>(g.plane[0])] = Jet(g.start[0], 0.0, 1.0, 0.0);
   directions_W[static_cast<std::size_t>(g.plane[1])] = Jet(g.start[0], 0.0, 0.0, 1.0);
   JetPoint directions_M;
-  to_machine(piece, directions_W, directions_M);
+  to_machine(segment, directions_W, directions_M);
 
   const double to = g.start_angle + g.sweep;
-  const double turn_rate = g.sweep / piece.length;  // rad per s
+  const double turn_rate = g.sweep / segment.length;  // rad per s
   const double along = std::max(g.radius, g.radius + g.radius_change) * turn_rate;
   AxisDerivatives q;
   for (std::size_t k = 0; k < axes_max; ++k) {
@@ -152,9 +152,9 @@ AxisDerivatives of_affine_arc(const Piece& piece, double factor) {
 }
 
 // |q''| of an arc: r w^2 for w = angle per length, along a helix too.
-double arc_turn(const Piece& piece) {
-  const Geometry& g = piece.geometry;
-  const double turn_rate = g.sweep / piece.length;
+double arc_turn(const Segment& segment) {
+  const Geometry& g = segment.geometry;
+  const double turn_rate = g.sweep / segment.length;
   return std::max(g.radius, g.radius + g.radius_change) * turn_rate * turn_rate;
 }
 
@@ -189,14 +189,14 @@ double turn_of(const JetPoint& point_s, const MotionConfig& config) {
   return std::sqrt(squared);
 }
 
-Peaks sampled_peaks(const Piece& piece, int intervals, const MotionConfig& config) {
+Peaks sampled_peaks(const Segment& segment, int intervals, const MotionConfig& config) {
   Peaks peaks;
   std::array<JetPoint, 3> window;
   std::array<double, 3> turns{};
   for (int i = 0; i <= intervals; ++i) {
     JetPoint point_s;
-    evaluate_at_parameter(piece, static_cast<double>(i) / intervals, point_s);
-    to_machine(piece, point_s, window[static_cast<std::size_t>(i % 3)]);
+    evaluate_at_parameter(segment, static_cast<double>(i) / intervals, point_s);
+    to_machine(segment, point_s, window[static_cast<std::size_t>(i % 3)]);
     turns[static_cast<std::size_t>(i % 3)] = turn_of(point_s, config);
     if (i < 2) continue;
     const JetPoint& before = window[static_cast<std::size_t>((i - 2) % 3)];
@@ -223,9 +223,9 @@ AxisDerivatives taken(const Peaks& peaks, double Peak::* value) {
 }
 
 // Whether the margins matter little where they decide: in the bounds, not in every axis. A margin
-// that takes no more than `margin_seen_min` of a limit at the highest speed `v` of the piece is
-// nothing, whatever its share: on a straight way curvature is rounding, and never settles.
-bool is_resolved(const PieceBounds& sampled, const PieceBounds& bounds, double v) {
+// that takes no more than `margin_seen_min` of a limit at the highest speed `v` of the segment is
+// nothing, whatever its share: on a straight path curvature is rounding, and never settles.
+bool is_resolved(const SegmentBounds& sampled, const SegmentBounds& bounds, double v) {
   const auto close = [](double peak, double bound, double weight) {
     return bound - peak <= std::max(margin_share_max * bound, margin_seen_min / weight);
   };
@@ -238,15 +238,15 @@ bool is_resolved(const PieceBounds& sampled, const PieceBounds& bounds, double v
          close(sampled.aberrancy, bounds.aberrancy, v * v * v);
 }
 
-PieceBounds sampled_bounds(const Piece& piece, const MotionConfig& config) {
-  int intervals = sampling_intervals(piece, config);
+SegmentBounds sampled_bounds(const Segment& segment, const MotionConfig& config) {
+  int intervals = sampling_intervals(segment, config);
   for (;;) {
-    const Peaks peaks = sampled_peaks(piece, intervals, config);
-    PieceBounds bounds = bounds_of(taken(peaks, &Peak::bound), piece.rapid, config);
-    const PieceBounds sampled = bounds_of(taken(peaks, &Peak::sampled), piece.rapid, config);
-    const double v = std::min(override_max * piece.feed_per_s, 1.0 / bounds.velocity);
+    const Peaks peaks = sampled_peaks(segment, intervals, config);
+    SegmentBounds bounds = bounds_of(taken(peaks, &Peak::bound), segment.rapid, config);
+    const SegmentBounds sampled = bounds_of(taken(peaks, &Peak::sampled), segment.rapid, config);
+    const double v = std::min(override_max * segment.feed_per_s, 1.0 / bounds.velocity);
     if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds, v)) {
-      if (const auto limits = common_limits(piece, config))
+      if (const auto limits = common_limits(segment, config))
         bounds.euclidean = euclidean_bounds(peaks.turn.bound, *limits);
       return bounds;
     }
@@ -256,20 +256,20 @@ PieceBounds sampled_bounds(const Piece& piece, const MotionConfig& config) {
 
 }  // namespace
 
-PieceBounds piece_bounds(const Piece& piece, const MotionConfig& config) {
-  if (is_affine(piece) && piece.geometry.kind == PieceKind::line) {
-    return bounds_of(of_affine_line(piece), piece.rapid, config);
+SegmentBounds segment_bounds(const Segment& segment, const MotionConfig& config) {
+  if (is_affine(segment) && segment.geometry.kind == SegmentKind::line) {
+    return bounds_of(of_affine_line(segment), segment.rapid, config);
   }
-  if (is_affine(piece) && piece.geometry.kind == PieceKind::arc) {
-    const double factor = spiral_factor(piece.geometry);
+  if (is_affine(segment) && segment.geometry.kind == SegmentKind::arc) {
+    const double factor = spiral_factor(segment.geometry);
     if (factor < spiral_factor_max) {
-      PieceBounds bounds = bounds_of(of_affine_arc(piece, factor), piece.rapid, config);
-      if (const auto limits = common_limits(piece, config))
-        bounds.euclidean = euclidean_bounds(factor * arc_turn(piece), *limits);
+      SegmentBounds bounds = bounds_of(of_affine_arc(segment, factor), segment.rapid, config);
+      if (const auto limits = common_limits(segment, config))
+        bounds.euclidean = euclidean_bounds(factor * arc_turn(segment), *limits);
       return bounds;
     }
   }
-  return sampled_bounds(piece, config);
+  return sampled_bounds(segment, config);
 }
 
 }  // namespace stanok::motion

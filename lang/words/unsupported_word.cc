@@ -1,4 +1,4 @@
-#include "lang/words/later_word.h"
+#include "lang/words/unsupported_word.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 namespace stanok::lang {
 namespace {
 
-constexpr auto later_rows = std::to_array<LaterWord>({
+constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G2.4", "an arc over a point, clockwise", "use G2 with centre or radius"},
     {"G3.4", "an arc over a point, counter-clockwise", "use G3 with centre or radius"},
     {"G6.2", "a curve with knots", "use G5.2 and G5.3, a curve without"},
@@ -18,7 +18,7 @@ constexpr auto later_rows = std::to_array<LaterWord>({
     {"G31", "a move up to a signal", "use G38.3"},
     {"G34", "a thread of variable lead", "use G33, section by section"},
     {"G37", "measurement of a tool", "use G38.2 and `settable_tool`"},
-    {"G43.5", "tip control by a tool vector", "use G43.4 and program the rotary axes"},
+    {"G43.5", "TCP (RTCP) by a tool vector", "use G43.4 and program the rotary axes"},
     {"G53.1", "alignment of the tool", "program the rotary axes"},
     {"G68.2", "a tilted plane", "use G68 with I, J, K, or a tilted scheme with `#kinematics`"},
     {"G75", "a grooving cycle", "use a loop of G1"},
@@ -32,14 +32,14 @@ constexpr auto later_rows = std::to_array<LaterWord>({
 
 }  // namespace
 
-std::span<const LaterWord> later_words() {
-  return later_rows;
+std::span<const UnsupportedWord> unsupported_words() {
+  return unsupported_rows;
 }
 
-const LaterWord* find_later_word(std::string_view word) {
-  const auto row = std::find_if(later_rows.begin(), later_rows.end(),
-                                [word](const LaterWord& one) { return one.word == word; });
-  return row == later_rows.end() ? nullptr : &*row;
+const UnsupportedWord* find_unsupported_word(std::string_view word) {
+  const auto row = std::find_if(unsupported_rows.begin(), unsupported_rows.end(),
+                                [word](const UnsupportedWord& one) { return one.word == word; });
+  return row == unsupported_rows.end() ? nullptr : &*row;
 }
 
 }  // namespace stanok::lang

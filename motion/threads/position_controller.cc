@@ -1,5 +1,5 @@
-// The law of the regulator, and where its rates come from.
-#include "motion/threads/position_regulator.h"
+// The law of the controller, and where its rates come from.
+#include "motion/threads/position_controller.h"
 
 #include <algorithm>
 
@@ -30,12 +30,12 @@ SetpointRates CodeDifferences::advance(std::int64_t position_code) RT_SAFE {
   return rates;
 }
 
-PositionRegulator::PositionRegulator(const RegulatorGains& gains, double demand_max)
+PositionController::PositionController(const ControllerGains& gains, double demand_max)
     : gains_(gains), demand_max_(demand_max) {
   STANOK_ASSERT(demand_max > 0.0);
 }
 
-double PositionRegulator::demand(double error, const SetpointRates& coming) RT_SAFE {
+double PositionController::demand(double error, const SetpointRates& coming) RT_SAFE {
   const double change = has_error_before_ ? error - error_before_ : 0.0;
   const double sum = error_sum_ + error;
   const double wanted = gains_.kp * error + gains_.kd * change + gains_.kint * sum +
@@ -49,7 +49,7 @@ double PositionRegulator::demand(double error, const SetpointRates& coming) RT_S
   return given;
 }
 
-void PositionRegulator::reset() RT_SAFE {
+void PositionController::reset() RT_SAFE {
   error_sum_ = 0.0;
   has_error_before_ = false;
 }

@@ -1,11 +1,11 @@
-// FeedRegulator, block 14: changes the feed until the deviation of the power is zero.
+// FeedController, block 14: changes the feed until the deviation of the power is zero.
 //
 // The force follows the feed per revolution h as P_z = C t h^y, so ln h is integrated:
 // d(ln h)/dt = -K ln(1 + U/N_z) / y. The loop then has the same gain whatever depth and hardness
 // are. Its dead time is that of the chip, which is as thick as the tool went in the last revolution
 // (half a revolution in the mean), and the lag of the sensor; K = gain / dead time. In rapid, in
-// the air and where the path does not go at the feed asked for, the regulator stands (no wind-up);
-// out of the cut it goes back to the feed at which the force was last held. Real-time.
+// the air and where the path does not go at the feed asked for, the controller is held (no
+// wind-up); out of the cut it goes back to the feed at which the force was last held. Real-time.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -13,8 +13,8 @@
 
 namespace stanok::process {
 
-// Of one cycle.
-struct RegulatorInputs {
+// What the controller gets in one cycle.
+struct FeedControllerInputs {
   double cycle_s = 0.001;
   double revolution_s = 0.1;
   double deviation = 0.0;  // U / N_z
@@ -25,17 +25,17 @@ struct RegulatorInputs {
   double feed_max = 0.0;
 };
 
-class FeedRegulator {
+class FeedController {
  public:
-  explicit FeedRegulator(const ForceControlConfig& config) : config_(config) {}
+  explicit FeedController(const ForceControlConfig& config) : config_(config) {}
 
   // Forgets the feed; it begins with the first one that is programmed.
   void reset() RT_SAFE;
   void begin_with(double feed_per_rev) RT_SAFE;
-  // The feed for another force: blocks 21, 12 and 22 ahead of the regulator, which then waits until
-  // the power shows it.
+  // The feed for another force: blocks 21, 12 and 22 ahead of the controller, which then waits
+  // until the power shows it.
   void scale(double factor) RT_SAFE;
-  void advance(const RegulatorInputs& inputs) RT_SAFE;
+  void advance(const FeedControllerInputs& inputs) RT_SAFE;
 
   [[nodiscard]] bool has_feed() const RT_SAFE { return feed_ > 0.0; }
   [[nodiscard]] double feed_per_rev() const RT_SAFE { return feed_; }  // h, mm

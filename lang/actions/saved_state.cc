@@ -1,4 +1,4 @@
-#include "lang/actions/gvector.h"
+#include "lang/actions/saved_state.h"
 
 #include <fast_float/fast_float.h>
 
@@ -261,7 +261,7 @@ bool is_plausible(const ModalState& state) {
 
 }  // namespace
 
-std::string gvector_text(const ModalState& state, StateParts parts) {
+std::string saved_state_text(const ModalState& state, StateParts parts) {
   ModalState values = state;
   std::string text(version);
   for (const Section& section : sections) {
@@ -282,7 +282,7 @@ std::string gvector_text(const ModalState& state, StateParts parts) {
   return text + ";crc=" + check_sum_text(text);
 }
 
-std::optional<SavedState> read_gvector(std::string_view text) {
+std::optional<SavedState> read_saved_state(std::string_view text) {
   const std::size_t tail = text.rfind(";crc=");
   if (tail == std::string_view::npos || !text.starts_with(version)) return std::nullopt;
   const std::string_view body = text.substr(0, tail);
