@@ -56,8 +56,8 @@ void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code);
 // Spindles that are axes for a while (actions_spindle_axis.cc)
 // Whether a code of the block takes the word H1=, H2=.
 [[nodiscard]] bool is_word_of_spindle_axis(const BlockCodes& codes, const NamedWord& word);
-[[nodiscard]] bool is_spindle_now(const ActiveBlock& block, std::size_t axis);
-void refuse_axis_that_is_spindle(ActiveBlock& block, std::size_t axis);
+[[nodiscard]] bool is_spindle_now(const ActiveBlock& block, AxisIndex axis);
+void refuse_axis_that_is_spindle(ActiveBlock& block, AxisIndex axis);
 // Fails the block when one of its axis words means an axis that is a spindle now.
 void refuse_axes_that_are_spindles(ActiveBlock& block);
 // Fails the block, and returns true, when the spindle (0: master, -1: any) is an axis now.
@@ -68,7 +68,7 @@ void cut_thread_in_passes(ActiveBlock& block, CodeNumber code);  // G76
 
 // Table input (actions_table.cc)
 // An axis word as it is written, without the halving of diameter mode: what goes into tables.
-[[nodiscard]] double table_value(const ActiveBlock& block, std::size_t axis);
+[[nodiscard]] double table_value(const ActiveBlock& block, AxisIndex axis);
 
 // Reference points (actions_reference.cc)
 // Where the axes stand in M; not under tip control.
