@@ -111,7 +111,6 @@ const std::map<std::string, std::set<std::string>> functions_with_bool_parameter
     {"plant", {"acceleration", "advance"}},
     {"process", {"block", "rapid_key"}},
     {"programs", {"arc_xy", "quarter_zx"}},
-    {"simulation", {"crossing", "face", "place_of", "turning_tool"}},
 };
 
 // Functions of which the bool is the value itself: it becomes a value of the language, a text.
@@ -172,7 +171,7 @@ constexpr double casts_max = 1e-3;  // per line
 const std::map<std::string, std::size_t> folders_of_many_casts{
     {"channels", 124}, {"client", 17},    {"config", 12},  {"daemon", 13},
     {"drives", 20},    {"motion", 65},    {"plant", 12},   {"process", 8},
-    {"programs", 9},   {"recording", 39}, {"runtime", 37}, {"simulation", 42},
+    {"programs", 9},   {"recording", 39}, {"runtime", 37},
 };
 
 std::size_t casts_to_size(const std::vector<std::string>& lines) {
