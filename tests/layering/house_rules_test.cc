@@ -103,12 +103,10 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
 // AlarmChoice::all)`, not `rows(channel, false)`. The list only falls.
 const std::map<std::string, std::set<std::string>> functions_with_bool_parameter_left{
     {"channels", {"at", "block", "scheme_of", "state_of"}},
-    {"drives", {"request_for", "watch_fault_reset"}},
     {"kinematics", {"face_scheme"}},
     {"motion",
      {"bounds_of", "commit", "commit_chunks", "feed_per_s", "is_controlled", "plan_window",
       "run_last_plan_on", "seek", "set", "switch_on"}},
-    {"plant", {"acceleration", "advance"}},
     {"process", {"block", "rapid_key"}},
     {"programs", {"arc_xy", "quarter_zx"}},
 };
@@ -169,9 +167,8 @@ TEST(HouseRules, ABoolParameterIsFound) {
 // the numbers only fall.
 constexpr double casts_max = 1e-3;  // per line
 const std::map<std::string, std::size_t> folders_of_many_casts{
-    {"channels", 124}, {"client", 17},    {"config", 12},  {"daemon", 13},
-    {"drives", 20},    {"motion", 65},    {"plant", 12},   {"process", 8},
-    {"programs", 9},   {"recording", 39}, {"runtime", 37},
+    {"channels", 124}, {"client", 17},  {"config", 12},    {"daemon", 13},  {"motion", 65},
+    {"process", 8},    {"programs", 9}, {"recording", 39}, {"runtime", 37},
 };
 
 std::size_t casts_to_size(const std::vector<std::string>& lines) {
