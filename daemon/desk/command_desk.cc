@@ -110,10 +110,8 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
 
 bool CommandDesk::is_in_alarm(int channel) const {
   const channels::CycleOutput output = machine_.newest_output();
-  return std::any_of(output.channels.begin(), output.channels.begin() + output.channel_count,
-                     [&](const channels::ChannelOutput& one) {
-                       return one.id == channel && one.state == channels::ChannelState::alarm;
-                     });
+  const channels::ChannelOutput* const one = output.of_channel(channel);
+  return one != nullptr && one->state == channels::ChannelState::alarm;
 }
 
 void CommandDesk::await_run(int channel, Answer answer) {

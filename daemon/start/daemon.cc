@@ -151,9 +151,7 @@ int run_daemon(const DaemonOptions& options) {
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
-      [&](int index, std::string_view reason) {
-        fail(file.machine.channels[static_cast<std::size_t>(index)].name, reason);
-      });
+      [&](int index, std::string_view reason) { fail(file.machine.channels[index].name, reason); });
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
                file.machine.cycle_us, machine.drive_choice(), socket.path().string());
