@@ -107,8 +107,6 @@ const std::map<std::string, std::set<std::string>> functions_with_bool_parameter
     {"motion",
      {"bounds_of", "commit", "commit_chunks", "feed_per_s", "is_controlled", "plan_window",
       "run_last_plan_on", "seek", "set", "switch_on"}},
-    {"process", {"block", "rapid_key"}},
-    {"programs", {"arc_xy", "quarter_zx"}},
 };
 
 // Functions of which the bool is the value itself: it becomes a value of the language, a text.
@@ -167,7 +165,9 @@ TEST(HouseRules, ABoolParameterIsFound) {
 // the numbers only fall.
 constexpr double casts_max = 1e-3;  // per line
 const std::map<std::string, std::size_t> folders_of_many_casts{
-    {"channels", 124}, {"motion", 65}, {"process", 8}, {"programs", 9}, {"runtime", 10},
+    {"channels", 124},
+    {"motion", 65},
+    {"runtime", 10},
 };
 
 std::size_t casts_to_size(const std::vector<std::string>& lines) {
