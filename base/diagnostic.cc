@@ -26,14 +26,15 @@ std::string place_text(const Place& place) {
   return text;
 }
 
-// Tabs are kept in the padding so that the caret stands under its word whatever the tab width.
+// As long as what stands before the column. Tabs are kept so that the caret stands under its word
+// whatever the tab width.
 std::string padding(std::string_view source_line, int column) {
-  const auto length = static_cast<std::size_t>(std::max(column - 1, 0));
   std::string text;
-  for (const char c : source_line.substr(0, offset_of_character(source_line, length))) {
+  for (const char c : source_line) {
+    if (std::ssize(text) >= column - 1) break;
     if (!continues_character(c)) text += c == '\t' ? '\t' : ' ';
   }
-  text.resize(length, ' ');
+  while (std::ssize(text) < column - 1) text += ' ';
   return text;
 }
 
@@ -55,7 +56,7 @@ Excerpt excerpt_of(const std::string& line, int column) {
   constexpr std::size_t shown = 160;
   const std::size_t length = character_count(line);
   if (length <= shown_whole) return {line, column};
-  const auto place = std::min(static_cast<std::size_t>(std::max(column - 1, 0)), length);
+  const std::size_t place = std::min(padding(line, column).size(), length);
   const std::size_t begin = place - std::min(place, shown_before);
   const std::string before = begin > 0 ? "..." : "";
   const std::string behind = begin + shown < length ? "..." : "";
@@ -72,7 +73,8 @@ void append_picture(std::string& text, const Diagnostic& d) {
     width = std::min(width, static_cast<int>(character_count(line.text)) - line.column + 1);
   text += gutter + " |\n" + number + " | " + line.text + "\n" + gutter + " | ";
   text += padding(line.text, line.column);
-  text += std::string(static_cast<std::size_t>(std::max(width, 1)), '^') + " " + d.label + "\n";
+  for (int k = 0; k < std::max(width, 1); ++k) text += '^';
+  text += " " + d.label + "\n";
   text += gutter + " |\n";
 }
 

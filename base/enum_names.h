@@ -14,6 +14,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "base/place.h"
+
 namespace stanok {
 
 namespace detail {
@@ -75,7 +77,7 @@ class EnumNames {
 
  private:
   [[nodiscard]] constexpr std::size_t index(Enum value) const {
-    return static_cast<std::size_t>(static_cast<Number>(value) - first_);
+    return place_of(value) - place_of(static_cast<Enum>(first_));
   }
 
   Number first_;

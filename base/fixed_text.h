@@ -23,7 +23,7 @@ struct FixedText {
   }
   [[nodiscard]] constexpr std::string_view view() const RT_SAFE {
     const auto end = std::find(characters.begin(), characters.end(), '\0');
-    return {characters.data(), static_cast<std::size_t>(end - characters.begin())};
+    return {characters.begin(), end};
   }
   [[nodiscard]] constexpr bool empty() const RT_SAFE { return characters[0] == '\0'; }
   friend constexpr bool operator==(const FixedText&, const FixedText&) = default;

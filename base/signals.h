@@ -4,10 +4,10 @@
 // write it in the cycle. Plain data.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <type_traits>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 
 namespace stanok {
@@ -17,7 +17,7 @@ struct Signals {
   static constexpr int analog_count = 16;
 
   std::uint64_t digital = 0;  // bit n: signal n
-  std::array<double, analog_count> analog{};
+  NumberedArray<double, analog_count> analog{};
 
   [[nodiscard]] bool is_on(int number) const RT_SAFE {
     return (digital >> static_cast<unsigned>(number) & 1U) != 0;

@@ -20,10 +20,9 @@ struct TextBounds {
 };
 
 // Machine files have three levels, tables of 32,000 tools with all edges 20 MiB.
-inline constexpr TextBounds toml_bounds{
-    .bytes = std::size_t{32} << 20, .nesting = 16, .key_parts = 16};
+inline constexpr TextBounds toml_bounds{.bytes = 32UL << 20, .nesting = 16, .key_parts = 16};
 // Requests have three levels, states of a machine six; a line is bounded by the reader of frames.
-inline constexpr TextBounds json_bounds{.bytes = std::size_t{64} << 20, .nesting = 64};
+inline constexpr TextBounds json_bounds{.bytes = 64UL << 20, .nesting = 64};
 
 // What is too much, at the place where it becomes so. Line and column count from 1, in bytes.
 struct TextExcess {

@@ -1,6 +1,5 @@
 #include "base/utf8.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -48,8 +47,9 @@ std::string valid_utf8(std::string_view text) {
 }
 
 std::size_t character_count(std::string_view text) {
-  return text.size() -
-         static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
+  std::size_t count = 0;
+  for (const char c : text) count += continues_character(c) ? 0 : 1;
+  return count;
 }
 
 std::size_t offset_of_character(std::string_view text, std::size_t character) {

@@ -71,7 +71,7 @@ void turn_a_pass(benchmark::State& state) {
   shape.kind = ToolKind::insert;
   shape.radius = 0.8;
   shape.orientation = 2;
-  const TurningTool tool = workpiece.turning_tool(shape, false);
+  const TurningTool tool = workpiece.turning_tool(shape, DirectionOfZ::same);
   Circumstances circumstances;
   circumstances.shares = {{}};
   double z = 100.0;

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_array.h"
 #include "base/fixed_text.h"
 #include "base/rt_safe.h"
 #include "drives/drive.h"
@@ -33,7 +34,6 @@ enum class ExchangeError : std::uint8_t {
   implausible,    // no state of the standard, or a position or velocity the axis cannot have
   own_fault,      // a fault of stanok itself ended the round of exchanges
 };
-inline constexpr std::size_t exchange_error_count = 8;
 
 [[nodiscard]] std::string_view name_of(ExchangeError error);
 
@@ -46,7 +46,7 @@ struct RoundTrip {
   double max_us = 0.0;
 };
 
-using ErrorCounts = std::array<std::uint64_t, exchange_error_count>;  // by ExchangeError
+using ErrorCounts = EnumArray<ExchangeError, std::uint64_t>;
 
 struct AxisBusStatus {
   std::string axis;  // "X"; "S1" of a spindle

@@ -4,19 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place.h"
+
 namespace stanok::drives {
 
 std::string_view name_of(ExchangeError error) {
-  constexpr std::array<std::string_view, exchange_error_count> names = {
+  constexpr EnumArray<ExchangeError, std::string_view> names = {
       "not_connected", "timeout", "disconnected", "mangled",
       "exception",     "stuck",   "implausible",  "own_fault"};
-  return names[static_cast<std::size_t>(error)];
+  return names[error];
 }
 
 void RoundTripHistogram::add(std::chrono::nanoseconds time) {
   const double time_us = static_cast<double>(time.count()) * 1e-3;
   const double position = std::log2(std::max(time_us, 1.0)) * buckets_per_octave;
-  const auto bucket = std::min(static_cast<std::size_t>(position), counts_.size() - 1);
+  const auto bucket = std::min(checked_size(position), counts_.size() - 1);
   ++counts_[bucket];
   ++total_;
   max_us_ = std::max(max_us_, time_us);

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "base/enum_array.h"
+
 namespace stanok::drives {
 namespace {
 
@@ -14,8 +16,7 @@ struct StatePattern {
   std::string_view name;
 };
 
-// In the order of the enumeration.
-constexpr std::array<StatePattern, 8> patterns = {{
+constexpr EnumArray<DriveState, StatePattern> patterns = {{{
     {DriveState::not_ready_to_switch_on, 0x4F, 0x00, "not ready to switch on"},
     {DriveState::switch_on_disabled, 0x4F, 0x40, "switch on disabled"},
     {DriveState::ready_to_switch_on, 0x6F, 0x21, "ready to switch on"},
@@ -24,7 +25,7 @@ constexpr std::array<StatePattern, 8> patterns = {{
     {DriveState::quick_stop_active, 0x6F, 0x07, "quick stop active"},
     {DriveState::fault_reaction_active, 0x4F, 0x0F, "fault reaction active"},
     {DriveState::fault, 0x4F, 0x08, "fault"},
-}};
+}}};
 
 constexpr std::uint16_t disable_voltage = 0;
 constexpr std::uint16_t quick_stop = control::enable_voltage;
@@ -49,7 +50,7 @@ std::uint16_t word_towards_on(DriveState state) RT_SAFE {
 }  // namespace
 
 std::string_view name_of(DriveState state) {
-  return patterns[static_cast<std::size_t>(state)].name;
+  return patterns[state].name;
 }
 
 std::optional<DriveState> state_of(std::uint16_t status_word) RT_SAFE {
@@ -62,7 +63,7 @@ std::optional<DriveState> state_of(std::uint16_t status_word) RT_SAFE {
 }
 
 std::uint16_t state_bits(DriveState state) RT_SAFE {
-  return patterns[static_cast<std::size_t>(state)].bits;
+  return patterns[state].bits;
 }
 
 std::uint16_t control_word(DriveState state, PowerRequest request) RT_SAFE {

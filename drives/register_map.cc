@@ -98,7 +98,7 @@ int register_count(const RegisterMap& map) {
 }
 
 std::int32_t read_field(const RegisterField& field, std::span<const std::uint16_t> image) RT_SAFE {
-  const auto at = static_cast<std::size_t>(field.address);
+  const std::size_t at = field.place();
   if (field.words == 2) {
     const bool high_first = field.order == WordOrder::high_first;
     const std::uint32_t high = image[high_first ? at : at + 1];
@@ -110,7 +110,7 @@ std::int32_t read_field(const RegisterField& field, std::span<const std::uint16_
 
 void write_field(const RegisterField& field, std::int32_t increments,
                  std::span<std::uint16_t> image) RT_SAFE {
-  const auto at = static_cast<std::size_t>(field.address);
+  const std::size_t at = field.place();
   const auto bits = std::bit_cast<std::uint32_t>(increments);
   const auto high = static_cast<std::uint16_t>(bits >> 16U);
   const auto low = static_cast<std::uint16_t>(bits & 0xFFFFU);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "base/place.h"
 #include "base/rt_safe.h"
 
 namespace stanok::drives {
@@ -29,6 +30,8 @@ struct RegisterField {
   double offset = 0.0;  // increments at 0
 
   [[nodiscard]] bool exists() const RT_SAFE { return address != absent; }
+  // Of the first register in an image that begins with register 0; the field must exist.
+  [[nodiscard]] std::size_t place() const RT_SAFE { return place_of(address); }
   [[nodiscard]] int end() const RT_SAFE { return address + words; }
 
   [[nodiscard]] double value(std::int32_t increments) const RT_SAFE {

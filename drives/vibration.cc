@@ -5,10 +5,12 @@
 #include <bit>
 #include <cmath>
 
+#include "base/place.h"
+
 namespace stanok::drives {
 
 VibrationReader::VibrationReader(const VibrationSensorConfig& config) : config_(config) {
-  fresh_.reserve(static_cast<std::size_t>(config.count));
+  fresh_.reserve(checked_size(config.count));
 }
 
 // All samples of the first block are new.
@@ -29,8 +31,7 @@ std::span<const double> VibrationReader::take(std::span<const std::uint16_t> blo
 }
 
 VibrationMeter::VibrationMeter(double rate_hz, double stretch_s)
-    : rate_hz_(rate_hz),
-      stretch_(static_cast<std::size_t>(std::max(2.0, std::round(rate_hz * stretch_s)))) {}
+    : rate_hz_(rate_hz), stretch_(checked_size(std::max(2.0, std::round(rate_hz * stretch_s)))) {}
 
 void VibrationMeter::add(std::span<const double> samples_um) RT_SAFE {
   for (const double sample : samples_um) {

@@ -69,10 +69,11 @@ std::string PolarFace::defect(const SchemeConfig& config) {
   return turned_workpiece_defect(config, std::get<Geometry>(config.geometry));
 }
 
-SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, bool negative_side) {
+SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, FaceSide side) {
   SchemeConfig config = active;
   config.type = PolarFace::type_name;
-  config.geometry = PolarFace::Geometry{turned_workpiece(active, rotary_axis), negative_side};
+  config.geometry =
+      PolarFace::Geometry{turned_workpiece(active, rotary_axis), side == FaceSide::negative};
   return config;
 }
 

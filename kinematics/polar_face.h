@@ -66,9 +66,11 @@ class PolarFace final : public FormulaScheme<PolarFace> {
   double side_ = 1.0;  // -1: the negative side
 };
 
+// Of the centre, on which the tool works.
+enum class FaceSide : std::uint8_t { positive, negative };
+
 // The scheme of a channel while G12.1 is on: `active` (cartesian or lathe) with the plane of its X
 // and `rotary_axis`, index in the channel.
-[[nodiscard]] SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis,
-                                       bool negative_side);
+[[nodiscard]] SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, FaceSide side);
 
 }  // namespace stanok::kinematics

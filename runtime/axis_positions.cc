@@ -1,6 +1,6 @@
 #include "runtime/axis_positions.h"
 
-#include <algorithm>
+#include "base/place.h"
 
 namespace stanok::runtime {
 
@@ -10,13 +10,11 @@ std::vector<double> positions_of_axes(const channels::MachineConfig& machine,
   positions.reserve(machine.axes.size());
   for (const channels::AxisConfig& axis : machine.axes) positions.push_back(axis.start);
   std::vector<bool> is_known(positions.size(), false);
-  const auto end = output.channels.begin() + output.channel_count;
   for (const channels::ChannelConfig& config : machine.channels) {
-    const auto channel = std::find_if(output.channels.begin(), end,
-                                      [&](const auto& c) { return c.id == config.id; });
-    if (channel == end) continue;
+    const channels::ChannelOutput* const channel = output.of_channel(config.id);
+    if (channel == nullptr) continue;
     for (std::size_t k = 0; k < config.axes.size(); ++k) {
-      const auto axis = static_cast<std::size_t>(config.axes[k]);
+      const std::size_t axis = checked_size(config.axes[k]);
       if (is_known[axis] && !channel->drives[k].enabled) continue;
       positions[axis] = channel->axes[k].position;
       is_known[axis] = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "channels/contract/channel_description.h"
 #include "channels/contract/motion_config.h"
 #include "channels/preparation/search_sink.h"
@@ -32,7 +33,7 @@ motion::Point start_of(const channels::MachineConfig& machine,
                        const channels::ChannelConfig& channel) {
   motion::Point point{};
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-    point[k] = machine.axes[static_cast<std::size_t>(channel.axes[k])].start;
+    point[k] = machine.axes[channel.axes[k]].start;
   }
   return point;
 }
@@ -267,9 +268,8 @@ lang::Answer DryRun::answer_of(const lang::Request& request) {
   data.number = request.number;
   data.index = request.index;
   data.value = request.value;
-  const int axis = offsets && request.index >= 0
-                       ? channel_.axes[static_cast<std::size_t>(request.index)]
-                       : request.index;
+  const int axis =
+      offsets && request.index >= 0 ? channel_.axes[checked_size(request.index)] : request.index;
   const auto value = channels::execute_table_request(live_, data, axis);
   answer.ok = value.has_value();
   answer.number = value.value_or(0.0);

@@ -23,8 +23,7 @@ class TimelineWriter final : public CycleObserver {
 
   void observe(const channels::CycleOutput& output) override {
     const double t = static_cast<double>(output.cycle) * cycle_s_;
-    for (int k = 0; k < output.channel_count; ++k) {
-      const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+    for (const channels::ChannelOutput& channel : output.of_channels()) {
       if (channel.running) timelines_[channel.id].add(channel.run, channel.tag.block, t);
     }
   }
@@ -44,8 +43,7 @@ class PreviewGathering final : public CycleObserver {
   }
 
   void observe(const channels::CycleOutput& output) override {
-    for (int k = 0; k < output.channel_count; ++k) {
-      const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+    for (const channels::ChannelOutput& channel : output.of_channels()) {
       const auto writer = writers_.find(channel.id);
       if (writer != writers_.end()) writer->second.add(channel);
     }
@@ -68,19 +66,11 @@ void become_idle_class() {
   static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none));
 }
 
-const channels::ChannelOutput* output_with_id(const channels::CycleOutput& output, int id) {
-  const auto end = output.channels.begin() + output.channel_count;
-  const auto found =
-      std::find_if(output.channels.begin(), end, [id](const auto& one) { return one.id == id; });
-  return found == end ? nullptr : &*found;
-}
-
 }  // namespace
 
 RunsOfChannels runs_of(const channels::CycleOutput& output) {
   RunsOfChannels runs;
-  for (int k = 0; k < output.channel_count; ++k) {
-    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+  for (const channels::ChannelOutput& channel : output.of_channels()) {
     runs[channel.id] = channel.run;
   }
   return runs;
@@ -138,7 +128,7 @@ void Foresight::look_at(int channel, const std::string& program, const channels:
                         channels::TablesConfig tables) {
   Order order{channel, program, positions_of_axes(file_.machine, now), {}, std::move(tables)};
   for (const channels::ChannelConfig& config : file_.machine.channels) {
-    const channels::ChannelOutput* output = output_with_id(now, config.id);
+    const channels::ChannelOutput* output = now.of_channel(config.id);
     if (output == nullptr) continue;
     if (output->scheme != 0) order.schemes.emplace_back(config.id, output->scheme);
   }
@@ -220,7 +210,7 @@ std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
 // How far in the time of the simulation a channel has come.
 std::optional<double> Foresight::reached(const Foreseen& foreseen, int channel,
                                          const channels::CycleOutput& now) {
-  const channels::ChannelOutput* output = output_with_id(now, channel);
+  const channels::ChannelOutput* output = now.of_channel(channel);
   const auto timeline = foreseen.timelines.find(channel);
   const auto before = foreseen.before.find(channel);
   if (output == nullptr || timeline == foreseen.timelines.end() ||
@@ -247,7 +237,7 @@ Outlook Foresight::outlook(int channel, const channels::CycleOutput& now) const 
   for (const auto& [owner, foreseen] : foreseen_) {
     const auto t = reached(foreseen, channel, now);
     if (!foreseen.is_known || !t || !reached(foreseen, owner, now)) continue;
-    const std::uint32_t run = output_with_id(now, channel)->run - foreseen.before.at(channel);
+    const std::uint32_t run = now.of_channel(channel)->run - foreseen.before.at(channel);
     outlook.remaining_s = foreseen.timelines.at(channel).end_of(run).value_or(*t) - *t;
   }
   return outlook;

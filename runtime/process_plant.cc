@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "channels/contract/motion_config.h"
 
 namespace stanok::runtime {
@@ -46,11 +47,11 @@ ProcessPlant::ProcessPlant(const config::MachineFile& file)
       meter_(plant::CuttingProcess::vibration_samples / cycle_s_, stretch_s),
       sensors_(file.machine.spindles.size()) {
   const channels::ChannelConfig& channel = channel_of(file);
-  channel_ = static_cast<std::size_t>(&channel - file.machine.channels.data());
-  spindle_ = static_cast<std::size_t>(&spindle_of(file) - file.machine.spindles.data());
+  channel_ = checked_size(&channel - file.machine.channels.data());
+  spindle_ = checked_size(&spindle_of(file) - file.machine.spindles.data());
   const std::array<int, 3> geometry = channels::geometry_axes(channel);
-  x_ = static_cast<std::size_t>(std::max(geometry[0], 0));
-  z_ = static_cast<std::size_t>(std::max(geometry[2], 0));
+  x_ = std::max(geometry[0], 0);
+  z_ = std::max(geometry[2], 0);
 }
 
 void ProcessPlant::advance(const channels::CycleOutput& output) RT_SAFE {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/axis_index.h"
 #include "channels/machine/machine.h"
 #include "config/files/machine_file.h"
 #include "drives/vibration.h"
@@ -41,8 +42,8 @@ class ProcessPlant {
   std::int64_t sample_cycles_;
   std::size_t channel_ = 0;  // index in the machine
   std::size_t spindle_ = 0;
-  std::size_t x_ = 0;  // channel axes
-  std::size_t z_ = 0;
+  AxisIndex x_ = 0;
+  AxisIndex z_ = 0;
   plant::CuttingProcess cut_;
   plant::SpindlePlant motor_;
   drives::VibrationMeter meter_;

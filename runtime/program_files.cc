@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "base/file_descriptor.h"
+#include "base/place.h"
 #include "base/system_error.h"
 
 namespace stanok::runtime {
@@ -70,7 +71,7 @@ Expected<std::string, Diagnostic> read_all(int file, std::string_view name, std:
     return Unexpected<Diagnostic>(
         diagnostic("E7003", std::string(name) + " is not a regular file", ""));
   }
-  const auto size = static_cast<std::size_t>(status.st_size);
+  const std::size_t size = checked_size(status.st_size);
   if (size > bytes_max) return Unexpected<Diagnostic>(lang::too_large(name, size, bytes_max));
   std::string text(size, '\0');
   std::size_t filled = 0;
@@ -83,7 +84,7 @@ Expected<std::string, Diagnostic> read_all(int file, std::string_view name, std:
           diagnostic("E7004", "cannot read " + std::string(name) + ": " + reason, ""));
     }
     if (count == 0) break;
-    filled += static_cast<std::size_t>(count);
+    filled += checked_size(count);
   }
   text.resize(filled);
   return text;

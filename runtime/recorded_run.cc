@@ -4,6 +4,7 @@
 #include <stanok_messages/program_chunk_t.hpp>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "base/utf8.h"
 #include "config/files/tables_file.h"
 #include "recording/format/channel_names.h"
@@ -34,9 +35,8 @@ class Texts {
     std::string& text = parts_[name];
     if (chunk.offset == 0) text.clear();
     if (static_cast<std::int64_t>(text.size()) != chunk.offset) return;  // a piece is missing
-    const auto length =
-        std::clamp<std::size_t>(static_cast<std::size_t>(chunk.length), 0, sizeof chunk.text);
-    text.append(reinterpret_cast<const char*>(chunk.text), length);
+    const auto length = std::clamp<std::int64_t>(chunk.length, 0, sizeof chunk.text);
+    text.append(reinterpret_cast<const char*>(chunk.text), checked_size(length));
     if (static_cast<std::int64_t>(text.size()) < chunk.size) return;
     const auto hash = static_cast<std::uint64_t>(chunk.hash);
     if (recording::text_hash(text) != hash) return;

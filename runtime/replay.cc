@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/numbered.h"
+#include "base/place.h"
 #include "channels/contract/operator_action.h"
 #include "channels/machine/machine.h"
 #include "recording/format/channel_names.h"
@@ -124,8 +126,7 @@ class Repetition {
     for (; next_arrival_ < run_.arrivals.size() && run_.arrivals[next_arrival_].cycle <= cycle;
          ++next_arrival_) {
       const RecordedRun::Arrival& arrival = run_.arrivals[next_arrival_];
-      if (const int index = index_of(arrival.channel); index >= 0)
-        arrivals_[static_cast<std::size_t>(index)] = arrival.value;
+      if (const int index = index_of(arrival.channel); index >= 0) arrivals_[index] = arrival.value;
     }
     prepare();
     channels::CycleInputs inputs{.events = events_, .feedback = {}, .sensors = sensors_};
@@ -151,7 +152,7 @@ class Repetition {
   bool prepare_step(int channel) {
     const channels::Progress progress = machine_.prepare(channel);
     if (progress != channels::Progress::computing) return progress == channels::Progress::worked;
-    return !machine_.has_prepared(channel, arrivals_[static_cast<std::size_t>(channel)]);
+    return !machine_.has_prepared(channel, arrivals_[channel]);
   }
 
   [[nodiscard]] int index_of(int channel) const {
@@ -180,10 +181,9 @@ class Repetition {
     } else if (input.kind == InputKind::sensor && input.method < Signals::digital_count) {
       signals_.set(input.method, input.value != 0.0);
     } else if (input.kind == InputKind::sensor) {
-      signals_.analog.at(static_cast<std::size_t>(input.method - Signals::digital_count)) =
-          input.value;
+      signals_.analog.at(checked_size(input.method - Signals::digital_count)) = input.value;
     } else if (input.kind == InputKind::spindle_sensor) {
-      channels::SpindleSensors& sensors = sensors_.at(static_cast<std::size_t>(input.method));
+      channels::SpindleSensors& sensors = sensors_.at(checked_size(input.method));
       (input.number == 0   ? sensors.power_w
        : input.number == 1 ? sensors.vibration_um
                            : sensors.vibration_hz) = input.value;
@@ -210,12 +210,11 @@ class Repetition {
   void take(const RecordedRun::Feedback& feedback) {
     const int index = index_of(feedback.channel);
     if (index < 0) return;
-    const std::vector<int>& axes = config_.channels[static_cast<std::size_t>(index)].axes;
+    const std::vector<int>& axes = config_.channels[index].axes;
     if (feedback.axis < 0 || feedback.axis >= static_cast<int>(axes.size())) {
       throw std::runtime_error("the log has feedback of an axis that its machine does not have");
     }
-    const int axis = axes[static_cast<std::size_t>(feedback.axis)];
-    feedback_[static_cast<std::size_t>(axis)] = feedback.value;
+    feedback_[axes[checked_size(feedback.axis)]] = feedback.value;
   }
 
   void forget_news() {
@@ -235,9 +234,9 @@ class Repetition {
   ForceControls force_controls_;
   channels::Machine machine_;
   std::vector<channels::OperatorEvent> events_;
-  std::vector<channels::AxisFeedback> feedback_;
+  NumberedList<channels::AxisFeedback> feedback_;
   std::vector<channels::SpindleSensors> sensors_;
-  std::vector<channels::Arrivals> arrivals_;
+  NumberedList<channels::Arrivals> arrivals_;
   Signals signals_;
   channels::CycleOutput output_;
   std::uint64_t last_id_ = 0;
@@ -245,14 +244,6 @@ class Repetition {
   std::size_t next_feedback_ = 0;
   std::size_t next_arrival_ = 0;
 };
-
-const channels::ChannelOutput* channel_of(const channels::CycleOutput& output, int id) {
-  for (int k = 0; k < output.channel_count; ++k) {
-    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
-    if (channel.id == id) return &channel;
-  }
-  return nullptr;
-}
 
 // Whether the log is as it was written, and whole.
 void remark_on_bytes(const recording::LogContents& contents, ReplayResult& result) {
@@ -348,7 +339,7 @@ class Verification {
   }
 
   void compare(const setpoint_t& recorded, ReplayResult& result) const {
-    const channels::ChannelOutput* channel = channel_of(*output_, recorded.channel);
+    const channels::ChannelOutput* channel = output_->of_channel(recorded.channel);
     if (channel == nullptr)
       throw std::runtime_error(
           "the log has setpoints of a channel that its "

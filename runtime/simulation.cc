@@ -203,8 +203,7 @@ class Simulation {
 
   // Nobody resumes a held channel here; those that wait for it wait for ever.
   void name_stuck_channels() {
-    for (int k = 0; k < output_->channel_count; ++k) {
-      const channels::ChannelOutput& channel = output_->channels[static_cast<std::size_t>(k)];
+    for (const channels::ChannelOutput& channel : output_->of_channels()) {
       if (!channel.running) continue;
       const bool is_held = channel.state == channels::ChannelState::held;
       if (!is_held && !channel.waiting) continue;

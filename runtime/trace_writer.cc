@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "base/place.h"
+
 namespace stanok::runtime {
 namespace {
 
@@ -25,14 +27,6 @@ std::vector<std::string> lower_words(const channels::ChannelConfig& channel) {
     });
   }
   return words;
-}
-
-const channels::ChannelOutput* output_of(const channels::CycleOutput& output, int channel) {
-  for (int k = 0; k < output.channel_count; ++k) {
-    const auto& candidate = output.channels[static_cast<std::size_t>(k)];
-    if (candidate.id == channel) return &candidate;
-  }
-  return nullptr;
 }
 
 void write_header(std::FILE* stream, const char* leading, const std::vector<std::string>& words) {
@@ -66,13 +60,13 @@ void TipTrace::begin_run(std::uint32_t run) {
 }
 
 void TipTrace::observe(const channels::CycleOutput& output) {
-  const channels::ChannelOutput* channel = output_of(output, channel_);
+  const channels::ChannelOutput* channel = output.of_channel(channel_);
   if (channel == nullptr) return;
   const bool runs = channel->running;
   if (runs && (file_ == nullptr || channel->run != run_)) begin_run(channel->run);
   if (runs && channel->moving && !moved_) {
     moved_ = true;
-    if (const auto* rest = output_of(before_, channel_)) write(row(before_, *rest));
+    if (const auto* rest = before_.of_channel(channel_)) write(row(before_, *rest));
   }
   if (!moved_ || !runs) before_ = output;
   if (!runs || !moved_) return;
@@ -91,8 +85,8 @@ std::string TipTrace::row(const channels::CycleOutput& output,
   std::array<char, number_max> number{};
   std::string text;
   const auto append = [&](const char* format, auto value) {
-    text.append(number.data(), static_cast<std::size_t>(
-                                   std::snprintf(number.data(), number.size(), format, value)));
+    const int length = std::snprintf(number.data(), number.size(), format, value);
+    text.append(number.data(), checked_size(length));
   };
   append("%.16e", static_cast<double>(output.cycle) * cycle_s_);
   append(",%u", channel.tag.line);
@@ -101,7 +95,7 @@ std::string TipTrace::row(const channels::CycleOutput& output,
   for (const Field field : {&kinematics::Jet::value, &kinematics::Jet::first,
                             &kinematics::Jet::second, &kinematics::Jet::third}) {
     for (int k = 0; k < channel.axis_count; ++k) {
-      append(",%.16e", channel.point_W[static_cast<std::size_t>(k)].*field);
+      append(",%.16e", channel.point_W[k].*field);
     }
   }
   text += '\n';
@@ -117,7 +111,7 @@ AxisTrace::AxisTrace(const channels::MachineConfig& machine, int channel, const 
   const auto& config = channel_config(machine, channel);
   std::fputs("#", file_.stream());
   for (std::size_t k = 0; k < config.axes.size(); ++k) {
-    const auto& axis = machine.axes[static_cast<std::size_t>(config.axes[k])];
+    const auto& axis = machine.axes[config.axes[k]];
     std::fprintf(file_.stream(), " %s=%s", config.words[k].c_str(), axis.name.c_str());
   }
   std::fputc('\n', file_.stream());
@@ -125,7 +119,7 @@ AxisTrace::AxisTrace(const channels::MachineConfig& machine, int channel, const 
 }
 
 void AxisTrace::observe(const channels::CycleOutput& output) {
-  const channels::ChannelOutput* channel = output_of(output, channel_);
+  const channels::ChannelOutput* channel = output.of_channel(channel_);
   if (channel == nullptr) return;
   std::fprintf(file_.stream(), "%.16e,%u", static_cast<double>(output.cycle) * cycle_s_,
                channel->running ? channel->tag.line : 0U);
@@ -133,7 +127,7 @@ void AxisTrace::observe(const channels::CycleOutput& output) {
   for (const Field field : {&channels::AxisSetpoint::position, &channels::AxisSetpoint::velocity,
                             &channels::AxisSetpoint::acceleration, &channels::AxisSetpoint::jerk}) {
     for (int k = 0; k < channel->axis_count; ++k) {
-      std::fprintf(file_.stream(), ",%.16e", channel->axes[static_cast<std::size_t>(k)].*field);
+      std::fprintf(file_.stream(), ",%.16e", channel->axes[k].*field);
     }
   }
   std::fputc('\n', file_.stream());

@@ -57,7 +57,7 @@ Expected<Grid, BlankRefusal> grid_of(const Blank& blank, std::uint64_t memory_ma
   Grid grid;
   for (int k = 0; k < 3; ++k) {
     const double cells = std::max(1.0, std::round(size[k] / blank.resolution));
-    grid.count[static_cast<std::size_t>(k)] = static_cast<int>(cells);
+    grid.count[k] = static_cast<int>(cells);
     grid.cell[k] = size[k] / cells;
   }
   if (blank.kind == BlankKind::cylinder) grid.origin = {-size.x() / 2.0, -size.y() / 2.0, 0.0};

@@ -5,12 +5,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "base/expected.h"
+#include "simulation/raster.h"
 
 namespace stanok::simulation {
 
@@ -31,7 +31,7 @@ struct Blank {
 struct Grid {
   Vector origin = Vector::Zero();  // smallest corner of the box, in K
   Vector cell = Vector::Ones();
-  std::array<int, 3> count{};  // cells along X, Y, Z
+  PerAxis<int> count{};  // cells along X, Y, Z
 
   [[nodiscard]] double middle(int axis, int index) const {
     return origin[axis] + (index + 0.5) * cell[axis];
@@ -40,13 +40,10 @@ struct Grid {
   [[nodiscard]] int first_behind(int axis, double position) const {
     return static_cast<int>(std::ceil((position - origin[axis]) / cell[axis] - 0.5));
   }
+  // The cells of a layer across `axis`: columns along the axis behind it, rows along the next.
+  [[nodiscard]] Raster across(int axis) const { return {count[axis + 1], count[axis + 2]}; }
   // Rays along `axis`.
-  [[nodiscard]] std::size_t rays(int axis) const {
-    const auto across = [this](int k) {
-      return static_cast<std::size_t>(count[static_cast<std::size_t>(k % 3)]);
-    };
-    return across(axis + 1) * across(axis + 2);
-  }
+  [[nodiscard]] std::size_t rays(int axis) const { return across(axis).cells(); }
 };
 
 inline constexpr std::uint64_t memory_default = std::uint64_t{2} << 30;

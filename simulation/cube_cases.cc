@@ -23,13 +23,18 @@ unsigned edge_between(unsigned a, unsigned b) {
   return 4 * axis + first + second;
 }
 
-// Corners of the face across `axis` on the high or low side, counter-clockwise from outside.
-std::array<unsigned, 4> face(unsigned axis, bool high) {
+// Corners of a face across `axis`, counter-clockwise from outside.
+std::array<unsigned, 4> low_face(unsigned axis) {
   const unsigned u = bit(axis + 1);
   const unsigned v = bit(axis + 2);
-  const unsigned base = high ? bit(axis) : 0;
-  if (high) return {base, base | u, base | u | v, base | v};
-  return {base, base | v, base | u | v, base | u};
+  return {0, v, u | v, u};
+}
+
+std::array<unsigned, 4> high_face(unsigned axis) {
+  const unsigned u = bit(axis + 1);
+  const unsigned v = bit(axis + 2);
+  const unsigned base = bit(axis);
+  return {base, base | u, base | u | v, base | v};
 }
 
 // next[e]: to which edge the surface goes on from edge e.
@@ -50,8 +55,8 @@ std::vector<EdgeTriangle> triangles_of(unsigned inside) {
   std::array<std::uint8_t, edges> next{};
   next.fill(no_edge);
   for (unsigned axis = 0; axis < 3; ++axis) {
-    pair_on_face(face(axis, false), inside, next);
-    pair_on_face(face(axis, true), inside, next);
+    pair_on_face(low_face(axis), inside, next);
+    pair_on_face(high_face(axis), inside, next);
   }
   std::vector<EdgeTriangle> triangles;
   for (std::uint8_t begin = 0; begin < edges; ++begin) {

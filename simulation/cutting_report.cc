@@ -1,8 +1,9 @@
 #include "simulation/cutting_report.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
+
+#include "base/enum_array.h"
 
 namespace stanok::simulation {
 namespace {
@@ -12,22 +13,21 @@ struct Row {
   std::string_view text;
 };
 
-// In the order of FindingKind.
-constexpr std::array<Row, 4> rows{{
-    {"W921", "a rapid traverse goes through material"},
-    {"W922", "the shank of the tool is in the material"},
-    {"W923", "the holder of the tool is in the material"},
-    {"W924", "the tool cuts while the spindle stands"},
-}};
+constexpr EnumArray<FindingKind, Row> rows{
+    Row{"W921", "a rapid traverse goes through material"},
+    Row{"W922", "the shank of the tool is in the material"},
+    Row{"W923", "the holder of the tool is in the material"},
+    Row{"W924", "the tool cuts while the spindle stands"},
+};
 
 }  // namespace
 
 std::string_view code_of(FindingKind kind) {
-  return rows[static_cast<std::size_t>(kind)].code;
+  return rows[kind].code;
 }
 
 std::string_view text_of(FindingKind kind) {
-  return rows[static_cast<std::size_t>(kind)].text;
+  return rows[kind].text;
 }
 
 void CuttingReport::add_finding(const Finding& finding) {

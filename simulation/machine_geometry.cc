@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/linear_axes.h"
+
 namespace stanok::simulation {
 namespace {
 
@@ -14,19 +16,11 @@ kinematics::ToolVector tool_vector(const Vector& v) {
 }
 
 Vector linear_of(const Scheme& scheme, const Axes& axes) {
-  Vector point = Vector::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const int axis = scheme.config().linear[static_cast<std::size_t>(k)];
-    if (axis >= 0) point[k] = axes[static_cast<std::size_t>(axis)];
-  }
-  return point;
+  return kinematics::LinearAxes(scheme.config().linear).of(axes);
 }
 
 void set_linear(const Scheme& scheme, const Vector& point, Axes& axes) {
-  for (int k = 0; k < 3; ++k) {
-    const int axis = scheme.config().linear[static_cast<std::size_t>(k)];
-    if (axis >= 0) axes[static_cast<std::size_t>(axis)] = point[k];
-  }
+  kinematics::LinearAxes(scheme.config().linear).set(point, axes);
 }
 
 // The rotary axes of the head stand where those of `other` stand.
@@ -86,8 +80,8 @@ ToolPlace MachineGeometry::place_in(int home, int active, const Axes& axes_M,
 // A positive angle turns the tool round the workpiece, counter-clockwise against Z (polar_face.h).
 ToolPlace MachineGeometry::turned_with_workpiece(int home, const Axes& axes_M,
                                                  const ToolPlace& place_B) const {
-  if (geometry_.turning_axis < 0) return place_B;
-  const auto axis = static_cast<std::size_t>(geometry_.turning_axis);
+  const AxisIndex axis = geometry_.turning_axis;
+  if (!axis.exists()) return place_B;
   const double angle = (axes_M[axis] - scheme(home).config().zero[axis]) * std::numbers::pi / 180.0;
   const Eigen::AngleAxisd turn(angle, Vector::UnitZ());
   return {turn * place_B.tip, turn * place_B.axis};

@@ -22,8 +22,8 @@ void fill_cylinder(Material& material, const Blank& blank, int axis) {
   const int second_axis = (axis + 2) % 3;
   const double outer = blank.size.x() / 2.0;
   const double inner = blank.size.y() / 2.0;
-  for (int second = 0; second < grid.count[static_cast<std::size_t>(second_axis)]; ++second) {
-    for (int first = 0; first < grid.count[static_cast<std::size_t>(first_axis)]; ++first) {
+  for (int second = 0; second < grid.count[second_axis]; ++second) {
+    for (int first = 0; first < grid.count[first_axis]; ++first) {
       const double u = grid.middle(first_axis, first);
       const double v = grid.middle(second_axis, second);
       RayFamily& family = material.family(axis);
@@ -56,7 +56,7 @@ Material::Material(const Blank& blank, const Grid& grid)
 
 RayWindow Material::window(int axis, const Bounds& bounds) const {
   const auto range = [&](int k, int& from, int& to) {
-    const int count = grid_.count[static_cast<std::size_t>(k)];
+    const int count = grid_.count[k];
     const double low = (bounds.low[k] - grid_.origin[k]) / grid_.cell[k] - 0.5;
     const double high = (bounds.high[k] - grid_.origin[k]) / grid_.cell[k] - 0.5;
     from = static_cast<int>(std::ceil(std::clamp(low, 0.0, static_cast<double>(count))));
@@ -70,8 +70,7 @@ RayWindow Material::window(int axis, const Bounds& bounds) const {
 
 Bounds Material::bounds() const {
   Bounds bounds{grid_.origin, grid_.origin};
-  for (int k = 0; k < 3; ++k)
-    bounds.high[k] += grid_.cell[k] * grid_.count[static_cast<std::size_t>(k)];
+  for (int k = 0; k < 3; ++k) bounds.high[k] += grid_.cell[k] * grid_.count[k];
   return bounds;
 }
 

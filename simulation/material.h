@@ -4,7 +4,6 @@
 // on it. Frame K and units: blank.h.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "simulation/blank.h"
@@ -35,15 +34,11 @@ class Material {
   Material(const Blank& blank, const Grid& grid);
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
-  [[nodiscard]] RayFamily& family(int axis) { return families_[static_cast<std::size_t>(axis)]; }
-  [[nodiscard]] const RayFamily& family(int axis) const {
-    return families_[static_cast<std::size_t>(axis)];
-  }
+  [[nodiscard]] RayFamily& family(int axis) { return families_[axis]; }
+  [[nodiscard]] const RayFamily& family(int axis) const { return families_[axis]; }
   // The number of a ray along `axis` with these indices along the axes behind it, in cyclic order.
   [[nodiscard]] std::size_t ray(int axis, int first, int second) const {
-    const int across = grid_.count[static_cast<std::size_t>((axis + 1) % 3)];
-    return static_cast<std::size_t>(second) * static_cast<std::size_t>(across) +
-           static_cast<std::size_t>(first);
+    return grid_.across(axis).place(first, second);
   }
   [[nodiscard]] RayWindow window(int axis, const Bounds& bounds) const;
   [[nodiscard]] Bounds bounds() const;
@@ -57,7 +52,7 @@ class Material {
 
  private:
   Grid grid_;
-  std::array<RayFamily, 3> families_;
+  PerAxis<RayFamily> families_;
 };
 
 }  // namespace stanok::simulation

@@ -61,23 +61,23 @@ void write(cairo_t* cairo, double x, double y, double size, const std::string& t
 // Program axes in the corner of a view; one that points at the eye is left out.
 void draw_axes(cairo_t* cairo, const Camera& camera, double x, double y) {
   constexpr double length = 34.0;
-  constexpr std::array<std::array<double, 3>, 3> colours{
-      {{0.75, 0.15, 0.15}, {0.10, 0.50, 0.15}, {0.15, 0.25, 0.75}}};
-  constexpr std::array names{"X", "Y", "Z"};
+  constexpr PerAxis<std::array<double, 3>> colours{
+      {{{0.75, 0.15, 0.15}, {0.10, 0.50, 0.15}, {0.15, 0.25, 0.75}}}};
+  constexpr PerAxis<const char*> names{"X", "Y", "Z"};
   const Eigen::Matrix3d axes = camera.axes();
   cairo_set_line_width(cairo, 2.0);
   for (int k = 0; k < 3; ++k) {
     const double dx = length * axes(0, k);
     const double dy = -length * axes(1, k);
     if (std::hypot(dx, dy) < length / 4.0) continue;
-    const auto& colour = colours[static_cast<std::size_t>(k)];
+    const auto& colour = colours[k];
     cairo_set_source_rgb(cairo, colour[0], colour[1], colour[2]);
     cairo_move_to(cairo, x, y);
     cairo_line_to(cairo, x + dx, y + dy);
     cairo_stroke(cairo);
     cairo_set_font_size(cairo, 13.0);
     cairo_move_to(cairo, x + 1.25 * dx - 4.0, y + 1.25 * dy + 4.0);
-    cairo_show_text(cairo, names[static_cast<std::size_t>(k)]);
+    cairo_show_text(cairo, names[k]);
   }
 }
 
@@ -165,7 +165,7 @@ std::string draw_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
   cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
 
   Vector size;
-  for (int k = 0; k < 3; ++k) size[k] = grid.cell[k] * grid.count[static_cast<std::size_t>(k)];
+  for (int k = 0; k < 3; ++k) size[k] = grid.cell[k] * grid.count[k];
   const Vector centre = grid.origin + size / 2.0;
   const LitSurface surface = lit(mesh, blank);
   const auto views = cameras();

@@ -25,19 +25,12 @@ struct Fragment {
 };
 
 struct Buffer {
-  int width = 0;
-  int height = 0;
+  Raster pixels;
   std::vector<Fragment> fragments;
 
-  [[nodiscard]] Fragment& at(int x, int y) {
-    return fragments[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(x)];
-  }
-  [[nodiscard]] const Fragment& at(int x, int y) const {
-    return fragments[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(x)];
-  }
-  [[nodiscard]] bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+  [[nodiscard]] Fragment& at(int x, int y) { return fragments[pixels.place(x, y)]; }
+  [[nodiscard]] const Fragment& at(int x, int y) const { return fragments[pixels.place(x, y)]; }
+  [[nodiscard]] bool has(int x, int y) const { return pixels.has(x, y); }
 };
 
 struct Corner {
@@ -57,9 +50,9 @@ void draw(Buffer& buffer, const std::array<Corner, 3>& corners) {
   const auto [left, right] = std::minmax({a.place.x(), b.place.x(), c.place.x()});
   const auto [top, bottom] = std::minmax({a.place.y(), b.place.y(), c.place.y()});
   const int x_from = std::max(0, static_cast<int>(std::ceil(left - 0.5F)));
-  const int x_to = std::min(buffer.width - 1, static_cast<int>(std::floor(right - 0.5F)));
+  const int x_to = std::min(buffer.pixels.columns - 1, static_cast<int>(std::floor(right - 0.5F)));
   const int y_from = std::max(0, static_cast<int>(std::ceil(top - 0.5F)));
-  const int y_to = std::min(buffer.height - 1, static_cast<int>(std::floor(bottom - 0.5F)));
+  const int y_to = std::min(buffer.pixels.rows - 1, static_cast<int>(std::floor(bottom - 0.5F)));
   for (int y = y_from; y <= y_to; ++y) {
     for (int x = x_from; x <= x_to; ++x) {
       const float px = static_cast<float>(x) + 0.5F;
@@ -79,8 +72,8 @@ void draw(Buffer& buffer, const std::array<Corner, 3>& corners) {
 
 Buffer rasterised(const LitSurface& surface, const Camera& camera, const Vector& centre,
                   double scale, int width, int height) {
-  Buffer buffer{width, height, {}};
-  buffer.fragments.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  Buffer buffer{{width, height}, {}};
+  buffer.fragments.resize(buffer.pixels.cells());
   const Eigen::Matrix3f axes = camera.axes().cast<float>();
   const Eigen::Vector3f middle = centre.cast<float>();
   std::vector<Corner> corners;
@@ -204,7 +197,7 @@ Image render(const LitSurface& surface, const Camera& camera, const Vector& cent
   const Buffer buffer = rasterised(surface, camera, centre, pixels_per_mm * samples,
                                    width * samples, height * samples);
   Image image{width, height, {}};
-  image.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  image.pixels.reserve(Raster{width, height}.cells());
   const auto scale = static_cast<float>(pixels_per_mm * samples);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) image.pixels.push_back(pixel(buffer, x, y, scale));

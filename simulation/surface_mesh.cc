@@ -27,8 +27,7 @@ class Builder {
   explicit Builder(const Material& material)
       : material_(material),
         grid_(material.grid()),
-        columns_(grid_.count[0] + 2),
-        rows_(grid_.count[1] + 2) {}
+        points_{grid_.count[0] + 2, grid_.count[1] + 2} {}
 
   Mesh build() {
     Layer below = layer(-1);
@@ -42,10 +41,7 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] std::size_t at(int i, int j) const {
-    return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(i + 1);
-  }
+  [[nodiscard]] std::size_t at(int i, int j) const { return points_.place(i + 1, j + 1); }
 
   [[nodiscard]] bool is_inside(int i, int j, int k) const {
     if (i < 0 || j < 0 || k < 0 || i >= grid_.count[0] || j >= grid_.count[1] ||
@@ -56,7 +52,7 @@ class Builder {
 
   Layer layer(int k) {
     Layer layer;
-    const auto size = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    const std::size_t size = points_.cells();
     layer.inside.assign(size, 0);
     for (auto& points : layer.points) points.assign(size, no_point);
     for (int j = 0; j < grid_.count[1]; ++j) {
@@ -65,9 +61,9 @@ class Builder {
     for (int j = -1; j <= grid_.count[1]; ++j) {
       for (int i = -1; i <= grid_.count[0]; ++i) {
         if (i < grid_.count[0] && layer.inside[at(i, j)] != layer.inside[at(i + 1, j)])
-          layer.points[0][at(i, j)] = crossing(0, {i, j, k}, layer.inside[at(i, j)] != 0);
+          layer.points[0][at(i, j)] = crossing(0, {i, j, k}, layer);
         if (j < grid_.count[1] && layer.inside[at(i, j)] != layer.inside[at(i, j + 1)])
-          layer.points[1][at(i, j)] = crossing(1, {i, j, k}, layer.inside[at(i, j)] != 0);
+          layer.points[1][at(i, j)] = crossing(1, {i, j, k}, layer);
       }
     }
     return layer;
@@ -78,18 +74,19 @@ class Builder {
     for (int j = 0; j < grid_.count[1]; ++j) {
       for (int i = 0; i < grid_.count[0]; ++i) {
         if (below.inside[at(i, j)] != above.inside[at(i, j)])
-          below.points[2][at(i, j)] = crossing(2, {i, j, k}, below.inside[at(i, j)] != 0);
+          below.points[2][at(i, j)] = crossing(2, {i, j, k}, below);
       }
     }
   }
 
-  // Between the grid point `node` and the next one along `axis`; `leaves`: the first is inside.
-  std::uint32_t crossing(int axis, const std::array<int, 3>& node, bool leaves) {
-    const auto index = [&](int k) { return node[static_cast<std::size_t>(k % 3)]; };
-    const double low = grid_.middle(axis, index(axis));
+  // Between the grid point `node` of the layer and the next one along `axis`; the path leaves the
+  // part when the first of them is inside.
+  std::uint32_t crossing(int axis, const PerAxis<int>& node, const Layer& layer) {
+    const bool leaves = layer.inside[at(node[0], node[1])] != 0;
+    const double low = grid_.middle(axis, node[axis]);
     double part = 0.5;
     double beside_min = beside_max;
-    const std::size_t ray = material_.ray(axis, index(axis + 1), index(axis + 2));
+    const std::size_t ray = material_.ray(axis, node[axis + 1], node[axis + 2]);
     material_.family(axis).visit(ray, [&](const Interval& piece) {
       const double end = leaves ? piece.to : piece.from;
       const double along = (end - low) / grid_.cell[axis];
@@ -99,7 +96,7 @@ class Builder {
       part = std::clamp(along, part_min, 1.0 - part_min);
     });
     Vector point;
-    for (int k = 0; k < 3; ++k) point[k] = grid_.middle(k, node[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 3; ++k) point[k] = grid_.middle(k, node[k]);
     point[axis] += part * grid_.cell[axis];
     mesh_.points.push_back(point.cast<float>());
     return static_cast<std::uint32_t>(mesh_.points.size() - 1);
@@ -142,8 +139,7 @@ class Builder {
 
   const Material& material_;
   const Grid& grid_;
-  int columns_;
-  int rows_;
+  Raster points_;  // of a layer
   Mesh mesh_;
 };
 

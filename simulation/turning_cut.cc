@@ -21,6 +21,10 @@ constexpr double half_angle_middle = 27.5;  // deg: one of 55 deg (form D) for o
 constexpr std::array<PlanePoint, 10> tip_directions{
     {{0, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}, {0, 0}}};
 
+PlanePoint tip_of(const ToolShape& tool) {
+  return tip_directions[static_cast<std::size_t>(tool.orientation)];
+}
+
 // Directions of both edges from the nose, rad from Z towards X; front - back in (0, pi).
 struct Edges {
   double one = 0.0;
@@ -35,7 +39,7 @@ Edges edges_of(const ToolShape& tool) {
     if (other - one > pi) return {other, one + 2.0 * pi};
     return {one, other};
   }
-  const PlanePoint tip = tip_directions[static_cast<std::size_t>(tool.orientation)];
+  const PlanePoint tip = tip_of(tool);
   const double middle = std::atan2(-tip.x, -tip.z);
   const double half =
       (tip.z != 0.0 && tip.x != 0.0 ? half_angle_side : half_angle_middle) * rad_per_deg;
@@ -214,7 +218,7 @@ double sum_over_ring(const Material& material, const Polygon& polygon, const Spi
 
 Polygon insert_of(const ToolShape& tool, double shrunk) {
   const Edges edges = edges_of(tool);
-  const PlanePoint tip = tip_directions[static_cast<std::size_t>(tool.orientation)];
+  const PlanePoint tip = tip_of(tool);
   const double middle = (edges.one + edges.other) / 2.0;
   // A sharp insert is set back along its middle, a round one by its radius first.
   const double radius = std::max(tool.radius - shrunk, nose_min);

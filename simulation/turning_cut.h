@@ -1,8 +1,8 @@
 // A turning insert on its way along a part that turns: rings that are taken off all round.
 //
 // Plane of the cut: z along the axis of the spindle, x the distance from it. The insert is convex
-// there, and so is what it sweeps on a straight path: the hull of both places. The swept ring is cut
-// exactly, up to the polygon that stands for the round nose. Lengths mm.
+// there, and so is what it sweeps on a straight path: the hull of both places. The swept ring is
+// cut exactly, up to the polygon that stands for the round nose. Lengths mm.
 #pragma once
 
 #include <vector>

@@ -29,9 +29,9 @@ MillingTool Workpiece::milling_tool(const ToolShape& shape) const {
   return {solid_of(shape, rounding), solid_of(shape, rounding, core_depth * blank_.resolution)};
 }
 
-TurningTool Workpiece::turning_tool(const ToolShape& shape, bool mirrored) const {
+TurningTool Workpiece::turning_tool(const ToolShape& shape, DirectionOfZ direction) const {
   TurningTool tool{insert_of(shape), insert_of(shape, core_depth * blank_.resolution)};
-  if (!mirrored) return tool;
+  if (direction == DirectionOfZ::same) return tool;
   for (Polygon* polygon : {&tool.insert, &tool.core}) {
     for (PlanePoint& point : *polygon) point.z = -point.z;
     std::ranges::reverse(*polygon);

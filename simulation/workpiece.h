@@ -43,13 +43,15 @@ inline constexpr double sweep_deviation = 0.1;
 inline constexpr double rounding_deviation = 0.02;
 inline constexpr double core_depth = 0.3;
 
+// Z of K against the Z in which the shape of a turning tool is described.
+enum class DirectionOfZ : std::uint8_t { same, opposite };
+
 class Workpiece {
  public:
   Workpiece(const Blank& blank, const Grid& grid);
 
   [[nodiscard]] MillingTool milling_tool(const ToolShape& shape) const;
-  // `mirrored`: Z of K points against the Z in which the shape is described.
-  [[nodiscard]] TurningTool turning_tool(const ToolShape& shape, bool mirrored) const;
+  [[nodiscard]] TurningTool turning_tool(const ToolShape& shape, DirectionOfZ direction) const;
 
   void mill(const MillingTool& tool, const ToolPlace& from, const ToolPlace& to,
             const Circumstances& circumstances);

@@ -93,7 +93,9 @@ const ToolRecord* WorkpieceFollower::record_of(const Sample& sample) const {
 WorkpieceFollower::ReadyTool WorkpieceFollower::prepared(const ToolRecord& record) const {
   ReadyTool ready;
   if (record.shape.kind == ToolKind::insert) {
-    ready.insert = workpiece_->turning_tool(record.shape, base_in_blank_(2, 2) < 0.0);
+    const bool is_opposite = base_in_blank_(2, 2) < 0.0;
+    ready.insert = workpiece_->turning_tool(
+        record.shape, is_opposite ? DirectionOfZ::opposite : DirectionOfZ::same);
   } else {
     ready.mill = workpiece_->milling_tool(record.shape);
     ready.reach = ready.mill->solid.bodies.front().top();
@@ -118,14 +120,20 @@ const WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sam
   return &ready_.emplace(key, prepared(*record)).first->second;
 }
 
-// Milling: tip and axis in K. Turning: x the distance from the axis of the spindle, z along K.
-ToolPlace WorkpieceFollower::place_of(const Sample& sample, const ToolRecord& record,
-                                      bool turning) const {
-  const ToolPlace place_B = machine_.place_in(home_, sample.scheme, sample.axes_M, record.mount);
-  if (turning) {
-    const Vector on_axis = base_in_blank_ * Vector(0.0, 0.0, place_B.tip.z());
-    return {{place_B.tip.x(), 0.0, on_axis.z()}, Vector::UnitZ()};
-  }
+ToolPlace WorkpieceFollower::place_in_base(const Sample& sample) const {
+  return machine_.place_in(home_, sample.scheme, sample.axes_M, record_of(sample)->mount);
+}
+
+// x the distance from the axis of the spindle, z along K.
+ToolPlace WorkpieceFollower::turning_place(const Sample& sample) const {
+  const ToolPlace place_B = place_in_base(sample);
+  const Vector on_axis = base_in_blank_ * Vector(0.0, 0.0, place_B.tip.z());
+  return {{place_B.tip.x(), 0.0, on_axis.z()}, Vector::UnitZ()};
+}
+
+// Tip and axis in K.
+ToolPlace WorkpieceFollower::milling_place(const Sample& sample) const {
+  const ToolPlace place_B = place_in_base(sample);
   const ToolPlace turned_B = machine_.turned_with_workpiece(home_, sample.axes_M, place_B);
   return {base_in_blank_ * turned_B.tip, base_in_blank_.linear() * turned_B.axis};
 }
@@ -138,7 +146,7 @@ bool WorkpieceFollower::continues(const Sample& sample) const {
 
 // Where the tool that is ready is at a sample.
 WorkpieceFollower::Station WorkpieceFollower::station_of(const Sample& sample) const {
-  return {place_of(sample, *record_of(sample), tool_->insert.has_value()), sample.time_s,
+  return {tool_->insert ? turning_place(sample) : milling_place(sample), sample.time_s,
           sample.origin};
 }
 

@@ -88,8 +88,9 @@ class WorkpieceFollower {
   [[nodiscard]] const ReadyTool* tool_of(const Sample& sample);
   [[nodiscard]] const ToolRecord* record_of(const Sample& sample) const;
   [[nodiscard]] ReadyTool prepared(const ToolRecord& record) const;
-  [[nodiscard]] ToolPlace place_of(const Sample& sample, const ToolRecord& record,
-                                   bool turning) const;
+  [[nodiscard]] ToolPlace place_in_base(const Sample& sample) const;
+  [[nodiscard]] ToolPlace turning_place(const Sample& sample) const;
+  [[nodiscard]] ToolPlace milling_place(const Sample& sample) const;
   [[nodiscard]] Station station_of(const Sample& sample) const;
   [[nodiscard]] bool continues(const Sample& sample) const;
   [[nodiscard]] bool extends_motion(const Station& station) const;

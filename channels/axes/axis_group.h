@@ -86,8 +86,8 @@ class AxisGroup {
   void command(lang::AxisSet axes, const DriveCommand& drive) RT_SAFE;
 
   const ChannelConstants& constants_;
-  std::array<AxisSetpoint, motion::axes_max> setpoints_{};
-  std::array<DriveCommand, motion::axes_max> drives_{};
+  AxisArray<AxisSetpoint> setpoints_{};
+  AxisArray<DriveCommand> drives_{};
   lang::AxisSet owned_ = 0;
   lang::AxisSet spindles_ = 0;
 };

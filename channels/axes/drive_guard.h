@@ -59,7 +59,7 @@ class DriveGuard {
   [[nodiscard]] std::optional<Fault> fault_of_limit_switches(LimitSwitches switches) RT_SAFE;
 
   const AxisGroup& axes_;
-  std::array<AxisFeedback, motion::axes_max> feedback_{};
+  AxisArray<AxisFeedback> feedback_{};
   std::array<bool, motion::axes_max> was_ready_{};  // since its drive was commanded on
   lang::AxisSet on_limit_switch_ = 0;
   bool is_ideal_ = true;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/numbered.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 #include "motion/interpolation/automatic_feed.h"
@@ -117,9 +118,9 @@ struct MachineConfig {
   std::string name;
   std::string file;  // machine file, for messages
   int cycle_us = 1000;
-  std::vector<AxisConfig> axes;
+  NumberedList<AxisConfig> axes;
   std::vector<SpindleConfig> spindles;
-  std::vector<ChannelConfig> channels;  // ascending ids
+  NumberedList<ChannelConfig> channels;  // ascending ids
   TablesConfig tables;
   // Tools 1 to 99 that no row names exist too, with length 0 and radius 0: where the machine file
   // has no table of tools. Else they are free places, for an operator to fill.

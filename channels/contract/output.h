@@ -5,10 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <type_traits>
 
+#include "base/axis_index.h"
 #include "base/fixed_text.h"
+#include "base/numbered.h"
 #include "base/signals.h"
 #include "channels/contract/tool_row.h"
 #include "kinematics/scheme.h"
@@ -185,11 +188,11 @@ struct ChannelOutput {
   ToolAtWork tool;
   ToolRow tool_row;            // of that tool, as the table has it in this cycle
   motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
-  std::array<AxisSetpoint, motion::axes_max> axes{};
-  std::array<DriveCommand, motion::axes_max> drives{};
-  Arrivals arrivals{};        // that this cycle saw
-  bool has_feedback = false;  // of drives; without, ideal ones are assumed
-  std::array<AxisFeedback, motion::axes_max> feedback{};  // that this cycle acted on
+  AxisArray<AxisSetpoint> axes{};
+  AxisArray<DriveCommand> drives{};
+  Arrivals arrivals{};                 // that this cycle saw
+  bool has_feedback = false;           // of drives; without, ideal ones are assumed
+  AxisArray<AxisFeedback> feedback{};  // that this cycle acted on
 };
 
 // Something that happened, for logs and operators; text is made elsewhere from the code
@@ -205,8 +208,20 @@ struct Event {
 struct CycleOutput {
   std::int64_t cycle = 0;
   std::int32_t channel_count = 0;
-  std::array<ChannelOutput, channels_max> channels{};
+  NumberedArray<ChannelOutput, channels_max> channels{};
   Signals signals;
+
+  // Of the channels that the machine has, in their order.
+  [[nodiscard]] std::span<const ChannelOutput> of_channels() const {
+    return {channels.begin(), channels.begin() + channel_count};
+  }
+  // nullptr: the machine does not have it.
+  [[nodiscard]] const ChannelOutput* of_channel(int id) const {
+    for (const ChannelOutput& channel : of_channels()) {
+      if (channel.id == id) return &channel;
+    }
+    return nullptr;
+  }
 };
 
 static_assert(std::is_trivially_copyable_v<CycleOutput> && std::is_trivially_copyable_v<Event>);

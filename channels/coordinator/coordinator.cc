@@ -54,7 +54,8 @@ Coordinator::Coordinator(std::span<Channel* const> channels,
 
 void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   const int index = channels_.index_of(event.channel);
-  if (index < 0 && event.channel != 0) return reply(event.id, refusal("E6001", "there is no such channel"));
+  if (index < 0 && event.channel != 0)
+    return reply(event.id, refusal("E6001", "there is no such channel"));
   Channel* const named = index < 0 ? nullptr : &channels_[index];
   if (const auto refused = refusal_by_rule(event.action, named)) return reply(event.id, *refused);
   if (const auto verdict = operators_.apply(event, named)) return reply(event.id, *verdict);
@@ -90,7 +91,8 @@ void Coordinator::begin_errand(const OperatorEvent& event, int target) RT_SAFE {
                                  [](const Errand& errand) RT_SAFE { return !errand.active; });
   if (slot == errands_.end()) {
     // A stop that has begun needs no room; only the answer does not wait for rest.
-    return reply(event.id, stops ? success() : refusal("E6002", "there are too many commands at once"));
+    return reply(event.id,
+                 stops ? success() : refusal("E6002", "there are too many commands at once"));
   }
   *slot = {};
   slot->active = true;
@@ -181,7 +183,8 @@ Verdict Coordinator::step(Errand& errand) RT_SAFE {
     case RequestKind::mark_wait:
       return waits_.wait_at_mark(errand);
     default:
-      return errand.target < 0 ? refusal("E6001", "there is no such channel") : step_on_target(errand);
+      return errand.target < 0 ? refusal("E6001", "there is no such channel")
+                               : step_on_target(errand);
   }
 }
 

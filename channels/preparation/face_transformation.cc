@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "kinematics/cylinder.h"
-#include "kinematics/polar_face.h"
 
 namespace stanok::channels {
 namespace {
@@ -46,9 +45,10 @@ double distance_of_arc(Place from, Place centre, double sweep) {
 }
 
 kinematics::SchemeConfig scheme_of(const lang::TransformationChange& change,
-                                   const kinematics::SchemeConfig& active, bool negative_side) {
+                                   const kinematics::SchemeConfig& active,
+                                   kinematics::FaceSide side) {
   return change.kind == lang::Transformation::polar_face
-             ? kinematics::face_scheme(active, change.rotary_axis, negative_side)
+             ? kinematics::face_scheme(active, change.rotary_axis, side)
              : kinematics::cylinder_scheme(active, change.rotary_axis, change.radius_mm);
 }
 
@@ -69,7 +69,8 @@ Diagnostic refused(std::string message, std::string help) {
 std::optional<Diagnostic> FaceTransformation::refusal(const lang::TransformationChange& change,
                                                       const kinematics::Scheme& active) const {
   if (change.kind == lang::Transformation::off) return std::nullopt;
-  const std::string defect = kinematics::scheme_defect(scheme_of(change, active.config(), false));
+  const std::string defect =
+      kinematics::scheme_defect(scheme_of(change, active.config(), kinematics::FaceSide::positive));
   if (!defect.empty()) {
     return refused("no " + name_of(change) + " transformation here: " + defect,
                    "change to a scheme of type lathe or cartesian with the rotary axis before");
@@ -89,7 +90,8 @@ void FaceTransformation::begin(const lang::TransformationChange& change,
   active_ = &active;
   motion::Point point_B{};
   active.forward(kinematics::PointMode::axes, {}, axes_M, point_B);
-  negative_side_ = motion::at(point_B, motion_.geometry[0]) < 0.0;
+  side_ = motion::at(point_B, motion_.geometry[0]) < 0.0 ? kinematics::FaceSide::negative
+                                                         : kinematics::FaceSide::positive;
 }
 
 void FaceTransformation::forget() {
@@ -102,7 +104,7 @@ kinematics::Transform FaceTransformation::applied_to(const kinematics::Transform
   const auto rotary = static_cast<std::size_t>(change_.rotary_axis);
   kinematics::SchemeConfig config =
       is_face()
-          ? kinematics::face_scheme(active_->config(), change_.rotary_axis, negative_side_)
+          ? kinematics::face_scheme(active_->config(), change_.rotary_axis, side_)
           : kinematics::cylinder_scheme(active_->config(), change_.rotary_axis, change_.radius_mm);
   config.zero[rotary] += programmed.frame.offset[rotary];
   made_.push_back(kinematics::make_scheme(config));

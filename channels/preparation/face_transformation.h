@@ -12,6 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "channels/contract/machine_config.h"
+#include "kinematics/polar_face.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 
@@ -52,7 +53,7 @@ class FaceTransformation {
   const motion::MotionConfig& motion_;
   lang::TransformationChange change_;
   const kinematics::Scheme* active_ = nullptr;
-  bool negative_side_ = false;
+  kinematics::FaceSide side_ = kinematics::FaceSide::positive;
   std::deque<std::unique_ptr<const kinematics::Scheme>> made_;
 };
 

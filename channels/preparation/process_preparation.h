@@ -35,9 +35,9 @@ class ProcessPreparation {
   // at which the tool stands.
   void take_state(const lang::Payload& command, double diameter_mm);
 
-  // The length of a block in its own metric, and the smallest diameter that it comes to. Laws hold for
-  // ways in mm: a block of rotary axes alone has its feed F, a tap that of its lead, and the path
-  // of a law does not count them.
+  // The length of a block in its own metric, and the smallest diameter that it comes to. Laws hold
+  // for ways in mm: a block of rotary axes alone has its feed F, a tap that of its lead, and the
+  // path of a law does not count them.
   struct Way {
     double length = 0.0;
     bool in_mm = true;
@@ -63,8 +63,8 @@ class ProcessPreparation {
   [[nodiscard]] double rev_per_min(double cutting_speed, double diameter_mm) const;
 
   double increment_mm_ = 0.0;  // Z0
-  int master_ = 0;            // id of the master spindle: its speeds are meant below
-  double speed_min_ = 0.0;    // rev/min
+  int master_ = 0;             // id of the master spindle: its speeds are meant below
+  double speed_min_ = 0.0;     // rev/min
   double speed_max_ = 0.0;
 
   bool spindle_turns_ = false;

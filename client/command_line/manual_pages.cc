@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "base/place.h"
 #include "client/command_line/roff.h"
 #include "protocol/version.h"
 
@@ -121,8 +122,7 @@ std::vector<const CLI::Option*> options_of(std::span<const Command> commands, st
       const auto count = std::count_if(commands.begin(), commands.end(), [&](const Command& one) {
         return is_among(shown_options(*one.app), *option);
       });
-      if (!option->get_positional() && static_cast<std::size_t>(count) >= least &&
-          !is_among(options, *option))
+      if (!option->get_positional() && checked_size(count) >= least && !is_among(options, *option))
         options.push_back(option);
     }
   }

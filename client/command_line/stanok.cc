@@ -48,7 +48,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return tell(app, error, {argv, static_cast<std::size_t>(argc)});
+    return tell(app, error, {argv, argv + argc});
   }
   return exit_code;
 }

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/place.h"
 #include "base/system_error.h"
 #include "client/terminal/interrupts.h"
 #include "protocol/json_rpc.h"
@@ -148,7 +149,7 @@ std::optional<json> OperatorClient::receive(Deadline deadline) {
     if (count == 0) throw ConnectionError("connection lost: the daemon has gone");
     if (count < 0 && errno != EINTR)
       throw ConnectionError("connection lost: " + system_error_text(errno));
-    if (count > 0) frames_.append({bytes.data(), static_cast<std::size_t>(count)});
+    if (count > 0) frames_.append({bytes.data(), checked_size(count)});
   }
 }
 
@@ -158,7 +159,7 @@ void OperatorClient::send(const std::string& line) {
     const ssize_t count = ::send(descriptor_, rest.data(), rest.size(), MSG_NOSIGNAL);
     if (count < 0 && errno != EINTR)
       throw ConnectionError("connection lost: " + system_error_text(errno));
-    if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+    if (count > 0) rest.remove_prefix(checked_size(count));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <clocale>
 #include <cwchar>
 
+#include "base/place.h"
 #include "base/utf8.h"
 
 namespace stanok::client {
@@ -37,7 +38,7 @@ std::size_t columns_of(std::string_view character) {
   const locale_t before = uselocale(utf8);
   const int columns = wcwidth(code_point(character));
   uselocale(before);
-  return columns < 0 ? 1 : static_cast<std::size_t>(columns);
+  return columns < 0 ? 1 : checked_size(columns);
 }
 
 Glyph glyph_at(std::string_view text, std::size_t at) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/place.h"
 #include "config/files/tables_file.h"
 #include "config/sections/axis_section.h"
 #include "config/sections/channel_section.h"
@@ -111,7 +112,7 @@ class MachineReader {
     file_.machine.cycle_us = section.cycle_us;
     file_.machine.tables_write_protected = section.tables_write_protected;
     file_.machine.program_bounds = {
-        .bytes = static_cast<std::size_t>(section.program_size_max_mb) << 20,
+        .bytes = checked_size(section.program_size_max_mb) << 20,
         .steps = static_cast<std::uint64_t>(section.program_steps_max_m) * 1'000'000};
     if (!section.tables.empty()) read_tables_named(section.tables, scope);
   }

@@ -208,7 +208,7 @@ void resolve_schemes(const toml::table& table, const ChannelFile& file,
                      const SharedAxes& shared, ChannelConfig& channel, const Scope& scope) {
   ChannelAxes axes{.words = channel.words, .axes = {}, .is_shared = {}};
   for (const int axis : channel.axes) {
-    const channels::AxisConfig& config = machine.axes[static_cast<std::size_t>(axis)];
+    const channels::AxisConfig& config = machine.axes[axis];
     axes.axes.push_back(&config);
     axes.is_shared.push_back(shared.contains(config.name));
   }
@@ -229,9 +229,8 @@ void check_spindle_axes(const toml::table& table, const ChannelConfig& channel,
                         const Scope& scope) {
   for (const channels::SpindleConfig& spindle : machine.spindles) {
     if (std::ranges::find(channel.spindles, spindle.id) == channel.spindles.end()) continue;
-    const auto axis = std::ranges::find_if(channel.axes, [&](int index) {
-      return machine.axes[static_cast<std::size_t>(index)].name == spindle.axis;
-    });
+    const auto axis = std::ranges::find_if(
+        channel.axes, [&](int index) { return machine.axes[index].name == spindle.axis; });
     if (axis == channel.axes.end()) continue;
     if (shared.contains(spindle.axis)) {
       scope.fault(place_of(table, "axes"), "axis '" + spindle.axis + "' is spindle " +
@@ -302,18 +301,18 @@ void check_claims_at_start(const std::vector<ChannelConfig>& earlier, const Chan
     const auto owner = std::ranges::find_if(
         earlier, [&](const ChannelConfig& other) { return takes_part_at_start(other, axis); });
     if (owner == earlier.end()) continue;
-    scope.fault(place_of(table, "axes"),
-                "axis '" + machine.axes[static_cast<std::size_t>(axis)].name +
-                    "' takes part in the power-on scheme of channel " + std::to_string(owner->id) +
-                    ", too; begin with a scheme that leaves it out");
+    scope.fault(place_of(table, "axes"), "axis '" + machine.axes[axis].name +
+                                             "' takes part in the power-on scheme of channel " +
+                                             std::to_string(owner->id) +
+                                             ", too; begin with a scheme that leaves it out");
   }
 }
 
 }  // namespace
 
-std::vector<ChannelConfig> read_channels(Subtables channels, const MachineConfig& machine,
-                                         const std::filesystem::path& folder, const Scope& scope) {
-  std::vector<ChannelConfig> configs;
+NumberedList<ChannelConfig> read_channels(Subtables channels, const MachineConfig& machine,
+                                          const std::filesystem::path& folder, const Scope& scope) {
+  NumberedList<ChannelConfig> configs;
   if (channels == nullptr) return configs;
   const SharedAxes shared = shared_axes(*channels);
   for (const toml::node& node : *channels) {

@@ -12,7 +12,7 @@ namespace stanok::config {
 
 // All channels, ascending by id. `machine` holds the axes and spindles they name; scheme files are
 // looked for in `folder`.
-[[nodiscard]] std::vector<channels::ChannelConfig> read_channels(
+[[nodiscard]] NumberedList<channels::ChannelConfig> read_channels(
     Subtables channels, const channels::MachineConfig& machine, const std::filesystem::path& folder,
     const Scope& scope);
 

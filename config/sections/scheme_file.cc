@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/overloaded.h"
+#include "base/place.h"
 #include "channels/contract/motion_config.h"
 #include "config/sections/scheme_keys.h"
 
@@ -78,9 +79,9 @@ class SchemeReader {
   }
 
   void check_travel(int axis, double position, const toml::source_region& place) {
-    const auto& limits = axes_.axes[static_cast<std::size_t>(axis)]->limits;
+    const auto& limits = axes_.axes[axis]->limits;
     if (position >= limits.position_min && position <= limits.position_max) return;
-    scope_.fault(place, axis_text(axes_.words[static_cast<std::size_t>(axis)]) + " cannot reach " +
+    scope_.fault(place, axis_text(axes_.words[checked_size(axis)]) + " cannot reach " +
                             number_text(position) + "; its travel is " +
                             number_text(limits.position_min) + " to " +
                             number_text(limits.position_max));
@@ -151,7 +152,7 @@ class SchemeReader {
   }
   static void place_value(const kinematics::Choice& choice, const SchemeValue& value) {
     const auto name = std::ranges::find(choice.names, std::get<std::string>(value));
-    choice.choose(static_cast<std::size_t>(name - choice.names.begin()));
+    choice.choose(checked_size(name - choice.names.begin()));
   }
 
   void resolve_axes() {
@@ -193,7 +194,7 @@ class SchemeReader {
   }
 
   void check_velocity(int axis, double velocity, const toml::source_region& place) {
-    const double most = axes_.axes[static_cast<std::size_t>(axis)]->limits.velocity_max;
+    const double most = axes_.axes[axis]->limits.velocity_max;
     if (velocity > most) {
       scope_.fault(place, "velocity is " + number_text(velocity) + "; the axis reaches at most " +
                               number_text(most));
@@ -259,7 +260,7 @@ class SchemeReader {
 
   int rotary_axis(std::string_view key, const std::string& name) {
     const int axis = find_axis(name, place_of(table_, key));
-    if (axis >= 0 && !axes_.axes[static_cast<std::size_t>(axis)]->rotary) {
+    if (axis >= 0 && !axes_.axes[axis]->rotary) {
       scope_.fault(place_of(table_, key),
                    axis_text(name) + " is linear; " + std::string(key) + " must be a rotary axis");
     }
@@ -278,7 +279,7 @@ class SchemeReader {
                                        " does not take part; a parked axis has "
                                        "no zero, take it out");
       }
-      scheme().zero[static_cast<std::size_t>(axis)] = *value;
+      scheme().zero[axis] = *value;
     }
   }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/axis_index.h"
 #include "channels/contract/machine_config.h"
 #include "config/text/key_table.h"
 #include "kinematics/scheme.h"
@@ -15,7 +16,7 @@ namespace stanok::config {
 // The axes of the channel a scheme belongs to, in the channel's order.
 struct ChannelAxes {
   std::span<const std::string> words;
-  std::vector<const channels::AxisConfig*> axes;
+  AxisList<const channels::AxisConfig*> axes;
   std::vector<bool> is_shared;  // another channel has the axis, too
 
   // Index of the axis that programs or the machine call `name`; words come first. -1: none.

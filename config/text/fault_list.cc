@@ -9,6 +9,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "base/place.h"
 #include "base/system_error.h"
 #include "base/text_bounds.h"
 
@@ -17,13 +18,13 @@ namespace {
 
 // No more of a file than shows that it is too long.
 std::string read_beginning(std::istream& stream) {
-  constexpr std::size_t piece = std::size_t{64} << 10;
+  constexpr std::size_t piece = 64UL << 10;
   std::string text;
   while (stream && text.size() <= toml_bounds.bytes) {
     const std::size_t before = text.size();
     text.resize(before + piece);
     stream.read(text.data() + before, static_cast<std::streamsize>(piece));
-    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+    text.resize(before + checked_size(stream.gcount()));
   }
   return text;
 }

@@ -47,8 +47,8 @@ void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer ans
   Pending pending{event, wait, std::move(answer), 0, runtime::runs_of(machine_.newest_output())};
   if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
-    return pending.answer(Unexpected<Failure>(
-        failure_of(FailureKind::refused, "E9007", "there are too many requests at once", event.channel)));
+    return pending.answer(Unexpected<Failure>(failure_of(
+        FailureKind::refused, "E9007", "there are too many requests at once", event.channel)));
   }
   pending_.emplace(event.id, std::move(pending));
 }
@@ -110,10 +110,8 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
 
 bool CommandDesk::is_in_alarm(int channel) const {
   const channels::CycleOutput output = machine_.newest_output();
-  return std::any_of(output.channels.begin(), output.channels.begin() + output.channel_count,
-                     [&](const channels::ChannelOutput& one) {
-                       return one.id == channel && one.state == channels::ChannelState::alarm;
-                     });
+  const channels::ChannelOutput* const one = output.of_channel(channel);
+  return one != nullptr && one->state == channels::ChannelState::alarm;
 }
 
 void CommandDesk::await_run(int channel, Answer answer) {

@@ -127,7 +127,8 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
   if (!method->action.empty()) return command(call);
   const auto handler = handlers().find(method->name);
   if (handler == handlers().end())
-    return call.answer(fail(FailureKind::internal, "", "the daemon has no handler for " + request.method));
+    return call.answer(
+        fail(FailureKind::internal, "", "the daemon has no handler for " + request.method));
   if (const Query* query = std::get_if<Query>(&handler->second))
     return call.answer((*query)(*this, call.parameters));
   if (const Task* task = std::get_if<Task>(&handler->second)) return (*task)(*this, call);

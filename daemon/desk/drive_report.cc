@@ -23,8 +23,8 @@ constexpr auto drive_kind_names = enum_names<drives::DriveKind>({
 
 json counts_of(const drives::ErrorCounts& errors) {
   json counts = json::object();
-  for (std::size_t k = 0; k < errors.size(); ++k)
-    counts[std::string(drives::name_of(static_cast<drives::ExchangeError>(k)))] = errors[k];
+  for (const auto error : enum_values<drives::ExchangeError>())
+    counts[std::string(drives::name_of(error))] = errors[error];
   return counts;
 }
 

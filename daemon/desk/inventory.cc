@@ -79,8 +79,7 @@ json offset_list(RunningMachine& machine) {
 json workpiece_status(RunningMachine& machine) {
   const channels::CycleOutput output = machine.newest_output();
   json workpieces = json::array();
-  for (int k = 0; k < output.channel_count; ++k) {
-    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(k)];
+  for (const channels::ChannelOutput& channel : output.of_channels()) {
     const channels::Workpiece& workpiece = channel.workpiece;
     if (workpiece.announcements == 0) continue;
     json row{{"channel", channel.id}, {"tool", channel.tool.number}};

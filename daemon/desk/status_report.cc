@@ -5,6 +5,7 @@
 
 #include "base/catalogue.h"
 #include "base/enum_names.h"
+#include "base/place.h"
 #include "daemon/desk/channel_display.h"
 #include "daemon/desk/process_status.h"
 
@@ -104,8 +105,7 @@ json words_of(const channels::ChannelConfig& config) {
 
 json axis_names(const channels::MachineConfig& machine, const channels::ChannelConfig& config) {
   json names = json::array();
-  for (const int axis : config.axes)
-    names.push_back(machine.axes[static_cast<std::size_t>(axis)].name);
+  for (const int axis : config.axes) names.push_back(machine.axes[axis].name);
   return names;
 }
 
@@ -136,7 +136,7 @@ json axes_json(const channels::MachineConfig& machine, const channels::ChannelCo
   json axes = json::object();
   const unsigned participants = participants_of(config, output.scheme);
   for (std::size_t k = 0; k < config.axes.size(); ++k) {
-    const channels::AxisConfig& axis = machine.axes[static_cast<std::size_t>(config.axes[k])];
+    const channels::AxisConfig& axis = machine.axes[config.axes[k]];
     axes[axis.name] = {{"position", output.axes[k].position},
                        {"verified", is_verified(axis, output, k)},
                        {"takes_part", (participants >> k & 1U) != 0},
@@ -147,8 +147,7 @@ json axes_json(const channels::MachineConfig& machine, const channels::ChannelCo
 }
 
 bool any_drive_enabled(const channels::CycleOutput& output) {
-  for (int c = 0; c < output.channel_count; ++c) {
-    const ChannelOutput& channel = output.channels[static_cast<std::size_t>(c)];
+  for (const ChannelOutput& channel : output.of_channels()) {
     const auto end = channel.drives.begin() + channel.axis_count;
     if (std::any_of(channel.drives.begin(), end, [](const auto& d) { return d.enabled; }))
       return true;
@@ -157,8 +156,8 @@ bool any_drive_enabled(const channels::CycleOutput& output) {
 }
 
 bool is_at_rest(const channels::CycleOutput& output) {
-  return std::none_of(output.channels.begin(), output.channels.begin() + output.channel_count,
-                      [](const ChannelOutput& c) { return c.moving || c.running; });
+  return std::ranges::none_of(output.of_channels(),
+                              [](const ChannelOutput& c) { return c.moving || c.running; });
 }
 
 // The program of the current run, or of the last one; the one that is loaded else.
@@ -174,10 +173,7 @@ std::string program_of(const ChannelOutput& output, const std::vector<channels::
 }  // namespace
 
 ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
-  const auto end = output.channels.begin() + output.channel_count;
-  const auto found = std::find_if(output.channels.begin(), end,
-                                  [&](const ChannelOutput& c) { return c.id == channel; });
-  if (found != end) return *found;
+  if (const ChannelOutput* const found = output.of_channel(channel)) return *found;
   ChannelOutput none;
   none.id = channel;
   return none;
@@ -310,8 +306,7 @@ json StatusReport::kinematics_list(int channel) const {
   json schemes = json::array();
   for (const auto& scheme : config.schemes) {
     json axes = json::array();
-    for (const int axis : scheme.axes)
-      axes.push_back(config.words.at(static_cast<std::size_t>(axis)));
+    for (const int axis : scheme.axes) axes.push_back(config.words.at(checked_size(axis)));
     schemes.push_back({{"id", scheme.id},
                        {"type", scheme.type},
                        {"file", text_or_null(scheme.file)},
@@ -332,7 +327,7 @@ json StatusReport::kinematics(int channel) const {
     const bool takes_part =
         scheme != config.schemes.end() && std::find(scheme->axes.begin(), scheme->axes.end(),
                                                     static_cast<int>(k)) != scheme->axes.end();
-    axes.push_back({{"name", machine.axes[static_cast<std::size_t>(config.axes[k])].name},
+    axes.push_back({{"name", machine.axes[config.axes[k]].name},
                     {"takes_part", takes_part},
                     {"enabled", output.drives[k].enabled},
                     {"brake", output.drives[k].brake_closed}});

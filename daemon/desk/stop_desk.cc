@@ -26,7 +26,8 @@ bool StopDesk::take(protocol::Role role, const protocol::Request& request, Answe
   if (!stop) return answer(Unexpected<Failure>(stop.error())), true;
   stop->id = ++last_id_ | channels::stop_id_mark;
   if (!machine_.submit_stop(*stop))
-    return answer(refused_stop("E9007", "there are too many requests at once", stop->channel)), true;
+    return answer(refused_stop("E9007", "there are too many requests at once", stop->channel)),
+           true;
   pending_.emplace(stop->id, Pending{*stop, std::move(answer)});
   return true;
 }

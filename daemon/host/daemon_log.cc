@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/place.h"
+
 namespace stanok::daemon {
 namespace {
 
@@ -27,7 +29,7 @@ bool write_whole(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor, text.data(), text.size());
     if (count > 0) {
-      text.remove_prefix(static_cast<std::size_t>(count));
+      text.remove_prefix(checked_size(count));
     } else if (count < 0 && errno == EAGAIN) {
       pollfd wanted{.fd = descriptor, .events = POLLOUT, .revents = 0};
       static_cast<void>(::poll(&wanted, 1, -1));

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/file_descriptor.h"
+#include "base/place.h"
 #include "base/system_error.h"
 #include "recording/format/log_description.h"
 
@@ -42,7 +43,7 @@ int write_all(int file, std::string_view bytes) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return errno;
     if (count == 0) return ENOSPC;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
+    bytes.remove_prefix(checked_size(count));
   }
   return ::fsync(file) == 0 ? 0 : errno;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/place.h"
 #include "base/system_error.h"
 
 namespace stanok::daemon {
@@ -21,7 +22,7 @@ constexpr ::mode_t lock_mode = 0600;
 std::string holder_of(int lock) {
   std::array<char, 32> text{};
   const ssize_t count = ::pread(lock, text.data(), text.size() - 1, 0);
-  std::string pid(text.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+  std::string pid(text.data(), count > 0 ? checked_size(count) : 0);
   while (!pid.empty() && pid.back() == '\n') pid.pop_back();
   return pid.empty() ? "unknown" : pid;
 }

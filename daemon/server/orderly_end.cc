@@ -10,8 +10,7 @@ using channels::ChannelOutput;
 constexpr auto rest_time_max = std::chrono::seconds(10);
 
 bool all(const channels::CycleOutput& output, bool (*claim)(const ChannelOutput&)) {
-  return std::all_of(output.channels.begin(), output.channels.begin() + output.channel_count,
-                     claim);
+  return std::ranges::all_of(output.of_channels(), claim);
 }
 
 bool stands(const ChannelOutput& channel) {

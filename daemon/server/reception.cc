@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/place.h"
 #include "daemon/desk/stop_desk.h"
 #include "daemon/host/processor_share.h"
 #include "daemon/host/real_time_rights.h"
@@ -129,9 +130,9 @@ void Reception::Parts::admit(LocalSocket::socket socket) {
 
 // Who has been told to go lingers until it has read that, but has no place any more.
 void Reception::Parts::count_clients() {
-  clients = static_cast<std::size_t>(
-      std::count_if(sessions.begin(), sessions.end(),
-                    [](const auto& entry) { return entry.second->has_place(); }));
+  clients = checked_size(std::count_if(sessions.begin(), sessions.end(), [](const auto& entry) {
+    return entry.second->has_place();
+  }));
 }
 
 // Ends the session of the observer who has been here longest.

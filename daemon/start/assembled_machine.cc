@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "base/enum_names.h"
+#include "base/place.h"
 
 namespace stanok::daemon {
 namespace {
@@ -19,14 +20,13 @@ constexpr auto drive_choice_names = enum_names<runtime::DriveChoice>({
 channels::CycleOutput before_the_first_cycle(const channels::MachineConfig& machine) {
   channels::CycleOutput output;
   for (const channels::ChannelConfig& config : machine.channels) {
-    const auto index = static_cast<std::size_t>(output.channel_count++);
-    channels::ChannelOutput& channel = output.channels.at(index);
+    channels::ChannelOutput& channel = output.channels.at(checked_size(output.channel_count++));
     channel.id = config.id;
     channel.axis_count = static_cast<std::int32_t>(config.axes.size());
     channel.scheme = config.scheme;
     channel.has_feedback = true;
     for (std::size_t k = 0; k < config.axes.size(); ++k)
-      channel.axes[k].position = machine.axes[static_cast<std::size_t>(config.axes[k])].start;
+      channel.axes[k].position = machine.axes[config.axes[k]].start;
   }
   return output;
 }

@@ -152,9 +152,7 @@ int run_daemon(const DaemonOptions& options) {
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
       [&](int index, std::string_view reason) {
-        fail("the preparation of channel " +
-                 file.machine.channels[static_cast<std::size_t>(index)].name,
-             reason);
+        fail("the preparation of channel " + file.machine.channels[index].name, reason);
       });
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,

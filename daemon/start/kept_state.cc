@@ -87,8 +87,7 @@ std::string positions_text(const channels::MachineConfig& machine,
 }
 
 bool is_any_moving(const channels::CycleOutput& output) {
-  const auto end = output.channels.begin() + output.channel_count;
-  return std::any_of(output.channels.begin(), end, [](const auto& c) { return c.moving; });
+  return std::ranges::any_of(output.of_channels(), &channels::ChannelOutput::moving);
 }
 
 }  // namespace

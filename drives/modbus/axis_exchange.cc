@@ -41,9 +41,9 @@ CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_
   take_offset(target);
   follows_velocity_ = target.mode == OperationMode::cyclic_synchronous_velocity;
   enable_blocked_ = target.enabled && (enable_blocked_ || lost_ || age == TargetAge::stale);
-  watch_fault_reset(target.fault_reset);
+  watch_fault_reset(target);
   const std::optional<Demand> demand = demand_of(target);
-  request_ = request_for(target, demand.has_value());
+  request_ = request_for(target, demand);
   source_ = source_under(request_);
 
   sent_.control_word = word_for(request_, target.velocity);
@@ -122,7 +122,8 @@ void AxisExchange::take_offset(const DriveTarget& target) RT_SAFE {
 }
 
 // One demand resets one fault: a fault that comes again stays.
-void AxisExchange::watch_fault_reset(bool demanded) RT_SAFE {
+void AxisExchange::watch_fault_reset(const DriveTarget& target) RT_SAFE {
+  const bool demanded = target.fault_reset;
   if (demanded && !fault_reset_demanded_) {
     fault_reset_pending_ = true;
   }
@@ -130,14 +131,15 @@ void AxisExchange::watch_fault_reset(bool demanded) RT_SAFE {
   fault_reset_demanded_ = demanded;
 }
 
-PowerRequest AxisExchange::request_for(const DriveTarget& target, bool sendable) const RT_SAFE {
+PowerRequest AxisExchange::request_for(const DriveTarget& target,
+                                       const std::optional<Demand>& demand) const RT_SAFE {
   if (fault_reset_pending_) {
     return PowerRequest::reset_fault;
   }
   if (!target.enabled) {
     return PowerRequest::off;
   }
-  if (enable_blocked_ || !sendable) {
+  if (enable_blocked_ || !demand) {
     return PowerRequest::quick_stop;
   }
   return may_take_over(target) ? PowerRequest::on : PowerRequest::off;
@@ -300,7 +302,7 @@ std::uint64_t AxisExchange::errors() const RT_SAFE {
 }
 
 void AxisExchange::fail(ExchangeError error) RT_SAFE {
-  ++errors_[static_cast<std::size_t>(error)];
+  ++errors_[error];
   answering_ = false;
   leak_ = std::min(leak_ + failure_weight, leak_max);
 }

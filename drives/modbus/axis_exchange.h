@@ -85,7 +85,9 @@ class AxisExchange {
   };
 
   [[nodiscard]] std::optional<Demand> demand_of(const DriveTarget& target) const RT_SAFE;
-  [[nodiscard]] PowerRequest request_for(const DriveTarget& target, bool sendable) const RT_SAFE;
+  // `demand`: none when the target cannot be sent.
+  [[nodiscard]] PowerRequest request_for(const DriveTarget& target,
+                                         const std::optional<Demand>& demand) const RT_SAFE;
   [[nodiscard]] bool may_take_over(const DriveTarget& target) const RT_SAFE;
   [[nodiscard]] TargetSource source_under(PowerRequest request) const RT_SAFE;
   void set_targets(const std::optional<Demand>& demand, const DriveTarget& target) RT_SAFE;
@@ -97,7 +99,7 @@ class AxisExchange {
   void check_reference(double counted) RT_SAFE;
   [[nodiscard]] double deviation() const RT_SAFE;
   void watch_following_error(double reported, BusTime now) RT_SAFE;
-  void watch_fault_reset(bool demanded) RT_SAFE;
+  void watch_fault_reset(const DriveTarget& target) RT_SAFE;
   [[nodiscard]] std::uint16_t word_for(PowerRequest request, double velocity) const RT_SAFE;
   [[nodiscard]] std::optional<DriveState> state_in(const StatusBlock& answer) const RT_SAFE;
   [[nodiscard]] double velocity_in(const StatusBlock& answer) const RT_SAFE;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::drives {
 namespace {
@@ -46,7 +47,7 @@ ModbusBus::ModbusBus(BusConfig config, Duration cycle, std::unique_ptr<ModbusLin
     plans_.push_back({.look = look_plan(axis),
                       .run = exchange_plan(axis, WriteOrder::target_first),
                       .stop = exchange_plan(axis, WriteOrder::control_word_first)});
-    images_.emplace_back(static_cast<std::size_t>(register_count(axis.map)));
+    images_.emplace_back(checked_size(register_count(axis.map)));
     status_.axes.push_back({.axis = axis.axis});
   }
   signal_patience_.assign(signals_.blocks().size(), Patience(timeout_));
@@ -61,10 +62,10 @@ ModbusBus::Sensor::Sensor(const VibrationSensorConfig& config, BusTime timeout)
             .table = SignalTable::holding_register,
             .first = config.first_register,
             .bits = {},
-            .words = std::vector<std::uint16_t>(static_cast<std::size_t>(config.count) + 1)},
+            .words = std::vector<std::uint16_t>(checked_size(config.count) + 1)},
       reader(config),
       meter(config.rate_hz, stretch_s),
-      samples(static_cast<std::size_t>(std::ceil(kept_s * config.rate_hz)) + 1),
+      samples(checked_size(std::ceil(kept_s * config.rate_hz)) + 1),
       asking{.patience = Patience(timeout)} {}
 
 ModbusBus::~ModbusBus() {
@@ -162,7 +163,7 @@ void ModbusBus::lose_contact(std::string_view reason) {
   }
   {
     const std::scoped_lock lock(status_mutex_);
-    ++status_.errors[static_cast<std::size_t>(ExchangeError::own_fault)];
+    ++status_.errors[ExchangeError::own_fault];
     status_.own_fault = reason;
     status_.connected = false;
     for (AxisBusStatus& axis : status_.axes) axis.in_contact = false;
@@ -338,7 +339,7 @@ bool ModbusBus::ensure_connected() {
   if (link_->is_connected()) {
     ++status_.connections;
   } else {
-    ++status_.errors[static_cast<std::size_t>(ExchangeError::not_connected)];
+    ++status_.errors[ExchangeError::not_connected];
     back_off();
   }
   return link_->is_connected();
@@ -385,7 +386,7 @@ void ModbusBus::count_exchange(std::optional<ExchangeError> error, BusTime round
   const std::scoped_lock lock(status_mutex_);
   ++status_.exchanges;
   if (error) {
-    ++status_.errors[static_cast<std::size_t>(*error)];
+    ++status_.errors[*error];
   } else {
     round_trips_.add(round_trip);
   }

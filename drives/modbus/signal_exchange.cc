@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/place.h"
+
 namespace stanok::drives {
 namespace {
 
@@ -35,7 +37,7 @@ std::vector<SignalBlock> blocks_of(std::vector<SignalConfig> signals) {
                         .words = {}});
     }
     SignalBlock& block = blocks.back();
-    const auto size = static_cast<std::size_t>(std::max(block.count(), field.end() - block.first));
+    const auto size = checked_size(std::max(block.count(), field.end() - block.first));
     signal.is_of_bits() ? block.bits.resize(size) : block.words.resize(size);
   }
   return blocks;
@@ -77,9 +79,9 @@ void SignalExchange::fill_outputs(const Signals& outputs) {
 void SignalExchange::write_signal(SignalBlock& block, const SignalConfig& signal,
                                   const Signals& outputs) const {
   const RegisterField field = within(block, signal.field);
-  const auto at = static_cast<std::size_t>(field.address);
+  const std::size_t at = field.place();
   if (!signal.is_digital()) {
-    const double value = outputs.analog[static_cast<std::size_t>(signal.number)];
+    const double value = outputs.analog[signal.number];
     write_field(field, field.saturated_increments(value), block.words);
     return;
   }
@@ -93,10 +95,9 @@ void SignalExchange::write_signal(SignalBlock& block, const SignalConfig& signal
 
 void SignalExchange::read_signal(const SignalBlock& block, const SignalConfig& signal) {
   const RegisterField field = within(block, signal.field);
-  const auto at = static_cast<std::size_t>(field.address);
+  const std::size_t at = field.place();
   if (!signal.is_digital()) {
-    inputs_.analog[static_cast<std::size_t>(signal.number)] =
-        field.value(read_field(field, block.words));
+    inputs_.analog[signal.number] = field.value(read_field(field, block.words));
     return;
   }
   const bool level =

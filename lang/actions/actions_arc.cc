@@ -21,8 +21,8 @@ using Point = CurvePoint;
 constexpr double coordinate_rounding = 1e-12;
 
 struct ArcPlane {
-  std::size_t first = 0;  // channel axes of the plane
-  std::size_t second = 0;
+  AxisIndex first;  // axes of the plane
+  AxisIndex second;
   char first_centre = 'I';  // words of the centre
   char second_centre = 'J';
   double first_gain = 1.0;  // of lengths, by scaling and mirror
@@ -42,25 +42,21 @@ std::string in_mm(double value) {
 }
 
 std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
-  static constexpr std::array<std::array<std::size_t, 2>, 3> coordinates{{{0, 1}, {2, 0}, {1, 2}}};
-  const auto& [first, second] = coordinates[static_cast<std::size_t>(block.modal.plane())];
-  const int face_axis = block.modal.face_axis();
-  if (face_axis >= 0) {
-    ArcPlane face{static_cast<std::size_t>(block.modal.geometry[0]),
-                  static_cast<std::size_t>(face_axis)};
+  if (const AxisIndex face_axis = block.modal.face_axis(); face_axis.exists()) {
+    ArcPlane face{block.modal.geometry[0], face_axis};
     face.set_by = Group::transformation;
     return face;
   }
-  const int first_axis = block.channel_words.geometry_axis(first);
-  const int second_axis = block.channel_words.geometry_axis(second);
-  if (first_axis < 0 || second_axis < 0) {
+  static constexpr std::array centre_words{'I', 'J', 'K'};
+  const PlaneCoordinates& coordinates = plane_coordinates[block.modal.plane()];
+  ArcPlane plane{block.channel_words.geometry_axis(coordinates.first),
+                 block.channel_words.geometry_axis(coordinates.second),
+                 centre_words[coordinates.first], centre_words[coordinates.second]};
+  if (!plane.first.exists() || !plane.second.exists()) {
     block.fail("E4036", code_word(code), "the channel lacks an axis of the arc's plane", "")
         .notes.push_back(block.modal.origin_of(Group::plane));
     return std::nullopt;
   }
-  static constexpr std::array centre_words{'I', 'J', 'K'};
-  ArcPlane plane{static_cast<std::size_t>(first_axis), static_cast<std::size_t>(second_axis),
-                 centre_words[first], centre_words[second]};
   plane.first_gain = block.modal.map.gain(plane.first);
   plane.second_gain = block.modal.map.gain(plane.second);
   if (std::abs(plane.first_gain) != std::abs(plane.second_gain)) {
@@ -76,19 +72,18 @@ std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
 
 bool is_on_cylinder(const ActiveBlock& block) {
   if (block.modal.code(Group::transformation) != g(7, 1)) return false;
-  return (block.programmed & axis_bit(static_cast<std::size_t>(block.modal.transformed_axis))) != 0;
+  return is_programmed(block, block.modal.transformed_axis);
 }
 
 // The surface of G7.1: J along C, K along Z.
 std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
-  const int along = block.channel_words.geometry_axis(2);
-  if (along < 0) {
+  const AxisIndex along = block.channel_words.geometry_axis(2);
+  if (!along.exists()) {
     block.fail("E4036", code_word(code), "the channel lacks Z, the axis of the cylinder", "")
         .notes.push_back(block.modal.origin_of(Group::transformation));
     return std::nullopt;
   }
-  ArcPlane plane{static_cast<std::size_t>(block.modal.transformed_axis),
-                 static_cast<std::size_t>(along), 'J', 'K'};
+  ArcPlane plane{block.modal.transformed_axis, along, 'J', 'K'};
   plane.set_by = Group::transformation;
   plane.second_gain = block.modal.map.gain(plane.second);
   plane.first_scale = block.modal.cylinder_radius_mm * std::numbers::pi / 180.0;
@@ -203,9 +198,9 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
 
   Move move;
   move.kind = MoveKind::arc;
-  move.plane = on_cylinder                    ? Plane::yz
-               : block.modal.face_axis() >= 0 ? Plane::xy
-                                              : block.modal.plane();
+  move.plane = on_cylinder                        ? Plane::yz
+               : block.modal.face_axis().exists() ? Plane::xy
+                                                  : block.modal.plane();
   const bool mirrored = plane->first_gain * plane->second_gain < 0.0;
   move.counter_clockwise = (code == g(3)) != mirrored;
   resolve_ends(block, move);

@@ -53,29 +53,32 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
   return tool;
 }
 
+struct PlaneAxes {
+  AxisIndex first;
+  AxisIndex second;
+};
+
+PlaneAxes axes_of_plane(const ActiveBlock& block) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  return {block.channel_words.geometry_axis(plane.first),
+          block.channel_words.geometry_axis(plane.second)};
+}
+
 bool has_plane(ActiveBlock& block, CodeNumber code) {
-  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
-  for (const std::size_t coordinate : coordinates[static_cast<std::size_t>(block.modal.plane())]) {
-    if (block.channel_words.geometry_axis(coordinate) >= 0) continue;
-    block
-        .fail("E4036", {'G', code, {}},
-              "the channel lacks an axis of the plane of radius compensation",
-              "the channel lacks an axis of the plane")
-        .notes.push_back(block.modal.origin_of(Group::plane));
-    return false;
-  }
-  return true;
+  const PlaneAxes plane = axes_of_plane(block);
+  if (plane.first.exists() && plane.second.exists()) return true;
+  block
+      .fail("E4036", {'G', code, {}},
+            "the channel lacks an axis of the plane of radius compensation",
+            "the channel lacks an axis of the plane")
+      .notes.push_back(block.modal.origin_of(Group::plane));
+  return false;
 }
 
 // Whether the plane is mirrored: left becomes right.
 bool mirrors(const ActiveBlock& block) {
-  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
-  double gain = 1.0;
-  for (const std::size_t coordinate : coordinates[static_cast<std::size_t>(block.modal.plane())]) {
-    const int axis = block.channel_words.geometry_axis(coordinate);
-    gain *= block.modal.map.gain(static_cast<std::size_t>(axis));
-  }
-  return gain < 0.0;
+  const PlaneAxes plane = axes_of_plane(block);
+  return block.modal.map.gain(plane.first) * block.modal.map.gain(plane.second) < 0.0;
 }
 
 // Codes that only confirm what is active change nothing.
@@ -137,12 +140,11 @@ void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
 void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   Activity active{block.modal.compensation.on(), block.modal.compensation.on()};
   if (!active.before && !codes.has(Group::radius_compensation)) return;
-  for (int i = 0; i < codes.count; ++i) {
-    const Code& code = *codes.rows[static_cast<std::size_t>(i)];
-    if (code.group == Group::radius_compensation) active.after = code.number != g(40);
+  for (const Code* const code : codes) {
+    if (code->group == Group::radius_compensation) active.after = code->number != g(40);
   }
-  for (int i = 0; i < codes.count && !block.failed(); ++i) {
-    refuse(block, *codes.rows[static_cast<std::size_t>(i)], active);
+  for (const Code* const code : codes) {
+    if (!block.failed()) refuse(block, *code, active);
   }
   if (active.before && block.has('T') && block.channel.kind == ChannelKind::lathe) {
     block

@@ -35,18 +35,17 @@ bool pecks(CodeNumber code) {
 }
 
 // Channel axis along which the tool goes; fails the block when the channel has none.
-std::optional<std::size_t> tool_axis(ActiveBlock& block, CodeNumber code) {
-  static constexpr std::array<std::size_t, 3> third{2, 1, 0};
-  const int axis =
-      block.channel_words.geometry_axis(third[static_cast<std::size_t>(block.modal.plane())]);
-  if (axis >= 0) return static_cast<std::size_t>(axis);
+std::optional<AxisIndex> tool_axis(ActiveBlock& block, CodeNumber code) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  const AxisIndex axis = block.channel_words.geometry_axis(plane.normal);
+  if (axis.exists()) return axis;
   block.fail("E4036", code_word(code), "the channel lacks the tool axis of the cycle", "")
       .notes.push_back(block.modal.origin_of(Group::plane));
   return std::nullopt;
 }
 
 // Takes R, Z, Q and P of the block over into the sequence.
-void take_cycle_words(ActiveBlock& block, std::size_t axis) {
+void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
   DrillingCycle& cycle = block.modal.cycle;
   const CoordinateMap& map = block.modal.map;
   const auto level = [&](double word, double from) {

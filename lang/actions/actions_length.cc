@@ -26,9 +26,8 @@ void change_length(ActiveBlock& block, const ToolLength& after) {
   }
   AxisValues distance_B{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const int axis = block.channel_words.geometry_axis(k);
-    if (axis < 0) continue;
-    distance_B[static_cast<std::size_t>(axis)] = before.offset_mm[k] - after.offset_mm[k];
+    const AxisIndex axis = block.channel_words.geometry_axis(k);
+    if (axis.exists()) distance_B[axis] = before.offset_mm[k] - after.offset_mm[k];
   }
   block.modal.shift_position(distance_B);
 }
@@ -72,9 +71,8 @@ void set_by_axis_words(ActiveBlock& block) {
   length.tool = block.modal.tool_active;
   length.offset_mm = block.modal.length.offset_mm;
   for (std::size_t k = 0; k < 3; ++k) {
-    const int axis = block.channel_words.geometry_axis(k);
-    if (axis < 0 || (block.programmed & axis_bit(static_cast<std::size_t>(axis))) == 0) continue;
-    length.offset_mm[k] = table_value(block, static_cast<std::size_t>(axis));
+    const AxisIndex axis = block.channel_words.geometry_axis(k);
+    if (is_programmed(block, axis)) length.offset_mm[k] = table_value(block, axis);
   }
   change_length(block, length);
 }

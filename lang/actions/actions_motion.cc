@@ -32,7 +32,7 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
 
 double length_along(const ActiveBlock& block, const AxisDescription& axis) {
   if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
-  return block.modal.length.offset_mm[static_cast<std::size_t>(axis.geometry)];
+  return block.modal.length.offset_mm[AxisIndex(axis.geometry).place()];
 }
 
 void stop_at_block_end(ActiveBlock& block, CodeNumber) {

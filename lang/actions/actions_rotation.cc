@@ -16,17 +16,11 @@ bool is_about_axis(const ActiveBlock& block) {
   return block.has('I') || block.has('J') || block.has('K');
 }
 
-// The third axis of the plane, from X, Y, Z.
-std::size_t normal_of(Plane plane) {
-  static constexpr std::array<std::size_t, 3> normals{2, 1, 0};
-  return normals[static_cast<std::size_t>(plane)];
-}
-
 // What the system is turned about; fails the block when it is no direction.
 Vector axis_of(ActiveBlock& block) {
   Vector axis{};
   if (!is_about_axis(block)) {
-    axis[normal_of(block.modal.plane())] = 1.0;
+    axis[plane_coordinates[block.modal.plane()].normal] = 1.0;
     return axis;
   }
   static constexpr std::array letters{'I', 'J', 'K'};
@@ -44,14 +38,14 @@ bool check_axes(ActiveBlock& block) {
   const bool about_axis = is_about_axis(block);
   AxisSet turning = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!about_axis && k == normal_of(block.modal.plane())) continue;
-    const int axis = block.modal.geometry[k];
-    if (axis < 0) {
+    if (!about_axis && k == plane_coordinates[block.modal.plane()].normal) continue;
+    const AxisIndex axis = block.modal.geometry[k];
+    if (!axis.exists()) {
       block.fail("E4306", {'G', g(68), {}},
                  std::string("`G68` turns ") + "XYZ"[k] + ", which the channel does not have", "");
       return false;
     }
-    turning = static_cast<AxisSet>(turning | axis_bit(static_cast<std::size_t>(axis)));
+    turning = static_cast<AxisSet>(turning | axis_bit(axis));
   }
   return only_axes(block, g(68), turning);
 }
@@ -61,16 +55,14 @@ Vector centre_of(const ActiveBlock& block) {
   const ProgrammedRotation& before = modal.rotation;
   Vector from_centre{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (modal.geometry[k] < 0) continue;
-    from_centre[k] =
-        modal.position_W[static_cast<std::size_t>(modal.geometry[k])] - before.centre[k];
+    if (!modal.geometry[k].exists()) continue;
+    from_centre[k] = modal.position_W[modal.geometry[k]] - before.centre[k];
   }
   Vector centre = components(before.rotation.turned(vector3(from_centre)));
   for (std::size_t k = 0; k < 3; ++k) {
     centre[k] += before.centre[k];
-    if (modal.geometry[k] < 0) continue;
-    const auto axis = static_cast<std::size_t>(modal.geometry[k]);
-    if ((block.programmed & axis_bit(axis)) != 0) {
+    const AxisIndex axis = modal.geometry[k];
+    if (axis.exists() && is_programmed(block, axis)) {
       centre[k] = modal.map.to_work(axis, block.values[axis]);
     }
   }

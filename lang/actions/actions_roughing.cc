@@ -52,8 +52,8 @@ std::optional<Contour> find_contour(ActiveBlock& block, CodeNumber code) {
 // Takes the moves out of the commands of a contour block.
 void collect_moves(ActiveBlock& block, CodeNumber code, CommandQueue& queue,
                    std::vector<PlaneMove>& moves) {
-  const auto x = static_cast<std::size_t>(block.channel_words.geometry_axis(0));
-  const auto z = static_cast<std::size_t>(block.channel_words.geometry_axis(2));
+  const AxisIndex x = block.channel_words.geometry_axis(0);
+  const AxisIndex z = block.channel_words.geometry_axis(2);
   Command command;
   while (!queue.empty()) {
     queue.take(command);

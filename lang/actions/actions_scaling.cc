@@ -10,9 +10,7 @@ constexpr std::array factor_words{'I', 'J', 'K'};
 
 AxisSet geometry_set(const ModalState& modal) {
   AxisSet set = 0;
-  for (const int axis : modal.geometry) {
-    if (axis >= 0) set = static_cast<AxisSet>(set | axis_bit(static_cast<std::size_t>(axis)));
-  }
+  for (const AxisIndex axis : modal.geometry) set = static_cast<AxisSet>(set | axis_bit(axis));
   return set;
 }
 
@@ -60,14 +58,14 @@ void scale_axes(ActiveBlock& block, CodeNumber code) {
   if (!check_factor_words(block) || !only_axes(block, code, geometry_set(block.modal))) return;
   for (std::size_t k = 0; k < 3; ++k) {
     const bool named = block.has(factor_words[k]);
-    if (block.modal.geometry[k] < 0) {
+    const AxisIndex axis = block.modal.geometry[k];
+    if (!axis.exists()) {
       if (!named) continue;
       block.fail("E4306", {factor_words[k], -1, {}},
                  std::string("this channel has no ") + "XYZ"[k] + " to scale", "");
       return;
     }
-    const auto axis = static_cast<std::size_t>(block.modal.geometry[k]);
-    const bool centred = (block.programmed & axis_bit(axis)) != 0;
+    const bool centred = is_programmed(block, axis);
     const double centre = centred ? block.values[axis] : block.modal.programmed_position(axis);
     const double each = named ? block.value(factor_words[k]) : 1.0;
     block.modal.map.scale(axis, centre, block.has('P') ? block.value('P') : each);

@@ -131,7 +131,7 @@ void take_speed(ActiveBlock& block, CodeNumber) {
   }
   for (const NamedWord& word : block.words.named) {
     const auto index = spindle_of_indexed_speed(word);
-    if (!index || block.channel_words.axis_called(word.name) >= 0) continue;
+    if (!index || block.channel_words.axis_called(word.name).exists()) continue;
     const WordName name{0, -1, word.name};
     const auto spindle = checked(block, *index, name);
     if (spindle) set_speed(block, *spindle, word.value, name);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view word_of_spindle = "H1";
 constexpr std::string_view word_of_axis = "H2";
 
-std::string axis_text(const ActiveBlock& block, std::size_t axis) {
+std::string axis_text(const ActiveBlock& block, AxisIndex axis) {
   return "axis `" + block.channel.axes[axis].word + "`";
 }
 
@@ -37,14 +37,14 @@ std::optional<int> spindle_in_block(ActiveBlock& block) {
 }
 
 // The axis that a spindle of the channel becomes, or nothing.
-std::optional<std::size_t> axis_of(const ActiveBlock& block, int spindle) {
-  const auto& axes = block.channel.axes;
-  const auto found = std::ranges::find(axes, spindle, &AxisDescription::spindle);
-  if (spindle == 0 || found == axes.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - axes.begin());
+std::optional<AxisIndex> axis_of(const ActiveBlock& block, int spindle) {
+  for (std::size_t i = 0; spindle != 0 && i < block.channel.axes.size(); ++i) {
+    if (block.channel.axes[i].spindle == spindle) return i;
+  }
+  return std::nullopt;
 }
 
-bool is_converted(const ActiveBlock& block, std::size_t axis) {
+bool is_converted(const ActiveBlock& block, AxisIndex axis) {
   return (block.modal.converted_axes & axis_bit(axis)) != 0;
 }
 
@@ -61,7 +61,7 @@ bool excludes_conversion(ActiveBlock& block, CodeNumber code) {
   return excluded_by_mode(block, code, {Exclusion::transformation}, 'M');
 }
 
-void give_back(ActiveBlock& block, std::size_t axis) {
+void give_back(ActiveBlock& block, AxisIndex axis) {
   block.modal.converted_axes = static_cast<AxisSet>(block.modal.converted_axes & ~axis_bit(axis));
   Request request;
   request.kind = RequestKind::axis_to_spindle;
@@ -74,7 +74,7 @@ void give_back(ActiveBlock& block, std::size_t axis) {
 
 bool is_word_of_spindle_axis(const BlockCodes& codes, const NamedWord& word) {
   const auto taken_by = [&](CodeAction action) {
-    return std::any_of(codes.rows.begin(), codes.rows.begin() + codes.count,
+    return std::any_of(codes.begin(), codes.end(),
                        [&](const Code* row) { return row->action == action; });
   };
   const bool to_axis = taken_by(CodeAction::make_axis_of_spindle);
@@ -82,11 +82,11 @@ bool is_word_of_spindle_axis(const BlockCodes& codes, const NamedWord& word) {
   return word.name == word_of_spindle && (to_axis || taken_by(CodeAction::make_spindle_of_axis));
 }
 
-bool is_spindle_now(const ActiveBlock& block, std::size_t axis) {
+bool is_spindle_now(const ActiveBlock& block, AxisIndex axis) {
   return block.channel.axes[axis].spindle != 0 && !is_converted(block, axis);
 }
 
-void refuse_axis_that_is_spindle(ActiveBlock& block, std::size_t axis) {
+void refuse_axis_that_is_spindle(ActiveBlock& block, AxisIndex axis) {
   const std::string spindle = std::to_string(block.channel.axes[axis].spindle);
   block
       .fail("E4055", {block.channel.axes[axis].word.front(), -1, {}},

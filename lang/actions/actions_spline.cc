@@ -13,8 +13,8 @@ constexpr int order_default = 3;
 constexpr int order_max = 6;
 
 struct CurvePlane {
-  std::size_t first = 0;  // channel axes of the plane
-  std::size_t second = 0;
+  AxisIndex first;  // axes of the plane
+  AxisIndex second;
 };
 
 BlockFault& fail_missing(ActiveBlock& block, CodeNumber code, const std::string& words) {
@@ -32,13 +32,11 @@ std::optional<CurvePlane> curve_plane_of(ActiveBlock& block, CodeNumber code) {
         .notes.push_back(block.modal.origin_of(Group::plane));
     return std::nullopt;
   }
-  const int first = block.modal.geometry[0];
-  const int second = block.modal.geometry[1];
-  if (first < 0 || second < 0) {
+  const CurvePlane plane{block.modal.geometry[0], block.modal.geometry[1]};
+  if (!plane.first.exists() || !plane.second.exists()) {
     block.fail("E4306", code_word(code), "the channel has no plane XY for a spline", "");
     return std::nullopt;
   }
-  const CurvePlane plane{static_cast<std::size_t>(first), static_cast<std::size_t>(second)};
   const auto allowed = static_cast<AxisSet>(axis_bit(plane.first) | axis_bit(plane.second));
   if (!only_axes(block, code, allowed)) return std::nullopt;
   return plane;
@@ -144,10 +142,10 @@ void collect_nurbs_point(ActiveBlock& block, CodeNumber code) {
   if (block.programmed == 0) return;
   const CoordinateMap& map = block.modal.map;
   CurvePoint point = curve.points.back();
-  const std::array<std::size_t, 2> axes{plane->first, plane->second};
+  const std::array axes{plane->first, plane->second};
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::size_t axis = axes[k];
-    if ((block.programmed & axis_bit(axis)) == 0) continue;
+    const AxisIndex axis = axes[k];
+    if (!is_programmed(block, axis)) continue;
     const double value = block.values[axis];
     point[k] =
         block.modal.incremental() ? point[k] + map.gain(axis) * value : map.to_work(axis, value);

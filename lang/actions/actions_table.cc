@@ -126,9 +126,8 @@ void write_work_offset_here(ActiveBlock& block) {
 
 bool check_lengths(ActiveBlock& block) {
   AxisSet lengths = 0;
-  for (const int axis : block.modal.geometry) {
-    if (axis >= 0)
-      lengths = static_cast<AxisSet>(lengths | axis_bit(static_cast<std::size_t>(axis)));
+  for (const AxisIndex axis : block.modal.geometry) {
+    lengths = static_cast<AxisSet>(lengths | axis_bit(axis));
   }
   return only_axes(block, g(10), lengths);
 }
@@ -151,9 +150,9 @@ void write_tool_words(ActiveBlock& block, int tool) {
 // `lengths` along X, Y, Z, of which those of the axes `written` are.
 void write_tool_row(ActiveBlock& block, int tool, const AxisValues& lengths, AxisSet written) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const int axis = block.modal.geometry[k];
-    if (axis < 0 || (written & axis_bit(static_cast<std::size_t>(axis))) == 0) continue;
-    write_tool(block, tool, length_parameters[k], lengths[static_cast<std::size_t>(axis)]);
+    const AxisIndex axis = block.modal.geometry[k];
+    if ((written & axis_bit(axis)) == 0) continue;
+    write_tool(block, tool, length_parameters[k], lengths[axis]);
   }
   write_tool_words(block, tool);
 }
@@ -206,7 +205,7 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
 
 }  // namespace
 
-double table_value(const ActiveBlock& block, std::size_t axis) {
+double table_value(const ActiveBlock& block, AxisIndex axis) {
   const bool halved = block.modal.diameters() && block.channel.axes[axis].geometry == 0;
   return halved ? 2.0 * block.values[axis] : block.values[axis];
 }

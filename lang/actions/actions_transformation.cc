@@ -22,15 +22,14 @@ void change(ActiveBlock& block, const TransformationChange& transformation) {
   block.awaits_position = true;
 }
 
-std::optional<std::size_t> rotary_axis(ActiveBlock& block, CodeNumber code) {
-  const int axis = block.channel_words.axis_called("C");
-  if (axis >= 0 && block.channel.axes[static_cast<std::size_t>(axis)].rotary) {
-    const auto found = static_cast<std::size_t>(axis);
-    if (is_spindle_now(block, found)) {
-      refuse_axis_that_is_spindle(block, found);
+std::optional<AxisIndex> rotary_axis(ActiveBlock& block, CodeNumber code) {
+  const AxisIndex axis = block.channel_words.axis_called("C");
+  if (axis.exists() && block.channel.axes[axis].rotary) {
+    if (is_spindle_now(block, axis)) {
+      refuse_axis_that_is_spindle(block, axis);
       return std::nullopt;
     }
-    return found;
+    return axis;
   }
   block.fail("E4306", {'G', code, {}},
              "`" + code_text('G', code) + "` needs a rotary axis C in the channel", "");
@@ -50,11 +49,11 @@ void select_polar_face(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
   const auto axis = rotary_axis(block, code);
   if (!axis) return;
-  if (block.modal.geometry[0] < 0) {
+  if (!block.modal.geometry[0].exists()) {
     block.fail("E4306", {'G', code, {}}, "`G12.1` needs an axis X in the channel", "");
     return;
   }
-  change(block, {Transformation::polar_face, 0.0, static_cast<int>(*axis)});
+  change(block, {Transformation::polar_face, 0.0, axis->number()});
 }
 
 // G7.1 Cn; C0 is G13.1.
@@ -79,7 +78,7 @@ void select_cylinder(ActiveBlock& block, CodeNumber code) {
   }
   if (excludes_transformation(block, code)) return;
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
-  change(block, {Transformation::cylinder, radius, static_cast<int>(*axis)});
+  change(block, {Transformation::cylinder, radius, axis->number()});
 }
 
 }  // namespace stanok::lang

@@ -19,10 +19,10 @@ void apply_units(ActiveBlock& block, const BlockCodes& codes) {
   const bool lathe = block.channel.kind == ChannelKind::lathe;
   if (!lathe && block.words.g.has(g(70))) block.set_modal(Group::units, g(20));
   if (!lathe && block.words.g.has(g(71))) block.set_modal(Group::units, g(21));
-  for (int i = 0; i < codes.count; ++i) {
-    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
-    const bool early = row.group == Group::units || row.group == Group::diameter;
-    if (early && block.modal.code(row.group) != row.number) block.set_modal(row.group, row.number);
+  for (const Code* const row : codes) {
+    const bool early = row->group == Group::units || row->group == Group::diameter;
+    if (early && block.modal.code(row->group) != row->number)
+      block.set_modal(row->group, row->number);
   }
 }
 
@@ -57,7 +57,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
     fault.notes.push_back(block.modal.origin_of(Group::motion));
     return;
   }
-  codes.rows[static_cast<std::size_t>(codes.count++)] = motion;
+  codes.add(motion);
   codes.words |= motion->words;
   codes.axis_user = motion;
 }
@@ -78,13 +78,12 @@ void check_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
 // Between G5.2 and G5.3 there are control points, nothing else.
 void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
   if (!block.modal.curve.open()) return;
-  for (int i = 0; i < codes.count; ++i) {
-    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
-    if (row.action == CodeAction::collect_nurbs_point || row.action == CodeAction::end_nurbs)
+  for (const Code* const row : codes) {
+    if (row->action == CodeAction::collect_nurbs_point || row->action == CodeAction::end_nurbs)
       continue;
     BlockFault& fault =
-        block.fail("E4312", {row.letter, row.number, {}},
-                   "`" + code_text(row.letter, row.number) + "` inside a NURBS curve",
+        block.fail("E4312", {row->letter, row->number, {}},
+                   "`" + code_text(row->letter, row->number) + "` inside a NURBS curve",
                    "the curve is not ended");
     fault.notes.push_back(block.modal.origin_of(Group::motion));
     fault.help.emplace_back("end the curve with `G5.3` before");
@@ -96,17 +95,16 @@ void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
 // in question, nor are axis words; functions of the machine builder share P and Q.
 void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
   LetterSet taken = 0;
-  for (int i = 0; i < codes.count; ++i) {
-    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
-    if (row.action == CodeAction::send_machine_function) continue;
-    const LetterSet wanted = row.words & block.words.letters & ~always_allowed;
+  for (const Code* const row : codes) {
+    if (row->action == CodeAction::send_machine_function) continue;
+    const LetterSet wanted = row->words & block.words.letters & ~always_allowed;
     if (const LetterSet both = taken & wanted; both != 0) {
       const char letter = first_letter(both);
       block
           .fail("E4015", {letter, -1, {}},
                 std::string("`") + letter + "` would be taken by two codes of the block",
                 "it is not clear for which")
-          .help.push_back("program `" + code_text(row.letter, row.number) +
+          .help.push_back("program `" + code_text(row->letter, row->number) +
                           "` in a block of its own");
       return;
     }
@@ -129,7 +127,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
     block.fail("E4003", {}, "nothing in this block uses the spindle after `$`", "unused word");
   }
   for (const NamedWord& word : block.words.named) {
-    if (block.channel_words.axis_called(word.name) >= 0) continue;
+    if (block.channel_words.axis_called(word.name).exists()) continue;
     if (spindle_of_indexed_speed(word) || is_word_of_spindle_axis(codes, word)) continue;
     if (is_law_address(word.name)) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
@@ -139,18 +137,18 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
 
 // In the order in which they take effect; codes of one rank stay as written.
 void sort_by_phase(BlockCodes& codes) {
-  const auto first = codes.rows.begin();
-  for (auto next = first; next != first + codes.count; ++next) {
-    const auto later = std::upper_bound(
-        first, next, *next, [](const Code* a, const Code* b) { return a->order < b->order; });
+  for (const Code** next = codes.begin(); next != codes.end(); ++next) {
+    const Code** const later =
+        std::upper_bound(codes.begin(), next, *next,
+                         [](const Code* a, const Code* b) { return a->order < b->order; });
     std::rotate(later, next, next + 1);
   }
 }
 
 void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
-  for (int i = block.actions_done; i < codes.count && !block.failed(); ++i) {
-    const Code& row = *codes.rows[static_cast<std::size_t>(i)];
+  for (std::size_t i = block.actions_done; i < codes.count && !block.failed(); ++i) {
+    const Code& row = *codes.rows[i];
     function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {

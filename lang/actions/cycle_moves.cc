@@ -6,18 +6,17 @@
 namespace stanok::lang {
 
 std::optional<CycleMoves> CycleMoves::of(ActiveBlock& block, CodeNumber code) {
-  const int x = block.channel_words.geometry_axis(0);
-  const int z = block.channel_words.geometry_axis(2);
-  if (x < 0 || z < 0) {
+  const AxisIndex x = block.channel_words.geometry_axis(0);
+  const AxisIndex z = block.channel_words.geometry_axis(2);
+  if (!x.exists() || !z.exists()) {
     block.fail("E4036", {'G', code, {}}, "the channel lacks X or Z for a turning cycle", "");
     return std::nullopt;
   }
-  const auto both = axis_bit(static_cast<std::size_t>(x)) | axis_bit(static_cast<std::size_t>(z));
-  if ((block.programmed & ~both) != 0) {
+  if ((block.programmed & ~(axis_bit(x) | axis_bit(z))) != 0) {
     block.fail("E4003", {'G', code, {}}, "turning cycles move X and Z only", "another axis");
     return std::nullopt;
   }
-  return CycleMoves(block, static_cast<std::size_t>(x), static_cast<std::size_t>(z));
+  return CycleMoves(block, x, z);
 }
 
 TurningPoint CycleMoves::position() const {

@@ -36,14 +36,14 @@ class CycleMoves {
   void thread(TurningPoint end, double lead_mm, int spindle);
 
  private:
-  CycleMoves(ActiveBlock& block, std::size_t x, std::size_t z) : block_(block), x_(x), z_(z) {}
+  CycleMoves(ActiveBlock& block, AxisIndex x, AxisIndex z) : block_(block), x_(x), z_(z) {}
 
   [[nodiscard]] Move move_to(MoveKind kind, TurningPoint end) const;
   void go(MoveKind kind, TurningPoint end);
 
   ActiveBlock& block_;
-  std::size_t x_;
-  std::size_t z_;
+  AxisIndex x_;
+  AxisIndex z_;
 };
 
 }  // namespace stanok::lang

@@ -209,17 +209,16 @@ void HoleMoves::tap_with_floating_chuck(int spindle, SpindleAction turning, doub
 
 // Rapid by a vector in the plane.
 void HoleMoves::shift(double first, double second) {
-  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
-  const auto& plane = coordinates[static_cast<std::size_t>(block_.modal.plane())];
-  const double by[] = {first, second};
+  const PlaneCoordinates& plane = plane_coordinates[block_.modal.plane()];
+  const std::pair<std::size_t, double> ways[] = {{plane.first, first}, {plane.second, second}};
   Move move;
   move.end = block_.modal.position_W;
   move.path = block_.modal.path;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const int axis = block_.channel_words.geometry_axis(plane[k]);
-    if (axis < 0 || std::abs(by[k]) < move_min_mm) continue;
-    move.end[static_cast<std::size_t>(axis)] += by[k];
-    move.words = static_cast<AxisSet>(move.words | axis_bit(static_cast<std::size_t>(axis)));
+  for (const auto& [coordinate, way] : ways) {
+    const AxisIndex axis = block_.channel_words.geometry_axis(coordinate);
+    if (!axis.exists() || std::abs(way) < move_min_mm) continue;
+    move.end[axis] += way;
+    move.words = static_cast<AxisSet>(move.words | axis_bit(axis));
   }
   advance_position(block_, move);
   block_.queue.emit(move);

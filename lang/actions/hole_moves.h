@@ -11,7 +11,7 @@ namespace stanok::lang {
 class HoleMoves {
  public:
   // `axis`: of the channel, along which the tool goes.
-  HoleMoves(ActiveBlock& block, std::size_t axis) : block_(block), axis_(axis) {}
+  HoleMoves(ActiveBlock& block, AxisIndex axis) : block_(block), axis_(axis) {}
 
   // Over the hole: up to R first when the tool is below it.
   void approach(const Move& positioning);
@@ -33,7 +33,7 @@ class HoleMoves {
   void shift(double first, double second);
 
   ActiveBlock& block_;
-  std::size_t axis_;
+  AxisIndex axis_;
 };
 
 }  // namespace stanok::lang

@@ -198,8 +198,7 @@ bool read_code(std::string_view word, StateParts part, ModalState& state) {
   const Code* const code = find_code(word[0], tenths);
   if (code == nullptr) return false;
   bool taken = false;
-  for (std::size_t i = 0; i < group_count; ++i) {
-    const auto group = static_cast<Group>(i);
+  for (const Group group : all_groups) {
     if ((code->groups & group_bit(group)) == 0 || part_of(group) != part) continue;
     state.set(group, tenths, 0);
     taken = true;
@@ -267,8 +266,7 @@ std::string saved_state_text(const ModalState& state, StateParts parts) {
   for (const Section& section : sections) {
     if ((parts & section.part) == 0) continue;
     text += ";" + std::string(section.name);
-    for (std::size_t i = 0; i < group_count; ++i) {
-      const auto group = static_cast<Group>(i);
+    for (const Group group : all_groups) {
       const bool named = find_code(letter_of(group), state.code(group)) != nullptr;
       if (part_of(group) == section.part && named) {
         text += " " + code_text(letter_of(group), state.code(group));

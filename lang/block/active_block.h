@@ -79,7 +79,7 @@ struct ActiveBlock : BlockSurroundings {
   // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions
   // are done, and the block is to be executed again with this number when the position is known.
   bool awaits_position = false;
-  int actions_done = 0;
+  std::size_t actions_done = 0;
 
   GroupSet kept_groups = 0;  // of which the block's code does not become the active one
 
@@ -108,7 +108,7 @@ struct ActiveBlock : BlockSurroundings {
 };
 
 // The block has a word for this axis.
-[[nodiscard]] inline bool is_programmed(const ActiveBlock& block, std::size_t axis) {
+[[nodiscard]] inline bool is_programmed(const ActiveBlock& block, AxisIndex axis) {
   return (block.programmed & axis_bit(axis)) != 0;
 }
 

@@ -4,7 +4,7 @@ namespace stanok::lang {
 namespace {
 
 // Takes the value of an axis word, in mm and deg. False when the axis has one already.
-bool take_axis_value(ActiveBlock& block, std::size_t axis, double value) {
+bool take_axis_value(ActiveBlock& block, AxisIndex axis, double value) {
   const AxisDescription& description = block.channel.axes[axis];
   if (is_length(block, axis)) value *= block.length_unit();
   if (block.modal.diameters() && description.geometry == 0) value *= 0.5;
@@ -16,8 +16,8 @@ bool take_axis_value(ActiveBlock& block, std::size_t axis, double value) {
 
 }  // namespace
 
-bool is_length(const ActiveBlock& block, std::size_t axis) {
-  return !block.channel.axes[axis].rotary || block.modal.face_axis() == static_cast<int>(axis);
+bool is_length(const ActiveBlock& block, AxisIndex axis) {
+  return !block.channel.axes[axis].rotary || block.modal.face_axis() == axis;
 }
 
 void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
@@ -25,7 +25,7 @@ void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
       block.words.letters & block.channel_words.incremental_letters() & ~codes.words;
   for (const char letter : {'U', 'V', 'W'}) {
     if ((letters & letter_bit(letter)) == 0 || block.dwell_word == letter) continue;
-    const std::size_t axis = block.channel_words.axis(letter_index(letter));
+    const AxisIndex axis = block.channel_words.axis(letter);
     if (!take_axis_value(block, axis, block.value(letter))) {
       block.fail("E4001", {letter, -1, {}},
                  "axis `" + block.channel.axes[axis].word + "` is programmed twice",
@@ -38,16 +38,14 @@ void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
 void collect_axis_words(ActiveBlock& block) {
   LetterSet letters = block.words.letters & block.channel_words.letters();
   if (block.dwell_word != 0) letters &= ~letter_bit(block.dwell_word);
-  for (int i = 0; letters != 0; ++i, letters >>= 1) {
+  for (char letter = 'A'; letters != 0; ++letter, letters >>= 1) {
     if ((letters & 1U) == 0) continue;
-    const double value = block.words.values[static_cast<std::size_t>(i)];
-    static_cast<void>(take_axis_value(block, block.channel_words.axis(i), value));
+    const double value = block.value(letter);
+    static_cast<void>(take_axis_value(block, block.channel_words.axis(letter), value));
   }
   for (const NamedWord& word : block.words.named) {
-    const int axis = block.channel_words.axis_called(word.name);
-    if (axis >= 0) {
-      static_cast<void>(take_axis_value(block, static_cast<std::size_t>(axis), word.value));
-    }
+    const AxisIndex axis = block.channel_words.axis_called(word.name);
+    if (axis.exists()) static_cast<void>(take_axis_value(block, axis, word.value));
   }
 }
 

@@ -10,6 +10,6 @@ namespace stanok::lang {
 void collect_axis_words(ActiveBlock& block);
 void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes);
 // Whether an axis is programmed in mm: all that are not rotary, and C on the polar face.
-[[nodiscard]] bool is_length(const ActiveBlock& block, std::size_t axis);
+[[nodiscard]] bool is_length(const ActiveBlock& block, AxisIndex axis);
 
 }  // namespace stanok::lang

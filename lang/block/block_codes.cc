@@ -36,12 +36,11 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
 bool only_ends_cycle(BlockCodes& codes, const Code& row) {
   constexpr CodeNumber end_of_cycle = g(80);
   constexpr CodeNumber last_plain_motion = g(3);
-  for (int i = 0; i < codes.count; ++i) {
-    auto* const place = codes.rows.begin() + i;
+  for (const Code** place = codes.begin(); place != codes.end(); ++place) {
     if ((*place)->group != Group::motion || row.group != Group::motion) continue;
     if (row.number == end_of_cycle) return (*place)->number <= last_plain_motion;
     if ((*place)->number != end_of_cycle || row.number > last_plain_motion) return false;
-    std::copy(place + 1, codes.rows.begin() + codes.count, place);
+    std::copy(place + 1, codes.end(), place);
     --codes.count;
     codes.groups &= ~group_bit(Group::motion);
     return false;
@@ -102,16 +101,15 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   }
   if (only_ends_cycle(codes, *row)) return std::nullopt;
   if ((codes.groups & row->groups) != 0) {
-    for (int i = 0; i < codes.count; ++i) {
-      const Code& other = *codes.rows[static_cast<std::size_t>(i)];
-      if ((other.groups & row->groups) == 0) continue;
+    for (const Code* const other : codes) {
+      if ((other->groups & row->groups) == 0) continue;
       return fault_at(
           "E4002", word,
-          "`" + code_text(other.letter, other.number) + "` and `" + name + "` in one block",
+          "`" + code_text(other->letter, other->number) + "` and `" + name + "` in one block",
           "both belong to the same modal group");
     }
   }
-  codes.rows[static_cast<std::size_t>(codes.count++)] = row;
+  codes.add(row);
   codes.groups |= row->groups;
   codes.words |= row->words;
   return std::nullopt;
@@ -119,8 +117,7 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
 
 // Rule: the axis words of a block belong to one code.
 std::optional<BlockFault> find_axis_user(BlockCodes& codes) {
-  for (int i = 0; i < codes.count; ++i) {
-    const Code* const row = codes.rows[static_cast<std::size_t>(i)];
+  for (const Code* const row : codes) {
     if (row->axes == AxisWords::unused) continue;
     if (codes.axis_user != nullptr) {
       return fault_at("E4006", {row->letter, row->number, {}},

@@ -19,13 +19,19 @@ enum class AxisWordCount : std::uint8_t { none, some };
 
 // The rows of all codes of a block and what they claim together.
 struct BlockCodes {
-  static constexpr int capacity = 2 * CodeList::capacity + 5;  // + F, law, S, T, modal motion
+  static constexpr std::size_t capacity =
+      2 * CodeList::capacity + 5;  // + F, law, S, T, modal motion
   std::array<const Code*, capacity> rows{};
-  int count = 0;
+  std::size_t count = 0;
   GroupSet groups = 0;
   LetterSet words = 0;
   const Code* axis_user = nullptr;  // the code that takes the axis words
 
+  [[nodiscard]] const Code** begin() { return rows.data(); }
+  [[nodiscard]] const Code** end() { return rows.data() + count; }
+  [[nodiscard]] const Code* const* begin() const { return rows.data(); }
+  [[nodiscard]] const Code* const* end() const { return rows.data() + count; }
+  void add(const Code* row) { rows[count++] = row; }
   [[nodiscard]] bool has(Group group) const { return (groups & group_bit(group)) != 0; }
 };
 

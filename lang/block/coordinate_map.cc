@@ -8,7 +8,7 @@ CoordinateMap::CoordinateMap() {
   gain_.fill(1.0);
 }
 
-void CoordinateMap::compute(std::size_t axis) {
+void CoordinateMap::compute(AxisIndex axis) {
   const AxisMap& map = axes_[axis];
   const double sign = map.mirrored ? -1.0 : 1.0;
   const double mirror_shift = map.mirrored ? 2.0 * map.line : 0.0;
@@ -18,14 +18,14 @@ void CoordinateMap::compute(std::size_t axis) {
                         [](const AxisMap& one) { return one.mirrored || one.factor != 1.0; });
 }
 
-void CoordinateMap::scale(std::size_t axis, double centre, double factor) {
+void CoordinateMap::scale(AxisIndex axis, double centre, double factor) {
   AxisMap& map = axes_[axis];
   map.centre = map.mirrored ? 2.0 * map.line - centre : centre;
   map.factor = factor;
   compute(axis);
 }
 
-void CoordinateMap::mirror(std::size_t axis, double line) {
+void CoordinateMap::mirror(AxisIndex axis, double line) {
   axes_[axis].mirrored = true;
   axes_[axis].line = line;
   compute(axis);
@@ -55,7 +55,7 @@ void CoordinateMap::cancel_scaling() {
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) scale(axis, 0.0, 1.0);
 }
 
-void CoordinateMap::cancel_mirror(std::size_t axis) {
+void CoordinateMap::cancel_mirror(AxisIndex axis) {
   axes_[axis].mirrored = false;
   compute(axis);
 }

@@ -18,24 +18,24 @@ class CoordinateMap {
   // Some axis is mirrored or scaled; if not, W is as programmed to the bit.
   [[nodiscard]] bool active() const { return active_; }
 
-  [[nodiscard]] double gain(std::size_t axis) const { return gain_[axis]; }
-  [[nodiscard]] double to_work(std::size_t axis, double programmed) const {
+  [[nodiscard]] double gain(AxisIndex axis) const { return gain_[axis]; }
+  [[nodiscard]] double to_work(AxisIndex axis, double programmed) const {
     return gain_[axis] * programmed + shift_[axis];
   }
-  [[nodiscard]] double to_program(std::size_t axis, double work) const {
+  [[nodiscard]] double to_program(AxisIndex axis, double work) const {
     return (work - shift_[axis]) / gain_[axis];
   }
 
   // Everything it holds, as finite numbers, and back; false when they are no map.
-  using Numbers = std::array<double, std::size_t{4} * axes_max>;
+  using Numbers = std::array<double, 4UL * axes_max>;
   [[nodiscard]] Numbers numbers() const;
   [[nodiscard]] bool take(const Numbers& numbers);
 
   // `factor` above zero; the programmed coordinate `centre` stays where the mirror has it.
-  void scale(std::size_t axis, double centre, double factor);
-  void mirror(std::size_t axis, double line);
+  void scale(AxisIndex axis, double centre, double factor);
+  void mirror(AxisIndex axis, double line);
   void cancel_scaling();
-  void cancel_mirror(std::size_t axis);
+  void cancel_mirror(AxisIndex axis);
   [[nodiscard]] bool any_mirror() const;
 
  private:
@@ -46,9 +46,9 @@ class CoordinateMap {
     double factor = 1.0;
   };
 
-  void compute(std::size_t axis);
+  void compute(AxisIndex axis);
 
-  std::array<AxisMap, axes_max> axes_{};
+  AxisArray<AxisMap> axes_{};
   AxisValues gain_{};
   AxisValues shift_{};
   bool active_ = false;

@@ -32,8 +32,7 @@ bool takes_word(const Code& code, char letter, ChannelKind kind) {
 
 bool is_taken(const ActiveBlock& block, const BlockCodes& codes, char letter) {
   if (block.dwell_word == letter) return true;
-  const auto first = codes.rows.begin();
-  return std::any_of(first, first + codes.count, [&](const Code* code) {
+  return std::any_of(codes.begin(), codes.end(), [&](const Code* code) {
     return takes_word(*code, letter, block.channel.kind);
   });
 }
@@ -47,19 +46,16 @@ void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes) {
   for (const Code* const row : {&feed_word, &speed_word, &tool_word}) {
     const bool present = block.has(row->letter) || (row == &speed_word && indexed);
     if (present && !is_taken(block, codes, row->letter)) {
-      codes.rows[static_cast<std::size_t>(codes.count++)] = row;
+      codes.add(row);
     }
   }
-  if (has_feed_law(block.words)) {
-    codes.rows[static_cast<std::size_t>(codes.count++)] = &law_words;
-  }
+  if (has_feed_law(block.words)) codes.add(&law_words);
 }
 
 bool names_spindle(const BlockCodes& codes) {
   constexpr std::array<CodeNumber, 7> threads{g(32), g(33), g(33, 1), g(74), g(76), g(78), g(84)};
   if (codes.has(Group::spindle) || codes.has(Group::spindle_mode)) return true;
-  const auto first = codes.rows.begin();
-  return std::any_of(first, first + codes.count, [&](const Code* code) {
+  return std::any_of(codes.begin(), codes.end(), [&](const Code* code) {
     return code->letter == 'G' &&
            std::find(threads.begin(), threads.end(), code->number) != threads.end();
   });

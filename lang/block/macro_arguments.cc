@@ -7,22 +7,22 @@
 namespace stanok::lang {
 namespace {
 
-// By letter from A; 0: none.
-constexpr std::array<int, 26> parameter_of_letter = {
-    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+// 0: none.
+constexpr LetterArray<int> parameter_of_letter = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                                  0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
 }  // namespace
 
 int parameter_of_argument(char letter) {
-  return parameter_of_letter[static_cast<std::size_t>(letter_index(letter))];
+  return parameter_of_letter[letter];
 }
 
 std::optional<BlockFault> check_macro_block(const BlockWords& words, const MacroCode& macro) {
   const std::string name = code_text(macro.letter, macro.number);
   const bool call = macro.user_code == nullptr;
-  const int m_codes = words.m.count - (macro.letter == 'M' ? 1 : 0);
-  const int g_codes = words.g.count - (macro.letter == 'G' ? 1 : 0);
-  if (g_codes > 0 || m_codes > (call ? 1 : 0)) {
+  const std::size_t g_codes_max = macro.letter == 'G' ? 1 : 0;
+  const std::size_t m_codes_max = (macro.letter == 'M' ? 1 : 0) + (call ? 1 : 0);
+  if (words.g.count > g_codes_max || words.m.count > m_codes_max) {
     return BlockFault{"E4013",
                       {macro.letter, macro.number, {}},
                       "`" + name + "` and another code in one block",
@@ -47,7 +47,7 @@ BlockWords arguments_of(const BlockWords& words, const MacroCode& macro) {
   if (call) arguments.letters &= ~letters_of("LP");
   if (call && words.m.count == 1) {
     arguments.letters |= letter_bit('M');
-    arguments.values[static_cast<std::size_t>(letter_index('M'))] = words.m.numbers[0] / 10.0;
+    arguments.values['M'] = words.m.numbers[0] / 10.0;
   }
   arguments.g.count = 0;
   arguments.m.count = 0;

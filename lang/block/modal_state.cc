@@ -11,7 +11,7 @@ ModalState default_modal_state(ChannelKind kind) {
 }
 
 Note ModalState::origin_of(Group group) const {
-  const std::uint32_t line = lines[static_cast<std::size_t>(group)];
+  const std::uint32_t line = lines[group];
   const std::string code_name = code_text(letter_of(group), code(group));
   if (line == 0) return {code_name + " is active by default", {}};
   return {code_name + " is active since line " + std::to_string(line), {}};
@@ -44,14 +44,13 @@ WorkFrame ModalState::frame() const {
   for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
   const auto turned_centre = components(rotation.rotation.turned(vector3(rotation.centre)));
   for (std::size_t k = 0; k < 3; ++k) {
-    if (geometry[k] < 0 || rotation.rotation.is_identity()) continue;
-    shift[static_cast<std::size_t>(geometry[k])] += rotation.centre[k] - turned_centre[k];
+    if (!geometry[k].exists() || rotation.rotation.is_identity()) continue;
+    shift[geometry[k]] += rotation.centre[k] - turned_centre[k];
   }
   WorkFrame frame{turned(work_offset_rotation, geometry, shift),
                   work_offset_rotation * rotation.rotation, geometry};
   for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
-  if (overhang_axis >= 0)
-    frame.offset[static_cast<std::size_t>(overhang_axis)] -= overhang_shift_mm;
+  if (overhang_axis >= 0) frame.offset[overhang_axis] -= overhang_shift_mm;
   return frame;
 }
 

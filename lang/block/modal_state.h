@@ -103,7 +103,7 @@ struct ProgrammedCurve {
 struct ModalState {
   // The active code of each group in tenths (G1 = 10), and the line that set it; 0 = default.
   ActiveCodes codes{};
-  std::array<std::uint32_t, group_count> lines{};
+  GroupArray<std::uint32_t> lines{};
 
   // F as programmed, and with lengths in mm. Not known at start and after a change of feed mode.
   bool feed_known = false;
@@ -156,18 +156,16 @@ struct ModalState {
   bool axis_shift_active = true;  // false after G92.2
   ProgrammedRotation rotation;    // G68
   CoordinateMap map;              // G51, G51.1
-  GeometryAxes geometry{-1, -1, -1};
+  GeometryAxes geometry{};
   int transformed_axis = -1;        // rotary axis of G12.1 or G7.1; -1: off
   double cylinder_radius_mm = 0.0;  // G7.1
   ProgrammedCurve curve;
   AxisValues position_W{};
 
-  [[nodiscard]] CodeNumber code(Group group) const {
-    return codes[static_cast<std::size_t>(group)];
-  }
+  [[nodiscard]] CodeNumber code(Group group) const { return codes[group]; }
   void set(Group group, CodeNumber number, std::uint32_t line) {
-    codes[static_cast<std::size_t>(group)] = number;
-    lines[static_cast<std::size_t>(group)] = line;
+    codes[group] = number;
+    lines[group] = line;
   }
   // "G17 is active since line 4"
   [[nodiscard]] Note origin_of(Group group) const;
@@ -177,15 +175,15 @@ struct ModalState {
   [[nodiscard]] bool diameters() const { return code(Group::diameter) == g(7); }
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] FeedMode feed_mode() const;
-  // The rotary axis that is programmed in mm (G12.1), or -1.
-  [[nodiscard]] int face_axis() const {
+  // The rotary axis that is programmed in mm (G12.1), or none.
+  [[nodiscard]] AxisIndex face_axis() const {
     return code(Group::transformation) == g(12, 1) ? transformed_axis : -1;
   }
   // Everything between W and B:
   // p_B = work offset - overhang + its rotation * (G52 + G92 + G68 * p_W).
   [[nodiscard]] WorkFrame frame() const;
   // What an absolute word would have to say, in mm and deg, for the axis to stay where it is.
-  [[nodiscard]] double programmed_position(std::size_t axis) const {
+  [[nodiscard]] double programmed_position(AxisIndex axis) const {
     return map.to_program(axis, position_W[axis]);
   }
 

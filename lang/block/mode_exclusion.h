@@ -12,7 +12,7 @@ namespace stanok::lang {
 
 enum class Exclusion : std::uint8_t {
   radius_compensation,  // G41, G42
-  tcp,          // G43.4
+  tcp,                  // G43.4
   transformation,       // G12.1, G7.1
   drilling_cycle,
   inverse_time,  // G93

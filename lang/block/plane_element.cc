@@ -71,7 +71,7 @@ double cut_on(const PlaneElement& element, PlanePoint point, double offset, Para
 
 struct Points {
   std::array<PlanePoint, 2> at{};
-  int count = 0;
+  std::size_t count = 0;
 };
 
 // Line through `origin` along the unit vector `along`, and the circle. A distance that exceeds the
@@ -117,8 +117,8 @@ Corner inner_corner(const PlaneElement& before, const PlaneElement& after, doubl
   corner.kind = CornerKind::none;
   const Points points = intersections(before, after, offset);
   double least = 0.0;
-  for (int i = 0; i < points.count; ++i) {
-    const PlanePoint point = points.at[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const PlanePoint point = points.at[i];
     const double cut_before = cut_on(before, point, offset, ParallelEnd::end);
     const double cut_after = cut_on(after, point, offset, ParallelEnd::start);
     if (cut_before < -cut_noise || cut_after < -cut_noise) continue;

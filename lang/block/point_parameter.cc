@@ -7,22 +7,26 @@ namespace {
 
 constexpr int probe_first = 5061;
 constexpr int probe_found = 5070;
-constexpr std::array<int, reference_point_count> reference_first{5161, 5181, 5191, 5201};
+
+// Where the coordinates of a reference point begin.
+struct ReferenceParameters {
+  int point;
+  int first;
+};
+constexpr ReferenceParameters reference_parameters[reference_point_count] = {
+    {1, 5161}, {2, 5181}, {3, 5191}, {4, 5201}};
 
 bool is_in_block(int number, int first) {
   return number >= first && number < first + static_cast<int>(parameter_axes.size());
 }
 
-// The channel's axis at `number` in a block of one parameter per axis, or -1.
-int axis_at(int number, int first, const BlockSurroundings& around) {
-  return around.channel_words.axis_called(
-      parameter_axes.substr(static_cast<std::size_t>(number - first), 1));
+// The channel's axis at `number` in a block of one parameter per axis, or none.
+AxisIndex axis_at(int number, int first, const BlockSurroundings& around) {
+  return around.channel_words.axis_called({parameter_axes.data() + (number - first), 1});
 }
 
-double coordinate(int axis, const AxisValues& point, const BlockSurroundings& around) {
-  if (axis < 0) return 0.0;
-  const auto index = static_cast<std::size_t>(axis);
-  return as_programmed(around, index, point[index]);
+double coordinate(AxisIndex axis, const AxisValues& point, const BlockSurroundings& around) {
+  return axis.exists() ? as_programmed(around, axis, point[axis]) : 0.0;
 }
 
 }  // namespace
@@ -33,8 +37,7 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
   if (is_in_block(number, probe_first)) {
     return coordinate(axis_at(number, probe_first, around), probe.position, around);
   }
-  for (int which = 1; which <= reference_point_count; ++which) {
-    const int first = reference_first[static_cast<std::size_t>(which - 1)];
+  for (const auto& [which, first] : reference_parameters) {
     if (!is_in_block(number, first)) continue;
     return coordinate(axis_at(number, first, around), around.tables.reference_point(which), around);
   }
@@ -42,14 +45,12 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
 }
 
 bool set_point_parameter(int number, double value, const BlockSurroundings& around) {
-  for (int which = 1; which <= reference_point_count; ++which) {
-    const int first = reference_first[static_cast<std::size_t>(which - 1)];
+  for (const auto& [which, first] : reference_parameters) {
     if (!is_in_block(number, first)) continue;
-    const int axis = axis_at(number, first, around);
-    if (axis < 0) return true;
+    const AxisIndex axis = axis_at(number, first, around);
+    if (!axis.exists()) return true;
     AxisValues point = around.tables.reference_point(which);
-    const auto index = static_cast<std::size_t>(axis);
-    point[index] = from_programmed(around, index, value);
+    point[axis] = from_programmed(around, axis, value);
     around.tables.store_reference_point(which, point);
     return true;
   }

@@ -23,10 +23,8 @@ const ModalState& modal_of(const ParameterView& view) {
 
 // The value of the axis called `letter`; 0 where the channel has none.
 double of_axis(const BlockSurroundings& around, char letter, const AxisValues& values) {
-  const int axis = around.channel_words.axis_called(std::string_view(&letter, 1));
-  if (axis < 0) return 0.0;
-  return as_programmed(around, static_cast<std::size_t>(axis),
-                       values[static_cast<std::size_t>(axis)]);
+  const AxisIndex axis = around.channel_words.axis_called(std::string_view(&letter, 1));
+  return axis.exists() ? as_programmed(around, axis, values[axis]) : 0.0;
 }
 
 template <Group Which>
@@ -45,8 +43,8 @@ double flag(const ParameterView& view) {
 }
 
 double position_of(const BlockSurroundings& around, char letter) {
-  const int axis = around.channel_words.axis_called(std::string_view(&letter, 1));
-  return axis < 0 ? 0.0 : programmed_position(around, static_cast<std::size_t>(axis));
+  const AxisIndex axis = around.channel_words.axis_called(std::string_view(&letter, 1));
+  return axis.exists() ? programmed_position(around, axis) : 0.0;
 }
 
 template <char Letter>
@@ -127,11 +125,16 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_selected_pocket", prepared_tool},
 });
 
-// The letter of the axis whose value stands at `number` in a block of one parameter per axis.
+// The place of `number` in a block of one parameter per axis, from 0.
+std::optional<std::size_t> place_in_block(int number, int first) {
+  const auto place = static_cast<unsigned>(number - first);  // of a smaller number: a large one
+  return place < parameter_axes.size() ? std::optional<std::size_t>(place) : std::nullopt;
+}
+
+// The letter of the axis whose value stands there.
 std::optional<char> letter_in_block(int number, int first) {
-  const int index = number - first;
-  if (index < 0 || index >= static_cast<int>(parameter_axes.size())) return std::nullopt;
-  return parameter_axes[static_cast<std::size_t>(index)];
+  const auto place = place_in_block(number, first);
+  return place ? std::optional(parameter_axes[*place]) : std::nullopt;
 }
 
 std::optional<double> work_offset_parameter(int number, const BlockSurroundings& around) {
@@ -147,12 +150,11 @@ std::optional<double> work_offset_parameter(int number, const BlockSurroundings&
 }
 
 std::optional<double> tool_offset_parameter(int number, const BlockSurroundings& around) {
-  const auto letter = letter_in_block(number, tool_offset_first);
-  if (!letter) return std::nullopt;
-  const auto coordinate = static_cast<std::size_t>(number - tool_offset_first);
-  if (coordinate >= around.modal.length.offset_mm.size()) return 0.0;
+  const auto coordinate = place_in_block(number, tool_offset_first);
+  if (!coordinate) return std::nullopt;
+  if (*coordinate >= around.modal.length.offset_mm.size()) return 0.0;
   const double unit = around.modal.inches() ? mm_per_inch : 1.0;
-  return around.modal.length.offset_mm[coordinate] / unit;
+  return around.modal.length.offset_mm[*coordinate] / unit;
 }
 
 double tool_diameter(const BlockSurroundings& around) {
@@ -163,18 +165,18 @@ double tool_diameter(const BlockSurroundings& around) {
 
 }  // namespace
 
-double as_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
+double as_programmed(const BlockSurroundings& around, AxisIndex axis, double value) {
   return value / from_programmed(around, axis, 1.0);
 }
 
-double from_programmed(const BlockSurroundings& around, std::size_t axis, double value) {
+double from_programmed(const BlockSurroundings& around, AxisIndex axis, double value) {
   const AxisDescription& description = around.channel.axes[axis];
   if (!description.rotary && around.modal.inches()) value *= mm_per_inch;
   if (around.modal.diameters() && description.geometry == 0) value *= 0.5;
   return value;
 }
 
-double programmed_position(const BlockSurroundings& around, std::size_t axis) {
+double programmed_position(const BlockSurroundings& around, AxisIndex axis) {
   return as_programmed(around, axis, around.modal.programmed_position(axis));
 }
 

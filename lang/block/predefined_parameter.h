@@ -37,11 +37,10 @@ struct PredefinedParameter {
 
 // What an absolute word would have to say for the axis to stay where it is: programmed units,
 // diameters, before scaling and mirror.
-[[nodiscard]] double programmed_position(const BlockSurroundings& around, std::size_t axis);
+[[nodiscard]] double programmed_position(const BlockSurroundings& around, AxisIndex axis);
 // A coordinate in mm or deg as an axis word would have it, and back.
-[[nodiscard]] double as_programmed(const BlockSurroundings& around, std::size_t axis, double value);
-[[nodiscard]] double from_programmed(const BlockSurroundings& around, std::size_t axis,
-                                     double value);
+[[nodiscard]] double as_programmed(const BlockSurroundings& around, AxisIndex axis, double value);
+[[nodiscard]] double from_programmed(const BlockSurroundings& around, AxisIndex axis, double value);
 
 // The value of #number if it shows the state of the machine; nothing for the numbers that programs
 // set.

@@ -78,10 +78,8 @@ CompensationResult CompensationStage::select(const RadiusCompensation& wanted,
     selected_ = wanted;
     return std::nullopt;
   }
-  static constexpr std::size_t coordinates[3][2] = {{0, 1}, {2, 0}, {1, 2}};
-  const auto& plane = coordinates[static_cast<std::size_t>(wanted.plane)];
-  first_ = static_cast<std::size_t>(words_.geometry_axis(plane[0]));
-  second_ = static_cast<std::size_t>(words_.geometry_axis(plane[1]));
+  first_ = words_.geometry_axis(plane_coordinates[wanted.plane].first);
+  second_ = words_.geometry_axis(plane_coordinates[wanted.plane].second);
   selected_ = wanted;
   offset_ = wanted.side == RadiusCompensation::Side::left ? wanted.radius_mm : -wanted.radius_mm;
   tip_ = wanted.plane == Plane::zx ? wanted.radius_mm * tip_direction(wanted.orientation)
@@ -350,7 +348,7 @@ void CompensationStage::release_waiting() {
 // Gives a command out; moves along with the plane axes where the tool is.
 void CompensationStage::pass(Command& command) {
   if (Move* const move = straight_or_arc(command.payload)) {
-    const std::size_t axes[] = {first_, second_};
+    const AxisIndex axes[] = {first_, second_};
     const double off[] = {deviation_.first, deviation_.second};
     for (std::size_t k = 0; k < 2; ++k) {
       const bool named = (move->words & axis_bit(axes[k])) != 0;

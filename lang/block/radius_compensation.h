@@ -97,8 +97,8 @@ class CompensationStage {
   const ChannelWords& words_;
   State state_ = State::off;
   RadiusCompensation selected_;
-  std::size_t first_ = 0;  // axes of the plane
-  std::size_t second_ = 1;
+  AxisIndex first_ = 0;  // axes of the plane
+  AxisIndex second_ = 1;
   double offset_ = 0.0;  // of the parallel, positive to the left
   PlanePoint tip_;       // programmed tip of a lathe tool from the centre of its nose
   AxisValues programmed_W_{};

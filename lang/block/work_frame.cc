@@ -6,7 +6,7 @@ namespace {
 Vector3<double> geometry_of(const GeometryAxes& axes, const AxisValues& values) {
   std::array<double, 3> point{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (axes[k] >= 0) point[k] = values[static_cast<std::size_t>(axes[k])];
+    if (axes[k].exists()) point[k] = values[axes[k]];
   }
   return vector3(point);
 }
@@ -14,7 +14,7 @@ Vector3<double> geometry_of(const GeometryAxes& axes, const AxisValues& values) 
 void set_geometry(const GeometryAxes& axes, const Vector3<double>& point, AxisValues& values) {
   const std::array<double, 3> vector = components(point);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (axes[k] >= 0) values[static_cast<std::size_t>(axes[k])] = vector[k];
+    if (axes[k].exists()) values[axes[k]] = vector[k];
   }
 }
 

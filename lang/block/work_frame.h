@@ -11,8 +11,8 @@
 
 namespace stanok::lang {
 
-// Indices of the channel's X, Y and Z; -1: it has none.
-using GeometryAxes = std::array<int, 3>;
+// The channel's X, Y and Z, as far as it has them.
+using GeometryAxes = std::array<AxisIndex, 3>;
 
 // `values` with its X, Y and Z turned, as a direction; back with `turned_back`.
 [[nodiscard]] AxisValues turned(const Rotation& rotation, const GeometryAxes& axes,
@@ -23,7 +23,7 @@ using GeometryAxes = std::array<int, 3>;
 struct WorkFrame {
   AxisValues offset{};
   Rotation rotation;
-  GeometryAxes geometry{-1, -1, -1};
+  GeometryAxes geometry{};
 
   [[nodiscard]] AxisValues base_from_work(const AxisValues& point_W) const;
   [[nodiscard]] AxisValues work_from_base(const AxisValues& point_B) const;

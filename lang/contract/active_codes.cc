@@ -8,9 +8,7 @@ namespace stanok::lang {
 ActiveCodes default_codes(ChannelKind kind) {
   const bool lathe = kind == ChannelKind::lathe;
   ActiveCodes codes{};
-  const auto set = [&codes](Group group, CodeNumber number) {
-    codes[static_cast<std::size_t>(group)] = number;
-  };
+  const auto set = [&codes](Group group, CodeNumber number) { codes[group] = number; };
   set(Group::motion, g(0));
   set(Group::plane, lathe || kind == ChannelKind::grind ? g(18) : g(17));
   set(Group::distance, g(90));
@@ -38,11 +36,10 @@ ActiveCodes default_codes(ChannelKind kind) {
 
 std::vector<std::string> names_of(const ActiveCodes& codes, char letter) {
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < codes.size(); ++k) {
-    const auto group = static_cast<Group>(k);
-    const bool is_shown = letter_of(group) == letter && (letter == 'G' || codes[k] != 0);
+  for (const Group group : all_groups) {
+    const bool is_shown = letter_of(group) == letter && (letter == 'G' || codes[group] != 0);
     if (!is_shown) continue;
-    std::string name = code_text(letter, codes[k]);
+    std::string name = code_text(letter, codes[group]);
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(std::move(name));
   }

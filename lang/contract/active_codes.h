@@ -12,8 +12,8 @@
 
 namespace stanok::lang {
 
-// By Group, in tenths; 0 in a group of M codes: none.
-using ActiveCodes = std::array<CodeNumber, group_count>;
+// In tenths; 0 in a group of M codes: none.
+using ActiveCodes = GroupArray<CodeNumber>;
 
 // At the start of a program, after M2, M30 and reset.
 [[nodiscard]] ActiveCodes default_codes(ChannelKind kind);

@@ -17,18 +17,19 @@
 #include <variant>
 #include <vector>
 
+#include "base/axis_index.h"
 #include "base/rotation.h"
 
 namespace stanok::lang {
 
-inline constexpr int axes_max = 8;
+using stanok::axes_max;
 
-using AxisValues = std::array<double, axes_max>;
+using AxisValues = AxisArray<double>;
 
 // Bit k stands for axis k of the channel.
 using AxisSet = std::uint16_t;
-[[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) {
-  return static_cast<AxisSet>(1U << axis);
+[[nodiscard]] constexpr AxisSet axis_bit(AxisIndex axis) {
+  return static_cast<AxisSet>(axis.bit());
 }
 
 enum class Plane : std::uint8_t { xy, zx, yz };                                   // G17, G18, G19

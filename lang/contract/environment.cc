@@ -5,7 +5,7 @@ namespace {
 
 // In whole MiB, rounded up.
 std::string mebibytes(std::size_t bytes) {
-  constexpr std::size_t mebibyte = std::size_t{1} << 20;
+  constexpr std::size_t mebibyte = 1UL << 20;
   return std::to_string((bytes + mebibyte - 1) / mebibyte) + " MiB";
 }
 

@@ -53,8 +53,8 @@ struct AddressAlias {
 
 // How much a program may ask for; the machine file has the keys. What else is bounded: limits.h.
 struct ProgramBounds {
-  std::size_t bytes = std::size_t{256} << 20;  // of its text, with all files
-  std::uint64_t steps = 1'000'000'000;         // of a run, see Interpreter::renew_steps
+  std::size_t bytes = 256UL << 20;      // of its text, with all files
+  std::uint64_t steps = 1'000'000'000;  // of a run, see Interpreter::renew_steps
 };
 
 // The fixed part of a channel, from the machine file.
@@ -62,7 +62,7 @@ struct ChannelDescription {
   int id = 1;
   std::string name;
   ChannelKind kind = ChannelKind::mill;
-  std::vector<AxisDescription> axes;
+  AxisList<AxisDescription> axes;
   std::vector<int> spindles;                // ids; the first is the master spindle
   std::vector<int> spindles_with_position;  // those of them that can follow or lead an axis
   // What a T word does; nothing: as customary for the kind, that is true on lathe channels.

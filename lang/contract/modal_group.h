@@ -1,8 +1,9 @@
 // The modal groups of G and M codes: one code of a group is in force at a time.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+
+#include "base/enum_array.h"
 
 namespace stanok::lang {
 
@@ -44,7 +45,10 @@ enum class Group : std::uint8_t {
 [[nodiscard]] constexpr char letter_of(Group group) {
   return group < Group::stop ? 'G' : 'M';
 }
-inline constexpr std::size_t group_count = static_cast<std::size_t>(Group::none);
+// All groups that codes can have, and a value for each.
+inline constexpr auto all_groups = enum_values<Group, place_of(Group::none)>();
+template <class Value>
+using GroupArray = EnumArray<Group, Value, place_of(Group::none)>;
 
 using GroupSet = std::uint32_t;
 [[nodiscard]] constexpr GroupSet group_bit(Group group) {

@@ -145,7 +145,7 @@ LawWords law_words_of(const BlockWords& words) {
     const auto address = find_law_address(word.name);
     if (!address) continue;
     law.set |= bit(*address);
-    law.values[static_cast<std::size_t>(*address)] = word.value;
+    law.values[*address] = word.value;
   }
   return law;
 }

@@ -28,15 +28,13 @@ using LawAddressSet = std::uint16_t;
 // not a number.
 struct LawWords {
   LawAddressSet set = 0;
-  std::array<double, law_address_count> values{};
+  LawAddressArray<double> values{};
 
   [[nodiscard]] bool empty() const { return set == 0; }
   [[nodiscard]] bool has(LawAddress address) const {
     return (set >> static_cast<unsigned>(address) & 1U) != 0;
   }
-  [[nodiscard]] double value(LawAddress address) const {
-    return values[static_cast<std::size_t>(address)];
-  }
+  [[nodiscard]] double value(LawAddress address) const { return values[address]; }
 };
 [[nodiscard]] LawWords law_words_of(const BlockWords& words);
 

@@ -251,7 +251,7 @@ ValueType ExpressionCompiler::compile_parameter(const Expression& parameter) {
 }
 
 ValueType ExpressionCompiler::compile_axis(const Expression& axis) {
-  if (channel_ != nullptr && channel_->axis_called(axis.text) < 0) {
+  if (channel_ != nullptr && !channel_->axis_called(axis.text).exists()) {
     reporter_.error("E4010", axis.span, "this channel has no axis `" + axis.text + "`",
                     "not an axis of channel " + std::to_string(context_.channel->id));
     return {};

@@ -67,13 +67,12 @@ void IsoCompiler::compile_words(const IsoBlock& block, BlockTemplate& made) {
 void IsoCompiler::add_constant_word(const IsoWord& word, double value, BlockTemplate& made) {
   BlockWords& words = made.words;
   if (is_code(word)) {
-    CodeList& list = list_of(words, word.name.letter);
-    list.numbers[static_cast<std::size_t>(list.count++)] = static_cast<CodeNumber>(word.name.code);
+    list_of(words, word.name.letter).add(static_cast<CodeNumber>(word.name.code));
   } else if (word.name.letter != 0) {
     const LetterSet bit = letter_bit(word.name.letter);
     words.letters |= bit;
     if (word.whole) words.whole |= bit;
-    words.values[static_cast<std::size_t>(letter_index(word.name.letter))] = value;
+    words.values[word.name.letter] = value;
   } else {
     words.named.push_back({word.name.name, value});
   }
@@ -88,7 +87,7 @@ void IsoCompiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
     computed.kind =
         word.name.letter == 'G' ? ComputedWord::Kind::g_code : ComputedWord::Kind::m_code;
     computed.index = static_cast<std::uint16_t>(list.count);
-    list.numbers[static_cast<std::size_t>(list.count++)] = code_computed_later;
+    list.add(code_computed_later);
   } else if (word.name.letter != 0) {
     computed.letter = word.name.letter;
     words.letters |= letter_bit(word.name.letter);

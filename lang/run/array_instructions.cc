@@ -46,15 +46,13 @@ bool ArrayInstructions::make(const Instruction& instruction, ValueFault& fault) 
     fault = {"E3017", "the size of an array is a whole number from 1 to 1000000", "not a size"};
     return false;
   }
-  const auto elements = static_cast<std::size_t>(std::llround(count));
+  const std::size_t elements = whole_number(count);
   Value array;
   array.object = std::make_shared<Object>();
   array.object->ledger = ledger_;
   if (!enter_in_ledger(*array.object, elements * sizeof(Value), fault)) return false;
   array.object->elements.resize(elements);
-  if (instruction.count == 2) {
-    array.object->columns = static_cast<std::size_t>(std::lround(sizes[1]));
-  }
+  if (instruction.count == 2) array.object->columns = whole_number(sizes[1]);
   stack_.push(std::move(array));
   return true;
 }
@@ -118,8 +116,8 @@ bool ArrayInstructions::pop_element(std::size_t indices, Element& element, Value
     fault = {"E3011", "index outside the array", text};
     return false;
   }
-  const auto row = static_cast<std::size_t>(std::lround(index[0]));
-  const auto column = static_cast<std::size_t>(std::lround(index[1]));
+  const std::size_t row = whole_number(index[0]);
+  const std::size_t column = whole_number(index[1]);
   element.index = row * columns + (plane ? column : 0);
   return true;
 }

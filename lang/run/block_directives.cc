@@ -157,12 +157,11 @@ void BlockDirectives::order_force_control(const Instruction& instruction) {
 std::optional<ToolOverhang> BlockDirectives::pop_overhang(const Instruction& instruction) {
   ToolOverhang overhang;
   if (instruction.count == 0) return overhang;
-  overhang.axis = state_.channel_words.geometry_axis(0);
+  overhang.axis = state_.channel_words.geometry_axis(0).number();
   if (instruction.count == 2)
     overhang.axis = static_cast<int>(std::lround(vm_.stack().pop_number()));
   overhang.value_mm = vm_.stack().pop_number() * state_.length_unit();
-  const bool is_linear =
-      overhang.axis >= 0 && !state_.channel.axes[static_cast<std::size_t>(overhang.axis)].rotary;
+  const bool is_linear = overhang.axis >= 0 && !state_.channel.axes[overhang.axis].rotary;
   if (is_linear) return overhang;
   vm_.fail("E4306", "a tool overhang needs a linear axis of the channel", "no such axis");
   return std::nullopt;

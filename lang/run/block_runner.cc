@@ -90,7 +90,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
     return LineResult::command;
   }
   const Source& source = vm_.file().source;
-  const auto offset = static_cast<std::size_t>(start - source.text().data());
+  const std::size_t offset = source.offset_of(start);
   place_ = {{offset, static_cast<std::uint32_t>(source.line_at(offset).size()), line}, nullptr, 0};
   return LineResult::block;
 }
@@ -125,7 +125,7 @@ bool BlockRunner::take_computed_word(const ComputedWord& word) {
   const double value = vm_.stack().pop_number();
   switch (word.kind) {
     case ComputedWord::Kind::letter:
-      words.values[static_cast<std::size_t>(letter_index(word.letter))] = value;
+      words.values[word.letter] = value;
       return true;
     case ComputedWord::Kind::named:
       words.named[word.index].value = value;
@@ -234,7 +234,7 @@ void BlockRunner::emit_end(ProgramEndKind kind) {
 
 // A value that stands in the text of a plain line.
 void BlockRunner::fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault) {
-  const auto offset = static_cast<std::size_t>(text.data() - vm_.file().source.text().data());
+  const std::size_t offset = vm_.file().source.offset_of(text.data());
   vm_.fail_at({offset, static_cast<std::uint32_t>(text.size()), line}, fault.code, fault.message,
               fault.label);
 }

@@ -85,7 +85,7 @@ class BlockRunner {
   struct BlockPlace {
     Span span;
     const std::vector<IsoWord>* words = nullptr;
-    int actions_done = 0;
+    std::size_t actions_done = 0;
   };
   bool take_settings(const std::vector<TextSetting>& settings);
   bool take_computed_word(const ComputedWord& word);

@@ -15,8 +15,8 @@ constexpr bool is_straight_or_arc(CodeNumber motion) {
 
 // Codes of the block other than motions that use its axis words leave its end open.
 bool is_plain_motion(const ActiveBlock& block) {
-  for (int k = 0; k < block.words.g.count; ++k) {
-    const Code* const code = find_code('G', block.words.g.numbers[static_cast<std::size_t>(k)]);
+  for (const CodeNumber number : block.words.g) {
+    const Code* const code = find_code('G', number);
     if (code == nullptr || (code->group != Group::motion && code->axes != AxisWords::unused) ||
         code->group == Group::none)
       return false;
@@ -25,8 +25,7 @@ bool is_plain_motion(const ActiveBlock& block) {
 }
 
 void adopt_motion(ActiveBlock& block) {
-  for (int k = 0; k < block.words.g.count; ++k) {
-    const CodeNumber number = block.words.g.numbers[static_cast<std::size_t>(k)];
+  for (const CodeNumber number : block.words.g) {
     const Code* const code = find_code('G', number);
     if (code != nullptr && code->group == Group::motion) block.set_modal(Group::motion, number);
   }

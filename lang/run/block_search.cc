@@ -34,7 +34,7 @@ std::vector<std::uint32_t> lines_numbered(const Source& source, int number) {
   const char* const text = source.text().data();
   std::uint32_t line = source.begin_line();
   for (const char* at = text + source.begin(); at != text + source.end(); ++line) {
-    const auto offset = static_cast<std::size_t>(at - text);
+    const std::size_t offset = source.offset_of(at);
     if (block_number(source.line_at(offset)) == number) lines.push_back(line);
     at = behind_line(at, text + source.end());
   }

@@ -23,9 +23,8 @@ bool ChannelRequests::name_offset(std::span<const Value> arguments, Request& req
   }
   request.channel = static_cast<int>(std::lround(arguments[0].number));
   request.number = static_cast<int>(std::lround(arguments[1].number));
-  request.index = state_.channel_words.axis_called(text_of(arguments[2]));
-  const bool is_length =
-      request.index >= 0 && !state_.channel.axes[static_cast<std::size_t>(request.index)].rotary;
+  request.index = state_.channel_words.axis_called(text_of(arguments[2])).number();
+  const bool is_length = request.index >= 0 && !state_.channel.axes[request.index].rotary;
   unit = is_length ? state_.length_unit() : 1.0;
   return true;
 }

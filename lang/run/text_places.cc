@@ -34,7 +34,7 @@ Contour TextPlaces::contour(int first, int last) {
   bool inside = false;
   std::uint32_t line = source.begin_line();
   for (const char* at = source.text().data() + source.begin(); at != end; ++line) {
-    const auto offset = static_cast<std::size_t>(at - source.text().data());
+    const std::size_t offset = source.offset_of(at);
     const std::string_view text = source.line_at(offset);
     const auto number = block_number(text);
     inside = inside || number == first;
@@ -97,10 +97,9 @@ void TextPlaces::leave_contour() {
   const AxisValues start_W = contour_return_->start_W;
   contour_return_.reset();
   ModalState& modal = state_.modal;
-  for (const std::size_t coordinate : {std::size_t{0}, std::size_t{2}}) {
-    const int found = state_.channel_words.geometry_axis(coordinate);
-    const auto axis = static_cast<std::size_t>(found);
-    if (found < 0 || modal.position_W[axis] == start_W[axis]) continue;
+  const ChannelWords& words = state_.channel_words;
+  for (const AxisIndex axis : {words.geometry_axis(0), words.geometry_axis(2)}) {
+    if (!axis.exists() || modal.position_W[axis] == start_W[axis]) continue;
     Move move;
     move.words = axis_bit(axis);
     move.path = modal.path;

@@ -24,8 +24,8 @@ std::optional<double> spindle_speed(const BlockState& state, double id) {
 // Active code of modal group n of docs/reference/language.md.
 std::optional<double> modal_code_of_group(const BlockState& state, double index) {
   if (!is_integer(index) || index < 1.0 || index > 17.0) return std::nullopt;
-  const auto group = static_cast<std::size_t>(std::lround(index)) - 1;
-  return state.modal.codes[group] / 10.0;
+  const Group group = all_groups[whole_number(index) - 1];
+  return state.modal.code(group) / 10.0;
 }
 
 std::optional<double> tool_value(const BlockState& state, std::string_view name) {

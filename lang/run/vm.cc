@@ -152,7 +152,7 @@ bool Vm::execute_variable(const Instruction& instruction) {
 
 void Vm::push_axis(const Instruction& instruction) {
   const std::string& name = file().texts[instruction.operand];
-  const int axis = words_.axis_called(name);
+  const int axis = words_.axis_called(name).number();
   if (axis < 0) return fail("E4010", "this channel has no axis `" + name + "`");
   stack_.push(value_of(static_cast<double>(axis)));
 }

@@ -21,10 +21,9 @@ inline constexpr std::size_t files = 256;      // of one program, includes count
 inline constexpr std::size_t statements = 1'000'000;
 inline constexpr int steps_of_block = 100;  // of the bound of steps, see ProgramBounds
 inline constexpr std::size_t array_elements = 1'000'000;
-inline constexpr std::size_t run_array_bytes = std::size_t{64}
-                                               << 20;  // all arrays of a run together
-inline constexpr int feed_law_steps = 1'000'000;       // up or down, of a modulated law
-inline constexpr std::size_t feed_law_points = 1000;   // of a curve
-inline constexpr std::size_t diagnostics = 100;        // errors of a file, and warnings of it
+inline constexpr std::size_t run_array_bytes = 64UL << 20;  // all arrays of a run together
+inline constexpr int feed_law_steps = 1'000'000;            // up or down, of a modulated law
+inline constexpr std::size_t feed_law_points = 1000;        // of a curve
+inline constexpr std::size_t diagnostics = 100;             // errors of a file, and warnings of it
 
 }  // namespace stanok::lang::limits

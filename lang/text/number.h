@@ -4,6 +4,7 @@
 #include <fast_float/fast_float.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "lang/text/source.h"
@@ -61,6 +62,11 @@ inline constexpr double exact_powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1
 // The integer a value stands for: within 1e-9 of one, and small enough to be an id or a count.
 [[nodiscard]] inline bool is_integer(double value) {
   return std::abs(value) <= 2e9 && std::abs(value - std::round(value)) <= 1e-9;
+}
+
+// The count or place from 0 that such a value stands for; it must not be negative.
+[[nodiscard]] inline std::size_t whole_number(double value) {
+  return static_cast<std::size_t>(std::lround(value));
 }
 
 }  // namespace stanok::lang

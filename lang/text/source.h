@@ -46,6 +46,10 @@ class Source {
   [[nodiscard]] Span lone_frame_mark() const { return lone_frame_mark_; }
 
   [[nodiscard]] Place place(const Span& span) const;
+  // Of a character of the text.
+  [[nodiscard]] std::size_t offset_of(const char* character) const {
+    return static_cast<std::size_t>(character - text_->text.data());
+  }
   // The text of the line in which `offset` stands, without its end.
   [[nodiscard]] std::string_view line_at(std::size_t offset) const;
   [[nodiscard]] std::uint32_t line_number(std::size_t offset) const;

@@ -153,12 +153,12 @@ bool length_of(Arguments a, Value& result) {
 bool part_of(Arguments a, Value& result) {
   const std::string& text = text_of(a[0]);
   if (!is_integer(a[1].number) || a[1].number < 0.0) return false;
-  const auto first = static_cast<std::size_t>(std::lround(a[1].number));
+  const std::size_t first = whole_number(a[1].number);
   if (first > character_count(text)) return false;
   std::size_t count = std::string::npos;
   if (a.size() > 2) {
     if (!is_integer(a[2].number) || a[2].number < 0.0) return false;
-    count = static_cast<std::size_t>(std::lround(a[2].number));
+    count = whole_number(a[2].number);
   }
   const std::string_view rest = std::string_view(text).substr(offset_of_character(text, first));
   return set_text(result, std::string(rest.substr(0, offset_of_character(rest, count))));

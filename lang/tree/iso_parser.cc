@@ -16,7 +16,7 @@ bool IsoParser::is_named_address(std::string_view name) const {
   while (is_blank(scanner_.character(behind))) ++behind;
   if (scanner_.character(behind) != '=' || scanner_.character(behind + 1) == '=') return false;
   if (!find_named_address(name).empty()) return true;
-  return channel_ != nullptr && channel_->axis_called(name) >= 0;
+  return channel_ != nullptr && channel_->axis_called(name).exists();
 }
 
 MaybeStatement IsoParser::parse_iso() {
@@ -248,7 +248,7 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
     return other.name.letter == letter && other.name.name == word.name.name;
   };
   const auto count = std::count_if(block.words.begin(), block.words.end(), same_name);
-  if (is_code ? count >= CodeList::capacity : count > 0) {
+  if (is_code ? count >= static_cast<std::ptrdiff_t>(CodeList::capacity) : count > 0) {
     const std::string name = letter != 0 ? std::string(1, letter) : word.name.name;
     reporter_.error(is_code ? "E4005" : "E4001", word.span,
                     is_code ? "more than " + std::to_string(CodeList::capacity) + " `" + name +

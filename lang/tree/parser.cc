@@ -209,7 +209,7 @@ bool Parser::take_plain_lines(StatementList& list) {
   }
   if (at == begin) return false;
   const std::size_t from = scanner().offset();
-  const auto to = static_cast<std::size_t>(at - text.data());
+  const std::size_t to = cursor_.source().offset_of(at);
   if (any_words) {
     Statement statement;
     statement.span = {from, 1, scanner().line()};

@@ -53,8 +53,7 @@ bool add_code(CodeList& list, double number) {
   const double tenths = number * 10.0;
   if (!is_integer(tenths) || tenths < 0.0 || tenths > code_number_max) return false;
   if (list.count == CodeList::capacity) return false;
-  list.numbers[static_cast<std::size_t>(list.count++)] =
-      static_cast<CodeNumber>(std::lround(tenths));
+  list.add(static_cast<CodeNumber>(std::lround(tenths)));
   return true;
 }
 
@@ -72,7 +71,7 @@ bool add_word(BlockWords& words, char letter, const WrittenNumber& number) {
   if ((words.letters & bit) != 0 || letter == 'N' || letter == 'O') return false;
   words.letters |= bit;
   if (whole) words.whole |= bit;
-  words.values[static_cast<std::size_t>(letter_index(letter))] = value;
+  words.values[letter] = value;
   return true;
 }
 

@@ -86,12 +86,12 @@ void TextValues::skip_blanks() {
 std::string_view TextValues::name_ahead() const {
   const char* last = at_;
   while (last != end_ && is_name_part(*last)) ++last;
-  return {at_, static_cast<std::size_t>(last - at_)};
+  return {at_, last};
 }
 
 TextValues::MaybeValue TextValues::fail(const char* first, ValueFault fault) {
   fault_ = std::move(fault);
-  fault_text_ = {first, static_cast<std::size_t>(at_ - first)};
+  fault_text_ = {first, at_};
   return std::nullopt;
 }
 
@@ -118,7 +118,7 @@ bool TextValues::read_setting(const char*& at) {
     if (!number) return false;
     setting.number = *number;
   }
-  setting.text = {at, static_cast<std::size_t>(at_ - at)};
+  setting.text = {at, at_};
   skip_blanks();
   if (character() != '=') return false;
   ++at_;
@@ -190,7 +190,7 @@ TextValues::MaybeValue TextValues::parameter() {
     result = parameters_.numbered(*number, fault_);
   }
   --depth_;
-  if (!result) fault_text_ = {first, static_cast<std::size_t>(at_ - first)};
+  if (!result) fault_text_ = {first, at_};
   return result;
 }
 
@@ -212,7 +212,7 @@ TextValues::MaybeValue TextValues::binary(int level) {
   while (left) {
     const char* const last = at_;
     skip_blanks();
-    const BracketOperator* const found = operator_of({at_, static_cast<std::size_t>(end_ - at_)});
+    const BracketOperator* const found = operator_of({at_, end_});
     if (found == nullptr || found->level < level) {
       at_ = last;
       return left;

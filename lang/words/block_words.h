@@ -16,11 +16,12 @@ namespace stanok::lang {
 // Bit k stands for the k-th letter, A = 0.
 using LetterSet = std::uint32_t;
 
-[[nodiscard]] constexpr int letter_index(char upper) {
-  return upper - 'A';
+// A = 0.
+[[nodiscard]] constexpr std::size_t place_in_alphabet(char upper) {
+  return static_cast<std::size_t>(upper - 'A');
 }
 [[nodiscard]] constexpr LetterSet letter_bit(char upper) {
-  return LetterSet{1} << (static_cast<unsigned>(letter_index(upper)) & 31U);
+  return LetterSet{1} << (place_in_alphabet(upper) & 31U);
 }
 [[nodiscard]] constexpr LetterSet letters_of(std::string_view uppers) {
   LetterSet set = 0;
@@ -28,14 +29,27 @@ using LetterSet = std::uint32_t;
   return set;
 }
 
+// A value for each letter, read by it.
+template <class Value>
+struct LetterArray : std::array<Value, 26> {
+  [[nodiscard]] constexpr Value& operator[](char upper) {
+    return std::array<Value, 26>::operator[](place_in_alphabet(upper));
+  }
+  [[nodiscard]] constexpr const Value& operator[](char upper) const {
+    return std::array<Value, 26>::operator[](place_in_alphabet(upper));
+  }
+};
+
 // Stands for G=expr and M=expr until the value is known.
 inline constexpr CodeNumber code_computed_later = -1;
 
 // The codes of one letter in a block, in the order written.
 struct CodeList {
-  static constexpr int capacity = 16;  // a line that sets all modes has ten and more
+  static constexpr std::size_t capacity = 16;  // a line that sets all modes has ten and more
   std::array<CodeNumber, capacity> numbers{};
-  int count = 0;
+  std::size_t count = 0;
+
+  void add(CodeNumber number) { numbers[count++] = number; }
 
   [[nodiscard]] const CodeNumber* begin() const { return numbers.data(); }
   [[nodiscard]] const CodeNumber* end() const { return numbers.data() + count; }
@@ -53,7 +67,7 @@ struct NamedWord {
 struct BlockWords {
   LetterSet letters = 0;  // all words of one letter but G, M, N and O
   LetterSet whole = 0;    // those of them written as a number without decimal point
-  std::array<double, 26> values{};
+  LetterArray<double> values{};
   CodeList g;
   CodeList m;
   std::vector<NamedWord> named;
@@ -69,9 +83,7 @@ struct BlockWords {
     if (!named.empty()) named.clear();
   }
   [[nodiscard]] bool has(char letter) const { return (letters & letter_bit(letter)) != 0; }
-  [[nodiscard]] double value(char letter) const {
-    return values[static_cast<std::size_t>(letter_index(letter))];
-  }
+  [[nodiscard]] double value(char letter) const { return values[letter]; }
   [[nodiscard]] bool empty() const {
     return letters == 0 && g.count == 0 && m.count == 0 && named.empty() && !spindle_named;
   }

@@ -11,28 +11,28 @@ ChannelWords::ChannelWords(const ChannelDescription& channel)
     if (!axis.rotary) linear_ = static_cast<AxisSet>(linear_ | axis_bit(i));
     if (axis.spindle != 0) spindle_axes_ = static_cast<AxisSet>(spindle_axes_ | axis_bit(i));
     if (axis.geometry >= 0 && axis.geometry < 3) {
-      geometry_[static_cast<std::size_t>(axis.geometry)] = static_cast<int>(i);
+      geometry_[AxisIndex(axis.geometry).place()] = i;
     }
     if (axis.word.size() != 1 || !is_letter(axis.word[0])) continue;
     const char letter = upper_case(axis.word[0]);
     letters_ |= letter_bit(letter);
-    axis_[static_cast<std::size_t>(letter_index(letter))] = i;
+    axis_[letter] = i;
   }
   if (channel.kind != ChannelKind::lathe) return;
   for (std::size_t k = 0; k < geometry_.size(); ++k) {
     const char letter = "UVW"[k];
-    if (geometry_[k] < 0 || (letters_ & letter_bit(letter)) != 0) continue;
+    if (!geometry_[k].exists() || (letters_ & letter_bit(letter)) != 0) continue;
     incremental_letters_ |= letter_bit(letter);
-    axis_[static_cast<std::size_t>(letter_index(letter))] = static_cast<std::size_t>(geometry_[k]);
+    axis_[letter] = geometry_[k];
   }
 }
 
-int ChannelWords::axis_called(std::string_view name) const {
+AxisIndex ChannelWords::axis_called(std::string_view name) const {
   const std::string wanted = folded(name);
   for (std::size_t i = 0; i < channel_.axes.size(); ++i) {
-    if (folded(channel_.axes[i].word) == wanted) return static_cast<int>(i);
+    if (folded(channel_.axes[i].word) == wanted) return i;
   }
-  return -1;
+  return {};
 }
 
 }  // namespace stanok::lang

@@ -5,12 +5,23 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/axis_index.h"
+#include "base/enum_array.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
 #include "lang/words/block_words.h"
 #include "lang/words/channel_dialect.h"
 
 namespace stanok::lang {
+
+// Which of X, Y and Z (0, 1, 2) lie in a plane, in the order of its arcs, and which along its tool.
+struct PlaneCoordinates {
+  std::size_t first = 0;
+  std::size_t second = 1;
+  std::size_t normal = 2;
+};
+inline constexpr EnumArray<Plane, PlaneCoordinates> plane_coordinates{
+    PlaneCoordinates{0, 1, 2}, PlaneCoordinates{2, 0, 1}, PlaneCoordinates{1, 2, 0}};
 
 class ChannelWords {
  public:
@@ -19,17 +30,17 @@ class ChannelWords {
   [[nodiscard]] const ChannelDescription& channel() const { return channel_; }
   // Letters that are axis words here.
   [[nodiscard]] LetterSet letters() const { return letters_; }
-  // Axis of a letter that is one, by index of the channel.
-  [[nodiscard]] std::size_t axis(int letter_at) const {
-    return axis_[static_cast<std::size_t>(letter_at)];
-  }
+  // Axis of a letter that is one.
+  [[nodiscard]] AxisIndex axis(char letter) const { return axis_[letter]; }
   // U, V and W where they stand for incremental X, Y and Z: on lathe channels without such axes.
   [[nodiscard]] LetterSet incremental_letters() const { return incremental_letters_; }
-  // Axis called `name` (any case), or -1.
-  [[nodiscard]] int axis_called(std::string_view name) const;
-  // Axis that is the channel's X, Y or Z (0, 1, 2), or -1.
-  [[nodiscard]] int geometry_axis(std::size_t coordinate) const { return geometry_[coordinate]; }
-  [[nodiscard]] const std::array<int, 3>& geometry() const { return geometry_; }
+  // Axis called `name` (any case), or none.
+  [[nodiscard]] AxisIndex axis_called(std::string_view name) const;
+  // Axis that is the channel's X, Y or Z (0, 1, 2), or none.
+  [[nodiscard]] AxisIndex geometry_axis(std::size_t coordinate) const {
+    return geometry_[coordinate];
+  }
+  [[nodiscard]] const std::array<AxisIndex, 3>& geometry() const { return geometry_; }
   [[nodiscard]] AxisSet linear_axes() const { return linear_; }
   // Axes that are spindles until M902.
   [[nodiscard]] AxisSet spindle_axes() const { return spindle_axes_; }
@@ -39,8 +50,8 @@ class ChannelWords {
   const ChannelDescription& channel_;
   LetterSet letters_ = 0;
   LetterSet incremental_letters_ = 0;
-  std::array<std::size_t, 26> axis_{};
-  std::array<int, 3> geometry_{-1, -1, -1};
+  LetterArray<AxisIndex> axis_{};
+  std::array<AxisIndex, 3> geometry_{};
   AxisSet linear_ = 0;
   AxisSet spindle_axes_ = 0;
   ChannelDialect dialect_;

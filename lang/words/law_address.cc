@@ -6,15 +6,15 @@
 namespace stanok::lang {
 namespace {
 
-constexpr auto names =
-    std::to_array<std::string_view>({"S_n", "S_k", "dS", "dl", "Smin", "Smax", "n_s", "L_A", "L_B",
-                                     "n_n", "n_k", "dn", "v_n", "v_k", "dv"});
-static_assert(names.size() == law_address_count);
+constexpr LawAddressArray<std::string_view> names{"S_n",  "S_k", "dS",  "dl",  "Smin",
+                                                  "Smax", "n_s", "L_A", "L_B", "n_n",
+                                                  "n_k",  "dn",  "v_n", "v_k", "dv"};
+static_assert(!names.back().empty());
 
 }  // namespace
 
 std::string_view name_of(LawAddress address) {
-  return names[static_cast<std::size_t>(address)];
+  return names[address];
 }
 
 std::optional<LawAddress> find_law_address(std::string_view name) {

@@ -1,10 +1,11 @@
 // The addresses of feed laws: S_n, dS, dl, ... What they make together: lang/feed_law.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "base/enum_array.h"
 
 namespace stanok::lang {
 
@@ -25,7 +26,9 @@ enum class LawAddress : std::uint8_t {
   cutting_last,   // v_k
   cutting_step,   // dv
 };
-inline constexpr std::size_t law_address_count = 15;
+// A value for each address.
+template <class Value>
+using LawAddressArray = EnumArray<LawAddress, Value>;
 
 // As programs write it: "S_n".
 [[nodiscard]] std::string_view name_of(LawAddress address);

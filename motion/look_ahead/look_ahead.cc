@@ -212,7 +212,8 @@ void LookAhead::commit_chunks(std::size_t segments, std::vector<Phase>& phases, 
 void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
   const Segment& last = end.segments.back();
   const Segment& first = start.segments.front();
-  // Straight paths that are nothing beside the length of their block give way to blends: no overlap.
+  // Straight paths that are nothing beside the length of their block give way to blends: no
+  // overlap.
   if (last.geometry.kind == SegmentKind::line && first.geometry.kind == SegmentKind::line) {
     end.chunk.overlap_s =
         overlap_duration(*end.overlap, last_ramp(end.phases), first_ramp(start.phases),

@@ -66,9 +66,10 @@ void CuttingProcess::advance(const ToolPoint& tool, double rev_per_min, double d
 
   force_mean_n_ += (force_n_ - force_mean_n_) * std::min(dt_s / deflection_s, 1.0);
   const double step_s = dt_s / (vibration_samples * steps_per_sample);
+  const Engagement engagement = force_n_ > 0.0 ? Engagement::in_cut : Engagement::out_of_cut;
   for (double& sample : vibration_um_) {
     for (int k = 0; k < steps_per_sample; ++k)
-      oscillation_.advance(force_n_ - force_mean_n_, force_n_ > 0.0, step_s);
+      oscillation_.advance(force_n_ - force_mean_n_, engagement, step_s);
     sample = oscillation_.displacement_um();
   }
 }

@@ -1,8 +1,8 @@
 // CuttingProcess: the force on a turning tool, the power it takes and the vibration it makes.
 //
 //   P_z = C t h^y (HB / HB_0)^e,  N = P_z w R / efficiency
-// t: depth of cut from the stock; h: thickness of the chip, the travel of the tool in the cut over the
-// last revolution, so that a change of feed acts over a whole one; HB: hardness of the material
+// t: depth of cut from the stock; h: thickness of the chip, the travel of the tool in the cut over
+// the last revolution, so that a change of feed acts over a whole one; HB: hardness of the material
 // there. Allocates in its constructor only.
 #pragma once
 

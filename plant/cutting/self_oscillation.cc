@@ -15,22 +15,25 @@ constexpr double damping_max = 1.0;
 
 }  // namespace
 
-double SelfOscillation::acceleration(double x_um, double v, double force_n, bool cuts) const
-    RT_SAFE {
+double SelfOscillation::acceleration(double x_um, double v, double force_n,
+                                     Engagement engagement) const RT_SAFE {
   constexpr double um_per_m = 1e6;
   const double omega = 2.0 * std::numbers::pi * config_.frequency_hz;
   const double part = x_um / config_.amplitude_um;
   const double damping =
-      cuts ? std::min(-config_.negative_damping * (1.0 - 4.0 * part * part), damping_max)
-           : config_.negative_damping;
+      engagement == Engagement::in_cut
+          ? std::min(-config_.negative_damping * (1.0 - 4.0 * part * part), damping_max)
+          : config_.negative_damping;
   return um_per_m * force_n / config_.mass_kg - 2.0 * damping * omega * v - omega * omega * x_um;
 }
 
-void SelfOscillation::advance(double force_n, bool cuts, double dt_s) RT_SAFE {
+void SelfOscillation::advance(double force_n, Engagement engagement, double dt_s) RT_SAFE {
   if (config_.amplitude_um <= 0.0) return;
-  if (!cuts && std::abs(x_um_) < seed_um && std::abs(v_) < seed_um) return;
+  const bool is_at_rest = std::abs(x_um_) < seed_um && std::abs(v_) < seed_um;
+  if (engagement == Engagement::out_of_cut && is_at_rest) return;
   const double h = dt_s;
-  const auto a = [&](double x, double v) RT_SAFE { return acceleration(x, v, force_n, cuts); };
+  const auto a = [&](double x, double v)
+                     RT_SAFE { return acceleration(x, v, force_n, engagement); };
   const double v1 = v_;
   const double a1 = a(x_um_, v_);
   const double v2 = v_ + 0.5 * h * a1;

@@ -8,6 +8,8 @@
 // Runge-Kutta of fourth order.
 #pragma once
 
+#include <cstdint>
+
 #include "base/rt_safe.h"
 
 namespace stanok::plant {
@@ -19,16 +21,19 @@ struct SelfOscillationConfig {
   double negative_damping = 0.05;  // d
 };
 
+enum class Engagement : std::uint8_t { out_of_cut, in_cut };
+
 class SelfOscillation {
  public:
   explicit SelfOscillation(const SelfOscillationConfig& config) : config_(config) {}
 
   // `force_n`: less its mean.
-  void advance(double force_n, bool cuts, double dt_s) RT_SAFE;
+  void advance(double force_n, Engagement engagement, double dt_s) RT_SAFE;
   [[nodiscard]] double displacement_um() const RT_SAFE { return x_um_; }
 
  private:
-  [[nodiscard]] double acceleration(double x_um, double v, double force_n, bool cuts) const RT_SAFE;
+  [[nodiscard]] double acceleration(double x_um, double v, double force_n,
+                                    Engagement engagement) const RT_SAFE;
 
   SelfOscillationConfig config_;
   double x_um_ = 0.01;  // a seed: at rest it would stay at rest

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place.h"
+
 namespace stanok::plant {
 namespace {
 
@@ -19,7 +21,7 @@ Stock::Stock(const std::vector<config::StockSection>& sections) {
     const bool is_last = k + 1 == sections.size();
     const double end =
         is_last ? face_mm_ - sections[k].z_mm + last_section_mm : face_mm_ - sections[k + 1].z_mm;
-    cells_.resize(static_cast<std::size_t>(std::lround(end / cell_mm)),
+    cells_.resize(checked_size(std::lround(end / cell_mm)),
                   {.radius_mm = sections[k].radius_mm, .hardness_hb = sections[k].hardness_hb});
   }
 }
@@ -28,7 +30,7 @@ Stock::Stock(const std::vector<config::StockSection>& sections) {
 std::size_t Stock::cell_at(double z_mm) const RT_SAFE {
   const double place = (face_mm_ - z_mm) / cell_mm;
   if (place <= 0.0) return 0;
-  return std::min(static_cast<std::size_t>(place), cells_.size() - 1);
+  return std::min(place_of(place), cells_.size() - 1);
 }
 
 double Stock::clear(std::size_t first, std::size_t end, double x_mm) RT_SAFE {

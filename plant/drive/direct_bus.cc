@@ -74,7 +74,7 @@ void DirectBus::exchange(Axis& axis, const drives::DriveTarget& target) RT_SAFE 
   axis.exchange.supervise(now_);
   ++exchanges_;
   if (error) {
-    ++errors_[static_cast<std::size_t>(*error)];
+    ++errors_[*error];
   }
 }
 

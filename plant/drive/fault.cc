@@ -1,29 +1,32 @@
 // Names of the injected faults.
 #include "plant/drive/fault.h"
 
-#include <algorithm>
-#include <array>
+#include "base/enum_names.h"
 
 namespace stanok::plant {
 namespace {
 
-// In the order of the enumeration.
-constexpr std::array<std::string_view, fault_kind_count> names = {
-    "none", "off",       "stuck",   "garbage", "slow",   "intermittent",
-    "trip", "elsewhere", "mangled", "hang_up", "jammed", "frozen"};
+constexpr auto names = enum_names<FaultKind>({{FaultKind::none, "none"},
+                                              {FaultKind::off, "off"},
+                                              {FaultKind::stuck, "stuck"},
+                                              {FaultKind::garbage, "garbage"},
+                                              {FaultKind::slow, "slow"},
+                                              {FaultKind::intermittent, "intermittent"},
+                                              {FaultKind::trip, "trip"},
+                                              {FaultKind::elsewhere, "elsewhere"},
+                                              {FaultKind::mangled, "mangled"},
+                                              {FaultKind::hang_up, "hang_up"},
+                                              {FaultKind::jammed, "jammed"},
+                                              {FaultKind::frozen, "frozen"}});
 
 }  // namespace
 
 std::string_view name_of(FaultKind kind) {
-  return names[static_cast<std::size_t>(kind)];
+  return names[kind];
 }
 
 std::optional<FaultKind> fault_named(std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    return std::nullopt;
-  }
-  return static_cast<FaultKind>(found - names.begin());
+  return names.value(name);
 }
 
 }  // namespace stanok::plant

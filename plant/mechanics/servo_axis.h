@@ -33,8 +33,8 @@ class ServoAxis final : public Motor {
   [[nodiscard]] double power_w() const RT_SAFE override;
 
  private:
-  // Travel of the load in the step, velocity of the load, stretch of the spring times r, velocity of
-  // the motor, its acceleration over w, demand: all in mm/s or deg/s but the first.
+  // Travel of the load in the step, velocity of the load, stretch of the spring times r, velocity
+  // of the motor, its acceleration over w, demand: all in mm/s or deg/s but the first.
   static constexpr std::size_t state_size = 6;
   using State = std::array<double, state_size>;
   using Matrix = std::array<State, state_size>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::plant {
 namespace {
@@ -18,7 +19,7 @@ modbus_mapping_t* holding_registers(int count) {
 }
 
 std::span<std::uint16_t> image_of(modbus_mapping_t& mapping) {
-  return {mapping.tab_registers, static_cast<std::size_t>(mapping.nb_registers)};
+  return {mapping.tab_registers, checked_size(mapping.nb_registers)};
 }
 
 double seconds(std::chrono::nanoseconds time) {
@@ -158,7 +159,7 @@ void DriveBank::write_panel(const RegisterWrite& write) {
     return;
   }
   for (std::size_t i = 0; i < write.values.size(); ++i) {
-    drives_[static_cast<std::size_t>(write.first) + i].injected.store(write.values[i]);
+    drives_[checked_size(write.first) + i].injected.store(write.values[i]);
   }
   apply_injections();
 }

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "base/place.h"
+
 namespace stanok::plant {
 namespace {
 
@@ -19,7 +21,7 @@ std::optional<std::size_t> drive_named(std::string_view axis,
   const auto found = std::ranges::find_if(
       drives, [&](const SimulatedDriveConfig& drive) { return drive.registers.axis == axis; });
   if (found == drives.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - drives.begin());
+  return checked_size(found - drives.begin());
 }
 
 std::optional<double> number_of(const std::string& word) {

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::plant {
 namespace {
@@ -205,14 +206,14 @@ void ModbusServer::serve_serial_line() {
   if (length <= 0) {
     return;
   }
-  serial_requests_.append(std::span(buffer).first(static_cast<std::size_t>(length)));
+  serial_requests_.append(std::span(buffer).first(checked_size(length)));
   while (auto request = serial_requests_.next()) {
     static_cast<void>(serve(listener_, std::move(*request)));
   }
 }
 
 ModbusServer::Connection ModbusServer::serve(int socket, std::vector<std::uint8_t> request) {
-  const auto header = static_cast<std::size_t>(modbus_get_header_length(context_.get()));
+  const std::size_t header = checked_size(modbus_get_header_length(context_.get()));
   const auto kind = bank_.answer_kind(request[header - 1]);
   if (!kind) {
     return refuse_unknown_unit(socket, std::move(request));
@@ -236,7 +237,7 @@ ModbusServer::Connection ModbusServer::serve(int socket, std::vector<std::uint8_
 
 ModbusServer::Connection ModbusServer::answer(int socket,
                                               const std::vector<std::uint8_t>& request) {
-  const auto header = static_cast<std::size_t>(modbus_get_header_length(context_.get()));
+  const std::size_t header = checked_size(modbus_get_header_length(context_.get()));
   const std::size_t trailer = is_serial() ? 2 : 0;
   const auto pdu = std::span(request).subspan(header, request.size() - header - trailer);
   modbus_mapping_t* registers = bank_.registers_after(request[header - 1], pdu);

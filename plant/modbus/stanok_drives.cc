@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "base/place.h"
 #include "base/utf8.h"
 #include "config/files/machine_file.h"
 #include "plant/modbus/drive_console.h"
@@ -124,7 +125,7 @@ void serve_until_signal(const sigset_t& signals, const std::vector<SimulatedDriv
     std::array<char, 4096> bytes{};
     const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
     if (count <= 0) polled[1].fd = -1;
-    text.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    text.append(bytes.data(), checked_size(std::max<ssize_t>(count, 0)));
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
       const std::string wrong = carry_out(text.substr(0, end), drives, server);
       if (!wrong.empty()) std::cerr << "stanok-drives: " << wrong << '\n';
@@ -142,7 +143,8 @@ int serve(const Options& options) {
   for (const std::string& text : options.faults) {
     const auto found = injection_of(text, drives);
     if (!found) {
-      std::cerr << "stanok-drives: --fault " << text << ": there is no such axis or fault; see --help\n";
+      std::cerr << "stanok-drives: --fault " << text
+                << ": there is no such axis or fault; see --help\n";
       return exit_usage;
     }
     injections.push_back(*found);

@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::plant {
 
 VibrationModule::VibrationModule(const drives::VibrationSensorConfig& config)
     : config_(config),
       registers_(modbus_mapping_new(0, 0, config.first_register + 1 + config.count, 0)),
-      samples_(static_cast<std::size_t>(config.count)) {
+      samples_(checked_size(config.count)) {
   STANOK_ASSERT(registers_ != nullptr);
 }
 

@@ -2,6 +2,8 @@
 // formed from the power setpoint, and the way round it for rapid moves.
 #pragma once
 
+#include <cstdint>
+
 #include "base/rt_safe.h"
 #include "process/adaptive/power_correction.h"
 
@@ -17,10 +19,12 @@ namespace stanok::process {
   return mean_w > 0.0 ? power_w / mean_w : 1.0;
 }
 
-// Block 23: under the rapid flag the code of block 1, as it is.
-[[nodiscard]] constexpr double rapid_key(bool is_rapid, double code_of_program,
+enum class Traverse : std::uint8_t { feed, rapid };
+
+// Block 23: in rapid traverse the code of block 1, as it is.
+[[nodiscard]] constexpr double rapid_key(Traverse traverse, double code_of_program,
                                          double code_of_clock) RT_SAFE {
-  return is_rapid ? code_of_program : code_of_clock;
+  return traverse == Traverse::rapid ? code_of_program : code_of_clock;
 }
 
 }  // namespace stanok::process

@@ -142,7 +142,7 @@ void ForceControl::count_radius(const motion::CutState& cut) RT_SAFE {
   const RadiusCounter::Slide slide{.position_mm = cut.transverse_mm,
                                    .code = cut.transverse_code,
                                    .increment_mm = cut.increment_mm};
-  key_.block(cut.frame_is_new);
+  key_.set_blocked(cut.frame_is_new);
   radius_.count(key_.pass(slide.code - transverse_code_));
   if (cut.frame_is_new) radius_.preset(cut.radius_mm, slide);
   transverse_code_ = slide.code;
@@ -213,7 +213,8 @@ motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
   const double clock = std::clamp(part * controller_.feed_per_rev() * turns_per_s,
                                   status_.feed_min_per_s, status_.feed_max_per_s);
   constexpr double code_of_program = 0.0;
-  return demand(controller_.has_feed() ? rapid_key(cut.is_rapid, code_of_program, clock)
+  const Traverse traverse = cut.is_rapid ? Traverse::rapid : Traverse::feed;
+  return demand(controller_.has_feed() ? rapid_key(traverse, code_of_program, clock)
                                        : code_of_program);
 }
 

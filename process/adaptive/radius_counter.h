@@ -17,13 +17,13 @@ namespace stanok::process {
 // Block 11: lets pulses through to the transverse drive, but for those of an overhang command.
 class OverhangKey {
  public:
-  void block(bool blocks) RT_SAFE { blocks_ = blocks; }
+  void set_blocked(bool blocked) RT_SAFE { is_blocked_ = blocked; }
   [[nodiscard]] std::int64_t pass(std::int64_t pulses) const RT_SAFE {
-    return blocks_ ? 0 : pulses;
+    return is_blocked_ ? 0 : pulses;
   }
 
  private:
-  bool blocks_ = false;
+  bool is_blocked_ = false;
 };
 
 // Block 10.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/place.h"
 #include "process/grinding/boundary.h"
 #include "process/grinding/control_line.h"
 #include "process/grinding/number_text.h"
@@ -269,7 +270,7 @@ std::string control_text(const ControlFile& file) {
     sheet.push_back(file.process.*quantity.value);
   }
   sheet.push_back(static_cast<double>(file.law.size()) - 1.0);
-  const auto rows = static_cast<std::size_t>(std::ranges::count_if(lines, is_row));
+  const auto rows = checked_size(std::ranges::count_if(lines, is_row));
   std::string text;
   std::size_t quantity = 0;
   std::size_t row = 0;

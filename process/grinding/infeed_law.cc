@@ -11,8 +11,8 @@ double relative_growth(double z) {
   return z == 0.0 ? 1.0 : std::expm1(z) / z;
 }
 
-// Time of a travel along which the feed goes linearly from `first` to `last`: the distance divided by their
-// logarithmic mean, s.
+// Time of a travel along which the feed goes linearly from `first` to `last`: the distance divided
+// by their logarithmic mean, s.
 double linear_feed_time_s(double way_mm, double first, double last) {
   const double change = (last - first) / first;
   return way_mm / first * (change == 0.0 ? 1.0 : std::log1p(change) / change);

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "base/place.h"
+
 namespace stanok::process {
 namespace {
 
@@ -20,11 +22,9 @@ std::string number_text(double value) {
 std::string number_text(double value, int decimals) {
   std::string text = number_text(value);
   const std::size_t point = text.find('.');
-  const std::size_t has = point == std::string::npos ? 0 : text.size() - point - 1;
+  std::size_t has = point == std::string::npos ? 0 : text.size() - point - 1;
   if (point == std::string::npos && decimals > 0) text += '.';
-  if (has < static_cast<std::size_t>(decimals)) {
-    text.append(static_cast<std::size_t>(decimals) - has, '0');
-  }
+  for (const std::size_t wanted = checked_size(decimals); has < wanted; ++has) text += '0';
   return text;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place.h"
+
 namespace stanok::process {
 namespace {
 
@@ -36,7 +38,7 @@ class NodeErrors {
   void add(double x_mm, double error) {
     const double place =
         std::clamp((begin_mm_ - x_mm) / spacing_mm_, 0.0, static_cast<double>(sum_.size()) - 1.0);
-    const auto node = std::min(static_cast<std::size_t>(place), sum_.size() - 2);
+    const auto node = std::min(checked_size(place), sum_.size() - 2);
     const double part = place - static_cast<double>(node);
     sum_[node] += (1.0 - part) * error;
     weight_[node] += 1.0 - part;

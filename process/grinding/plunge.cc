@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/place.h"
 #include "process/grinding/elastic_system.h"
 
 namespace stanok::process {
@@ -13,7 +14,7 @@ namespace {
 class Surface {
  public:
   Surface(int angles, double allowance_mm)
-      : depth_mm_(static_cast<std::size_t>(angles), 0.0),
+      : depth_mm_(checked_size(angles), 0.0),
         allowance_mm_(allowance_mm),
         oversize_(depth_mm_.size()) {}
 
@@ -64,7 +65,7 @@ class Plunge {
   [[nodiscard]] PlungeRun run() && {
     const double time_max_s =
         options_.at_end == InfeedWay::AtEnd::goes_on ? options_.time_max_s : planned_time_s();
-    run_.samples.reserve(static_cast<std::size_t>(planned_time_s() / step_s_) + 2);
+    run_.samples.reserve(checked_size(planned_time_s() / step_s_) + 2);
     for (std::int64_t step = 1; !is_done(time_max_s); ++step) {
       advance(static_cast<double>(step) * step_s_);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place.h"
+
 namespace stanok::process {
 namespace {
 
@@ -90,8 +92,7 @@ class StaircaseTuning {
     for (std::size_t k = 0; k <= places_mm.size(); ++k) {
       const double end = k < places_mm.size() ? places_mm[k] : law.x_mm.back();
       const auto place = std::lower_bound(law.x_mm.begin(), law.x_mm.end(), end, std::greater<>());
-      const auto index =
-          std::min(static_cast<std::size_t>(place - law.x_mm.begin()), law.x_mm.size() - 1);
+      const auto index = std::min(checked_size(place - law.x_mm.begin()), law.x_mm.size() - 1);
       steps.push_back({begin_mm, law.feed_mm_per_s[index]});
       begin_mm = end;
     }

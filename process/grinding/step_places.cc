@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/place.h"
 #include "process/grinding/force_law.h"
 #include "process/grinding/staircase.h"
 
@@ -18,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Index of the place of the law nearest to x.
 std::size_t nearest_place(const QuasiSteadyLaw& law, double x_mm) {
   const auto after = std::lower_bound(law.x_mm.begin(), law.x_mm.end(), x_mm, std::greater<>());
-  return std::min(static_cast<std::size_t>(after - law.x_mm.begin()), law.x_mm.size() - 1);
+  return std::min(checked_size(after - law.x_mm.begin()), law.x_mm.size() - 1);
 }
 
 // Least time to come from each place to the end with a number of switch points, and the place of

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/place.h"
 #include "programs/generators/curve_split.h"
 
 namespace stanok::programs {
@@ -138,8 +139,7 @@ class CarBody {
     approach(on_surface(row_x(first), is_upward(first) ? -row_end() : row_end()));
     for (int row = first; row <= last; ++row) {
       const double x = row_x(row);
-      const auto index = static_cast<std::size_t>(row);
-      follow(index, [x](double y) { return on_surface(x, y); });
+      follow(row, [x](double y) { return on_surface(x, y); });
       if (row < last) turn(row);
     }
   }
@@ -147,8 +147,8 @@ class CarBody {
   void turn(int row) {
     const double y = is_upward(row) ? row_end() : -row_end();
     const double to_next = row_x(row + 1) - row_x(row);
-    program_.arc_xy(on_surface(row_x(row + 1), y), {0.5 * to_next, 0.0}, is_upward(row),
-                    budget_.feed_low);
+    program_.arc_xy(on_surface(row_x(row + 1), y), {0.5 * to_next, 0.0},
+                    is_upward(row) ? Turn::clockwise : Turn::counter_clockwise, budget_.feed_low);
   }
 
   void cross_row(int row) {
@@ -156,14 +156,14 @@ class CarBody {
     const double end = half_width - roll_radius;
     if (row == 0) program_.comment("(ROWS ACROSS THE CAR)");
     approach({-half_width, y, roll_radius - depth, stay, stay});
-    program_.quarter_zx(on_surface(-end, y), {0.0, roll_radius}, true, budget_.feed_low);
-    follow(static_cast<std::size_t>(plan_.rows) + static_cast<std::size_t>(row),
-           [y](double x) { return on_surface(x, y); });
-    program_.quarter_zx({half_width, y, roll_radius - depth}, {roll_radius, 0.0}, true,
+    program_.quarter_zx(on_surface(-end, y), {0.0, roll_radius}, Turn::clockwise, budget_.feed_low);
+    follow(plan_.rows + row, [y](double x) { return on_surface(x, y); });
+    program_.quarter_zx({half_width, y, roll_radius - depth}, {roll_radius, 0.0}, Turn::clockwise,
                         budget_.feed_low);
   }
 
-  void follow(std::size_t index, const CurveSplit::Curve& curve) {
+  void follow(int row, const CurveSplit::Curve& curve) {
+    const std::size_t index = checked_size(row);
     for (const double parameter : splits_[index].ends(counts_[index])) {
       const Point point = curve(parameter);
       program_.line(point, feed_at(point));

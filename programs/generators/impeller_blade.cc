@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/place.h"
 #include "programs/generators/curve_split.h"
 
 namespace stanok::programs {
@@ -154,7 +155,7 @@ class BladeRaster {
     for (int row = first; row <= last; ++row) {
       const CurveSplit::Curve curve = row_curve(row);
       if (row > first) cut(curve(row_start(row)), budget_.feed_low);  // step over at the row's end
-      const auto index = static_cast<std::size_t>(row);
+      const std::size_t index = checked_size(row);
       for (const double u : splits_[index].ends(counts_[index])) cut(curve(u), feed_at(u));
     }
     program_.rapid({last_[0], last_[1], clearance_z, last_[3], last_[4]});

@@ -32,8 +32,8 @@ std::string number(double value) {
 
 enum class RowEnd : std::uint8_t { passes, stops };
 
-void append_row(std::string& csv, const PathStep& step, int axis_count, RowEnd end) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
+void append_row(std::string& csv, const PathStep& step, std::size_t axis_count, RowEnd end) {
+  for (std::size_t k = 0; k < axis_count; ++k) {
     csv.append(number(step.end[k])).push_back(',');
   }
   csv.append(number(step.feed_mm_per_s)).push_back(',');
@@ -45,7 +45,7 @@ void append_row(std::string& csv, const PathStep& step, int axis_count, RowEnd e
 }  // namespace
 
 std::string path_csv(const Workload& workload, const BlockRange& range) {
-  const int axis_count = workload.layout.axis_count;
+  const std::size_t axis_count = workload.layout.axis_count;
   const std::vector<PathStep>& path = workload.program.path();
   std::string csv = axis_count == 5 ? "x,y,z,b,c,f,g,i,j,stop\n" : "x,y,z,f,g,i,j,stop\n";
   const PathStep* start = &path.front();
@@ -68,7 +68,7 @@ std::string path_csv(const Workload& workload, const BlockRange& range) {
 
 std::string limits_json(const Workload& workload) {
   std::string json = "{\"axes\": {";
-  for (std::size_t k = 0; k < static_cast<std::size_t>(workload.layout.axis_count); ++k) {
+  for (std::size_t k = 0; k < workload.layout.axis_count; ++k) {
     const Limits& axis = limits[k];
     if (k > 0) json.append(", ");
     json.append("\"").append(axis.axis).append("\": {\"v\": ").append(number(axis.velocity));

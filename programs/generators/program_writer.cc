@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "base/place.h"
 #include "base/units.h"
 
 namespace stanok::programs {
@@ -26,11 +27,16 @@ double length_of(const Point& from, const PathStep& step) {
   return std::hypot(std::hypot(step.centre[0], step.centre[1]) * sweep, dz);
 }
 
+// G2 or G3, which is the shape of the step too.
+int code_of(Turn turn) {
+  return turn == Turn::clockwise ? 2 : 3;
+}
+
 }  // namespace
 
 std::string decimal_text(std::int64_t units, int decimals) {
   std::string digits = std::to_string(std::llabs(units));
-  const auto places = static_cast<std::size_t>(decimals);
+  const std::size_t places = checked_size(decimals);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
   if (places > 0) digits.insert(digits.size() - places, ".");
   return units < 0 ? "-" + digits : digits;
@@ -74,27 +80,27 @@ void ProgramWriter::line(const Point& end, double feed_mm_per_min) {
   end_block();
 }
 
-void ProgramWriter::arc_xy(const Point& end, std::array<double, 2> centre_xy, bool clockwise,
+void ProgramWriter::arc_xy(const Point& end, std::array<double, 2> centre_xy, Turn turn,
                            double feed_mm_per_min) {
   const Units centre = rounded({centre_xy[0], centre_xy[1]});
   begin_block();
   plane(17);
-  motion_code(clockwise ? 2 : 3);
+  motion_code(code_of(turn));
   axis_words(end);
   line_.append(word('I', centre[0])).append(word('J', centre[1]));
   feed_word(feed_mm_per_min);
   move(end, {.feed_mm_per_s = feed_mm_per_s(),
-             .shape = clockwise ? 2 : 3,
+             .shape = code_of(turn),
              .centre = {value(centre)[0], value(centre)[1]}});
   end_block();
 }
 
-void ProgramWriter::quarter_zx(const Point& end, std::array<double, 2> centre_zx, bool clockwise,
+void ProgramWriter::quarter_zx(const Point& end, std::array<double, 2> centre_zx, Turn turn,
                                double feed_mm_per_min) {
   const Units centre = rounded({centre_zx[1], 0.0, centre_zx[0]});
   begin_block();
   plane(18);
-  motion_code(clockwise ? 2 : 3);
+  motion_code(code_of(turn));
   axis_words(end);
   line_.append(word('I', centre[0])).append(word('K', centre[2]));
   feed_word(feed_mm_per_min);
@@ -104,7 +110,7 @@ void ProgramWriter::quarter_zx(const Point& end, std::array<double, 2> centre_zx
   const Point offset = value(centre);
   const double radius = std::hypot(offset[0], offset[2]);
   const double start_angle = std::atan2(-offset[0], -offset[2]);  // from +Z towards +X
-  const double sweep = (clockwise ? -0.5 : 0.5) * std::numbers::pi;
+  const double sweep = (turn == Turn::clockwise ? -0.5 : 0.5) * std::numbers::pi;
   for (int i = 1; i <= quarter_chords; ++i) {
     const double angle = start_angle + sweep * i / quarter_chords;
     Point point = target;
@@ -175,7 +181,7 @@ double ProgramWriter::feed_mm_per_s() const {
 
 bool ProgramWriter::is_at(const Point& end) const {
   const Units target = rounded(end);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(layout_.axis_count); ++k) {
+  for (std::size_t k = 0; k < layout_.axis_count; ++k) {
     if (!std::isnan(end[k]) && (!programmed_[k] || target[k] != position_[k])) return false;
   }
   return true;
@@ -183,7 +189,7 @@ bool ProgramWriter::is_at(const Point& end) const {
 
 void ProgramWriter::axis_words(const Point& end) {
   const Units target = rounded(end);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(layout_.axis_count); ++k) {
+  for (std::size_t k = 0; k < layout_.axis_count; ++k) {
     if (std::isnan(end[k])) continue;
     if (programmed_[k] && position_[k] == target[k] && !layout_.every_word) continue;
     line_.append(word(addresses[k], target[k]));

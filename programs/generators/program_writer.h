@@ -23,13 +23,15 @@ inline constexpr double stay = std::numeric_limits<double>::quiet_NaN();
 
 // How the text looks.
 struct Layout {
-  int axis_count = 3;  // 3: X Y Z, 5: X Y Z B C
+  std::size_t axis_count = 3;  // 3: X Y Z, 5: X Y Z B C
   int decimals = 4;
   int number_step = 10;  // N10 N20 ...
   int feed_decimals = 0;
   bool every_motion_code = false;  // G1 in every motion block, changed or not
   bool every_word = false;         // all axis words and F in every motion block
 };
+
+enum class Turn : std::uint8_t { clockwise, counter_clockwise };  // of an arc
 
 // One motion of the path, in the form of the judges' path files.
 struct PathStep {
@@ -53,11 +55,10 @@ class ProgramWriter {
   void rapid(const Point& end, std::string_view prefix = {});
   void line(const Point& end, double feed_mm_per_min);
   // Half or part circle in XY; `centre` from the start. The other axes stand.
-  void arc_xy(const Point& end, std::array<double, 2> centre_xy, bool clockwise,
-              double feed_mm_per_min);
+  void arc_xy(const Point& end, std::array<double, 2> centre_xy, Turn turn, double feed_mm_per_min);
   // Quarter circle in ZX under G18 with the centre (I, K) from the start; G17 is restored by the
   // next other motion. The path holds it as chords that leave the circle by less than 0.1 um.
-  void quarter_zx(const Point& end, std::array<double, 2> centre_zx, bool clockwise,
+  void quarter_zx(const Point& end, std::array<double, 2> centre_zx, Turn turn,
                   double feed_mm_per_min);
 
   [[nodiscard]] const std::string& text() const { return text_; }

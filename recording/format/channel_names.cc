@@ -8,7 +8,7 @@ namespace stanok::recording {
 namespace {
 
 constexpr std::string_view prefix = "STANOK_";
-constexpr std::array<std::string_view, topic_count> topics{
+constexpr EnumArray<Topic, std::string_view> topics{
     "SETPOINT", "STATE",    "DRIVE",    "PROCESS",  "FORCE",        "EVENT",
     "INPUT",    "ARRIVAL",  "FEEDBACK", "PROGRAM",  "PROGRAM_READ", "WORKPIECE",
     "TOOL",     "TOOL_ROW", "PATH",     "LOG_META", "LOG_TYPES",    "LOG_CHECK"};
@@ -29,9 +29,9 @@ std::string upper_case(std::string_view machine) {
 
 ChannelNames::ChannelNames(std::string_view machine) {
   const std::string stem = std::string(prefix) + upper_case(machine) + "_";
-  for (std::size_t channel = 0; channel < names_.size(); ++channel) {
+  for (int channel = 0; channel <= channels::channels_max; ++channel) {
     const std::string place = channel == 0 ? "" : "CH" + std::to_string(channel) + "_";
-    for (std::size_t topic = 0; topic < topic_count; ++topic) {
+    for (const Topic topic : enum_values<Topic>()) {
       names_[channel][topic] = stem + place + std::string(topics[topic]);
       STANOK_ASSERT(names_[channel][topic].size() <= channel_name_max);
     }
@@ -43,7 +43,7 @@ const std::string& ChannelNames::name(int channel, Topic topic) const {
   const bool is_of_machine =
       topic == Topic::log_meta || topic == Topic::log_types || topic == Topic::log_check;
   const int owner = is_of_machine ? 0 : channel;
-  return names_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(topic)];
+  return names_[owner][topic];
 }
 
 std::string_view topic_of(std::string_view channel_name) {
@@ -56,7 +56,7 @@ std::string_view topic_of(std::string_view channel_name) {
 }
 
 std::string_view name_of(Topic topic) {
-  return topics[static_cast<std::size_t>(topic)];
+  return topics[topic];
 }
 
 }  // namespace stanok::recording

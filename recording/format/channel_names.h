@@ -5,11 +5,12 @@
 // the stream of every cycle only looks them up.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "base/enum_array.h"
+#include "base/numbered.h"
 #include "channels/contract/output.h"
 
 namespace stanok::recording {
@@ -36,7 +37,10 @@ enum class Topic {
   log_types,
   log_check
 };
-inline constexpr std::size_t topic_count = 18;
+
+// A value for each channel, read by its number; 0 is the machine.
+template <class Value>
+using PerChannel = NumberedArray<Value, channels::channels_max + 1>;
 
 class ChannelNames {
  public:
@@ -47,7 +51,7 @@ class ChannelNames {
   [[nodiscard]] const std::string& name(int channel, Topic topic) const;
 
  private:
-  std::array<std::array<std::string, topic_count>, channels::channels_max + 1> names_;
+  PerChannel<EnumArray<Topic, std::string>> names_;
 };
 
 // The topic a channel name ends with, for readers of logs: "SETPOINT"; empty when it is none of

@@ -55,12 +55,12 @@ template <class Predicate>
 std::int16_t bits(int count, Predicate is_set) {
   unsigned mask = 0;
   for (int k = 0; k < count; ++k) {
-    if (is_set(static_cast<std::size_t>(k))) mask |= 1U << static_cast<unsigned>(k);
+    if (is_set(k)) mask |= 1U << static_cast<unsigned>(k);
   }
   return static_cast<std::int16_t>(mask);
 }
 
-bool bit(std::int16_t mask, std::size_t k) {
+bool bit(std::int16_t mask, int k) {
   return (static_cast<unsigned>(mask) >> k & 1U) != 0;
 }
 
@@ -77,9 +77,8 @@ Message zeroed() {
 }  // namespace
 
 std::string_view text_of(std::span<const std::uint8_t> bytes) {
-  const auto end = std::find(bytes.begin(), bytes.end(), std::uint8_t{0});
-  return {reinterpret_cast<const char*>(bytes.data()),
-          static_cast<std::size_t>(end - bytes.begin())};
+  const auto* const characters = reinterpret_cast<const char*>(bytes.data());
+  return {characters, strnlen(characters, bytes.size())};
 }
 
 void put_text(std::string_view text, std::span<std::uint8_t> bytes) {
@@ -93,7 +92,7 @@ setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp
   auto message = zeroed<setpoint_t>();
   put_stamp(stamp, message);
   put_status(output, message);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(output.axis_count); ++k) {
+  for (int k = 0; k < output.axis_count; ++k) {
     const channels::AxisSetpoint& axis = output.axes[k];
     message.tip_position[k] = output.point_W[k].value;
     message.tip_velocity[k] = output.point_W[k].first;
@@ -104,10 +103,9 @@ setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp
     message.position_code[k] = axis.position_code;
     message.velocity_code[k] = axis.velocity_code;
   }
-  message.drives_enabled =
-      bits(output.axis_count, [&](std::size_t k) { return output.drives[k].enabled; });
+  message.drives_enabled = bits(output.axis_count, [&](int k) { return output.drives[k].enabled; });
   message.brakes_closed =
-      bits(output.axis_count, [&](std::size_t k) { return output.drives[k].brake_closed; });
+      bits(output.axis_count, [&](int k) { return output.drives[k].brake_closed; });
   return message;
 }
 
@@ -115,7 +113,7 @@ channel_state_t to_state(const channels::ChannelOutput& output, const Stamp& sta
   auto message = zeroed<channel_state_t>();
   put_stamp(stamp, message);
   put_status(output, message);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(output.axis_count); ++k) {
+  for (int k = 0; k < output.axis_count; ++k) {
     message.tip_position[k] = output.point_W[k].value;
     message.position[k] = output.axes[k].position;
   }
@@ -126,13 +124,13 @@ channel_state_t to_state(const channels::ChannelOutput& output, const Stamp& sta
 drive_status_t to_drive_status(const channels::ChannelOutput& output, const Stamp& stamp) {
   const auto& feedback = output.feedback;
   const auto flags = [&](bool channels::AxisFeedback::* flag) {
-    return bits(output.axis_count, [&](std::size_t k) { return feedback[k].*flag; });
+    return bits(output.axis_count, [&](int k) { return feedback[k].*flag; });
   };
   auto message = zeroed<drive_status_t>();
   put_stamp(stamp, message);
   message.channel = output.id;
   message.axis_count = output.axis_count;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(output.axis_count); ++k) {
+  for (int k = 0; k < output.axis_count; ++k) {
     message.position[k] = feedback[k].position;
     message.velocity[k] = feedback[k].velocity;
     message.following_error[k] = feedback[k].setpoint - feedback[k].position;
@@ -143,7 +141,7 @@ drive_status_t to_drive_status(const channels::ChannelOutput& output, const Stam
   message.brake_closed = flags(&channels::AxisFeedback::brake_closed);
   message.referenced = flags(&channels::AxisFeedback::referenced);
   message.follows_velocity =
-      bits(output.axis_count, [&](std::size_t k) { return output.drives[k].follows_velocity; });
+      bits(output.axis_count, [&](int k) { return output.drives[k].follows_velocity; });
   return message;
 }
 
@@ -229,7 +227,7 @@ workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& sta
   message.shapes = static_cast<std::int32_t>(workpiece.shapes);
   for (std::size_t k = 0; k < 3; ++k) {
     const int axis = workpiece.frame.geometry[k];
-    if (axis >= 0) message.offset[k] = workpiece.frame.offset[static_cast<std::size_t>(axis)];
+    if (axis >= 0) message.offset[k] = workpiece.frame.offset[axis];
     std::ranges::copy(workpiece.frame.rotation.rows()[k], message.rotation + 3 * k);
   }
   return message;
@@ -273,7 +271,7 @@ channels::ChannelOutput from_setpoint(const setpoint_t& message) {
   output.feed_commanded = message.feed_commanded;
   output.path_speed = message.path_speed;
   output.feed_override = message.feed_override;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(output.axis_count); ++k) {
+  for (int k = 0; k < output.axis_count; ++k) {
     output.point_W[k] = {message.tip_position[k], message.tip_velocity[k], 0.0, 0.0};
     output.axes[k] = {.position = message.position[k],
                       .velocity = message.velocity[k],

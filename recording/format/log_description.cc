@@ -84,7 +84,7 @@ LogDescription describe(const channels::MachineConfig& config, std::string versi
     ChannelDescription& described = description.channels.emplace_back();
     described.id = channel.id;
     for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-      const channels::AxisConfig& axis = config.axes[static_cast<std::size_t>(channel.axes[k])];
+      const channels::AxisConfig& axis = config.axes[channel.axes[k]];
       const std::string& word = k < channel.words.size() ? channel.words[k] : axis.name;
       described.axes.push_back({axis.name, word, axis.rotary});
     }
@@ -132,14 +132,12 @@ LogDescription from_log_meta(const log_meta_t& message) {
   description.libm = text_of(message.libm);
   description.config_hash = static_cast<std::uint64_t>(message.config_hash);
   description.cycle_us = message.cycle_us;
-  const auto channel_count = static_cast<std::size_t>(
-      std::clamp<std::int64_t>(message.channel_count, 0, channels_in_meta));
-  for (std::size_t i = 0; i < channel_count; ++i) {
+  const auto channel_count = std::clamp<std::int64_t>(message.channel_count, 0, channels_in_meta);
+  for (std::int64_t i = 0; i < channel_count; ++i) {
     ChannelDescription& channel = description.channels.emplace_back();
     channel.id = message.channel_id[i];
-    const auto axis_count =
-        static_cast<std::size_t>(std::clamp<std::int64_t>(message.axis_count[i], 0, axes_in_meta));
-    for (std::size_t k = 0; k < axis_count; ++k) {
+    const auto axis_count = std::clamp<std::int64_t>(message.axis_count[i], 0, axes_in_meta);
+    for (std::int64_t k = 0; k < axis_count; ++k) {
       channel.axes.push_back({std::string(text_of(message.axis_name[i][k])),
                               std::string(text_of(message.axis_word[i][k])),
                               message.axis_rotary[i][k] != 0});

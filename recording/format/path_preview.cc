@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place.h"
+
 namespace stanok::recording {
 namespace {
 
@@ -68,7 +70,7 @@ PreviewWriter::PreviewWriter(std::span<const std::string> words) {
   constexpr std::array<std::string_view, 3> coordinates{"X", "Y", "Z"};
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const auto word = std::find(words.begin(), words.end(), coordinates[k]);
-    if (word != words.end()) axes_[k] = static_cast<std::size_t>(word - words.begin());
+    if (word != words.end()) axes_[k] = checked_size(word - words.begin());
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/place.h"
+
 namespace stanok::recording {
 namespace {
 
@@ -37,7 +39,7 @@ void FlightRecorder::begin_second(std::int64_t utime) {
 
 std::size_t FlightRecorder::index_of(const std::string& channel) {
   const auto known = std::find(channels_.begin(), channels_.end(), channel);
-  const auto index = static_cast<std::size_t>(known - channels_.begin());
+  const auto index = checked_size(known - channels_.begin());
   if (known == channels_.end()) channels_.push_back(channel);
   return index;
 }

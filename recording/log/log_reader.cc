@@ -9,9 +9,9 @@ namespace stanok::recording {
 namespace {
 
 constexpr std::size_t sync_bytes = 4;
-constexpr std::size_t read_bytes = std::size_t{1} << 20;
-constexpr std::size_t name_bytes_max = 63;                     // LCM's limit
-constexpr std::size_t data_bytes_max = std::size_t{16} << 20;  // our largest message has 4 kB
+constexpr std::size_t read_bytes = 1UL << 20;
+constexpr std::size_t name_bytes_max = 63;          // LCM's limit
+constexpr std::size_t data_bytes_max = 16UL << 20;  // our largest message has 4 kB
 
 std::uint64_t big_endian(const std::uint8_t* bytes, std::size_t count) {
   std::uint64_t value = 0;
@@ -79,8 +79,8 @@ std::optional<LogReader::Header> LogReader::header_at(std::size_t offset) {
   const std::uint8_t* bytes = window_.data() + at_ + offset;
   const Header header{.number = static_cast<std::int64_t>(big_endian(bytes + 4, 8)),
                       .utime = static_cast<std::int64_t>(big_endian(bytes + 12, 8)),
-                      .channel_bytes = static_cast<std::size_t>(big_endian(bytes + 20, 4)),
-                      .data_bytes = static_cast<std::size_t>(big_endian(bytes + 24, 4))};
+                      .channel_bytes = big_endian(bytes + 20, 4),
+                      .data_bytes = big_endian(bytes + 24, 4)};
   const bool is_possible = header.channel_bytes > 0 && header.channel_bytes <= name_bytes_max &&
                            header.data_bytes <= data_bytes_max;
   return is_possible ? std::optional(header) : std::nullopt;

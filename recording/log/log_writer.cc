@@ -7,6 +7,7 @@
 #include <stanok_messages/log_check_t.hpp>
 #include <utility>
 
+#include "base/place.h"
 #include "base/system_error.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
@@ -15,7 +16,7 @@
 namespace stanok::recording {
 namespace {
 
-constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
+constexpr std::size_t buffer_bytes = 1UL << 20;
 constexpr std::int64_t covered_bytes_max = std::int64_t{64} << 10;  // and the rest of a cycle
 
 std::string check_channel_beside(const std::string& log_meta) {
@@ -166,7 +167,7 @@ void LogWriter::write_event(const std::string& channel, std::int64_t utime,
 void LogWriter::write_check(LogEnd end) {
   Piece& piece = *piece_;
   log_check_t check{};
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(check.getEncodedSize()));
+  std::vector<std::uint8_t> bytes(checked_size(check.getEncodedSize()));
   const auto name = std::span(reinterpret_cast<const std::uint8_t*>(check_channel_.data()),
                               check_channel_.size());
   const auto header = event_header(piece.log->eventcount, utime_, name.size(), bytes.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/place.h"
 #include "recording/read/setpoint_walk.h"
 
 namespace stanok::recording {
@@ -27,8 +28,7 @@ class Gathering {
     const channels::ChannelOutput output = from_setpoint(setpoint);
     if (plot_.axes.empty()) begin(output, time);
     plot_.time_end = time;
-    const std::size_t count =
-        std::min(plot_.axes.size(), static_cast<std::size_t>(output.axis_count));
+    const std::size_t count = std::min(plot_.axes.size(), checked_size(output.axis_count));
     for (std::size_t k = 0; k < count; ++k) {
       plot_.axes[k].velocity.add(time, output.axes[k].velocity);
       plot_.axes[k].acceleration.add(time, output.axes[k].acceleration);

@@ -7,6 +7,7 @@
 #include <stanok_messages/program_chunk_t.hpp>
 #include <string_view>
 
+#include "base/place.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 #include "recording/format/encode_inputs.h"
@@ -182,7 +183,7 @@ std::vector<AxisDescription> axes_of(const LogContents& contents, int channel, i
   const ChannelDescription* described = description_of(contents, channel);
   std::vector<AxisDescription> axes;
   if (described != nullptr) axes = described->axes;
-  const auto count = static_cast<std::size_t>(std::max(0, axis_count));
+  const std::size_t count = checked_size(std::max(0, axis_count));
   while (axes.size() < count) {
     const std::string name = "A" + std::to_string(axes.size() + 1);
     axes.push_back({name, name, false});

@@ -10,7 +10,7 @@
 namespace stanok::recording {
 namespace {
 
-constexpr std::size_t write_threshold = std::size_t{1} << 16;  // bytes
+constexpr std::size_t write_threshold = 1UL << 16;  // bytes
 
 // Rows of comma-separated numbers, gathered before they are written.
 class CsvRows {
@@ -21,7 +21,7 @@ class CsvRows {
   void add(Number value) {
     std::array<char, 32> digits{};  // enough for every double and 64-bit integer
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    add_text({digits.data(), static_cast<std::size_t>(end - digits.data())});
+    add_text({digits.data(), end});
   }
   void add_text(std::string_view text) {
     if (!is_row_start_) text_ += ',';

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/place.h"
 #include "recording/format/encode_tool_row.h"
 
 namespace stanok::recording {
@@ -42,8 +43,8 @@ MessageStream::MessageStream(LogDescription description, std::vector<MessageSink
     : description_(std::move(description)),
       names_(description_.machine),
       sinks_(std::move(sinks)),
-      buffer_(static_cast<std::size_t>(
-          std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize()))),
+      buffer_(
+          checked_size(std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize()))),
       meta_period_(cycles_in(meta_period_us, description_.cycle_us)),
       state_period_(cycles_in(state_period_us, description_.cycle_us)),
       path_period_(cycles_in(path_period_us, description_.cycle_us)),
@@ -53,7 +54,7 @@ template <class Message>
 void MessageStream::send(const Message& message, int channel, Topic topic) {
   const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
   STANOK_ASSERT(size > 0);
-  const std::span<const std::uint8_t> bytes(buffer_.data(), static_cast<std::size_t>(size));
+  const std::span<const std::uint8_t> bytes(buffer_.begin(), buffer_.begin() + size);
   for (MessageSink* sink : sinks_) sink->send(names_.name(channel, topic), message.utime, bytes);
 }
 
@@ -61,13 +62,12 @@ Stamp MessageStream::next_stamp(std::int64_t cycle, int channel, Topic topic) {
   STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
   return {.utime = description_.utime_start + cycle * description_.cycle_us,
           .cycle = cycle,
-          .seq = next_seq_[static_cast<std::size_t>(channel)][static_cast<std::size_t>(topic)]++};
+          .seq = next_seq_[channel][topic]++};
 }
 
 void MessageStream::cycle(const channels::CycleOutput& output) {
   send_meta_when_due(output.cycle);
-  for (int i = 0; i < output.channel_count; ++i) {
-    const channels::ChannelOutput& channel = output.channels[static_cast<std::size_t>(i)];
+  for (const channels::ChannelOutput& channel : output.of_channels()) {
     if (channel.axis_count > 0) {
       send(to_setpoint(channel, next_stamp(output.cycle, channel.id, Topic::setpoint)), channel.id,
            Topic::setpoint);
@@ -108,7 +108,7 @@ void MessageStream::text(const TextRecord& record) {
     chunk.seq = stamp.seq;
     chunk.hash = hash;
     send(chunk, record.channel, Topic::program);
-    offset += static_cast<std::size_t>(chunk.length);
+    offset += checked_size(chunk.length);
   } while (offset < record.text.size());
 }
 
@@ -151,7 +151,7 @@ void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOu
 }
 
 void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output) {
-  ShownInputs& shown = inputs_[static_cast<std::size_t>(output.id)];
+  ShownInputs& shown = inputs_[output.id];
   if (output.arrivals != shown.arrivals) {
     shown.arrivals = output.arrivals;
     send(to_arrival(output.id, output.arrivals, next_stamp(cycle, output.id, Topic::arrival)),
@@ -159,10 +159,9 @@ void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelO
   }
   if (!output.has_feedback) return;
   for (int k = 0; k < output.axis_count; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (shown.has_feedback && output.feedback[i] == shown.feedback[i]) continue;
-    shown.feedback[i] = output.feedback[i];
-    send(to_feedback(output.id, k, output.feedback[i],
+    if (shown.has_feedback && output.feedback[k] == shown.feedback[k]) continue;
+    shown.feedback[k] = output.feedback[k];
+    send(to_feedback(output.id, k, output.feedback[k],
                      next_stamp(cycle, output.id, Topic::feedback)),
          output.id, Topic::feedback);
   }
@@ -171,7 +170,7 @@ void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelO
 
 void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (output.axis_count == 0) return;
-  ShownTool& shown = tools_[static_cast<std::size_t>(output.id)];
+  ShownTool& shown = tools_[output.id];
   if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + meta_period_) return;
   shown = {output.tool, cycle};
   send(to_tool(output, next_stamp(cycle, output.id, Topic::tool)), output.id, Topic::tool);
@@ -180,7 +179,7 @@ void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOut
 // A tool that goes leaves nothing to be told; when it comes back, its row is new again.
 void MessageStream::tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (output.axis_count == 0) return;
-  ShownToolRow& shown = tool_rows_[static_cast<std::size_t>(output.id)];
+  ShownToolRow& shown = tool_rows_[output.id];
   if (output.tool_row == shown.row && cycle < shown.cycle + meta_period_) return;
   shown = {output.tool_row, cycle};
   if (output.tool_row.number == 0) return;
@@ -190,18 +189,18 @@ void MessageStream::tool_row_when_due(std::int64_t cycle, const channels::Channe
 
 void MessageStream::path(PathPreview preview) {
   STANOK_ASSERT(preview.channel >= 0 && preview.channel <= channels::channels_max);
-  ShownPath& shown = paths_[static_cast<std::size_t>(preview.channel)];
+  ShownPath& shown = paths_[preview.channel];
   shown = {std::move(preview), shown.number + 1, 0, 0};
 }
 
 // In parts, so that a viewer on the bus can follow.
 void MessageStream::path_when_due(std::int64_t cycle, int channel) {
-  ShownPath& shown = paths_[static_cast<std::size_t>(channel)];
+  ShownPath& shown = paths_[channel];
   if (shown.preview.points.empty() || cycle < shown.next_cycle) return;
   const path_t message =
       to_path(shown.preview, shown.number, shown.next, next_stamp(cycle, channel, Topic::path));
   send(message, channel, Topic::path);
-  shown.next += static_cast<std::size_t>(message.count);
+  shown.next += checked_size(message.count);
   const bool is_whole = shown.next == shown.preview.points.size();
   if (is_whole) shown.next = 0;
   shown.next_cycle = cycle + (is_whole ? meta_period_ : path_period_);
@@ -214,7 +213,7 @@ void MessageStream::allow_workpieces(bool allowed) {
 
 void MessageStream::workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (!workpieces_allowed_) return;
-  ShownWorkpiece& shown = workpieces_[static_cast<std::size_t>(output.id)];
+  ShownWorkpiece& shown = workpieces_[output.id];
   const std::uint32_t announcements = output.workpiece.announcements;
   if (announcements == 0) return;
   if (announcements == shown.announcements && cycle < shown.cycle + meta_period_) return;

@@ -77,22 +77,22 @@ class MessageStream {
   ChannelNames names_;
   std::vector<MessageSink*> sinks_;
   std::vector<std::uint8_t> buffer_;
-  std::array<std::array<std::int64_t, topic_count>, channels::channels_max + 1> next_seq_{};
+  PerChannel<EnumArray<Topic, std::int64_t>> next_seq_{};
   struct ShownWorkpiece {
     std::uint32_t announcements = 0;
     std::int64_t cycle = 0;  // of the latest message
   };
-  std::array<ShownWorkpiece, channels::channels_max + 1> workpieces_{};
+  PerChannel<ShownWorkpiece> workpieces_{};
   struct ShownTool {
     channels::ToolAtWork tool;
     std::int64_t cycle = -1;  // of the latest message; -1: none yet
   };
-  std::array<ShownTool, channels::channels_max + 1> tools_{};
+  PerChannel<ShownTool> tools_{};
   struct ShownToolRow {
     channels::ToolRow row;
     std::int64_t cycle = 0;  // of the latest message
   };
-  std::array<ShownToolRow, channels::channels_max + 1> tool_rows_{};
+  PerChannel<ShownToolRow> tool_rows_{};
   bool workpieces_allowed_ = true;
   struct ShownPath {
     PathPreview preview;
@@ -100,13 +100,13 @@ class MessageStream {
     std::size_t next = 0;         // point; the first of the next message
     std::int64_t next_cycle = 0;  // when that is due
   };
-  std::array<ShownPath, channels::channels_max + 1> paths_{};
+  PerChannel<ShownPath> paths_{};
   struct ShownInputs {
     channels::Arrivals arrivals;
     bool has_feedback = false;
-    std::array<channels::AxisFeedback, motion::axes_max> feedback{};
+    AxisArray<channels::AxisFeedback> feedback{};
   };
-  std::array<ShownInputs, channels::channels_max + 1> inputs_{};
+  PerChannel<ShownInputs> inputs_{};
   std::set<std::uint64_t> sent_texts_;  // hashes
   std::int64_t meta_period_;            // cycles
   std::int64_t state_period_;           // cycles

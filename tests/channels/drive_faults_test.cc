@@ -36,7 +36,7 @@ class DriveFaults : public ::testing::Test {
   }
 
   MachineBench bench;
-  std::vector<AxisConfig> axes = testing::two_channel_machine().axes;
+  NumberedList<AxisConfig> axes = testing::two_channel_machine().axes;
   std::vector<AxisFeedback> drives;
 };
 

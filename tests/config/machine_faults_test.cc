@@ -1,4 +1,5 @@
-// Wrong machine files: every fault is found once, at its place, in words that say how to correct it.
+// Wrong machine files: every fault is found once, at its place, in words that say how to correct
+// it.
 //
 // Each case replaces one line of a small valid file (or appends after its end), so that the line
 // numbers can be counted here.

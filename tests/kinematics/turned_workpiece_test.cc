@@ -31,12 +31,12 @@ const ToolVector tool{{-25, 0, -60}};
 TEST(PolarFace, GoesByRadiusAndAngleOnEitherSideOfTheCentre) {
   const double angle = std::atan2(40.0, 30.0) * 180.0 / std::numbers::pi;
   AxisVector<double> axes_M{};
-  PolarFace(face_scheme(lathe_in_diameter(), lathe_C, false))
+  PolarFace(face_scheme(lathe_in_diameter(), lathe_C, FaceSide::positive))
       .inverse(PointMode::axes, tool, {30, 7, 40}, axes_M);
   EXPECT_NEAR(axes_M[0], 100 + 2 * (50 + 25), 1e-12);
   EXPECT_EQ(axes_M[1], 17.0);
   EXPECT_NEAR(axes_M[2], 30 + angle, 1e-12);
-  PolarFace(face_scheme(lathe_in_diameter(), lathe_C, true))
+  PolarFace(face_scheme(lathe_in_diameter(), lathe_C, FaceSide::negative))
       .inverse(PointMode::axes, tool, {30, 7, 40}, axes_M);
   EXPECT_NEAR(axes_M[0], 100 + 2 * (-50 + 25), 1e-12);
   EXPECT_NEAR(axes_M[2], 30 + angle - 180, 1e-12);
@@ -44,7 +44,7 @@ TEST(PolarFace, GoesByRadiusAndAngleOnEitherSideOfTheCentre) {
 
 // Along a circle round the centre only C moves, by v / r; along a ray only X.
 TEST(PolarFace, TurnsOnCirclesAndStandsOnRays) {
-  const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, false));
+  const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, FaceSide::positive));
   AxisVector<Jet> axes_M{};
   // 20 mm out on the x axis, 5 mm/s across: centripetal acceleration v^2 / r keeps it on the
   // circle.
@@ -65,8 +65,8 @@ TEST(PolarFace, TurnsOnCirclesAndStandsOnRays) {
 }
 
 TEST(PolarFace, StandsAtTheZeroOfItsAngleOnThePole) {
-  for (const bool negative_side : {false, true}) {
-    const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, negative_side));
+  for (const FaceSide side : {FaceSide::positive, FaceSide::negative}) {
+    const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, side));
     AxisVector<Jet> axes_M{};
     scheme.inverse(PointMode::axes, tool, {Jet(0, 5, 6, 7), Jet(7, 1, 1, 1), Jet(0, 8, 9, 10)},
                    axes_M);
@@ -85,7 +85,7 @@ TEST(PolarFace, StandsAtTheZeroOfItsAngleOnThePole) {
 }
 
 TEST(PolarFace, KnowsItsWindingAxisAndItsDistanceFromThePole) {
-  const PolarFace face(face_scheme(lathe_in_diameter(), lathe_C, false));
+  const PolarFace face(face_scheme(lathe_in_diameter(), lathe_C, FaceSide::positive));
   EXPECT_EQ(face.winding_axes(), 1U << lathe_C);
   EXPECT_EQ(face.distance_to_singularity({3, 100, -4}), 5.0);
   const Lathe plain(lathe_in_diameter());
@@ -111,7 +111,7 @@ TEST(TurnedWorkpiece, KeepsIdFileAndParkingOfTheActiveScheme) {
   active.file = "lathe.toml";
   active.parking = {{.axis = 3}};
   for (const SchemeConfig& config :
-       {face_scheme(active, lathe_C, true), cylinder_scheme(active, lathe_C, 12.0)}) {
+       {face_scheme(active, lathe_C, FaceSide::negative), cylinder_scheme(active, lathe_C, 12.0)}) {
     EXPECT_EQ(config.id, 3);
     EXPECT_EQ(config.file, "lathe.toml");
     EXPECT_EQ(config.parking.size(), 1U);
@@ -138,14 +138,16 @@ TEST(TurnedWorkpiece, NamesWhatIsMissing) {
     const char* defect;
   };
   const Case cases[] = {
-      {face_scheme(on("head_table"), lathe_C, false),
+      {face_scheme(on("head_table"), lathe_C, FaceSide::positive),
        "it rides on a cartesian or lathe scheme, not on 'head_table'"},
-      {face_scheme(face_scheme(lathe_in_diameter(), lathe_C, false), lathe_C, false),
+      {face_scheme(face_scheme(lathe_in_diameter(), lathe_C, FaceSide::positive), lathe_C,
+                   FaceSide::positive),
        "it rides on a cartesian or lathe scheme, not on 'polar_face'"},
-      {face_scheme(without_x, lathe_C, false), "X must take part"},
-      {face_scheme(parked_c, lathe_C, false), "the rotary axis must take part"},
-      {face_scheme(lathe_in_diameter(), -1, false), "the rotary axis must take part"},
-      {face_scheme(lathe_in_diameter(), 1, false), "the rotary axis must be none of X, Y, Z"},
+      {face_scheme(without_x, lathe_C, FaceSide::positive), "X must take part"},
+      {face_scheme(parked_c, lathe_C, FaceSide::positive), "the rotary axis must take part"},
+      {face_scheme(lathe_in_diameter(), -1, FaceSide::positive), "the rotary axis must take part"},
+      {face_scheme(lathe_in_diameter(), 1, FaceSide::positive),
+       "the rotary axis must be none of X, Y, Z"},
       {cylinder_scheme(lathe_in_diameter(), 0, 5.0), "the rotary axis must be none of X, Y, Z"},
       {cylinder_scheme(lathe_in_diameter(), lathe_C, 0.0),
        "the radius of the cylinder must be above 0"},
@@ -153,7 +155,7 @@ TEST(TurnedWorkpiece, NamesWhatIsMissing) {
        "the radius of the cylinder must be above 0"},
       {cylinder_scheme(lathe_in_diameter(), lathe_C, std::nan("")),
        "the radius of the cylinder must be above 0"},
-      {face_scheme(on("cartesian"), lathe_C, false), ""},
+      {face_scheme(on("cartesian"), lathe_C, FaceSide::positive), ""},
       {cylinder_scheme(on("cartesian"), lathe_C, 5.0), ""},
   };
   for (const Case& each : cases) {

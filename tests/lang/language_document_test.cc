@@ -155,9 +155,9 @@ std::string law_table_text() {
       addresses += (addresses.empty() ? "" : " ") + std::string(name_of(address));
       arguments += ", " + std::string(name_of(address));
     }
-    for (std::size_t i = 0; i < law_address_count; ++i) {
-      if ((form.may >> i & 1U) == 0) continue;
-      addresses += " [" + std::string(name_of(static_cast<LawAddress>(i))) + "]";
+    for (const LawAddress address : enum_values<LawAddress>()) {
+      if ((form.may >> place_of(address) & 1U) == 0) continue;
+      addresses += " [" + std::string(name_of(address)) + "]";
     }
     text += "| " + std::string(form.law) + " | `" + addresses + "` | ";
     text += form.directive.empty() ? "–"

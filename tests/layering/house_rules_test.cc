@@ -102,16 +102,10 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
 // Functions that have a bool parameter still, by folder: a call reads `rows(channel,
 // AlarmChoice::all)`, not `rows(channel, false)`. The list only falls.
 const std::map<std::string, std::set<std::string>> functions_with_bool_parameter_left{
-    {"channels", {"at", "block", "scheme_of", "state_of"}},
-    {"drives", {"request_for", "watch_fault_reset"}},
-    {"kinematics", {"face_scheme"}},
+    {"channels", {"at", "block", "state_of"}},
     {"motion",
      {"bounds_of", "commit", "commit_chunks", "feed_per_s", "is_controlled", "plan_window",
       "run_last_plan_on", "seek", "set", "switch_on"}},
-    {"plant", {"acceleration", "advance"}},
-    {"process", {"block", "rapid_key"}},
-    {"programs", {"arc_xy", "quarter_zx"}},
-    {"simulation", {"crossing", "face", "place_of", "turning_tool"}},
 };
 
 // Functions of which the bool is the value itself: it becomes a value of the language, a text.
@@ -170,9 +164,9 @@ TEST(HouseRules, ABoolParameterIsFound) {
 // the numbers only fall.
 constexpr double casts_max = 1e-3;  // per line
 const std::map<std::string, std::size_t> folders_of_many_casts{
-    {"base", 9},     {"channels", 124}, {"client", 17},  {"config", 12},     {"daemon", 13},
-    {"drives", 20},  {"lang", 147},     {"motion", 65},  {"plant", 12},      {"process", 8},
-    {"programs", 9}, {"recording", 39}, {"runtime", 37}, {"simulation", 42},
+    {"channels", 124},
+    {"motion", 65},
+    {"runtime", 10},
 };
 
 std::size_t casts_to_size(const std::vector<std::string>& lines) {

@@ -112,13 +112,15 @@ struct Swing {
   double frequency_hz = 0.0;
 };
 // Over one second.
-Swing swing(SelfOscillation& oscillation, bool cuts, double force_n = 0.0, double hz = 0.0) {
+Swing swing(SelfOscillation& oscillation, Engagement engagement, double force_n = 0.0,
+            double hz = 0.0) {
   Swing swing;
   double before = oscillation.displacement_um();
   int crossings = 0;
   constexpr double step_s = 1e-4;
   for (int k = 0; k < 10000; ++k) {
-    oscillation.advance(force_n * std::sin(2.0 * std::numbers::pi * hz * k * step_s), cuts, step_s);
+    oscillation.advance(force_n * std::sin(2.0 * std::numbers::pi * hz * k * step_s), engagement,
+                        step_s);
     const double now = oscillation.displacement_um();
     if (before < 0.0 && now >= 0.0) ++crossings;
     swing.amplitude_um = std::max(swing.amplitude_um, std::abs(now));
@@ -132,21 +134,21 @@ Swing swing(SelfOscillation& oscillation, bool cuts, double force_n = 0.0, doubl
 // damping.
 TEST(SelfOscillation, GrowsToItsAmplitudeInTheCutAndDiesOutBehind) {
   SelfOscillation oscillation({.amplitude_um = 15.0, .frequency_hz = 120.0, .mass_kg = 2.0});
-  static_cast<void>(swing(oscillation, true));
-  const Swing in_the_cut = swing(oscillation, true);
+  static_cast<void>(swing(oscillation, Engagement::in_cut));
+  const Swing in_the_cut = swing(oscillation, Engagement::in_cut);
   EXPECT_NEAR(in_the_cut.amplitude_um, 15.0, 0.02 * 15.0);
   EXPECT_NEAR(in_the_cut.frequency_hz, 120.0, 1.0);
-  static_cast<void>(swing(oscillation, false));
-  EXPECT_LT(swing(oscillation, false).amplitude_um, 0.1);
+  static_cast<void>(swing(oscillation, Engagement::out_of_cut));
+  EXPECT_LT(swing(oscillation, Engagement::out_of_cut).amplitude_um, 0.1);
 }
 
 // A force far below its frequency moves the mass by P / (m w^2).
 TEST(SelfOscillation, IsMovedByAForceAsAMassOnASpring) {
   SelfOscillation oscillation({.amplitude_um = 15.0, .frequency_hz = 120.0, .mass_kg = 2.0});
-  static_cast<void>(swing(oscillation, false, 20.0, 3.0));
+  static_cast<void>(swing(oscillation, Engagement::out_of_cut, 20.0, 3.0));
   const double omega = 2.0 * std::numbers::pi * 120.0;
-  EXPECT_NEAR(swing(oscillation, false, 20.0, 3.0).amplitude_um, 1e6 * 20.0 / (2.0 * omega * omega),
-              0.05);
+  EXPECT_NEAR(swing(oscillation, Engagement::out_of_cut, 20.0, 3.0).amplitude_um,
+              1e6 * 20.0 / (2.0 * omega * omega), 0.05);
 }
 
 }  // namespace

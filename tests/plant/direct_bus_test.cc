@@ -77,7 +77,7 @@ TEST_F(DirectBusTest, ASilentDriveIsInvalidAfterTheTimeout) {
   run(30);
   EXPECT_FALSE(feedback[0].valid);
   EXPECT_TRUE(feedback[1].valid);
-  EXPECT_GT(bus.status().errors[static_cast<std::size_t>(drives::ExchangeError::timeout)], 20U);
+  EXPECT_GT(bus.status().errors[drives::ExchangeError::timeout], 20U);
 }
 
 TEST(DirectBus, GivesTheSameBitsEveryRun) {

@@ -79,9 +79,7 @@ class CycleSide {
     });
   }
 
-  std::uint64_t errors(drives::ExchangeError kind) const {
-    return bus.status().errors[static_cast<std::size_t>(kind)];
-  }
+  std::uint64_t errors(drives::ExchangeError kind) const { return bus.status().errors[kind]; }
 
   static constexpr Duration cycle = 1.0 * millisecond;
   drives::ModbusBus bus;

@@ -48,8 +48,8 @@ TEST(ClockBlock, IsNormalisedBySpeedAndRadius) {
 }
 
 TEST(RapidKey, PassesTheCodeOfTheProgramUnderTheRapidFlag) {
-  EXPECT_EQ(rapid_key(true, 300.0, 2.0), 300.0);
-  EXPECT_EQ(rapid_key(false, 300.0, 2.0), 2.0);
+  EXPECT_EQ(rapid_key(Traverse::rapid, 300.0, 2.0), 300.0);
+  EXPECT_EQ(rapid_key(Traverse::feed, 300.0, 2.0), 2.0);
 }
 
 // Random moves in whole increments and between, and overhang commands: the counter is where the
@@ -70,11 +70,11 @@ TEST(RadiusCounter, IsExactToOneIncrementAndKeepsOverhangsFromTheDrive) {
   for (int k = 0; k < 20000; ++k) {
     if (k % 997 == 0) {
       overhang = overhang_mm(random);
-      key.block(true);
+      key.set_blocked(true);
       to_drive += key.pass(std::llround(overhang / increment));
       counter.preset(slide + overhang,
                      {.position_mm = slide, .code = code, .increment_mm = increment});
-      key.block(false);
+      key.set_blocked(false);
     } else {
       slide += step_mm(random);
       const std::int64_t next = std::llround(slide / increment);

@@ -52,7 +52,10 @@ class Quenching {
     std::array<double, 4> samples{};
     for (double& sample : samples) {
       for (int k = 0; k < 4; ++k)
-        plant_.advance(bench_.force_n - mean_n_, bench_.force_n > 0.0, 0.001 / 16.0);
+        plant_.advance(
+            bench_.force_n - mean_n_,
+            bench_.force_n > 0.0 ? plant::Engagement::in_cut : plant::Engagement::out_of_cut,
+            0.001 / 16.0);
       sample = plant_.displacement_um();
     }
     meter_.add(samples);

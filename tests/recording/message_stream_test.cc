@@ -81,8 +81,8 @@ TEST(MessageStream, WritesTheSameBytesTwice) {
 TEST(ChannelNames, KeepWithinTheLimitOfLcm) {
   const ChannelNames names(std::string(200, 'm'));
   for (int channel = 0; channel <= channels::channels_max; ++channel) {
-    for (std::size_t topic = 0; topic < topic_count; ++topic) {
-      EXPECT_LE(names.name(channel, static_cast<Topic>(topic)).size(), 63U);
+    for (const Topic topic : enum_values<Topic>()) {
+      EXPECT_LE(names.name(channel, topic).size(), 63U);
     }
   }
   EXPECT_EQ(ChannelNames("e-7 x").name(2, Topic::setpoint), "STANOK_E_7_X_CH2_SETPOINT");

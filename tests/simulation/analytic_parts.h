@@ -66,7 +66,7 @@ inline void mill_along(Workpiece& workpiece, const ToolShape& shape, const Vecto
 
 inline void turn_along(Workpiece& workpiece, const ToolShape& shape,
                        const std::vector<PlanePoint>& tips) {
-  const TurningTool tool = workpiece.turning_tool(shape, false);
+  const TurningTool tool = workpiece.turning_tool(shape, DirectionOfZ::same);
   for (std::size_t i = 1; i < tips.size(); ++i)
     workpiece.turn(tool, {}, tips[i - 1], tips[i], at_feed(i));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/place.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/screen_text.h"
 #include "client/terminal/text_table.h"
@@ -21,9 +22,7 @@ struct Totals {
 };
 
 std::size_t count_of(const Diagnostics& diagnostics, Severity severity) {
-  return static_cast<std::size_t>(
-      std::count_if(diagnostics.begin(), diagnostics.end(),
-                    [severity](const Diagnostic& d) { return d.severity == severity; }));
+  return checked_size(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
 }
 
 Totals totals_of(const CheckedProgram& program) {

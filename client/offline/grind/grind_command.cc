@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "client/offline/grind/grind_input.h"
 #include "client/offline/grind/grind_picture.h"
 #include "client/offline/grind/grind_program.h"
@@ -157,7 +158,7 @@ int run_study_command(const GrindOptions& options) {
   ProgressLine progress;
   const auto show = [&](std::size_t done) {
     constexpr std::size_t columns = 79;
-    progress.show(progress_bar(done, static_cast<std::size_t>(size), "designs", columns));
+    progress.show(progress_bar(done, checked_size(size), "designs", columns));
   };
   const std::vector<StudyPoint> points = run_study(input->request, variations, show);
   progress.clear();

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "config/files/machine_file.h"
 
 namespace stanok::client {
@@ -37,8 +38,7 @@ const channels::AxisConfig& infeed_axis(const MachineConfig& machine,
     throw std::runtime_error("channel " + std::to_string(channel.id) + " of " + machine.name +
                              " has no axis X for the infeed");
   }
-  const auto index = static_cast<std::size_t>(word - channel.words.begin());
-  return machine.axes[static_cast<std::size_t>(channel.axes[index])];
+  return machine.axes[channel.axes[checked_size(word - channel.words.begin())]];
 }
 
 void check_speed(const MachineConfig& machine, int id, const char* what, double speed_rpm) {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/place.h"
 #include "process/grinding/number_text.h"
 
 namespace stanok::client {
@@ -49,7 +50,7 @@ StudyPoint studied(DesignRequest request, const std::vector<Variation>& variatio
                    std::size_t index) {
   StudyPoint point{.values = std::vector<double>(variations.size())};
   for (std::size_t k = variations.size(); k-- > 0;) {
-    const auto count = static_cast<std::size_t>(variations[k].count);
+    const std::size_t count = checked_size(variations[k].count);
     point.values[k] = variations[k].value(static_cast<int>(index % count));
     index /= count;
     *quantity_of(request, variations[k].key) = point.values[k];
@@ -120,7 +121,7 @@ std::vector<StudyPoint> run_study(const DesignRequest& request,
                                   const std::function<void(std::size_t)>& show) {
   DesignRequest design = request;
   design.comparison = process::Comparison::none;
-  std::vector<StudyPoint> points(static_cast<std::size_t>(study_size(variations)));
+  std::vector<StudyPoint> points(checked_size(study_size(variations)));
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
   std::mutex fault_mutex;

@@ -1,6 +1,7 @@
 #include "client/offline/interpret/record_text.h"
 
 #include "base/enum_names.h"
+#include "base/place.h"
 #include "client/offline/interpret/feed_law_text.h"
 #include "client/offline/interpret/record_parts.h"
 
@@ -99,9 +100,7 @@ struct Fields {
   }
 
   void arc_fields(const lang::Move& move) const {
-    const auto word = [&](int side) {
-      return words[static_cast<std::size_t>(block->plane[static_cast<std::size_t>(side)])];
-    };
+    const auto word = [&](std::size_t side) { return words[checked_size(block->plane[side])]; };
     append(text, R"(,"centre":{{"{}":{},"{}":{}}})", word(0), move.centre[0], word(1),
            move.centre[1]);
     append(text, R"(,"plane":"{}","turns":{},"ccw":{})", plane_names[move.plane], move.turns,

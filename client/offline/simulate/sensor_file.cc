@@ -7,6 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "base/place.h"
+
 namespace stanok::client {
 namespace {
 
@@ -112,8 +114,7 @@ runtime::SensorRow row_of(const Line& line, const std::vector<Column>& columns,
   row.t = line.number_of(cells[0]);
   for (std::size_t k = 1; k < cells.size(); ++k) {
     if (cells[k].text.empty()) continue;
-    row.spindles[static_cast<std::size_t>(columns[k].spindle)].*columns[k].value =
-        line.number_of(cells[k]);
+    row.spindles[checked_size(columns[k].spindle)].*columns[k].value = line.number_of(cells[k]);
   }
   return row;
 }

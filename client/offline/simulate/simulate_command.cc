@@ -63,8 +63,7 @@ class SimulationProgress final : public runtime::CycleObserver {
   [[nodiscard]] std::string text(const channels::CycleOutput& output, double wall_s) const {
     std::string text = fmt::format("machine time {:.0f} s in {:.0f} s",
                                    static_cast<double>(output.cycle) * cycle_s_, wall_s);
-    for (int k = 0; k < output.channel_count; ++k) {
-      const auto& channel = output.channels[static_cast<std::size_t>(k)];
+    for (const channels::ChannelOutput& channel : output.of_channels()) {
       if (channel.running)
         text +=
             fmt::format("  channel {} {}:{}", channel.id, channel.program.view(), channel.tag.line);

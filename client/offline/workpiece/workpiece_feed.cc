@@ -35,7 +35,7 @@ simulation::ToolRecord record_of(const channels::ToolRow& row) {
 int turning_axis(const channels::MachineConfig& machine, const channels::ChannelConfig& channel) {
   if (channel.kind != lang::ChannelKind::lathe) return -1;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-    const std::string& name = machine.axes[static_cast<std::size_t>(channel.axes[k])].name;
+    const std::string& name = machine.axes[channel.axes[k]].name;
     const bool is_spindle = std::ranges::any_of(
         machine.spindles,
         [&](const channels::SpindleConfig& spindle) { return spindle.axis == name; });
@@ -124,8 +124,7 @@ WorkpieceNews news_of(const channels::Workpiece& workpiece) {
     const auto row = static_cast<Eigen::Index>(k);
     news.blank.program_in_base.linear().row(row) = Vector::Map(frame.rotation.rows()[k].data());
     if (frame.geometry[k] < 0) continue;
-    news.blank.program_in_base.translation()[row] =
-        frame.offset[static_cast<std::size_t>(frame.geometry[k])];
+    news.blank.program_in_base.translation()[row] = frame.offset[frame.geometry[k]];
   }
   news.placement = {Vector::Map(workpiece.position.position_mm.data()),
                     Vector::Map(workpiece.position.angles_deg.data())};

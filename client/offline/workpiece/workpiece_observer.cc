@@ -20,7 +20,8 @@ void add_workpiece_options(CLI::App& command, WorkpieceOptions& options) {
       .add_option("--workpiece-out", options.files.stl,
                   "STL of what is left of the blank of #workpiece")
       ->type_name("FILE");
-  command.add_option("--picture", options.files.picture, "PNG of the workpiece, seen from four sides")
+  command
+      .add_option("--picture", options.files.picture, "PNG of the workpiece, seen from four sides")
       ->type_name("FILE");
   command
       .add_option("--workpiece-report", options.files.report,

@@ -64,7 +64,7 @@ bool is_right(std::vector<std::string> set) {
 // to a law: a missing one is not there, one too many is.
 TEST_F(FeedLaws, AreTheMixesOfTheTableAndNoOthers) {
   const std::vector<std::string> names = law_addresses();
-  ASSERT_EQ(names.size(), law_address_count);
+  ASSERT_EQ(names.size(), enum_count<LawAddress>());
   for (unsigned bits = 1; bits < 1U << names.size(); ++bits) {
     BlockWords words;
     std::vector<std::string> set;

@@ -35,8 +35,8 @@ TEST_F(SubprogramCallsTest, RepeatsRunFromTheEntryAgain) {
   load("M98 P200 L2\nM30\nO200\nM99\n");
   state.words = {};
   state.words.letters = letter_bit('P') | letter_bit('L');
-  state.words.values[static_cast<std::size_t>(letter_index('P'))] = 200.0;
-  state.words.values[static_cast<std::size_t>(letter_index('L'))] = 2.0;
+  state.words.values['P'] = 200.0;
+  state.words.values['L'] = 2.0;
   calls.call_numbered(m(98));
   ASSERT_FALSE(run.failed()) << run.error().message;
   EXPECT_EQ(vm.call_level(), 1);
@@ -52,7 +52,7 @@ TEST_F(SubprogramCallsTest, ACallIntoNothingFailsTheRun) {
   load("M30\n");
   state.words = {};
   state.words.letters = letter_bit('P');
-  state.words.values[static_cast<std::size_t>(letter_index('P'))] = 300.0;
+  state.words.values['P'] = 300.0;
   calls.call_numbered(m(98));
   EXPECT_EQ(run.error().code, "E7005");
 }

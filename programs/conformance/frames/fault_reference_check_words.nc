@@ -1,0 +1,3 @@
+G27
+; expect error 1:1 E4007
+M30
