@@ -248,18 +248,9 @@ void ItemWorker::answer(const ChannelAnswer& answer) RT_SAFE {
   if (!request_) return;
   request_.reset();
   activity_ = Activity::none;
-  Notice notice;
-  notice.kind = NoticeKind::answer;
-  notice.block_skip = parts_.switches.block_skip();
-  notice.ok = answer.ok;
-  notice.raises = answer.raises;
-  notice.value = answer.value;
-  notice.probe_M = answer.probe_M;
-  notice.left_path = answer.left_path;
-  notice.code = answer.code;
-  notice.text = answer.text;
-  notice.axes_M = parts_.motion.axes_M();
-  parts_.link.tell(notice);
+  parts_.link.tell(RequestAnswer{.answer = answer,
+                                 .block_skip = parts_.switches.block_skip(),
+                                 .axes_M = parts_.motion.axes_M()});
 }
 
 void ItemWorker::give_up() RT_SAFE {
@@ -275,22 +266,19 @@ bool ItemWorker::drop_until_reset_done() RT_SAFE {
   return false;
 }
 
-Notice ItemWorker::notice_of_start(NoticeKind kind) const RT_SAFE {
-  Notice notice;
-  notice.kind = kind;
-  notice.run = parts_.runs.run();
-  notice.load = loads_.program();
-  notice.number = parts_.schemes.active_id();
-  notice.block_skip = parts_.switches.block_skip();
-  notice.axes_M = parts_.motion.axes_M();
-  return notice;
+RunStart ItemWorker::run_start() const RT_SAFE {
+  return {.run = parts_.runs.run(),
+          .load = loads_.program(),
+          .scheme = parts_.schemes.active_id(),
+          .block_skip = parts_.switches.block_skip(),
+          .axes_M = parts_.motion.axes_M()};
 }
 
 void ItemWorker::begin_search(const ShortText& target, SearchWay way, double pass) RT_SAFE {
-  Notice notice = notice_of_start(NoticeKind::search);
-  notice.ok = way == SearchWay::calculated;
-  notice.value = pass;
-  loads_.begin_search(notice, target);
+  loads_.begin_search({.start = run_start(),
+                       .way = way,
+                       .passes = static_cast<std::int32_t>(std::max(1.0, pass)),
+                       .target = target});
 }
 
 void ItemWorker::begin_run(Job job) RT_SAFE {
@@ -300,8 +288,8 @@ void ItemWorker::begin_run(Job job) RT_SAFE {
     parts_.process.restart_laws();
   }
   parts_.run.begin_run();
-  const NoticeKind kind = job == Job::line ? NoticeKind::start_line : NoticeKind::start;
-  parts_.link.tell(notice_of_start(kind));
+  if (job == Job::line) return parts_.link.tell(LineStart{run_start()});
+  parts_.link.tell(ProgramStart{run_start()});
 }
 
 void ItemWorker::begin_switch(int scheme) RT_SAFE {

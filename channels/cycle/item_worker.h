@@ -73,7 +73,7 @@ class ItemWorker {
   void stop_by_program(const Item& item) RT_SAFE;
   void begin_probing(const Item& item) RT_SAFE;
   void begin_request(const Item& item) RT_SAFE;
-  [[nodiscard]] Notice notice_of_start(NoticeKind kind) const RT_SAFE;
+  [[nodiscard]] RunStart run_start() const RT_SAFE;
 
   CycleParts& parts_;
   LoadDesk loads_;

@@ -8,12 +8,8 @@ void KinematicsChange::begin(int scheme) RT_SAFE {
   outcome_ = Outcome::pending;
   changed_ = 0;
   run_.apply(Change::switch_begins);
-  Notice notice;
-  notice.kind = NoticeKind::switch_scheme;
-  notice.number = scheme;
-  notice.axes_M = motion_.axes_M();
-  notice.enabled = axes_.enabled();
-  link_.tell(notice);
+  link_.tell(
+      SchemeSwitch{.scheme = scheme, .axes_M = motion_.axes_M(), .enabled = axes_.enabled()});
 }
 
 double KinematicsChange::begin_step(const Item& step) RT_SAFE {

@@ -5,20 +5,14 @@ namespace stanok::channels {
 void LoadDesk::begin(const ShortText& text, Job job) RT_SAFE {
   outcome_ = Outcome::pending;
   job_ = job;
-  Notice notice;
-  notice.kind = job == Job::line ? NoticeKind::load_line : NoticeKind::load;
-  notice.load = program_;
-  if (job == Job::program) notice.number = ++begun_;
-  notice.text = ReasonText(text.view());
-  link_.tell(notice);
+  if (job == Job::line) return link_.tell(LineLoad{.load_in_use = program_, .line = text});
+  link_.tell(ProgramLoad{.number = ++begun_, .load_in_use = program_, .program = text});
 }
 
-void LoadDesk::begin_search(Notice start, const ShortText& target) RT_SAFE {
+void LoadDesk::begin_search(const BlockSearch& search) RT_SAFE {
   outcome_ = Outcome::pending;
   job_ = Job::search;
-  start.kind = NoticeKind::search;
-  start.text = ReasonText(target.view());
-  link_.tell(start);
+  link_.tell(search);
 }
 
 void LoadDesk::take(const Item& load_done) RT_SAFE {

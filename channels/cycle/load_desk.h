@@ -18,8 +18,8 @@ class LoadDesk {
   LoadDesk(RunControl& run, ChannelLink& link) : run_(run), link_(link) {}
 
   void begin(const ShortText& text, Job job) RT_SAFE;
-  // Where the loaded program begins when it is started the next time; `start`: as a start would be.
-  void begin_search(Notice start, const ShortText& target) RT_SAFE;
+  // Where the loaded program begins when it is started the next time.
+  void begin_search(const BlockSearch& search) RT_SAFE;
   void take(const Item& load_done) RT_SAFE;
   // A reset: what was being loaded is given up.
   void end() RT_SAFE;

@@ -1,24 +1,20 @@
-// Items and notices: what travels between a channel's preparation and its part of the cycle, apart
-// from the path itself.
+// Items, riders and remarks: what travels from a channel's preparation to its part of the cycle,
+// apart from the path itself.
 //
-// Preparation -> cycle: items, in program order with the path (an item is due when the chunks
-// before it are done and the axes stand), and remarks, which travel with the path without stopping
-// it, as riders do. Cycle -> preparation: notices. All plain data.
+// Items come in program order with the path (an item is due when the chunks before it are done and
+// the axes stand); riders and remarks travel with the path without stopping it. All plain data.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
-#include "base/fixed_text.h"
 #include "channels/contract/output.h"
+#include "channels/messages/texts.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
-
-using ShortText = FixedText<256>;
-using ReasonText = FixedText<1024>;  // of an answer: lines after the first are notes
-using FileName = FixedText<96>;
 
 enum class ItemKind : std::uint8_t {
   load_done,         // a program or line was compiled, a block found: flag = success, text = name,
@@ -91,37 +87,6 @@ struct Item {
   return item;
 }
 
-enum class NoticeKind : std::uint8_t {
-  load,           // compile program `text`, number = of the load
-  load_line,      // compile `text`, a line of an operator
-  search,         // find the block `text` of the loaded program, met for the `value`-th time, ok =
-                  // with calculation; as a start would: axes_M, number, block_skip
-  start,          // begin a run of the loaded program, where it was searched for: run, axes_M,
-                  // number = scheme
-  start_line,     // the same of the line that was compiled last
-  answer,         // to the request at hand
-  reset,          // forget run and path, then send reset_done
-  switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are
-                  // on
-};
-
-struct Notice {
-  NoticeKind kind = NoticeKind::answer;
-  std::uint32_t run = 0;
-  std::int32_t load = 0;  // number of the load whose program the channel has; 0: of none
-  std::int32_t number = 0;
-  std::uint16_t block_skip = 0;  // start, answer: levels that are skipped from now on
-  bool ok = true;
-  bool raises = false;  // lang::Answer
-  double value = 0.0;
-  motion::Point axes_M{};
-  motion::Point probe_M{};  // answer to a probing move: where the probe changed
-  bool left_path = false;   // the axes stand elsewhere than at the end of the path
-  lang::AxisSet enabled = 0;
-  FixedText<8> code;
-  ReasonText text;
-};
-
 enum class RiderKind : std::uint8_t {
   mark_set,
   mark_clear,
@@ -159,7 +124,7 @@ struct Remark {
   std::variant<SpokenText, BlankNews, lang::WorkpiecePosition> news;
 };
 
-static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Notice>);
-static_assert(std::is_trivially_copyable_v<Rider> && std::is_trivially_copyable_v<Remark>);
+static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Rider> &&
+              std::is_trivially_copyable_v<Remark>);
 
 }  // namespace stanok::channels

@@ -7,10 +7,10 @@
 
 namespace stanok::channels {
 
-void Preparation::switch_scheme(const Notice& notice) {
+void Preparation::obey(const SchemeSwitch& change) {
   const SwitchPlan plan =
-      plan_switch(parts_.config, *parts_.schemes.at(notice.number), notice.axes_M, notice.enabled);
-  parts_.feed.begin_machine_path(notice.axes_M);
+      plan_switch(parts_.config, *parts_.schemes.at(change.scheme), change.axes_M, change.enabled);
+  parts_.feed.begin_machine_path(change.axes_M);
   bool reached = true;
   for (const SwitchStep& step : plan) {
     if (step.kind == SwitchStepKind::move) {
@@ -30,10 +30,10 @@ void Preparation::switch_scheme(const Notice& notice) {
       return parts_.feed.give(failed);
     }
   }
-  parts_.scheme = parts_.schemes.at(notice.number).get();
+  parts_.scheme = parts_.schemes.at(change.scheme).get();
   scheme_switched_ = true;
   Item set = item_of(ItemKind::scheme_set, {});
-  set.number = notice.number;
+  set.number = change.scheme;
   parts_.feed.give(set);
   parts_.feed.give(item_of(ItemKind::switch_done, {}));
 }

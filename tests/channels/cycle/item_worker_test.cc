@@ -94,11 +94,9 @@ TEST_F(ItemWorkerTest, ARequestIsOpenUntilItIsAnswered) {
   worker_.answer(answer);
   EXPECT_EQ(worker_.request(), nullptr);
   EXPECT_TRUE(worker_.is_idle());
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::answer);
-  EXPECT_EQ(notice.value, 42.0);
+  EXPECT_EQ(std::get<RequestAnswer>(bench_.notice()).answer.value, 42.0);
   worker_.answer(answer);  // to nobody
-  EXPECT_EQ(bench_.notice().kind, NoticeKind::reset);
+  EXPECT_TRUE(std::holds_alternative<PathReset>(bench_.notice()));
 }
 
 TEST_F(ItemWorkerTest, TheEndOfARunEndsWhatItBroughtAbout) {
@@ -166,11 +164,10 @@ TEST_F(ItemWorkerTest, AStartSaysWhereTheAxesStandAndWhatIsSkipped) {
   bench_.parts.switches.set_block_skip(2, true);
   bench_.parts.run.end_run(RunResult::succeeded, 0);
   worker_.begin_run(Job::line);
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::start_line);
-  EXPECT_EQ(notice.run, 2U);
-  EXPECT_EQ(notice.axes_M[1], 20.0);
-  EXPECT_EQ(notice.block_skip, 1U << 2);
+  const auto notice = std::get<LineStart>(bench_.notice());
+  EXPECT_EQ(notice.start.run, 2U);
+  EXPECT_EQ(notice.start.axes_M[1], 20.0);
+  EXPECT_EQ(notice.start.block_skip, 1U << 2);
 }
 
 }  // namespace

@@ -36,9 +36,8 @@ TEST_F(KinematicsChangeTest, TellsThePreparationWhereTheAxesStandAndWhichAreOn) 
   change_.begin(1);
   EXPECT_TRUE(change_.is_pending());
   EXPECT_EQ(situation(), Situation::switching);
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::switch_scheme);
-  EXPECT_EQ(notice.number, 1);
+  const auto notice = std::get<SchemeSwitch>(bench_.notice());
+  EXPECT_EQ(notice.scheme, 1);
   EXPECT_EQ(notice.axes_M[bench_y], 20.0);
   EXPECT_EQ(notice.enabled, bench_.parts.axes.all());
 }

@@ -29,9 +29,8 @@ class PreparationTest : public ::testing::Test {
 
 TEST_F(PreparationTest, AProgramBecomesItemsAndPathInItsOrder) {
   bench_.files.texts["part.nc"] = "G94\nM8\nG1 X1 F600\nG4 P0.5\nM30\n";
-  EXPECT_EQ(kinds_after(PreparationBench::notice(NoticeKind::load, "part.nc")),
-            std::vector{ItemKind::load_done});
-  const std::vector<ItemKind> kinds = kinds_after(PreparationBench::notice(NoticeKind::start));
+  EXPECT_EQ(kinds_after(PreparationBench::load_of("part.nc")), std::vector{ItemKind::load_done});
+  const std::vector<ItemKind> kinds = kinds_after(ProgramStart{PreparationBench::start()});
   ASSERT_GE(kinds.size(), 4U);
   EXPECT_EQ(kinds.front(), ItemKind::transform);
   EXPECT_EQ(kinds.back(), ItemKind::run_end);
@@ -40,13 +39,12 @@ TEST_F(PreparationTest, AProgramBecomesItemsAndPathInItsOrder) {
 
 TEST_F(PreparationTest, AFaultOfABlockEndsTheRun) {
   bench_.files.texts["part.nc"] = "G94\nG1 X501 F600\nM30\n";
-  kinds_after(PreparationBench::notice(NoticeKind::load, "part.nc"));
-  EXPECT_EQ(kinds_after(PreparationBench::notice(NoticeKind::start)).back(), ItemKind::run_failed);
+  kinds_after(PreparationBench::load_of("part.nc"));
+  EXPECT_EQ(kinds_after(ProgramStart{PreparationBench::start()}).back(), ItemKind::run_failed);
 }
 
 TEST_F(PreparationTest, AResetIsAnswered) {
-  EXPECT_EQ(kinds_after(PreparationBench::notice(NoticeKind::reset)),
-            std::vector{ItemKind::reset_done});
+  EXPECT_EQ(kinds_after(PathReset{}), std::vector{ItemKind::reset_done});
 }
 
 TEST(PreparationPartsTest, BeginsAfreshInAScheme) {
