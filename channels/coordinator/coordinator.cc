@@ -121,9 +121,9 @@ void Coordinator::step() RT_SAFE {
 }
 
 void Coordinator::adopt_request(int index) RT_SAFE {
-  const Item* const item = channels_[index].items().request();
+  const OpenRequest* const open = channels_[index].items().request();
   Errand& errand = errands_[static_cast<std::size_t>(index)];
-  if (item == nullptr) {
+  if (open == nullptr) {
     errand.active = false;
     return;
   }
@@ -132,14 +132,15 @@ void Coordinator::adopt_request(int index) RT_SAFE {
   errand.active = true;
   errand.order = ++errands_taken_;
   errand.asker = index;
-  errand.kind = item->request.kind;
-  errand.request = item->request;
-  errand.number = item->request.number;
-  errand.members = channels_.with_ids(item->request.channels);
-  errand.seconds = item->request.seconds;
-  errand.tag = item->tag;
-  errand.text = item->text;
-  errand.target = channels_.index_of(item->request.channel);
+  const RequestData& request = open->request.data;
+  errand.kind = request.kind;
+  errand.request = request;
+  errand.number = request.number;
+  errand.members = channels_.with_ids(request.channels);
+  errand.seconds = request.seconds;
+  errand.tag = open->tag;
+  errand.text = open->request.text;
+  errand.target = channels_.index_of(request.channel);
   if (errand.target < 0) return;
   errand.generation = channels_[errand.target].run.generation();
   errand.controller = control_.of(errand.target);

@@ -15,11 +15,11 @@ void LoadDesk::begin_search(const BlockSearch& search) RT_SAFE {
   link_.tell(search);
 }
 
-void LoadDesk::take(const Item& load_done) RT_SAFE {
-  outcome_ = load_done.flag ? Outcome::succeeded : Outcome::failed;
-  text_ = load_done.text;
-  if (!load_done.flag || job_ != Job::program) return;
-  program_ = static_cast<std::int32_t>(load_done.number);
+void LoadDesk::take(const LoadDone& load) RT_SAFE {
+  outcome_ = load.succeeded ? Outcome::succeeded : Outcome::failed;
+  text_ = load.text;
+  if (!load.succeeded || job_ != Job::program) return;
+  program_ = load.number;
   run_.apply(Change::loaded);
 }
 

@@ -16,36 +16,6 @@
 
 namespace stanok::channels {
 
-enum class ItemKind : std::uint8_t {
-  load_done,         // a program or line was compiled, a block found: flag = success, text = name,
-                     // number = of the load
-                     // or reason
-  run_end,           // the program came to its end: number = blocks executed
-  line_end,          // a line of an operator came to its end: number = blocks executed
-  run_failed,        // the program failed: code, text
-  broken_off,        // preparation cannot go on, whatever path comes before: code, text
-  reset_done,        // everything pushed before belongs to an older generation
-  transform,         // `transform` holds from here
-  dwell,             // value = s
-  spindle,           // spindle command
-  cutting_speed,     // G96, G97
-  coolant,           // mist, flood
-  tool_change,       // number = tool, value = its edge
-  override_control,  // M48 to M53
-  force_control,     // #adaptive: force
-  output,            // M64, M65, M68: number, value, flag = analog
-  machine_function,  // M100 to M899: text
-  program_stop,      // M0, M1, M60: number = lang::StopKind
-  probe,             // the move behind it ends where the probe changes: flag = until contact,
-                     // number = whether missing that is an alarm
-  request,           // to the coordinator; preparation waits for the answer
-  park_axes,         // axes = set: brakes closed, then drives off
-  join_axes,         // axes = set: drives on, then brakes open
-  scheme_set,        // number = scheme: the transformation is exchanged, with the next `transform`
-  switch_done,       // the switch of kinematics is complete
-  switch_failed,     // code, text
-};
-
 // A request of lang::Request as plain data.
 struct RequestData {
   lang::RequestKind kind = lang::RequestKind::sync;
@@ -60,32 +30,90 @@ struct RequestData {
   double value = 0.0;
 };
 
-struct Item {
-  ItemKind kind = ItemKind::run_end;
-  motion::BlockTag tag;
-  std::uint64_t after_chunk = 0;  // chunks of the channel that come before it
-  std::uint64_t after_rider = 0;  // riders that come before it
-  bool flag = false;
-  std::int64_t number = 0;
-  double value = 0.0;
-  lang::AxisSet axes = 0;
-  lang::SpindleCommand spindle;
-  lang::CuttingSpeedMode cutting;
-  lang::CoolantCommand coolant;
-  lang::OverrideControl overrides;
-  lang::ForceControl force;
-  RequestData request;
-  const kinematics::Transform* transform = nullptr;
-  FixedText<8> code;
-  ShortText text;
+// A program or a line was compiled, or a block found.
+struct LoadDone {
+  bool succeeded = false;
+  std::int32_t number = 0;  // of the load of a program; 0: of none
+  ShortText text{};         // the name of what was loaded, or why it was not
 };
 
-[[nodiscard]] inline Item item_of(ItemKind kind, const motion::BlockTag& tag) {
-  Item item;
-  item.kind = kind;
-  item.tag = tag;
-  return item;
-}
+// The program came to its end.
+struct RunEnd {
+  std::uint64_t blocks = 0;  // that it executed
+  bool is_restart = false;   // by M99, where a simulation ends
+};
+
+// A line of an operator came to its end.
+struct LineEnd {
+  std::uint64_t blocks = 0;  // that it executed
+};
+
+struct RunFailed {
+  std::uint64_t blocks = 0;  // that it executed
+  FixedText<8> code{};
+  ShortText text{};
+};
+
+// The preparation cannot go on, whatever path comes before.
+struct BrokenOff {
+  FixedText<8> code{};
+  ShortText text{};
+};
+
+// Everything that was pushed before belongs to a run that a reset has ended.
+struct ResetDone {};
+
+// The transform holds from here on.
+struct TransformSet {
+  const kinematics::Transform* transform = nullptr;
+};
+
+// The move behind it ends where the probe changes.
+struct ProbeBegin {
+  bool until_contact = false;
+  bool alarm_when_missed = false;
+};
+
+// To the coordinator; the preparation waits for the answer.
+struct ProgramRequest {
+  RequestData data{};
+  ShortText text{};
+};
+
+// A step of a switch of kinematics: brakes closed, then drives off; or drives on, then brakes open.
+struct AxesStep {
+  enum class Kind : std::uint8_t { park, join };
+  Kind kind = Kind::park;
+  lang::AxisSet axes = 0;
+};
+
+// The scheme is exchanged, with the TransformSet behind it.
+struct SchemeChosen {
+  std::int32_t scheme = 0;
+};
+
+// The switch of kinematics is complete.
+struct SwitchDone {};
+
+struct SwitchFailed {
+  FixedText<8> code{};
+  ShortText text{};
+};
+
+// Those of lang are commands of the program that reach the cycle as they are.
+using ItemContent =
+    std::variant<LoadDone, RunEnd, LineEnd, RunFailed, BrokenOff, ResetDone, TransformSet,
+                 lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
+                 lang::ToolChange, lang::OverrideControl, lang::ForceControl, lang::OutputCommand,
+                 lang::MachineFunction, lang::ProgramStop, ProbeBegin, ProgramRequest, AxesStep,
+                 SchemeChosen, SwitchDone, SwitchFailed>;
+
+struct Item {
+  motion::BlockTag tag{};
+  std::uint64_t after_chunk = 0;  // chunks of the channel that come before it
+  std::uint64_t after_rider = 0;  // riders that come before it
+  ItemContent content{};
+};
 
 enum class RiderKind : std::uint8_t {
   mark_set,

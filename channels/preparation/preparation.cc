@@ -35,11 +35,8 @@ void Preparation::break_off(std::string_view code, std::string_view reason) {
   forget_path();
   task_ = Task::idle;
   const lang::Origin& origin = parts_.command.origin;
-  Item item =
-      item_of(ItemKind::broken_off, parts_.feed.tag_at(static_cast<int>(origin.line), origin.file));
-  item.code = FixedText<8>(code);
-  item.text = ShortText(reason);
-  parts_.feed.give(item);
+  parts_.feed.give({.tag = parts_.feed.tag_at(static_cast<int>(origin.line), origin.file),
+                    .content = BrokenOff{code, reason}});
 }
 
 Progress Preparation::work() {
@@ -58,14 +55,14 @@ Progress Preparation::work() {
 
 void Preparation::obey(const ProgramLoad& load) {
   shelf_.use(load.load_in_use);
-  const Item done = shelf_.load(std::string(load.program.view()), load.number);
-  if (done.flag) search_.forget();
-  parts_.feed.give(done);
+  const LoadDone done = shelf_.load(std::string(load.program.view()), load.number);
+  if (done.succeeded) search_.forget();
+  parts_.feed.give({.content = done});
 }
 
 void Preparation::obey(const LineLoad& load) {
   shelf_.use(load.load_in_use);
-  parts_.feed.give(shelf_.load_line(std::string(load.line.view())));
+  parts_.feed.give({.content = shelf_.load_line(std::string(load.line.view()))});
 }
 
 void Preparation::obey(const BlockSearch& search) {
@@ -154,7 +151,7 @@ void Preparation::obey(const PathReset& /*reset*/) {
   parts_.feed.blocks().reset_process();
   forget_path();
   ++resets_obeyed_;
-  parts_.feed.give(item_of(ItemKind::reset_done, {}));
+  parts_.feed.give({.content = ResetDone{}});
 }
 
 void Preparation::forget_path() {
@@ -206,11 +203,11 @@ Progress Preparation::use_outcome(SearchRunner::Outcome outcome) {
       return Progress::computing;
     case SearchRunner::Outcome::found:
       task_ = Task::idle;
-      parts_.feed.give(shelf_.search_found());
+      parts_.feed.give({.content = shelf_.search_found()});
       break;
     case SearchRunner::Outcome::failed:
       task_ = Task::idle;
-      parts_.feed.give(shelf_.search_failed(search_.fault()));
+      parts_.feed.give({.content = shelf_.search_failed(search_.fault())});
       break;
     case SearchRunner::Outcome::run_failed:
       fail(search_.fault(), parts_.feed.tag_at(search_.fault().place.line));
@@ -240,11 +237,10 @@ bool Preparation::take(const lang::Command& command) {
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
   parts_.reports.explain(parts_.config.id, parts_.feed.run(), diagnostic);
-  Item item = item_of(ItemKind::run_failed, tag);
-  item.number = static_cast<std::int64_t>(parts_.feed.blocks_executed());
-  item.code = FixedText<8>(diagnostic.code);
-  item.text = ShortText(diagnostic.message);
-  parts_.feed.give(item);
+  parts_.feed.give({.tag = tag,
+                    .content = RunFailed{.blocks = parts_.feed.blocks_executed(),
+                                         .code = std::string_view(diagnostic.code),
+                                         .text = std::string_view(diagnostic.message)}});
   task_ = Task::idle;
 }
 

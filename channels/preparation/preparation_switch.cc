@@ -17,25 +17,21 @@ void Preparation::obey(const SchemeSwitch& change) {
       reached = reached && parts_.feed.move_axis(step.axis, step.position, step.velocity);
       parts_.feed.end_chain();
     } else {
-      Item item = item_of(
-          step.kind == SwitchStepKind::park ? ItemKind::park_axes : ItemKind::join_axes, {});
-      item.axes = step.axes;
-      parts_.feed.give(item);
+      const bool parks = step.kind == SwitchStepKind::park;
+      parts_.feed.give(
+          {.content = AxesStep{.kind = parks ? AxesStep::Kind::park : AxesStep::Kind::join,
+                               .axes = step.axes}});
     }
     if (!reached) {
-      Item failed = item_of(ItemKind::switch_failed, {});
-      failed.code = FixedText<8>("E5204");
-      failed.text = ShortText("the parked position of axis " + axis_word(parts_.config, step.axis) +
-                              " is beyond its limits");
-      return parts_.feed.give(failed);
+      const ShortText text("the parked position of axis " + axis_word(parts_.config, step.axis) +
+                           " is beyond its limits");
+      return parts_.feed.give({.content = SwitchFailed{FixedText<8>("E5204"), text}});
     }
   }
   parts_.scheme = parts_.schemes.at(change.scheme).get();
   scheme_switched_ = true;
-  Item set = item_of(ItemKind::scheme_set, {});
-  set.number = change.scheme;
-  parts_.feed.give(set);
-  parts_.feed.give(item_of(ItemKind::switch_done, {}));
+  parts_.feed.give({.content = SchemeChosen{change.scheme}});
+  parts_.feed.give({.content = SwitchDone{}});
 }
 
 }  // namespace stanok::channels

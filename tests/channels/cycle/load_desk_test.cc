@@ -8,13 +8,8 @@
 namespace stanok::channels {
 namespace {
 
-Item done(bool ok, std::int64_t load, std::string_view text) {
-  Item item;
-  item.kind = ItemKind::load_done;
-  item.flag = ok;
-  item.number = load;
-  item.text = ShortText(text);
-  return item;
+LoadDone done(bool ok, std::int32_t load, std::string_view text) {
+  return {.succeeded = ok, .number = load, .text = ShortText(text)};
 }
 
 class LoadDeskTest : public ::testing::Test {

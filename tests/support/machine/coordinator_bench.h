@@ -54,7 +54,7 @@ class CoordinatorBench {
     while (link.notices.pop(notice)) {
       if (!std::holds_alternative<channels::PathReset>(notice)) continue;
       ++done;
-      static_cast<void>(link.items.push(channels::item_of(channels::ItemKind::reset_done, {})));
+      static_cast<void>(link.items.push({.content = channels::ResetDone{}}));
     }
   }
 
