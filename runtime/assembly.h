@@ -19,7 +19,7 @@
 #include "drives/bus.h"
 #include "plant/drive/fault.h"
 #include "recording/format/encode_inputs.h"
-#include "runtime/process_plant.h"
+#include "runtime/drive_side/process_plant.h"
 
 namespace stanok::runtime {
 
