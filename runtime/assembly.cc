@@ -243,8 +243,8 @@ struct Assembly::Parts {
   void note_fault_resets(std::span<const channels::OperatorEvent> events) RT_SAFE {
     using channels::OperatorAction;
     for (const channels::OperatorEvent& event : events) {
-      const bool is_reset = event.action == OperatorAction::program_reset;
-      if (!is_reset && event.action != OperatorAction::machine_on) continue;
+      const bool is_reset = event.action() == OperatorAction::program_reset;
+      if (!is_reset && event.action() != OperatorAction::machine_on) continue;
       for (const channels::ChannelConfig& channel : options.file.machine.channels) {
         if (is_reset && channel.id != event.channel) continue;
         for (const int axis : channel.axes) demand_reset(static_cast<std::size_t>(axis));

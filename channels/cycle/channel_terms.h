@@ -11,8 +11,6 @@
 
 namespace stanok::channels {
 
-enum class Switch : std::uint8_t { off, on };
-
 // What is loaded and run: a program, or one line of an operator (MDI).
 enum class Job : std::uint8_t { program, line, search };
 

@@ -258,11 +258,9 @@ RunStart ItemWorker::run_start() const RT_SAFE {
           .axes_M = parts_.motion.axes_M()};
 }
 
-void ItemWorker::begin_search(const ShortText& target, SearchWay way, double pass) RT_SAFE {
-  loads_.begin_search({.start = run_start(),
-                       .way = way,
-                       .passes = static_cast<std::int32_t>(std::max(1.0, pass)),
-                       .target = target});
+void ItemWorker::begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE {
+  loads_.begin_search(
+      {.start = run_start(), .way = way, .passes = std::max(1, passes), .target = target});
 }
 
 void ItemWorker::begin_run(Job job) RT_SAFE {

@@ -39,7 +39,7 @@ class ItemWorker {
   void end_all() RT_SAFE;
 
   void begin_load(const ShortText& text, Job job) RT_SAFE { loads_.begin(text, job); }
-  void begin_search(const ShortText& target, SearchWay way, double pass) RT_SAFE;
+  void begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE;
   void begin_run(Job job) RT_SAFE;
   void begin_switch(int scheme) RT_SAFE;
   // To the open request.

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "channels/contract/output.h"
-#include "channels/messages/texts.h"
+#include "channels/contract/texts.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 

@@ -6,14 +6,12 @@
 #include <type_traits>
 #include <variant>
 
-#include "channels/messages/texts.h"
+#include "channels/contract/operator_command.h"
+#include "channels/contract/texts.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
-
-// What a search computes on its way to a block; else the run begins with the default modal state.
-enum class SearchWay : std::uint8_t { calculated, not_calculated };
 
 // What a request of the program came to: `code` and `text` say why `ok` is false.
 struct ChannelAnswer {

@@ -9,6 +9,7 @@
 
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
+#include "recording/format/encode_input_record.h"
 #include "recording/format/encode_inputs.h"
 #include "recording/format/encode_tool_row.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "recording/format/encode_input_record.h"
 #include "recording/format/encode_tool_row.h"
 
 namespace stanok::recording {

@@ -1,4 +1,5 @@
-// The texts that travel between a channel's preparation and its part of the cycle: plain data.
+// Texts as plain data, as they travel between operators, the cycle and the preparation of a
+// channel.
 #pragma once
 
 #include "base/fixed_text.h"
