@@ -16,19 +16,10 @@
 #include "base/rt_safe.h"
 #include "channels/machine/machine.h"
 #include "config/files/machine_file.h"
-#include "drives/bus.h"
-#include "plant/drive/fault.h"
 #include "recording/format/encode_inputs.h"
-#include "runtime/process_plant.h"
+#include "runtime/drive_side/drive_side.h"
 
 namespace stanok::runtime {
-
-enum class DriveChoice {
-  ideal,      // setpoints only; every axis is where it should be
-  simulated,  // simulated drives on the clock of the cycle: repeatable to the bit
-  embedded,   // simulated drives behind a real Modbus TCP server on loopback
-  real,       // the bus of the machine file
-};
 
 struct AssemblyOptions {
   config::MachineFile file;

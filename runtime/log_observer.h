@@ -24,7 +24,8 @@ class LogObserver final : public CycleObserver {
   void observe(const channels::Event& event) override { stream_->event(event); }
   void observe(const channels::InputRecord& input) override {
     stream_->input(input);
-    if (input.kind == channels::InputKind::lost && lost_cycle_ == 0) lost_cycle_ = input.cycle;
+    const bool is_loss = std::holds_alternative<channels::LostInputs>(input.content);
+    if (is_loss && lost_cycle_ == 0) lost_cycle_ = input.cycle;
   }
 
   // Empty, or why the log ends early or cannot be repeated.

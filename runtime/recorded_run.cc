@@ -9,6 +9,7 @@
 #include "config/files/tables_file.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
+#include "recording/format/encode_input_record.h"
 
 namespace stanok::runtime {
 namespace {
@@ -56,7 +57,7 @@ void sort_by_cycle(std::vector<Record>& records) {
 }
 
 void take(const channels::InputRecord& input, RecordedRun& run) {
-  if (input.kind != channels::InputKind::lost) {
+  if (!std::holds_alternative<channels::LostInputs>(input.content)) {
     run.inputs.push_back(input);
   } else {
     run.lost_cycle = std::min(run.lost_cycle.value_or(input.cycle), input.cycle);

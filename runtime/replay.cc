@@ -163,48 +163,47 @@ class Repetition {
   }
 
   void take(const channels::InputRecord& input) {
-    using channels::InputKind;
-    if (!is_known(input)) {
-      throw std::runtime_error("the log has an input in cycle " + std::to_string(input.cycle) +
-                               " that its machine does not have");
-    }
-    if (input.kind == InputKind::operator_event) {
-      channels::OperatorEvent event;
-      event.id = ++last_id_;
-      event.action = static_cast<channels::OperatorAction>(input.method);
-      event.channel = input.channel;
-      event.number = input.number;
-      event.value = input.value;
-      event.value_2 = input.value_2;
-      event.text = input.text;
-      events_.push_back(event);
-    } else if (input.kind == InputKind::sensor && input.method < Signals::digital_count) {
-      signals_.set(input.method, input.value != 0.0);
-    } else if (input.kind == InputKind::sensor) {
-      signals_.analog.at(checked_size(input.method - Signals::digital_count)) = input.value;
-    } else if (input.kind == InputKind::spindle_sensor) {
-      channels::SpindleSensors& sensors = sensors_.at(checked_size(input.method));
-      (input.number == 0   ? sensors.power_w
-       : input.number == 1 ? sensors.vibration_um
-                           : sensors.vibration_hz) = input.value;
+    std::visit([&](const auto& content) { take(input, content); }, input.content);
+  }
+  void take(const channels::InputRecord& input, const channels::OperatorCommand& command) {
+    channels::OperatorEvent event;
+    event.id = ++last_id_;
+    event.channel = input.channel;
+    event.command = command;
+    events_.push_back(event);
+  }
+  void take(const channels::InputRecord& /*input*/, const channels::DigitalInput& input) {
+    signals_.set(input.number, input.is_on);
+  }
+  void take(const channels::InputRecord& /*input*/, const channels::AnalogInput& input) {
+    signals_.analog.at(checked_size(input.number)) = input.value;
+  }
+  void take(const channels::InputRecord& record, const channels::SpindleInput& input) {
+    const auto spindle = checked_size(input.spindle);
+    if (spindle >= sensors_.size()) return refuse(record);
+    switch (input.quantity) {
+      case channels::SpindleQuantity::power_w:
+        sensors_[spindle].power_w = input.value;
+        break;
+      case channels::SpindleQuantity::vibration_um:
+        sensors_[spindle].vibration_um = input.value;
+        break;
+      case channels::SpindleQuantity::vibration_hz:
+        sensors_[spindle].vibration_hz = input.value;
+        break;
     }
   }
-
   // Logs may come from anywhere.
-  [[nodiscard]] bool is_known(const channels::InputRecord& input) const {
-    using channels::InputKind;
-    switch (input.kind) {
-      case InputKind::operator_event:
-        return input.method >= 0 && input.method <= std::numeric_limits<std::uint8_t>::max() &&
-               !name_of(static_cast<channels::OperatorAction>(input.method)).empty();
-      case InputKind::sensor:
-        return input.method >= 0 && input.method < Signals::digital_count + Signals::analog_count;
-      case InputKind::spindle_sensor:
-        return input.method >= 0 && input.method < static_cast<int>(sensors_.size()) &&
-               input.number >= 0 && input.number <= 2;
-      default:
-        return true;
-    }
+  void take(const channels::InputRecord& input, const channels::UnknownInput& /*unknown*/) {
+    refuse(input);
+  }
+  // They changed nothing in the cycle.
+  void take(const channels::InputRecord& /*input*/, const channels::Overrun& /*overrun*/) {}
+  void take(const channels::InputRecord& /*input*/, const channels::LostInputs& /*lost*/) {}
+
+  static void refuse(const channels::InputRecord& input) {
+    throw std::runtime_error("the log has an input in cycle " + std::to_string(input.cycle) +
+                             " that its machine does not have");
   }
 
   void take(const RecordedRun::Feedback& feedback) {

@@ -87,9 +87,9 @@ class Simulation {
     for (const ChannelProgram& program : options_.programs) {
       channels::OperatorEvent event;
       event.id = events_.size() + 1;
-      event.action = channels::OperatorAction::program_run;
+      event.command =
+          channels::commands::ProgramRun{channels::ShortText(std::string_view(program.program))};
       event.channel = program.channel;
-      event.text = FixedText<256>(program.program);
       events_.push_back(event);
     }
   }

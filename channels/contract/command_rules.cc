@@ -6,7 +6,7 @@ namespace stanok::channels {
 namespace {
 
 // One code for each of `situations`, in their order; empty: admitted.
-using Rule = std::array<std::string_view, situations.size()>;
+using Codes = std::array<std::string_view, situations.size()>;
 
 constexpr std::string_view yes;
 constexpr std::string_view runs = "E6003";
@@ -19,61 +19,41 @@ constexpr std::string_view stops = "E6070";
 constexpr std::string_view switches = "E6071";
 constexpr std::string_view scheme_in_use = "E5202";
 
-// What stops, and what only sets something, is taken always.
-constexpr Rule always{};
+constexpr Codes always{};
 // The columns: off, idle, ready | by hand, switching | running, held | alarm, fault | ending.
-constexpr Rule power_on{yes, yes, yes, yes, yes, yes, yes, alarm, alarm, stops};
-constexpr Rule load{yes, yes, yes, yes, yes, runs, runs, alarm, alarm, stops};
-constexpr Rule search{yes, no_program, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
-constexpr Rule run{off, yes, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
-constexpr Rule start{off, no_program, yes, by_hand, switches, runs, yes, alarm, alarm, stops};
-constexpr Rule resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran,
-                      yes,         yes,         alarm,       alarm,       stops};
-constexpr Rule select{off,           yes,           yes,   by_hand, switches,
-                      scheme_in_use, scheme_in_use, alarm, alarm,   stops};
-constexpr Rule jog{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
-constexpr Rule tables{yes, yes, yes, yes, yes, runs, runs, yes, yes, stops};
+constexpr Codes power_on{yes, yes, yes, yes, yes, yes, yes, alarm, alarm, stops};
+constexpr Codes load{yes, yes, yes, yes, yes, runs, runs, alarm, alarm, stops};
+constexpr Codes search{yes, no_program, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
+constexpr Codes run{off, yes, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
+constexpr Codes start{off, no_program, yes, by_hand, switches, runs, yes, alarm, alarm, stops};
+constexpr Codes resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran,
+                       yes,         yes,         alarm,       alarm,       stops};
+constexpr Codes select{off,           yes,           yes,   by_hand, switches,
+                       scheme_in_use, scheme_in_use, alarm, alarm,   stops};
+constexpr Codes jog{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
+constexpr Codes tables{yes, yes, yes, yes, yes, runs, runs, yes, yes, stops};
 
-const Rule& rule_of(OperatorAction action) RT_SAFE {
-  switch (action) {
-    case OperatorAction::machine_on:
+const Codes& codes_of(AdmissionRule rule) RT_SAFE {
+  switch (rule) {
+    case AdmissionRule::power_on:
       return power_on;
-    case OperatorAction::program_load:
+    case AdmissionRule::load:
       return load;
-    case OperatorAction::program_search:
+    case AdmissionRule::search:
       return search;
-    case OperatorAction::program_run:
-    case OperatorAction::mdi:
-    case OperatorAction::home:
+    case AdmissionRule::run:
       return run;
-    case OperatorAction::program_start:
+    case AdmissionRule::start:
       return start;
-    case OperatorAction::program_resume:
+    case AdmissionRule::resume:
       return resume;
-    case OperatorAction::kinematics_select:
+    case AdmissionRule::select:
       return select;
-    case OperatorAction::jog:
+    case AdmissionRule::jog:
       return jog;
-    case OperatorAction::tool_set:
-    case OperatorAction::offset_set:
+    case AdmissionRule::tables:
       return tables;
-    case OperatorAction::machine_off:
-    case OperatorAction::machine_estop:
-    case OperatorAction::program_hold:
-    case OperatorAction::program_stop:
-    case OperatorAction::program_reset:
-    case OperatorAction::override_feed:
-    case OperatorAction::override_rapid:
-    case OperatorAction::override_spindle:
-    case OperatorAction::alarm_acknowledge:
-    case OperatorAction::optional_stop:
-    case OperatorAction::block_skip:
-    case OperatorAction::block_skip_off:
-    case OperatorAction::single_block:
-    case OperatorAction::process_interrupt:
-    case OperatorAction::process_automatic:
-    case OperatorAction::process_adaptive:
-    case OperatorAction::channel_control:
+    case AdmissionRule::always:
       return always;
   }
   return always;
@@ -108,7 +88,7 @@ std::string_view name_of(Situation situation) {
 }
 
 std::string_view refusal_code(OperatorAction action, Situation situation) RT_SAFE {
-  return rule_of(action)[static_cast<std::size_t>(situation)];
+  return codes_of(row_of(action).rule)[static_cast<std::size_t>(situation)];
 }
 
 std::string_view claim_of_refusal(std::string_view code) RT_SAFE {
@@ -130,8 +110,7 @@ ControlScope control_scope(OperatorAction action) RT_SAFE {
 }
 
 bool concerns_all_channels(OperatorAction action) RT_SAFE {
-  return action == OperatorAction::machine_on || action == OperatorAction::tool_set ||
-         action == OperatorAction::offset_set;
+  return row_of(action).reach == CommandReach::all_channels;
 }
 
 }  // namespace stanok::channels

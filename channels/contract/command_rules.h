@@ -1,7 +1,8 @@
 // Command rules: what an operator may ask of a channel in which situation, and with which code the
 // others are refused: one table.
 //
-// The coordinator asks it when a command arrives, docs/operator/at-the-machine.md prints it, and a
+// Which rule an action has says its row (channels/contract/operator_action.h). The coordinator asks
+// the table when a command arrives, docs/operator/at-the-machine.md prints it, and a
 // test drives a daemon through every cell of it. A command that is admitted may still fail for
 // reasons of its own: an axis that does not exist or is not homed, drives that are not ready.
 #pragma once

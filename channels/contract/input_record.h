@@ -1,38 +1,55 @@
-// InputRecord: an input of the cycle, as logs keep it for a replay. Plain data.
+// InputRecord: an input of the cycle that changed the outcome, with the cycle at which it took
+// effect, as logs keep it for a replay (docs/developer/architecture.md#time-and-determinism). One
+// struct for each kind of input; plain data.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
+#include <variant>
 
-#include "base/fixed_text.h"
+#include "channels/contract/operator_command.h"
 
 namespace stanok::channels {
 
-// One input that changed the outcome, with the cycle at which it took effect
-// (docs/developer/architecture.md#time-and-determinism).
-enum class InputKind : std::uint8_t {
-  operator_event,
-  arrival,
-  feedback,
-  sensor,
-  overrun,
-  spindle_sensor,
-  lost  // input records are missing: channels/stores/input_book.h
+// Inputs of programs.
+struct DigitalInput {
+  std::int32_t number = 0;
+  bool is_on = false;
 };
+struct AnalogInput {
+  std::int32_t number = 0;
+  double value = 0.0;
+};
+
+enum class SpindleQuantity : std::uint8_t { power_w, vibration_um, vibration_hz };
+
+// A sensor of a spindle; the value is NaN when it tells nothing any more.
+struct SpindleInput {
+  std::int32_t spindle = 0;  // index in the machine
+  SpindleQuantity quantity = SpindleQuantity::power_w;
+  double value = 0.0;
+};
+
+// The cycle began late.
+struct Overrun {
+  std::int64_t periods = 0;
+};
+
+// Input records are missing (channels/stores/input_book.h).
+struct LostInputs {
+  std::uint64_t count = 0;  // up to this cycle; 0 where the loss begins
+};
+
+// Read from a log that has what this version does not know.
+struct UnknownInput {};
+
+using InputContent = std::variant<OperatorCommand, DigitalInput, AnalogInput, SpindleInput, Overrun,
+                                  LostInputs, UnknownInput>;
 
 struct InputRecord {
   std::int64_t cycle = 0;
-  InputKind kind = InputKind::operator_event;
   std::int32_t channel = 0;  // 0: the machine
-  // operator_event: channels::OperatorAction; arrival: sequence number of the item; sensor: number
-  // of the input, analog ones counted on behind the digital ones; spindle_sensor: index of the
-  // spindle in the machine, and `number` is 0 power, 1 vibration, 2 its frequency. lost: `value` is
-  // how many were lost up to this cycle, 0 where the loss begins.
-  std::int32_t method = 0;
-  std::int32_t number = 0;  // of an operator event as well, as value_2
-  double value = 0.0;
-  double value_2 = 0.0;
-  FixedText<256> text;
+  InputContent content{};
 };
 static_assert(std::is_trivially_copyable_v<InputRecord>);
 

@@ -2,84 +2,77 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace stanok::channels {
 namespace {
 
-constexpr auto names = std::to_array<std::pair<OperatorAction, std::string_view>>({
-    {OperatorAction::machine_on, "machine_on"},
-    {OperatorAction::machine_off, "machine_off"},
-    {OperatorAction::machine_estop, "machine_estop"},
-    {OperatorAction::program_load, "program_load"},
-    {OperatorAction::program_run, "program_run"},
-    {OperatorAction::mdi, "mdi"},
-    {OperatorAction::program_start, "program_start"},
-    {OperatorAction::program_hold, "program_hold"},
-    {OperatorAction::program_resume, "program_resume"},
-    {OperatorAction::program_stop, "program_stop"},
-    {OperatorAction::program_reset, "program_reset"},
-    {OperatorAction::override_feed, "override_feed"},
-    {OperatorAction::override_rapid, "override_rapid"},
-    {OperatorAction::override_spindle, "override_spindle"},
-    {OperatorAction::kinematics_select, "kinematics_select"},
-    {OperatorAction::alarm_acknowledge, "alarm_acknowledge"},
-    {OperatorAction::optional_stop, "optional_stop"},
-    {OperatorAction::single_block, "single_block"},
-    {OperatorAction::block_skip, "block_skip"},
-    {OperatorAction::block_skip_off, "block_skip_off"},
-    {OperatorAction::process_interrupt, "process_interrupt"},
-    {OperatorAction::process_automatic, "process_automatic"},
-    {OperatorAction::jog, "jog"},
-    {OperatorAction::home, "home"},
-    {OperatorAction::tool_set, "tool_set"},
-    {OperatorAction::offset_set, "offset_set"},
-    {OperatorAction::process_adaptive, "process_adaptive"},
-    {OperatorAction::program_search, "program_search"},
-    {OperatorAction::channel_control, "channel_control"},
+using Action = OperatorAction;
+using Effect = MotionEffect;
+using Rule = AdmissionRule;
+using Reach = CommandReach;
+
+// In the order of OperatorAction.
+constexpr auto rows = std::to_array<ActionRow>({
+    {Action::machine_on, "machine_on", Effect::begins, Rule::power_on, Reach::all_channels},
+    {Action::machine_off, "machine_off", Effect::stops, Rule::always, Reach::channel},
+    {Action::machine_estop, "machine_estop", Effect::stops, Rule::always, Reach::channel},
+    {Action::program_load, "program_load", Effect::none, Rule::load, Reach::channel},
+    {Action::program_run, "program_run", Effect::begins, Rule::run, Reach::channel},
+    {Action::program_start, "program_start", Effect::begins, Rule::start, Reach::channel},
+    {Action::program_hold, "program_hold", Effect::stops, Rule::always, Reach::channel},
+    {Action::program_resume, "program_resume", Effect::begins, Rule::resume, Reach::channel},
+    {Action::program_stop, "program_stop", Effect::stops, Rule::always, Reach::channel},
+    {Action::program_reset, "program_reset", Effect::stops, Rule::always, Reach::channel},
+    {Action::override_feed, "override_feed", Effect::none, Rule::always, Reach::channel},
+    {Action::override_rapid, "override_rapid", Effect::none, Rule::always, Reach::channel},
+    {Action::override_spindle, "override_spindle", Effect::none, Rule::always, Reach::channel},
+    {Action::kinematics_select, "kinematics_select", Effect::begins, Rule::select, Reach::channel},
+    {Action::alarm_acknowledge, "alarm_acknowledge", Effect::none, Rule::always, Reach::channel},
+    {Action::optional_stop, "optional_stop", Effect::none, Rule::always, Reach::channel},
+    {Action::block_skip, "block_skip", Effect::none, Rule::always, Reach::channel},
+    {Action::block_skip_off, "block_skip_off", Effect::none, Rule::always, Reach::channel},
+    {Action::single_block, "single_block", Effect::none, Rule::always, Reach::channel},
+    {Action::mdi, "mdi", Effect::begins, Rule::run, Reach::channel},
+    {Action::process_interrupt, "process_interrupt", Effect::none, Rule::always, Reach::channel},
+    {Action::process_automatic, "process_automatic", Effect::none, Rule::always, Reach::channel},
+    {Action::jog, "jog", Effect::begins, Rule::jog, Reach::channel},
+    {Action::home, "home", Effect::begins, Rule::run, Reach::channel},
+    {Action::tool_set, "tool_set", Effect::none, Rule::tables, Reach::all_channels},
+    {Action::offset_set, "offset_set", Effect::none, Rule::tables, Reach::all_channels},
+    {Action::process_adaptive, "process_adaptive", Effect::none, Rule::always, Reach::channel},
+    {Action::program_search, "program_search", Effect::none, Rule::search, Reach::channel},
+    {Action::channel_control, "channel_control", Effect::none, Rule::always, Reach::channel},
 });
+
+consteval bool is_complete() {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (place_of(rows[k].action) != k) return false;
+  }
+  return rows.size() == std::variant_size_v<OperatorCommand>;
+}
+static_assert(is_complete(), "an action has no row, or stands in another place");
 
 }  // namespace
 
+const ActionRow& row_of(OperatorAction action) RT_SAFE {
+  return rows[place_of(action)];
+}
+
 std::string_view name_of(OperatorAction action) {
-  const auto row =
-      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == action; });
-  return row == names.end() ? std::string_view{} : row->second;
+  return place_of(action) < rows.size() ? row_of(action).name : std::string_view();
 }
 
 std::optional<OperatorAction> operator_action(std::string_view name) {
-  const auto row =
-      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == name; });
-  return row == names.end() ? std::nullopt : std::optional(row->first);
+  const auto row = std::ranges::find(rows, name, &ActionRow::name);
+  return row == rows.end() ? std::nullopt : std::optional(row->action);
 }
 
 bool is_stop(OperatorAction action) RT_SAFE {
-  switch (action) {
-    case OperatorAction::machine_off:
-    case OperatorAction::machine_estop:
-    case OperatorAction::program_hold:
-    case OperatorAction::program_stop:
-    case OperatorAction::program_reset:
-      return true;
-    default:
-      return false;
-  }
+  return row_of(action).effect == MotionEffect::stops;
 }
 
 bool begins_motion(OperatorAction action) RT_SAFE {
-  switch (action) {
-    case OperatorAction::machine_on:
-    case OperatorAction::program_run:
-    case OperatorAction::program_start:
-    case OperatorAction::program_resume:
-    case OperatorAction::kinematics_select:
-    case OperatorAction::mdi:
-    case OperatorAction::jog:
-    case OperatorAction::home:
-      return true;
-    default:
-      return false;
-  }
+  return row_of(action).effect == MotionEffect::begins;
 }
 
 }  // namespace stanok::channels

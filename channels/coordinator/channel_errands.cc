@@ -47,9 +47,7 @@ Verdict ChannelErrands::load(Errand& errand) RT_SAFE {
       if (!target.state().has_program())
         return refusal_of(target.id(), "E6005", ": no program is loaded");
       if (!target.is_quiet()) return pending();
-      target.items().begin_search(
-          errand.text, errand.number == 0 ? SearchWay::calculated : SearchWay::not_calculated,
-          errand.value);
+      target.items().begin_search(errand.text, errand.way, errand.passes);
     } else {
       target.items().begin_load(errand.text, errand.job);
     }

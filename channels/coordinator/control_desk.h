@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "base/rt_safe.h"
-#include "channels/contract/operator_event.h"
 #include "channels/coordinator/axis_ownership.h"
 #include "channels/coordinator/channel_table.h"
 #include "channels/coordinator/errand.h"
@@ -25,7 +24,8 @@ class ControlDesk {
   ControlDesk(const ChannelTable& channels, const AxisOwnership& ownership)
       : channels_(channels), ownership_(ownership) {}
 
-  [[nodiscard]] Verdict set(const OperatorEvent& event) RT_SAFE;
+  // The session has the channel with this id from here on; 0: nobody has.
+  [[nodiscard]] Verdict set(std::int32_t id, std::int32_t session) RT_SAFE;
   // The session that has the channel; 0: nobody.
   [[nodiscard]] std::int32_t of(int channel) const RT_SAFE {
     return controller_[static_cast<std::size_t>(channel)];

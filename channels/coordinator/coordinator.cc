@@ -2,32 +2,53 @@
 
 #include <algorithm>
 
+#include "base/visit_in_cycle.h"
 #include "channels/contract/operator_action.h"
 
 namespace stanok::channels {
 namespace {
 
-lang::RequestKind errand_of(OperatorAction action) RT_SAFE {
-  switch (action) {
-    case OperatorAction::program_load:
-    case OperatorAction::program_search:
-      return lang::RequestKind::channel_load;
-    case OperatorAction::program_run:
-    case OperatorAction::mdi:
-      return lang::RequestKind::channel_run;
-    case OperatorAction::program_start:
-      return lang::RequestKind::channel_start;
-    case OperatorAction::kinematics_select:
-      return lang::RequestKind::kinematics;
-    default:
-      return lang::RequestKind::channel_reset;
-  }
-}
+// What a command that takes time is, as an errand.
+struct Commission {
+  Errand& errand;
 
-Job job_of(OperatorAction action) RT_SAFE {
-  if (action == OperatorAction::mdi) return Job::line;
-  return action == OperatorAction::program_search ? Job::search : Job::program;
-}
+  void load(lang::RequestKind kind, Job job, const ShortText& text) const RT_SAFE {
+    errand.kind = kind;
+    errand.job = job;
+    errand.text = text;
+  }
+  void operator()(const commands::ProgramLoad& command) const RT_SAFE {
+    load(lang::RequestKind::channel_load, Job::program, command.program);
+  }
+  void operator()(const commands::ProgramRun& command) const RT_SAFE {
+    load(lang::RequestKind::channel_run, Job::program, command.program);
+  }
+  void operator()(const commands::Mdi& command) const RT_SAFE {
+    load(lang::RequestKind::channel_run, Job::line, command.line);
+  }
+  void operator()(const commands::ProgramSearch& command) const RT_SAFE {
+    load(lang::RequestKind::channel_load, Job::search, command.target);
+    errand.way = command.way;
+    errand.passes = command.passes;
+  }
+  void operator()(const commands::ProgramStart& /*command*/) const RT_SAFE {
+    errand.kind = lang::RequestKind::channel_start;
+  }
+  void operator()(const commands::KinematicsSelect& command) const RT_SAFE {
+    errand.kind = lang::RequestKind::kinematics;
+    errand.number = command.scheme;
+  }
+  void operator()(const commands::Home& command) const RT_SAFE {
+    errand.kind = lang::RequestKind::channel_reset;
+    errand.homes = true;
+    errand.text = command.axis;
+  }
+  // A stop or a reset has begun; what is left is to wait for rest.
+  void operator()(const auto& /*command*/) const RT_SAFE {
+    errand.kind = lang::RequestKind::channel_reset;
+    errand.stage = 1;
+  }
+};
 
 // What begins something on another channel, or for an operator.
 bool begins_something(const Errand& errand) RT_SAFE {
@@ -57,7 +78,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   if (index < 0 && event.channel != 0)
     return reply(event.id, refusal("E6001", "there is no such channel"));
   Channel* const named = index < 0 ? nullptr : &channels_[index];
-  if (const auto refused = refusal_by_rule(event.action, named)) return reply(event.id, *refused);
+  if (const auto refused = refusal_by_rule(event.action(), named)) return reply(event.id, *refused);
   if (const auto verdict = operators_.apply(event, named)) return reply(event.id, *verdict);
   if (named == nullptr) return reply(event.id, refusal("E6001", "a channel must be named"));
   begin_errand(event, index);
@@ -85,8 +106,9 @@ std::optional<Verdict> Coordinator::refusal_by_rule(OperatorAction action,
 
 void Coordinator::begin_errand(const OperatorEvent& event, int target) RT_SAFE {
   RunControl& run = channels_[target].run;
-  const bool stops = is_stop(event.action);
-  if (stops) event.action == OperatorAction::program_reset ? run.begin_reset() : run.begin_stop();
+  const bool stops = is_stop(event.action());
+  const bool resets = event.action() == OperatorAction::program_reset;
+  if (stops) resets ? run.begin_reset() : run.begin_stop();
   const auto slot = std::find_if(errands_.begin() + channels_max, errands_.end(),
                                  [](const Errand& errand) RT_SAFE { return !errand.active; });
   if (slot == errands_.end()) {
@@ -98,16 +120,10 @@ void Coordinator::begin_errand(const OperatorEvent& event, int target) RT_SAFE {
   slot->active = true;
   slot->order = ++errands_taken_;
   slot->reply_id = event.id;
-  slot->kind = errand_of(event.action);
-  slot->homes = event.action == OperatorAction::home;
-  slot->job = job_of(event.action);
   slot->target = target;
-  slot->number = event.number;
-  slot->value = event.value;
-  slot->text = event.text;
   slot->generation = run.generation();
   slot->controller = control_.of(target);
-  slot->stage = stops ? 1 : 0;
+  visit_in_cycle(Commission{*slot}, event.command);
 }
 
 void Coordinator::step() RT_SAFE {
@@ -123,9 +139,9 @@ void Coordinator::step() RT_SAFE {
 }
 
 void Coordinator::adopt_request(int index) RT_SAFE {
-  const Item* const item = channels_[index].items().request();
+  const OpenRequest* const open = channels_[index].items().request();
   Errand& errand = errands_[static_cast<std::size_t>(index)];
-  if (item == nullptr) {
+  if (open == nullptr) {
     errand.active = false;
     return;
   }
@@ -134,14 +150,15 @@ void Coordinator::adopt_request(int index) RT_SAFE {
   errand.active = true;
   errand.order = ++errands_taken_;
   errand.asker = index;
-  errand.kind = item->request.kind;
-  errand.request = item->request;
-  errand.number = item->request.number;
-  errand.members = channels_.with_ids(item->request.channels);
-  errand.seconds = item->request.seconds;
-  errand.tag = item->tag;
-  errand.text = item->text;
-  errand.target = channels_.index_of(item->request.channel);
+  const RequestData& request = open->request.data;
+  errand.kind = request.kind;
+  errand.request = request;
+  errand.number = request.number;
+  errand.members = channels_.with_ids(request.channels);
+  errand.seconds = request.seconds;
+  errand.tag = open->tag;
+  errand.text = open->request.text;
+  errand.target = channels_.index_of(request.channel);
   if (errand.target < 0) return;
   errand.generation = channels_[errand.target].run.generation();
   errand.controller = control_.of(errand.target);

@@ -23,9 +23,10 @@ struct Errand {
   lang::RequestKind kind = lang::RequestKind::sync;
   int target = -1;  // index of the channel concerned
   int number = 0;
-  double value = 0.0;
-  ChannelSet members = 0;  // mark_wait
-  RequestData request;     // of a program
+  SearchWay way = SearchWay::calculated;
+  std::int32_t passes = 1;  // of a search
+  ChannelSet members = 0;   // mark_wait
+  RequestData request;      // of a program
   double seconds = -1.0;
   int stage = 0;
   std::int64_t cycles = 0;  // since the errand, or its stage, began

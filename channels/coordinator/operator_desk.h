@@ -26,14 +26,11 @@ class OperatorDesk {
   [[nodiscard]] std::optional<Verdict> apply(const OperatorEvent& event, Channel* channel) RT_SAFE;
 
  private:
-  [[nodiscard]] std::optional<Verdict> apply_to_one(const OperatorEvent& event, Channel& channel)
-      RT_SAFE;
+  // Applies a command: one overload for each.
+  struct Application;
   [[nodiscard]] Verdict switch_on(const Channel* named) RT_SAFE;
-  [[nodiscard]] Verdict skip_blocks(const OperatorEvent& event, Channel* named) RT_SAFE;
-  [[nodiscard]] Verdict set_tool(const OperatorEvent& event) RT_SAFE;
-  [[nodiscard]] Verdict set_offset(const OperatorEvent& event) RT_SAFE;
-  template <class Effect>
-  Verdict each(Channel* named, Effect&& effect) RT_SAFE;
+  [[nodiscard]] Verdict set_tool(const commands::ToolSet& command) RT_SAFE;
+  [[nodiscard]] Verdict set_offset(const commands::OffsetSet& command) RT_SAFE;
 
   const ChannelTable& channels_;
   ControlDesk& control_;

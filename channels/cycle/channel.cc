@@ -53,9 +53,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
 void Channel::continue_reset() RT_SAFE {
   if (!motion.is_standing()) return;
   if (!run.reset_is_told()) {
-    Notice notice;
-    notice.kind = NoticeKind::reset;
-    if (link.notices.push(notice)) run.note_reset_told();
+    if (link.notices.push(PathReset{})) run.note_reset_told();
     return items_.give_up();
   }
   if (!items_.drop_until_reset_done()) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/numeric.h"
+#include "base/visit_in_cycle.h"
 #include "channels/cycle/force_terms.h"
 
 namespace stanok::channels {
@@ -11,29 +12,117 @@ namespace {
 constexpr int items_per_cycle = 16;  // bound of work
 constexpr double drives_obey_within_s = 3.0;
 
+template <class... Contents>
+bool holds_one_of(const ItemContent& content) RT_SAFE {
+  return (std::holds_alternative<Contents>(content) || ...);
+}
+
 // What a program brings about, as opposed to what its load, reset or switch needs.
-bool is_of_program(ItemKind kind) RT_SAFE {
-  switch (kind) {
-    case ItemKind::dwell:
-    case ItemKind::spindle:
-    case ItemKind::cutting_speed:
-    case ItemKind::coolant:
-    case ItemKind::tool_change:
-    case ItemKind::override_control:
-    case ItemKind::force_control:
-    case ItemKind::output:
-    case ItemKind::machine_function:
-    case ItemKind::program_stop:
-    case ItemKind::probe:
-    case ItemKind::request:
-    case ItemKind::run_end:
-      return true;
-    default:
-      return false;
-  }
+bool is_of_program(const ItemContent& content) RT_SAFE {
+  return holds_one_of<lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode,
+                      lang::CoolantCommand, lang::ToolChange, lang::OverrideControl,
+                      lang::ForceControl, lang::OutputCommand, lang::MachineFunction,
+                      lang::ProgramStop, ProbeBegin, ProgramRequest, RunEnd>(content);
 }
 
 }  // namespace
+
+struct ItemWorker::Execution {
+  ItemWorker& worker;
+  CycleParts& parts;
+  const motion::BlockTag& tag;
+
+  void operator()(const LoadDone& load) const RT_SAFE { worker.loads_.take(load); }
+  void operator()(const RunEnd& end) const RT_SAFE {
+    worker.end_run(RunResult::succeeded, end.blocks);
+    if (end.is_restart)
+      parts.log.tell("W2099", "M99 in the main program ends the simulated run", tag);
+  }
+  // Spindles and overrides stay as they are.
+  void operator()(const LineEnd& end) const RT_SAFE {
+    parts.run.end_run(RunResult::succeeded, end.blocks);
+  }
+  void operator()(const RunFailed& failed) const RT_SAFE {
+    worker.end_run(RunResult::failed, failed.blocks);
+    parts.run.raise_alarm(failed.code.view(), failed.text.view(), tag);
+  }
+  // Told before.
+  void operator()(const BrokenOff& /*end*/) const RT_SAFE {}
+  // An answer to a reset that is over.
+  void operator()(const ResetDone& /*reset*/) const RT_SAFE {}
+  // The axes stand for one cycle in the new frame, so that every trace begins where they are.
+  void operator()(const TransformSet& set) const RT_SAFE {
+    parts.motion.stand_in(*set.transform);
+    worker.wait(Activity::frame, 0.0);
+  }
+  void operator()(const lang::Dwell& dwell) const RT_SAFE {
+    worker.wait(Activity::dwell, dwell.seconds);
+  }
+  void operator()(const lang::SpindleCommand& command) const RT_SAFE {
+    parts.spindles.command(command);
+    worker.wait_for_spindles();
+  }
+  void operator()(const lang::CuttingSpeedMode& mode) const RT_SAFE {
+    parts.spindles.command(mode);
+    worker.wait_for_spindles();
+  }
+  // It has no effect on motion.
+  void operator()(const lang::CoolantCommand& /*coolant*/) const RT_SAFE {}
+  void operator()(const lang::ToolChange& change) const RT_SAFE {
+    worker.tool_ = {change.tool, change.edge};
+  }
+  void operator()(const lang::OverrideControl& control) const RT_SAFE {
+    parts.switches.admit(control);
+  }
+  void operator()(const lang::ForceControl& control) const RT_SAFE {
+    if (!parts.process.command(command_of(control))) {
+      return parts.run.fail("E6062", "the command does not fit the present state of force control",
+                            tag);
+    }
+    worker.wait_for_spindles();
+  }
+  void operator()(const lang::OutputCommand& output) const RT_SAFE {
+    Signals& outputs = *parts.books.outputs;
+    if (output.analog) {
+      outputs.analog[static_cast<std::size_t>(output.number)] = output.value;
+    } else {
+      outputs.set(output.number, output.value != 0.0);
+    }
+  }
+  void operator()(const lang::MachineFunction& function) const RT_SAFE {
+    parts.log.tell("", ShortText("M").append(function.code).view(), tag);
+  }
+  void operator()(const lang::ProgramStop& stop) const RT_SAFE {
+    const bool is_optional = stop.kind == lang::StopKind::optional_stop;
+    if (is_optional && !parts.switches.optional_stop()) return;
+    if (!is_optional && parts.constants.stops_go_on)
+      return parts.log.tell("", "program stop: going on at once", tag);
+    parts.run.hold(HoldCause::program_stop);
+  }
+  void operator()(const ProbeBegin& probe) const RT_SAFE {
+    if (worker.probe_.begin(probe) || !probe.alarm_when_missed) return;
+    parts.run.fail("E4322",
+                   probe.until_contact ? "the probe touches before the move"
+                                       : "the probe is free before the move",
+                   tag);
+  }
+  void operator()(const ProgramRequest& request) const RT_SAFE {
+    worker.request_ = OpenRequest{tag, request};
+    worker.activity_ = Activity::request;
+    if (request.data.kind == lang::RequestKind::probe_result)
+      worker.answer(worker.probe_.take_answer());
+  }
+  void operator()(const AxesStep& step) const RT_SAFE {
+    worker.wait(Activity::brakes, worker.change_.begin_step(step));
+  }
+  void operator()(const SchemeChosen& chosen) const RT_SAFE {
+    parts.motion.select_scheme(chosen.scheme);
+  }
+  void operator()(const SwitchDone& /*end*/) const RT_SAFE { worker.change_.succeed(); }
+  void operator()(const SwitchFailed& failed) const RT_SAFE {
+    worker.change_.refuse(failed.code.view(), failed.text.view());
+  }
+};
 
 ItemWorker::ItemWorker(CycleParts& parts)
     : parts_(parts),
@@ -52,19 +141,20 @@ void ItemWorker::advance() RT_SAFE {
     const Item& next = items.front();
     if (parts_.motion.path().chunks_done < next.after_chunk) return;
     if (parts_.link.riders.popped() < next.after_rider) return;
-    if (is_of_program(next.kind) && !parts_.run.stepper().admits(next.tag))
+    if (is_of_program(next.content) && !parts_.run.stepper().admits(next.tag))
       return parts_.run.hold(HoldCause::single_block);
     static_cast<void>(items.pop(item_));
-    execute(item_);
+    visit_in_cycle(Execution{*this, parts_, item_.tag}, item_.content);
   }
 }
 
 // The path that comes before may never be complete: the axes stop along what there is of it.
 bool ItemWorker::stops_where_preparation_broke_off() RT_SAFE {
   Ring<Item>& items = parts_.link.items;
-  if (items.empty() || items.front().kind != ItemKind::broken_off) return false;
+  if (items.empty() || !std::holds_alternative<BrokenOff>(items.front().content)) return false;
   static_cast<void>(items.pop(item_));
-  parts_.run.fail(item_.code.view(), item_.text.view(), item_.tag);
+  const auto* end = std::get_if<BrokenOff>(&item_.content);
+  parts_.run.fail(end->code.view(), end->text.view(), item_.tag);
   return true;
 }
 
@@ -95,16 +185,17 @@ bool ItemWorker::finish_activity() RT_SAFE {
 
 bool ItemWorker::finish_brakes() RT_SAFE {
   if (cycles_left_-- > 0) return false;
-  const int axis = change_.disobedient_axis(item_);
+  const AxesStep& step = *std::get_if<AxesStep>(&item_.content);
+  const int axis = change_.disobedient_axis(step);
   if (axis < 0) {
-    change_.finish_step(item_);
+    change_.finish_step(step);
     return true;
   }
   const double waited =
       static_cast<double>(parts_.runs.cycle() - began_) * parts_.constants.cycle_s;
   if (waited < drives_obey_within_s) return false;
   activity_ = Activity::none;
-  change_.fail(item_, axis);
+  change_.fail(step, axis);
   return false;
 }
 
@@ -116,77 +207,10 @@ void ItemWorker::wait(Activity activity, double seconds) RT_SAFE {
   cycles_left_ = ceiling(std::min(seconds / parts_.constants.cycle_s - rounding, cycles_max));
 }
 
-void ItemWorker::execute(const Item& item) RT_SAFE {
-  switch (item.kind) {
-    case ItemKind::load_done:
-      return loads_.take(item);
-    case ItemKind::run_end:
-      return end_run(item);
-    case ItemKind::line_end:
-      // Spindles and overrides stay as they are.
-      return parts_.run.end_run(RunResult::succeeded, static_cast<std::uint64_t>(item.number));
-    case ItemKind::run_failed:
-      return fail_run(item);
-    case ItemKind::broken_off:
-    case ItemKind::reset_done:
-    case ItemKind::coolant:
-      return;  // told before; an answer to a reset that is over; no effect on motion
-    case ItemKind::transform:
-      // The axes stand for one cycle in the new frame, so that every trace begins where they are.
-      parts_.motion.stand_in(*item.transform);
-      return wait(Activity::frame, 0.0);
-    case ItemKind::dwell:
-      return wait(Activity::dwell, item.value);
-    case ItemKind::spindle:
-      parts_.spindles.command(item.spindle);
-      return wait_for_spindles();
-    case ItemKind::cutting_speed:
-      parts_.spindles.command(item.cutting);
-      return wait_for_spindles();
-    case ItemKind::tool_change:
-      tool_ = {static_cast<std::int32_t>(item.number), static_cast<std::int32_t>(item.value)};
-      return;
-    case ItemKind::override_control:
-      return parts_.switches.admit(item.overrides);
-    case ItemKind::force_control:
-      return order_force(item);
-    case ItemKind::output:
-      return set_output(item);
-    case ItemKind::machine_function:
-      return parts_.log.tell("", item.text.view(), item.tag);
-    case ItemKind::program_stop:
-      return stop_by_program(item);
-    case ItemKind::probe:
-      return begin_probing(item);
-    case ItemKind::request:
-      return begin_request(item);
-    case ItemKind::park_axes:
-    case ItemKind::join_axes:
-      return wait(Activity::brakes, change_.begin_step(item));
-    case ItemKind::scheme_set:
-      return parts_.motion.select_scheme(static_cast<int>(item.number));
-    case ItemKind::switch_done:
-      return change_.succeed();
-    case ItemKind::switch_failed:
-      return change_.refuse(item.code.view(), item.text.view());
-  }
-}
-
-void ItemWorker::end_run(const Item& item) RT_SAFE {
-  if (parts_.run.state().is_running()) {
-    end_effects();
-    parts_.run.end_run(RunResult::succeeded, static_cast<std::uint64_t>(item.number));
-  }
-  if (item.flag)
-    parts_.log.tell("W2099", "M99 in the main program ends the simulated run", item.tag);
-}
-
-void ItemWorker::fail_run(const Item& item) RT_SAFE {
-  if (parts_.run.state().is_running()) {
-    end_effects();
-    parts_.run.end_run(RunResult::failed, static_cast<std::uint64_t>(item.number));
-  }
-  parts_.run.raise_alarm(item.code.view(), item.text.view(), item.tag);
+void ItemWorker::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {
+  if (!parts_.run.state().is_running()) return;
+  end_effects();
+  parts_.run.end_run(result, blocks);
 }
 
 // What programs and lines brought about is over with a program, and with a reset.
@@ -205,62 +229,13 @@ void ItemWorker::end_all() RT_SAFE {
   if (change_.is_pending()) change_.end();
 }
 
-void ItemWorker::order_force(const Item& item) RT_SAFE {
-  if (!parts_.process.command(command_of(item.force))) {
-    return parts_.run.fail("E6062", "the command does not fit the present state of force control",
-                           item.tag);
-  }
-  wait_for_spindles();
-}
-
-void ItemWorker::set_output(const Item& item) RT_SAFE {
-  Signals& outputs = *parts_.books.outputs;
-  if (item.flag) {
-    outputs.analog[static_cast<std::size_t>(item.number)] = item.value;
-  } else {
-    outputs.set(static_cast<int>(item.number), item.value != 0.0);
-  }
-}
-
-void ItemWorker::stop_by_program(const Item& item) RT_SAFE {
-  const bool is_optional = item.number == static_cast<std::int64_t>(lang::StopKind::optional_stop);
-  if (is_optional && !parts_.switches.optional_stop()) return;
-  if (!is_optional && parts_.constants.stops_go_on)
-    return parts_.log.tell("", "program stop: going on at once", item.tag);
-  parts_.run.hold(HoldCause::program_stop);
-}
-
-void ItemWorker::begin_probing(const Item& item) RT_SAFE {
-  const bool alarms = item.number != 0;
-  if (probe_.begin(item) || !alarms) return;
-  parts_.run.fail("E4322",
-                  probe_.until_contact() ? "the probe touches before the move"
-                                         : "the probe is free before the move",
-                  item.tag);
-}
-
-void ItemWorker::begin_request(const Item& item) RT_SAFE {
-  request_ = item;
-  activity_ = Activity::request;
-  if (item.request.kind == lang::RequestKind::probe_result) answer(probe_.take_answer());
-}
-
 void ItemWorker::answer(const ChannelAnswer& answer) RT_SAFE {
   if (!request_) return;
   request_.reset();
   activity_ = Activity::none;
-  Notice notice;
-  notice.kind = NoticeKind::answer;
-  notice.block_skip = parts_.switches.block_skip();
-  notice.ok = answer.ok;
-  notice.raises = answer.raises;
-  notice.value = answer.value;
-  notice.probe_M = answer.probe_M;
-  notice.left_path = answer.left_path;
-  notice.code = answer.code;
-  notice.text = answer.text;
-  notice.axes_M = parts_.motion.axes_M();
-  parts_.link.tell(notice);
+  parts_.link.tell(RequestAnswer{.answer = answer,
+                                 .block_skip = parts_.switches.block_skip(),
+                                 .axes_M = parts_.motion.axes_M()});
 }
 
 void ItemWorker::give_up() RT_SAFE {
@@ -271,27 +246,22 @@ void ItemWorker::give_up() RT_SAFE {
 bool ItemWorker::drop_until_reset_done() RT_SAFE {
   Item item;
   while (parts_.link.items.pop(item)) {
-    if (item.kind == ItemKind::reset_done) return true;
+    if (std::holds_alternative<ResetDone>(item.content)) return true;
   }
   return false;
 }
 
-Notice ItemWorker::notice_of_start(NoticeKind kind) const RT_SAFE {
-  Notice notice;
-  notice.kind = kind;
-  notice.run = parts_.runs.run();
-  notice.load = loads_.program();
-  notice.number = parts_.schemes.active_id();
-  notice.block_skip = parts_.switches.block_skip();
-  notice.axes_M = parts_.motion.axes_M();
-  return notice;
+RunStart ItemWorker::run_start() const RT_SAFE {
+  return {.run = parts_.runs.run(),
+          .load = loads_.program(),
+          .scheme = parts_.schemes.active_id(),
+          .block_skip = parts_.switches.block_skip(),
+          .axes_M = parts_.motion.axes_M()};
 }
 
-void ItemWorker::begin_search(const ShortText& target, SearchWay way, double pass) RT_SAFE {
-  Notice notice = notice_of_start(NoticeKind::search);
-  notice.ok = way == SearchWay::calculated;
-  notice.value = pass;
-  loads_.begin_search(notice, target);
+void ItemWorker::begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE {
+  loads_.begin_search(
+      {.start = run_start(), .way = way, .passes = std::max(1, passes), .target = target});
 }
 
 void ItemWorker::begin_run(Job job) RT_SAFE {
@@ -301,8 +271,8 @@ void ItemWorker::begin_run(Job job) RT_SAFE {
     parts_.process.restart_laws();
   }
   parts_.run.begin_run();
-  const NoticeKind kind = job == Job::line ? NoticeKind::start_line : NoticeKind::start;
-  parts_.link.tell(notice_of_start(kind));
+  if (job == Job::line) return parts_.link.tell(LineStart{run_start()});
+  parts_.link.tell(ProgramStart{run_start()});
 }
 
 void ItemWorker::begin_switch(int scheme) RT_SAFE {

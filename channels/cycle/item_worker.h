@@ -17,6 +17,12 @@
 
 namespace stanok::channels {
 
+// A request of the program that waits for the coordinator.
+struct OpenRequest {
+  motion::BlockTag tag;
+  ProgramRequest request;
+};
+
 class ItemWorker {
  public:
   // `parts` outlive the worker.
@@ -33,14 +39,16 @@ class ItemWorker {
   void end_all() RT_SAFE;
 
   void begin_load(const ShortText& text, Job job) RT_SAFE { loads_.begin(text, job); }
-  void begin_search(const ShortText& target, SearchWay way, double pass) RT_SAFE;
+  void begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE;
   void begin_run(Job job) RT_SAFE;
   void begin_switch(int scheme) RT_SAFE;
   // To the open request.
   void answer(const ChannelAnswer& answer) RT_SAFE;
 
-  // The request of the own program that waits for the coordinator, or nullptr.
-  [[nodiscard]] const Item* request() const RT_SAFE { return request_ ? &*request_ : nullptr; }
+  // That of the own program, or nullptr.
+  [[nodiscard]] const OpenRequest* request() const RT_SAFE {
+    return request_ ? &*request_ : nullptr;
+  }
   [[nodiscard]] bool is_idle() const RT_SAFE { return activity_ == Activity::none; }
   [[nodiscard]] bool is_waiting() const RT_SAFE {
     return !is_idle() && activity_ != Activity::frame;
@@ -58,22 +66,17 @@ class ItemWorker {
   [[nodiscard]] const ToolAtWork& tool() const RT_SAFE { return tool_; }
 
  private:
+  // Executes an item: one overload for each of its contents.
+  struct Execution;
   enum class Activity : std::uint8_t { none, frame, dwell, spindle, brakes, request };
 
   [[nodiscard]] bool stops_where_preparation_broke_off() RT_SAFE;
   [[nodiscard]] bool finish_activity() RT_SAFE;
   [[nodiscard]] bool finish_brakes() RT_SAFE;
   void wait(Activity activity, double seconds) RT_SAFE;
-  void execute(const Item& item) RT_SAFE;
-  void end_run(const Item& item) RT_SAFE;
+  void end_run(RunResult result, std::uint64_t blocks) RT_SAFE;
   void end_effects() RT_SAFE;
-  void fail_run(const Item& item) RT_SAFE;
-  void order_force(const Item& item) RT_SAFE;
-  void set_output(const Item& item) RT_SAFE;
-  void stop_by_program(const Item& item) RT_SAFE;
-  void begin_probing(const Item& item) RT_SAFE;
-  void begin_request(const Item& item) RT_SAFE;
-  [[nodiscard]] Notice notice_of_start(NoticeKind kind) const RT_SAFE;
+  [[nodiscard]] RunStart run_start() const RT_SAFE;
 
   CycleParts& parts_;
   LoadDesk loads_;
@@ -83,7 +86,7 @@ class ItemWorker {
   std::int64_t cycles_left_ = 0;  // of the activity
   std::int64_t began_ = 0;        // cycle in which it began
   Item item_;                     // the item being executed
-  std::optional<Item> request_;
+  std::optional<OpenRequest> request_;
   ToolAtWork tool_;
 };
 

@@ -8,30 +8,26 @@ void KinematicsChange::begin(int scheme) RT_SAFE {
   outcome_ = Outcome::pending;
   changed_ = 0;
   run_.apply(Change::switch_begins);
-  Notice notice;
-  notice.kind = NoticeKind::switch_scheme;
-  notice.number = scheme;
-  notice.axes_M = motion_.axes_M();
-  notice.enabled = axes_.enabled();
-  link_.tell(notice);
+  link_.tell(
+      SchemeSwitch{.scheme = scheme, .axes_M = motion_.axes_M(), .enabled = axes_.enabled()});
 }
 
-double KinematicsChange::begin_step(const Item& step) RT_SAFE {
+double KinematicsChange::begin_step(const AxesStep& step) RT_SAFE {
   double seconds = 0.0;
   for (int axis = 0; axis < axes_.count(); ++axis) {
     if ((step.axes >> axis & 1U) == 0) continue;
     const AxisConstants& constants = axes_.constants(axis);
     seconds = std::max(seconds, constants.brake_s + constants.power_s);
   }
-  if (step.kind == ItemKind::park_axes) axes_.close_brakes(step.axes);
-  if (step.kind == ItemKind::join_axes) axes_.switch_on(step.axes);
+  if (step.kind == AxesStep::Kind::park) axes_.close_brakes(step.axes);
+  if (step.kind == AxesStep::Kind::join) axes_.switch_on(step.axes);
   changed_ = static_cast<lang::AxisSet>(changed_ | step.axes);
   return seconds;
 }
 
-int KinematicsChange::disobedient_axis(const Item& step) const RT_SAFE {
+int KinematicsChange::disobedient_axis(const AxesStep& step) const RT_SAFE {
   if (drives_.is_ideal()) return -1;
-  const bool parks = step.kind == ItemKind::park_axes;
+  const bool parks = step.kind == AxesStep::Kind::park;
   for (int axis = 0; axis < axes_.count(); ++axis) {
     const AxisFeedback& drive = drives_.feedback(axis);
     const bool obeys = parks ? drive.brake_closed : drive.enabled;
@@ -40,12 +36,12 @@ int KinematicsChange::disobedient_axis(const Item& step) const RT_SAFE {
   return -1;
 }
 
-void KinematicsChange::finish_step(const Item& step) RT_SAFE {
-  step.kind == ItemKind::join_axes ? axes_.release(step.axes) : axes_.brake(step.axes);
+void KinematicsChange::finish_step(const AxesStep& step) RT_SAFE {
+  step.kind == AxesStep::Kind::join ? axes_.release(step.axes) : axes_.brake(step.axes);
 }
 
-void KinematicsChange::fail(const Item& step, int axis) RT_SAFE {
-  const bool parks = step.kind == ItemKind::park_axes;
+void KinematicsChange::fail(const AxesStep& step, int axis) RT_SAFE {
+  const bool parks = step.kind == AxesStep::Kind::park;
   ShortText text(parks ? "the brake of axis " : "the drive of axis ");
   text.append(axes_.name(axis).view()).append(parks ? " does not close" : " does not switch on");
   text.append("; the scheme is as before, the axes of the change are braked");

@@ -3,7 +3,7 @@
 //
 // The preparation makes the steps, as items; here they are carried out. A change that fails leaves
 // the scheme as it was, and what it has moved where it is, braked. Thread: the real-time cycle.
-// Owner: the channel. Invariant: outcome() is pending from begin() until switch_done, switch_failed
+// Owner: the channel. Invariant: outcome() is pending from begin() until SwitchDone, SwitchFailed
 // or an end.
 #pragma once
 
@@ -28,13 +28,13 @@ class KinematicsChange {
   [[nodiscard]] const FixedText<8>& code() const RT_SAFE { return code_; }
   [[nodiscard]] const ShortText& text() const RT_SAFE { return text_; }
 
-  // park_axes and join_axes: the time that brakes and drives take, in s.
-  [[nodiscard]] double begin_step(const Item& step) RT_SAFE;
+  // The time that brakes and drives take, in s.
+  [[nodiscard]] double begin_step(const AxesStep& step) RT_SAFE;
   // An axis of the step whose brake is not closed or whose drive does not hold it, or -1.
-  [[nodiscard]] int disobedient_axis(const Item& step) const RT_SAFE;
-  void finish_step(const Item& step) RT_SAFE;
+  [[nodiscard]] int disobedient_axis(const AxesStep& step) const RT_SAFE;
+  void finish_step(const AxesStep& step) RT_SAFE;
   // The axis does not obey.
-  void fail(const Item& step, int axis) RT_SAFE;
+  void fail(const AxesStep& step, int axis) RT_SAFE;
 
   // As the preparation says.
   void succeed() RT_SAFE;

@@ -5,27 +5,21 @@ namespace stanok::channels {
 void LoadDesk::begin(const ShortText& text, Job job) RT_SAFE {
   outcome_ = Outcome::pending;
   job_ = job;
-  Notice notice;
-  notice.kind = job == Job::line ? NoticeKind::load_line : NoticeKind::load;
-  notice.load = program_;
-  if (job == Job::program) notice.number = ++begun_;
-  notice.text = ReasonText(text.view());
-  link_.tell(notice);
+  if (job == Job::line) return link_.tell(LineLoad{.load_in_use = program_, .line = text});
+  link_.tell(ProgramLoad{.number = ++begun_, .load_in_use = program_, .program = text});
 }
 
-void LoadDesk::begin_search(Notice start, const ShortText& target) RT_SAFE {
+void LoadDesk::begin_search(const BlockSearch& search) RT_SAFE {
   outcome_ = Outcome::pending;
   job_ = Job::search;
-  start.kind = NoticeKind::search;
-  start.text = ReasonText(target.view());
-  link_.tell(start);
+  link_.tell(search);
 }
 
-void LoadDesk::take(const Item& load_done) RT_SAFE {
-  outcome_ = load_done.flag ? Outcome::succeeded : Outcome::failed;
-  text_ = load_done.text;
-  if (!load_done.flag || job_ != Job::program) return;
-  program_ = static_cast<std::int32_t>(load_done.number);
+void LoadDesk::take(const LoadDone& load) RT_SAFE {
+  outcome_ = load.succeeded ? Outcome::succeeded : Outcome::failed;
+  text_ = load.text;
+  if (!load.succeeded || job_ != Job::program) return;
+  program_ = load.number;
   run_.apply(Change::loaded);
 }
 

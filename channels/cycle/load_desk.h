@@ -2,7 +2,7 @@
 // what came of the latest one.
 //
 // Thread: the real-time cycle. Owner: the channel. Invariant: outcome() is pending from a begin
-// until the preparation's load_done, or a reset.
+// until the preparation's LoadDone, or a reset.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -18,9 +18,9 @@ class LoadDesk {
   LoadDesk(RunControl& run, ChannelLink& link) : run_(run), link_(link) {}
 
   void begin(const ShortText& text, Job job) RT_SAFE;
-  // Where the loaded program begins when it is started the next time; `start`: as a start would be.
-  void begin_search(Notice start, const ShortText& target) RT_SAFE;
-  void take(const Item& load_done) RT_SAFE;
+  // Where the loaded program begins when it is started the next time.
+  void begin_search(const BlockSearch& search) RT_SAFE;
+  void take(const LoadDone& load) RT_SAFE;
   // A reset: what was being loaded is given up.
   void end() RT_SAFE;
 

@@ -2,10 +2,10 @@
 
 namespace stanok::channels {
 
-bool ProbeWatch::begin(const Item& probe) RT_SAFE {
+bool ProbeWatch::begin(const ProbeBegin& probe) RT_SAFE {
   move_ = {};
   move_.is_on = true;
-  move_.until_contact = probe.flag;
+  move_.until_contact = probe.until_contact;
   move_.ends_path = inputs_.is_on(input_) == move_.until_contact;
   return !move_.ends_path;
 }

@@ -21,12 +21,11 @@ class ProbeWatch {
 
   // False: the probe stands already as it should come to stand, which tells nothing about where to
   // go; the move is given up.
-  [[nodiscard]] bool begin(const Item& probe) RT_SAFE;
+  [[nodiscard]] bool begin(const ProbeBegin& probe) RT_SAFE;
   // Once a cycle, before the path goes on.
   void advance(ChannelLink& link) RT_SAFE;
   // What is left of the move is given up: the path comes to rest.
   [[nodiscard]] bool ends_path() const RT_SAFE { return move_.ends_path; }
-  [[nodiscard]] bool until_contact() const RT_SAFE { return move_.until_contact; }
   // Behind the move.
   [[nodiscard]] ChannelAnswer take_answer() RT_SAFE;
   void end() RT_SAFE { move_ = {}; }

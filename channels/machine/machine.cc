@@ -134,45 +134,36 @@ struct Machine::Parts {
     if (outputs_to_inputs) next = signals_out;
     if (given != nullptr) next = *given;
     if (next == signals_in) return;
-    InputRecord record;
-    record.cycle = cycle;
-    record.kind = InputKind::sensor;
     Signals changed;
     changed.digital = next.digital ^ signals_in.digital;
     for (int k = 0; k < Signals::digital_count; ++k) {
       if (!changed.is_on(k)) continue;
-      record.method = k;
-      record.value = next.is_on(k) ? 1.0 : 0.0;
-      inputs.note(record);
+      inputs.note({.cycle = cycle, .content = DigitalInput{.number = k, .is_on = next.is_on(k)}});
     }
     for (std::size_t k = 0; k < next.analog.size(); ++k) {
       if (next.analog[k] == signals_in.analog[k]) continue;
-      record.method = Signals::digital_count + static_cast<std::int32_t>(k);
-      record.value = next.analog[k];
-      inputs.note(record);
+      const auto number = static_cast<std::int32_t>(k);
+      inputs.note({.cycle = cycle, .content = AnalogInput{number, next.analog[k]}});
     }
     signals_in = next;
   }
 
   void take_sensors(std::span<const SpindleSensors> given) RT_SAFE {
+    using enum SpindleQuantity;
     for (std::size_t k = 0; k < std::min(given.size(), sensors.size()); ++k) {
-      note_sensor(k, 0, given[k].power_w, sensors[k].power_w);
-      note_sensor(k, 1, given[k].vibration_um, sensors[k].vibration_um);
-      note_sensor(k, 2, given[k].vibration_hz, sensors[k].vibration_hz);
+      note_sensor(k, power_w, given[k].power_w, sensors[k].power_w);
+      note_sensor(k, vibration_um, given[k].vibration_um, sensors[k].vibration_um);
+      note_sensor(k, vibration_hz, given[k].vibration_hz, sensors[k].vibration_hz);
     }
   }
 
   // Takes over a value that changed, and writes it down.
-  void note_sensor(std::size_t spindle, int quantity, double given, double& kept) RT_SAFE {
+  void note_sensor(std::size_t spindle, SpindleQuantity quantity, double given, double& kept)
+      RT_SAFE {
     if (given == kept || (std::isnan(given) && std::isnan(kept))) return;
     kept = given;
-    InputRecord record;
-    record.cycle = cycle;
-    record.kind = InputKind::spindle_sensor;
-    record.method = static_cast<std::int32_t>(spindle);
-    record.number = quantity;
-    record.value = given;
-    inputs.note(record);
+    inputs.note({.cycle = cycle,
+                 .content = SpindleInput{static_cast<std::int32_t>(spindle), quantity, given}});
   }
 
   // Reports of runs and alarms that found no place.
@@ -242,15 +233,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
   }
   for (const OperatorEvent& event : inputs.events) {
-    InputRecord record;
-    record.cycle = parts.cycle;
-    record.channel = event.channel;
-    record.method = static_cast<std::int32_t>(event.action);
-    record.number = event.number;
-    record.value = event.value;
-    record.value_2 = event.value_2;
-    record.text = event.text;
-    parts.inputs.note(record);
+    parts.inputs.note({.cycle = parts.cycle, .channel = event.channel, .content = event.command});
     parts.coordinator->take(event);
   }
   parts.take_signals(inputs.signals);

@@ -8,6 +8,7 @@
 
 #include "base/ring.h"
 #include "channels/messages/item.h"
+#include "channels/messages/notice.h"
 #include "motion/path/path_queue.h"
 
 namespace stanok::channels {

@@ -1,54 +1,20 @@
-// Items and notices: what travels between a channel's preparation and its part of the cycle, apart
-// from the path itself.
+// Items, riders and remarks: what travels from a channel's preparation to its part of the cycle,
+// apart from the path itself.
 //
-// Preparation -> cycle: items, in program order with the path (an item is due when the chunks
-// before it are done and the axes stand), and remarks, which travel with the path without stopping
-// it, as riders do. Cycle -> preparation: notices. All plain data.
+// Items come in program order with the path (an item is due when the chunks before it are done and
+// the axes stand); riders and remarks travel with the path without stopping it. All plain data.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
-#include "base/fixed_text.h"
 #include "channels/contract/output.h"
+#include "channels/contract/texts.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
-
-using ShortText = FixedText<256>;
-using ReasonText = FixedText<1024>;  // of an answer: lines after the first are notes
-using FileName = FixedText<96>;
-
-enum class ItemKind : std::uint8_t {
-  load_done,         // a program or line was compiled, a block found: flag = success, text = name,
-                     // number = of the load
-                     // or reason
-  run_end,           // the program came to its end: number = blocks executed
-  line_end,          // a line of an operator came to its end: number = blocks executed
-  run_failed,        // the program failed: code, text
-  broken_off,        // preparation cannot go on, whatever path comes before: code, text
-  reset_done,        // everything pushed before belongs to an older generation
-  transform,         // `transform` holds from here
-  dwell,             // value = s
-  spindle,           // spindle command
-  cutting_speed,     // G96, G97
-  coolant,           // mist, flood
-  tool_change,       // number = tool, value = its edge
-  override_control,  // M48 to M53
-  force_control,     // #adaptive: force
-  output,            // M64, M65, M68: number, value, flag = analog
-  machine_function,  // M100 to M899: text
-  program_stop,      // M0, M1, M60: number = lang::StopKind
-  probe,             // the move behind it ends where the probe changes: flag = until contact,
-                     // number = whether missing that is an alarm
-  request,           // to the coordinator; preparation waits for the answer
-  park_axes,         // axes = set: brakes closed, then drives off
-  join_axes,         // axes = set: drives on, then brakes open
-  scheme_set,        // number = scheme: the transformation is exchanged, with the next `transform`
-  switch_done,       // the switch of kinematics is complete
-  switch_failed,     // code, text
-};
 
 // A request of lang::Request as plain data.
 struct RequestData {
@@ -64,62 +30,89 @@ struct RequestData {
   double value = 0.0;
 };
 
+// A program or a line was compiled, or a block found.
+struct LoadDone {
+  bool succeeded = false;
+  std::int32_t number = 0;  // of the load of a program; 0: of none
+  ShortText text{};         // the name of what was loaded, or why it was not
+};
+
+// The program came to its end.
+struct RunEnd {
+  std::uint64_t blocks = 0;  // that it executed
+  bool is_restart = false;   // by M99, where a simulation ends
+};
+
+// A line of an operator came to its end.
+struct LineEnd {
+  std::uint64_t blocks = 0;  // that it executed
+};
+
+struct RunFailed {
+  std::uint64_t blocks = 0;  // that it executed
+  FixedText<8> code{};
+  ShortText text{};
+};
+
+// The preparation cannot go on, whatever path comes before.
+struct BrokenOff {
+  FixedText<8> code{};
+  ShortText text{};
+};
+
+// Everything that was pushed before belongs to a run that a reset has ended.
+struct ResetDone {};
+
+// The transform holds from here on.
+struct TransformSet {
+  const kinematics::Transform* transform = nullptr;
+};
+
+// The move behind it ends where the probe changes.
+struct ProbeBegin {
+  bool until_contact = false;
+  bool alarm_when_missed = false;
+};
+
+// To the coordinator; the preparation waits for the answer.
+struct ProgramRequest {
+  RequestData data{};
+  ShortText text{};
+};
+
+// A step of a switch of kinematics: brakes closed, then drives off; or drives on, then brakes open.
+struct AxesStep {
+  enum class Kind : std::uint8_t { park, join };
+  Kind kind = Kind::park;
+  lang::AxisSet axes = 0;
+};
+
+// The scheme is exchanged, with the TransformSet behind it.
+struct SchemeChosen {
+  std::int32_t scheme = 0;
+};
+
+// The switch of kinematics is complete.
+struct SwitchDone {};
+
+struct SwitchFailed {
+  FixedText<8> code{};
+  ShortText text{};
+};
+
+// Those of lang are commands of the program that reach the cycle as they are.
+using ItemContent =
+    std::variant<LoadDone, RunEnd, LineEnd, RunFailed, BrokenOff, ResetDone, TransformSet,
+                 lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
+                 lang::ToolChange, lang::OverrideControl, lang::ForceControl, lang::OutputCommand,
+                 lang::MachineFunction, lang::ProgramStop, ProbeBegin, ProgramRequest, AxesStep,
+                 SchemeChosen, SwitchDone, SwitchFailed>;
+
 struct Item {
-  ItemKind kind = ItemKind::run_end;
-  motion::BlockTag tag;
+  motion::BlockTag tag{};
   std::uint64_t after_chunk = 0;  // chunks of the channel that come before it
   std::uint64_t after_rider = 0;  // riders that come before it
-  bool flag = false;
-  std::int64_t number = 0;
-  double value = 0.0;
-  lang::AxisSet axes = 0;
-  lang::SpindleCommand spindle;
-  lang::CuttingSpeedMode cutting;
-  lang::CoolantCommand coolant;
-  lang::OverrideControl overrides;
-  lang::ForceControl force;
-  RequestData request;
-  const kinematics::Transform* transform = nullptr;
-  FixedText<8> code;
-  ShortText text;
-};
-
-[[nodiscard]] inline Item item_of(ItemKind kind, const motion::BlockTag& tag) {
-  Item item;
-  item.kind = kind;
-  item.tag = tag;
-  return item;
-}
-
-enum class NoticeKind : std::uint8_t {
-  load,           // compile program `text`, number = of the load
-  load_line,      // compile `text`, a line of an operator
-  search,         // find the block `text` of the loaded program, met for the `value`-th time, ok =
-                  // with calculation; as a start would: axes_M, number, block_skip
-  start,          // begin a run of the loaded program, where it was searched for: run, axes_M,
-                  // number = scheme
-  start_line,     // the same of the line that was compiled last
-  answer,         // to the current request
-  reset,          // forget run and path, then send reset_done
-  switch_scheme,  // number = scheme, axes_M = where the axes stand, enabled = axes whose drives are
-                  // on
-};
-
-struct Notice {
-  NoticeKind kind = NoticeKind::answer;
-  std::uint32_t run = 0;
-  std::int32_t load = 0;  // number of the load whose program the channel has; 0: of none
-  std::int32_t number = 0;
-  std::uint16_t block_skip = 0;  // start, answer: levels that are skipped from now on
-  bool ok = true;
-  bool raises = false;  // lang::Answer
-  double value = 0.0;
-  motion::Point axes_M{};
-  motion::Point probe_M{};  // answer to a probing move: where the probe changed
-  bool left_path = false;   // the axes stand elsewhere than at the end of the path
-  lang::AxisSet enabled = 0;
-  FixedText<8> code;
-  ReasonText text;
+  ItemContent content{};
 };
 
 enum class RiderKind : std::uint8_t {
@@ -159,7 +152,7 @@ struct Remark {
   std::variant<SpokenText, BlankNews, lang::WorkpiecePosition> news;
 };
 
-static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Notice>);
-static_assert(std::is_trivially_copyable_v<Rider> && std::is_trivially_copyable_v<Remark>);
+static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_copyable_v<Rider> &&
+              std::is_trivially_copyable_v<Remark>);
 
 }  // namespace stanok::channels

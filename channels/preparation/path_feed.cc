@@ -87,8 +87,8 @@ PathFeed::Refusal PathFeed::dispatch(const lang::Command& command, Taken& taken)
             return take_transformation(command, change);
           },
           [&](const auto&) {
-            if (auto item = plain_item(command.payload)) {
-              take_plain(command, *item);
+            if (const auto content = plain_content(command.payload)) {
+              take_plain(command, *content);
             } else {
               take_other(command, taken);
             }
@@ -99,12 +99,12 @@ PathFeed::Refusal PathFeed::dispatch(const lang::Command& command, Taken& taken)
 }
 
 // The state for the motion behind it comes first.
-void PathFeed::take_plain(const lang::Command& command, Item& item) {
-  if (const auto* spindle = std::get_if<lang::SpindleCommand>(&command.payload))
-    threads_.take_spindle(*spindle);
-  if (item.kind == ItemKind::spindle || item.kind == ItemKind::cutting_speed) take_state(command);
-  item.tag = tag_of(command);
-  give(item);
+void PathFeed::take_plain(const lang::Command& command, const ItemContent& content) {
+  const auto* spindle = std::get_if<lang::SpindleCommand>(&content);
+  if (spindle != nullptr) threads_.take_spindle(*spindle);
+  if (spindle != nullptr || std::holds_alternative<lang::CuttingSpeedMode>(content))
+    take_state(command);
+  give({.tag = tag_of(command), .content = content});
 }
 
 void PathFeed::take_other(const lang::Command& command, Taken& taken) {
@@ -203,16 +203,14 @@ PathFeed::Refusal PathFeed::take_thread(const lang::Command& command,
 PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
                                          const lang::ProbeMove& move) {
   if (channel_.probe_input < 0) return no_probe(channel_.id);
-  Item probe = item_of(ItemKind::probe, tag_of(command));
-  probe.flag = move.until_contact;
-  probe.number = move.alarm_when_missed ? 1 : 0;
-  give(probe);
+  give({.tag = tag_of(command),
+        .content = ProbeBegin{.until_contact = move.until_contact,
+                              .alarm_when_missed = move.alarm_when_missed}});
   return take_move(command, move.line);
 }
 
 void PathFeed::take_request(const lang::Command& command, const lang::Request& request) {
-  Item item = item_of(ItemKind::request, tag_of(command));
-  RequestData& data = item.request;
+  RequestData data;
   data.kind = request.kind;
   data.channel = request.channel;
   data.number = request.number;
@@ -222,20 +220,13 @@ void PathFeed::take_request(const lang::Command& command, const lang::Request& r
   data.seconds = request.seconds;
   data.value = request.value;
   data.combination = request.combination;
-  item.text = ShortText(request.text);
   has_given_ = true;
   end_chain();
-  sink_->take_request(item, request);
+  sink_->take_request(
+      {.tag = tag_of(command), .content = ProgramRequest{data, ShortText(request.text)}}, request);
 }
 
 void PathFeed::take_output(const lang::Command& command, const lang::OutputCommand& output) {
-  if (!output.with_motion) {
-    Item item = item_of(ItemKind::output, tag_of(command));
-    item.flag = output.analog;
-    item.number = output.number;
-    item.value = output.value;
-    return give(item);
-  }
   Rider rider;
   rider.kind = output.analog ? RiderKind::analog_output : RiderKind::digital_output;
   rider.tag = tag_of(command);
@@ -260,11 +251,11 @@ void PathFeed::take_mark(const lang::Command& command, const lang::MarkCommand& 
 }
 
 void PathFeed::take_end(const lang::Command& command, const lang::ProgramEnd& end) {
-  const bool is_line = end.kind == lang::ProgramEndKind::end_of_line;
-  Item item = item_of(is_line ? ItemKind::line_end : ItemKind::run_end, tag_of(command));
-  item.number = static_cast<std::int64_t>(blocks_executed_);
-  item.flag = end.kind == lang::ProgramEndKind::restart;
-  give(item);
+  const motion::BlockTag tag = tag_of(command);
+  if (end.kind == lang::ProgramEndKind::end_of_line)
+    return give({.tag = tag, .content = LineEnd{blocks_executed_}});
+  const bool is_restart = end.kind == lang::ProgramEndKind::restart;
+  give({.tag = tag, .content = RunEnd{.blocks = blocks_executed_, .is_restart = is_restart}});
 }
 
 void PathFeed::give(const Item& item) {
@@ -287,9 +278,7 @@ void PathFeed::give_remark(const Remark& remark) {
 
 void PathFeed::give_transform() {
   builder_.restart(blocks_.position_W(), blocks_.geometry());
-  Item item = item_of(ItemKind::transform, {});
-  item.transform = &blocks_.transform();
-  give(item);
+  give({.content = TransformSet{&blocks_.transform()}});
 }
 
 void PathFeed::end_chain() {
@@ -317,9 +306,7 @@ void PathFeed::collect_segments() {
 
 void PathFeed::begin_machine_path(const motion::Point& axes_M) {
   builder_.restart(axes_M);
-  Item frame = item_of(ItemKind::transform, {});
-  frame.transform = &machine_axes_transform();
-  give(frame);
+  give({.content = TransformSet{&machine_axes_transform()}});
 }
 
 bool PathFeed::move_axis(int axis, double position, double velocity) {

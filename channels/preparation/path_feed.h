@@ -76,7 +76,7 @@ class PathFeed {
   using Refusal = std::optional<Diagnostic>;
 
   [[nodiscard]] Refusal dispatch(const lang::Command& command, Taken& taken);
-  void take_plain(const lang::Command& command, Item& item);
+  void take_plain(const lang::Command& command, const ItemContent& content);
   void take_other(const lang::Command& command, Taken& taken);
   [[nodiscard]] Refusal take_move(const lang::Command& command, const lang::Move& move);
   [[nodiscard]] Refusal take_curve(const lang::Command& command, const lang::SplineMove& spline);

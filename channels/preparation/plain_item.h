@@ -8,7 +8,7 @@
 
 namespace stanok::channels {
 
-// The item, its tag open; nothing: the command is no such one.
-[[nodiscard]] std::optional<Item> plain_item(const lang::Payload& payload);
+// Nothing: the command is no such one.
+[[nodiscard]] std::optional<ItemContent> plain_content(const lang::Payload& payload);
 
 }  // namespace stanok::channels

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace stanok::channels {
 
@@ -34,18 +35,15 @@ void Preparation::break_off(std::string_view code, std::string_view reason) {
   forget_path();
   task_ = Task::idle;
   const lang::Origin& origin = parts_.command.origin;
-  Item item =
-      item_of(ItemKind::broken_off, parts_.feed.tag_at(static_cast<int>(origin.line), origin.file));
-  item.code = FixedText<8>(code);
-  item.text = ShortText(reason);
-  parts_.feed.give(item);
+  parts_.feed.give({.tag = parts_.feed.tag_at(static_cast<int>(origin.line), origin.file),
+                    .content = BrokenOff{code, reason}});
 }
 
 Progress Preparation::work() {
   Progress progress = Progress::blocked;
   Notice notice;
   while (link_.notices.pop(notice)) {
-    obey(notice);
+    std::visit([this](const auto& told) { obey(told); }, notice);
     progress = Progress::worked;
   }
   if (!parts_.queue.flush()) return progress;
@@ -55,59 +53,27 @@ Progress Preparation::work() {
   return progress;
 }
 
-void Preparation::obey(const Notice& notice) {
-  shelf_.use(notice.load);
-  switch (notice.kind) {
-    case NoticeKind::load:
-      return load(notice);
-    case NoticeKind::load_line:
-      return parts_.feed.give(shelf_.load_line(std::string(notice.text.view())));
-    case NoticeKind::search:
-      return search(notice);
-    case NoticeKind::start:
-    case NoticeKind::start_line:
-      return start(notice);
-    case NoticeKind::answer:
-      return take_answer(notice);
-    case NoticeKind::reset:
-      return reset();
-    case NoticeKind::switch_scheme:
-      return switch_scheme(notice);
-  }
+void Preparation::obey(const ProgramLoad& load) {
+  shelf_.use(load.load_in_use);
+  const LoadDone done = shelf_.load(std::string(load.program.view()), load.number);
+  if (done.succeeded) search_.forget();
+  parts_.feed.give({.content = done});
 }
 
-void Preparation::load(const Notice& notice) {
-  const Item done = shelf_.load(std::string(notice.text.view()), notice.number);
-  if (done.flag) search_.forget();
-  parts_.feed.give(done);
+void Preparation::obey(const LineLoad& load) {
+  shelf_.use(load.load_in_use);
+  parts_.feed.give({.content = shelf_.load_line(std::string(load.line.view()))});
 }
 
-void Preparation::search(const Notice& notice) {
+void Preparation::obey(const BlockSearch& search) {
+  shelf_.use(search.start.load);
   task_ = Task::running;
-  static_cast<void>(use_result(search_.look(notice, shelf_.program())));
+  static_cast<void>(use_result(search_.look(search, shelf_.program())));
 }
 
-void Preparation::start(const Notice& notice) {
-  block_book_.begin_run(notice.run);
-  search_.forget_entry();
-  parts_.feed.begin_run(notice.run);
-  parts_.queue.begin_run();
-  parts_.restart(notice.number, notice.axes_M);
-  parts_.feed.give_transform();
-  const bool is_line = notice.kind == NoticeKind::start_line;
-  parts_.set_program(is_line ? shelf_.line() : shelf_.program());
-  name_files();
-  parts_.reports.name_run(parts_.config.id, notice.run, is_line ? "MDI" : shelf_.name(),
-                          lang::file_names(*parts_.program));
-  parts_.interpreter.set_block_skip(notice.block_skip);
-  scheme_switched_ = false;
-  axes_change_ = false;
-  task_ = Task::running;
-  if (!is_line) return start_program();
-  parts_.interpreter.start_line(parts_.program, parts_.feed.blocks().position_B());
-}
-
-void Preparation::start_program() {
+void Preparation::obey(const ProgramStart& notice) {
+  shelf_.use(notice.start.load);
+  begin_run(notice.start, shelf_.program(), shelf_.name());
   parts_.feed.blocks().forget_laws();
   if (search_.is_set()) {
     static_cast<void>(use_result(search_.begin_run()));
@@ -116,22 +82,46 @@ void Preparation::start_program() {
   }
 }
 
+void Preparation::obey(const LineStart& notice) {
+  shelf_.use(notice.start.load);
+  begin_run(notice.start, shelf_.line(), "MDI");
+  parts_.interpreter.start_line(parts_.program, parts_.feed.blocks().position_B());
+}
+
+void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
+                            const std::string& name) {
+  block_book_.begin_run(start.run);
+  search_.forget_entry();
+  parts_.feed.begin_run(start.run);
+  parts_.queue.begin_run();
+  parts_.restart(start.scheme, start.axes_M);
+  parts_.feed.give_transform();
+  parts_.set_program(std::move(program));
+  name_files();
+  parts_.reports.name_run(parts_.config.id, start.run, name, lang::file_names(*parts_.program));
+  parts_.interpreter.set_block_skip(start.block_skip);
+  scheme_switched_ = false;
+  axes_change_ = false;
+  task_ = Task::running;
+}
+
 // Before anything of the run can bear a tag.
 void Preparation::name_files() {
   for (std::size_t k = 0; k < link_.file_names.size(); ++k)
     link_.file_names[k] = FileName(lang::file_name(*parts_.program, static_cast<std::uint16_t>(k)));
 }
 
-void Preparation::take_answer(const Notice& notice) {
+void Preparation::obey(const RequestAnswer& notice) {
   if (task_ != Task::waiting_answer) return;
   BlockPreparation& blocks = parts_.feed.blocks();
+  const ChannelAnswer& told = notice.answer;
   lang::Answer answer;
-  answer.ok = notice.ok;
-  answer.raises = notice.raises;
-  answer.number = notice.value;
-  answer.text = std::string(notice.code.view());
+  answer.ok = told.ok;
+  answer.raises = told.raises;
+  answer.number = told.value;
+  answer.text = std::string(told.code.view());
   if (!answer.text.empty()) answer.text += ' ';
-  answer.text += notice.text.view();
+  answer.text += told.text.view();
   if (scheme_switched_ || axes_change_) {
     blocks.change_scheme(parts_.scheme, notice.axes_M);
     if (scheme_switched_) parts_.tables.set_scheme(*parts_.scheme);
@@ -139,8 +129,8 @@ void Preparation::take_answer(const Notice& notice) {
     scheme_switched_ = false;
     axes_change_ = false;
   }
-  answer.probe_B = blocks.base_of(notice.probe_M);
-  if (notice.left_path) {
+  answer.probe_B = blocks.base_of(told.probe_M);
+  if (told.left_path) {
     blocks.go_on_from(notice.axes_M);
     parts_.feed.give_transform();
   }
@@ -151,7 +141,7 @@ void Preparation::take_answer(const Notice& notice) {
   parts_.interpreter.answer(answer);
 }
 
-void Preparation::reset() {
+void Preparation::obey(const PathReset& /*reset*/) {
   task_ = Task::idle;
   search_.forget_entry();
   search_.forget();
@@ -161,7 +151,7 @@ void Preparation::reset() {
   parts_.feed.blocks().reset_process();
   forget_path();
   ++resets_obeyed_;
-  parts_.feed.give(item_of(ItemKind::reset_done, {}));
+  parts_.feed.give({.content = ResetDone{}});
 }
 
 void Preparation::forget_path() {
@@ -213,11 +203,11 @@ Progress Preparation::use_result(SearchRunner::Result result) {
       return Progress::computing;
     case SearchRunner::Result::found:
       task_ = Task::idle;
-      parts_.feed.give(shelf_.search_found());
+      parts_.feed.give({.content = shelf_.search_found()});
       break;
     case SearchRunner::Result::failed:
       task_ = Task::idle;
-      parts_.feed.give(shelf_.search_failed(search_.fault()));
+      parts_.feed.give({.content = shelf_.search_failed(search_.fault())});
       break;
     case SearchRunner::Result::run_failed:
       fail(search_.fault(), parts_.feed.tag_at(search_.fault().place.line));
@@ -247,11 +237,10 @@ bool Preparation::take(const lang::Command& command) {
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
   parts_.reports.explain(parts_.config.id, parts_.feed.run(), diagnostic);
-  Item item = item_of(ItemKind::run_failed, tag);
-  item.number = static_cast<std::int64_t>(parts_.feed.blocks_executed());
-  item.code = FixedText<8>(diagnostic.code);
-  item.text = ShortText(diagnostic.message);
-  parts_.feed.give(item);
+  parts_.feed.give({.tag = tag,
+                    .content = RunFailed{.blocks = parts_.feed.blocks_executed(),
+                                         .code = std::string_view(diagnostic.code),
+                                         .text = std::string_view(diagnostic.message)}});
   task_ = Task::idle;
 }
 

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
 
 #include "channels/contract/progress.h"
 #include "channels/messages/channel_link.h"
@@ -35,16 +37,18 @@ class Preparation {
   void break_off(std::string_view code, std::string_view reason);
   void forget_path();
 
-  // Notices of the cycle.
-  void obey(const Notice& notice);
-  void load(const Notice& notice);
-  void search(const Notice& notice);
-  void start(const Notice& notice);
-  void start_program();
+  // Notices of the cycle, one overload for each.
+  void obey(const ProgramLoad& load);
+  void obey(const LineLoad& load);
+  void obey(const BlockSearch& search);
+  void obey(const ProgramStart& notice);
+  void obey(const LineStart& notice);
+  void obey(const RequestAnswer& notice);
+  void obey(const PathReset& reset);
+  void obey(const SchemeSwitch& change);
+  void begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
+                 const std::string& name);
   void name_files();
-  void take_answer(const Notice& notice);
-  void reset();
-  void switch_scheme(const Notice& notice);
 
   // Program.
   [[nodiscard]] Progress interpret();

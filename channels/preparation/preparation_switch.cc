@@ -7,35 +7,31 @@
 
 namespace stanok::channels {
 
-void Preparation::switch_scheme(const Notice& notice) {
+void Preparation::obey(const SchemeSwitch& change) {
   const SwitchPlan plan =
-      plan_switch(parts_.config, *parts_.schemes.at(notice.number), notice.axes_M, notice.enabled);
-  parts_.feed.begin_machine_path(notice.axes_M);
+      plan_switch(parts_.config, *parts_.schemes.at(change.scheme), change.axes_M, change.enabled);
+  parts_.feed.begin_machine_path(change.axes_M);
   bool reached = true;
   for (const SwitchStep& step : plan) {
     if (step.kind == SwitchStepKind::move) {
       reached = reached && parts_.feed.move_axis(step.axis, step.position, step.velocity);
       parts_.feed.end_chain();
     } else {
-      Item item = item_of(
-          step.kind == SwitchStepKind::park ? ItemKind::park_axes : ItemKind::join_axes, {});
-      item.axes = step.axes;
-      parts_.feed.give(item);
+      const bool parks = step.kind == SwitchStepKind::park;
+      parts_.feed.give(
+          {.content = AxesStep{.kind = parks ? AxesStep::Kind::park : AxesStep::Kind::join,
+                               .axes = step.axes}});
     }
     if (!reached) {
-      Item failed = item_of(ItemKind::switch_failed, {});
-      failed.code = FixedText<8>("E5204");
-      failed.text = ShortText("the parked position of axis " + axis_word(parts_.config, step.axis) +
-                              " is beyond its limits");
-      return parts_.feed.give(failed);
+      const ShortText text("the parked position of axis " + axis_word(parts_.config, step.axis) +
+                           " is beyond its limits");
+      return parts_.feed.give({.content = SwitchFailed{FixedText<8>("E5204"), text}});
     }
   }
-  parts_.scheme = parts_.schemes.at(notice.number).get();
+  parts_.scheme = parts_.schemes.at(change.scheme).get();
   scheme_switched_ = true;
-  Item set = item_of(ItemKind::scheme_set, {});
-  set.number = notice.number;
-  parts_.feed.give(set);
-  parts_.feed.give(item_of(ItemKind::switch_done, {}));
+  parts_.feed.give({.content = SchemeChosen{change.scheme}});
+  parts_.feed.give({.content = SwitchDone{}});
 }
 
 }  // namespace stanok::channels

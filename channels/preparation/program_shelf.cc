@@ -16,11 +16,8 @@ std::string first_error(const Diagnostics& diagnostics) {
   return "";
 }
 
-Item load_done(const std::string& name) {
-  Item item = item_of(ItemKind::load_done, {});
-  item.flag = true;
-  item.text = ShortText(name);
-  return item;
+LoadDone loaded(const std::string& name) {
+  return {.succeeded = true, .number = 0, .text = ShortText(name)};
 }
 
 }  // namespace
@@ -43,7 +40,7 @@ void ProgramShelf::use(std::int32_t number) {
   newest_ = {};
 }
 
-Item ProgramShelf::load(const std::string& name, std::int32_t number) {
+LoadDone ProgramShelf::load(const std::string& name, std::int32_t number) {
   Diagnostics diagnostics;
   auto compiled = lang::compile(name, files_, &description_, diagnostics, is_unwanted_);
   if (compiled) {
@@ -52,12 +49,12 @@ Item ProgramShelf::load(const std::string& name, std::int32_t number) {
     }
   }
   if (compiled) newest_ = {number, *compiled, name};
-  Item item = done(name, compiled, std::move(diagnostics));
-  item.number = number;
-  return item;
+  LoadDone end = done(name, compiled, std::move(diagnostics));
+  end.number = number;
+  return end;
 }
 
-Item ProgramShelf::load_line(const std::string& line) {
+LoadDone ProgramShelf::load_line(const std::string& line) {
   Diagnostics diagnostics;
   const auto compiled =
       lang::compile_line(line, program_.get(), files_, &description_, diagnostics, is_unwanted_);
@@ -65,24 +62,24 @@ Item ProgramShelf::load_line(const std::string& line) {
   return done(line, compiled, std::move(diagnostics));
 }
 
-Item ProgramShelf::search_failed(const Diagnostic& fault) {
+LoadDone ProgramShelf::search_failed(const Diagnostic& fault) {
   return done("", Unexpected<Diagnostics>({fault}), {});
 }
 
-Item ProgramShelf::search_found() const {
-  return load_done(name_);
+LoadDone ProgramShelf::search_found() const {
+  return loaded(name_);
 }
 
-Item ProgramShelf::done(const std::string& name, const Compiled& compiled,
-                        Diagnostics diagnostics) {
-  Item item = load_done(name);
+LoadDone ProgramShelf::done(const std::string& name, const Compiled& compiled,
+                            Diagnostics diagnostics) {
+  LoadDone end = loaded(name);
   if (!compiled) {
     diagnostics.insert(diagnostics.end(), compiled.error().begin(), compiled.error().end());
-    item.flag = false;
-    item.text = ShortText(first_error(compiled.error()));
+    end.succeeded = false;
+    end.text = ShortText(first_error(compiled.error()));
   }
   reports_.add_diagnostics(config_.id, diagnostics);
-  return item;
+  return end;
 }
 
 Diagnostics ProgramShelf::declare_shared(const lang::Program& program) {

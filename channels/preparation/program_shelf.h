@@ -23,12 +23,12 @@ class ProgramShelf {
                const lang::Files& files, SharedVariables& shared, ReportBook& reports,
                lang::Interruption is_unwanted);
 
-  // Compiles program `name` or a line, and says how it ended, as the item load_done; `flag`: well.
-  [[nodiscard]] Item load(const std::string& name, std::int32_t number);
-  [[nodiscard]] Item load_line(const std::string& line);
-  // The item load_done of a block search: its fault, or the place was found.
-  [[nodiscard]] Item search_failed(const Diagnostic& fault);
-  [[nodiscard]] Item search_found() const;
+  // Compiles program `name` or a line, and says how it ended.
+  [[nodiscard]] LoadDone load(const std::string& name, std::int32_t number);
+  [[nodiscard]] LoadDone load_line(const std::string& line);
+  // The same of a block search: its fault, or the place was found.
+  [[nodiscard]] LoadDone search_failed(const Diagnostic& fault);
+  [[nodiscard]] LoadDone search_found() const;
 
   // The cycle uses the load with this number, or has never heard of it: a reset comes between. The
   // program that it has then is the one before.
@@ -46,8 +46,8 @@ class ProgramShelf {
     std::string name;
   };
 
-  [[nodiscard]] Item done(const std::string& name, const Compiled& compiled,
-                          Diagnostics diagnostics);
+  [[nodiscard]] LoadDone done(const std::string& name, const Compiled& compiled,
+                              Diagnostics diagnostics);
   [[nodiscard]] Diagnostics declare_shared(const lang::Program& program);
 
   const ChannelConfig& config_;

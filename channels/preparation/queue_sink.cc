@@ -1,6 +1,7 @@
 #include "channels/preparation/queue_sink.h"
 
 #include <utility>
+#include <variant>
 
 #include "channels/preparation/feed_limit.h"
 
@@ -47,9 +48,10 @@ void QueueSink::take_request(const Item& item, const lang::Request& request) {
   if (!is_shared) return take_item(item);
   const SharedVariables::Cell cell = shared_.cell(request.text, request.index);
   Item completed = item;
-  completed.request.number = cell.number;
-  completed.request.is_text = cell.is_text;
-  completed.text = ShortText(request.value_text);
+  auto& wish = std::get<ProgramRequest>(completed.content);
+  wish.data.number = cell.number;
+  wish.data.is_text = cell.is_text;
+  wish.text = ShortText(request.value_text);
   take_item(completed);
 }
 

@@ -24,22 +24,22 @@ int infeed_axis(const std::array<int, 3>& geometry) {
 
 }  // namespace
 
-SearchRunner::Result SearchRunner::look(const Notice& notice,
+SearchRunner::Result SearchRunner::look(const BlockSearch& search,
                                         std::shared_ptr<const lang::Program> program) {
-  const std::string text(notice.text.view());
+  const std::string text(search.target.view());
   forget();
   auto target = lang::search_target(text);
   if (!target) return fail(no_such_target(text));
-  target->passes = static_cast<int>(std::max(1.0, notice.value));
+  target->passes = search.passes;
   const auto place = lang::find_place(*program, *target);
   if (!place) return fail(place.error());
   search_.emplace();
   search_->place = *place;
-  search_->calculates = notice.ok;
+  search_->calculates = search.way == SearchWay::calculated;
   parts_.set_program(std::move(program));
-  parts_.restart(notice.number, notice.axes_M);
+  parts_.restart(search.start.scheme, search.start.axes_M);
   parts_.feed.blocks().forget_laws();
-  parts_.interpreter.set_block_skip(notice.block_skip);
+  parts_.interpreter.set_block_skip(search.start.block_skip);
   const Result result = enter(ProgramSearch::Stage::look);
   return result == Result::entered ? arrive() : result;
 }

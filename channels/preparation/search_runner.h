@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "channels/messages/item.h"
+#include "channels/messages/notice.h"
 #include "channels/preparation/preparation_parts.h"
 #include "channels/preparation/program_search.h"
 
@@ -29,8 +29,9 @@ class SearchRunner {
   // The parts outlive the search.
   explicit SearchRunner(PreparationParts& parts) : parts_(parts) {}
 
-  // Looks in `program` for the block that the notice names.
-  [[nodiscard]] Result look(const Notice& notice, std::shared_ptr<const lang::Program> program);
+  // Looks in `program` for a block.
+  [[nodiscard]] Result look(const BlockSearch& search,
+                            std::shared_ptr<const lang::Program> program);
   // The run begins where a block was found: is_set() holds, the parts are restarted.
   [[nodiscard]] Result begin_run();
   // Goes on by so many commands at most; is_under_way() holds.

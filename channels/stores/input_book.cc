@@ -16,19 +16,13 @@ void InputBook::note(const InputRecord& record) RT_SAFE {
 }
 
 void InputBook::begin_gap(std::int64_t cycle) RT_SAFE {
-  InputRecord gap;
-  gap.cycle = cycle;
-  gap.kind = InputKind::lost;
-  static_cast<void>(records_.push(gap));
+  static_cast<void>(records_.push({.cycle = cycle, .content = LostInputs{}}));
   tell(cycle);
 }
 
 void InputBook::end_gap(std::int64_t cycle) RT_SAFE {
-  InputRecord gap;
-  gap.cycle = cycle;
-  gap.kind = InputKind::lost;
-  gap.value = static_cast<double>(lost_in_gap_);
-  static_cast<void>(records_.push(gap));
+  const auto lost = static_cast<std::uint64_t>(lost_in_gap_);
+  static_cast<void>(records_.push({.cycle = cycle, .content = LostInputs{lost}}));
   lost_in_gap_ = 0;
 }
 

@@ -2,8 +2,8 @@
 // missing.
 //
 // A recorder that falls behind leaves the ring full. What finds no place is lost, and from there on
-// the recording cannot be repeated; that itself is an input record, for which one place is kept: an
-// InputKind::lost of the first cycle with a loss, and another one with the number of the lost when
+// the recording cannot be repeated; that itself is an input record, for which one place is kept: a
+// LostInputs of the first cycle with a loss, and another one with the number of the lost when
 // there is room again. Operators get an event (W720) at the begin of each such gap. One gap ends
 // when half of the ring is free, so that a recorder at its limit makes one gap, not thousands.
 #pragma once

@@ -49,7 +49,7 @@ void EventQueue::note_stops(std::size_t count) RT_SAFE {
 }
 
 bool EventQueue::is_overtaken(const OperatorEvent& event) const RT_SAFE {
-  if (!channels::begins_motion(event.action)) return false;
+  if (!channels::begins_motion(event.action())) return false;
   if (event.channel == 0) return last_of_any_ > event.stops_before;
   const auto place = std::find_if(last_.begin(), last_.end(), [&](const LastStop& last) RT_SAFE {
     return last.channel == event.channel;

@@ -26,13 +26,13 @@ class EventQueue {
 
   // Operator server's thread. False: no room; the event is not taken.
   [[nodiscard]] bool put(const channels::OperatorEvent& event) {
-    if (!channels::is_stop(event.action) && events_.space() <= kept_for_stops) return false;
+    if (!channels::is_stop(event.action()) && events_.space() <= kept_for_stops) return false;
     return events_.push(event);
   }
   // Reception's thread. False: no room; the stop is not taken.
   [[nodiscard]] bool put_stop(const channels::OperatorEvent& stop) {
-    const bool is_emergency = stop.action == channels::OperatorAction::machine_estop ||
-                              stop.action == channels::OperatorAction::machine_off;
+    const bool is_emergency = stop.action() == channels::OperatorAction::machine_estop ||
+                              stop.action() == channels::OperatorAction::machine_off;
     if (!is_emergency && stops_.space() <= kept_for_emergency) return false;
     return stops_.push(stop);
   }

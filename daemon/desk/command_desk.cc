@@ -1,6 +1,9 @@
 #include "daemon/desk/command_desk.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
 
 #include "daemon/desk/search_report.h"
 
@@ -14,8 +17,14 @@ using protocol::FailureKind;
 
 constexpr auto standing_cycle_max = std::chrono::seconds(2);
 
-bool loads_program(OperatorAction action) {
-  return action == OperatorAction::program_load || action == OperatorAction::program_run;
+// The name of the program that the command loads, or nothing.
+std::optional<std::string> program_of(const channels::OperatorCommand& command) {
+  namespace commands = channels::commands;
+  if (const auto* load = std::get_if<commands::ProgramLoad>(&command))
+    return std::string(load->program.view());
+  if (const auto* run = std::get_if<commands::ProgramRun>(&command))
+    return std::string(run->program.view());
+  return std::nullopt;
 }
 
 bool begins_program(OperatorAction action) {
@@ -24,8 +33,8 @@ bool begins_program(OperatorAction action) {
 
 // Its refusal is told with a place.
 bool reads_program(OperatorAction action) {
-  return loads_program(action) || action == OperatorAction::program_search ||
-         action == OperatorAction::mdi;
+  return action == OperatorAction::program_load || action == OperatorAction::program_run ||
+         action == OperatorAction::program_search || action == OperatorAction::mdi;
 }
 
 Failure failure_of(FailureKind kind, const char* code, std::string text, int channel) {
@@ -45,7 +54,8 @@ Failure failure_of_load(const std::vector<channels::AlarmReport>& errors, int ch
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
   event.id = ++last_id_;
   Pending pending{event, wait, std::move(answer), 0, runtime::runs_of(machine_.newest_output())};
-  if (reads_program(event.action)) pending.diagnostics_before = machine_.load_diagnostics().size();
+  if (reads_program(event.action()))
+    pending.diagnostics_before = machine_.load_diagnostics().size();
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(failure_of(
         FailureKind::refused, "E9007", "there are too many requests at once", event.channel)));
@@ -59,14 +69,14 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
   Pending& pending = node.mapped();
   if (!reply.ok) return pending.answer(Unexpected<Failure>(refusal(pending, reply)));
   note_acceptance(pending.event);
-  if (loads_program(pending.event.action))
-    machine_.foresee(pending.event.channel, std::string(pending.event.text.view()));
-  if (begins_program(pending.event.action))
+  if (const auto program = program_of(pending.event.command))
+    machine_.foresee(pending.event.channel, *program);
+  if (begins_program(pending.event.action()))
     machine_.foreseen_begins(pending.event.channel, std::move(pending.runs_before));
   if (pending.wait == WaitFor::end_of_run) {
     return await_run(pending.event.channel, std::move(pending.answer));
   }
-  const auto search = pending.event.action == OperatorAction::program_search
+  const auto search = pending.event.action() == OperatorAction::program_search
                           ? machine_.search(pending.event.channel)
                           : std::nullopt;
   pending.answer(search ? search_json(*search) : json{{"accepted", true}});
@@ -74,7 +84,7 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
 
 Failure CommandDesk::refusal(const Pending& pending, const channels::OperatorReply& reply) const {
   const int channel = pending.event.channel;
-  if (reads_program(pending.event.action) && reply.code.empty()) {
+  if (reads_program(pending.event.action()) && reply.code.empty()) {
     std::vector<channels::AlarmReport> errors;
     const auto diagnostics = machine_.load_diagnostics();
     for (std::size_t k = pending.diagnostics_before; k < diagnostics.size(); ++k) {
@@ -93,17 +103,15 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
   for (const auto& channel : machine_.file().machine.channels) {
     if (event.channel != 0 && event.channel != channel.id) continue;
     ChannelNotes& notes = notes_[channel.id];
-    if (loads_program(event.action)) notes.program = event.text.view();
-    if (event.action == OperatorAction::override_rapid)
-      notes.rapid_override_percent = event.value * 100.0;
-    if (event.action == OperatorAction::override_spindle) {
-      notes.spindle_override_percent = event.value * 100.0;
-    }
-    if (event.action == OperatorAction::alarm_acknowledge ||
-        event.action == OperatorAction::program_reset) {
+    if (auto program = program_of(event.command)) notes.program = std::move(*program);
+    if (const auto* rapid = std::get_if<channels::commands::OverrideRapid>(&event.command))
+      notes.rapid_override_percent = rapid->factor * 100.0;
+    if (const auto* spindle = std::get_if<channels::commands::OverrideSpindle>(&event.command))
+      notes.spindle_override_percent = spindle->factor * 100.0;
+    const bool resets = event.action() == OperatorAction::program_reset;
+    if (resets || event.action() == OperatorAction::alarm_acknowledge) {
       notes.alarms_acknowledged = alarms;
-      if (event.action == OperatorAction::program_reset || !is_in_alarm(channel.id))
-        notes.alarms_cleared = alarms;
+      if (resets || !is_in_alarm(channel.id)) notes.alarms_cleared = alarms;
     }
   }
 }

@@ -178,10 +178,10 @@ void Dispatch::tell_control() {
 void Dispatch::tell_control(int channel, Answer answer) {
   constexpr int not_known = -1;
   channels::OperatorEvent event;
-  event.action = channels::OperatorAction::channel_control;
+  const auto session = static_cast<std::int32_t>(control_.session_with(channel));
+  event.command = channels::commands::ChannelControl{session};
   event.channel = channel;
-  event.number = control_.session_with(channel);
-  told_control_[channel] = event.number;
+  told_control_[channel] = session;
   desk_.submit(event, WaitFor::accepted,
                [this, channel, answer = std::move(answer)](const CommandResult& outcome) {
                  if (!outcome) told_control_[channel] = not_known;
@@ -240,7 +240,7 @@ void Dispatch::command(const Call& call) {
   auto event = operator_event(machine_.file(), call.method, call.parameters);
   if (!event) return log_and_answer(Unexpected<Failure>(event.error()));
   event->stops_before = call.session.stops_before;
-  if (const auto obstacle = control_.obstacle(event->action, event->channel, call.session.id))
+  if (const auto obstacle = control_.obstacle(event->action(), event->channel, call.session.id))
     return log_and_answer(Unexpected<Failure>(*obstacle));
   const bool waits = call.method.effect == protocol::Effect::begins_motion &&
                      call.parameters.value("wait", "accepted") == "done";

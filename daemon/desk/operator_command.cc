@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "channels/contract/operator_action.h"
 #include "protocol/machine_request.h"
+#include "runtime/operator_request.h"
 
 namespace stanok::daemon {
 namespace {
@@ -55,18 +55,11 @@ Expected<json, Failure> admitted_parameters(const config::MachineFile& file, pro
 Expected<channels::OperatorEvent, Failure> operator_event(const config::MachineFile& file,
                                                           const protocol::Method& method,
                                                           const json& parameters) {
-  const protocol::MachineRequest request = protocol::machine_request(method, parameters);
-  const auto action = channels::operator_action(request.action);
-  if (!action)
-    return not_admitted(FailureKind::internal, "", "no action " + std::string(request.action));
-  channels::OperatorEvent event;
-  event.action = *action;
-  event.channel = concerns_machine(method) ? 0 : channel_or_first(file, parameters);
-  event.number = request.number;
-  event.value = request.value;
-  event.value_2 = request.value_2;
-  event.text = FixedText<256>(request.text);
-  return event;
+  auto event = runtime::operator_event(protocol::machine_request(method, parameters));
+  if (!event)
+    return not_admitted(FailureKind::internal, "", "no action " + std::string(method.action));
+  event->channel = concerns_machine(method) ? 0 : channel_or_first(file, parameters);
+  return *event;
 }
 
 int channel_or_first(const config::MachineFile& file, const json& parameters) {

@@ -32,9 +32,9 @@ bool StopDesk::take(protocol::Role role, const protocol::Request& request, Answe
   return true;
 }
 
-void StopDesk::order(channels::OperatorAction action) {
+void StopDesk::order(const channels::OperatorCommand& command) {
   channels::OperatorEvent event;
-  event.action = action;
+  event.command = command;
   // The queue keeps room; were it full all the same, those in it are stops.
   static_cast<void>(machine_.submit_stop(event));
 }

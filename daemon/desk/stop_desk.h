@@ -26,7 +26,7 @@ class StopDesk {
   // called once, now or later.
   [[nodiscard]] bool take(protocol::Role role, const protocol::Request& request, Answer answer);
   // The machine as a whole, without an answer.
-  void order(channels::OperatorAction action);
+  void order(const channels::OperatorCommand& command);
 
   // Whether the reply belongs to a stop; any thread.
   [[nodiscard]] static bool is_ours(const channels::OperatorReply& reply) {

@@ -13,7 +13,6 @@
 namespace stanok::daemon {
 namespace {
 
-using channels::OperatorAction;
 using channels::OperatorEvent;
 using channels::TablesConfig;
 using channels::ToolEdge;
@@ -33,11 +32,9 @@ Failure failure_of(const config::ConfigError& error) {
   return failure;
 }
 
-OperatorEvent command(OperatorAction action, const std::string& text, double value) {
+OperatorEvent event_of(const channels::OperatorCommand& command) {
   OperatorEvent event;
-  event.action = action;
-  event.text = FixedText<256>(text);
-  event.value = value;
+  event.command = command;
   return event;
 }
 
@@ -69,10 +66,11 @@ Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wa
                                          0,
                                          {}});
     }
-    OperatorEvent set = command(OperatorAction::tool_set, key, value.get<double>());
-    set.number = wanted.number;
-    set.value_2 = wanted.edge;
-    commands.push_back(set);
+    commands.push_back(
+        event_of(channels::commands::ToolSet{.key = channels::ShortText(std::string_view(key)),
+                                             .value = value.get<double>(),
+                                             .tool = wanted.number,
+                                             .edge = wanted.edge}));
   }
   return commands;
 }
@@ -157,7 +155,8 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
       if (value == value_in(now.offsets, offset, axis)) continue;
       std::string place = offset;
       place.append(" ").append(axis);
-      commands.push_back(command(OperatorAction::offset_set, place, value));
+      commands.push_back(event_of(channels::commands::OffsetSet{
+          .place = channels::ShortText(std::string_view(place)), .value = value}));
     }
   }
   return commands;

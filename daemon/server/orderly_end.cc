@@ -28,7 +28,7 @@ void OrderlyEnd::begin(Time now) {
   if (stage_ != Stage::not_begun) return;
   stage_ = Stage::holding;
   deadline_ = now + rest_time_max;
-  stops_.order(channels::OperatorAction::program_hold);
+  stops_.order(channels::commands::ProgramHold{});
 }
 
 bool OrderlyEnd::step(Time now) {
@@ -37,7 +37,7 @@ bool OrderlyEnd::step(Time now) {
   const auto output = machine_.newest_output();
   if (stage_ == Stage::holding && all(output, stands)) {
     stage_ = Stage::switching_off;
-    stops_.order(channels::OperatorAction::machine_off);
+    stops_.order(channels::commands::MachineOff{});
   } else if (stage_ == Stage::switching_off && all(output, stands) && all(output, is_off)) {
     stage_ = Stage::done;
   }

@@ -77,11 +77,7 @@ std::optional<channels::OperatorReply> AssembledMachine::stop_reply() {
 }
 
 void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
-  channels::InputRecord record;
-  record.cycle = cycles_;
-  record.kind = channels::InputKind::overrun;
-  record.value = static_cast<double>(periods);
-  machine_.record(record);
+  machine_.record({.cycle = cycles_, .content = channels::Overrun{periods}});
 }
 
 void AssembledMachine::on_output(const channels::CycleOutput& output) {

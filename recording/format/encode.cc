@@ -243,19 +243,6 @@ event_t to_event(const channels::Event& event, const Stamp& stamp) {
   return message;
 }
 
-input_t to_input(const channels::InputRecord& record, const Stamp& stamp) {
-  auto message = zeroed<input_t>();
-  put_stamp(stamp, message);
-  message.channel = record.channel;
-  message.method = record.method;
-  message.kind = static_cast<std::int8_t>(record.kind);
-  message.number = record.number;
-  message.value = record.value;
-  message.value_2 = record.value_2;
-  put_text(record.text.view(), message.text);
-  return message;
-}
-
 channels::ChannelOutput from_setpoint(const setpoint_t& message) {
   channels::ChannelOutput output;
   output.id = message.channel;
@@ -283,17 +270,6 @@ channels::ChannelOutput from_setpoint(const setpoint_t& message) {
                         .brake_closed = bit(message.brakes_closed, k)};
   }
   return output;
-}
-
-channels::InputRecord from_input(const input_t& message) {
-  return {.cycle = message.cycle,
-          .kind = static_cast<channels::InputKind>(message.kind),
-          .channel = message.channel,
-          .method = message.method,
-          .number = message.number,
-          .value = message.value,
-          .value_2 = message.value_2,
-          .text = text_of(message.text)};
 }
 
 }  // namespace stanok::recording

@@ -8,7 +8,6 @@
 #include <stanok_messages/drive_status_t.hpp>
 #include <stanok_messages/event_t.hpp>
 #include <stanok_messages/force_status_t.hpp>
-#include <stanok_messages/input_t.hpp>
 #include <stanok_messages/path_t.hpp>
 #include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
@@ -43,11 +42,9 @@ struct Stamp {
                              const Stamp& stamp);
 [[nodiscard]] workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp);
 [[nodiscard]] event_t to_event(const channels::Event& event, const Stamp& stamp);
-[[nodiscard]] input_t to_input(const channels::InputRecord& record, const Stamp& stamp);
 
 // Second and third derivatives of the programmed point are not in the message: they come back as 0.
 [[nodiscard]] channels::ChannelOutput from_setpoint(const setpoint_t& message);
-[[nodiscard]] channels::InputRecord from_input(const input_t& message);
 
 // Text of a byte array that ends with NUL or fills it, and the reverse; longer text is cut.
 [[nodiscard]] std::string_view text_of(std::span<const std::uint8_t> bytes);

@@ -10,6 +10,7 @@
 #include "base/place.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
+#include "recording/format/encode_input_record.h"
 #include "recording/format/encode_inputs.h"
 #include "recording/format/encode_tool_row.h"
 

@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "base/place.h"
+#include "recording/format/encode_input_record.h"
 #include "recording/format/encode_tool_row.h"
 
 namespace stanok::recording {

@@ -29,12 +29,10 @@ MachineConfig lathe_with_automatic_feeds() {
   return config;
 }
 
-OperatorEvent automatic(const char* law, bool on) {
+OperatorEvent automatic(AutomaticLaw law, Switch to) {
   OperatorEvent event;
-  event.action = OperatorAction::process_automatic;
+  event.command = commands::ProcessAutomatic{law, to};
   event.channel = 1;
-  event.number = on ? 1 : 0;
-  event.text = FixedText<256>(law);
   return event;
 }
 
@@ -74,7 +72,7 @@ double fastest(const std::vector<Moment>& moments, double from, double to) {
 // 600 mm/min are 10 mm/s; 5 mm of path down and up again.
 TEST(AutomaticFeedOfAChannel, ModulatesTheFeedUnderVibration) {
   MachineBench bench(lathe_with_automatic_feeds());
-  bench.ask(automatic("modulated", true));
+  bench.ask(automatic(AutomaticLaw::modulated, Switch::on));
   bench.sensors({{.power_w = 500.0, .vibration_um = 8.0, .vibration_hz = 120.0}});
   const auto moments = cut(bench);
   EXPECT_NEAR(slowest(moments, 2.0, 18.0), 5.0, 1e-6);
@@ -88,7 +86,7 @@ TEST(AutomaticFeedOfAChannel, ModulatesTheFeedUnderVibration) {
 
 TEST(AutomaticFeedOfAChannel, FollowsThePowerOfTheSpindle) {
   MachineBench bench(lathe_with_automatic_feeds());
-  bench.ask(automatic("linear", true));
+  bench.ask(automatic(AutomaticLaw::linear, Switch::on));
   bench.sensors({{.power_w = 1000.0, .vibration_um = 0.0, .vibration_hz = 0.0}});
   const auto moments = cut(bench);
   // 5 increments of 0.1 over 2.5 mm, then the smallest feed.
@@ -101,7 +99,7 @@ TEST(AutomaticFeedOfAChannel, OffOrBelowItsLevelItChangesNoBit) {
   const auto expected = cut(plain);
   for (const double vibration : {2.0, 5.9}) {
     MachineBench bench(lathe_with_automatic_feeds());
-    bench.ask(automatic("modulated", true));
+    bench.ask(automatic(AutomaticLaw::modulated, Switch::on));
     bench.sensors({{.power_w = 2000.0, .vibration_um = vibration, .vibration_hz = 50.0}});
     const auto moments = cut(bench);
     ASSERT_EQ(moments.size(), expected.size());
@@ -114,7 +112,7 @@ TEST(AutomaticFeedOfAChannel, OffOrBelowItsLevelItChangesNoBit) {
 
 TEST(AutomaticFeedOfAChannel, LostSensorIsSaidAndTheFeedIsTheSmallest) {
   MachineBench bench(lathe_with_automatic_feeds());
-  bench.ask(automatic("modulated", true));
+  bench.ask(automatic(AutomaticLaw::modulated, Switch::on));
   const auto moments = cut(bench);  // no sensor at all
   EXPECT_THAT(bench.event_codes(), Contains("W604"));
   EXPECT_NEAR(fastest(moments, 0.0, 20.0), 5.0, 1e-6);
@@ -127,7 +125,7 @@ TEST(AutomaticFeedOfAChannel, LostSensorIsSaidAndTheFeedIsTheSmallest) {
 
 TEST(AutomaticFeedOfAChannel, IsRefusedWhereTheMachineFileHasNone) {
   MachineBench bench(testing::turning_machine());
-  bench.ask(automatic("linear", true));
+  bench.ask(automatic(AutomaticLaw::linear, Switch::on));
   bench.cycle();
   ASSERT_FALSE(bench.replies().empty());
   EXPECT_EQ(bench.replies().back().code.view(), "E6030");
@@ -147,12 +145,11 @@ TEST(AutomaticFeedOfAChannel, SensorsAreRecordedWhenTheyChange) {
   };
   const auto first = records(700.0);
   ASSERT_EQ(first.size(), 1U);
-  EXPECT_EQ(first[0].kind, InputKind::spindle_sensor);
-  EXPECT_EQ(first[0].value, 700.0);
+  EXPECT_EQ(std::get<SpindleInput>(first[0].content).value, 700.0);
   EXPECT_THAT(records(700.0), IsEmpty());
   const auto lost = records(std::nan(""));
   ASSERT_EQ(lost.size(), 1U);
-  EXPECT_TRUE(std::isnan(lost[0].value));
+  EXPECT_TRUE(std::isnan(std::get<SpindleInput>(lost[0].content).value));
 }
 
 }  // namespace

@@ -13,9 +13,8 @@ class EndlessLoop : public ::testing::TestWithParam<const char*> {
  protected:
   void cycle(OperatorAction action, const std::string& text = "") {
     OperatorEvent event;
-    event.action = action;
+    event.command = command_of({.action = action, .text = std::string_view(text)}).value();
     event.channel = 1;
-    event.text = FixedText<256>(text);
     CycleInputs inputs;
     inputs.events = {&event, 1};
     machine.cycle(inputs, output);

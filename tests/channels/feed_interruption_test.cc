@@ -18,10 +18,8 @@ using testing::MachineBench;
 
 OperatorEvent interruption(double la, double lb, int channel = 1) {
   OperatorEvent event;
-  event.action = OperatorAction::process_interrupt;
+  event.command = commands::ProcessInterrupt{.stand_mm = la, .cut_mm = lb};
   event.channel = channel;
-  event.value = la;
-  event.value_2 = lb;
   return event;
 }
 
@@ -106,9 +104,9 @@ TEST(FeedInterruptionOfAChannel, IsRecordedWithBothLengths) {
   bench.machine().cycle({.events = events, .feedback = {}}, output);
   InputRecord record;
   ASSERT_TRUE(bench.machine().input_records().pop(record));
-  EXPECT_EQ(record.method, static_cast<std::int32_t>(OperatorAction::process_interrupt));
-  EXPECT_EQ(record.value, 0.4);
-  EXPECT_EQ(record.value_2, 2.5);
+  const auto& command = std::get<OperatorCommand>(record.content);
+  EXPECT_EQ(std::get<commands::ProcessInterrupt>(command).stand_mm, 0.4);
+  EXPECT_EQ(std::get<commands::ProcessInterrupt>(command).cut_mm, 2.5);
 }
 
 TEST(FeedInterruptionOfAChannel, RefusesLengthsThatMakeNoSense) {

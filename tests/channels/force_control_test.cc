@@ -163,11 +163,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 OperatorEvent adaptive(ForceAction action, const char* quantity, double value) {
   OperatorEvent event;
-  event.action = OperatorAction::process_adaptive;
+  event.command = command_of({.action = OperatorAction::process_adaptive,
+                              .number = static_cast<int>(action),
+                              .value = value,
+                              .text = ShortText(quantity)})
+                      .value();
   event.channel = 1;
-  event.number = static_cast<int>(action);
-  event.text = FixedText<256>(quantity);
-  event.value = value;
   return event;
 }
 

@@ -39,19 +39,17 @@ TEST(InputBook, SaysAtItsPlaceThatInputsAreMissingAndThenHowMany) {
   const auto kept = taken(small.book.records(), SmallBook::capacity);
   ASSERT_EQ(kept.size(), SmallBook::capacity);
   for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
-    EXPECT_EQ(kept[k].kind, InputKind::operator_event);
+    EXPECT_TRUE(std::holds_alternative<OperatorCommand>(kept[k].content));
     EXPECT_EQ(kept[k].cycle, static_cast<std::int64_t>(k) + 1);
   }
-  EXPECT_EQ(kept.back().kind, InputKind::lost);
+  EXPECT_EQ(std::get<LostInputs>(kept.back().content).count, 0U);
   EXPECT_EQ(kept.back().cycle, static_cast<std::int64_t>(SmallBook::capacity));
-  EXPECT_EQ(kept.back().value, 0.0);
 
   small.book.note(input_of(101));
   const auto behind = taken(small.book.records(), SmallBook::capacity);
   ASSERT_EQ(behind.size(), 2U);
-  EXPECT_EQ(behind[0].kind, InputKind::lost);
-  EXPECT_EQ(behind[0].value, 85.0) << "of 100";
-  EXPECT_EQ(behind[1].kind, InputKind::operator_event);
+  EXPECT_EQ(std::get<LostInputs>(behind[0].content).count, 85U) << "of 100";
+  EXPECT_TRUE(std::holds_alternative<OperatorCommand>(behind[1].content));
   EXPECT_EQ(behind[1].cycle, 101);
 }
 
@@ -65,7 +63,8 @@ TEST(InputBook, TellsOperatorsOnceForEachGap) {
   for (std::int64_t cycle = 1; cycle <= cycles; ++cycle) {
     for (int n = 0; n < 2; ++n) book.note(input_of(cycle));
     const InputRecord record = taken(book.records(), 1).at(0);
-    if (record.kind == InputKind::lost && record.value == 0.0) gaps.push_back(record.cycle);
+    const auto* lost = std::get_if<LostInputs>(&record.content);
+    if (lost != nullptr && lost->count == 0) gaps.push_back(record.cycle);
   }
   EXPECT_GT(gaps.size(), 1U);
   EXPECT_LE(gaps.size(), cycles / (SmallBook::capacity / 2));

@@ -34,9 +34,8 @@ class LoadEnd : public ::testing::Test {
   }
   void ask(OperatorAction action, const std::string& text = "") {
     OperatorEvent event;
-    event.action = action;
+    event.command = command_of({.action = action, .text = std::string_view(text)}).value();
     event.channel = 1;
-    event.text = FixedText<256>(text);
     CycleInputs inputs;
     inputs.events = {&event, 1};
     machine.cycle(inputs, output);
@@ -90,9 +89,8 @@ TEST_F(LoadEnd, ComesWhenTheMachineGivesUp) {
   bool ends = true;
   Machine other{config, files, {.on_at_start = true, .gives_up = [&ends] { return ends; }}};
   OperatorEvent event;
-  event.action = OperatorAction::program_load;
+  event.command = commands::ProgramLoad{ShortText("next.nc")};
   event.channel = 1;
-  event.text = FixedText<256>("next.nc");
   CycleInputs inputs;
   inputs.events = {&event, 1};
   other.cycle(inputs, output);

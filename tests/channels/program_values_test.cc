@@ -188,9 +188,8 @@ TEST(Signals, InputsThatChangeAreWrittenDown) {
   bench.machine().cycle({.events = {}, .feedback = {}, .signals = &signals}, output);
   InputRecord record;
   ASSERT_TRUE(bench.machine().input_records().pop(record));
-  EXPECT_EQ(record.kind, InputKind::sensor);
-  EXPECT_EQ(record.method, 5);
-  EXPECT_EQ(record.value, 1.0);
+  EXPECT_EQ(std::get<DigitalInput>(record.content).number, 5);
+  EXPECT_TRUE(std::get<DigitalInput>(record.content).is_on);
   EXPECT_FALSE(bench.machine().input_records().pop(record));
 }
 

@@ -164,7 +164,7 @@ TEST_F(SingleBlockTest, EveryProgrammedEndIsAStop) {
 TEST_F(SingleBlockTest, StepsNeitherAllocateNorLeaveTheCycle) {
   begin("G1 X1 F6000\nX2\nX3\nM30\n");
   OperatorEvent event;
-  event.action = OperatorAction::program_start;
+  event.command = commands::ProgramStart{};
   event.channel = 1;
   CycleInputs inputs;
   inputs.events = {&event, 1};

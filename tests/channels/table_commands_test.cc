@@ -14,23 +14,16 @@ class TableCommands : public ::testing::Test {
   explicit TableCommands(MachineConfig config = testing::two_channel_machine())
       : bench(std::move(config)) {}
 
-  std::string set_tool(int number, const char* key, double value, double edge = 0.0) {
-    OperatorEvent event;
-    event.action = OperatorAction::tool_set;
-    event.number = number;
-    event.text = FixedText<256>(key);
-    event.value = value;
-    event.value_2 = edge;
-    return asked(event);
+  std::string set_tool(int number, const char* key, double value, int edge = 0) {
+    return asked(
+        commands::ToolSet{.key = ShortText(key), .value = value, .tool = number, .edge = edge});
   }
   std::string set_offset(const char* place, double value) {
-    OperatorEvent event;
-    event.action = OperatorAction::offset_set;
-    event.text = FixedText<256>(place);
-    event.value = value;
-    return asked(event);
+    return asked(commands::OffsetSet{.place = ShortText(place), .value = value});
   }
-  std::string asked(const OperatorEvent& event) {
+  std::string asked(const OperatorCommand& command) {
+    OperatorEvent event;
+    event.command = command;
     bench.ask(event);
     bench.cycle();
     const OperatorReply& reply = bench.replies().back();

@@ -43,7 +43,7 @@ const std::map<std::string, LargeClass> large_classes{
     {"lang::ActiveBlock", {.members = 18}},        {"lang::ModalState", {.members = 50}},
     {"motion::Interpolator", {.members = 22}},     {"motion::SynchronousRun", {.members = 27}},
     {"process::ForceControl", {.members = 17}},    {"process::PowerWatch", {.members = 19}},
-    {"recording::MessageStream", {.members = 16}}, {"runtime::Assembly::Parts", {.members = 25}},
+    {"recording::MessageStream", {.members = 16}},
 };
 
 // One line of ctags.

@@ -53,9 +53,8 @@ class CycleLoop : public ::testing::Test {
                        .machine = {.on_at_start = true, .stops_go_on = true},
                        .output_capacity = 0});
     channels::OperatorEvent start;
-    start.action = channels::OperatorAction::program_run;
+    start.command = channels::commands::ProgramRun{channels::ShortText("part.nc")};
     start.channel = 1;
-    start.text = FixedText<256>("part.nc");
     for (int n = 0; n < 100; ++n) assembly.cycle({});  // the drives are switched on
     Followed followed;
     cycle(assembly, {&start, 1}, followed);

@@ -146,10 +146,7 @@ TEST(Replay, OfALogThatEndsWithALossSaysSo) {
   const auto copy = changed<log_meta_t>(
       run.path(), recording::Topic::log_meta, [](log_meta_t&) {},
       [](recording::MessageStream& stream) {
-        channels::InputRecord loss;
-        loss.cycle = 101;
-        loss.kind = channels::InputKind::lost;
-        stream.input(loss);
+        stream.input({.cycle = 101, .content = channels::LostInputs{}});
       });
   const ReplayResult result = replay(copy, {});
   EXPECT_FALSE(result.difference);

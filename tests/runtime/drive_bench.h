@@ -74,11 +74,11 @@ class DriveBench {
                     double value_2 = 0.0) {
     channels::OperatorEvent event;
     event.id = ++last_id_;
-    event.action = action;
     event.channel = action == OperatorAction::machine_on ? 0 : 1;
-    event.text = FixedText<256>(text);
-    event.value = value;
-    event.value_2 = value_2;
+    event.command =
+        channels::command_of(
+            {.action = action, .value = value, .value_2 = value_2, .text = std::string_view(text)})
+            .value();
     events_.push_back(event);
     return event.id;
   }

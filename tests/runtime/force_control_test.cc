@@ -44,7 +44,7 @@ struct Cycles final : public CycleObserver {
     }
   }
   void observe(const channels::InputRecord& input) override {
-    if (input.kind == channels::InputKind::spindle_sensor) inputs.push_back(input);
+    if (std::holds_alternative<channels::SpindleInput>(input.content)) inputs.push_back(input);
   }
   void observe(const channels::Event& event) override { codes.emplace_back(event.code.view()); }
 
@@ -164,10 +164,12 @@ TEST_F(ForceControlRun, IsReplayedBitByBitFromTheRecordedSensors) {
   for (const channels::InputRecord& input : original.inputs) {
     if (input.cycle != cycle) end_row();
     cycle = input.cycle;
-    channels::SpindleSensors& sensors = row.spindles[static_cast<std::size_t>(input.method)];
-    (input.number == 0   ? sensors.power_w
-     : input.number == 1 ? sensors.vibration_um
-                         : sensors.vibration_hz) = input.value;
+    const auto& sensor = std::get<channels::SpindleInput>(input.content);
+    channels::SpindleSensors& sensors = row.spindles[static_cast<std::size_t>(sensor.spindle)];
+    using enum channels::SpindleQuantity;
+    (sensor.quantity == power_w        ? sensors.power_w
+     : sensor.quantity == vibration_um ? sensors.vibration_um
+                                       : sensors.vibration_hz) = sensor.value;
   }
   end_row();
   Cycles replay;

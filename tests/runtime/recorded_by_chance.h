@@ -53,11 +53,11 @@ class RecordedByChance {
   void ask(OperatorAction action, int channel, const std::string& text = "", double value = 0.0,
            double value_2 = 0.0) {
     channels::OperatorEvent event;
-    event.action = action;
     event.channel = channel;
-    event.text = FixedText<256>(text);
-    event.value = value;
-    event.value_2 = value_2;
+    event.command =
+        channels::command_of(
+            {.action = action, .value = value, .value_2 = value_2, .text = std::string_view(text)})
+            .value();
     ask(event);
   }
   void ask(channels::OperatorEvent event) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <stanok_messages/input_t.hpp>
 
 #include "recording/read/log_contents.h"
 #include "tests/runtime/recorded_by_chance.h"
@@ -138,9 +139,8 @@ TEST(Replay, OfAChannelThatASessionHadToItselfIsTheSame) {
   run.program("master.nc", "channel_run (1, \"flat.nc\");\nchannel_wait (1);\nM30\n");
   const auto give_to = [&](int who) {
     channels::OperatorEvent event;
-    event.action = OperatorAction::channel_control;
+    event.command = channels::commands::ChannelControl{who};
     event.channel = 1;
-    event.number = who;
     run.ask(event);
     run.run(100);
   };

@@ -110,9 +110,8 @@ TEST(SimulatedDrives, ASpindleWithADriveOfItsOwnTurnsAsItIsProgrammed) {
                      .machine = {.on_at_start = true, .stops_go_on = true},
                      .output_capacity = 0});
   channels::OperatorEvent start;
-  start.action = channels::OperatorAction::program_run;
+  start.command = channels::commands::ProgramRun{channels::ShortText("part.nc")};
   start.channel = 1;
-  start.text = FixedText<256>("part.nc");
   const auto cycle = [&](std::span<const channels::OperatorEvent> events) {
     while (assembly.machine().prepare(0) != channels::Progress::blocked) {
     }
@@ -169,9 +168,8 @@ TEST(EmbeddedDrives, ProgramsReachSignalsOnTheBus) {
   do cycle({});
   while (!all_enabled() && ++cycles < 10000);
   channels::OperatorEvent start;
-  start.action = channels::OperatorAction::program_run;
+  start.command = channels::commands::ProgramRun{channels::ShortText("part.nc")};
   start.channel = 1;
-  start.text = FixedText<256>("part.nc");
   cycle({&start, 1});
   while (!assembly.machine().is_idle() && ++cycles < 20000) cycle({});
   assembly.stop();
@@ -180,8 +178,8 @@ TEST(EmbeddedDrives, ProgramsReachSignalsOnTheBus) {
   bool is_recorded = false;
   channels::InputRecord record;
   while (assembly.machine().input_records().pop(record)) {
-    is_recorded = is_recorded || (record.kind == channels::InputKind::sensor &&
-                                  record.method == 40 && record.value == 1.0);
+    const auto* input = std::get_if<channels::DigitalInput>(&record.content);
+    is_recorded = is_recorded || (input != nullptr && input->number == 40 && input->is_on);
   }
   EXPECT_TRUE(is_recorded);
 }

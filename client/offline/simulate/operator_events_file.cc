@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "channels/contract/operator_action.h"
 #include "protocol/json_rpc.h"
 #include "protocol/machine_request.h"
+#include "runtime/operator_request.h"
 
 namespace stanok::client {
 namespace {
@@ -23,18 +23,9 @@ runtime::TimedEvent timed_event(const json& line) {
   const json parameters = line.contains("params") ? line.at("params") : json::object();
   const auto checked = protocol::checked_parameters(*method, parameters);
   if (!checked) throw std::invalid_argument(checked.error().message);
-  const protocol::MachineRequest request = protocol::machine_request(*method, *checked);
-  const auto action = channels::operator_action(request.action);
-  if (!action) throw std::invalid_argument("'" + name + "' is not supported in a simulation");
-  runtime::TimedEvent event;
-  event.cycle = line.at("cycle").get<std::int64_t>();
-  event.event.action = *action;
-  event.event.channel = request.channel;
-  event.event.number = request.number;
-  event.event.value = request.value;
-  event.event.value_2 = request.value_2;
-  event.event.text = FixedText<256>(request.text);
-  return event;
+  const auto event = runtime::operator_event(protocol::machine_request(*method, *checked));
+  if (!event) throw std::invalid_argument("'" + name + "' is not supported in a simulation");
+  return {.cycle = line.at("cycle").get<std::int64_t>(), .event = *event};
 }
 
 }  // namespace

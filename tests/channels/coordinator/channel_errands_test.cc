@@ -59,10 +59,7 @@ TEST_F(ChannelErrandsTest, WhatWasAskedForBeforeAStopDoesNotBegin) {
 }
 
 TEST_F(ChannelErrandsTest, NothingBeginsOnAChannelThatSomebodyElseHas) {
-  OperatorEvent takes;
-  takes.channel = 7;
-  takes.number = 33;
-  ASSERT_TRUE(control_.set(takes).ok);
+  ASSERT_TRUE(control_.set(7, 33).ok);
   Errand start = command(lang::RequestKind::channel_start);
   EXPECT_EQ(errands_.start(start).code.view(), "E6080");
 }

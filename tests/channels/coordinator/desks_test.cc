@@ -16,11 +16,9 @@ using stanok::testing::CoordinatorBench;
 OperatorEvent event(OperatorAction action, std::int32_t channel, std::int32_t number = 0,
                     double value = 0.0, std::string_view text = "") {
   OperatorEvent made;
-  made.action = action;
+  made.command =
+      command_of({.action = action, .number = number, .value = value, .text = text}).value();
   made.channel = channel;
-  made.number = number;
-  made.value = value;
-  made.text = {text};
   return made;
 }
 
@@ -37,7 +35,7 @@ TEST_F(DeskTest, AChannelIsFoundByItsIdAndAsAMember) {
 }
 
 TEST_F(DeskTest, WhoHasAChannelIsAdmittedAndItsPrograms) {
-  ASSERT_TRUE(control_.set(event(OperatorAction::channel_control, 7, 33)).ok);
+  ASSERT_TRUE(control_.set(7, 33).ok);
   Errand command;
   command.target = 1;
   command.controller = 12;  // of the session that asked
@@ -50,11 +48,11 @@ TEST_F(DeskTest, WhoHasAChannelIsAdmittedAndItsPrograms) {
   EXPECT_FALSE(control_.admits(request));
   request.asker = 1;
   EXPECT_TRUE(control_.admits(request));
-  EXPECT_EQ(control_.set(event(OperatorAction::channel_control, 9, 33)).code.view(), "E6001");
+  EXPECT_EQ(control_.set(9, 33).code.view(), "E6001");
 }
 
 TEST_F(DeskTest, AnAxisOfItsOwnIsNeverForeign) {
-  ASSERT_TRUE(control_.set(event(OperatorAction::channel_control, 7, 33)).ok);
+  ASSERT_TRUE(control_.set(7, 33).ok);
   EXPECT_FALSE(control_.foreign_axis(0, 1U << bench_x));
 }
 

@@ -10,7 +10,7 @@ namespace stanok::channels {
 namespace {
 
 Item item() {
-  return item_of(ItemKind::dwell, {});
+  return {.content = lang::Dwell{}};
 }
 
 TEST(ArrivalWindowTest, ALiveCycleSeesAllThatHasCome) {

@@ -15,11 +15,11 @@ class ItemWorkerTest : public ::testing::Test {
  protected:
   ItemWorkerTest() { bench_.begin_run(); }
 
-  Item& add(ItemKind kind) {
-    made_ = item_of(kind, {.run = 1, .block = ++block_, .line = 10});
-    return made_;
+  Item item(const ItemContent& content) {
+    return {.tag = {.run = 1, .block = ++block_, .line = 10}, .content = content};
   }
-  void push() { ASSERT_TRUE(bench_.link.items.push(made_)); }
+  void push(const Item& item) { ASSERT_TRUE(bench_.link.items.push(item)); }
+  void push(const ItemContent& content) { push(item(content)); }
   void cycle() {
     bench_.cycles(1);
     const stanok::testing::NoAllocation guard;
@@ -29,16 +29,12 @@ class ItemWorkerTest : public ::testing::Test {
 
   CycleBench bench_;
   ItemWorker worker_{bench_.parts};
-  Item made_;
   std::uint64_t block_ = 0;
 };
 
 TEST_F(ItemWorkerTest, ADwellTakesItsCyclesAndKeepsWhatIsBehind) {
-  add(ItemKind::dwell).value = 0.003;
-  push();
-  add(ItemKind::output).number = 2;
-  made_.value = 1.0;
-  push();
+  push(lang::Dwell{.seconds = 0.003});
+  push(lang::OutputCommand{.number = 2, .value = 1.0});
   for (int k = 0; k < 4; ++k) {
     EXPECT_FALSE(bench_.outputs.is_on(2)) << k;
     EXPECT_EQ(worker_.is_waiting(), k > 0);
@@ -48,21 +44,18 @@ TEST_F(ItemWorkerTest, ADwellTakesItsCyclesAndKeepsWhatIsBehind) {
 }
 
 TEST_F(ItemWorkerTest, WhatComesBehindAChunkOrARiderWaitsForIt) {
-  add(ItemKind::tool_change).number = 7;
-  made_.value = 1.0;
-  made_.after_chunk = 1;
-  push();
+  Item change = item(lang::ToolChange{.tool = 7});
+  change.after_chunk = 1;
+  push(change);
   cycle();
   EXPECT_EQ(worker_.tool().number, 0);
   EXPECT_EQ(worker_.chunk_limit(), 0U);  // nothing is in the queue
 }
 
 TEST_F(ItemWorkerTest, ASpindleKeepsTheProgramUntilItHasItsSpeed) {
-  add(ItemKind::spindle).spindle.action = lang::SpindleAction::clockwise;
-  made_.spindle.speed_rev_per_min = 300.0;  // five cycles
-  push();
-  add(ItemKind::program_stop).number = static_cast<std::int64_t>(lang::StopKind::program_stop);
-  push();
+  push(lang::SpindleCommand{.action = lang::SpindleAction::clockwise,
+                            .speed_rev_per_min = 300.0});  // five cycles
+  push(lang::ProgramStop{lang::StopKind::program_stop});
   for (int k = 0; k < 5; ++k) cycle();
   EXPECT_EQ(situation(), Situation::running);
   cycle();
@@ -72,33 +65,29 @@ TEST_F(ItemWorkerTest, ASpindleKeepsTheProgramUntilItHasItsSpeed) {
 }
 
 TEST_F(ItemWorkerTest, AnOptionalStopIsOneWhereTheOperatorWantsIt) {
-  const auto optional = static_cast<std::int64_t>(lang::StopKind::optional_stop);
-  add(ItemKind::program_stop).number = optional;
-  push();
+  const Item stop = item(lang::ProgramStop{lang::StopKind::optional_stop});
+  push(stop);
   cycle();
   EXPECT_EQ(situation(), Situation::running);
   bench_.parts.switches.set_optional_stop(true);
-  push();
+  push(stop);
   cycle();
   EXPECT_EQ(situation(), Situation::held);
 }
 
 TEST_F(ItemWorkerTest, ARequestIsOpenUntilItIsAnswered) {
-  add(ItemKind::request).request.kind = lang::RequestKind::sync;
-  push();
+  push(ProgramRequest{{.kind = lang::RequestKind::sync}, {}});
   cycle();
   ASSERT_NE(worker_.request(), nullptr);
-  EXPECT_EQ(worker_.request()->request.kind, lang::RequestKind::sync);
+  EXPECT_EQ(worker_.request()->request.data.kind, lang::RequestKind::sync);
   ChannelAnswer answer;
   answer.value = 42.0;
   worker_.answer(answer);
   EXPECT_EQ(worker_.request(), nullptr);
   EXPECT_TRUE(worker_.is_idle());
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::answer);
-  EXPECT_EQ(notice.value, 42.0);
+  EXPECT_EQ(std::get<RequestAnswer>(bench_.notice()).answer.value, 42.0);
   worker_.answer(answer);  // to nobody
-  EXPECT_EQ(bench_.notice().kind, NoticeKind::reset);
+  EXPECT_TRUE(std::holds_alternative<PathReset>(bench_.notice()));
 }
 
 TEST_F(ItemWorkerTest, TheEndOfARunEndsWhatItBroughtAbout) {
@@ -106,8 +95,7 @@ TEST_F(ItemWorkerTest, TheEndOfARunEndsWhatItBroughtAbout) {
   exact.feed_enabled = false;
   bench_.parts.switches.set_feed_override(0.5);
   bench_.parts.switches.admit(exact);
-  add(ItemKind::run_end).number = 12;
-  push();
+  push(RunEnd{.blocks = 12});
   cycle();
   EXPECT_EQ(situation(), Situation::ready);
   EXPECT_TRUE(bench_.parts.runs.ended_well(1));
@@ -115,9 +103,7 @@ TEST_F(ItemWorkerTest, TheEndOfARunEndsWhatItBroughtAbout) {
 }
 
 TEST_F(ItemWorkerTest, AFailedRunLeavesAnAlarm) {
-  add(ItemKind::run_failed).code = FixedText<8>("E3008");
-  made_.text = ShortText("a number is divided by zero");
-  push();
+  push(RunFailed{.code = FixedText<8>("E3008"), .text = ShortText("a number is divided by zero")});
   cycle();
   EXPECT_EQ(situation(), Situation::alarm);
   EXPECT_EQ(bench_.event(), "E3008");
@@ -125,12 +111,10 @@ TEST_F(ItemWorkerTest, AFailedRunLeavesAnAlarm) {
 }
 
 TEST_F(ItemWorkerTest, WhereThePreparationBrokeOffTheAxesComeToRestAtOnce) {
-  add(ItemKind::dwell).value = 1000.0;
-  push();
+  push(lang::Dwell{.seconds = 1000.0});
   cycle();
   EXPECT_EQ(situation(), Situation::running);
-  add(ItemKind::broken_off).code = FixedText<8>("A9001");
-  push();
+  push(BrokenOff{.code = FixedText<8>("A9001")});
   cycle();
   EXPECT_EQ(situation(), Situation::ending);
   EXPECT_EQ(bench_.event(), "A9001");
@@ -138,10 +122,9 @@ TEST_F(ItemWorkerTest, WhereThePreparationBrokeOffTheAxesComeToRestAtOnce) {
 
 TEST_F(ItemWorkerTest, SingleBlockHoldsBeforeTheNextStatement) {
   bench_.parts.run.stepper().switch_on({.run = 1, .block = 1, .line = 10});
-  add(ItemKind::output).number = 1;
-  made_.tag.block = 2;
-  made_.value = 1.0;
-  push();
+  Item output = item(lang::OutputCommand{.number = 1, .value = 1.0});
+  output.tag.block = 2;
+  push(output);
   cycle();
   EXPECT_FALSE(bench_.outputs.is_on(1));
   EXPECT_EQ(bench_.parts.run.hold_cause(), HoldCause::single_block);
@@ -151,13 +134,10 @@ TEST_F(ItemWorkerTest, SingleBlockHoldsBeforeTheNextStatement) {
 }
 
 TEST_F(ItemWorkerTest, AResetDropsItemsUpToItsOwn) {
-  add(ItemKind::dwell);
-  push();
+  push(lang::Dwell{});
   EXPECT_FALSE(worker_.drop_until_reset_done());
-  add(ItemKind::reset_done);
-  push();
-  add(ItemKind::load_done);
-  push();
+  push(ResetDone{});
+  push(LoadDone{});
   EXPECT_TRUE(worker_.drop_until_reset_done());
   EXPECT_EQ(bench_.link.items.size(), 1U);
 }
@@ -166,11 +146,10 @@ TEST_F(ItemWorkerTest, AStartSaysWhereTheAxesStandAndWhatIsSkipped) {
   bench_.parts.switches.set_block_skip(2, true);
   bench_.parts.run.end_run(RunResult::succeeded, 0);
   worker_.begin_run(Job::line);
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::start_line);
-  EXPECT_EQ(notice.run, 2U);
-  EXPECT_EQ(notice.axes_M[1], 20.0);
-  EXPECT_EQ(notice.block_skip, 1U << 2);
+  const auto notice = std::get<LineStart>(bench_.notice());
+  EXPECT_EQ(notice.start.run, 2U);
+  EXPECT_EQ(notice.start.axes_M[1], 20.0);
+  EXPECT_EQ(notice.start.block_skip, 1U << 2);
 }
 
 }  // namespace

@@ -16,12 +16,7 @@ class KinematicsChangeTest : public ::testing::Test {
     bench_.parts.run.apply(Change::power_on);
     bench_.parts.axes.power(bench_.parts.axes.all());
   }
-  Item step(ItemKind kind) const {
-    Item item;
-    item.kind = kind;
-    item.axes = 1U << bench_y;
-    return item;
-  }
+  static AxesStep step(AxesStep::Kind kind) { return {.kind = kind, .axes = 1U << bench_y}; }
   void take(const std::vector<AxisFeedback>& feedback) {
     static_cast<void>(bench_.parts.drives.advance(feedback, LimitSwitches::stop_the_axis));
   }
@@ -36,9 +31,8 @@ TEST_F(KinematicsChangeTest, TellsThePreparationWhereTheAxesStandAndWhichAreOn) 
   change_.begin(1);
   EXPECT_TRUE(change_.is_pending());
   EXPECT_EQ(situation(), Situation::switching);
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::switch_scheme);
-  EXPECT_EQ(notice.number, 1);
+  const auto notice = std::get<SchemeSwitch>(bench_.notice());
+  EXPECT_EQ(notice.scheme, 1);
   EXPECT_EQ(notice.axes_M[bench_y], 20.0);
   EXPECT_EQ(notice.enabled, bench_.parts.axes.all());
 }
@@ -46,7 +40,7 @@ TEST_F(KinematicsChangeTest, TellsThePreparationWhereTheAxesStandAndWhichAreOn) 
 // The brake closes before the drive goes off; both take their times, 2 and 3 ms.
 TEST_F(KinematicsChangeTest, ParksAnAxisInTwoSteps) {
   change_.begin(1);
-  const Item parks = step(ItemKind::park_axes);
+  const AxesStep parks = step(AxesStep::Kind::park);
   EXPECT_DOUBLE_EQ(change_.begin_step(parks), 0.005);
   EXPECT_TRUE(bench_.parts.axes.drive(bench_y).brake_closed);
   EXPECT_TRUE(bench_.parts.axes.drive(bench_y).enabled);
@@ -60,7 +54,7 @@ TEST_F(KinematicsChangeTest, ParksAnAxisInTwoSteps) {
 
 TEST_F(KinematicsChangeTest, ABrakeThatDoesNotCloseFailsTheChangeAndNamesTheAxis) {
   change_.begin(1);
-  const Item parks = step(ItemKind::park_axes);
+  const AxesStep parks = step(AxesStep::Kind::park);
   static_cast<void>(change_.begin_step(parks));
   take(bench_feedback(10.0, 20.0, 0.0));  // brakes open
   ASSERT_EQ(change_.disobedient_axis(parks), bench_y);
@@ -75,7 +69,7 @@ TEST_F(KinematicsChangeTest, ABrakeThatDoesNotCloseFailsTheChangeAndNamesTheAxis
 TEST_F(KinematicsChangeTest, ADriveThatDoesNotSwitchOnFailsTheProgramThatAsked) {
   bench_.begin_run();
   change_.begin(0);
-  const Item joins = step(ItemKind::join_axes);
+  const AxesStep joins = step(AxesStep::Kind::join);
   static_cast<void>(change_.begin_step(joins));
   auto feedback = bench_feedback(10.0, 20.0, 0.0);
   of_axis(feedback, bench_y).enabled = false;
@@ -88,7 +82,7 @@ TEST_F(KinematicsChangeTest, ADriveThatDoesNotSwitchOnFailsTheProgramThatAsked) 
 
 TEST_F(KinematicsChangeTest, AStopInItsMiddleBrakesWhatItMoved) {
   change_.begin(1);
-  static_cast<void>(change_.begin_step(step(ItemKind::join_axes)));
+  static_cast<void>(change_.begin_step(step(AxesStep::Kind::join)));
   change_.end();
   EXPECT_EQ(change_.code().view(), "E6072");
   EXPECT_FALSE(bench_.parts.axes.drive(bench_y).enabled);

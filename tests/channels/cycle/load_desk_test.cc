@@ -8,13 +8,8 @@
 namespace stanok::channels {
 namespace {
 
-Item done(bool ok, std::int64_t load, std::string_view text) {
-  Item item;
-  item.kind = ItemKind::load_done;
-  item.flag = ok;
-  item.number = load;
-  item.text = ShortText(text);
-  return item;
+LoadDone done(bool ok, std::int32_t load, std::string_view text) {
+  return {.succeeded = ok, .number = load, .text = ShortText(text)};
 }
 
 class LoadDeskTest : public ::testing::Test {
@@ -27,11 +22,10 @@ TEST_F(LoadDeskTest, AProgramThatIsLoadedMakesTheChannelReady) {
   bench_.parts.run.apply(Change::power_on);
   loads_.begin(ShortText("part.nc"), Job::program);
   EXPECT_EQ(loads_.outcome(), Outcome::pending);
-  const Notice notice = bench_.notice();
-  EXPECT_EQ(notice.kind, NoticeKind::load);
+  const auto notice = std::get<ProgramLoad>(bench_.notice());
   EXPECT_EQ(notice.number, 1);
-  EXPECT_EQ(notice.load, 0);  // there is none yet
-  EXPECT_EQ(notice.text.view(), "part.nc");
+  EXPECT_EQ(notice.load_in_use, 0);  // there is none yet
+  EXPECT_EQ(notice.program.view(), "part.nc");
   loads_.take(done(true, 1, "part.nc"));
   EXPECT_EQ(loads_.program(), 1);
   EXPECT_EQ(bench_.parts.run.state().situation(), Situation::ready);
@@ -49,7 +43,7 @@ TEST_F(LoadDeskTest, ALoadThatFailsLeavesTheProgramThatIsThere) {
 
 TEST_F(LoadDeskTest, ALineIsNoProgram) {
   loads_.begin(ShortText("G0 X0"), Job::line);
-  EXPECT_EQ(bench_.notice().kind, NoticeKind::load_line);
+  EXPECT_EQ(std::get<LineLoad>(bench_.notice()).line.view(), "G0 X0");
   loads_.take(done(true, 0, ""));
   EXPECT_EQ(loads_.outcome(), Outcome::succeeded);
   EXPECT_FALSE(bench_.parts.run.state().has_program());

@@ -14,12 +14,7 @@ constexpr int input = 3;
 
 class ProbeWatchTest : public ::testing::Test {
  protected:
-  Item move(bool until_contact) const {
-    Item item;
-    item.kind = ItemKind::probe;
-    item.flag = until_contact;
-    return item;
-  }
+  static ProbeBegin move(bool until_contact) { return {.until_contact = until_contact}; }
 
   CycleBench bench_;
   ProbeWatch probe_{input, bench_.inputs, bench_.parts.drives, bench_.parts.motion};

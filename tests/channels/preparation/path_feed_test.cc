@@ -18,8 +18,7 @@ TEST(PathFeedTest, AnItemComesBehindThePathBeforeIt) {
   EXPECT_TRUE(taken->gives);
   EXPECT_EQ(bench.sink.events, "si");
   ASSERT_EQ(bench.sink.items.size(), 1U);
-  EXPECT_EQ(bench.sink.items[0].kind, ItemKind::dwell);
-  EXPECT_EQ(bench.sink.items[0].value, 0.5);
+  EXPECT_EQ(std::get<lang::Dwell>(bench.sink.items[0].content).seconds, 0.5);
   EXPECT_EQ(bench.sink.items[0].tag.run, 3U);
   EXPECT_EQ(bench.sink.items[0].tag.block, 2U);
 }
@@ -80,7 +79,7 @@ TEST(PathFeedTest, AProbingMoveNeedsAProbeInEveryDepth) {
     FeedBench with(depth, machine);
     ASSERT_TRUE(with.take(move));
     ASSERT_EQ(with.sink.items.size(), 1U);
-    EXPECT_EQ(with.sink.items[0].kind, ItemKind::probe);
+    EXPECT_TRUE(std::holds_alternative<ProbeBegin>(with.sink.items[0].content));
     EXPECT_EQ(with.sink.blocks.size(), 1U);
   }
 }
@@ -91,8 +90,7 @@ TEST(PathFeedTest, TheEndOfAProgramTellsItsBlocks) {
   const auto taken = bench.take(lang::ProgramEnd{});
   ASSERT_TRUE(taken);
   EXPECT_TRUE(taken->ends);
-  EXPECT_EQ(bench.sink.items.back().kind, ItemKind::run_end);
-  EXPECT_EQ(bench.sink.items.back().number, 2);
+  EXPECT_EQ(std::get<RunEnd>(bench.sink.items.back().content).blocks, 2U);
 }
 
 TEST(PathFeedTest, ACommandCanPassIntoAnotherSink) {

@@ -20,16 +20,10 @@ struct PreparationBench {
     while (link.items.pop(item)) found.push_back(item);
     return found;
   }
-  static Notice notice(NoticeKind kind, const std::string& text = "") {
-    Notice made;
-    made.kind = kind;
-    made.number = 1;  // load and scheme
-    made.load = 1;
-    made.run = 7;
-    made.value = 1.0;
-    made.text = ReasonText(text);
-    return made;
+  static ProgramLoad load_of(const std::string& program) {
+    return {.number = 1, .load_in_use = 0, .program = ShortText(program)};
   }
+  static RunStart start() { return {.run = 7, .load = 1, .scheme = 1}; }
 
   MachineConfig machine = stanok::testing::two_channel_machine();
   const ChannelConfig& channel = machine.channels[0];

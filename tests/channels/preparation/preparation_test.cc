@@ -12,14 +12,14 @@ namespace {
 
 class PreparationTest : public ::testing::Test {
  protected:
-  std::vector<ItemKind> kinds_after(const Notice& notice) {
+  std::vector<ItemContent> items_after(const Notice& notice) {
     EXPECT_TRUE(bench_.link.notices.push(notice));
-    std::vector<ItemKind> kinds;
+    std::vector<ItemContent> contents;
     for (int n = 0; n < 100; ++n) {
       static_cast<void>(preparation_.step());
-      for (const Item& item : bench_.items()) kinds.push_back(item.kind);
+      for (const Item& item : bench_.items()) contents.push_back(item.content);
     }
-    return kinds;
+    return contents;
   }
 
   PreparationBench bench_;
@@ -29,24 +29,27 @@ class PreparationTest : public ::testing::Test {
 
 TEST_F(PreparationTest, AProgramBecomesItemsAndPathInItsOrder) {
   bench_.files.texts["part.nc"] = "G94\nM8\nG1 X1 F600\nG4 P0.5\nM30\n";
-  EXPECT_EQ(kinds_after(PreparationBench::notice(NoticeKind::load, "part.nc")),
-            std::vector{ItemKind::load_done});
-  const std::vector<ItemKind> kinds = kinds_after(PreparationBench::notice(NoticeKind::start));
-  ASSERT_GE(kinds.size(), 4U);
-  EXPECT_EQ(kinds.front(), ItemKind::transform);
-  EXPECT_EQ(kinds.back(), ItemKind::run_end);
+  const auto load = items_after(PreparationBench::load_of("part.nc"));
+  ASSERT_EQ(load.size(), 1U);
+  EXPECT_TRUE(std::get<LoadDone>(load[0]).succeeded);
+  const auto run = items_after(ProgramStart{PreparationBench::start()});
+  ASSERT_GE(run.size(), 4U);
+  EXPECT_TRUE(std::holds_alternative<TransformSet>(run.front()));
+  EXPECT_TRUE(std::holds_alternative<RunEnd>(run.back()));
   EXPECT_GT(bench_.link.path.chunks.pushed(), 0U);
 }
 
 TEST_F(PreparationTest, AFaultOfABlockEndsTheRun) {
   bench_.files.texts["part.nc"] = "G94\nG1 X501 F600\nM30\n";
-  kinds_after(PreparationBench::notice(NoticeKind::load, "part.nc"));
-  EXPECT_EQ(kinds_after(PreparationBench::notice(NoticeKind::start)).back(), ItemKind::run_failed);
+  items_after(PreparationBench::load_of("part.nc"));
+  const auto run = items_after(ProgramStart{PreparationBench::start()});
+  EXPECT_TRUE(std::holds_alternative<RunFailed>(run.back()));
 }
 
 TEST_F(PreparationTest, AResetIsAnswered) {
-  EXPECT_EQ(kinds_after(PreparationBench::notice(NoticeKind::reset)),
-            std::vector{ItemKind::reset_done});
+  const auto items = items_after(PathReset{});
+  ASSERT_EQ(items.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<ResetDone>(items[0]));
 }
 
 TEST(PreparationPartsTest, BeginsAfreshInAScheme) {

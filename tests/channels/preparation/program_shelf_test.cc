@@ -20,9 +20,8 @@ class ProgramShelfTest : public ::testing::Test {
 
 TEST_F(ProgramShelfTest, ALoadHoldsFromItsUseOn) {
   bench_.files.texts["part.nc"] = "G0 X1\nM30\n";
-  const Item done = shelf_.load("part.nc", 4);
-  EXPECT_EQ(done.kind, ItemKind::load_done);
-  EXPECT_TRUE(done.flag);
+  const LoadDone done = shelf_.load("part.nc", 4);
+  EXPECT_TRUE(done.succeeded);
   EXPECT_EQ(done.number, 4);
   EXPECT_EQ(done.text.view(), "part.nc");
   EXPECT_EQ(shelf_.program(), nullptr);
@@ -35,12 +34,12 @@ TEST_F(ProgramShelfTest, ALoadHoldsFromItsUseOn) {
 
 TEST_F(ProgramShelfTest, ALoadThatFailsLeavesTheProgramAndSaysWhy) {
   bench_.files.texts["part.nc"] = "G0 X1\nM30\n";
-  ASSERT_TRUE(shelf_.load("part.nc", 1).flag);
+  ASSERT_TRUE(shelf_.load("part.nc", 1).succeeded);
   shelf_.use(1);
   const auto before = shelf_.program();
   bench_.files.texts["wrong.nc"] = "G0 X\n";
-  const Item done = shelf_.load("wrong.nc", 2);
-  EXPECT_FALSE(done.flag);
+  const LoadDone done = shelf_.load("wrong.nc", 2);
+  EXPECT_FALSE(done.succeeded);
   EXPECT_NE(done.text.view().find("wrong.nc:1:"), std::string_view::npos) << done.text.view();
   shelf_.use(2);
   EXPECT_EQ(shelf_.program(), before);
@@ -50,11 +49,11 @@ TEST_F(ProgramShelfTest, ALoadThatFailsLeavesTheProgramAndSaysWhy) {
 TEST_F(ProgramShelfTest, WhatIsUnwantedIsNotCompiled) {
   bench_.files.texts["part.nc"] = "G0 X1\nM30\n";
   unwanted_ = true;
-  EXPECT_FALSE(shelf_.load("part.nc", 1).flag);
+  EXPECT_FALSE(shelf_.load("part.nc", 1).succeeded);
 }
 
 TEST_F(ProgramShelfTest, ALineStandsBesideTheProgram) {
-  EXPECT_TRUE(shelf_.load_line("G0 X5").flag);
+  EXPECT_TRUE(shelf_.load_line("G0 X5").succeeded);
   EXPECT_NE(shelf_.line(), nullptr);
   EXPECT_EQ(shelf_.program(), nullptr);
 }

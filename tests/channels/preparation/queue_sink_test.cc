@@ -11,7 +11,9 @@ namespace {
 
 class QueueSinkTest : public ::testing::Test {
  protected:
-  static Item dwell() { return item_of(ItemKind::dwell, {.run = 1, .block = 5, .line = 9}); }
+  static Item dwell() {
+    return {.tag = {.run = 1, .block = 5, .line = 9}, .content = lang::Dwell{}};
+  }
 
   PreparationBench bench_;
   motion::MotionConfig motion_ = motion_config(bench_.machine, bench_.channel);

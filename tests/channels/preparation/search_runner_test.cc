@@ -18,9 +18,10 @@ class SearchRunnerTest : public ::testing::Test {
     Diagnostics warnings;
     const auto program = lang::compile("part.nc", bench_.files, &parts_.description, warnings);
     EXPECT_TRUE(program);
-    Notice notice = PreparationBench::notice(NoticeKind::search, target);
-    notice.ok = calculates;
-    return finished(search_.look(notice, *program));
+    const BlockSearch search{.start = PreparationBench::start(),
+                             .way = calculates ? SearchWay::calculated : SearchWay::not_calculated,
+                             .target = ShortText(target)};
+    return finished(search_.look(search, *program));
   }
   Result finished(Result result) {
     while (result == Result::working || result == Result::computing) result = search_.advance(64);

@@ -15,7 +15,7 @@ using channels::OperatorEvent;
 
 OperatorEvent event(OperatorAction action, std::uint64_t id = 0) {
   OperatorEvent made;
-  made.action = action;
+  made.command = channels::command_of({.action = action}).value();
   made.id = id;
   return made;
 }
@@ -62,7 +62,7 @@ OperatorEvent of_channel(OperatorAction action, int channel, std::uint64_t stops
 
 std::vector<OperatorAction> actions(std::span<const OperatorEvent> events) {
   std::vector<OperatorAction> all;
-  for (const OperatorEvent& one : events) all.push_back(one.action);
+  for (const OperatorEvent& one : events) all.push_back(one.action());
   return all;
 }
 

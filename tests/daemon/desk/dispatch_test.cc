@@ -21,6 +21,10 @@ using protocol::FailureKind;
 using protocol::Role;
 using namespace std::chrono_literals;
 
+int session_in(const channels::OperatorEvent& event) {
+  return std::get<channels::commands::ChannelControl>(event.command).session;
+}
+
 class DispatchTest : public ::testing::Test {
  protected:
   DispatchTest() { session.role = Role::integrator; }
@@ -63,8 +67,8 @@ TEST_F(DispatchTest, GivesAChannelToOneSession) {
   session.peer = "uid 1000, pid 77";
   const auto taken = ask("channel.control");
   EXPECT_FALSE(taken->has_value()) << "answered when the cycle knows it";
-  EXPECT_EQ(machine.submitted().at(0).action, OperatorAction::channel_control);
-  EXPECT_EQ(machine.submitted().at(0).number, 3);
+  EXPECT_EQ(machine.submitted().at(0).action(), OperatorAction::channel_control);
+  EXPECT_EQ(session_in(machine.submitted().at(0)), 3);
   dispatch.on_reply(accepted(machine.submitted().at(0).id));
   EXPECT_EQ(taken->value().value()["controlled_by"], "session 3 (uid 1000, pid 77)");
   EXPECT_EQ(result("channel.status")["controlled_by"], "session 3 (uid 1000, pid 77)");
@@ -85,10 +89,10 @@ TEST_F(DispatchTest, GivesAChannelToOneSession) {
   EXPECT_EQ(failure("override.feed", {{"percent", 50}}).code, "E6080") << "it is not its own";
   dispatch.forget(3);
   EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
-  EXPECT_EQ(machine.submitted().back().action, OperatorAction::channel_control);
-  EXPECT_EQ(machine.submitted().back().number, 0) << "the cycle is told";
+  EXPECT_EQ(machine.submitted().back().action(), OperatorAction::channel_control);
+  EXPECT_EQ(session_in(machine.submitted().back()), 0) << "the cycle is told";
   static_cast<void>(ask("override.feed", {{"percent", 50}}));
-  EXPECT_EQ(machine.submitted().back().action, OperatorAction::override_feed);
+  EXPECT_EQ(machine.submitted().back().action(), OperatorAction::override_feed);
 }
 
 // What concerns all channels is refused when somebody else has any of them.
@@ -126,15 +130,15 @@ TEST_F(DispatchTest, TellsTheCycleWhoHasAChannelUntilItHears) {
   EXPECT_TRUE(result("channel.status")["controlled_by"].is_null());
   machine.is_full = false;
   tick(0ms);
-  EXPECT_EQ(machine.submitted().back().number, 0);
+  EXPECT_EQ(session_in(machine.submitted().back()), 0);
   static_cast<void>(ask("channel.control"));
-  EXPECT_EQ(machine.submitted().back().number, 3);
+  EXPECT_EQ(session_in(machine.submitted().back()), 3);
   machine.is_full = true;
   dispatch.forget(3);
-  EXPECT_EQ(machine.submitted().back().number, 3);
+  EXPECT_EQ(session_in(machine.submitted().back()), 3);
   machine.is_full = false;
   tick(10ms);
-  EXPECT_EQ(machine.submitted().back().number, 0);
+  EXPECT_EQ(session_in(machine.submitted().back()), 0);
   const std::size_t told = machine.submitted().size();
   tick(20ms);
   EXPECT_EQ(machine.submitted().size(), told) << "once";
@@ -180,7 +184,7 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
           << method.name << ": " << slot->value().error().message;
     } else {
       ASSERT_EQ(machine.submitted().size(), before + 1) << method.name;
-      EXPECT_EQ(channels::name_of(machine.submitted().back().action), method.action);
+      EXPECT_EQ(channels::name_of(machine.submitted().back().action()), method.action);
       dispatch.on_reply(accepted(machine.submitted().back().id));
       ASSERT_TRUE(slot->has_value()) << method.name;
       EXPECT_EQ(*slot->value(), json({{"accepted", true}}));
@@ -235,7 +239,8 @@ TEST_F(DispatchTest, RemembersOverridesThatTheMachineTook) {
   const auto slot = ask("override.rapid", {{"percent", 40}});
   EXPECT_EQ(result("channel.status")["override"]["rapid"], 100.0);
   ASSERT_EQ(machine.submitted().size(), 1U);
-  EXPECT_DOUBLE_EQ(machine.submitted()[0].value, 0.4);
+  const auto& command = machine.submitted()[0].command;
+  EXPECT_DOUBLE_EQ(std::get<channels::commands::OverrideRapid>(command).factor, 0.4);
   dispatch.on_reply(accepted(machine.submitted()[0].id));
   EXPECT_EQ(result("channel.status")["override"]["rapid"], 40.0);
 }

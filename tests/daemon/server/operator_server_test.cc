@@ -202,9 +202,9 @@ TEST_P(ServerSignals, EndWithAFeedHoldAndDrivesOff) {
   EXPECT_TRUE(client.receive().is_discarded()) << "the connection ends with the server";
   const auto events = machine.submitted();
   ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[0].action, channels::OperatorAction::program_hold);
+  EXPECT_EQ(events[0].action(), channels::OperatorAction::program_hold);
   EXPECT_EQ(events[0].channel, 0);
-  EXPECT_EQ(events[1].action, channels::OperatorAction::machine_off);
+  EXPECT_EQ(events[1].action(), channels::OperatorAction::machine_off);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllThatWouldEndTheProcess, ServerSignals,
@@ -239,7 +239,7 @@ class BusyServerTest : public ServerTest {
  protected:
   BusyServerTest() {
     machine.on_submit = [this](const channels::OperatorEvent& event) {
-      if (event.action == channels::OperatorAction::override_feed) {
+      if (event.action() == channels::OperatorAction::override_feed) {
         is_busy = true;
         while (is_busy) std::this_thread::sleep_for(1ms);
       }
@@ -281,8 +281,8 @@ TEST_F(BusyServerTest, EndsInOrderWhileTheOperatorServerIsBusy) {
   ASSERT_EQ(std::raise(SIGTERM), 0);
   while (machine.submitted().size() < 3) std::this_thread::yield();
   EXPECT_TRUE(is_busy);
-  EXPECT_EQ(machine.submitted()[1].action, channels::OperatorAction::program_hold);
-  EXPECT_EQ(machine.submitted()[2].action, channels::OperatorAction::machine_off);
+  EXPECT_EQ(machine.submitted()[1].action(), channels::OperatorAction::program_hold);
+  EXPECT_EQ(machine.submitted()[2].action(), channels::OperatorAction::machine_off);
 }
 
 TEST_F(ServerTest, TakesAStopFromAClientThatFindsNoPlace) {
@@ -319,14 +319,14 @@ TEST_F(ServerTest, ChecksAStopAsEveryRequest) {
 // The machine throws where the request is worked on, as when there is no memory left.
 TEST_F(ServerTest, StopsTheMachineWhenItsOwnWorkFails) {
   machine.on_submit = [](const channels::OperatorEvent& event) {
-    if (event.action == channels::OperatorAction::override_feed) throw std::bad_alloc();
+    if (event.action() == channels::OperatorAction::override_feed) throw std::bad_alloc();
   };
   RawClient client(socket.path());
   client.receive();
   client.request(1, "override.feed", {{"percent", 50}});
   while (machine.submitted().size() < 3) std::this_thread::yield();
-  EXPECT_EQ(machine.submitted()[1].action, channels::OperatorAction::program_hold);
-  EXPECT_EQ(machine.submitted()[2].action, channels::OperatorAction::machine_off);
+  EXPECT_EQ(machine.submitted()[1].action(), channels::OperatorAction::program_hold);
+  EXPECT_EQ(machine.submitted()[2].action(), channels::OperatorAction::machine_off);
   EXPECT_TRUE(server.has_failed());
 }
 

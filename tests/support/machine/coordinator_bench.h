@@ -52,9 +52,9 @@ class CoordinatorBench {
     if (link.resets_wanted == done) return;
     channels::Notice notice;
     while (link.notices.pop(notice)) {
-      if (notice.kind != channels::NoticeKind::reset) continue;
+      if (!std::holds_alternative<channels::PathReset>(notice)) continue;
       ++done;
-      static_cast<void>(link.items.push(channels::item_of(channels::ItemKind::reset_done, {})));
+      static_cast<void>(link.items.push({.content = channels::ResetDone{}}));
     }
   }
 

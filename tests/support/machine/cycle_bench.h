@@ -30,10 +30,9 @@ class CycleBench {
       parts.spindles.turn();
     }
   }
-  // The latest notice to the preparation; it must be there.
+  // The latest notice to the preparation; PathReset where there is none.
   [[nodiscard]] channels::Notice notice() {
-    channels::Notice popped;
-    popped.kind = channels::NoticeKind::reset;
+    channels::Notice popped = channels::PathReset{};
     while (link.notices.pop(popped)) {
     }
     return popped;

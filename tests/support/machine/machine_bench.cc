@@ -187,11 +187,11 @@ MachineBench::MachineBench(channels::MachineConfig config, const channels::Machi
 void MachineBench::ask(channels::OperatorAction action, int channel, const std::string& text,
                        double value, int number) {
   channels::OperatorEvent event;
-  event.action = action;
   event.channel = channel;
-  event.value = value;
-  event.number = number;
-  event.text = FixedText<256>(text);
+  event.command =
+      channels::command_of(
+          {.action = action, .number = number, .value = value, .text = std::string_view(text)})
+          .value();
   ask(event);
 }
 

@@ -1,4 +1,4 @@
-#include "runtime/process_plant.h"
+#include "runtime/drive_side/process_plant.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,171 @@
+#include "runtime/drive_side/drive_exchange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace stanok::runtime {
+namespace {
+
+constexpr double spindle_rest_rev_per_min = 1.0;
+constexpr int fault_reset_polls = 5;  // of the bus, so that the demand reaches the drive for sure
+
+channels::AxisFeedback feedback_of(const drives::DriveFeedback& raw) RT_SAFE {
+  const bool fault = raw.state == drives::DriveState::fault ||
+                     raw.state == drives::DriveState::fault_reaction_active;
+  return {.position = raw.position,
+          .setpoint = raw.target_position,
+          .velocity = raw.velocity,
+          .valid = raw.valid,
+          .fault = fault,
+          .enabled = raw.state == drives::DriveState::operation_enabled,
+          .referenced = raw.referenced,
+          .brake_closed = raw.brake_closed,
+          .home_switch = raw.home_switch,
+          .limit_negative = raw.limit_negative,
+          .limit_positive = raw.limit_positive,
+          .strays = raw.following_error_exceeded,
+          .position_offset = raw.position_offset,
+          .index_position = raw.index_position,
+          .index_count = raw.index_count};
+}
+
+void aim(drives::DriveTarget& target, const channels::ChannelOutput& channel, std::size_t axis)
+    RT_SAFE {
+  target.position = channel.axes[axis].position;
+  target.velocity = channel.axes[axis].velocity_demand;
+  target.mode = channel.drives[axis].follows_velocity
+                    ? drives::OperationMode::cyclic_synchronous_velocity
+                    : drives::OperationMode::cyclic_synchronous_position;
+  target.enabled = channel.drives[axis].enabled;
+  target.brake_closed = channel.drives[axis].brake_closed;
+  target.position_accepted = channel.drives[axis].reference.accepted;
+  target.position_offset = channel.drives[axis].reference.offset;
+}
+
+double spindle_speed(const channels::CycleOutput& output, int id) RT_SAFE {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(output.channel_count); ++c) {
+    for (const channels::SpindleSetpoint& spindle : output.channels[c].process.spindles) {
+      if (spindle.id == id && spindle.rev_per_min != 0.0) return spindle.rev_per_min;
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+DriveExchange::DriveExchange(const channels::MachineConfig& machine,
+                             const drives::BusConfig& config, drives::DriveBus& bus)
+    : machine_(machine),
+      bus_(bus),
+      drives_(drives::drives_of(config)),
+      sensors_(machine.spindles.size()),
+      reset_cycles_(fault_reset_polls * config.poll_ms * 1000 / machine.cycle_us) {
+  if (drives_.size() > drives_of_machine_max) {
+    throw std::invalid_argument(machine.file + ": more than " +
+                                std::to_string(drives_of_machine_max) + " drives");
+  }
+  find_spindle_drives();
+}
+
+void DriveExchange::find_spindle_drives() {
+  for (const channels::SpindleConfig& spindle : machine_.spindles) {
+    std::optional<std::size_t> drive;
+    for (std::size_t k = 0; k < machine_.axes.size() && !drive; ++k) {
+      if (machine_.axes[k].name == spindle.axis) drive = k;
+    }
+    for (std::size_t k = drives_.size(); k-- > 0;) {
+      if (drives_[k].spindle == spindle.id) drive = k;
+    }
+    spindle_drives_.push_back(drive);
+  }
+}
+
+void DriveExchange::read(std::span<const channels::OperatorEvent> events) RT_SAFE {
+  take_feedback();
+  note_fault_resets(events);
+}
+
+void DriveExchange::take_feedback() RT_SAFE {
+  bus_.read({raw_feedback_.data(), drives_.size()});
+  for (std::size_t k = 0; k < machine_.axes.size(); ++k)
+    feedback_[k] = feedback_of(raw_feedback_[k]);
+}
+
+std::span<const channels::SpindleSensors> DriveExchange::sensors() RT_SAFE {
+  for (std::size_t s = 0; s < sensors_.size(); ++s) {
+    sensors_[s] = {};
+    if (!spindle_drives_[s]) continue;
+    const drives::DriveFeedback& raw = raw_feedback_[*spindle_drives_[s]];
+    if (!raw.valid) continue;
+    sensors_[s] = {
+        .power_w = raw.power_w, .vibration_um = raw.vibration_um, .vibration_hz = raw.vibration_hz};
+  }
+  return sensors_;
+}
+
+void DriveExchange::write(const channels::CycleOutput& output) RT_SAFE {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(output.channel_count); ++c) {
+    const std::vector<int>& axes = machine_.channels[c].axes;
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      aim(targets_[static_cast<std::size_t>(axes[k])], output.channels[c], k);
+  }
+  turn_spindles(output);
+  carry_out_fault_resets();
+  bus_.write({targets_.data(), drives_.size()});
+}
+
+// The channel that turns a spindle has it; one that has come to rest is switched off.
+void DriveExchange::turn_spindles(const channels::CycleOutput& output) RT_SAFE {
+  for (std::size_t k = machine_.axes.size(); k < drives_.size(); ++k) {
+    drives::DriveTarget& target = targets_[k];
+    target.velocity = spindle_speed(output, drives_[k].spindle);
+    target.mode = drives::OperationMode::cyclic_synchronous_velocity;
+    const bool turns = std::abs(raw_feedback_[k].velocity) > spindle_rest_rev_per_min;
+    target.enabled = target.velocity != 0.0 || (target.enabled && turns);
+    target.brake_closed = false;
+  }
+}
+
+// Who resets a channel or switches the machine on wants its drives back: the faults they stand in
+// are acknowledged, with the drive switched off meanwhile.
+void DriveExchange::note_fault_resets(std::span<const channels::OperatorEvent> events) RT_SAFE {
+  using channels::OperatorAction;
+  for (const channels::OperatorEvent& event : events) {
+    const bool is_reset = event.action() == OperatorAction::program_reset;
+    if (!is_reset && event.action() != OperatorAction::machine_on) continue;
+    for (const channels::ChannelConfig& channel : machine_.channels) {
+      if (is_reset && channel.id != event.channel) continue;
+      for (const int axis : channel.axes) acknowledge(static_cast<std::size_t>(axis));
+      for (std::size_t k = machine_.axes.size(); k < drives_.size(); ++k) {
+        if (std::ranges::find(channel.spindles, drives_[k].spindle) != channel.spindles.end())
+          acknowledge(k);
+      }
+    }
+  }
+}
+
+void DriveExchange::acknowledge(std::size_t drive) RT_SAFE {
+  if (raw_feedback_[drive].state == drives::DriveState::fault)
+    fault_reset_cycles_[drive] = reset_cycles_;
+}
+
+void DriveExchange::carry_out_fault_resets() RT_SAFE {
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    if (reset_demands_[k].exchange(false, std::memory_order_relaxed)) acknowledge(k);
+    targets_[k].fault_reset = fault_reset_cycles_[k] > 0;
+    if (fault_reset_cycles_[k] == 0) continue;
+    --fault_reset_cycles_[k];
+    targets_[k].enabled = false;
+  }
+}
+
+bool DriveExchange::demand_reset(std::string_view drive) {
+  const auto found = std::ranges::find(drives_, drive, &drives::AxisDriveConfig::axis);
+  if (found == drives_.end()) return false;
+  reset_demands_[static_cast<std::size_t>(found - drives_.begin())] = true;
+  return true;
+}
+
+}  // namespace stanok::runtime

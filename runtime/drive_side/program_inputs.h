@@ -1,0 +1,30 @@
+// ProgramInputs: what the inputs of programs are in a cycle: those of the drives, and the contacts
+// that are simulated.
+//
+// Thread: the real-time cycle. Owner: the assembly.
+#pragma once
+
+#include <span>
+
+#include "runtime/drive_side/drive_side.h"
+
+namespace stanok::runtime {
+
+class ProgramInputs {
+ public:
+  // Both outlive the inputs.
+  ProgramInputs(std::span<const config::SimulatedContact> contacts,
+                const channels::MachineOptions& options)
+      : contacts_(contacts), options_(options) {}
+
+  // Nothing (nullptr) where neither the drives nor a contact has any. `last`: the output of the
+  // cycle before.
+  [[nodiscard]] const Signals* read(DriveSide& drives, const channels::CycleOutput& last) RT_SAFE;
+
+ private:
+  std::span<const config::SimulatedContact> contacts_;  // none of a real machine
+  const channels::MachineOptions& options_;
+  Signals inputs_;
+};
+
+}  // namespace stanok::runtime
