@@ -56,7 +56,7 @@ expect_text stanok-program.1 'NAME stanok-program - '
 expect_text stanok-program.1 'stanok program run [OPTION ...] [--channel N] [--wait, --no-wait] PROGRAM'
 expect_text stanok-log.1 'stanok log verify'
 expect_text stanok.1 '3 no connection to the daemon'
-expect_text stanokd.8 '--check-config read the machine file'
+expect_text stanokd.8 '--check-config check the machine file'
 
 # options_of_help PROGRAM, options_of_page PAGE: the long options that are described, each on a line.
 options_of_help() {

@@ -24,7 +24,7 @@ TEST(Blank, IsFilledEvenly) {
   const Blank box = blank(BlankKind::box, {10.3, 7.1, 5.0}, 0.5);
   const Grid grid = *grid_of(box);
   for (int k = 0; k < 3; ++k) {
-    EXPECT_NEAR(grid.cell[k] * grid.count[static_cast<std::size_t>(k)], box.size[k], 1e-12);
+    EXPECT_NEAR(grid.cell[k] * grid.count[k], box.size[k], 1e-12);
     EXPECT_NEAR(grid.cell[k], 0.5, 0.05);
   }
   EXPECT_NEAR(Material(box, grid).volume(), 10.3 * 7.1 * 5.0, 1e-3);

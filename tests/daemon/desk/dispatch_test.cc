@@ -239,7 +239,7 @@ TEST_F(DispatchTest, RemembersOverridesThatTheMachineTook) {
   const auto slot = ask("override.rapid", {{"percent", 40}});
   EXPECT_EQ(result("channel.status")["override"]["rapid"], 100.0);
   ASSERT_EQ(machine.submitted().size(), 1U);
-  const auto& command = machine.submitted()[0].command;
+  const auto command = machine.submitted()[0].command;
   EXPECT_DOUBLE_EQ(std::get<channels::commands::OverrideRapid>(command).factor, 0.4);
   dispatch.on_reply(accepted(machine.submitted()[0].id));
   EXPECT_EQ(result("channel.status")["override"]["rapid"], 40.0);
