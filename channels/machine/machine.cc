@@ -306,13 +306,12 @@ std::optional<SearchReport> Machine::search(int channel) const {
   return parts_->reports.search(channel);
 }
 
-BlockReport Machine::block(int channel, const motion::BlockTag& tag, bool running) const {
-  const auto& channels = parts_->config.channels;
-  const auto at = std::find_if(channels.begin(), channels.end(),
-                               [&](const ChannelConfig& config) { return config.id == channel; });
-  if (at == channels.end()) return {};
-  return parts_->seats[static_cast<std::size_t>(at - channels.begin())]->block_book.at(tag,
-                                                                                       running);
+BlockReport Machine::block(const ChannelOutput& shown) const {
+  for (const auto& seat : parts_->seats) {
+    if (seat->channel.id() != shown.id) continue;
+    return shown.running ? seat->block_book.at(shown.tag) : seat->block_book.newest();
+  }
+  return {};
 }
 
 std::vector<AlarmReport> Machine::load_diagnostics() const {
