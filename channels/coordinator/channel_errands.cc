@@ -28,8 +28,7 @@ std::optional<Verdict> unreferenced(const Channel& channel, lang::AxisSet axes) 
 }  // namespace
 
 ChannelErrands::ChannelErrands(const ChannelTable& channels, AxisOwnership& ownership,
-                               const ControlDesk& control,
-                               const std::array<OwnerFailure, channels_max>& on_owner_failure,
+                               const ControlDesk& control, const OwnerFailures& on_owner_failure,
                                double cycle_s)
     : channels_(channels),
       ownership_(ownership),
@@ -79,7 +78,7 @@ Verdict ChannelErrands::start(Errand& errand) RT_SAFE {
   if (!target.drives.all_ready()) return await_drives(errand);
   if (!target.is_quiet()) return pending();
   target.items().begin_run(errand.job);
-  Owner& owner = owners_[static_cast<std::size_t>(errand.target)];
+  Owner& owner = owners_[errand.target];
   owner.channel = errand.asker;
   if (errand.asker != operator_asker) owner.run = channels_[errand.asker].runs.run();
   return success();
@@ -256,14 +255,14 @@ std::optional<Verdict> ChannelErrands::claim(int index, lang::AxisSet axes) RT_S
 
 void ChannelErrands::follow_owners() RT_SAFE {
   for (int k = 0; k < channels_.count(); ++k) {
-    Owner& owner = owners_[static_cast<std::size_t>(k)];
+    Owner& owner = owners_[k];
     if (owner.channel == operator_asker) continue;
     const Channel& master = channels_[owner.channel];
     if (!master.has_ended(owner.run) && !master.state().is_ending()) continue;
     owner.channel = operator_asker;
     Channel& owned = channels_[k];
     if (master.runs.ended_well(owner.run) || !is_busy(owned)) continue;
-    const OwnerFailure rule = on_owner_failure_[static_cast<std::size_t>(k)];
+    const OwnerFailure rule = on_owner_failure_[k];
     if (rule == OwnerFailure::hold) owned.run.hold(HoldCause::owner_failed);
     if (rule == OwnerFailure::reset) owned.run.begin_reset();
   }

@@ -4,10 +4,10 @@
 // Each function takes one step of an errand. Thread: the real-time cycle. Owner: the coordinator.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/contract/command_rules.h"
 #include "channels/coordinator/axis_ownership.h"
@@ -18,11 +18,14 @@
 
 namespace stanok::channels {
 
+// What the runs of a channel do when the one that started them ends abnormally, by channel.
+using OwnerFailures = NumberedArray<OwnerFailure, channels_max>;
+
 class ChannelErrands {
  public:
   // All outlive the errands.
   ChannelErrands(const ChannelTable& channels, AxisOwnership& ownership, const ControlDesk& control,
-                 const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s);
+                 const OwnerFailures& on_owner_failure, double cycle_s);
 
   [[nodiscard]] Verdict load(Errand& errand) RT_SAFE;
   [[nodiscard]] Verdict start(Errand& errand) RT_SAFE;
@@ -55,14 +58,14 @@ class ChannelErrands {
   const ChannelTable& channels_;
   AxisOwnership& ownership_;
   const ControlDesk& control_;
-  std::array<OwnerFailure, channels_max> on_owner_failure_;
+  OwnerFailures on_owner_failure_;
   double cycle_s_;
   // Who started the run of a channel, and in which run of its own; operator_asker: an operator.
   struct Owner {
     int channel = operator_asker;
     std::uint32_t run = 0;
   };
-  std::array<Owner, channels_max> owners_{};
+  NumberedArray<Owner, channels_max> owners_{};
 };
 
 }  // namespace stanok::channels

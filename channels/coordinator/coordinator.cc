@@ -61,8 +61,7 @@ bool begins_something(const Errand& errand) RT_SAFE {
 
 }  // namespace
 
-Coordinator::Coordinator(std::span<Channel* const> channels,
-                         const std::array<OwnerFailure, channels_max>& on_owner_failure,
+Coordinator::Coordinator(std::span<Channel* const> channels, const OwnerFailures& on_owner_failure,
                          double cycle_s, ReplyRings replies, const MachineStores& stores)
     : channels_(channels),
       ownership_(channels),
@@ -140,7 +139,7 @@ void Coordinator::step() RT_SAFE {
 
 void Coordinator::adopt_request(int index) RT_SAFE {
   const OpenRequest* const open = channels_[index].items().request();
-  Errand& errand = errands_[static_cast<std::size_t>(index)];
+  Errand& errand = errands_[index];
   if (open == nullptr) {
     errand.active = false;
     return;

@@ -8,7 +8,6 @@
 // behind are the operators'.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -37,9 +36,8 @@ struct ReplyRings {
 class Coordinator {
  public:
   // All outlive the coordinator.
-  Coordinator(std::span<Channel* const> channels,
-              const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s,
-              ReplyRings replies, const MachineStores& stores);
+  Coordinator(std::span<Channel* const> channels, const OwnerFailures& on_owner_failure,
+              double cycle_s, ReplyRings replies, const MachineStores& stores);
   Coordinator(const Coordinator&) = delete;
   Coordinator& operator=(const Coordinator&) = delete;
 
@@ -76,7 +74,7 @@ class Coordinator {
   ChannelTable channels_;
   AxisOwnership ownership_;
   ReplyRings replies_;
-  std::array<Errand, channels_max + operator_errands> errands_{};
+  NumberedArray<Errand, channels_max + operator_errands> errands_{};
   std::uint64_t errands_taken_ = 0;
   ControlDesk control_;
   OperatorDesk operators_;

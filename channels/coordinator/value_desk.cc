@@ -92,8 +92,7 @@ Verdict ValueDesk::combine(const Errand& errand) RT_SAFE {
 // M66; the modes are those of its L. A time without the event is answered with -1.
 Verdict ValueDesk::input_wait(Errand& errand) const RT_SAFE {
   const RequestData& request = errand.request;
-  const auto number = static_cast<std::size_t>(request.number);
-  if (request.analog) return success(stores_.inputs->analog[number]);
+  if (request.analog) return success(stores_.inputs->analog[request.number]);
   const bool now = stores_.inputs->is_on(request.number);
   const bool before = errand.stage == 0 ? now : errand.input_before;
   errand.stage = 1;
@@ -109,9 +108,8 @@ Verdict ValueDesk::input_wait(Errand& errand) const RT_SAFE {
 std::optional<double> ValueDesk::value_of_axis(std::string_view name, const Channel& asker,
                                                int axis) const RT_SAFE {
   const motion::InterpolatorOutput& path = asker.motion.path();
-  const auto k = static_cast<std::size_t>(axis);
-  if (name == "pos") return path.point[k].value;
-  if (name == "pos_mcs") return path.axes[k].value;
+  if (name == "pos") return path.point[axis].value;
+  if (name == "pos_mcs") return path.axes[axis].value;
   if (name == "homed") return asker.drives.is_homed(axis) ? 1.0 : 0.0;
   if (name == "axis_channel") {
     const int owner = ownership_.owner(asker.axes.machine_axis(axis));
@@ -150,7 +148,7 @@ Verdict ValueDesk::input(std::string_view name, int index) const RT_SAFE {
   const bool analog = name == "ain";
   const int count = analog ? Signals::analog_count : Signals::digital_count;
   if (index < 0 || index >= count) return refusal("E6028", "there is no such input");
-  if (analog) return success(stores_.inputs->analog[static_cast<std::size_t>(index)]);
+  if (analog) return success(stores_.inputs->analog[index]);
   return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
 }
 

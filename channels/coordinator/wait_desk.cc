@@ -145,15 +145,15 @@ std::optional<Verdict> WaitDesk::lost_partner(int index) const RT_SAFE {
 
 // The wait that channel `index` begins closes a circle.
 std::optional<Verdict> WaitDesk::deadlock(int index) const RT_SAFE {
-  std::array<ChannelSet, channels_max> awaited{};
-  for (int k = 0; k < channels_.count(); ++k) awaited[static_cast<std::size_t>(k)] = awaited_by(k);
+  NumberedArray<ChannelSet, channels_max> awaited{};
+  for (int k = 0; k < channels_.count(); ++k) awaited[k] = awaited_by(k);
   const Circle circle = find_circle(awaited, index);
   if (circle.length == 0) return std::nullopt;
   Verdict verdict = refusal("E6020", "the channels would wait for each other for ever");
   verdict.raises = true;
   for (int k = 0; k < circle.length; ++k) {
-    const int waiter = circle.channels[static_cast<std::size_t>(k)];
-    const int next = circle.channels[static_cast<std::size_t>((k + 1) % circle.length)];
+    const int waiter = circle.channels[k];
+    const int next = circle.channels[(k + 1) % circle.length];
     describe_wait(waiter, next, verdict.text);
   }
   return verdict;

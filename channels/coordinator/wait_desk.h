@@ -5,8 +5,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/coordinator/channel_table.h"
 #include "channels/coordinator/errand.h"
@@ -18,7 +18,7 @@ namespace stanok::channels {
 class WaitDesk {
  public:
   // Both outlive the desk. `requests`: of each channel, by index.
-  WaitDesk(const ChannelTable& channels, std::span<Errand> requests, double cycle_s)
+  WaitDesk(const ChannelTable& channels, NumberedSpan<Errand> requests, double cycle_s)
       : channels_(channels), requests_(requests), cycle_s_(cycle_s) {}
 
   // channel_wait: for the end of the run that goes on there.
@@ -40,9 +40,7 @@ class WaitDesk {
   [[nodiscard]] bool is_waiting_for_channels(int index) const RT_SAFE;
 
  private:
-  [[nodiscard]] Errand& request_of(int index) const RT_SAFE {
-    return requests_[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] Errand& request_of(int index) const RT_SAFE { return requests_[index]; }
   [[nodiscard]] std::optional<Verdict> arrive(int index) RT_SAFE;
   [[nodiscard]] std::optional<Verdict> arrive_at_mark(int index) RT_SAFE;
   void arrive_at_soft_mark(int index) RT_SAFE;
@@ -55,7 +53,7 @@ class WaitDesk {
   void describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE;
 
   const ChannelTable& channels_;
-  std::span<Errand> requests_;
+  NumberedSpan<Errand> requests_;
   double cycle_s_;
   Rendezvous rendezvous_;
   ChannelSet released_ = 0;  // stood at a soft mark that is met now, and have not yet left it

@@ -84,7 +84,7 @@ struct ItemWorker::Execution {
   void operator()(const lang::OutputCommand& output) const RT_SAFE {
     Signals& outputs = *parts.books.outputs;
     if (output.analog) {
-      outputs.analog[static_cast<std::size_t>(output.number)] = output.value;
+      outputs.analog[output.number] = output.value;
     } else {
       outputs.set(output.number, output.value != 0.0);
     }

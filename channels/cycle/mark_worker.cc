@@ -54,7 +54,7 @@ void MarkWorker::execute(const Rider& rider) RT_SAFE {
   switch (rider.kind) {
     case RiderKind::mark_set:
     case RiderKind::mark_clear:
-      is_set_[static_cast<std::size_t>(rider.number)] = rider.kind == RiderKind::mark_set;
+      is_set_[rider.number] = rider.kind == RiderKind::mark_set;
       break;
     case RiderKind::mark_wait:
       break;
@@ -62,7 +62,7 @@ void MarkWorker::execute(const Rider& rider) RT_SAFE {
       outputs_.set(rider.number, rider.value != 0.0);
       break;
     case RiderKind::analog_output:
-      outputs_.analog[static_cast<std::size_t>(rider.number)] = rider.value;
+      outputs_.analog[rider.number] = rider.value;
       break;
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "channels/contract/motion_config.h"
 #include "channels/coordinator/coordinator.h"
 #include "channels/cycle/channel.h"
@@ -24,7 +25,7 @@ constexpr double demand_reserve = 1.2;
 int channel_axis_of(const MachineConfig& machine, const ChannelConfig& channel,
                     const SpindleConfig& spindle) {
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    const AxisConfig& axis = machine.axes[channel.axes[k]];
     if (!spindle.axis.empty() && axis.name == spindle.axis) return static_cast<int>(k);
   }
   return -1;
@@ -39,7 +40,7 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
   constants.stops_go_on = options.stops_go_on;
   constants.probe_input = channel.probe_input;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    const AxisConfig& axis = machine.axes[channel.axes[k]];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
     constants.axes[k] = {.codes = {axis.resolution, axis.kmv},
                          .brake_s = axis.brake_s,
@@ -60,15 +61,15 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
         std::find_if(machine.spindles.begin(), machine.spindles.end(),
                      [id](const SpindleConfig& candidate) { return candidate.id == id; });
     if (spindle == machine.spindles.end() || constants.spindle_count == spindles_max) continue;
-    const auto s = static_cast<std::size_t>(constants.spindle_count++);
-    constants.spindles.at(s) = *spindle;
-    constants.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
-    constants.machine_spindle.at(s) = static_cast<int>(spindle - machine.spindles.begin());
+    const int s = constants.spindle_count++;
+    constants.spindles[s] = *spindle;
+    constants.spindle_axis[s] = channel_axis_of(machine, channel, *spindle);
+    constants.machine_spindle[s] = static_cast<int>(spindle - machine.spindles.begin());
   }
   std::copy_n(channel.automatic_feeds.begin(),
               std::min(channel.automatic_feeds.size(), constants.automatic_feeds.size()),
               constants.automatic_feeds.begin());
-  const auto index = static_cast<std::size_t>(&channel - machine.channels.data());
+  const std::size_t index = checked_size(&channel - machine.channels.data());
   if (index < options.feed_modifiers.size())
     constants.feed_modifier = options.feed_modifiers[index];
   return constants;
@@ -92,8 +93,8 @@ struct Seat {
   Channel channel;
 };
 
-std::array<OwnerFailure, channels_max> owner_rules(const MachineConfig& config) {
-  std::array<OwnerFailure, channels_max> rules{};
+OwnerFailures owner_rules(const MachineConfig& config) {
+  OwnerFailures rules{};
   for (std::size_t k = 0; k < config.channels.size(); ++k)
     rules.at(k) = config.channels[k].on_owner_failure;
   return rules;
@@ -191,7 +192,7 @@ struct Machine::Parts {
   InputBook inputs;
   Ring<OperatorReply> replies;
   Ring<OperatorReply> stop_replies;
-  std::vector<std::unique_ptr<Seat>> seats;
+  NumberedList<std::unique_ptr<Seat>> seats;
   std::unique_ptr<Coordinator> coordinator;
   std::int64_t cycle = 0;
 };
@@ -207,11 +208,11 @@ const MachineConfig& Machine::config() const {
 }
 
 Progress Machine::prepare(int index) {
-  return parts_->seats[static_cast<std::size_t>(index)]->preparation.step();
+  return parts_->seats[index]->preparation.step();
 }
 
 bool Machine::has_prepared(int index, const Arrivals& recorded) const {
-  return parts_->seats[static_cast<std::size_t>(index)]->channel.has_prepared(recorded);
+  return parts_->seats[index]->channel.has_prepared(recorded);
 }
 
 bool Machine::select_scheme_at_start(int channel, int scheme) {

@@ -313,7 +313,7 @@ bool PathFeed::move_axis(int axis, double position, double velocity) {
   motion::PathBlock block;
   block.ending = motion::BlockEnding::exact_stop;
   block.end = builder_.end();
-  block.end[static_cast<std::size_t>(axis)] = position;
+  block.end[axis] = position;
   block.rapid = velocity <= 0.0;
   block.feed_per_s = velocity;
   block.transform = &machine_axes_transform();

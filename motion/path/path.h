@@ -39,7 +39,7 @@ struct AxisLimits {
 
 struct MotionConfig {
   int axis_count = 0;
-  std::array<AxisLimits, axes_max> axes{};
+  AxisArray<AxisLimits> axes{};
   // Channel axes that are the X, Y, Z of the workpiece space (path length, tolerance); -1: none.
   std::array<int, 3> geometry{-1, -1, -1};
   double cycle_s = 0.001;
