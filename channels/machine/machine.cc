@@ -1,13 +1,13 @@
 #include "channels/machine/machine.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "base/place.h"
 #include "channels/contract/motion_config.h"
 #include "channels/coordinator/coordinator.h"
 #include "channels/cycle/channel.h"
+#include "channels/machine/input_watch.h"
 #include "channels/preparation/preparation.h"
 #include "channels/stores/input_book.h"
 
@@ -106,10 +106,9 @@ struct Machine::Parts {
   Parts(const MachineConfig& machine, const lang::Files& files, const MachineOptions& options)
       : config(machine),
         tables(machine),
-        outputs_to_inputs(options.outputs_to_inputs),
-        sensors(machine.spindles.size()),
         events(events_max),
         inputs(inputs_max, events),
+        watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr, inputs),
         replies(replies_max),
         stop_replies(replies_max) {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
@@ -120,51 +119,13 @@ struct Machine::Parts {
     for (const ChannelConfig& channel : machine.channels) {
       seats.push_back(
           std::make_unique<Seat>(machine, channel, options, files, tables, shared,
-                                 CycleBooks{&events, &reports, &signals_out, &signals_in}));
+                                 CycleBooks{&events, &reports, &signals_out, &watch.signals()}));
       channels.push_back(&seats.back()->channel);
       if (options.on_at_start) channels.back()->power(Power::on);
     }
     coordinator = std::make_unique<Coordinator>(
         channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
-        MachineStores{&shared, &tables, &signals_in});
-  }
-
-  // Takes over what changed, and writes it down.
-  void take_signals(const Signals* given) RT_SAFE {
-    Signals next;
-    if (outputs_to_inputs) next = signals_out;
-    if (given != nullptr) next = *given;
-    if (next == signals_in) return;
-    Signals changed;
-    changed.digital = next.digital ^ signals_in.digital;
-    for (int k = 0; k < Signals::digital_count; ++k) {
-      if (!changed.is_on(k)) continue;
-      inputs.note({.cycle = cycle, .content = DigitalInput{.number = k, .is_on = next.is_on(k)}});
-    }
-    for (std::size_t k = 0; k < next.analog.size(); ++k) {
-      if (next.analog[k] == signals_in.analog[k]) continue;
-      const auto number = static_cast<std::int32_t>(k);
-      inputs.note({.cycle = cycle, .content = AnalogInput{number, next.analog[k]}});
-    }
-    signals_in = next;
-  }
-
-  void take_sensors(std::span<const SpindleSensors> given) RT_SAFE {
-    using enum SpindleQuantity;
-    for (std::size_t k = 0; k < std::min(given.size(), sensors.size()); ++k) {
-      note_sensor(k, power_w, given[k].power_w, sensors[k].power_w);
-      note_sensor(k, vibration_um, given[k].vibration_um, sensors[k].vibration_um);
-      note_sensor(k, vibration_hz, given[k].vibration_hz, sensors[k].vibration_hz);
-    }
-  }
-
-  // Takes over a value that changed, and writes it down.
-  void note_sensor(std::size_t spindle, SpindleQuantity quantity, double given, double& kept)
-      RT_SAFE {
-    if (given == kept || (std::isnan(given) && std::isnan(kept))) return;
-    kept = given;
-    inputs.note({.cycle = cycle,
-                 .content = SpindleInput{static_cast<std::int32_t>(spindle), quantity, given}});
+        MachineStores{&shared, &tables, &watch.signals()});
   }
 
   // Reports of runs and alarms that found no place.
@@ -182,14 +143,12 @@ struct Machine::Parts {
   const MachineConfig& config;
   LiveTables tables;
   SharedVariables shared;
-  bool outputs_to_inputs;
-  std::vector<SpindleSensors> sensors;  // one for each spindle of the machine
-  Signals signals_in;
   Signals signals_out;
   ReportBook reports;
   EventBook events;
   std::uint64_t reports_lost = 0;  // told of
   InputBook inputs;
+  InputWatch watch;
   Ring<OperatorReply> replies;
   Ring<OperatorReply> stop_replies;
   NumberedList<std::unique_ptr<Seat>> seats;
@@ -237,11 +196,10 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     parts.inputs.note({.cycle = parts.cycle, .channel = event.channel, .content = event.command});
     parts.coordinator->take(event);
   }
-  parts.take_signals(inputs.signals);
-  parts.take_sensors(inputs.sensors);
+  parts.watch.take(parts.cycle, inputs.signals, inputs.sensors);
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
-    seat->channel.sense(parts.sensors);
+    seat->channel.sense(parts.watch.sensors());
     seat->channel.advance(parts.cycle);
   }
   parts.coordinator->step();
