@@ -73,16 +73,17 @@ void WaitDesk::arrive_at_soft_mark(int index) RT_SAFE {
     if (passed != nullptr || !arriving.marks.is_waiting()) released_ &= ~channel_bit(index);
     return;
   }
-  const Rider* mark = passed != nullptr             ? passed
-                      : arriving.marks.is_waiting() ? arriving.marks.soft_mark()
-                                                    : nullptr;
-  if (mark == nullptr || rendezvous_.at(index).present) return;
-  rendezvous_.arrive(index, mark->number, channels_.with_ids(mark->channels), mark->tag);
+  const Rider* rider = passed != nullptr             ? passed
+                       : arriving.marks.is_waiting() ? arriving.marks.soft_mark()
+                                                     : nullptr;
+  if (rider == nullptr || rendezvous_.at(index).present) return;
+  const auto& mark = *std::get_if<riders::SoftMark>(&rider->content);
+  rendezvous_.arrive(index, mark.mark, channels_.with_ids(mark.channels), rider->tag);
   if (passed != nullptr) return;
   const auto fault = fault_of_arrival(index);
   if (!fault) return;
   rendezvous_.leave(index);
-  arriving.run.fail(fault->code.view(), fault->text.view(), mark->tag);
+  arriving.run.fail(fault->code.view(), fault->text.view(), rider->tag);
 }
 
 // After all arrivals of the cycle: opens soft marks whose partners are there.
@@ -95,11 +96,12 @@ void WaitDesk::work_soft_mark(int index) RT_SAFE {
     }
     return rendezvous_.leave(index);
   }
-  const Rider* mark = coming.marks.soft_mark();
-  if (mark == nullptr || (released_ & channel_bit(index)) != 0) return;
+  const Rider* rider = coming.marks.soft_mark();
+  if (rider == nullptr || (released_ & channel_bit(index)) != 0) return;
   if (!coming.marks.is_waiting()) {
-    const ChannelSet members = channels_.with_ids(mark->channels);
-    if (rendezvous_.missing(index, mark->number, members) == 0) coming.marks.open();
+    const auto& mark = *std::get_if<riders::SoftMark>(&rider->content);
+    const ChannelSet members = channels_.with_ids(mark.channels);
+    if (rendezvous_.missing(index, mark.mark, members) == 0) coming.marks.open();
     return;
   }
   if (arrival.met) {

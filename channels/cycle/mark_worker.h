@@ -48,7 +48,7 @@ class MarkWorker {
 
   [[nodiscard]] bool is_set(int mark) const RT_SAFE { return is_set_[mark]; }
   // The next soft mark on the path, or nullptr; whether the channel stands there, and the one that
-  // it left behind in this cycle.
+  // it left behind in this cycle. Both hold a riders::SoftMark.
   [[nodiscard]] const Rider* soft_mark() const RT_SAFE { return soft_mark_at(gate_); }
   [[nodiscard]] bool is_waiting() const RT_SAFE { return is_waiting_; }
   [[nodiscard]] const Rider* passed_mark() const RT_SAFE {
@@ -66,7 +66,8 @@ class MarkWorker {
   [[nodiscard]] bool front_is_due(const Progress& progress) const RT_SAFE;
   [[nodiscard]] bool is_at_gate(const Progress& progress) const RT_SAFE;
   void pass(const Rider& mark) RT_SAFE;
-  void execute(const Rider& rider) RT_SAFE;
+  // Carries out a rider: one overload for each of its contents.
+  struct Execution;
   [[nodiscard]] const Rider* soft_mark_at(std::uint64_t number) const RT_SAFE;
 
   Ring<Rider>& riders_;

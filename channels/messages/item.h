@@ -115,23 +115,34 @@ struct Item {
   ItemContent content{};
 };
 
-enum class RiderKind : std::uint8_t {
-  mark_set,
-  mark_clear,
-  mark_wait,
-  digital_output,
-  analog_output,
+namespace riders {
+
+struct MarkChange {
+  std::int32_t mark = 0;
+  bool is_set = false;  // else it is cleared
+};
+// Stops the path where the partners are not there yet; all others never do.
+struct SoftMark {
+  std::int32_t mark = 0;
+  std::uint32_t channels = 0;  // the partners: bit k: channel with id k
+};
+struct DigitalOutput {
+  std::int32_t number = 0;
+  bool is_on = false;
+};
+struct AnalogOutput {
+  std::int32_t number = 0;
+  double value = 0.0;
 };
 
+}  // namespace riders
+
 // What travels with the path and takes effect where block `before_block` (or a later one) begins.
-// Only a mark where the partners are not there yet stops the path.
 struct Rider {
-  RiderKind kind = RiderKind::mark_set;
   motion::BlockTag tag;
   std::uint64_t before_block = 0;
-  std::int32_t number = 0;     // mark, output
-  double value = 0.0;          // output
-  std::uint32_t channels = 0;  // mark_wait: bit k: channel with id k
+  std::variant<riders::MarkChange, riders::SoftMark, riders::DigitalOutput, riders::AnalogOutput>
+      content{};
 };
 
 struct SpokenText {

@@ -227,26 +227,24 @@ void PathFeed::take_request(const lang::Command& command, const lang::Request& r
 }
 
 void PathFeed::take_output(const lang::Command& command, const lang::OutputCommand& output) {
-  Rider rider;
-  rider.kind = output.analog ? RiderKind::analog_output : RiderKind::digital_output;
-  rider.tag = tag_of(command);
-  rider.before_block = command.block;
-  rider.number = output.number;
-  rider.value = output.value;
+  Rider rider{.tag = tag_of(command), .before_block = command.block};
+  if (output.analog) {
+    rider.content = riders::AnalogOutput{.number = output.number, .value = output.value};
+  } else {
+    rider.content = riders::DigitalOutput{.number = output.number, .is_on = output.value != 0.0};
+  }
   give_rider(rider);
 }
 
 void PathFeed::take_mark(const lang::Command& command, const lang::MarkCommand& mark) {
   using Kind = lang::MarkCommand::Kind;
-  Rider rider;
-  rider.kind = mark.kind == Kind::set     ? RiderKind::mark_set
-               : mark.kind == Kind::clear ? RiderKind::mark_clear
-                                          : RiderKind::mark_wait;
-  rider.tag = tag_of(command);
-  rider.before_block = command.block + 1;
-  rider.number = mark.id;
-  rider.channels = mark.channels;
-  if (mark.kind == Kind::wait_soft) end_thread();
+  Rider rider{.tag = tag_of(command), .before_block = command.block + 1};
+  if (mark.kind == Kind::wait_soft) {
+    end_thread();
+    rider.content = riders::SoftMark{.mark = mark.id, .channels = mark.channels};
+  } else {
+    rider.content = riders::MarkChange{.mark = mark.id, .is_set = mark.kind == Kind::set};
+  }
   give_rider(rider);
 }
 
