@@ -37,6 +37,9 @@ class AxisGroup {
   [[nodiscard]] const FixedText<16>& name(int axis) const RT_SAFE { return constants(axis).name; }
   [[nodiscard]] int named(std::string_view name) const RT_SAFE;  // -1: none
   [[nodiscard]] int machine_axis(int axis) const RT_SAFE { return constants_.machine_axis[axis]; }
+  [[nodiscard]] NumberedSpan<const int> machine_axes() const RT_SAFE {
+    return {constants_.machine_axis.begin(), constants_.machine_axis.begin() + count()};
+  }
   [[nodiscard]] int of_machine_axis(int machine_axis) const RT_SAFE;  // -1: none
   [[nodiscard]] const AxisConstants& constants(int axis) const RT_SAFE {
     return constants_.axes[axis];

@@ -58,6 +58,8 @@ class Coordinator {
   }
 
  private:
+  // Takes a step of an errand: one overload for each kind of request.
+  struct Step;
   static constexpr std::size_t operator_errands = 16;
 
   [[nodiscard]] std::optional<Verdict> refusal_by_rule(OperatorAction action,
@@ -67,7 +69,6 @@ class Coordinator {
   [[nodiscard]] bool is_its_turn(const Errand& errand) const RT_SAFE;
   [[nodiscard]] bool is_asker_held(const Errand& errand) const RT_SAFE;
   [[nodiscard]] Verdict step(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict step_on_target(Errand& errand) RT_SAFE;
   void conclude(Errand& errand, const Verdict& verdict) RT_SAFE;
   void reply(std::uint64_t id, const Verdict& verdict) RT_SAFE;
 

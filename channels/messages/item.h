@@ -11,24 +11,11 @@
 
 #include "channels/contract/output.h"
 #include "channels/contract/texts.h"
+#include "channels/messages/request.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
-
-// A request of lang::Request as plain data.
-struct RequestData {
-  lang::RequestKind kind = lang::RequestKind::sync;
-  std::int32_t channel = 0;
-  std::int32_t number = 0;
-  std::int32_t index = 0;
-  bool analog = false;
-  bool is_text = false;  // shared variables
-  lang::Combination combination = lang::Combination::add;
-  std::uint32_t channels = 0;  // bit k: channel with id k
-  double seconds = -1.0;
-  double value = 0.0;
-};
 
 // A program or a line was compiled, or a block found.
 struct LoadDone {
@@ -74,12 +61,6 @@ struct ProbeBegin {
   bool alarm_when_missed = false;
 };
 
-// To the coordinator; the preparation waits for the answer.
-struct ProgramRequest {
-  RequestData data{};
-  ShortText text{};
-};
-
 // A step of a switch of kinematics: brakes closed, then drives off; or drives on, then brakes open.
 struct AxesStep {
   enum class Kind : std::uint8_t { park, join };
@@ -100,12 +81,13 @@ struct SwitchFailed {
   ShortText text{};
 };
 
-// Those of lang are commands of the program that reach the cycle as they are.
+// Those of lang are commands of the program that reach the cycle as they are. The preparation waits
+// for the answer to a Request.
 using ItemContent =
     std::variant<LoadDone, RunEnd, LineEnd, RunFailed, BrokenOff, ResetDone, TransformSet,
                  lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
                  lang::ToolChange, lang::OverrideControl, lang::ForceControl, lang::OutputCommand,
-                 lang::MachineFunction, lang::ProgramStop, ProbeBegin, ProgramRequest, AxesStep,
+                 lang::MachineFunction, lang::ProgramStop, ProbeBegin, Request, AxesStep,
                  SchemeChosen, SwitchDone, SwitchFailed>;
 
 struct Item {

@@ -210,20 +210,9 @@ PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
 }
 
 void PathFeed::take_request(const lang::Command& command, const lang::Request& request) {
-  RequestData data;
-  data.kind = request.kind;
-  data.channel = request.channel;
-  data.number = request.number;
-  data.index = request.index;
-  data.analog = request.analog;
-  data.channels = request.channels;
-  data.seconds = request.seconds;
-  data.value = request.value;
-  data.combination = request.combination;
   has_given_ = true;
   end_chain();
-  sink_->take_request(
-      {.tag = tag_of(command), .content = ProgramRequest{data, ShortText(request.text)}}, request);
+  sink_->take_request(tag_of(command), request);
 }
 
 void PathFeed::take_output(const lang::Command& command, const lang::OutputCommand& output) {

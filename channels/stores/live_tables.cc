@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/visit_in_cycle.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -267,24 +269,48 @@ void LiveTables::add_reference_points(int channel, TablesConfig& tables) const {
   }
 }
 
-std::optional<double> execute_table_request(LiveTables& tables, const RequestData& request,
-                                            int axis) RT_SAFE {
-  using lang::RequestKind;
-  const bool offsets = request.kind == RequestKind::offset_table_write ||
-                       request.kind == RequestKind::offset_table_read;
-  const bool writes = request.kind == RequestKind::offset_table_write ||
-                      request.kind == RequestKind::tool_table_write;
+namespace {
+
+struct TableExecution {
+  using Result = std::optional<double>;
+
+  LiveTables& tables;
+  NumberedSpan<const int> machine_axes;
+
   // Table 1 is the only one there is.
-  if (offsets && request.channel != 1) return std::nullopt;
-  if (writes) {
-    const bool written = offsets ? tables.set_offset(request.number, axis, request.value)
-                                 : tables.set_tool_value(request.number, request.index,
-                                                         request.channel, request.value);
-    if (!written) return std::nullopt;
-    return request.value;
+  [[nodiscard]] static bool exists(const requests::OffsetRead& place) RT_SAFE {
+    return place.table == 1;
   }
-  return offsets ? tables.offset(request.number, axis)
-                 : tables.tool_value(request.number, request.index, request.channel);
+  [[nodiscard]] int machine_axis(const requests::OffsetRead& place) const RT_SAFE {
+    return place.axis >= 0 ? machine_axes[place.axis] : place.axis;
+  }
+
+  Result operator()(const requests::ToolRead& place) const RT_SAFE {
+    return tables.tool_value(place.tool, place.edge, place.value);
+  }
+  Result operator()(const requests::ToolWrite& write) const RT_SAFE {
+    const auto& [tool, edge, value] = write.place;
+    if (!tables.set_tool_value(tool, edge, value, write.value)) return std::nullopt;
+    return write.value;
+  }
+  Result operator()(const requests::OffsetRead& place) const RT_SAFE {
+    if (!exists(place)) return std::nullopt;
+    return tables.offset(place.offset, machine_axis(place));
+  }
+  Result operator()(const requests::OffsetWrite& write) const RT_SAFE {
+    const requests::OffsetRead& place = write.place;
+    if (!exists(place) || !tables.set_offset(place.offset, machine_axis(place), write.value))
+      return std::nullopt;
+    return write.value;
+  }
+  Result operator()(const auto& /*other*/) const RT_SAFE { return std::nullopt; }
+};
+
+}  // namespace
+
+std::optional<double> execute_table_request(LiveTables& tables, const Request& request,
+                                            NumberedSpan<const int> machine_axes) RT_SAFE {
+  return visit_in_cycle(TableExecution{tables, machine_axes}, request);
 }
 
 ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,

@@ -18,7 +18,7 @@
 #include "base/rt_safe.h"
 #include "channels/contract/machine_config.h"
 #include "channels/contract/tool_row.h"
-#include "channels/messages/item.h"
+#include "channels/messages/request.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 
@@ -113,10 +113,12 @@ class LiveTables {
   NumberedList<ToolPlace> tools_;                       // ascending by number and edge
 };
 
-// Reads or writes what a program asks for. `axis` is that of the request, counted among all axes of
-// the machine. Nothing when there is no such entry, or when it cannot be written so.
+// Reads or writes what a program asks of the tables; `machine_axes`: the axes of its channel,
+// counted among all axes of the machine. Nothing when there is no such entry, when it cannot be
+// written so, or when something else is asked for.
 [[nodiscard]] std::optional<double> execute_table_request(LiveTables& tables,
-                                                          const RequestData& request, int axis)
+                                                          const Request& request,
+                                                          NumberedSpan<const int> machine_axes)
     RT_SAFE;
 
 // The tables as the interpreter of one channel sees them.
