@@ -36,12 +36,13 @@ bool moves(const Segment& segment, std::size_t axis) {
                      [](double c) { return c != 0.0; });
 }
 
-SegmentBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& config) {
+SegmentBounds bounds_of(const AxisDerivatives& q, const Segment& segment,
+                        const MotionConfig& config) {
   SegmentBounds bounds;
   for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
     const AxisLimits& limit = config.axes[k];
     const double velocity_max =
-        rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
+        segment.rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
     bounds.velocity = std::max(bounds.velocity, q[k].first / velocity_max);
     bounds.tangent = std::max(bounds.tangent, q[k].first / limit.acceleration_max);
     bounds.thrust = std::max(bounds.thrust, q[k].first / limit.jerk_max);
@@ -242,8 +243,8 @@ SegmentBounds sampled_bounds(const Segment& segment, const MotionConfig& config)
   int intervals = sampling_intervals(segment, config);
   for (;;) {
     const Peaks peaks = sampled_peaks(segment, intervals, config);
-    SegmentBounds bounds = bounds_of(taken(peaks, &Peak::bound), segment.rapid, config);
-    const SegmentBounds sampled = bounds_of(taken(peaks, &Peak::sampled), segment.rapid, config);
+    SegmentBounds bounds = bounds_of(taken(peaks, &Peak::bound), segment, config);
+    const SegmentBounds sampled = bounds_of(taken(peaks, &Peak::sampled), segment, config);
     const double v = std::min(override_max * segment.feed_per_s, 1.0 / bounds.velocity);
     if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds, v)) {
       if (const auto limits = common_limits(segment, config))
@@ -258,12 +259,12 @@ SegmentBounds sampled_bounds(const Segment& segment, const MotionConfig& config)
 
 SegmentBounds segment_bounds(const Segment& segment, const MotionConfig& config) {
   if (is_affine(segment) && segment.geometry.kind == SegmentKind::line) {
-    return bounds_of(of_affine_line(segment), segment.rapid, config);
+    return bounds_of(of_affine_line(segment), segment, config);
   }
   if (is_affine(segment) && segment.geometry.kind == SegmentKind::arc) {
     const double factor = spiral_factor(segment.geometry);
     if (factor < spiral_factor_max) {
-      SegmentBounds bounds = bounds_of(of_affine_arc(segment, factor), segment.rapid, config);
+      SegmentBounds bounds = bounds_of(of_affine_arc(segment, factor), segment, config);
       if (const auto limits = common_limits(segment, config))
         bounds.euclidean = euclidean_bounds(factor * arc_turn(segment), *limits);
       return bounds;

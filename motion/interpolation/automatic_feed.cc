@@ -8,11 +8,11 @@
 namespace stanok::motion {
 
 AutomaticFeed::AutomaticFeed(const AutomaticFeedConfig& config) : config_(config) {
-  switch_on(config.on_at_start);
+  begin(config.on_at_start ? ModuleState::ready : ModuleState::reset);
 }
 
-void AutomaticFeed::switch_on(bool on) RT_SAFE {
-  state_ = on && config_.law != LawKind::none ? ModuleState::ready : ModuleState::reset;
+void AutomaticFeed::begin(ModuleState state) RT_SAFE {
+  state_ = config_.law != LawKind::none ? state : ModuleState::reset;
   part_ = 1.0;
   way_mm_ = 0.0;
   increments_ = 0;
@@ -48,7 +48,7 @@ void AutomaticFeed::modulate(double signal) RT_SAFE {
       std::max(std::llround((1.0 - config_.part_min) / config_.part_step), 1LL));
   const std::uint64_t in_cycle = increments_ % (2 * steps);
   const std::uint64_t below = std::min(in_cycle, 2 * steps - in_cycle);
-  if (below == 0 && signal < config_.release) return switch_on(true);
+  if (below == 0 && signal < config_.release) return switch_on();
   part_ = std::max(1.0 - config_.part_step * static_cast<double>(below), config_.part_min);
 }
 
@@ -57,7 +57,7 @@ void AutomaticFeed::follow(double signal, std::uint64_t steps) RT_SAFE {
   const double change = config_.part_step * static_cast<double>(steps);
   if (signal > config_.level) part_ = std::max(part_ - change, config_.part_min);
   if (signal < config_.release) part_ = std::min(part_ + change, 1.0);
-  if (part_ >= 1.0 && signal <= config_.level) switch_on(true);
+  if (part_ >= 1.0 && signal <= config_.level) switch_on();
 }
 
 }  // namespace stanok::motion

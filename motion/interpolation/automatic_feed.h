@@ -39,7 +39,10 @@ class AutomaticFeed {
   AutomaticFeed() = default;
   explicit AutomaticFeed(const AutomaticFeedConfig& config);
 
-  void switch_on(bool on) RT_SAFE;
+  void switch_on() RT_SAFE { begin(ModuleState::ready); }
+  void switch_off() RT_SAFE { begin(ModuleState::reset); }
+  // A module that is on begins anew.
+  void restart() RT_SAFE { begin(state_ == ModuleState::reset ? state_ : ModuleState::ready); }
 
   // Once a cycle: the signal, or nothing when its sensor gives none, and the path at feed that the
   // cycle before went, in mm.
@@ -52,6 +55,8 @@ class AutomaticFeed {
   [[nodiscard]] const AutomaticFeedConfig& config() const RT_SAFE { return config_; }
 
  private:
+  // At the programmed feed; where there is no such module, it stays off.
+  void begin(ModuleState state) RT_SAFE;
   void modulate(double signal) RT_SAFE;
   void follow(double signal, std::uint64_t steps) RT_SAFE;
 

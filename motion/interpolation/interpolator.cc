@@ -48,7 +48,7 @@ void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& tr
 }
 
 bool Interpolator::at_rest() const RT_SAFE {
-  return motion_.v == 0.0 && motion_.a == 0.0;
+  return is_at_rest(motion_);
 }
 
 void Interpolator::advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out,
@@ -86,7 +86,7 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
 }
 
 void Interpolator::interrupt(const InterruptionLengths& lengths) RT_SAFE {
-  interruption_.set(lengths, cursor_, motion_.s, !at_rest());
+  interruption_.set(lengths, cursor_, motion_);
 }
 
 // At rest within the current chain where its feed is to be interrupted.
@@ -337,7 +337,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.feed_commanded =
       segment.rapid ? 0.0 : segment.feed_per_s * control.spindle_part(segment.process.rev_per_min);
   out.process = segment.process;
-  if (!segment.rapid && !is_synchronous()) out.working_axes = segment.geometry.metric.axes;
+  if (!is_synchronous()) out.working_axes = working_axes(segment);
   JetPoint point_s;
   evaluate(segment, cursor_.s_in_segment(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);

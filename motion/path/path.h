@@ -189,6 +189,11 @@ struct Segment {
   SegmentProcess process;
 };
 
+// Axes whose travel counts as that of a working feed, bit k: channel axis k; 0 in rapid.
+[[nodiscard]] inline unsigned working_axes(const Segment& segment) RT_SAFE {
+  return segment.rapid ? 0U : segment.geometry.metric.axes;
+}
+
 // Constant jerk along s for `duration`: s(t) = s + v t + a t^2/2 + j t^3/6. `s` counts from the
 // start of the chunk's span.
 struct Phase {

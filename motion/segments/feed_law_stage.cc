@@ -20,13 +20,13 @@ void apply(const FeedLaw& law, const LawStretch& stretch, std::uint64_t incremen
   if (law.units().speed == LawSpeed::rev_per_min && process.rev_per_min > 0.0)
     process.rev_per_min = stretch.speed;
   if (stretch.feed > 0.0)
-    segment.feed_per_s = feed_per_s(stretch.feed, law.units().per_revolution, process.rev_per_min);
+    segment.feed_per_s = feed_per_s(stretch.feed, law.units(), process.rev_per_min);
 }
 
 }  // namespace
 
-double feed_per_s(double feed, bool per_revolution, double rev_per_min) RT_SAFE {
-  return (per_revolution ? feed * rev_per_min : feed) / s_per_min;
+double feed_per_s(double feed, const LawUnits& units, double rev_per_min) RT_SAFE {
+  return (units.per_revolution ? feed * rev_per_min : feed) / s_per_min;
 }
 
 PathBuilder::Built FeedLawStage::next() {
