@@ -56,7 +56,7 @@ void FeedInterruption::look(const PathQueue& queue, const PathCursor& cursor, do
   const std::uint64_t behind_last = first + cursor.segments_seen(queue);
   const std::uint64_t until = std::min(behind_last, next_segment_ + segments_per_look);
   while (next_segment_ < until && !is_found_) {
-    const Segment& segment = queue.segments[static_cast<std::size_t>(next_segment_ - first)];
+    const Segment& segment = queue.segments[next_segment_ - first];
     if (is_counted(segment) && left_mm_ <= segment.length) {
       wall_ = {.segment = next_segment_, .s = next_s_ + left_mm_};
       feed_ = {.per_s = segment.feed_per_s, .rev_per_min = segment.process.rev_per_min};

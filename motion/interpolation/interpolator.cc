@@ -135,9 +135,8 @@ void Interpolator::enter(PathQueue& queue) RT_SAFE {
 
 // Runs for a cycle by the spindle; nothing is left of it.
 double Interpolator::follow_spindle(PathQueue& queue, const FeedControl& control) RT_SAFE {
-  const auto spindle = static_cast<std::size_t>(cursor_.chunk().coupling.spindle);
   const double before = motion_.s;
-  motion_ = synchronous_.advance(spindles_[spindle], control);
+  motion_ = synchronous_.advance(spindles_[cursor_.chunk().coupling.spindle], control);
   advanced_ += std::abs(motion_.s - before);
   cursor_.go_to(queue, motion_.s);
   return 0.0;
@@ -352,7 +351,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
 void Interpolator::turns_to_way(const Segment& segment, const JetPoint& point_s,
                                 InterpolatorOutput& out) const RT_SAFE {
   double squared = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
+  for (int k = 0; k < axis_count_; ++k) {
     if (segment.geometry.metric.counts(k)) squared += point_s[k].first * point_s[k].first;
   }
   const double lead = std::sqrt(squared);

@@ -9,8 +9,7 @@
 // followed (motion/threads/synchronous_run.h), whatever the overrides are.
 #pragma once
 
-#include <array>
-
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "motion/interpolation/feed_interruption.h"
 #include "motion/interpolation/override_planner.h"
@@ -138,7 +137,7 @@ class Interpolator {
   OverridePlanner planner_;
   FeedInterruption interruption_;
   SynchronousRun synchronous_;
-  std::array<SpindleMotion, coupled_spindles_max> spindles_{};
+  NumberedArray<SpindleMotion, coupled_spindles_max> spindles_{};
   bool is_nominal_ = true;  // committed phases are being run
   std::uint64_t chunks_done_ = 0;
   double advanced_ = 0.0;  // in this cycle

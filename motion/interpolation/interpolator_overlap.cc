@@ -68,7 +68,7 @@ void Interpolator::add_next_chain(const PathQueue& queue, InterpolatorOutput& ou
   evaluate(segment, next_motion_.s, point_s);
   along_time(point_s, next_motion_.v, next_motion_.a, next_motion_.j, axis_count_, next);
   double speed2 = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
+  for (int k = 0; k < axis_count_; ++k) {
     kinematics::Jet& sum = out.point[k];
     sum.value += next[k].value - segment.geometry.start[k];
     sum.first += next[k].first;

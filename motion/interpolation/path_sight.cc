@@ -37,7 +37,7 @@ void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const Fee
   }
   if (wall.segment != PathWall::no_segment) {
     const std::uint64_t behind = wall.segment >= first_ ? wall.segment - first_ + 1 : 1;
-    size_ = std::min<std::size_t>(size_, static_cast<std::size_t>(behind));
+    size_ = std::min<std::size_t>(size_, behind);
   }
   wall_s_ = wall.s;
   starts_[0] = cursor.segment_start();

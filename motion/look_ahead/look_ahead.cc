@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::motion {
 namespace {
@@ -240,7 +241,7 @@ std::size_t LookAhead::last_boundary_to_commit() const {
   if (blocks_.back() - blocks_.front() < blocks_beyond) return 0;
   const auto beyond =
       std::upper_bound(blocks_.begin(), blocks_.end(), blocks_.back() - blocks_beyond);
-  return static_cast<std::size_t>(beyond - blocks_.begin());
+  return checked_size(beyond - blocks_.begin());
 }
 
 // The last boundary with a = 0, at or before the one given.

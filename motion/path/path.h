@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/axis_index.h"
 #include "kinematics/scheme.h"
 
 namespace stanok::motion {
@@ -20,7 +21,7 @@ using Point = kinematics::AxisVector<double>;
 
 // The coordinate of an axis that is known to be there (not -1).
 [[nodiscard]] inline double at(const Point& point, int axis) {
-  return point[static_cast<std::size_t>(axis)];
+  return point[axis];
 }
 using JetPoint = kinematics::AxisVector<kinematics::Jet>;
 
@@ -39,7 +40,7 @@ struct AxisLimits {
 
 struct MotionConfig {
   int axis_count = 0;
-  std::array<AxisLimits, axes_max> axes{};
+  AxisArray<AxisLimits> axes{};
   // Channel axes that are the X, Y, Z of the workpiece space (path length, tolerance); -1: none.
   std::array<int, 3> geometry{-1, -1, -1};
   double cycle_s = 0.001;
@@ -112,8 +113,8 @@ struct PathMetric {
   int axis_count = axes_max;  // axes of the channel; components beyond stay as they start
   unsigned axes = 0b111;      // bit k: axis k counts
 
-  [[nodiscard]] constexpr bool counts(std::size_t axis) const RT_SAFE {
-    return (axes >> axis & 1U) != 0;
+  [[nodiscard]] constexpr bool counts(AxisIndex axis) const RT_SAFE {
+    return (axes >> axis.place() & 1U) != 0;
   }
   friend constexpr bool operator==(const PathMetric&, const PathMetric&) = default;
 };
@@ -133,7 +134,7 @@ struct Geometry {
   double sweep = 0.0;        // rad
   // quintic, even: coefficients of u^0..u^5 per axis; quintic: knots, s at u = k/8
   // (arc length)
-  std::array<std::array<double, 6>, axes_max> coefficients{};
+  AxisArray<std::array<double, 6>> coefficients{};
   std::array<double, 9> knots{};
 };
 

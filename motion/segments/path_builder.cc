@@ -92,10 +92,9 @@ double chord_share(const Segment& incoming, const Segment& blend, const Segment&
   double bend2 = 0.0;
   for (const int axis : config.geometry) {
     if (axis < 0) continue;
-    const auto k = static_cast<std::size_t>(axis);
-    const double distance = middle[k].value - incoming.geometry.end[k];
+    const double distance = middle[axis].value - incoming.geometry.end[axis];
     distance2 += distance * distance;
-    bend2 += middle[k].second * middle[k].second;
+    bend2 += middle[axis].second * middle[axis].second;
   }
   const double way =
       segment_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
@@ -194,8 +193,7 @@ void PathBuilder::stand_at_programmed_end() {
   block.kind = BlockKind::line;
   block.rapid = true;
   block.process = {};
-  for (auto k = static_cast<std::size_t>(config_.axis_count); k < block.end.size(); ++k)
-    block.end[k] = end_[k];
+  for (int k = config_.axis_count; k < axes_max; ++k) block.end[k] = end_[k];
   if (block.end == end_) return;
   pending_ = pending_from(block);
   end_ = block.end;

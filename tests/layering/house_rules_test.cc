@@ -162,7 +162,6 @@ TEST(HouseRules, ABoolParameterIsFound) {
 constexpr double casts_max = 1e-3;  // per line
 const std::map<std::string, std::size_t> folders_of_many_casts{
     {"channels", 124},
-    {"motion", 65},
     {"runtime", 10},
 };
 
