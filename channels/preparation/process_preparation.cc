@@ -179,9 +179,9 @@ std::optional<Diagnostic> ProcessPreparation::apply_law(const Law& law, const Wa
   }
   motion::BlockProcess& process = block.process;
   process.law = law.law;
-  process.way_start = law.way_start;
-  process.way_length = way.length;
-  process.way_end = law.is_modal ? motion::unlimited : way_stop;
+  process.path_start = law.way_start;
+  process.path_length = way.length;
+  process.path_end = law.is_modal ? motion::unlimited : way_stop;
   if (highest > 0.0) block.feed_per_s = motion::feed_per_s(highest, units, process.rev_per_min);
   if (law.is_modal) modal_way_ = way_stop;
   return std::nullopt;

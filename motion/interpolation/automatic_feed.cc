@@ -14,11 +14,11 @@ AutomaticFeed::AutomaticFeed(const AutomaticFeedConfig& config) : config_(config
 void AutomaticFeed::begin(ModuleState state) RT_SAFE {
   state_ = config_.law != LawKind::none ? state : ModuleState::reset;
   part_ = 1.0;
-  way_mm_ = 0.0;
+  path_mm_ = 0.0;
   increments_ = 0;
 }
 
-void AutomaticFeed::advance(std::optional<double> signal, double way_mm) RT_SAFE {
+void AutomaticFeed::advance(std::optional<double> signal, double path_mm) RT_SAFE {
   if (state_ == ModuleState::reset || state_ == ModuleState::fault) return;
   if (!signal || !std::isfinite(*signal)) {
     state_ = ModuleState::fault;
@@ -28,13 +28,13 @@ void AutomaticFeed::advance(std::optional<double> signal, double way_mm) RT_SAFE
   if (state_ == ModuleState::ready) {
     if (*signal <= config_.level) return;
     state_ = ModuleState::running;
-    way_mm_ = 0.0;
+    path_mm_ = 0.0;
     increments_ = 0;
     return;
   }
-  way_mm_ += way_mm;
+  path_mm_ += path_mm;
   const std::uint64_t before = increments_;
-  increments_ = whole_steps(way_mm_, config_.way_step_mm);
+  increments_ = whole_steps(path_mm_, config_.path_step_mm);
   if (config_.law == LawKind::modulated) {
     modulate(*signal);
   } else {

@@ -67,9 +67,9 @@ enum class LawSpeed : std::uint8_t { unchanged, rev_per_min, m_per_min };
 // How the process moves along a block: the law of its feed, and the spindle that its feed follows.
 struct BlockProcess {
   const FeedLaw* law = nullptr;  // outlives the queue; none: the feed is constant
-  double way_start = 0.0;        // path of the law where the block begins, mm
-  double way_length = 0.0;       // and how much of it the block is
-  double way_end = unlimited;    // where the law ends
+  double path_start = 0.0;       // path of the law where the block begins, mm
+  double path_length = 0.0;      // and how much of it the block is
+  double path_end = unlimited;   // where the law ends
   // Feed per revolution: `feed_per_s` holds at this speed of the spindle. 0: feed per time.
   double rev_per_min = 0.0;
 };
@@ -170,9 +170,9 @@ struct SegmentProcess {
   const FeedLaw* law = nullptr;  // not for the cycle
   LawKind kind = LawKind::none;
   LawSpeed speed = LawSpeed::unchanged;
-  double way_start = 0.0;  // path of the law where the segment begins, and where it ends
-  double way_stop = 0.0;
-  double way_end = unlimited;
+  double path_start = 0.0;  // path of the law where the segment begins, and where it ends
+  double path_stop = 0.0;
+  double path_end = unlimited;
   double rev_per_min = 0.0;           // as of the block
   std::uint64_t increments = 0;       // that the law has made
   double spindle_speed = 0.0;         // that the law asks for, in its unit; 0: unchanged

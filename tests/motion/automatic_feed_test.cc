@@ -18,7 +18,7 @@ AutomaticFeedConfig law(LawKind kind) {
           .release = 4.0,
           .part_min = 0.6,
           .part_step = 0.1,
-          .way_step_mm = 0.25,
+          .path_step_mm = 0.25,
           .on_at_start = true};
 }
 
