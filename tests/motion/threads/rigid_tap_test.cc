@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/motion/thread_bench.h"
+#include "tests/motion/threads/thread_bench.h"
 
 namespace stanok::motion::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/motion/thread_bench.h"
+#include "tests/motion/threads/thread_bench.h"
 
 namespace stanok::motion::testing {
 namespace {
