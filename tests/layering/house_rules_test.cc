@@ -103,9 +103,6 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
 // AlarmChoice::all)`, not `rows(channel, false)`. The list only falls.
 const std::map<std::string, std::set<std::string>> functions_with_bool_parameter_left{
     {"channels", {"at", "block", "state_of"}},
-    {"motion",
-     {"bounds_of", "commit", "commit_chunks", "feed_per_s", "is_controlled", "plan_window",
-      "run_last_plan_on", "seek", "set", "switch_on"}},
 };
 
 // Functions of which the bool is the value itself: it becomes a value of the language, a text.
@@ -165,7 +162,6 @@ TEST(HouseRules, ABoolParameterIsFound) {
 constexpr double casts_max = 1e-3;  // per line
 const std::map<std::string, std::size_t> folders_of_many_casts{
     {"channels", 124},
-    {"motion", 65},
     {"runtime", 10},
 };
 
