@@ -24,8 +24,8 @@ void DrySink::begin_command(const lang::Command& command) {
 void DrySink::take_motion(const lang::Command& command, std::span<const motion::PathBlock> blocks) {
   motion::PathBlock whole = blocks.back();
   motion::BlockProcess& process = whole.process;
-  process.way_length += process.way_start - blocks.front().process.way_start;
-  process.way_start = blocks.front().process.way_start;
+  process.path_length += process.path_start - blocks.front().process.path_start;
+  process.path_start = blocks.front().process.path_start;
   motion::PathBlock programmed = whole;
   programmed.end = as_programmed(*lang::move_of(command.payload), whole);
   record_(command, &programmed);
@@ -47,8 +47,8 @@ void DrySink::estimate_law(const motion::PathBlock& block) {
   if (process.law == nullptr) return;
   const double planned = process.rev_per_min;
   const motion::LawPart part{
-      .from_mm = process.way_start,
-      .to_mm = process.way_start + process.way_length,
+      .from_mm = process.path_start,
+      .to_mm = process.path_start + process.path_length,
       .feed_per_s = block.feed_per_s,
       .rev_per_min = planned > 0.0 ? planned : speed_before_,
   };
@@ -59,7 +59,7 @@ void DrySink::estimate_law(const motion::PathBlock& block) {
   LawBlock found{.place = {},
                  .kind = process.law->kind(),
                  .units = units,
-                 .way_mm = process.way_length,
+                 .way_mm = process.path_length,
                  .estimate = *estimate,
                  .time_is_least = planned > 0.0 && follows_diameter};
   found.place.file = std::string(lang::file_name(*program_, block.tag.file));

@@ -44,13 +44,13 @@ double ProcessGroup::form_feed() RT_SAFE {
 }
 
 void ProcessGroup::restart_laws() RT_SAFE {
-  for (motion::AutomaticFeed& law : laws_) law.switch_on(law.state() != motion::ModuleState::reset);
+  for (motion::AutomaticFeed& law : laws_) law.restart();
 }
 
 bool ProcessGroup::switch_law(motion::LawKind law, Switch to) RT_SAFE {
   for (motion::AutomaticFeed& candidate : laws_) {
     if (candidate.config().law != law) continue;
-    candidate.switch_on(to == Switch::on);
+    to == Switch::on ? candidate.switch_on() : candidate.switch_off();
     return true;
   }
   return false;

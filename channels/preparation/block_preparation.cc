@@ -381,12 +381,12 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
   if (auto refusal = process_.apply(spline.base, way, *whole))
     return Unexpected<Diagnostic>(std::move(*refusal));
   position_W_ = whole->end;
-  double way_start = whole->process.way_start;
+  double way_start = whole->process.path_start;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     blocks[k].feed_per_s = whole->feed_per_s;
     blocks[k].process = whole->process;
-    blocks[k].process.way_start = way_start;
-    blocks[k].process.way_length = lengths[k];
+    blocks[k].process.path_start = way_start;
+    blocks[k].process.path_length = lengths[k];
     way_start += lengths[k];
   }
   return blocks;

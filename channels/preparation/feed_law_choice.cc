@@ -53,7 +53,7 @@ Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) 
   const double change = wanted.feed_last - wanted.feed_first;
   const double count = std::round(std::abs(change) / wanted.feed_step);
   const double machine_increments =
-      std::floor((place.block_mm / count + motion::same_way_mm) / place.increment_mm);
+      std::floor((place.block_mm / count + motion::same_path_mm) / place.increment_mm);
   if (machine_increments < 1.0) {
     return misfit(six_digits(count) + " increments of `dS` do not fit into " +
                       six_digits(place.block_mm) + " mm in steps of " +
@@ -66,7 +66,7 @@ Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) 
       motion::LinearLawParameters{
           .feed_first = wanted.feed_first,
           .feed_step = std::copysign(wanted.feed_step, change),
-          .way_step_mm = machine_increments * place.increment_mm,
+          .path_step_mm = machine_increments * place.increment_mm,
           .increments_max = static_cast<std::uint64_t>(count),
           .speed_first = wanted.speed_first,
           .speed_step = has_speed ? (wanted.speed_last - wanted.speed_first) / count : 0.0});
@@ -87,7 +87,7 @@ Made make_linear(const lang::FeedLaw& wanted, const LawPlace& place) {
   motion::LinearLawParameters parameters{
       .feed_first = wanted.feed_first,
       .feed_step = wanted.falls ? -wanted.feed_step : wanted.feed_step,
-      .way_step_mm = wanted.way_step_mm,
+      .path_step_mm = wanted.way_step_mm,
       .increments_max = increments_to_end(wanted, place),
       .speed_first = wanted.speed_first,
       .speed_step = wanted.speed_step};
@@ -106,7 +106,7 @@ Made make_modulated(const lang::FeedLaw& wanted, const LawPlace&) {
       units_of(wanted),
       motion::ModulatedLawParameters{.feed_min = wanted.feed_first,
                                      .feed_step = wanted.feed_step,
-                                     .way_step_mm = wanted.way_step_mm,
+                                     .path_step_mm = wanted.way_step_mm,
                                      .steps = static_cast<std::uint64_t>(wanted.steps)});
 }
 

@@ -148,13 +148,13 @@ std::optional<Diagnostic> ProcessPreparation::apply(const lang::Move& move, cons
   }
   const Expected<Law, Diagnostic> law = way.in_mm && !move.is_tap ? law_of(way.length) : Law{};
   if (!law) return law.error();
-  const bool per_revolution = law->law != nullptr && law->law->units().per_revolution;
-  if (move.feed_mode == lang::FeedMode::per_revolution || per_revolution) {
+  const motion::LawUnits units{.per_revolution = move.feed_mode == lang::FeedMode::per_revolution};
+  const bool law_per_revolution = law->law != nullptr && law->law->units().per_revolution;
+  if (units.per_revolution || law_per_revolution) {
     block.process.rev_per_min = spindle_turns_ ? rev_per_min(way.diameter_min_mm) : 0.0;
     if (block.process.rev_per_min <= 0.0) return standing_spindle();
   }
-  block.feed_per_s = motion::feed_per_s(move.feed, move.feed_mode == lang::FeedMode::per_revolution,
-                                        block.process.rev_per_min);
+  block.feed_per_s = motion::feed_per_s(move.feed, units, block.process.rev_per_min);
   return law->law == nullptr ? std::nullopt : apply_law(*law, way, block);
 }
 
@@ -179,11 +179,10 @@ std::optional<Diagnostic> ProcessPreparation::apply_law(const Law& law, const Wa
   }
   motion::BlockProcess& process = block.process;
   process.law = law.law;
-  process.way_start = law.way_start;
-  process.way_length = way.length;
-  process.way_end = law.is_modal ? motion::unlimited : way_stop;
-  if (highest > 0.0)
-    block.feed_per_s = motion::feed_per_s(highest, units.per_revolution, process.rev_per_min);
+  process.path_start = law.way_start;
+  process.path_length = way.length;
+  process.path_end = law.is_modal ? motion::unlimited : way_stop;
+  if (highest > 0.0) block.feed_per_s = motion::feed_per_s(highest, units, process.rev_per_min);
   if (law.is_modal) modal_way_ = way_stop;
   return std::nullopt;
 }

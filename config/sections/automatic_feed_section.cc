@@ -28,7 +28,7 @@ const Keys<AutomaticFeedFile>& automatic_feed_keys() {
        "smallest feed, as part of the programmed one", from(0.01, 0.99)},
       {"feed_step", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::part_step>, optional, "",
        "one increment of the feed, as part of the programmed one", from(0.001, 1.0)},
-      {"path_step", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::way_step_mm>, optional, "mm",
+      {"path_step", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::path_step_mm>, optional, "mm",
        "path at feed between two increments", positive},
       {"active", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::on_at_start>, optional, "",
        "on at power-on; operators switch it with process automatic"},

@@ -6,7 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "base/numbered.h"
 #include "motion/path/geometry.h"
+#include "motion/path/point_algebra.h"
 #include "motion/path/sampling.h"
 
 namespace stanok::motion {
@@ -28,7 +30,7 @@ constexpr double margin_share_max = 0.05;
 constexpr double margin_seen_min = 1e-4;  // of a limit; what takes less need not be resolved
 constexpr double override_max = 2.0;
 
-bool moves(const Segment& segment, std::size_t axis) {
+bool moves(const Segment& segment, int axis) {
   const Geometry& g = segment.geometry;
   const bool is_polynomial = g.kind == SegmentKind::quintic || g.kind == SegmentKind::even;
   if (!is_polynomial) return g.start[axis] != g.end[axis];
@@ -36,12 +38,13 @@ bool moves(const Segment& segment, std::size_t axis) {
                      [](double c) { return c != 0.0; });
 }
 
-SegmentBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig& config) {
+SegmentBounds bounds_of(const AxisDerivatives& q, const Segment& segment,
+                        const MotionConfig& config) {
   SegmentBounds bounds;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     const AxisLimits& limit = config.axes[k];
     const double velocity_max =
-        rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
+        segment.rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
     bounds.velocity = std::max(bounds.velocity, q[k].first / velocity_max);
     bounds.tangent = std::max(bounds.tangent, q[k].first / limit.acceleration_max);
     bounds.thrust = std::max(bounds.thrust, q[k].first / limit.jerk_max);
@@ -57,9 +60,9 @@ SegmentBounds bounds_of(const AxisDerivatives& q, bool rapid, const MotionConfig
 std::optional<AxisLimits> common_limits(const Segment& segment, const MotionConfig& config) {
   if (!is_affine(segment)) return std::nullopt;
   std::optional<AxisLimits> common;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     const AxisLimits& limits = config.axes[k];
-    if (std::ranges::find(config.geometry, static_cast<int>(k)) == config.geometry.end()) {
+    if (!is_geometry_axis(config, k)) {
       if (moves(segment, k)) return std::nullopt;
       continue;
     }
@@ -131,8 +134,8 @@ AxisDerivatives of_affine_arc(const Segment& segment, double factor) {
   for (std::size_t k = 0; k < axes_max; ++k) {
     directions_W[k] = Jet(g.start[k], (g.end[k] - g.start[k]) / segment.length, 0.0, 0.0);
   }
-  directions_W[static_cast<std::size_t>(g.plane[0])] = Jet(g.start[0], 0.0, 1.0, 0.0);
-  directions_W[static_cast<std::size_t>(g.plane[1])] = Jet(g.start[0], 0.0, 0.0, 1.0);
+  directions_W[g.plane[0]] = Jet(g.start[0], 0.0, 1.0, 0.0);
+  directions_W[g.plane[1]] = Jet(g.start[0], 0.0, 0.0, 1.0);
   JetPoint directions_M;
   to_machine(segment, directions_W, directions_M);
 
@@ -183,7 +186,7 @@ double turn_of(const JetPoint& point_s, const MotionConfig& config) {
   double squared = 0.0;
   for (const int axis : config.geometry) {
     if (axis < 0) continue;
-    const double second = point_s[static_cast<std::size_t>(axis)].second;
+    const double second = point_s[axis].second;
     squared += second * second;
   }
   return std::sqrt(squared);
@@ -191,21 +194,19 @@ double turn_of(const JetPoint& point_s, const MotionConfig& config) {
 
 Peaks sampled_peaks(const Segment& segment, int intervals, const MotionConfig& config) {
   Peaks peaks;
-  std::array<JetPoint, 3> window;
-  std::array<double, 3> turns{};
+  NumberedArray<JetPoint, 3> window;
+  NumberedArray<double, 3> turns{};
   for (int i = 0; i <= intervals; ++i) {
     JetPoint point_s;
     evaluate_at_parameter(segment, static_cast<double>(i) / intervals, point_s);
-    to_machine(segment, point_s, window[static_cast<std::size_t>(i % 3)]);
-    turns[static_cast<std::size_t>(i % 3)] = turn_of(point_s, config);
+    to_machine(segment, point_s, window[i % 3]);
+    turns[i % 3] = turn_of(point_s, config);
     if (i < 2) continue;
-    const JetPoint& before = window[static_cast<std::size_t>((i - 2) % 3)];
-    const JetPoint& here = window[static_cast<std::size_t>((i - 1) % 3)];
-    const JetPoint& after = window[static_cast<std::size_t>(i % 3)];
-    peaks.turn.take(turns[static_cast<std::size_t>((i - 2) % 3)],
-                    turns[static_cast<std::size_t>((i - 1) % 3)],
-                    turns[static_cast<std::size_t>(i % 3)]);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+    const JetPoint& before = window[(i - 2) % 3];
+    const JetPoint& here = window[(i - 1) % 3];
+    const JetPoint& after = window[i % 3];
+    peaks.turn.take(turns[(i - 2) % 3], turns[(i - 1) % 3], turns[i % 3]);
+    for (int k = 0; k < config.axis_count; ++k) {
       peaks[k].first.take(before[k].first, here[k].first, after[k].first);
       peaks[k].second.take(before[k].second, here[k].second, after[k].second);
       peaks[k].third.take(before[k].third, here[k].third, after[k].third);
@@ -242,8 +243,8 @@ SegmentBounds sampled_bounds(const Segment& segment, const MotionConfig& config)
   int intervals = sampling_intervals(segment, config);
   for (;;) {
     const Peaks peaks = sampled_peaks(segment, intervals, config);
-    SegmentBounds bounds = bounds_of(taken(peaks, &Peak::bound), segment.rapid, config);
-    const SegmentBounds sampled = bounds_of(taken(peaks, &Peak::sampled), segment.rapid, config);
+    SegmentBounds bounds = bounds_of(taken(peaks, &Peak::bound), segment, config);
+    const SegmentBounds sampled = bounds_of(taken(peaks, &Peak::sampled), segment, config);
     const double v = std::min(override_max * segment.feed_per_s, 1.0 / bounds.velocity);
     if (intervals >= sampling_intervals_max || is_resolved(sampled, bounds, v)) {
       if (const auto limits = common_limits(segment, config))
@@ -258,12 +259,12 @@ SegmentBounds sampled_bounds(const Segment& segment, const MotionConfig& config)
 
 SegmentBounds segment_bounds(const Segment& segment, const MotionConfig& config) {
   if (is_affine(segment) && segment.geometry.kind == SegmentKind::line) {
-    return bounds_of(of_affine_line(segment), segment.rapid, config);
+    return bounds_of(of_affine_line(segment), segment, config);
   }
   if (is_affine(segment) && segment.geometry.kind == SegmentKind::arc) {
     const double factor = spiral_factor(segment.geometry);
     if (factor < spiral_factor_max) {
-      SegmentBounds bounds = bounds_of(of_affine_arc(segment, factor), segment.rapid, config);
+      SegmentBounds bounds = bounds_of(of_affine_arc(segment, factor), segment, config);
       if (const auto limits = common_limits(segment, config))
         bounds.euclidean = euclidean_bounds(factor * arc_turn(segment), *limits);
       return bounds;

@@ -29,7 +29,7 @@ class Watch {
   explicit Watch(const MotionConfig& config) : config_(config) {}
 
   void look(int axis, double position) {
-    const AxisLimits& limits = config_.axes[static_cast<std::size_t>(axis)];
+    const AxisLimits& limits = config_.axes[axis];
     if (std::isnan(position)) {
       farthest_ = unlimited;
       excess_ = Excess{axis, position, limits.position_max};
@@ -40,7 +40,7 @@ class Watch {
   }
   void look(const Point& axes_M) {
     for (int axis = 0; axis < config_.axis_count; ++axis) {
-      look(axis, axes_M[static_cast<std::size_t>(axis)]);
+      look(axis, axes_M[axis]);
     }
   }
   [[nodiscard]] const std::optional<Excess>& excess() const { return excess_; }
@@ -58,7 +58,7 @@ class Watch {
 };
 
 // Extreme of one axis between two parameters: largest of sign * q, q having one extreme there.
-double extreme(const Segment& segment, std::size_t axis, double sign, double from, double to) {
+double extreme(const Segment& segment, int axis, double sign, double from, double to) {
   const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
   const auto value = [&](double u) { return sign * axes_at(segment, u)[axis]; };
   double left = to - ratio * (to - from);
@@ -86,17 +86,17 @@ double extreme(const Segment& segment, std::size_t axis, double sign, double fro
 // Looks between samples where an extreme there might pass a limit.
 void look_between(const Segment& segment, const MotionConfig& config, double from, double to,
                   const std::array<Point, 3>& samples, Watch& watch) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     const double before = samples[0][k];
     const double here = samples[1][k];
     const double after = samples[2][k];
     const double margin = between_samples * std::abs(after - 2.0 * here + before);
     const auto& limits = config.axes[k];
     if (std::max({before, here, after}) + margin > limits.position_max) {
-      watch.look(static_cast<int>(k), extreme(segment, k, 1.0, from, to));
+      watch.look(k, extreme(segment, k, 1.0, from, to));
     }
     if (std::min({before, here, after}) - margin < limits.position_min) {
-      watch.look(static_cast<int>(k), extreme(segment, k, -1.0, from, to));
+      watch.look(k, extreme(segment, k, -1.0, from, to));
     }
   }
 }

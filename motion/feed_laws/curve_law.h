@@ -12,7 +12,7 @@
 namespace stanok::motion {
 
 struct CurveLawPoint {
-  double way_mm = 0.0;  // ascending from 0
+  double path_mm = 0.0;  // ascending from 0
   double feed = 0.0;
   double speed = 0.0;
 };
@@ -25,8 +25,8 @@ class CurveLaw final : public FeedLaw {
 
   [[nodiscard]] LawKind kind() const RT_SAFE override { return LawKind::curve; }
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
-  [[nodiscard]] std::uint64_t increments_at(double way_mm) const RT_SAFE override;
-  [[nodiscard]] double highest_feed(double way_mm) const override;
+  [[nodiscard]] std::uint64_t increments_at(double path_mm) const RT_SAFE override;
+  [[nodiscard]] double highest_feed(double path_mm) const override;
 
  private:
   void add_line(const CurveLawPoint& from, const CurveLawPoint& to, double feed_step,

@@ -39,11 +39,11 @@ class FeedLaw {
   [[nodiscard]] virtual LawKind kind() const RT_SAFE = 0;
   // The stretch behind so many increments.
   [[nodiscard]] virtual LawStretch stretch(std::uint64_t increments) const RT_SAFE = 0;
-  // Increments that lie at `way_mm` of the law's path or before.
-  [[nodiscard]] virtual std::uint64_t increments_at(double way_mm) const RT_SAFE = 0;
+  // Increments that lie at `path_mm` of the law's path or before.
+  [[nodiscard]] virtual std::uint64_t increments_at(double path_mm) const RT_SAFE = 0;
 
   // The highest feed up to there; 0: that of the block.
-  [[nodiscard]] virtual double highest_feed(double way_mm) const = 0;
+  [[nodiscard]] virtual double highest_feed(double path_mm) const = 0;
 
   [[nodiscard]] const LawUnits& units() const RT_SAFE { return units_; }
 
@@ -53,9 +53,9 @@ class FeedLaw {
 
 // Lengths of path that differ by less are the same place: far below an increment of the machine,
 // far above rounding.
-inline constexpr double same_way_mm = 1e-7;
+inline constexpr double same_path_mm = 1e-7;
 
-// How many whole steps lie within a way.
-[[nodiscard]] std::uint64_t whole_steps(double way_mm, double step_mm) RT_SAFE;
+// How many whole steps lie within a length of path.
+[[nodiscard]] std::uint64_t whole_steps(double path_mm, double step_mm) RT_SAFE;
 
 }  // namespace stanok::motion

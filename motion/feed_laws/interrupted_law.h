@@ -14,7 +14,7 @@ class InterruptedLaw final : public FeedLaw {
 
   [[nodiscard]] LawKind kind() const RT_SAFE override { return LawKind::interrupted; }
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
-  [[nodiscard]] std::uint64_t increments_at(double way_mm) const RT_SAFE override;
+  [[nodiscard]] std::uint64_t increments_at(double path_mm) const RT_SAFE override;
   [[nodiscard]] double highest_feed(double) const override { return 0.0; }
   [[nodiscard]] double stand_mm() const { return stand_mm_; }
   [[nodiscard]] double cut_mm() const { return cut_mm_; }

@@ -28,10 +28,10 @@ double feed_of(const FeedLaw& law, const LawStretch& stretch, const LawPart& par
 double sum_over_stretches(const FeedLaw& law, const LawPart& part) {
   double time = 0.0;
   std::uint64_t increments = law.increments_at(part.from_mm);
-  for (double from = part.from_mm; from < part.to_mm - same_way_mm; ++increments) {
+  for (double from = part.from_mm; from < part.to_mm - same_path_mm; ++increments) {
     const LawStretch stretch = law.stretch(increments);
     const double to = std::min(stretch.end_mm, part.to_mm);
-    const bool stands = stretch.end_mm < part.to_mm - same_way_mm;
+    const bool stands = stretch.end_mm < part.to_mm - same_path_mm;
     time += (to - from + (stands ? stretch.stand_mm : 0.0)) / feed_of(law, stretch, part);
     from = to;
   }
@@ -40,7 +40,7 @@ double sum_over_stretches(const FeedLaw& law, const LawPart& part) {
 
 // Increments behind which the part goes on.
 std::uint64_t increments_within(const FeedLaw& law, const LawPart& part) {
-  const double to = part.to_mm - 2.0 * same_way_mm;
+  const double to = part.to_mm - 2.0 * same_path_mm;
   return law.increments_at(std::max(to, part.from_mm)) - law.increments_at(part.from_mm);
 }
 
@@ -52,9 +52,9 @@ std::optional<double> linear_closed_form(const LinearLaw& law, const LawPart& pa
   const double per_min = law.units().per_revolution ? part.rev_per_min : 1.0;
   const std::uint64_t stretches = increments_within(law, part);
   const auto whole =
-      linear_time(per_min * p.feed_first, per_min * p.feed_step, p.way_step_mm, stretches);
+      linear_time(per_min * p.feed_first, per_min * p.feed_step, p.path_step_mm, stretches);
   if (!whole.corrected) return std::nullopt;
-  const double rest = part.to_mm - static_cast<double>(stretches) * p.way_step_mm;
+  const double rest = part.to_mm - static_cast<double>(stretches) * p.path_step_mm;
   return *whole.corrected + s_per_min * rest / (per_min * law.stretch(stretches).feed);
 }
 
@@ -62,8 +62,8 @@ void add_modulation(const ModulatedLaw& law, const LawPart& part, LawEstimate& f
   const ModulatedLawParameters& p = law.parameters();
   const double per_min = law.units().per_revolution ? part.rev_per_min : 1.0;
   found.cycle =
-      modulation_cycle_time(per_min * p.feed_min, per_min * p.feed_step, p.way_step_mm, p.steps);
-  const double cycle_mm = 2.0 * static_cast<double>(p.steps) * p.way_step_mm;
+      modulation_cycle_time(per_min * p.feed_min, per_min * p.feed_step, p.path_step_mm, p.steps);
+  const double cycle_mm = 2.0 * static_cast<double>(p.steps) * p.path_step_mm;
   found.closed_form_s = *found.cycle->corrected * (part.to_mm - part.from_mm) / cycle_mm;
   found.modulation_depth = p.feed_min / (p.feed_min + static_cast<double>(p.steps) * p.feed_step);
 }
@@ -79,44 +79,44 @@ void add_interruption(const InterruptedLaw& law, const LawPart& part, LawEstimat
 
 }  // namespace
 
-TimeForms linear_time(double feed_first, double feed_step, double way_step_mm,
+TimeForms linear_time(double feed_first, double feed_step, double path_step_mm,
                       std::uint64_t stretches) {
   TimeForms time;
   for (std::uint64_t k = 0; k < stretches; ++k)
-    time.exact += s_per_min * way_step_mm / (feed_first + static_cast<double>(k) * feed_step);
+    time.exact += s_per_min * path_step_mm / (feed_first + static_cast<double>(k) * feed_step);
   const auto n = static_cast<double>(stretches);
   if (feed_step == 0.0) {
     time.printed = time.corrected = time.exact;
     return time;
   }
-  const double factor = way_step_mm / feed_step;
+  const double factor = path_step_mm / feed_step;
   time.printed = logarithm(factor, feed_first + (n - 1.0) * feed_step, feed_first);
   time.corrected =
       logarithm(factor, feed_first + (n - 0.5) * feed_step, feed_first - 0.5 * feed_step);
   return time;
 }
 
-TimeForms modulation_cycle_time(double feed_min, double feed_step, double way_step_mm,
+TimeForms modulation_cycle_time(double feed_min, double feed_step, double path_step_mm,
                                 std::uint64_t steps) {
   TimeForms time;
   const std::uint64_t stretches = 2 * steps;
   for (std::uint64_t k = 0; k < stretches; ++k) {
     const auto above = static_cast<double>(std::min(k, stretches - k));
-    time.exact += s_per_min * way_step_mm / (feed_min + above * feed_step);
+    time.exact += s_per_min * path_step_mm / (feed_min + above * feed_step);
   }
   const double feed_max = feed_min + static_cast<double>(steps) * feed_step;
-  const double factor = way_step_mm / feed_step;
+  const double factor = path_step_mm / feed_step;
   time.printed =
       logarithm(factor, feed_max * (feed_max - feed_step), feed_min * (feed_min + feed_step));
   time.corrected = logarithm(2.0 * factor, feed_max, feed_min);
   return time;
 }
 
-double linear_increments_after(double feed_first, double feed_step, double way_step_mm,
+double linear_increments_after(double feed_first, double feed_step, double path_step_mm,
                                double time_s) {
   const double time_min = time_s / s_per_min;
-  if (feed_step == 0.0) return feed_first * time_min / way_step_mm;
-  return feed_first * std::expm1(feed_step * time_min / way_step_mm) / feed_step;
+  if (feed_step == 0.0) return feed_first * time_min / path_step_mm;
+  return feed_first * std::expm1(feed_step * time_min / path_step_mm) / feed_step;
 }
 
 std::optional<LawEstimate> estimate(const FeedLaw& law, const LawPart& part) {

@@ -23,18 +23,18 @@ struct TimeForms {
 // Stretches of |dl| at S_n + k q, k = 0 to n - 1, in mm/min, mm/min and mm; q is signed.
 // Exact: 60 sum |dl| / (S_n + k q). Printed, from (1): |dl|/q ln((S_n + n q - q) / S_n). Corrected:
 // |dl|/q ln((S_n + (n - 1/2) q) / (S_n - q/2)).
-[[nodiscard]] TimeForms linear_time(double feed_first, double feed_step, double way_step_mm,
+[[nodiscard]] TimeForms linear_time(double feed_first, double feed_step, double path_step_mm,
                                     std::uint64_t stretches);
 
 // A whole cycle of the modulated law, 2 n_s stretches. Printed, (10):
 // dl/dS ln(Smax (Smax - dS) / (Smin (Smin + dS))). Corrected: 2 dl/dS ln(Smax / Smin).
-[[nodiscard]] TimeForms modulation_cycle_time(double feed_min, double feed_step, double way_step_mm,
-                                              std::uint64_t steps);
+[[nodiscard]] TimeForms modulation_cycle_time(double feed_min, double feed_step,
+                                              double path_step_mm, std::uint64_t steps);
 
 // Increments of the linear law after a time in s: n = S_n (e^(q t / |dl|) - 1) / q, t in min. The
 // inverse of the corrected sum but for half an increment; (1) to (3) count from 1.
 [[nodiscard]] double linear_increments_after(double feed_first, double feed_step,
-                                             double way_step_mm, double time_s);
+                                             double path_step_mm, double time_s);
 
 // A part of a law's path, and what the law does not know itself.
 struct LawPart {

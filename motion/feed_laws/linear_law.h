@@ -10,9 +10,9 @@
 namespace stanok::motion {
 
 struct LinearLawParameters {
-  double feed_first = 0.0;   // S_n
-  double feed_step = 0.0;    // dS, signed
-  double way_step_mm = 0.0;  // |dl| > 0
+  double feed_first = 0.0;    // S_n
+  double feed_step = 0.0;     // dS, signed
+  double path_step_mm = 0.0;  // |dl| > 0
   std::uint64_t increments_max = ~std::uint64_t{0};
   double speed_first = 0.0;  // n_n, v_n; 0: unchanged
   double speed_step = 0.0;   // dn, dv, signed
@@ -25,8 +25,8 @@ class LinearLaw final : public FeedLaw {
 
   [[nodiscard]] LawKind kind() const RT_SAFE override { return LawKind::linear; }
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
-  [[nodiscard]] std::uint64_t increments_at(double way_mm) const RT_SAFE override;
-  [[nodiscard]] double highest_feed(double way_mm) const override;
+  [[nodiscard]] std::uint64_t increments_at(double path_mm) const RT_SAFE override;
+  [[nodiscard]] double highest_feed(double path_mm) const override;
   [[nodiscard]] const LinearLawParameters& parameters() const { return parameters_; }
 
  private:

@@ -7,10 +7,10 @@
 namespace stanok::motion {
 
 struct ModulatedLawParameters {
-  double feed_min = 0.0;     // Smin
-  double feed_step = 0.0;    // dS > 0
-  double way_step_mm = 0.0;  // dl > 0
-  std::uint64_t steps = 1;   // n_s
+  double feed_min = 0.0;      // Smin
+  double feed_step = 0.0;     // dS > 0
+  double path_step_mm = 0.0;  // dl > 0
+  std::uint64_t steps = 1;    // n_s
 };
 
 class ModulatedLaw final : public FeedLaw {
@@ -20,8 +20,8 @@ class ModulatedLaw final : public FeedLaw {
 
   [[nodiscard]] LawKind kind() const RT_SAFE override { return LawKind::modulated; }
   [[nodiscard]] LawStretch stretch(std::uint64_t increments) const RT_SAFE override;
-  [[nodiscard]] std::uint64_t increments_at(double way_mm) const RT_SAFE override;
-  [[nodiscard]] double highest_feed(double way_mm) const override;
+  [[nodiscard]] std::uint64_t increments_at(double path_mm) const RT_SAFE override;
+  [[nodiscard]] double highest_feed(double path_mm) const override;
   [[nodiscard]] const ModulatedLawParameters& parameters() const { return parameters_; }
 
  private:

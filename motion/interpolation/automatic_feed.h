@@ -30,7 +30,7 @@ struct AutomaticFeedConfig {
   double release = 0.0;         // below it the law lets go; <= level
   double part_min = 1.0;        // smallest feed, part of the programmed one
   double part_step = 0.1;       // of one increment
-  double way_step_mm = 0.1;     // path between two increments
+  double path_step_mm = 0.1;    // path between two increments
   bool on_at_start = false;
 };
 
@@ -39,11 +39,14 @@ class AutomaticFeed {
   AutomaticFeed() = default;
   explicit AutomaticFeed(const AutomaticFeedConfig& config);
 
-  void switch_on(bool on) RT_SAFE;
+  void switch_on() RT_SAFE { begin(ModuleState::ready); }
+  void switch_off() RT_SAFE { begin(ModuleState::reset); }
+  // A module that is on begins anew.
+  void restart() RT_SAFE { begin(state_ == ModuleState::reset ? state_ : ModuleState::ready); }
 
   // Once a cycle: the signal, or nothing when its sensor gives none, and the path at feed that the
   // cycle before went, in mm.
-  void advance(std::optional<double> signal, double way_mm) RT_SAFE;
+  void advance(std::optional<double> signal, double path_mm) RT_SAFE;
 
   // The part of the programmed feed, from part_min to 1.
   [[nodiscard]] double part() const RT_SAFE { return part_; }
@@ -52,13 +55,15 @@ class AutomaticFeed {
   [[nodiscard]] const AutomaticFeedConfig& config() const RT_SAFE { return config_; }
 
  private:
+  // At the programmed feed; where there is no such module, it stays off.
+  void begin(ModuleState state) RT_SAFE;
   void modulate(double signal) RT_SAFE;
   void follow(double signal, std::uint64_t steps) RT_SAFE;
 
   AutomaticFeedConfig config_;
   ModuleState state_ = ModuleState::reset;
   double part_ = 1.0;
-  double way_mm_ = 0.0;  // since it runs
+  double path_mm_ = 0.0;  // since it runs
   std::uint64_t increments_ = 0;
 };
 

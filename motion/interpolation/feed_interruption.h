@@ -13,6 +13,7 @@
 #include "motion/interpolation/path_cursor.h"
 #include "motion/interpolation/path_sight.h"
 #include "motion/path/path_queue.h"
+#include "motion/profile/profile.h"
 
 namespace stanok::motion {
 
@@ -32,8 +33,8 @@ class FeedInterruption {
  public:
   explicit FeedInterruption(const MotionConfig& config);
 
-  // From now on, or no longer. `moves`: the path is not at rest.
-  void set(const InterruptionLengths& lengths, const PathCursor& cursor, double s, bool moves)
+  // From now on, or no longer; the path moves so.
+  void set(const InterruptionLengths& lengths, const PathCursor& cursor, const PathMotion& motion)
       RT_SAFE;
   [[nodiscard]] const InterruptionLengths& lengths() const RT_SAFE { return lengths_; }
   [[nodiscard]] bool is_on() const RT_SAFE { return lengths_.stand_mm > 0.0; }
@@ -61,7 +62,9 @@ class FeedInterruption {
 
  private:
   [[nodiscard]] bool is_counted(const Segment& segment) const RT_SAFE;
-  void seek(const PathCursor& cursor, double s, bool counts_from_s) RT_SAFE;
+  [[nodiscard]] double counted_until(const PathQueue& queue, const PathCursor& cursor,
+                                     double s) const RT_SAFE;
+  void seek(const PathCursor& cursor, double counted_mm) RT_SAFE;
 
   unsigned geometry_axes_ = 0;  // bit k: channel axis k
   InterruptionLengths lengths_;

@@ -7,19 +7,6 @@
 namespace stanok::motion {
 namespace {
 
-void derivatives_to_zero(JetPoint& point, const Point& values) RT_SAFE {
-  for (std::size_t k = 0; k < values.size(); ++k) point[k] = kinematics::Jet(values[k]);
-}
-
-void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetPoint& axes)
-    RT_SAFE {
-  if (transform == nullptr) {
-    axes = point;
-  } else {
-    kinematics::inverse(*transform, point, axes);
-  }
-}
-
 // A gate lies on the path that is known.
 bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
   return control.closed_from_block != FeedControl::no_gate && !queue.segments.empty() &&
@@ -37,18 +24,17 @@ bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE
 Interpolator::Interpolator(const MotionConfig& config)
     : cycle_s_(config.cycle_s),
       axis_count_(config.axis_count),
+      nominal_(config.cycle_s),
       planner_(config.cycle_s),
       interruption_(config),
       synchronous_(config.cycle_s) {}
 
 void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
-  standing_axes_ = axes_M;
-  last_axes_ = axes_M;
-  kinematics::forward(transform, axes_M, standing_point_);
+  place_.stand_at(axes_M, transform);
 }
 
 bool Interpolator::at_rest() const RT_SAFE {
-  return motion_.v == 0.0 && motion_.a == 0.0;
+  return is_at_rest(motion_);
 }
 
 void Interpolator::advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out,
@@ -61,10 +47,10 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
   // Each round ends a chunk; a cycle holds only so many of them.
   constexpr int chunks_per_cycle_max = 64;
   for (int round = 0; round < chunks_per_cycle_max; ++round) {
-    if (stand_mm_ > 0.0) {
-      time = stand(control, time);
+    if (dwell_.is_on()) {
+      time = dwell_.advance(control, time);
       out.cycle_left = time;
-      if (stand_mm_ > 0.0) break;
+      if (dwell_.is_on()) break;
     }
     if (!cursor_.has_chunk()) {
       if (control.hold || !may_enter(queue, control, chunk_limit)) break;
@@ -86,7 +72,7 @@ void Interpolator::advance(PathQueue& queue, const FeedControl& control, Interpo
 }
 
 void Interpolator::interrupt(const InterruptionLengths& lengths) RT_SAFE {
-  interruption_.set(lengths, cursor_, motion_.s, !at_rest());
+  interruption_.set(lengths, cursor_, motion_);
 }
 
 // At rest within the current chain where its feed is to be interrupted.
@@ -96,21 +82,7 @@ bool Interpolator::is_interrupted(const PathQueue& queue) const RT_SAFE {
 }
 
 void Interpolator::begin_interruption(const PathQueue& queue) RT_SAFE {
-  stand_mm_ = interruption_.lengths().stand_mm;
-  stand_feed_ = interruption_.stand(queue, cursor_, motion_.s);
-}
-
-// Goes on along the equivalent dwell path; returns what is left of the time at its end.
-double Interpolator::stand(const FeedControl& control, double time) RT_SAFE {
-  const double speed =
-      control.hold ? 0.0 : stand_feed_.per_s * control.feed_part(stand_feed_.rev_per_min);
-  if (stand_mm_ > speed * time) {
-    stand_mm_ -= speed * time;
-    return 0.0;
-  }
-  const double left = time - stand_mm_ / speed;
-  stand_mm_ = 0.0;
-  return left;
+  dwell_.begin(interruption_.lengths().stand_mm, interruption_.stand(queue, cursor_, motion_.s));
 }
 
 bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
@@ -129,15 +101,13 @@ void Interpolator::enter(PathQueue& queue) RT_SAFE {
   if (!is_synchronous()) return;
   synchronous_.begin(cursor_.chunk().coupling, cursor_.chunk().length);
   is_nominal_ = true;
-  phase_time_first_ = 0.0;  // of phases that an override had left
-  phase_cycles_ = 0.0;
+  nominal_.begin();  // not with phases that an override had left
 }
 
 // Runs for a cycle by the spindle; nothing is left of it.
 double Interpolator::follow_spindle(PathQueue& queue, const FeedControl& control) RT_SAFE {
-  const auto spindle = static_cast<std::size_t>(cursor_.chunk().coupling.spindle);
   const double before = motion_.s;
-  motion_ = synchronous_.advance(spindles_[spindle], control);
+  motion_ = synchronous_.advance(spindles_[cursor_.chunk().coupling.spindle], control);
   advanced_ += std::abs(motion_.s - before);
   cursor_.go_to(queue, motion_.s);
   return 0.0;
@@ -163,10 +133,10 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   FeedControl asked = control;
   if (cursor_.segment(queue).rapid && (is_nominal_ || at_rest())) asked.controlled_per_s = 0.0;
   const bool wants_nominal =
-      overlap_ == Overlap::runs ||
+      overlap_.runs() ||
       (asked.is_nominal() && follows_spindle(queue, control) && knows_next(queue) &&
        !sees_gate(queue, control) && !interruption_.is_on());
-  if (!is_nominal_ && wants_nominal) rejoin_nominal(queue);
+  if (!is_nominal_ && wants_nominal) is_nominal_ = nominal_.rejoin(queue, cursor_, motion_);
   if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
   if (is_nominal_) planner_.forget();
   const double before = motion_.s;
@@ -185,48 +155,38 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   return left;
 }
 
-// Goes over to the committed phases where they stand in the very state of now: in a phase of
-// constant speed, or at its start at rest.
-void Interpolator::rejoin_nominal(PathQueue& queue) RT_SAFE {
-  if (motion_.a != 0.0) return;
-  while (cursor_.has_phase() && cursor_.phase(queue).s_end <= motion_.s) cursor_.pass_phase(queue);
-  if (!cursor_.has_phase()) return;
-  const Phase& phase = cursor_.phase(queue);
-  if (phase.v != motion_.v || phase.a != 0.0) return;
-  const bool cruises = phase.j == 0.0 && phase.v > 0.0 && phase.s <= motion_.s;
-  if (!cruises && phase.s != motion_.s) return;
-  phase_time_first_ = cruises ? (motion_.s - phase.s) / phase.v : 0.0;
-  phase_cycles_ = 0.0;
-  is_nominal_ = true;
-}
-
 // Runs committed phases for `time`; returns what is left of it at the end of the chunk.
 double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
   const double before = motion_.s;
-  if (time == cycle_s_) {
-    phase_cycles_ += 1.0;
-  } else {
-    phase_time_first_ += time;
-  }
-  while (cursor_.has_phase()) {
-    const Phase& phase = cursor_.phase(queue);
-    const double t = phase_time_first_ + phase_cycles_ * cycle_s_;
-    if (t < phase.duration) {
-      motion_ = motion_at(phase, t);
-      advanced_ += motion_.s - before;
-      cursor_.go_to(queue, motion_.s);
-      return 0.0;
-    }
-    phase_time_first_ = t - phase.duration;
-    phase_cycles_ = 0.0;
-    motion_ = {.s = phase.s_end, .v = phase.v_end};
-    cursor_.pass_phase(queue);
-  }
-  const double unused = phase_time_first_;
-  phase_time_first_ = 0.0;
-  motion_.s = cursor_.chunk().length;
+  const double left = nominal_.advance(queue, cursor_, time, motion_);
   advanced_ += motion_.s - before;
-  return unused;
+  return left;
+}
+
+// Runs the next chain as far as it overlaps the end of the current one. It begins in the first
+// cycle that comes into the overlap, or not at all.
+void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& control,
+                               std::uint64_t chunk_limit) RT_SAFE {
+  const double overlap = cursor_.chunk().overlap_s;
+  if (overlap <= 0.0 || !is_nominal_ || overlap_.is_refused()) return;
+  const double begun = overlap - nominal_.time_to_end(queue, cursor_, overlap);
+  if (begun <= 0.0) return;
+  if (overlap_.is_undecided()) {
+    if (!control.is_nominal() || !may_enter(queue, control, chunk_limit)) return overlap_.refuse();
+    overlap_.begin();
+  }
+  advanced_ += overlap_.advance(queue, cursor_.phases_left(), begun);
+}
+
+// The current chain has ended, the next one runs already.
+void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
+  nominal_.begin(cursor_.chunk().overlap_s);
+  interruption_.end_chain(cursor_.chunk().length);
+  cursor_.leave(queue);
+  ++chunks_done_;
+  cursor_.enter(queue);
+  interruption_.begin_chain(cursor_);
+  motion_ = overlap_.take_over();
 }
 
 // The segment behind the current one lies behind a gate.
@@ -260,18 +220,18 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
     motion_ = {.s = length};
     return false;
   }
-  if (overlap_ == Overlap::runs) {
+  if (overlap_.runs()) {
     enter_overlapped(queue);
     return true;
   }
-  overlap_ = Overlap::undecided;
+  overlap_.forget();
   if (!is_synchronous()) cursor_.go_to(queue, length);
   const double beyond = motion_.s - length;
   const bool chain_ends = cursor_.chunk().last;
   if (chain_ends) {
-    stand_mm_ = cursor_.chunk().stand_mm;
-    stand_feed_ = {.per_s = cursor_.segment(queue).feed_per_s,
-                   .rev_per_min = cursor_.segment(queue).process.rev_per_min};
+    dwell_.begin(cursor_.chunk().stand_mm,
+                 {.per_s = cursor_.segment(queue).feed_per_s,
+                  .rev_per_min = cursor_.segment(queue).process.rev_per_min});
     interruption_.end_chain(length);
     stand_here(queue);
     out.chain_ended = true;
@@ -289,28 +249,8 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
 
 // The axes stand at the current point of the path from now on.
 void Interpolator::stand_here(const PathQueue& queue) RT_SAFE {
-  const Segment& segment = cursor_.segment(queue);
-  JetPoint point;
-  JetPoint axes;
-  evaluate(segment, cursor_.s_in_segment(queue, motion_.s), point);
-  for (std::size_t k = 0; k < point.size(); ++k) standing_point_[k] = point[k].value;
-  derivatives_to_zero(point, standing_point_);
-  to_axes(segment.transform, point, axes);
-  unwind(segment.transform, axes);
-  for (std::size_t k = 0; k < axes.size(); ++k) standing_axes_[k] = axes[k].value;
-  last_tag_ = segment.tag;
-  last_process_ = segment.process;
+  place_.stand_on(cursor_.segment(queue), cursor_.s_in_segment(queue, motion_.s));
   motion_ = {};
-}
-
-void Interpolator::unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE {
-  if (transform == nullptr || transform->scheme == nullptr) return;
-  constexpr double turn = 360.0;
-  const unsigned winding = transform->scheme->winding_axes();
-  for (std::size_t k = 0; winding >> k != 0; ++k) {
-    if ((winding >> k & 1U) == 0) continue;
-    axes[k].value += turn * std::round((last_axes_[k] - axes[k].value) / turn);
-  }
 }
 
 void Interpolator::report(const PathQueue& queue, const FeedControl& control,
@@ -321,38 +261,38 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.s_speed = motion_.v;
   out.at_gate = stands_at_gate(queue, control);
   out.has_lost_spindle = is_synchronous() && synchronous_.is_lost();
-  if (!cursor_.has_chunk()) {
-    out.state = stand_mm_ > 0.0 ? PathState::standing : PathState::idle;
-    out.tag = last_tag_;
-    out.feed_commanded =
-        stand_mm_ > 0.0 ? stand_feed_.per_s * control.spindle_part(stand_feed_.rev_per_min) : 0.0;
-    out.process = last_process_;
-    derivatives_to_zero(out.point, standing_point_);
-    derivatives_to_zero(out.axes, standing_axes_);
-    return;
-  }
+  if (!cursor_.has_chunk()) return report_standing(control, out);
   const Segment& segment = cursor_.segment(queue);
   out.state = state(queue, control);
   out.tag = segment.tag;
   out.feed_commanded =
       segment.rapid ? 0.0 : segment.feed_per_s * control.spindle_part(segment.process.rev_per_min);
   out.process = segment.process;
-  if (!segment.rapid && !is_synchronous()) out.working_axes = segment.geometry.metric.axes;
+  if (!is_synchronous()) out.working_axes = working_axes(segment);
   JetPoint point_s;
   evaluate(segment, cursor_.s_in_segment(queue, motion_.s), point_s);
   along_time(point_s, motion_.v, motion_.a, motion_.j, axis_count_, out.point);
-  if (is_synchronous()) turns_to_way(segment, point_s, out);
-  if (overlap_ == Overlap::runs) add_next_chain(queue, out);
-  to_axes(segment.transform, out.point, out.axes);
-  unwind(segment.transform, out.axes);
-  for (std::size_t k = 0; k < out.axes.size(); ++k) last_axes_[k] = out.axes[k].value;
+  if (is_synchronous()) turns_to_path(segment, point_s, out);
+  if (overlap_.runs()) {
+    out.s_speed = overlap_.add(queue.segments[cursor_.segments_left()], axis_count_, out.point);
+  }
+  place_.follow(segment, out.point, out.axes);
+}
+
+void Interpolator::report_standing(const FeedControl& control, InterpolatorOutput& out) const
+    RT_SAFE {
+  out.state = dwell_.is_on() ? PathState::standing : PathState::idle;
+  out.tag = place_.tag();
+  out.feed_commanded = dwell_.feed_commanded(control);
+  out.process = place_.process();
+  place_.standing(out.point, out.axes);
 }
 
 // s counts turns: what is told outside is the tip's path in mm.
-void Interpolator::turns_to_way(const Segment& segment, const JetPoint& point_s,
-                                InterpolatorOutput& out) const RT_SAFE {
+void Interpolator::turns_to_path(const Segment& segment, const JetPoint& point_s,
+                                 InterpolatorOutput& out) const RT_SAFE {
   double squared = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count_); ++k) {
+  for (int k = 0; k < axis_count_; ++k) {
     if (segment.geometry.metric.counts(k)) squared += point_s[k].first * point_s[k].first;
   }
   const double lead = std::sqrt(squared);
@@ -363,7 +303,7 @@ void Interpolator::turns_to_way(const Segment& segment, const JetPoint& point_s,
 
 PathState Interpolator::state(const PathQueue& queue, const FeedControl& control) const RT_SAFE {
   if (!at_rest() || advanced_ > 0.0) return PathState::moving;
-  if (stand_mm_ > 0.0) return PathState::standing;
+  if (dwell_.is_on()) return PathState::standing;
   if (knows_next(queue) || control.hold) return PathState::holding;
   return PathState::starved;
 }
@@ -374,12 +314,11 @@ void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
     ++chunks_done_;
   }
   chunks_done_ += queue.chunks.size();
-  stand_mm_ = 0.0;
+  dwell_.drop();
   cursor_.drop(queue);
   is_nominal_ = true;
-  overlap_ = Overlap::undecided;
-  phase_time_first_ = 0.0;
-  phase_cycles_ = 0.0;
+  overlap_.forget();
+  nominal_.begin();
   planner_.forget();
 }
 

@@ -6,13 +6,18 @@
 // hold, resume and override a bounded one-dimensional profile is planned in the cycle on the same
 // path (docs/developer/motion.md#override); the path is never left, the limits are kept, and there
 // is always a way to rest. A chain that a spindle leads has no phases: there the spindle is
-// followed (motion/threads/synchronous_run.h), whatever the overrides are.
+// followed (motion/threads/synchronous_run.h), whatever the overrides are. Thread: the cycle.
+// Owner: the axes' motion of a channel. Invariant: of the parts (NominalRun, OverridePlanner,
+// SynchronousRun, DwellPath) one moves the path at a time; the cursor stands where the motion is.
 #pragma once
 
-#include <array>
-
+#include "base/numbered.h"
 #include "base/rt_safe.h"
+#include "motion/interpolation/axes_place.h"
+#include "motion/interpolation/chain_overlap.h"
+#include "motion/interpolation/dwell_path.h"
 #include "motion/interpolation/feed_interruption.h"
+#include "motion/interpolation/nominal_run.h"
 #include "motion/interpolation/override_planner.h"
 #include "motion/interpolation/path_cursor.h"
 #include "motion/path/path.h"
@@ -40,8 +45,8 @@ struct InterpolatorOutput {
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded =
       0.0;  // programmed feed of the segment in mm/s before override, 0 in rapid
-  // Axes whose way counts as that of a working feed, bit k: channel axis k; 0 in rapid, in threads
-  // and without a path.
+  // Axes whose travel counts as that of a working feed, bit k: channel axis k; 0 in rapid, in
+  // threads and without a path.
   unsigned working_axes = 0;
   SegmentProcess process;         // of the current segment, or the last one
   double path_advanced = 0.0;     // path length travelled in this cycle, mm (or deg)
@@ -102,13 +107,9 @@ class Interpolator {
   [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;
   void run_overlap(const PathQueue& queue, const FeedControl& control, std::uint64_t chunk_limit)
       RT_SAFE;
-  [[nodiscard]] double time_to_end(const PathQueue& queue, double farthest) const RT_SAFE;
   void enter_overlapped(PathQueue& queue) RT_SAFE;
-  void add_next_chain(const PathQueue& queue, InterpolatorOutput& out) const RT_SAFE;
   [[nodiscard]] bool is_interrupted(const PathQueue& queue) const RT_SAFE;
   void begin_interruption(const PathQueue& queue) RT_SAFE;
-  [[nodiscard]] double stand(const FeedControl& control, double time) RT_SAFE;
-  void rejoin_nominal(PathQueue& queue) RT_SAFE;
   [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
                                   InterpolatorOutput& out) RT_SAFE;
@@ -118,41 +119,26 @@ class Interpolator {
       RT_SAFE;
   void stand_here(const PathQueue& queue) RT_SAFE;
   void report(const PathQueue& queue, const FeedControl& control, InterpolatorOutput& out) RT_SAFE;
-  void turns_to_way(const Segment& segment, const JetPoint& point_s, InterpolatorOutput& out) const
+  void report_standing(const FeedControl& control, InterpolatorOutput& out) const RT_SAFE;
+  void turns_to_path(const Segment& segment, const JetPoint& point_s, InterpolatorOutput& out) const
       RT_SAFE;
-  void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
   [[nodiscard]] PathState state(const PathQueue& queue, const FeedControl& control) const RT_SAFE;
 
-  double cycle_s_ = 0.001;
-  int axis_count_ = 0;
+  double cycle_s_;
+  int axis_count_;
   PathCursor cursor_;
   PathMotion motion_;  // along the current chunk
-  // Time within the current phase, counted in whole cycles from its first instant, so that nothing
-  // accumulates over a long phase.
-  double phase_time_first_ = 0.0;
-  double phase_cycles_ = 0.0;
-  // The next chain within the end of the current one: decided once, when its time comes.
-  enum class Overlap : std::uint8_t { undecided, runs, refused };
-  Overlap overlap_ = Overlap::undecided;
-  PathMotion next_motion_;  // along the first chunk of the next chain
+  NominalRun nominal_;
+  bool is_nominal_ = true;  // committed phases are being run
+  ChainOverlap overlap_;    // the next chain within the end of the current one
   OverridePlanner planner_;
   FeedInterruption interruption_;
+  DwellPath dwell_;
   SynchronousRun synchronous_;
-  std::array<SpindleMotion, coupled_spindles_max> spindles_{};
-  bool is_nominal_ = true;  // committed phases are being run
+  NumberedArray<SpindleMotion, coupled_spindles_max> spindles_{};
+  AxesPlace place_;
   std::uint64_t chunks_done_ = 0;
   double advanced_ = 0.0;  // in this cycle
-
-  // Machine axes of the cycle before: those that a scheme gives only up to whole turns go on from
-  // there.
-  Point last_axes_{};
-  // Where the axes stand while there is no path.
-  Point standing_point_{};
-  Point standing_axes_{};
-  BlockTag last_tag_;
-  SegmentProcess last_process_;
-  double stand_mm_ = 0.0;  // what is left of the equivalent dwell path
-  StandFeed stand_feed_;
 };
 
 }  // namespace stanok::motion

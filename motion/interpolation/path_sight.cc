@@ -37,7 +37,7 @@ void PathSight::look(const PathQueue& queue, const PathCursor& cursor, const Fee
   }
   if (wall.segment != PathWall::no_segment) {
     const std::uint64_t behind = wall.segment >= first_ ? wall.segment - first_ + 1 : 1;
-    size_ = std::min<std::size_t>(size_, static_cast<std::size_t>(behind));
+    size_ = std::min<std::size_t>(size_, behind);
   }
   wall_s_ = wall.s;
   starts_[0] = cursor.segment_start();
@@ -57,7 +57,7 @@ double PathSight::highest_part(const Segment& segment) const RT_SAFE {
   double part = 1.0;
   const double rev_per_min = segment.process.rev_per_min;
   if (rev_per_min > 0.0) part = std::max(part, reach_.rev_per_min / rev_per_min);
-  if (reach_.controlled_per_s > 0.0 && is_controlled(segment.geometry.metric.axes, segment.rapid))
+  if (reach_.controlled_per_s > 0.0 && is_controlled(working_axes(segment)))
     part = std::max(part, reach_.controlled_per_s / segment.feed_per_s);
   return reach_.feed_override * part;
 }
@@ -77,7 +77,7 @@ const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
           .v = limits.v,
           .ramp = limits.ramp,
           .rev_per_min = segment.process.rev_per_min,
-          .way_axes = segment.geometry.metric.axes,
+          .working_axes = working_axes(segment),
           .rapid = segment.rapid,
           .has_law = segment.process.kind != LawKind::none};
   return kept;
@@ -85,7 +85,7 @@ const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
 
 double PathSight::asked_speed(std::size_t index) RT_SAFE {
   const Limits& limits = limits_of(index);
-  if (control_.controlled_per_s > 0.0 && is_controlled(limits.way_axes, limits.rapid)) {
+  if (control_.controlled_per_s > 0.0 && is_controlled(limits.working_axes)) {
     const double spindle = control_.spindle_part(limits.rev_per_min);
     const double law = limits.has_law ? spindle * limits.feed : unlimited;
     return std::min(limits.v, control_.feed_override * control_.law_part *

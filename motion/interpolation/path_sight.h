@@ -70,12 +70,12 @@ class PathSight {
     double v = 0.0;
     RampLimits ramp;
     double rev_per_min = 0.0;  // that a feed per revolution was planned for
-    unsigned way_axes = 0;
+    unsigned working_axes = 0;
     bool rapid = false;
     bool has_law = false;
   };
-  [[nodiscard]] bool is_controlled(unsigned way_axes, bool rapid) const RT_SAFE {
-    return !rapid && (way_axes & control_.controlled_axes) != 0;
+  [[nodiscard]] bool is_controlled(unsigned axes) const RT_SAFE {
+    return (axes & control_.controlled_axes) != 0;
   }
   [[nodiscard]] double highest_part(const Segment& segment) const RT_SAFE;
   [[nodiscard]] const Limits& limits_of(std::size_t index) RT_SAFE;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::motion {
 namespace {
@@ -60,7 +61,7 @@ void LookAhead::add(const PathBuilder::Built& built) {
   overlap_ = built.overlap;
   stand_mm_ = built.stand_mm;
   if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
-    plan_window(built.ends_chain);
+    plan_window(built.ends_chain ? Behind::end : Behind::more);
   }
 }
 
@@ -109,9 +110,9 @@ void LookAhead::clear() {
   ready_.clear();
 }
 
-void LookAhead::plan_window(bool chain_ends) {
+void LookAhead::plan_window(Behind behind) {
   if (!plan_.plan(speeds_, v_start_)) {
-    run_last_plan_on(chain_ends);
+    run_last_plan_on(behind);
     if (window_.empty()) return;
     const bool stops = plan_.plan(speeds_, v_start_);
     STANOK_ASSERT(stops);
@@ -119,21 +120,22 @@ void LookAhead::plan_window(bool chain_ends) {
   phases_.clear();
   for (const KeySpan& span : plan_.spans()) plan_.append_phases(span, phases_);
   const std::size_t boundary =
-      chain_ends ? window_.size()
-                 : cut_at_or_before(std::min(last_boundary_to_commit(), start_of_last_descent()));
+      behind == Behind::end
+          ? window_.size()
+          : cut_at_or_before(std::min(last_boundary_to_commit(), start_of_last_descent()));
   if (boundary == 0) {
     plan_at_blocks_ += blocks_beyond;
     return;
   }
-  commit(boundary, chain_ends);
+  commit(boundary, behind);
   plan_at_blocks_ = 2 * blocks_beyond;
 }
 
 // Commits the window up to a boundary with a = 0 and keeps what the plan holds for the rest.
-void LookAhead::commit(std::size_t boundary, bool chain_ends) {
+void LookAhead::commit(std::size_t boundary, Behind behind) {
   const double s_end = plan_.boundary(boundary);
   std::vector<Phase> phases;
-  if (chain_ends) {
+  if (behind == Behind::end) {
     phases.swap(phases_);
   } else {
     split_phases(phases_, s_end, phases);
@@ -148,14 +150,14 @@ void LookAhead::commit(std::size_t boundary, bool chain_ends) {
   }
   STANOK_ASSERT(!phases.empty());
   const double v = phases.back().v_end;
-  commit_chunks(boundary, phases, chain_ends);
+  commit_chunks(boundary, phases, behind);
   forget(boundary, v);
 }
 
 // The segments that came since cannot be joined at the speed of the last cut: the last plan is run
 // as it is up to its next key point from which they can be; at the latest that is where it ends, at
 // rest.
-void LookAhead::run_last_plan_on(bool chain_ends) {
+void LookAhead::run_last_plan_on(Behind behind) {
   STANOK_ASSERT(!rest_keys_.empty());
   std::size_t k = 0;
   for (; k + 1 < rest_keys_.size(); ++k) {
@@ -165,7 +167,7 @@ void LookAhead::run_last_plan_on(bool chain_ends) {
   const RestKey key = rest_keys_[k];
   std::vector<Phase> phases;
   split_phases(rest_phases_, key.s, phases);
-  commit_chunks(key.segments, phases, chain_ends && key.segments == window_.size());
+  commit_chunks(key.segments, phases, key.segments == window_.size() ? behind : Behind::more);
   forget(key.segments, key.v);
   shift(rest_phases_, key.s);
   rest_keys_.erase(rest_keys_.begin(), rest_keys_.begin() + static_cast<std::ptrdiff_t>(k + 1));
@@ -176,7 +178,7 @@ void LookAhead::run_last_plan_on(bool chain_ends) {
 }
 
 // Puts the first segments of the window and the phases over them into chunks of the size allowed.
-void LookAhead::commit_chunks(std::size_t segments, std::vector<Phase>& phases, bool chain_ends) {
+void LookAhead::commit_chunks(std::size_t segments, std::vector<Phase>& phases, Behind behind) {
   double s_first = 0.0;
   double s_last = 0.0;
   for (std::size_t first = 0; first < segments;) {
@@ -194,7 +196,7 @@ void LookAhead::commit_chunks(std::size_t segments, std::vector<Phase>& phases, 
     shift(committed.phases, s_first);
     committed.chunk = {.segments = static_cast<std::uint32_t>(committed.segments.size()),
                        .phases = static_cast<std::uint32_t>(committed.phases.size()),
-                       .last = chain_ends && last == segments,
+                       .last = behind == Behind::end && last == segments,
                        .length = s_last - s_first,
                        .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
     if (committed.chunk.last) {
@@ -239,7 +241,7 @@ std::size_t LookAhead::last_boundary_to_commit() const {
   if (blocks_.back() - blocks_.front() < blocks_beyond) return 0;
   const auto beyond =
       std::upper_bound(blocks_.begin(), blocks_.end(), blocks_.back() - blocks_beyond);
-  return static_cast<std::size_t>(beyond - blocks_.begin());
+  return checked_size(beyond - blocks_.begin());
 }
 
 // The last boundary with a = 0, at or before the one given.

@@ -57,11 +57,14 @@ class LookAhead {
     double v = 0.0;
   };
 
-  void plan_window(bool chain_ends);
-  void commit(std::size_t boundary, bool chain_ends);
-  void commit_chunks(std::size_t segments, std::vector<Phase>& phases, bool chain_ends);
+  // What is known behind the window: more of the chain to come, or that it ends there.
+  enum class Behind : std::uint8_t { more, end };
+
+  void plan_window(Behind behind);
+  void commit(std::size_t boundary, Behind behind);
+  void commit_chunks(std::size_t segments, std::vector<Phase>& phases, Behind behind);
   void decide_overlap(Committed& end, const Committed& start) const;
-  void run_last_plan_on(bool chain_ends);
+  void run_last_plan_on(Behind behind);
   void forget(std::size_t segments, double v);
 
   [[nodiscard]] std::uint64_t blocks_after(std::size_t boundary) const;

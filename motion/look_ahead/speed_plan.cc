@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::motion {
 namespace {
@@ -116,8 +117,8 @@ RampLimits SpeedPlan::limits_between(double s0, double s1) const {
   const auto begin = boundaries_.begin();
   const auto after_start = std::upper_bound(begin, boundaries_.end(), s0);
   const auto end = std::lower_bound(after_start, boundaries_.end(), s1);
-  const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after_start - begin - 1, 0));
-  const auto last = static_cast<std::size_t>(end - begin);
+  const auto first = checked_size(std::max<std::ptrdiff_t>(after_start - begin - 1, 0));
+  const auto last = checked_size(end - begin);
   const std::size_t n = v_.size();
   return limits_over(std::min(first, n - 1), std::clamp(last, first + 1, n));
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -112,7 +113,7 @@ class SpeedPlan {
   [[nodiscard]] Key best_stair(const Key& from, std::size_t nearest, std::size_t stop) const;
   [[nodiscard]] double distance(std::size_t from, std::size_t to) const;
 
-  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+  static constexpr std::size_t npos = std::numeric_limits<std::size_t>::max();
 
   std::vector<double> boundaries_;
   std::vector<double> v_, minus_v_, a_, j_;

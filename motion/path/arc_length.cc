@@ -30,7 +30,7 @@ struct Speed {
 
 double quintic_speed(const Geometry& g, double u) RT_SAFE {
   double squared = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(g.metric.axis_count); ++k) {
+  for (int k = 0; k < g.metric.axis_count; ++k) {
     if (!g.metric.counts(k)) continue;
     const auto& c = g.coefficients[k];
     const double first =
@@ -43,7 +43,7 @@ double quintic_speed(const Geometry& g, double u) RT_SAFE {
 Speed quintic_speed_and_slope(const Geometry& g, double u) RT_SAFE {
   double squared = 0.0;
   double product = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(g.metric.axis_count); ++k) {
+  for (int k = 0; k < g.metric.axis_count; ++k) {
     if (!g.metric.counts(k)) continue;
     const auto& c = g.coefficients[k];
     const double first =
@@ -59,8 +59,8 @@ Speed quintic_speed_and_slope(const Geometry& g, double u) RT_SAFE {
 // Squared length of the arc's linear part, per u.
 double straight_squared(const Geometry& g) RT_SAFE {
   double squared = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(g.metric.axis_count); ++k) {
-    const bool in_plane = static_cast<int>(k) == g.plane[0] || static_cast<int>(k) == g.plane[1];
+  for (int k = 0; k < g.metric.axis_count; ++k) {
+    const bool in_plane = k == g.plane[0] || k == g.plane[1];
     if (in_plane || !g.metric.counts(k)) continue;
     squared += (g.end[k] - g.start[k]) * (g.end[k] - g.start[k]);
   }
@@ -150,7 +150,7 @@ double arc_length(const Geometry& geometry) RT_SAFE {
     return arc_length_to(geometry, straight + change * change, 1.0);
   }
   double squared = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(geometry.metric.axis_count); ++k) {
+  for (int k = 0; k < geometry.metric.axis_count; ++k) {
     const double way = geometry.end[k] - geometry.start[k];
     if (geometry.metric.counts(k)) squared += way * way;
   }

@@ -32,10 +32,6 @@ Tolerance used_of(const Tolerance& tolerance) {
   return {blend_tolerance_used * tolerance.mm, blend_tolerance_used * tolerance.deg};
 }
 
-bool is_geometry_axis(const MotionConfig& config, std::size_t axis) {
-  return std::ranges::find(config.geometry, static_cast<int>(axis)) != config.geometry.end();
-}
-
 // How fast the deviation grows with the reach, relative to the tolerance: linear with the kink,
 // quadratic with the step of curvature.
 struct Growth {
@@ -66,11 +62,10 @@ Growth growth(const Contact& in, const Contact& out, const PathMetric& metric,
   const Point step = difference(out.curvature, in.curvature);
   Growth grown{bow * geometry_norm(config, kink) / tolerance.mm,
                sag * geometry_norm(config, step) / tolerance.mm};
-  const bool over_geometry = std::ranges::any_of(config.geometry, [&](int axis) {
-    return axis >= 0 && metric.counts(static_cast<std::size_t>(axis));
-  });
+  const bool over_geometry = std::ranges::any_of(
+      config.geometry, [&](int axis) { return axis >= 0 && metric.counts(axis); });
   const double cosine = over_geometry ? metric_product(metric, in.tangent, out.tangent) : 1.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     if (is_geometry_axis(config, k)) continue;
     const double allowed = axis_tolerance(config, k, tolerance);
     const double bent = follower_kink(in.tangent[k], out.tangent[k], cosine);
@@ -124,7 +119,7 @@ Distance distance(const Point& a, const Point& b, const Tolerance& tolerance,
   Distance between;
   between.geometry = geometry_norm(config, gap);
   between.share = between.geometry / tolerance.mm;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     if (is_geometry_axis(config, k)) continue;
     const double allowed = axis_tolerance(config, k, tolerance);
     between.share = std::max(between.share, std::abs(gap[k]) / allowed);

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/path/point_algebra.h"
 #include "motion/path/shape.h"
 
 namespace stanok::motion {
 namespace {
-
-bool is_geometry_axis(const MotionConfig& config, int axis) {
-  return std::ranges::find(config.geometry, axis) != config.geometry.end();
-}
 
 double way(const PathBlock& block, const Point& start, int axis) {
   return at(block.end, axis) - at(start, axis);
@@ -79,7 +76,7 @@ double length_of(const PathBlock& block, const Point& start, const MotionConfig&
   double squared = 0.0;
   for (int axis = 0; axis < config.axis_count; ++axis) {
     const bool in_plane = is_curved && (axis == block.plane[0] || axis == block.plane[1]);
-    if (in_plane || !metric.counts(static_cast<std::size_t>(axis))) continue;
+    if (in_plane || !metric.counts(axis)) continue;
     squared += way(block, start, axis) * way(block, start, axis);
   }
   return is_curved ? std::hypot(arc_length(block, start), std::sqrt(squared)) : std::sqrt(squared);

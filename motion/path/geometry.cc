@@ -38,8 +38,8 @@ void arc_at(const Geometry& g, double u, ParametricPoint& p) RT_SAFE {
   const double w = g.sweep;
   const double r = g.radius + g.radius_change * u;
   const double r1 = g.radius_change;
-  const auto x = static_cast<std::size_t>(g.plane[0]);
-  const auto y = static_cast<std::size_t>(g.plane[1]);
+  const int x = g.plane[0];
+  const int y = g.plane[1];
   p.P[x] = g.centre[0] + r * cosine;
   p.P[y] = g.centre[1] + r * sine;
   p.P1[x] = r1 * cosine - r * w * sine;
@@ -51,14 +51,14 @@ void arc_at(const Geometry& g, double u, ParametricPoint& p) RT_SAFE {
 }
 
 void quintic_at(const Geometry& g, double u, ParametricPoint& p) RT_SAFE {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(g.metric.axis_count); ++k) {
+  for (int k = 0; k < g.metric.axis_count; ++k) {
     const auto& c = g.coefficients[k];
     p.P[k] = ((((c[5] * u + c[4]) * u + c[3]) * u + c[2]) * u + c[1]) * u + c[0];
     p.P1[k] = (((5.0 * c[5] * u + 4.0 * c[4]) * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1];
     p.P2[k] = ((20.0 * c[5] * u + 12.0 * c[4]) * u + 6.0 * c[3]) * u + 2.0 * c[2];
     p.P3[k] = (60.0 * c[5] * u + 24.0 * c[4]) * u + 6.0 * c[3];
   }
-  for (auto k = static_cast<std::size_t>(g.metric.axis_count); k < axes_max; ++k) {
+  for (int k = g.metric.axis_count; k < axes_max; ++k) {
     p.P[k] = g.start[k];
   }
 }
@@ -69,7 +69,7 @@ Jet parameter_by_length(const PathMetric& metric, const ParametricPoint& p, doub
   double g = 0.0;
   double g1 = 0.0;
   double g2 = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
+  for (int k = 0; k < metric.axis_count; ++k) {
     if (!metric.counts(k)) continue;
     g += p.P1[k] * p.P1[k];
     g1 += 2.0 * p.P1[k] * p.P2[k];
@@ -115,7 +115,7 @@ void evaluate(const Segment& segment, double s, JetPoint& point_s) RT_SAFE {
 void along_time(const JetPoint& point_s, double v, double a, double j, int axis_count,
                 JetPoint& point_t) RT_SAFE {
   const Jet s_t{0.0, v, a, j};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
+  for (int k = 0; k < axis_count; ++k) {
     const Jet& q = point_s[k];
     point_t[k] = compose(s_t, q.value, q.first, q.second, q.third);
   }

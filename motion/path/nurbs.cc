@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/place.h"
 #include "motion/path/shape.h"
 
 namespace stanok::motion {
@@ -223,7 +224,7 @@ std::vector<CurveStretch> stretches_of(const PlanarNurbs& curve, double deviatio
     const double w = curve.weights.empty() ? 1.0 : curve.weights[k];
     control.push_back({w * curve.points[k][0], w * curve.points[k][1], w});
   }
-  const auto degree = static_cast<std::size_t>(curve.degree);
+  const std::size_t degree = checked_size(curve.degree);
   const std::size_t spans = control.size() - degree;
   Stretcher stretcher(deviation);
   for (std::size_t s = 0; s < spans; ++s)

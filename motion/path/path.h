@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/axis_index.h"
 #include "kinematics/scheme.h"
 
 namespace stanok::motion {
@@ -20,7 +21,7 @@ using Point = kinematics::AxisVector<double>;
 
 // The coordinate of an axis that is known to be there (not -1).
 [[nodiscard]] inline double at(const Point& point, int axis) {
-  return point[static_cast<std::size_t>(axis)];
+  return point[axis];
 }
 using JetPoint = kinematics::AxisVector<kinematics::Jet>;
 
@@ -66,9 +67,9 @@ enum class LawSpeed : std::uint8_t { unchanged, rev_per_min, m_per_min };
 // How the process moves along a block: the law of its feed, and the spindle that its feed follows.
 struct BlockProcess {
   const FeedLaw* law = nullptr;  // outlives the queue; none: the feed is constant
-  double way_start = 0.0;        // path of the law where the block begins, mm
-  double way_length = 0.0;       // and how much of it the block is
-  double way_end = unlimited;    // where the law ends
+  double path_start = 0.0;       // path of the law where the block begins, mm
+  double path_length = 0.0;      // and how much of it the block is
+  double path_end = unlimited;   // where the law ends
   // Feed per revolution: `feed_per_s` holds at this speed of the spindle. 0: feed per time.
   double rev_per_min = 0.0;
 };
@@ -112,8 +113,8 @@ struct PathMetric {
   int axis_count = axes_max;  // axes of the channel; components beyond stay as they start
   unsigned axes = 0b111;      // bit k: axis k counts
 
-  [[nodiscard]] constexpr bool counts(std::size_t axis) const RT_SAFE {
-    return (axes >> axis & 1U) != 0;
+  [[nodiscard]] constexpr bool counts(AxisIndex axis) const RT_SAFE {
+    return (axes >> axis.place() & 1U) != 0;
   }
   friend constexpr bool operator==(const PathMetric&, const PathMetric&) = default;
 };
@@ -133,7 +134,7 @@ struct Geometry {
   double sweep = 0.0;        // rad
   // quintic, even: coefficients of u^0..u^5 per axis; quintic: knots, s at u = k/8
   // (arc length)
-  std::array<std::array<double, 6>, axes_max> coefficients{};
+  AxisArray<std::array<double, 6>> coefficients{};
   std::array<double, 9> knots{};
 };
 
@@ -169,9 +170,9 @@ struct SegmentProcess {
   const FeedLaw* law = nullptr;  // not for the cycle
   LawKind kind = LawKind::none;
   LawSpeed speed = LawSpeed::unchanged;
-  double way_start = 0.0;  // path of the law where the segment begins, and where it ends
-  double way_stop = 0.0;
-  double way_end = unlimited;
+  double path_start = 0.0;  // path of the law where the segment begins, and where it ends
+  double path_stop = 0.0;
+  double path_end = unlimited;
   double rev_per_min = 0.0;           // as of the block
   std::uint64_t increments = 0;       // that the law has made
   double spindle_speed = 0.0;         // that the law asks for, in its unit; 0: unchanged
@@ -188,6 +189,11 @@ struct Segment {
   const kinematics::Transform* transform = nullptr;
   SegmentProcess process;
 };
+
+// Axes whose travel counts as that of a working feed, bit k: channel axis k; 0 in rapid.
+[[nodiscard]] inline unsigned working_axes(const Segment& segment) RT_SAFE {
+  return segment.rapid ? 0U : segment.geometry.metric.axes;
+}
 
 // Constant jerk along s for `duration`: s(t) = s + v t + a t^2/2 + j t^3/6. `s` counts from the
 // start of the chunk's span.

@@ -1,6 +1,7 @@
 // Sums, differences and lengths of points and of derivatives.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/path/path.h"
@@ -23,10 +24,14 @@ namespace stanok::motion {
 [[nodiscard]] inline double metric_product(const PathMetric& metric, const Point& a,
                                            const Point& b) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
+  for (int k = 0; k < metric.axis_count; ++k) {
     if (metric.counts(k)) sum += a[k] * b[k];
   }
   return sum;
+}
+
+[[nodiscard]] inline bool is_geometry_axis(const MotionConfig& config, int axis) {
+  return std::ranges::find(config.geometry, axis) != config.geometry.end();
 }
 
 // Euclidean length over the geometry axes.
@@ -34,7 +39,7 @@ namespace stanok::motion {
   double squared = 0.0;
   for (const int axis : config.geometry) {
     if (axis < 0) continue;
-    squared += v[static_cast<std::size_t>(axis)] * v[static_cast<std::size_t>(axis)];
+    squared += v[axis] * v[axis];
   }
   return std::sqrt(squared);
 }

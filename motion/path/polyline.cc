@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/place.h"
+
 namespace stanok::motion {
 
 void Polyline::add(const Segment& line, const Tolerance& tolerance) {
@@ -17,8 +19,7 @@ std::size_t Polyline::index_at(double t) const {
   const auto behind =
       std::upper_bound(legs_.begin(), legs_.end(), t,
                        [](double place, const Leg& leg) { return place < leg.t_end; });
-  return behind == legs_.end() ? legs_.size() - 1
-                               : static_cast<std::size_t>(behind - legs_.begin());
+  return behind == legs_.end() ? legs_.size() - 1 : checked_size(behind - legs_.begin());
 }
 
 double Polyline::nearest_corner(double t) const {
@@ -36,7 +37,7 @@ Point point_of(const Leg& leg, double t) {
   if (t == leg.t_end) return line.end;
   const double u = (t - leg.t_start) / leg.line.length;
   Point point = line.start;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(line.metric.axis_count); ++k) {
+  for (int k = 0; k < line.metric.axis_count; ++k) {
     point[k] += (line.end[k] - line.start[k]) * u;
   }
   return point;

@@ -28,7 +28,7 @@ inline constexpr double between_samples = 1.5 / 8.0;
   double turns = 0.0;  // of 1/16
   if (g.kind == SegmentKind::arc) turns = std::abs(g.sweep) * 8.0 / std::numbers::pi;
   if (!is_affine(segment)) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+    for (int k = 0; k < config.axis_count; ++k) {
       if (!config.axes[k].linear) turns = std::max(turns, std::abs(g.end[k] - g.start[k]) / 10.0);
     }
   }

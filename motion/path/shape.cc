@@ -29,8 +29,8 @@ struct Polar {
 
 Polar polar(const Point& point, const std::array<int, 2>& plane,
             const std::array<double, 2>& centre) {
-  const double x = point[static_cast<std::size_t>(plane[0])] - centre[0];
-  const double y = point[static_cast<std::size_t>(plane[1])] - centre[1];
+  const double x = point[plane[0]] - centre[0];
+  const double y = point[plane[1]] - centre[1];
   return {std::hypot(x, y), std::atan2(y, x)};
 }
 
@@ -89,8 +89,7 @@ Shape curve(const PathMetric& metric, const Point& start, const PathBlock& block
   for (std::size_t k = 0; k < axes_max; ++k) {
     geometry.coefficients[k] = {start[k], block.end[k] - start[k], 0.0, 0.0, 0.0, 0.0};
   }
-  for (std::size_t c = 0; c < 2; ++c)
-    geometry.coefficients[static_cast<std::size_t>(block.plane[c])] = block.curve[c];
+  for (std::size_t c = 0; c < 2; ++c) geometry.coefficients[block.plane[c]] = block.curve[c];
   measure(geometry);
   return with_length(geometry);
 }
@@ -111,7 +110,7 @@ Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& 
   // Control points P1 = P0 + (1 - beta) L t and P2 = P0 + (1 - gamma) L t + h^2/20 q''.
   const double h = 5.0 * (1.0 - blend_beta) * reach;
   const double g = 20.0 * (2.0 * blend_beta - 1.0 - blend_gamma) * reach;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
+  for (int k = 0; k < metric.axis_count; ++k) {
     geometry.coefficients[k] = quintic_between(
         from.position[k], h * from.tangent[k], h * h * from.curvature[k] + g * from.tangent[k],
         to.position[k], h * to.tangent[k], h * h * to.curvature[k] - g * to.tangent[k]);

@@ -18,7 +18,7 @@ struct Tolerance {
   return {std::min(one.mm, other.mm), std::min(one.deg, other.deg)};
 }
 
-[[nodiscard]] inline double axis_tolerance(const MotionConfig& config, std::size_t axis,
+[[nodiscard]] inline double axis_tolerance(const MotionConfig& config, int axis,
                                            const Tolerance& tolerance) {
   return config.axes[axis].linear ? tolerance.mm : tolerance.deg;
 }

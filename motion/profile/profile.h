@@ -64,6 +64,10 @@ struct PathMotion {
   double j = 0.0;
 };
 
+[[nodiscard]] inline bool is_at_rest(const PathMotion& motion) RT_SAFE {
+  return motion.v == 0.0 && motion.a == 0.0;
+}
+
 // State within a phase `t` after its start, 0 <= t <= duration.
 [[nodiscard]] PathMotion motion_at(const Phase& phase, double t) RT_SAFE;
 

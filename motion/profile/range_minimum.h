@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/numbered.h"
+#include "base/place.h"
+
 namespace stanok::motion {
 
 class RangeMinimum {
@@ -16,7 +19,7 @@ class RangeMinimum {
   void build(const std::vector<double>& values) {
     values_ = &values;
     const std::size_t n = values.size();
-    const std::size_t height = n == 0 ? 0 : static_cast<std::size_t>(std::bit_width(n));
+    const std::size_t height = place_of(std::bit_width(n));
     rows_.resize(height);
     for (std::size_t k = 0; k < height; ++k) fill_row(k, n);
   }
@@ -24,7 +27,7 @@ class RangeMinimum {
   // The first place of the minimum of values[first..last], both included.
   [[nodiscard]] std::size_t place(std::size_t first, std::size_t last) const {
     const std::size_t span = std::bit_floor(last - first + 1);
-    const auto& row = rows_[static_cast<std::size_t>(std::countr_zero(span))];
+    const auto& row = rows_[std::countr_zero(span)];
     return lower(row[first], row[last + 1 - span]);
   }
   [[nodiscard]] double value(std::size_t first, std::size_t last) const {
@@ -36,7 +39,8 @@ class RangeMinimum {
     return (*values_)[right] < (*values_)[left] ? right : left;
   }
   void fill_row(std::size_t k, std::size_t n) {
-    const std::size_t width = std::size_t{1} << k;
+    constexpr std::size_t value = 1;
+    const std::size_t width = value << k;
     rows_[k].resize(n + 1 - width);
     for (std::size_t i = 0; i + width <= n; ++i) {
       rows_[k][i] = k == 0 ? static_cast<std::uint32_t>(i)
@@ -45,7 +49,7 @@ class RangeMinimum {
   }
 
   const std::vector<double>* values_ = nullptr;
-  std::vector<std::vector<std::uint32_t>> rows_;
+  NumberedList<std::vector<std::uint32_t>> rows_;
 };
 
 }  // namespace stanok::motion

@@ -68,7 +68,7 @@ Join judge_join(const Segment& incoming, const Segment& outgoing) {
   evaluate_at_parameter(outgoing, 0.0, after);
   double cosine = 0.0;
   bool smooth = true;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
+  for (int k = 0; k < metric.axis_count; ++k) {
     if (metric.counts(k)) cosine += before[k].first * after[k].first;
     smooth = smooth && continues(before[k].first, after[k].first) &&
              continues(before[k].second, after[k].second);

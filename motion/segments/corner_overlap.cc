@@ -103,7 +103,7 @@ bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const Path
       corner.speed_max * allowed) {
     return false;
   }
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     const AxisLimits& limit = config.axes[k];
     const double velocity_max =
         corner.rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
@@ -172,7 +172,7 @@ std::optional<OverlapCorner> overlap_corner(const Segment& incoming, const Segme
 double jerk_part_allowed(const OverlapCorner& corner, double jerk_incoming, double jerk_outgoing,
                          const MotionConfig& config) {
   double part = 1.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     const double sum =
         std::abs(jerk_incoming * corner.incoming[k] + jerk_outgoing * corner.outgoing[k]);
     if (sum * part > config.axes[k].jerk_max) part = config.axes[k].jerk_max / sum;

@@ -20,13 +20,13 @@ void apply(const FeedLaw& law, const LawStretch& stretch, std::uint64_t incremen
   if (law.units().speed == LawSpeed::rev_per_min && process.rev_per_min > 0.0)
     process.rev_per_min = stretch.speed;
   if (stretch.feed > 0.0)
-    segment.feed_per_s = feed_per_s(stretch.feed, law.units().per_revolution, process.rev_per_min);
+    segment.feed_per_s = feed_per_s(stretch.feed, law.units(), process.rev_per_min);
 }
 
 }  // namespace
 
-double feed_per_s(double feed, bool per_revolution, double rev_per_min) RT_SAFE {
-  return (per_revolution ? feed * rev_per_min : feed) / s_per_min;
+double feed_per_s(double feed, const LawUnits& units, double rev_per_min) RT_SAFE {
+  return (units.per_revolution ? feed * rev_per_min : feed) / s_per_min;
 }
 
 PathBuilder::Built FeedLawStage::next() {
@@ -42,14 +42,14 @@ PathBuilder::Built FeedLawStage::next_part() {
   const SegmentProcess& process = whole.segment.process;
   const FeedLaw& law = *process.law;
   const double length = whole.segment.length;
-  const double way_per_s = (process.way_stop - process.way_start) / length;
-  const double way_from = process.way_start + way_per_s * from_;
-  const std::uint64_t increments = law.increments_at(way_from);
+  const double path_per_s = (process.path_stop - process.path_start) / length;
+  const double path_from = process.path_start + path_per_s * from_;
+  const std::uint64_t increments = law.increments_at(path_from);
   const LawStretch stretch = law.stretch(increments);
-  const bool is_rest = stretch.end_mm >= process.way_stop - same_way_mm;
-  const double to = is_rest ? length : (stretch.end_mm - process.way_start) / way_per_s;
-  const bool comes_to_increment = stretch.end_mm <= process.way_stop + same_way_mm;
-  const bool law_goes_on = stretch.end_mm < process.way_end - same_way_mm;
+  const bool is_rest = stretch.end_mm >= process.path_stop - same_path_mm;
+  const double to = is_rest ? length : (stretch.end_mm - process.path_start) / path_per_s;
+  const bool comes_to_increment = stretch.end_mm <= process.path_stop + same_path_mm;
+  const bool law_goes_on = stretch.end_mm < process.path_end - same_path_mm;
 
   PathBuilder::Built built = whole;
   Segment& segment = built.segment;
@@ -66,10 +66,10 @@ PathBuilder::Built FeedLawStage::next_part() {
     segment.length = shape.length;
   }
   apply(law, stretch, increments, segment);
-  segment.process.way_start = way_from;
-  segment.process.way_stop = std::min(stretch.end_mm, process.way_stop);
+  segment.process.path_start = path_from;
+  segment.process.path_stop = std::min(stretch.end_mm, process.path_stop);
   built.counts_as_block = true;
-  segment.process.spindle_speed_behind = law.stretch(law.increments_at(process.way_stop)).speed;
+  segment.process.spindle_speed_behind = law.stretch(law.increments_at(process.path_stop)).speed;
   if (stretch.stand_mm > 0.0 && comes_to_increment && law_goes_on) {
     built.ends_chain = true;
     built.overlap.reset();

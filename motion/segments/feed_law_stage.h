@@ -8,6 +8,7 @@
 
 #include <deque>
 
+#include "motion/feed_laws/feed_law.h"
 #include "motion/segments/path_builder.h"
 
 namespace stanok::motion {
@@ -30,7 +31,7 @@ class FeedLawStage {
   Point from_point_{};
 };
 
-// The feed along the path in mm/s of a law's stretch; of a feed per revolution at `rev_per_min`.
-[[nodiscard]] double feed_per_s(double feed, bool per_revolution, double rev_per_min) RT_SAFE;
+// A feed in these units along the path in mm/s; a feed per revolution at `rev_per_min`.
+[[nodiscard]] double feed_per_s(double feed, const LawUnits& units, double rev_per_min) RT_SAFE;
 
 }  // namespace stanok::motion

@@ -51,18 +51,19 @@ Shape shape_of(const Point& start, const PathBlock& block, const MotionConfig& c
 
 SegmentProcess process_of(const BlockProcess& block) {
   return {.law = block.law,
-          .way_start = block.way_start,
-          .way_stop = block.way_start + block.way_length,
-          .way_end = block.way_end,
+          .path_start = block.path_start,
+          .path_stop = block.path_start + block.path_length,
+          .path_end = block.path_end,
           .rev_per_min = block.rev_per_min};
 }
 
 // The process of a part of the segment, between two of its path lengths.
 SegmentProcess part_of(const Segment& whole, double from, double to) {
   SegmentProcess process = whole.process;
-  const double way = process.way_stop - process.way_start;
-  process.way_start = whole.process.way_start + way * (from / whole.length);
-  if (to < whole.length) process.way_stop = whole.process.way_start + way * (to / whole.length);
+  const double length = process.path_stop - process.path_start;
+  process.path_start = whole.process.path_start + length * (from / whole.length);
+  if (to < whole.length)
+    process.path_stop = whole.process.path_start + length * (to / whole.length);
   return process;
 }
 
@@ -92,10 +93,9 @@ double chord_share(const Segment& incoming, const Segment& blend, const Segment&
   double bend2 = 0.0;
   for (const int axis : config.geometry) {
     if (axis < 0) continue;
-    const auto k = static_cast<std::size_t>(axis);
-    const double distance = middle[k].value - incoming.geometry.end[k];
+    const double distance = middle[axis].value - incoming.geometry.end[axis];
     distance2 += distance * distance;
-    bend2 += middle[k].second * middle[k].second;
+    bend2 += middle[axis].second * middle[axis].second;
   }
   const double way =
       segment_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
@@ -194,8 +194,7 @@ void PathBuilder::stand_at_programmed_end() {
   block.kind = BlockKind::line;
   block.rapid = true;
   block.process = {};
-  for (auto k = static_cast<std::size_t>(config_.axis_count); k < block.end.size(); ++k)
-    block.end[k] = end_[k];
+  for (int k = config_.axis_count; k < axes_max; ++k) block.end[k] = end_[k];
   if (block.end == end_) return;
   pending_ = pending_from(block);
   end_ = block.end;
@@ -398,7 +397,7 @@ void PathBuilder::append_blend(Segment segment, const Pending& next, double reac
   if (before.law == behind.law) {
     if (before.law != nullptr) {
       segment.process = before;
-      segment.process.way_stop = behind.way_stop;
+      segment.process.path_stop = behind.path_stop;
     }
     return append(segment);
   }

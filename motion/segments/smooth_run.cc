@@ -32,7 +32,7 @@ constexpr double forward_min = 0.5;             // of the spline along its block
 Tolerance chord_margin(const MotionConfig& config) {
   Point acceleration{};
   double rotary = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     acceleration[k] = config.axes[k].acceleration_max;
     if (!config.axes[k].linear) rotary = std::max(rotary, acceleration[k]);
   }
@@ -61,7 +61,7 @@ bool SmoothRun::may_join(const Segment& incoming, const Segment& outgoing,
   const PathMetric& metric = incoming.geometry.metric;
   if (metric != outgoing.geometry.metric || incoming.transform != outgoing.transform) return false;
   double cosine = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(metric.axis_count); ++k) {
+  for (int k = 0; k < metric.axis_count; ++k) {
     const double before = (incoming.geometry.end[k] - incoming.geometry.start[k]) / incoming.length;
     const double after = (outgoing.geometry.end[k] - outgoing.geometry.start[k]) / outgoing.length;
     if (metric.counts(k)) {
@@ -276,7 +276,7 @@ bool SmoothRun::fits_leg(const Leg& leg, double a, double b,
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point deviation = difference(points[k], between(from, to, static_cast<double>(k) / 3.0));
     if (geometry_norm(config_, deviation) > allowed.mm) return false;
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(config_.axis_count); ++axis) {
+    for (int axis = 0; axis < config_.axis_count; ++axis) {
       if (std::abs(deviation[axis]) > axis_tolerance(config_, axis, allowed)) return false;
     }
   }

@@ -4,42 +4,29 @@
 //   s = +-(turns of the spindle - turns at the start),
 // the start being at the start angle of every pass, so that all passes cut one helix at any speed.
 // Run-in: from rest the path comes into the law by a ramp that is played by the angle of the
-// spindle, not by time, and ends half its turns after s = 0. In the law a controller of third order
-// gives the jerk of each cycle from the predicted angle and its derivatives; what the axes allow
-// bounds it, and there is always a way to rest within the chain. Run-out: such a way, to the very
-// end. A tap stops the spindle for the bottom, turns it back and follows it to where it began
-// (docs/developer/motion.md#threads). Real-time.
+// spindle, not by time, and ends half its turns after s = 0 (RunIn, ThreadLaw). In the law a
+// controller of third order gives the jerk of each cycle from the predicted angle and its
+// derivatives (CourseController); what the axes allow bounds it, and there is always a way to rest
+// within the chain (ChainBrake). Run-out: such a way, to the very end. A tap stops the spindle for
+// the bottom, turns it back and follows it to where it began (TapReversal;
+// docs/developer/motion.md#threads). Thread: the cycle. Owner: the interpolator. Invariant: of the
+// parts only one moves the path in a cycle, by the stage.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "base/rt_safe.h"
 #include "motion/path/path.h"
 #include "motion/profile/feed_control.h"
 #include "motion/profile/profile.h"
+#include "motion/threads/chain_brake.h"
+#include "motion/threads/course_controller.h"
+#include "motion/threads/run_in.h"
 #include "motion/threads/spindle_observer.h"
+#include "motion/threads/tap_reversal.h"
+#include "motion/threads/thread_law.h"
 
 namespace stanok::motion {
-
-// What a tap asks of the spindle, from this cycle on.
-struct SpindleOrder {
-  enum class Kind : std::uint8_t {
-    none,
-    stop_within,  // comes to rest after `turns`
-    turn_back,    // against its direction, `factor` times as fast, no sooner than `acceleration`
-    go_on,        // as it did before
-  };
-  Kind kind = Kind::none;
-  std::int32_t spindle = 0;
-  double turns = 0.0;
-  double factor = 1.0;
-  double acceleration = 0.0;  // turns/s^2
-};
-
-// Jerk along the chain, in turns/s^3, that the path needs to follow a spindle through the steps of
-// its encoder; with less it comes off the law.
-[[nodiscard]] double jerk_to_follow(int encoder_pulses, double cycle_s);
 
 class SynchronousRun {
  public:
@@ -61,85 +48,34 @@ class SynchronousRun {
   [[nodiscard]] const SpindleOrder& order() const RT_SAFE { return order_; }
 
  private:
-  enum class Stage : std::uint8_t { waits, goes_in, dwells, returns, comes_to_rest, stands, over };
+  enum class Stage : std::uint8_t { waits, follows, comes_to_rest, stands, over };
 
-  [[nodiscard]] bool is_too_fast(const SpindleMotion& spindle) RT_SAFE;
-  [[nodiscard]] bool is_due(const SpindleMotion& spindle) RT_SAFE;
-  void watch_speed(const SpindleMotion& spindle) RT_SAFE;
-  [[nodiscard]] bool is_clear_of_corner(double speed) const RT_SAFE;
-  void choose_limits(double speed) RT_SAFE;
-  [[nodiscard]] bool keeps_speed(const SpindleMotion& spindle) const RT_SAFE;
-  [[nodiscard]] kinematics::Jet course(const SpindleMotion& spindle) RT_SAFE;
+  void wait(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;
   void follow(const kinematics::Jet& course) RT_SAFE;
-  [[nodiscard]] PathMotion before(const kinematics::Jet& course) const RT_SAFE;
-  [[nodiscard]] double jerk_towards(const kinematics::Jet& course, const RampLimits& limits) const
-      RT_SAFE;
-  [[nodiscard]] double jerk_allowed(double wanted) const RT_SAFE;
   void leave(const SpindleMotion& spindle) RT_SAFE;
-  void turn_spindle(const SpindleMotion& spindle) RT_SAFE;
-  void stop_spindle(double turns) RT_SAFE;
-  [[nodiscard]] bool stands_with(const SpindleMotion& spindle) const RT_SAFE;
   void lose() RT_SAFE;
+  void brake() RT_SAFE;
+  void run_brake() RT_SAFE;
   [[nodiscard]] bool changes_limits(const kinematics::Jet& course) RT_SAFE;
   [[nodiscard]] bool joins_chain(const kinematics::Jet& course) RT_SAFE;
-  [[nodiscard]] bool is_settled(const kinematics::Jet& course, const RampLimits& limits) const
-      RT_SAFE;
   [[nodiscard]] bool brakes_before_corner(const RampLimits& limits) const RT_SAFE;
-  // Phases to rest, and whether they end where the chain does.
-  struct WayToRest {
-    std::array<Phase, 2 + PhaseRun::capacity> phases{};
-    std::size_t size = 0;
-    bool ends_chain = false;
-  };
-  // The last ways to rest before an end; s counts from there in the direction of travel.
-  struct Approach {
-    double forward = 1.0;
-    Phase ease;               // takes the acceleration away
-    bool fits = false;        // what follows is known
-    double ramp_begin = 0.0;  // of the ramp to rest, with these limits
-    RampLimits limits;
-  };
-  [[nodiscard]] Approach approach(const PathMotion& from, double end) const RT_SAFE;
-  [[nodiscard]] bool comes_to_rest_before(double end, const PathMotion& from) const RT_SAFE;
-  [[nodiscard]] WayToRest way_to(double end) const RT_SAFE;
-  [[nodiscard]] WayToRest brake() const RT_SAFE;
-  [[nodiscard]] WayToRest shortest_way() const RT_SAFE;
-  void take(const WayToRest& way) RT_SAFE;
-  void run_brake() RT_SAFE;
+  [[nodiscard]] CourseController::SpeedRange speeds() const RT_SAFE;
 
   double cycle_s_;
-  double gain_s_;  // of the controller: jerk by s, v, a
-  double gain_v_;
-  double gain_a_;
+  CourseController controller_;
+  RunIn run_in_;
+  ThreadLaw law_;
+  TapReversal tap_;
+  ChainBrake brake_;
 
   SpindleCoupling coupling_;
-  RampLimits limits_;  // the current ones
-  double length_ = 0.0;
   Stage stage_ = Stage::over;
+  RampLimits limits_;  // the current ones
   PathMotion motion_;
   SpindleOrder order_;
+  bool has_joined_ = false;  // the law, with the limits of the chain
   bool is_lost_ = false;
   bool leaves_ = false;  // the chain will not be over
-
-  // The law.
-  double direction_ = 1.0;
-  double origin_ = 0.0;  // direction * turns at s = 0
-  double whole_turns_before_ = 0.0;
-  bool has_watched_ = false;
-  bool runs_in_by_chain_ = false;  // with its limits, not those of the entry
-  double mean_speed_ = 0.0;        // over about the duration of the run-in, in turns/s
-  // The ramp of the run-in over time, if the spindle kept the speed it had when the ramp began.
-  PhaseRun ramp_;
-  double ramp_speed_ = 1.0;
-  bool is_in_law_ = false;
-  bool has_joined_ = false;  // the law, with the limits of the chain
-
-  std::int64_t dwell_cycles_ = 0;
-  bool spindle_stops_ = false;  // by order
-  // The current way to rest.
-  WayToRest brake_;
-  double brake_time_ = 0.0;
-  Stage stage_before_ = Stage::over;  // goes on when the brake does not end the chain
 };
 
 }  // namespace stanok::motion

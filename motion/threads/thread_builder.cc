@@ -59,11 +59,11 @@ ThreadFault too_slow_axis(const Segment& segment, double speed, const MotionConf
   ThreadFault fault{.kind = ThreadFault::Kind::axis_too_slow,
                     .speed_max = SpindleCoupling::speed_share / segment.bounds.velocity};
   double most = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config.axis_count); ++k) {
+  for (int k = 0; k < config.axis_count; ++k) {
     const double used = std::abs(axes[k].first) / config.axes[k].velocity_max;
     if (used <= most) continue;
     most = used;
-    fault.axis = static_cast<int>(k);
+    fault.axis = k;
     fault.value = std::abs(axes[k].first) * speed;
     fault.limit = SpindleCoupling::speed_share * config.axes[k].velocity_max;
   }
@@ -260,7 +260,7 @@ ThreadBuilder::Corner ThreadBuilder::corner(const Straight& one, const Straight&
   before.kind = behind.kind = SegmentKind::even;
   before.start = on(one.whole.geometry.end, one.per_turn, -h);
   behind.end = on(next.whole.geometry.start, next.per_turn, h);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(config_.axis_count); ++k) {
+  for (int k = 0; k < config_.axis_count; ++k) {
     const double d1 = one.per_turn[k];
     const double change = next.per_turn[k] - d1;
     before.end[k] = behind.start[k] = before.start[k] + h * (d1 + change / 6.0);

@@ -24,7 +24,7 @@ MachineConfig lathe_with_automatic_feeds() {
                                                   .release = 0.8 * level,
                                                   .part_min = 0.5,
                                                   .part_step = 0.1,
-                                                  .way_step_mm = 0.5});
+                                                  .path_step_mm = 0.5});
   }
   return config;
 }

@@ -443,7 +443,7 @@ TEST(MachineFile, AutomaticFeedLawsOfAChannelHaveTheirFigures) {
   EXPECT_EQ(laws[1].release, 700.0);
   EXPECT_EQ(laws[1].part_min, 0.3);
   EXPECT_EQ(laws[1].part_step, 0.02);
-  EXPECT_EQ(laws[1].way_step_mm, 0.4);
+  EXPECT_EQ(laws[1].path_step_mm, 0.4);
   EXPECT_TRUE(laws[1].on_at_start);
 }
 

@@ -18,7 +18,7 @@ AutomaticFeedConfig law(LawKind kind) {
           .release = 4.0,
           .part_min = 0.6,
           .part_step = 0.1,
-          .way_step_mm = 0.25,
+          .path_step_mm = 0.25,
           .on_at_start = true};
 }
 
@@ -109,15 +109,27 @@ TEST(AutomaticFeed, LostSensorGivesTheSmallestFeedUntilItIsSwitchedAgain) {
     EXPECT_EQ(feed.part(), 0.6);
     feed.advance(1.0, way_per_cycle);
     EXPECT_EQ(feed.part(), 0.6);
-    feed.switch_on(true);
+    feed.switch_on();
     EXPECT_EQ(feed.state(), ModuleState::ready);
     EXPECT_EQ(feed.part(), 1.0);
   }
 }
 
+TEST(AutomaticFeed, ARestartSwitchesNothingOnThatIsOff) {
+  AutomaticFeed feed(law(LawKind::linear));
+  feed.advance(std::nullopt, way_per_cycle);
+  EXPECT_EQ(feed.state(), ModuleState::fault);
+  feed.restart();
+  EXPECT_EQ(feed.state(), ModuleState::ready);
+  EXPECT_EQ(feed.part(), 1.0);
+  feed.switch_off();
+  feed.restart();
+  EXPECT_EQ(feed.state(), ModuleState::reset);
+}
+
 TEST(AutomaticFeed, OffItNeedsNoSensor) {
   AutomaticFeed feed(law(LawKind::modulated));
-  feed.switch_on(false);
+  feed.switch_off();
   feed.advance(std::nullopt, way_per_cycle);
   EXPECT_EQ(feed.state(), ModuleState::reset);
   EXPECT_EQ(feed.part(), 1.0);

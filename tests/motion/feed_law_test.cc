@@ -165,7 +165,8 @@ void put_law(const FeedLaw& law, double feed_max, std::vector<PathBlock>& blocks
   const double total = length_of(blocks);
   for (PathBlock& block : blocks) {
     const Shape shape = shape_of(block, start);
-    block.process = {.law = &law, .way_start = way, .way_length = shape.length, .way_end = total};
+    block.process = {
+        .law = &law, .path_start = way, .path_length = shape.length, .path_end = total};
     block.feed_per_s = feed_max / 60.0;
     way += shape.length;
     start = block.end;
@@ -226,7 +227,7 @@ TEST_P(LinearFeed, RunsByTheSumOverItsIncrements) {
     increments += 1.0;
   }
   steps.push_back({length - way, feed});
-  const LinearLaw law({}, {.feed_first = c.feed, .feed_step = c.step, .way_step_mm = c.way_step});
+  const LinearLaw law({}, {.feed_first = c.feed, .feed_step = c.step, .path_step_mm = c.way_step});
   put_law(law, std::max(c.feed, feed), blocks);
   expect_run(run_blocks(blocks, strong_mill()), steps, increments);
 }
@@ -282,7 +283,7 @@ TEST_P(ModulatedFeed, RisesAndFallsByTheSumOverItsIncrements) {
   steps.push_back({length - way, feed});
   const ModulatedLaw law(
       {},
-      {.feed_min = c.feed_min, .feed_step = c.step, .way_step_mm = c.way_step, .steps = c.steps});
+      {.feed_min = c.feed_min, .feed_step = c.step, .path_step_mm = c.way_step, .steps = c.steps});
   put_law(law, c.feed_min + static_cast<double>(c.steps) * c.step, blocks);
   expect_run(run_blocks(blocks, strong_mill()), steps, increments);
 }
@@ -355,7 +356,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, InterruptedFeed,
 TEST(FeedLaw, GoesOnAcrossBlocks) {
   std::vector<PathBlock> blocks{line_to({4.0, 0.0, 0.0}), line_to({4.0, 6.0, 0.0})};
   for (PathBlock& block : blocks) block.tolerance_mm = 0.2;
-  const LinearLaw law({}, {.feed_first = 120.0, .feed_step = 1.0, .way_step_mm = 0.05});
+  const LinearLaw law({}, {.feed_first = 120.0, .feed_step = 1.0, .path_step_mm = 0.05});
   put_law(law, 320.0, blocks);
   const Travel run = run_blocks(blocks, strong_mill());
   EXPECT_EQ(run.samples.back().process.increments, 199U);
@@ -412,39 +413,39 @@ struct AnyLaw {
 };
 
 std::vector<AnyLaw> all_laws() {
-  return {
-      {"linear up",
-       [] {
-         return std::make_unique<LinearLaw>(
-             LawUnits{},
-             LinearLawParameters{.feed_first = 600.0, .feed_step = 25.0, .way_step_mm = 0.25});
-       },
-       2600.0},
-      {"linear down",
-       [] {
-         return std::make_unique<LinearLaw>(
-             LawUnits{},
-             LinearLawParameters{.feed_first = 2600.0, .feed_step = -25.0, .way_step_mm = 0.25});
-       },
-       2600.0},
-      {"modulated",
-       [] {
-         return std::make_unique<ModulatedLaw>(
-             LawUnits{},
-             ModulatedLawParameters{
-                 .feed_min = 200.0, .feed_step = 50.0, .way_step_mm = 0.05, .steps = 20});
-       },
-       1200.0},
-      {"interrupted", [] { return std::make_unique<InterruptedLaw>(0.4, 2.0); }, 1000.0},
-      {"curve",
-       [] {
-         return std::make_unique<CurveLaw>(
-             LawUnits{},
-             std::vector<CurveLawPoint>{
-                 {.feed = 300.0}, {.way_mm = 6.0, .feed = 1500.0}, {.way_mm = 15.0, .feed = 200.0}},
-             5.0, increment_mm);
-       },
-       1500.0}};
+  return {{"linear up",
+           [] {
+             return std::make_unique<LinearLaw>(
+                 LawUnits{},
+                 LinearLawParameters{.feed_first = 600.0, .feed_step = 25.0, .path_step_mm = 0.25});
+           },
+           2600.0},
+          {"linear down",
+           [] {
+             return std::make_unique<LinearLaw>(
+                 LawUnits{}, LinearLawParameters{
+                                 .feed_first = 2600.0, .feed_step = -25.0, .path_step_mm = 0.25});
+           },
+           2600.0},
+          {"modulated",
+           [] {
+             return std::make_unique<ModulatedLaw>(
+                 LawUnits{},
+                 ModulatedLawParameters{
+                     .feed_min = 200.0, .feed_step = 50.0, .path_step_mm = 0.05, .steps = 20});
+           },
+           1200.0},
+          {"interrupted", [] { return std::make_unique<InterruptedLaw>(0.4, 2.0); }, 1000.0},
+          {"curve",
+           [] {
+             return std::make_unique<CurveLaw>(
+                 LawUnits{},
+                 std::vector<CurveLawPoint>{{.feed = 300.0},
+                                            {.path_mm = 6.0, .feed = 1500.0},
+                                            {.path_mm = 15.0, .feed = 200.0}},
+                 5.0, increment_mm);
+           },
+           1500.0}};
 }
 
 TEST(FeedLaw, KeepsItsPlacesAndTheLimitsOfRealAxes) {
@@ -490,7 +491,7 @@ TEST(FeedLaw, TakesItsTimeUnderAConstantOverride) {
   for (const double part : {0.5, 0.9, 1.2}) {
     for (const double step : {2.0, -2.0}) {
       SCOPED_TRACE(::testing::Message() << part << ", " << step);
-      const LinearLaw law({}, {.feed_first = 200.0, .feed_step = step, .way_step_mm = 0.1});
+      const LinearLaw law({}, {.feed_first = 200.0, .feed_step = step, .path_step_mm = 0.1});
       std::vector<PathBlock> blocks{line_to({5.0, 0.0, 0.0})};
       put_law(law, std::max(200.0, 200.0 + 49.0 * step), blocks);
       double wanted = 0.0;
@@ -527,17 +528,17 @@ TEST(FeedLaw, StandsLongerUnderOverrideAndHold) {
 
 TEST(FeedLaw, OfACurvePassesItsPointsWithinOneIncrement) {
   const std::vector<CurveLawPoint> points{{.feed = 100.0, .speed = 500.0},
-                                          {.way_mm = 3.0, .feed = 137.0, .speed = 800.0},
-                                          {.way_mm = 3.5, .feed = 90.0, .speed = 800.0},
-                                          {.way_mm = 9.0, .feed = 91.0, .speed = 400.0}};
+                                          {.path_mm = 3.0, .feed = 137.0, .speed = 800.0},
+                                          {.path_mm = 3.5, .feed = 90.0, .speed = 800.0},
+                                          {.path_mm = 9.0, .feed = 91.0, .speed = 400.0}};
   const LawUnits units{.speed = LawSpeed::rev_per_min};
   const CurveLaw law(units, points, 0.5, increment_mm);
   for (int n = 0; n < 324; ++n) {
     const double way = 0.0371 * n;
     std::size_t k = 0;
-    while (k + 2 < points.size() && way > points[k + 1].way_mm) ++k;
+    while (k + 2 < points.size() && way > points[k + 1].path_mm) ++k;
     const double part =
-        std::min(1.0, (way - points[k].way_mm) / (points[k + 1].way_mm - points[k].way_mm));
+        std::min(1.0, (way - points[k].path_mm) / (points[k + 1].path_mm - points[k].path_mm));
     const LawStretch stretch = law.stretch(law.increments_at(way));
     const double steepest = (137.0 - 90.0) / 0.5 * increment_mm;
     EXPECT_NEAR(stretch.feed, points[k].feed + part * (points[k + 1].feed - points[k].feed),

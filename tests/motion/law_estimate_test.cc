@@ -86,7 +86,7 @@ TEST(LawEstimate, HasNoClosedFormWhereItsLogarithmHasNone) {
 }
 
 TEST(LawEstimate, AddsUpALinearLaw) {
-  const LinearLaw law({}, {.feed_first = 120.0, .feed_step = 0.5, .way_step_mm = 0.1});
+  const LinearLaw law({}, {.feed_first = 120.0, .feed_step = 0.5, .path_step_mm = 0.1});
   const auto found = estimate(law, {.to_mm = 20.04});
   ASSERT_TRUE(found);
   double sum = 60.0 * 0.04 / (120.0 + 200.0 * 0.5);
@@ -103,7 +103,7 @@ TEST(LawEstimate, AddsUpALinearLaw) {
 
 // A modal law, some way on: the part begins within a stretch, and no closed form fits it.
 TEST(LawEstimate, AddsUpAPartOfALaw) {
-  const LinearLaw law({}, {.feed_first = 60.0, .feed_step = 6.0, .way_step_mm = 1.0});
+  const LinearLaw law({}, {.feed_first = 60.0, .feed_step = 6.0, .path_step_mm = 1.0});
   const auto found = estimate(law, {.from_mm = 2.5, .to_mm = 4.25});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->time_s, 60.0 * (0.5 / 72.0 + 1.0 / 78.0 + 0.25 / 84.0), 1e-9);
@@ -115,7 +115,7 @@ TEST(LawEstimate, AddsUpAPartOfALaw) {
 
 TEST(LawEstimate, AddsUpFeedsPerRevolution) {
   const LinearLaw law({.per_revolution = true},
-                      {.feed_first = 0.1, .feed_step = 0.01, .way_step_mm = 0.5});
+                      {.feed_first = 0.1, .feed_step = 0.01, .path_step_mm = 0.5});
   EXPECT_FALSE(estimate(law, {.to_mm = 2.0})) << "no speed is known";
   const auto found = estimate(law, {.to_mm = 2.0, .rev_per_min = 600.0});
   ASSERT_TRUE(found);
@@ -123,7 +123,7 @@ TEST(LawEstimate, AddsUpFeedsPerRevolution) {
   const LinearLaw with_speed({.per_revolution = true, .speed = LawSpeed::rev_per_min},
                              {.feed_first = 0.1,
                               .feed_step = 0.01,
-                              .way_step_mm = 0.5,
+                              .path_step_mm = 0.5,
                               .speed_first = 600.0,
                               .speed_step = -100.0});
   const auto stepped = estimate(with_speed, {.to_mm = 1.5});
@@ -134,7 +134,7 @@ TEST(LawEstimate, AddsUpFeedsPerRevolution) {
 
 TEST(LawEstimate, OfModulationTellsItsCycleAndDepth) {
   const ModulatedLaw law({},
-                         {.feed_min = 60.0, .feed_step = 6.0, .way_step_mm = 0.25, .steps = 20});
+                         {.feed_min = 60.0, .feed_step = 6.0, .path_step_mm = 0.25, .steps = 20});
   const auto found = estimate(law, {.to_mm = 30.0});  // three cycles of 10 mm
   ASSERT_TRUE(found && found->cycle && found->closed_form_s);
   EXPECT_NEAR(found->time_s, 3.0 * found->cycle->exact, 1e-9);
@@ -157,7 +157,7 @@ TEST(LawEstimate, OfInterruptionsTellsTheirDurationAndSpacing) {
 }
 
 TEST(LawEstimate, AddsUpACurve) {
-  const CurveLaw law({}, {{.feed = 60.0}, {.way_mm = 4.0, .feed = 64.0}}, 1.0, 0.001);
+  const CurveLaw law({}, {{.feed = 60.0}, {.path_mm = 4.0, .feed = 64.0}}, 1.0, 0.001);
   const auto found = estimate(law, {.to_mm = 6.0});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->time_s, 1.0 + 60.0 / 61.0 + 60.0 / 62.0 + 60.0 / 63.0 + 120.0 / 64.0, 1e-9);

@@ -64,6 +64,30 @@ struct ThreadSample {
   double v_z = 0.0;
 };
 
+inline SpindleCoupling thread_from(double angle_deg) {
+  SpindleCoupling coupling;
+  coupling.kind = SpindleCoupling::Kind::thread;
+  coupling.start_angle_deg = angle_deg;
+  return coupling;
+}
+
+inline ThreadBlock block_to(const Point& end, double lead_mm) {
+  ThreadBlock block;
+  block.tag = {1, 1, 1, 0};
+  block.end = end;
+  block.lead_mm = lead_mm;
+  block.tolerance_mm = 0.01;
+  return block;
+}
+
+// Where a thread begins, at which angle of its spindle, and the speed that is programmed.
+struct ThreadStart {
+  Point point{};
+  double angle_deg = 0.0;
+  double speed = 0.0;           // turns/s
+  double jerk_to_follow = 0.0;  // for its encoder
+};
+
 class ThreadBench {
  public:
   explicit ThreadBench(Turning turning, double speed_wanted, const Point& start = {})
@@ -89,6 +113,15 @@ class ThreadBench {
   void idle(double seconds) {
     const int cycles = static_cast<int>(seconds / cycle_s);
     for (int n = 0; n < cycles; ++n) cycle();
+  }
+
+  // A thread of these blocks, all of which can be cut.
+  void send(const ThreadStart& start, const std::vector<ThreadBlock>& blocks) {
+    ThreadBuilder builder(config_);
+    builder.begin(start.point, config_.geometry, thread_from(start.angle_deg), start.speed,
+                  start.jerk_to_follow);
+    for (const ThreadBlock& block : blocks) ASSERT_FALSE(builder.add(block));
+    send(builder);
   }
 
   void send(ThreadBuilder& builder) { send(builder.finish()); }
@@ -174,21 +207,5 @@ class ThreadBench {
   double used_ = 0.0;
   std::optional<JetPoint> before_;
 };
-
-inline SpindleCoupling thread_from(double angle_deg) {
-  SpindleCoupling coupling;
-  coupling.kind = SpindleCoupling::Kind::thread;
-  coupling.start_angle_deg = angle_deg;
-  return coupling;
-}
-
-inline ThreadBlock block_to(const Point& end, double lead_mm) {
-  ThreadBlock block;
-  block.tag = {1, 1, 1, 0};
-  block.end = end;
-  block.lead_mm = lead_mm;
-  block.tolerance_mm = 0.01;
-  return block;
-}
 
 }  // namespace stanok::motion::testing

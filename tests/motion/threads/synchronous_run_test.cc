@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/motion/thread_bench.h"
+#include "tests/motion/threads/thread_bench.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -35,10 +35,8 @@ TEST(SynchronousRun, CutsTheHelixOfTheStartAngleAtSteadySpeed) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(90.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .angle_deg = 90.0, .speed = 10.0},
+             {block_to(at(0.0, -20.0), 2.0)});
   const auto samples = bench.cut();
   EXPECT_EQ(samples.back().z, -20.0);  // to the bit
   EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 90.0, -1.0, -19.0), 0.2 * increment_mm);
@@ -63,13 +61,11 @@ TEST_P(Ripple, TenPassesCutOneHelixPerStart) {
   for (int pass = 0; pass < 10; ++pass) {
     SCOPED_TRACE(::testing::Message() << "pass " << pass);
     bench.idle(pause(random));
-    ThreadBuilder builder(bench.config());
     const double z = pass % 2 == 0 ? 0.0 : -60.0;
     const double way = pass % 2 == 0 ? -1.0 : 1.0;
     const double start_deg = 120.0 * (pass % 3);
-    builder.begin(at(0.0, z), bench.config().geometry, thread_from(start_deg), speed);
-    ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0 - z), lead)));
-    bench.send(builder);
+    bench.send({.point = at(0.0, z), .angle_deg = start_deg, .speed = speed},
+               {block_to(at(0.0, -60.0 - z), lead)});
     const auto samples = bench.cut(60.0);
     // Run-in and run-out take half the way of a ramp to and from 1.2 times the speed.
     const double ramp = 5.0 + 1.2 * speed * lead * 0.06;
@@ -99,10 +95,7 @@ TEST(SynchronousRun, BeginsNearTheHighestSpeedOfTheAxes) {
   constexpr int lines = 1024;
   bench.see_through(lines);
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 200.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -280.0), lead)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 200.0), .speed = 10.0}, {block_to(at(0.0, -280.0), lead)});
   const auto samples = bench.cut();
   EXPECT_LE(helix_error(samples, turning, 200.0, -lead, 0.0, 100.0, -180.0), lead / lines);
   EXPECT_LE(bench.used(), 1.0 + rounding);
@@ -113,10 +106,8 @@ TEST(SynchronousRun, FollowsASpindleThatTurnsCounterClockwise) {
   const Turning turning = [](double t) { return -10.0 * t; };
   ThreadBench bench(turning, -10.0);
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(30.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .angle_deg = 30.0, .speed = 10.0},
+             {block_to(at(0.0, -20.0), 2.0)});
   const auto samples = bench.cut();
   // Falling angles, falling Z.
   const Turning against = [&](double t) { return -turning(t); };
@@ -131,10 +122,7 @@ TEST(SynchronousRun, KeepsTheHelixWhileTheSpeedChanges) {
   };
   ThreadBench bench(turning, 10.0);
   bench.idle(0.5);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .speed = 10.0}, {block_to(at(0.0, -60.0), 2.0)});
   const auto samples = bench.cut();
   EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -58.0), increment_mm);
   EXPECT_LE(bench.used(), 1.0 + rounding);
@@ -144,10 +132,7 @@ TEST(SynchronousRun, ATaperHasItsLeadAlongThePath) {
   const Turning turning = with_ripple(10.0, 1.0);
   ThreadBench bench(turning, 10.0, at(10.0, 0.0));
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(13.0, -40.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(10.0, 0.0), .speed = 10.0}, {block_to(at(13.0, -40.0), 2.0)});
   const auto samples = bench.cut();
   const double lead_z = -2.0 * 40.0 / std::hypot(3.0, 40.0);
   EXPECT_LE(helix_error(samples, turning, 0.0, lead_z, 0.0, -2.0, -38.0), increment_mm);
@@ -160,13 +145,10 @@ TEST(SynchronousRun, AChainDoesNotStopAtItsCorners) {
   const Turning turning = with_ripple(5.0, 2.0);
   ThreadBench bench(turning, 5.0, at(12.0, 0.0));
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(12.0, 0.0), bench.config().geometry, thread_from(0.0), 5.0);
   const double slope = std::hypot(2.0, 4.0) / 4.0;
-  ASSERT_FALSE(builder.add(block_to(at(10.0, -4.0), 2.0 * slope)));
-  ASSERT_FALSE(builder.add(block_to(at(10.0, -26.0), 2.0)));
-  ASSERT_FALSE(builder.add(block_to(at(12.0, -30.0), 2.0 * slope)));
-  bench.send(builder);
+  bench.send({.point = at(12.0, 0.0), .speed = 5.0},
+             {block_to(at(10.0, -4.0), 2.0 * slope), block_to(at(10.0, -26.0), 2.0),
+              block_to(at(12.0, -30.0), 2.0 * slope)});
   const auto samples = bench.cut();
   EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -1.0, -29.0), increment_mm);
   EXPECT_EQ(samples.back().x, 12.0);
@@ -186,15 +168,11 @@ TEST(SynchronousRun, ACornerKeepsAToleranceThatIsProgrammed) {
   const Turning turning = steady(1.0);
   ThreadBench bench(turning, 1.0, at(10.0, 0.0));
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 1.0);
   ThreadBlock straight = block_to(at(10.0, -10.0), 2.0);
   straight.keeps_tolerance = true;
   ThreadBlock out = block_to(at(12.0, -12.0), 2.0 * std::sqrt(2.0));
   out.keeps_tolerance = true;
-  ASSERT_FALSE(builder.add(straight));
-  ASSERT_FALSE(builder.add(out));
-  bench.send(builder);
+  bench.send({.point = at(10.0, 0.0), .speed = 1.0}, {straight, out});
   double off = 0.0;
   for (const ThreadSample& sample : bench.cut())
     off = std::max(off, sample.x - std::max(10.0, 10.0 - (sample.z + 10.0)));
@@ -210,17 +188,13 @@ TEST(SynchronousRun, ACornerThatNeedsAlmostAllIsJoinedInACalmCycle) {
     ThreadBench bench(turning, 10.0, at(10.0, 0.0));
     bench.see_through(1024);
     bench.idle(0.3 + 0.0137 * start);
-    ThreadBuilder builder(bench.config());
-    builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
     ThreadBlock out = block_to(at(10.0, 2.557), 0.265);
     ThreadBlock back = block_to(at(10.0, -4.478), 1.681);
     for (ThreadBlock* block : {&out, &back}) {
       block->tolerance_mm = 0.1;
       block->keeps_tolerance = true;
     }
-    ASSERT_FALSE(builder.add(out));
-    ASSERT_FALSE(builder.add(back));
-    bench.send(builder);
+    bench.send({.point = at(10.0, 0.0), .speed = 10.0}, {out, back});
     EXPECT_EQ(bench.cut().back().z, -4.478) << start;
     EXPECT_FALSE(bench.output().has_lost_spindle) << start;
     EXPECT_LE(bench.used(), 1.0 + rounding) << start;
@@ -269,11 +243,8 @@ TEST(SynchronousRun, ACornerToAMuchLargerLeadIsJoinedWhenThePathHasSettled) {
   for (int start = 0; start < 20; ++start) {
     ThreadBench bench(steady(speed), speed, at(10.0, 14.0));
     bench.idle(0.3 + 0.0137 * start);
-    ThreadBuilder builder(bench.config());
-    builder.begin(at(10.0, 14.0), bench.config().geometry, thread_from(0.0), speed);
-    ASSERT_FALSE(builder.add(block_to(at(10.0, 2.4), 0.389)));
-    ASSERT_FALSE(builder.add(block_to(at(10.0, 59.5), 8.05)));
-    bench.send(builder);
+    bench.send({.point = at(10.0, 14.0), .speed = speed},
+               {block_to(at(10.0, 2.4), 0.389), block_to(at(10.0, 59.5), 8.05)});
     EXPECT_EQ(bench.cut().back().z, 59.5) << start;
     EXPECT_FALSE(bench.output().has_lost_spindle) << start;
     EXPECT_LE(bench.used(), 1.0 + rounding) << start;
@@ -287,11 +258,8 @@ TEST(SynchronousRun, ASlowSpindleWithACoarseEncoderIsNotTooFastForACorner) {
     ThreadBench bench(steady(speed), speed, at(0.0, 0.0));
     bench.see_through(256);
     bench.idle(0.3 + 0.0137 * start);
-    ThreadBuilder builder(bench.config());
-    builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), speed);
-    ASSERT_FALSE(builder.add(block_to(at(0.0, 1.0), 0.2)));
-    ASSERT_FALSE(builder.add(block_to(at(0.1, 2.0), 0.2)));
-    bench.send(builder);
+    bench.send({.point = at(0.0, 0.0), .speed = speed},
+               {block_to(at(0.0, 1.0), 0.2), block_to(at(0.1, 2.0), 0.2)});
     EXPECT_EQ(bench.cut().back().z, 2.0) << start;
     EXPECT_FALSE(bench.output().has_lost_spindle) << start;
   }
@@ -306,15 +274,12 @@ TEST(SynchronousRun, ACornerLeavesTheJerkThatACoarseEncoderNeeds) {
     ThreadBench bench(steady(speed), speed, at(2.409, 24.239));
     bench.see_through(lines);
     bench.idle(0.3 + 0.0137 * start);
-    ThreadBuilder builder(bench.config());
-    builder.begin(at(2.409, 24.239), bench.config().geometry, thread_from(0.0), speed,
-                  jerk_to_follow(lines, cycle_s));
-    ASSERT_FALSE(builder.add(block_to(at(2.409, 18.886), 2.949)));
-    ASSERT_FALSE(builder.add(block_to(at(2.374, -39.704), 1.253)));
-    // One with a larger lead leaves those before it less of the jerk: they grow.
-    ASSERT_FALSE(builder.add(block_to(at(2.391, -35.352), 2.409)));
-    ThreadChain chain = builder.finish();
-    bench.send(std::move(chain));
+    // The last one, with a larger lead, leaves those before it less of the jerk: they grow.
+    bench.send({.point = at(2.409, 24.239),
+                .speed = speed,
+                .jerk_to_follow = jerk_to_follow(lines, cycle_s)},
+               {block_to(at(2.409, 18.886), 2.949), block_to(at(2.374, -39.704), 1.253),
+                block_to(at(2.391, -35.352), 2.409)});
     EXPECT_EQ(bench.cut().back().z, -35.352) << start;
     EXPECT_FALSE(bench.output().has_lost_spindle) << start;
     EXPECT_LE(bench.used(), 1.0 + rounding) << start;
@@ -325,11 +290,8 @@ TEST(SynchronousRun, AChangeOfLeadIsSmooth) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -10.0), 1.0)));
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -40.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .speed = 10.0},
+             {block_to(at(0.0, -10.0), 1.0), block_to(at(0.0, -40.0), 2.0)});
   const auto samples = bench.cut();
   EXPECT_LE(helix_error(samples, turning, 0.0, -1.0, 0.0, -1.0, -9.0), increment_mm);
   // Ten turns have passed where the second lead begins.
@@ -349,10 +311,7 @@ TEST(SynchronousRun, ASpindleThatChangesItsSpeedPassesItsStartAngleAnew) {
     };
     ThreadBench bench(turning, 10.0);
     bench.idle(0.5);
-    ThreadBuilder builder(bench.config());
-    builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-    ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
-    bench.send(builder);
+    bench.send({.point = at(0.0, 0.0), .speed = 10.0}, {block_to(at(0.0, -60.0), 2.0)});
     bench.idle(from - bench.time());
     bench.want_speed(20.0);
     const auto samples = bench.cut();
@@ -371,11 +330,8 @@ TEST(SynchronousRun, ASpindleThatComesDownToItsSpeedIsWaitedFor) {
   };
   ThreadBench bench(turning, 10.0, at(10.0, 0.0));
   bench.idle(0.4);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(10.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(10.0, -20.0), 2.0)));
-  ASSERT_FALSE(builder.add(block_to(at(11.0, -25.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(10.0, 0.0), .speed = 10.0},
+             {block_to(at(10.0, -20.0), 2.0), block_to(at(11.0, -25.0), 2.0)});
   const auto samples = bench.cut();
   EXPECT_FALSE(bench.output().has_lost_spindle);
   EXPECT_LE(helix_error(samples, turning, 0.0, -2.0, 0.0, -4.0, -18.0), increment_mm);
@@ -386,10 +342,7 @@ TEST(SynchronousRun, AHoldWaitsForTheEndOfTheThread) {
   const Turning turning = steady(10.0);
   ThreadBench bench(turning, 10.0);
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .speed = 10.0}, {block_to(at(0.0, -20.0), 2.0)});
   while (bench.output().axes[Z].value > -5.0) bench.cycle();
   bench.control().hold = true;
   bench.control().feed_override = 0.5;
@@ -400,10 +353,7 @@ TEST(SynchronousRun, AHoldWaitsForTheEndOfTheThread) {
 
 TEST(SynchronousRun, AHoldBeforeTheRunInKeepsThePathAtRest) {
   ThreadBench bench(steady(10.0), 10.0);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .speed = 10.0}, {block_to(at(0.0, -20.0), 2.0)});
   bench.cycle();
   bench.control().hold = true;
   bench.idle(1.0);
@@ -415,10 +365,7 @@ TEST(SynchronousRun, AHoldBeforeTheRunInKeepsThePathAtRest) {
 TEST(SynchronousRun, LeavingAThreadBrakesOnItsWay) {
   ThreadBench bench(steady(10.0), 10.0);
   bench.idle(0.3);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -20.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .speed = 10.0}, {block_to(at(0.0, -20.0), 2.0)});
   while (bench.output().axes[Z].value > -5.0) bench.cycle();
   bench.control().hold = true;
   bench.control().leaves_thread = true;
@@ -438,10 +385,7 @@ TEST(SynchronousRun, ASpindleThatTheAxesCannotFollowIsLostWithinTheLimits) {
   };
   ThreadBench bench(turning, 10.0);
   bench.idle(0.5);
-  ThreadBuilder builder(bench.config());
-  builder.begin(at(0.0, 0.0), bench.config().geometry, thread_from(0.0), 10.0);
-  ASSERT_FALSE(builder.add(block_to(at(0.0, -60.0), 2.0)));
-  bench.send(builder);
+  bench.send({.point = at(0.0, 0.0), .speed = 10.0}, {block_to(at(0.0, -60.0), 2.0)});
   bench.idle(1.0);
   EXPECT_TRUE(bench.output().has_lost_spindle);
   EXPECT_EQ(bench.output().axes[Z].first, 0.0);
@@ -452,11 +396,8 @@ TEST(SynchronousRun, AShortThreadEndsAtItsEnd) {
   ThreadBench bench(steady(10.0), 10.0);
   bench.idle(0.3);
   for (const double way : {0.001, 0.05, 0.3, 0.5, 0.9}) {
-    ThreadBuilder builder(bench.config());
     const double z = bench.output().axes[Z].value;
-    builder.begin(at(0.0, z), bench.config().geometry, thread_from(0.0), 10.0);
-    ASSERT_FALSE(builder.add(block_to(at(0.0, z - way), 2.0)));
-    bench.send(builder);
+    bench.send({.point = at(0.0, z), .speed = 10.0}, {block_to(at(0.0, z - way), 2.0)});
     EXPECT_EQ(bench.cut().back().z, z - way);
   }
   EXPECT_LE(bench.used(), 1.0 + rounding);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/motion/thread_bench.h"
+#include "tests/motion/threads/thread_bench.h"
 
 namespace stanok::motion::testing {
 namespace {

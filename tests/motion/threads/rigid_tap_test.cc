@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/motion/thread_bench.h"
+#include "tests/motion/threads/thread_bench.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -77,6 +77,13 @@ struct TapCase {
   double factor;  // of the way back
 };
 
+// It is the one of the bench, which has turned for half a second.
+void lead_by_spindle(ThreadBench& bench, TapSpindle& spindle) {
+  bench.spindle_obeys([&](const SpindleOrder& order) { spindle.turn(order); },
+                      [&](double later) { return spindle.commanded(later); });
+  bench.idle(0.5);
+}
+
 class Tap : public ::testing::TestWithParam<TapCase> {};
 
 TEST_P(Tap, GoesInAndComesBackOnOneHelix) {
@@ -84,9 +91,7 @@ TEST_P(Tap, GoesInAndComesBackOnOneHelix) {
   constexpr double lead = 1.5;
   TapSpindle spindle(the.speed, the.acceleration, the.ripple);
   ThreadBench bench([&](double) { return spindle.angle(); }, the.speed, at(0.0, 5.0));
-  bench.spindle_obeys([&](const SpindleOrder& order) { spindle.turn(order); },
-                      [&](double later) { return spindle.commanded(later); });
-  bench.idle(0.5);
+  lead_by_spindle(bench, spindle);
   ThreadBuilder builder(bench.config());
   SpindleCoupling coupling;
   coupling.kind = SpindleCoupling::Kind::tap;
@@ -138,9 +143,7 @@ INSTANTIATE_TEST_SUITE_P(SynchronousRun, Tap,
 TEST(RigidTap, LeavingATapStopsItsSpindleAndStaysOnTheHelix) {
   TapSpindle spindle(10.0, 33.0, 0.0);
   ThreadBench bench([&](double) { return spindle.angle(); }, 10.0);
-  bench.spindle_obeys([&](const SpindleOrder& order) { spindle.turn(order); },
-                      [&](double later) { return spindle.commanded(later); });
-  bench.idle(0.5);
+  lead_by_spindle(bench, spindle);
   ThreadBuilder builder(bench.config());
   SpindleCoupling coupling;
   coupling.kind = SpindleCoupling::Kind::tap;
