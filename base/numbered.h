@@ -1,10 +1,11 @@
-// NumberedArray, NumberedList: std::array and std::vector of what files, messages and programs
-// number from 0 by int: signals, channels, axes of a machine. A number comes without a cast; that
-// it is one of theirs was checked where it came from.
+// NumberedArray, NumberedList, NumberedSpan: std::array, std::vector and std::span of what files,
+// messages and programs number from 0 by int: signals, channels, axes of a machine. A number comes
+// without a cast; that it is one of theirs was checked where it came from.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "base/place.h"
@@ -32,6 +33,19 @@ struct NumberedList : std::vector<Value> {
 
   [[nodiscard]] Value& operator[](int number) { return (*this)[place_of(number)]; }
   [[nodiscard]] const Value& operator[](int number) const { return (*this)[place_of(number)]; }
+};
+
+// What of either, or of any other place, is looked at.
+template <class Value>
+struct NumberedSpan : std::span<Value> {
+  using std::span<Value>::span;
+  using std::span<Value>::operator[];
+  constexpr NumberedSpan(std::span<Value> values) RT_SAFE  // NOLINT: as one span from another
+      : std::span<Value>(values) {}
+
+  [[nodiscard]] constexpr Value& operator[](int number) const RT_SAFE {
+    return (*this)[place_of(number)];
+  }
 };
 
 }  // namespace stanok

@@ -6,6 +6,7 @@
 #include "base/place.h"
 #include "channels/contract/channel_description.h"
 #include "channels/contract/motion_config.h"
+#include "channels/preparation/program_requests.h"
 #include "channels/preparation/search_sink.h"
 #include "lang/text/limits.h"
 
@@ -256,21 +257,11 @@ void DryRun::take_request(const lang::Command& command, const lang::Request& req
 
 // Tables are those of this run; everything else is taken for done.
 lang::Answer DryRun::answer_of(const lang::Request& request) {
-  using lang::RequestKind;
   lang::Answer answer;
-  answer.ok = request.kind != RequestKind::program_restart;
-  const bool offsets = request.kind == RequestKind::offset_table_write ||
-                       request.kind == RequestKind::offset_table_read;
+  answer.ok = request.kind != lang::RequestKind::program_restart;
   if (!is_table_request(request.kind)) return answer;
-  channels::RequestData data;
-  data.kind = request.kind;
-  data.channel = request.channel;
-  data.number = request.number;
-  data.index = request.index;
-  data.value = request.value;
-  const int axis =
-      offsets && request.index >= 0 ? channel_.axes[checked_size(request.index)] : request.index;
-  const auto value = channels::execute_table_request(live_, data, axis);
+  const auto value =
+      channels::execute_table_request(live_, channels::table_request_of(request), channel_.axes);
   answer.ok = value.has_value();
   answer.number = value.value_or(0.0);
   if (!answer.ok) answer.text = "no such entry of the tables, or a value out of range";

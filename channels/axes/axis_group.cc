@@ -49,7 +49,7 @@ void AxisGroup::take(int axis, const YieldedAxis& yielded) RT_SAFE {
   set_owned(axis, true);
   at(axis) = {};
   place(axis, yielded.position);
-  drives_[static_cast<std::size_t>(axis)] = yielded.drive;
+  drives_[axis] = yielded.drive;
 }
 
 void AxisGroup::become_spindle(int axis, double angle_deg) RT_SAFE {
@@ -104,7 +104,7 @@ lang::AxisSet AxisGroup::enabled() const RT_SAFE {
 void AxisGroup::follow(const motion::JetPoint& axes_M) RT_SAFE {
   for (int axis = 0; axis < count(); ++axis) {
     AxisSetpoint& setpoint = at(axis);
-    const kinematics::Jet& jet = axes_M[static_cast<std::size_t>(axis)];
+    const kinematics::Jet& jet = axes_M[axis];
     const motion::CodeScale& codes = constants(axis).codes;
     setpoint.velocity_code = motion::velocity_code(setpoint.position, jet.value, codes);
     setpoint.position = jet.value;
@@ -139,7 +139,7 @@ void AxisGroup::show(ChannelOutput& output) const RT_SAFE {
   output.axes = setpoints_;
   output.drives = drives_;
   for (int axis = 0; axis < count(); ++axis)
-    output.drives[static_cast<std::size_t>(axis)].follows_velocity = is_spindle(axis);
+    output.drives[axis].follows_velocity = is_spindle(axis);
 }
 
 }  // namespace stanok::channels

@@ -36,12 +36,13 @@ class AxisGroup {
   }
   [[nodiscard]] const FixedText<16>& name(int axis) const RT_SAFE { return constants(axis).name; }
   [[nodiscard]] int named(std::string_view name) const RT_SAFE;  // -1: none
-  [[nodiscard]] int machine_axis(int axis) const RT_SAFE {
-    return constants_.machine_axis[static_cast<std::size_t>(axis)];
+  [[nodiscard]] int machine_axis(int axis) const RT_SAFE { return constants_.machine_axis[axis]; }
+  [[nodiscard]] NumberedSpan<const int> machine_axes() const RT_SAFE {
+    return {constants_.machine_axis.begin(), constants_.machine_axis.begin() + count()};
   }
   [[nodiscard]] int of_machine_axis(int machine_axis) const RT_SAFE;  // -1: none
   [[nodiscard]] const AxisConstants& constants(int axis) const RT_SAFE {
-    return constants_.axes[static_cast<std::size_t>(axis)];
+    return constants_.axes[axis];
   }
 
   [[nodiscard]] bool owns(int axis) const RT_SAFE { return (owned_ >> axis & 1U) != 0; }
@@ -62,9 +63,7 @@ class AxisGroup {
   // The first step of a change, whoever owns the axes.
   void close_brakes(lang::AxisSet axes) RT_SAFE;
   void switch_on(lang::AxisSet axes) RT_SAFE;
-  [[nodiscard]] const DriveCommand& drive(int axis) const RT_SAFE {
-    return drives_[static_cast<std::size_t>(axis)];
-  }
+  [[nodiscard]] const DriveCommand& drive(int axis) const RT_SAFE { return drives_[axis]; }
   [[nodiscard]] lang::AxisSet enabled() const RT_SAFE;
 
   // The setpoints of this cycle from the path, or of a spindle that turns.
@@ -73,16 +72,12 @@ class AxisGroup {
   // Stands elsewhere than it was thought to.
   void place(int axis, double position) RT_SAFE;
   void demand_velocity(int axis, double velocity) RT_SAFE { at(axis).velocity_demand = velocity; }
-  [[nodiscard]] const AxisSetpoint& setpoint(int axis) const RT_SAFE {
-    return setpoints_[static_cast<std::size_t>(axis)];
-  }
+  [[nodiscard]] const AxisSetpoint& setpoint(int axis) const RT_SAFE { return setpoints_[axis]; }
 
   void show(ChannelOutput& output) const RT_SAFE;
 
  private:
-  [[nodiscard]] AxisSetpoint& at(int axis) RT_SAFE {
-    return setpoints_[static_cast<std::size_t>(axis)];
-  }
+  [[nodiscard]] AxisSetpoint& at(int axis) RT_SAFE { return setpoints_[axis]; }
   void command(lang::AxisSet axes, const DriveCommand& drive) RT_SAFE;
 
   const ChannelConstants& constants_;

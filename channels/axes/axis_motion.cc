@@ -17,12 +17,12 @@ AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelConstant
       drives_(drives),
       interpolator_(config),
       loops_(constants) {
-  std::array<ManualAxis, motion::axes_max> manual_axes{};
+  AxisArray<ManualAxis> manual_axes{};
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
     path_.axes[k] = constants.start[k];
     manual_axes[k] = constants.axes[k].manual;
   }
-  manual_.set_up({manual_axes.data(), static_cast<std::size_t>(constants.axis_count)},
+  manual_.set_up({manual_axes.begin(), manual_axes.begin() + constants.axis_count},
                  constants.cycle_s);
   stand_in_scheme();
 }
@@ -60,7 +60,7 @@ motion::Point AxisMotion::axes_M() const RT_SAFE {
 
 double AxisMotion::diameter() const RT_SAFE {
   const int x = config_.geometry[0];
-  return x < 0 ? 0.0 : 2.0 * std::abs(path_.point[static_cast<std::size_t>(x)].value);
+  return x < 0 ? 0.0 : 2.0 * std::abs(path_.point[x].value);
 }
 
 void AxisMotion::select_scheme(int scheme) RT_SAFE {
@@ -80,7 +80,7 @@ void AxisMotion::stand_in_scheme() RT_SAFE {
 }
 
 void AxisMotion::stand_with(int axis, double position) RT_SAFE {
-  path_.axes[static_cast<std::size_t>(axis)] = position;
+  path_.axes[axis] = position;
   stand();
 }
 
@@ -106,15 +106,14 @@ void AxisMotion::adopt_positions(Power machine) RT_SAFE {
   if (drives_.is_ideal() || !is_standing()) return;
   bool adopted = false;
   for (int axis = 0; axis < axes_.count(); ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
     const AxisFeedback& drive = drives_.feedback(axis);
     const bool is_awaited = axes_.drive(axis).enabled && !drive.enabled;
     const bool is_off = machine == Power::off && !drive.enabled;
     if (!is_awaited && !is_off) continue;
     if (!drive.valid || !axes_.owns(axis) || axes_.is_spindle(axis)) continue;
-    const double apart = std::abs(drive.position - path_.axes[k].value);
+    const double apart = std::abs(drive.position - path_.axes[axis].value);
     if (apart <= increments_apart * axes_.constants(axis).codes.resolution) continue;
-    path_.axes[k] = drive.position;
+    path_.axes[axis] = drive.position;
     axes_.place(axis, drive.position);
     adopted = true;
   }
@@ -127,7 +126,7 @@ void AxisMotion::return_to_parking() RT_SAFE {
   for (const kinematics::Parking& parking : scheme->config().parking) {
     const int axis = parking.axis;
     if (!axes_.drive(axis).enabled || !axes_.owns(axis) || axes_.is_spindle(axis)) continue;
-    manual_.go(axis, path_.axes[static_cast<std::size_t>(axis)].value, parking.position);
+    manual_.go(axis, path_.axes[axis].value, parking.position);
   }
 }
 
@@ -151,10 +150,8 @@ void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
   output.process.interruption = interpolator_.interruption().lengths();
   output.process.interruptions = interpolator_.interruption().count();
   output.process.feed_mm_per_min = seconds_per_minute * path_.feed_commanded;
-  for (int axis = 0; axis < axes_.count(); ++axis) {
-    output.drives[static_cast<std::size_t>(axis)].reference =
-        manual_.reference(static_cast<std::size_t>(axis));
-  }
+  for (int axis = 0; axis < axes_.count(); ++axis)
+    output.drives[axis].reference = manual_.reference(axis);
 }
 
 }  // namespace stanok::channels

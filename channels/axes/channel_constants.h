@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "base/axis_index.h"
+#include "base/numbered.h"
 #include "channels/axes/manual_motion.h"
 #include "channels/axes/spindle.h"
 #include "channels/contract/output.h"
@@ -34,13 +36,13 @@ struct ChannelConstants {
   int axis_count = 0;
   double cycle_s = 0.001;
   bool stops_go_on = false;  // M0 and M60 continue at once, M99 ends the run (simulate)
-  std::array<AxisConstants, motion::axes_max> axes{};
-  std::array<int, motion::axes_max> machine_axis{};  // index among all axes of the machine
-  std::array<double, motion::axes_max> start{};
-  std::array<SpindleConfig, spindles_max> spindles{};
-  std::array<int, spindles_max> spindle_axis{-1, -1, -1,
-                                             -1};   // that it becomes with M902; -1: none
-  std::array<int, spindles_max> machine_spindle{};  // index among all spindles of the machine
+  AxisArray<AxisConstants> axes{};
+  AxisArray<int> machine_axis{};  // index among all axes of the machine
+  AxisArray<double> start{};
+  NumberedArray<SpindleConfig, spindles_max> spindles{};
+  // The axis that a spindle becomes with M902; -1: none.
+  NumberedArray<int, spindles_max> spindle_axis{-1, -1, -1, -1};
+  NumberedArray<int, spindles_max> machine_spindle{};  // index among all spindles of the machine
   int spindle_count = 0;
   std::array<motion::AutomaticFeedConfig, automatic_feeds_max> automatic_feeds{};
   motion::FeedModifier* feed_modifier = nullptr;  // nullptr: no force control

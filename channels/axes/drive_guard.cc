@@ -29,20 +29,19 @@ DriveGuard::DriveGuard(const ChannelConstants& constants, const AxisGroup& axes)
   }
 }
 
-std::optional<Fault> DriveGuard::advance(std::span<const AxisFeedback> machine,
+std::optional<Fault> DriveGuard::advance(NumberedSpan<const AxisFeedback> machine,
                                          LimitSwitches limit_switches) RT_SAFE {
   is_ideal_ = machine.empty();
   if (is_ideal_) return std::nullopt;
   all_answer_ = true;
-  for (int axis = 0; axis < axes_.count(); ++axis)
-    take(axis, machine[static_cast<std::size_t>(axes_.machine_axis(axis))]);
+  for (int axis = 0; axis < axes_.count(); ++axis) take(axis, machine[axes_.machine_axis(axis)]);
   const std::optional<Fault> of_drives = fault_of_drives();
   const std::optional<Fault> of_switches = fault_of_limit_switches(limit_switches);
   return of_switches ? of_switches : of_drives;
 }
 
 void DriveGuard::take(int axis, const AxisFeedback& told) RT_SAFE {
-  AxisFeedback& drive = feedback_[static_cast<std::size_t>(axis)];
+  AxisFeedback& drive = feedback_[axis];
   drive = told;
   drive.valid = told.valid && std::isfinite(told.position) && std::isfinite(told.velocity);
   drive.referenced = drive.valid && told.referenced;
@@ -59,7 +58,7 @@ std::optional<Fault> DriveGuard::fault_of_drives() RT_SAFE {
   for (int axis = 0; axis < axes_.count(); ++axis) {
     const AxisFeedback& drive = feedback(axis);
     const std::string_view name = axes_.name(axis).view();
-    bool& was_ready = was_ready_[static_cast<std::size_t>(axis)];
+    bool& was_ready = was_ready_[axis];
     if (!axes_.drive(axis).enabled || !axes_.owns(axis)) {
       was_ready = false;
       continue;

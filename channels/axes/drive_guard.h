@@ -7,11 +7,11 @@
 // finite then.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 
 #include "base/fixed_text.h"
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/axes/axis_group.h"
 #include "channels/contract/output.h"
@@ -33,15 +33,13 @@ class DriveGuard {
   DriveGuard(const ChannelConstants& constants, const AxisGroup& axes);
 
   // In the order of the machine's axes; empty: ideal drives. The first fault that there is.
-  [[nodiscard]] std::optional<Fault> advance(std::span<const AxisFeedback> machine,
+  [[nodiscard]] std::optional<Fault> advance(NumberedSpan<const AxisFeedback> machine,
                                              LimitSwitches limit_switches) RT_SAFE;
   // Another drive has the axis now; it is waited for anew.
-  void forget(int axis) RT_SAFE { was_ready_[static_cast<std::size_t>(axis)] = false; }
+  void forget(int axis) RT_SAFE { was_ready_[axis] = false; }
 
   [[nodiscard]] bool is_ideal() const RT_SAFE { return is_ideal_; }
-  [[nodiscard]] const AxisFeedback& feedback(int axis) const RT_SAFE {
-    return feedback_[static_cast<std::size_t>(axis)];
-  }
+  [[nodiscard]] const AxisFeedback& feedback(int axis) const RT_SAFE { return feedback_[axis]; }
   [[nodiscard]] std::span<const AxisFeedback> feedback() const RT_SAFE { return feedback_; }
   [[nodiscard]] bool all_answer() const RT_SAFE { return all_answer_; }
   // Every drive that is commanded on holds its axis.
@@ -60,7 +58,7 @@ class DriveGuard {
 
   const AxisGroup& axes_;
   AxisArray<AxisFeedback> feedback_{};
-  std::array<bool, motion::axes_max> was_ready_{};  // since its drive was commanded on
+  AxisArray<bool> was_ready_{};  // since its drive was commanded on
   lang::AxisSet on_limit_switch_ = 0;
   bool is_ideal_ = true;
   bool all_answer_ = true;

@@ -38,9 +38,8 @@ void ManualMotion::set_up(std::span<const ManualAxis> axes, double cycle_s) {
 }
 
 std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedback& drive) RT_SAFE {
-  const auto k = static_cast<std::size_t>(jog.axis);
-  AxisState& state = states_[k];
-  const motion::AxisLimits& limits = axes_[k].limits;
+  AxisState& state = states_[jog.axis];
+  const motion::AxisLimits& limits = axes_[jog.axis].limits;
   const bool up = jog.velocity > 0.0;
   if (state.task == Task::jog && state.cycles_left > 0 && jog.increment == 0.0) {
     if (state.move.goes_up() == up) {
@@ -71,13 +70,13 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
 }
 
 void ManualMotion::go(int axis, double from, double to) RT_SAFE {
-  const auto k = static_cast<std::size_t>(axis);
-  const ManualAxis& constants = axes_[k];
+  const ManualAxis& constants = axes_[axis];
   const double search = std::abs(constants.homing.velocity);
   const double speed = search > 0.0 ? search : unreferenced_part * constants.limits.velocity_max;
-  states_[k].task = Task::jog;
-  states_[k].cycles_left = -1;
-  states_[k].move.begin(from, to, {.speed = speed, .ramp = ramp_of(constants.limits)});
+  AxisState& state = states_[axis];
+  state.task = Task::jog;
+  state.cycles_left = -1;
+  state.move.begin(from, to, {.speed = speed, .ramp = ramp_of(constants.limits)});
 }
 
 void ManualMotion::home(lang::AxisSet axes) RT_SAFE {

@@ -5,11 +5,11 @@
 // index pulse its drive is told what it reads there. Real-time.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "base/axis_index.h"
 #include "base/fixed_text.h"
 #include "base/rt_safe.h"
 #include "channels/axes/axis_homing.h"
@@ -59,7 +59,7 @@ class ManualMotion {
   // Once a cycle: positions of the axes that are moved are replaced.
   void advance(std::span<const AxisFeedback> drives, std::span<kinematics::Jet> positions) RT_SAFE;
   // What the drive of an axis shall take for its position.
-  [[nodiscard]] const DriveReference& reference(std::size_t axis) const RT_SAFE {
+  [[nodiscard]] const DriveReference& reference(int axis) const RT_SAFE {
     return states_[axis].reference;
   }
 
@@ -81,8 +81,8 @@ class ManualMotion {
 
   std::size_t count_ = 0;
   double cycle_s_ = 0.001;
-  std::array<ManualAxis, motion::axes_max> axes_{};
-  std::array<AxisState, motion::axes_max> states_{};
+  AxisArray<ManualAxis> axes_{};
+  AxisArray<AxisState> states_{};
   lang::AxisSet to_home_ = 0;  // whose turn has not come yet
   HomingState homing_state_ = HomingState::succeeded;
   FixedText<128> fault_;

@@ -6,8 +6,7 @@
 // hold is reset, so that it begins anew when the drive takes the axis over.
 #pragma once
 
-#include <array>
-
+#include "base/axis_index.h"
 #include "base/rt_safe.h"
 #include "channels/axes/axis_group.h"
 #include "channels/axes/drive_guard.h"
@@ -25,7 +24,7 @@ class PositionLoops {
 
  private:
   const ChannelConstants& constants_;
-  std::array<motion::PositionController, motion::axes_max> controllers_{};
+  AxisArray<motion::PositionController> controllers_{};
 };
 
 }  // namespace stanok::channels

@@ -20,12 +20,11 @@ std::optional<Fault> impossible_step(const motion::MotionConfig& motion, double 
   constexpr double steps_allowed = 2.0;  // of the longest at the axis' highest velocity
   for (int axis = 0; axis < axes.count(); ++axis) {
     if (!axes.owns(axis)) continue;
-    const auto k = static_cast<std::size_t>(axis);
-    const double step = std::abs(axes_M[k].value - axes.setpoint(axis).position);
-    const double step_max = steps_allowed * motion.axes[k].velocity_max * cycle_s +
+    const double step = std::abs(axes_M[axis].value - axes.setpoint(axis).position);
+    const double step_max = steps_allowed * motion.axes[axis].velocity_max * cycle_s +
                             axes.constants(axis).codes.resolution;
     const bool may_step = steps == Steps::of_numbers || axes.is_spindle(axis);
-    const bool has_number = is_number(axes_M[k]);
+    const bool has_number = is_number(axes_M[axis]);
     if (has_number && (step <= step_max || may_step)) continue;
     Fault fault{{"A9002"}, {"axis "}};
     fault.text.append(axes.name(axis).view())
@@ -40,10 +39,9 @@ std::optional<Fault> passed_limit(const motion::MotionConfig& motion, double cyc
                                   const AxisGroup& axes, const motion::JetPoint& axes_M) RT_SAFE {
   for (int axis = 0; axis < axes.count(); ++axis) {
     if (!axes.owns(axis) || axes.is_spindle(axis)) continue;
-    const auto k = static_cast<std::size_t>(axis);
     const double slack =
-        axes.constants(axis).codes.resolution + std::abs(axes_M[k].first) * cycle_s;
-    if (!motion::passes_limit(axes_M[k], motion.axes[k], slack)) continue;
+        axes.constants(axis).codes.resolution + std::abs(axes_M[axis].first) * cycle_s;
+    if (!motion::passes_limit(axes_M[axis], motion.axes[axis], slack)) continue;
     Fault fault{{"A2003"}, {"axis "}};
     fault.text.append(axes.name(axis).view())
         .append(" comes too near to its soft limit to stand before it");

@@ -34,23 +34,22 @@ motion::SpindleMotion command_of(const Spindle& spindle) RT_SAFE {
 SpindleGroup::SpindleGroup(const ChannelConstants& constants, AxisGroup& axes,
                            const DriveGuard& drives, AxisMotion& motion)
     : constants_(constants), axes_(axes), drives_(drives), motion_(motion) {
-  for (std::size_t s = 0; s < static_cast<std::size_t>(constants.spindle_count); ++s)
-    spindles_[s] = Spindle(constants.spindles[s]);
+  for (int s = 0; s < constants.spindle_count; ++s) spindles_[s] = Spindle(constants.spindles[s]);
 }
 
 std::span<Spindle> SpindleGroup::spindles() RT_SAFE {
-  return {spindles_.data(), static_cast<std::size_t>(constants_.spindle_count)};
+  return {spindles_.begin(), spindles_.begin() + constants_.spindle_count};
 }
 
 int SpindleGroup::index_of(int id) const RT_SAFE {
   for (int s = 0; s < constants_.spindle_count; ++s) {
-    if (id == 0 || constants_.spindles[static_cast<std::size_t>(s)].id == id) return s;
+    if (id == 0 || constants_.spindles[s].id == id) return s;
   }
   return -1;
 }
 
 Spindle& SpindleGroup::spindle(int id) RT_SAFE {
-  return spindles_[static_cast<std::size_t>(index_of(id))];
+  return spindles_[index_of(id)];
 }
 
 bool SpindleGroup::means(int id, const Spindle& spindle) const RT_SAFE {
@@ -85,7 +84,7 @@ bool SpindleGroup::are_settled() const RT_SAFE {
 }
 
 void SpindleGroup::obey(const motion::SpindleOrder& order) RT_SAFE {
-  Spindle& spindle = spindles_[static_cast<std::size_t>(order.spindle)];
+  Spindle& spindle = spindles_[order.spindle];
   switch (order.kind) {
     case motion::SpindleOrder::Kind::none:
       return;
@@ -171,12 +170,12 @@ void SpindleGroup::turn() RT_SAFE {
 std::optional<double> SpindleGroup::speed(int id) const RT_SAFE {
   const int s = index_of(id);
   if (s < 0) return std::nullopt;
-  return spindles_[static_cast<std::size_t>(s)].speed();
+  return spindles_[s].speed();
 }
 
 int SpindleGroup::axis_of(int id) const RT_SAFE {
   const int s = index_of(id);
-  return s < 0 ? -1 : constants_.spindle_axis[static_cast<std::size_t>(s)];
+  return s < 0 ? -1 : constants_.spindle_axis[s];
 }
 
 void SpindleGroup::stop(int id) RT_SAFE {
@@ -208,7 +207,7 @@ void SpindleGroup::open_position_loop(int id) RT_SAFE {
   if (axis < 0 || axes_.is_spindle(axis)) return;
   Spindle& opened = spindle(id);
   opened.stop();
-  opened.set_angle(motion_.path().axes[static_cast<std::size_t>(axis)].value);
+  opened.set_angle(motion_.path().axes[axis].value);
   axes_.become_spindle(axis, opened.angle_deg());
 }
 
@@ -222,7 +221,7 @@ void SpindleGroup::show(ProcessOutput& output) const RT_SAFE {
   const double speed = std::abs(output.spindle_rev_per_min);
   output.feed_mm_per_rev = speed > 0.0 ? output.feed_mm_per_min / speed : 0.0;
   output.cutting_speed_m_per_min = std::numbers::pi * motion_.diameter() * speed / mm_per_m;
-  for (std::size_t s = 0; s < static_cast<std::size_t>(constants_.spindle_count); ++s)
+  for (int s = 0; s < constants_.spindle_count; ++s)
     output.spindles[s] = {.id = spindles_[s].id(), .rev_per_min = spindles_[s].speed()};
 }
 

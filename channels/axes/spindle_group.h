@@ -7,9 +7,9 @@
 // the channel. Invariant: the first spindle is the master; a spindle id of 0 means it.
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/axes/axis_motion.h"
 #include "channels/axes/spindle.h"
@@ -76,10 +76,10 @@ class SpindleGroup {
   AxisGroup& axes_;
   const DriveGuard& drives_;
   AxisMotion& motion_;
-  std::array<Spindle, spindles_max> spindles_{};
-  std::array<motion::SpindleObserver, spindles_max> observers_{};
-  std::array<EncoderNews, spindles_max> encoder_news_{};  // the latest of each spindle
-  AskedSpeed speed_behind_law_;                           // when the present law is over
+  NumberedArray<Spindle, spindles_max> spindles_{};
+  NumberedArray<motion::SpindleObserver, spindles_max> observers_{};
+  NumberedArray<EncoderNews, spindles_max> encoder_news_{};  // the latest of each spindle
+  AskedSpeed speed_behind_law_;                              // when the present law is over
 };
 
 }  // namespace stanok::channels

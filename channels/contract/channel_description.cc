@@ -24,7 +24,7 @@ int spindle_of_axis(const MachineConfig& machine, const ChannelConfig& channel,
 double finest_resolution(const MachineConfig& machine, const ChannelConfig& channel) {
   double finest = 0.0;
   for (const int index : channel.axes) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(index)];
+    const AxisConfig& axis = machine.axes[index];
     if (axis.rotary || axis.resolution <= 0.0) continue;
     finest = finest == 0.0 ? axis.resolution : std::min(finest, axis.resolution);
   }
@@ -49,7 +49,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.tool_word_has_edge = channel.t_format == "tool_edge";
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;
   for (std::size_t index = 0; index < channel.axes.size(); ++index) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[index])];
+    const AxisConfig& axis = machine.axes[channel.axes[index]];
     description.axes.push_back({.word = channel.words[index],
                                 .rotary = axis.rotary,
                                 .modulo_deg = axis.modulo_deg,
@@ -59,7 +59,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   const std::array<int, 3> geometry = geometry_axes(channel);
   for (std::size_t k = 0; k < geometry.size(); ++k) {
     if (geometry[k] >= 0) {
-      description.axes[static_cast<std::size_t>(geometry[k])].geometry = static_cast<int>(k);
+      description.axes[geometry[k]].geometry = static_cast<int>(k);
     }
   }
   for (const auto& [code, meaning] : channel.codes) {

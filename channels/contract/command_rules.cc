@@ -1,12 +1,13 @@
 #include "channels/contract/command_rules.h"
 
+#include "base/enum_array.h"
 #include "channels/contract/operator_action.h"
 
 namespace stanok::channels {
 namespace {
 
-// One code for each of `situations`, in their order; empty: admitted.
-using Codes = std::array<std::string_view, situations.size()>;
+// Empty: admitted.
+using Codes = EnumArray<Situation, std::string_view>;
 
 constexpr std::string_view yes;
 constexpr std::string_view runs = "E6003";
@@ -88,7 +89,7 @@ std::string_view name_of(Situation situation) {
 }
 
 std::string_view refusal_code(OperatorAction action, Situation situation) RT_SAFE {
-  return codes_of(row_of(action).rule)[static_cast<std::size_t>(situation)];
+  return codes_of(row_of(action).rule)[situation];
 }
 
 std::string_view claim_of_refusal(std::string_view code) RT_SAFE {

@@ -7,9 +7,9 @@
 // reasons of its own: an axis that does not exist or is not homed, drives that are not ready.
 #pragma once
 
-#include <array>
 #include <string_view>
 
+#include "base/enum_array.h"
 #include "base/rt_safe.h"
 #include "channels/contract/operator_event.h"
 
@@ -29,9 +29,7 @@ enum class Situation : std::uint8_t {
   ending,  // coming to rest for a stop, a reset or a fault
 };
 
-inline constexpr std::array situations = {
-    Situation::off,     Situation::idle, Situation::ready, Situation::by_hand, Situation::switching,
-    Situation::running, Situation::held, Situation::alarm, Situation::fault,   Situation::ending};
+inline constexpr auto situations = enum_values<Situation>();
 
 // "by hand"
 [[nodiscard]] std::string_view name_of(Situation situation);

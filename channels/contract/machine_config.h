@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axis_index.h"
 #include "base/numbered.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
@@ -72,7 +73,7 @@ struct ChannelConfig {
   int id = 1;
   std::string name;
   lang::ChannelKind kind = lang::ChannelKind::mill;
-  std::vector<int> axes;           // indices into MachineConfig::axes
+  AxisList<int> axes;              // indices into MachineConfig::axes
   std::vector<std::string> words;  // how programs call them, parallel to `axes`
   std::vector<int> spindles;
   int scheme = 0;                                 // active at power-on

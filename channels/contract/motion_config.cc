@@ -17,7 +17,7 @@ motion::MotionConfig motion_config(const MachineConfig& machine, const ChannelCo
   motion::MotionConfig config;
   config.axis_count = static_cast<int>(channel.axes.size());
   for (std::size_t index = 0; index < channel.axes.size(); ++index) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[index])];
+    const AxisConfig& axis = machine.axes[channel.axes[index]];
     config.axes[index] = axis.limits;
     config.axes[index].linear = !axis.rotary;
   }

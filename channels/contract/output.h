@@ -148,7 +148,7 @@ struct ProcessOutput {
   double feed_mm_per_rev = 0.0;          // S_0 = S / n; 0: the spindle stands
   double spindle_rev_per_min = 0.0;      // n of the master spindle; clockwise > 0
   double cutting_speed_m_per_min = 0.0;  // v at the diameter on which the tool stands
-  std::array<SpindleSetpoint, spindles_max> spindles{};
+  NumberedArray<SpindleSetpoint, spindles_max> spindles{};
   bool has_force_control = false;
   motion::ForceStatus force;
 };

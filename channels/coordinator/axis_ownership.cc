@@ -19,7 +19,7 @@ AxisOwnership::AxisOwnership(std::span<Channel* const> channels)
   for (const bool by_scheme : {true, false}) {
     for (int c = 0; c < channel_count_; ++c) {
       for (int axis = 0; axis < channel(c).axes.count(); ++axis) {
-        int& owner = owner_[static_cast<std::size_t>(channel(c).axes.machine_axis(axis))];
+        int& owner = owner_[channel(c).axes.machine_axis(axis)];
         if (by_scheme && !contains(channel(c).schemes.participants(), axis)) continue;
         if (owner < 0) owner = c;
       }
@@ -50,7 +50,7 @@ void AxisOwnership::claim(int claimant, lang::AxisSet axes) RT_SAFE {
   for (int axis = 0; axis < channel(claimant).axes.count(); ++axis) {
     if (!contains(axes, axis) || channel(claimant).axes.owns(axis)) continue;
     const int machine_axis = channel(claimant).axes.machine_axis(axis);
-    int& holder = owner_[static_cast<std::size_t>(machine_axis)];
+    int& holder = owner_[machine_axis];
     channel(claimant).take_axis(
         axis, channel(holder).yield_axis(channel(holder).axes.of_machine_axis(machine_axis)));
     holder = claimant;
@@ -63,13 +63,11 @@ void AxisOwnership::show_owners(CycleOutput& output) const RT_SAFE {
       if (channel(c).axes.owns(axis)) continue;
       const int machine_axis = channel(c).axes.machine_axis(axis);
       const int holder = owner(machine_axis);
-      const auto theirs =
-          static_cast<std::size_t>(channel(holder).axes.of_machine_axis(machine_axis));
-      const auto ours = static_cast<std::size_t>(axis);
-      const ChannelOutput& from = output.channels[static_cast<std::size_t>(holder)];
-      ChannelOutput& to = output.channels[static_cast<std::size_t>(c)];
-      to.axes[ours] = from.axes[theirs];
-      to.drives[ours] = from.drives[theirs];
+      const int theirs = channel(holder).axes.of_machine_axis(machine_axis);
+      const ChannelOutput& from = output.channels[holder];
+      ChannelOutput& to = output.channels[c];
+      to.axes[axis] = from.axes[theirs];
+      to.drives[axis] = from.drives[theirs];
     }
   }
 }

@@ -6,9 +6,9 @@
 // (docs/integrator/kinematics.md, "Axes of several channels").
 #pragma once
 
-#include <array>
 #include <span>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/contract/output.h"
 #include "channels/cycle/channel.h"
@@ -24,9 +24,7 @@ class AxisOwnership {
   explicit AxisOwnership(std::span<Channel* const> channels);
 
   // Index of the channel that moves the axis of the machine; -1: no channel has it.
-  [[nodiscard]] int owner(int machine_axis) const RT_SAFE {
-    return owner_[static_cast<std::size_t>(machine_axis)];
-  }
+  [[nodiscard]] int owner(int machine_axis) const RT_SAFE { return owner_[machine_axis]; }
 
   // What stands against a claim: an axis, by index in the claiming channel, and who has it.
   struct Obstacle {
@@ -42,13 +40,11 @@ class AxisOwnership {
   void show_owners(CycleOutput& output) const RT_SAFE;
 
  private:
-  [[nodiscard]] Channel& channel(int index) const RT_SAFE {
-    return *channels_[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] Channel& channel(int index) const RT_SAFE { return *channels_[index]; }
 
-  std::array<Channel*, channels_max> channels_{};
+  NumberedArray<Channel*, channels_max> channels_{};
   int channel_count_ = 0;
-  std::array<int, machine_axes_max> owner_{};
+  NumberedArray<int, machine_axes_max> owner_{};
 };
 
 }  // namespace stanok::channels

@@ -28,8 +28,7 @@ std::optional<Verdict> unreferenced(const Channel& channel, lang::AxisSet axes) 
 }  // namespace
 
 ChannelErrands::ChannelErrands(const ChannelTable& channels, AxisOwnership& ownership,
-                               const ControlDesk& control,
-                               const std::array<OwnerFailure, channels_max>& on_owner_failure,
+                               const ControlDesk& control, const OwnerFailures& on_owner_failure,
                                double cycle_s)
     : channels_(channels),
       ownership_(ownership),
@@ -37,34 +36,44 @@ ChannelErrands::ChannelErrands(const ChannelTable& channels, AxisOwnership& owne
       on_owner_failure_(on_owner_failure),
       cycle_s_(cycle_s) {}
 
-Verdict ChannelErrands::load(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::step(Errand& errand, const requests::ProgramLoad& request) RT_SAFE {
+  return load(errand, request.program, Job::program);
+}
+
+Verdict ChannelErrands::load(Errand& errand, const ShortText& text, Job job) RT_SAFE {
+  if (errand.stage > 0) return await_load(errand);
+  if (const auto refused = obstacle(errand, OperatorAction::program_load)) return *refused;
+  target_of(errand).items().begin_load(text, job);
+  errand.stage = 1;
+  return pending();
+}
+
+Verdict ChannelErrands::step(Errand& errand, const requests::Search& request) RT_SAFE {
+  if (errand.stage > 0) return await_load(errand);
   Channel& target = target_of(errand);
-  if (errand.stage == 0) {
-    const bool searches = errand.job == Job::search;
-    const auto action = searches ? OperatorAction::program_search : OperatorAction::program_load;
-    if (const auto refused = obstacle(errand, action)) return *refused;
-    if (searches) {
-      if (!target.state().has_program())
-        return refusal_of(target.id(), "E6005", ": no program is loaded");
-      if (!target.is_quiet()) return pending();
-      target.items().begin_search(errand.text, errand.way, errand.passes);
-    } else {
-      target.items().begin_load(errand.text, errand.job);
-    }
-    errand.stage = 1;
-    return pending();
-  }
-  const LoadDesk& loads = target.items().loads();
+  if (const auto refused = obstacle(errand, OperatorAction::program_search)) return *refused;
+  if (!target.state().has_program())
+    return refusal_of(target.id(), "E6005", ": no program is loaded");
+  if (!target.is_quiet()) return pending();
+  target.items().begin_search(request.target, request.way, request.passes);
+  errand.stage = 1;
+  return pending();
+}
+
+Verdict ChannelErrands::await_load(const Errand& errand) const RT_SAFE {
+  const LoadDesk& loads = target_of(errand).items().loads();
   if (loads.outcome() == Outcome::pending) return pending();
   if (loads.outcome() == Outcome::succeeded) return success();
   if (const auto refused = obstacle(errand, OperatorAction::program_load)) return *refused;
   return refusal("", loads.text().view());
 }
 
-Verdict ChannelErrands::start(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::step(Errand& errand, const requests::ProgramStart& /*request*/) RT_SAFE {
+  return start(errand, OperatorAction::program_start, Job::program);
+}
+
+Verdict ChannelErrands::start(const Errand& errand, OperatorAction action, Job job) RT_SAFE {
   Channel& target = target_of(errand);
-  const bool is_run = errand.kind == lang::RequestKind::channel_run;
-  const auto action = is_run ? OperatorAction::program_run : OperatorAction::program_start;
   if (const auto refused = obstacle(errand, action)) return *refused;
   if (target.state().shown() == ChannelState::held) {
     target.run.resume();
@@ -78,8 +87,8 @@ Verdict ChannelErrands::start(Errand& errand) RT_SAFE {
   target.axes.release(axes);
   if (!target.drives.all_ready()) return await_drives(errand);
   if (!target.is_quiet()) return pending();
-  target.items().begin_run(errand.job);
-  Owner& owner = owners_[static_cast<std::size_t>(errand.target)];
+  target.items().begin_run(job);
+  Owner& owner = owners_[errand.target];
   owner.channel = errand.asker;
   if (errand.asker != operator_asker) owner.run = channels_[errand.asker].runs.run();
   return success();
@@ -90,20 +99,28 @@ Verdict ChannelErrands::await_drives(const Errand& errand) const RT_SAFE {
   return refusal_of(target_of(errand).id(), "E6008", ": the drives are not ready");
 }
 
-Verdict ChannelErrands::run(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::step(Errand& errand, const requests::ProgramRun& request) RT_SAFE {
+  return run(errand, request.program, Job::program);
+}
+
+Verdict ChannelErrands::step(Errand& errand, const requests::LineRun& request) RT_SAFE {
+  return run(errand, request.line, Job::line);
+}
+
+Verdict ChannelErrands::run(Errand& errand, const ShortText& text, Job job) RT_SAFE {
   constexpr int loaded = 2;
   if (errand.stage < loaded) {
     if (errand.stage == 0) {
       if (const auto refused = obstacle(errand, OperatorAction::program_run)) return *refused;
     }
-    const Verdict verdict = load(errand);
+    const Verdict verdict = load(errand, text, job);
     if (!verdict.done || !verdict.ok) return verdict;
     errand.stage = loaded;
   }
-  return start(errand);
+  return start(errand, OperatorAction::program_run, job);
 }
 
-Verdict ChannelErrands::stop(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::step(Errand& errand, const requests::ProgramStop& /*request*/) RT_SAFE {
   Channel& target = target_of(errand);
   if (errand.stage == 0) {
     if (!is_busy(target)) return refusal_of(target.id(), "E6007", ": nothing was running");
@@ -115,7 +132,7 @@ Verdict ChannelErrands::stop(Errand& errand) RT_SAFE {
   return target.motion.is_standing() ? success() : pending();
 }
 
-Verdict ChannelErrands::reset(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::step(Errand& errand, const requests::ProgramReset& /*request*/) RT_SAFE {
   Channel& target = target_of(errand);
   if (errand.stage == 0) {
     target.run.begin_reset();
@@ -126,8 +143,8 @@ Verdict ChannelErrands::reset(Errand& errand) RT_SAFE {
 }
 
 // Axes that the scheme parks are released for the search and come back to where they are parked.
-Verdict ChannelErrands::home(Errand& errand) RT_SAFE {
-  if (errand.stage == 0) return begin_homing(errand);
+Verdict ChannelErrands::step(Errand& errand, const requests::Home& request) RT_SAFE {
+  if (errand.stage == 0) return begin_homing(errand, request.axis.view());
   Channel& target = target_of(errand);
   const ManualMotion& manual = target.motion.manual();
   if (manual.is_active() || target.state().is_ending()) return pending();
@@ -142,12 +159,12 @@ Verdict ChannelErrands::home(Errand& errand) RT_SAFE {
   return found ? success() : refusal("A2001", manual.homing_fault().view());
 }
 
-Verdict ChannelErrands::begin_homing(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::begin_homing(Errand& errand, std::string_view name) RT_SAFE {
   Channel& target = target_of(errand);
   if (const auto refused = obstacle(errand, OperatorAction::home)) return *refused;
   lang::AxisSet axes = target.motion.axes_to_home();
-  if (!errand.text.view().empty()) {
-    const int axis = target.axes.named(errand.text.view());
+  if (!name.empty()) {
+    const int axis = target.axes.named(name);
     if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
     axes = static_cast<lang::AxisSet>(axes & 1U << axis);
   }
@@ -158,19 +175,19 @@ Verdict ChannelErrands::begin_homing(Errand& errand) RT_SAFE {
   return pending();
 }
 
-Verdict ChannelErrands::change_kinematics(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::step(Errand& errand, const requests::KinematicsSelect& request) RT_SAFE {
   Channel& target = target_of(errand);
   if (errand.stage == 0) {
     const bool is_own = errand.asker == errand.target;
-    if (target.schemes.find(errand.number) == nullptr)
+    if (target.schemes.find(request.scheme) == nullptr)
       return refusal("E5201", "the channel has no such kinematic scheme");
     if (const auto refused = obstacle(errand, OperatorAction::kinematics_select)) return *refused;
     if (!target.state().is_powered()) return refusal("E6006", "the machine is off");
     if (!is_own && !target.is_quiet()) return pending();
-    const lang::AxisSet axes = target.schemes.axes_of(errand.number);
+    const lang::AxisSet axes = target.schemes.axes_of(request.scheme);
     if (const auto homeless = unreferenced(target, axes)) return *homeless;
     if (const auto taken = claim(errand.target, axes)) return *taken;
-    target.items().begin_switch(errand.number);
+    target.items().begin_switch(request.scheme);
     errand.stage = 1;
     return pending();
   }
@@ -181,9 +198,8 @@ Verdict ChannelErrands::change_kinematics(Errand& errand) RT_SAFE {
   return success();
 }
 
-Verdict ChannelErrands::spindle_to_axis(Errand& errand) RT_SAFE {
+Verdict ChannelErrands::spindle_to_axis(Errand& errand, int spindle) RT_SAFE {
   Channel& asker = channels_[errand.asker];
-  const int spindle = errand.number;
   const ManualMotion& manual = asker.motion.manual();
   switch (errand.stage) {
     case 0:
@@ -200,7 +216,7 @@ Verdict ChannelErrands::spindle_to_axis(Errand& errand) RT_SAFE {
       errand.cycles = 0;
       return pending();
     case 2:
-      return await_axis(errand, asker);
+      return await_axis(errand, asker, spindle);
     default:
       if (manual.homing() == ManualMotion::HomingState::running) return pending();
       if (manual.homing() == ManualMotion::HomingState::succeeded) return success();
@@ -209,8 +225,7 @@ Verdict ChannelErrands::spindle_to_axis(Errand& errand) RT_SAFE {
   }
 }
 
-Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker) RT_SAFE {
-  const int spindle = errand.number;
+Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker, int spindle) RT_SAFE {
   const bool is_closed = asker.spindles.position_loop_is_closed(spindle);
   const bool is_homed = asker.drives.is_homed(asker.spindles.axis_of(spindle));
   if (is_closed && is_homed) return success();
@@ -256,14 +271,14 @@ std::optional<Verdict> ChannelErrands::claim(int index, lang::AxisSet axes) RT_S
 
 void ChannelErrands::follow_owners() RT_SAFE {
   for (int k = 0; k < channels_.count(); ++k) {
-    Owner& owner = owners_[static_cast<std::size_t>(k)];
+    Owner& owner = owners_[k];
     if (owner.channel == operator_asker) continue;
     const Channel& master = channels_[owner.channel];
     if (!master.has_ended(owner.run) && !master.state().is_ending()) continue;
     owner.channel = operator_asker;
     Channel& owned = channels_[k];
     if (master.runs.ended_well(owner.run) || !is_busy(owned)) continue;
-    const OwnerFailure rule = on_owner_failure_[static_cast<std::size_t>(k)];
+    const OwnerFailure rule = on_owner_failure_[k];
     if (rule == OwnerFailure::hold) owned.run.hold(HoldCause::owner_failed);
     if (rule == OwnerFailure::reset) owned.run.begin_reset();
   }

@@ -4,10 +4,11 @@
 // Each function takes one step of an errand. Thread: the real-time cycle. Owner: the coordinator.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/contract/command_rules.h"
 #include "channels/coordinator/axis_ownership.h"
@@ -18,22 +19,34 @@
 
 namespace stanok::channels {
 
+// What the runs of a channel do when the one that started them ends abnormally, by channel.
+using OwnerFailures = NumberedArray<OwnerFailure, channels_max>;
+
+// What is asked of a channel and takes time.
+template <class Kind>
+concept ChannelRequest =
+    IsOneOf<Kind, requests::ProgramLoad, requests::Search, requests::ProgramStart,
+            requests::ProgramRun, requests::LineRun, requests::ProgramStop, requests::ProgramReset,
+            requests::Home, requests::KinematicsSelect>;
+
 class ChannelErrands {
  public:
   // All outlive the errands.
   ChannelErrands(const ChannelTable& channels, AxisOwnership& ownership, const ControlDesk& control,
-                 const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s);
+                 const OwnerFailures& on_owner_failure, double cycle_s);
 
-  [[nodiscard]] Verdict load(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict start(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict run(Errand& errand) RT_SAFE;  // load and start
-  [[nodiscard]] Verdict stop(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict reset(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict home(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict change_kinematics(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramLoad& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::Search& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramStart& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramRun& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::LineRun& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramStop& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramReset& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::Home& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::KinematicsSelect& request) RT_SAFE;
   // M902 of the asker: the spindle stops, the drive takes the position over where it stands;
   // which has not found its index pulse turns to it.
-  [[nodiscard]] Verdict spindle_to_axis(Errand& errand) RT_SAFE;
+  [[nodiscard]] Verdict spindle_to_axis(Errand& errand, int spindle) RT_SAFE;
 
   // A program that ends abnormally takes the runs that it started along, as configured.
   void follow_owners() RT_SAFE;
@@ -49,20 +62,25 @@ class ChannelErrands {
       RT_SAFE;
   [[nodiscard]] std::optional<Verdict> claim(int index, lang::AxisSet axes) RT_SAFE;
   [[nodiscard]] Verdict await_drives(const Errand& errand) const RT_SAFE;
-  [[nodiscard]] Verdict begin_homing(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict await_axis(Errand& errand, Channel& asker) RT_SAFE;
+  [[nodiscard]] Verdict load(Errand& errand, const ShortText& text, Job job) RT_SAFE;
+  [[nodiscard]] Verdict await_load(const Errand& errand) const RT_SAFE;
+  // Loads and starts.
+  [[nodiscard]] Verdict run(Errand& errand, const ShortText& text, Job job) RT_SAFE;
+  [[nodiscard]] Verdict start(const Errand& errand, OperatorAction action, Job job) RT_SAFE;
+  [[nodiscard]] Verdict begin_homing(Errand& errand, std::string_view axis) RT_SAFE;
+  [[nodiscard]] Verdict await_axis(Errand& errand, Channel& asker, int spindle) RT_SAFE;
 
   const ChannelTable& channels_;
   AxisOwnership& ownership_;
   const ControlDesk& control_;
-  std::array<OwnerFailure, channels_max> on_owner_failure_;
+  OwnerFailures on_owner_failure_;
   double cycle_s_;
   // Who started the run of a channel, and in which run of its own; operator_asker: an operator.
   struct Owner {
     int channel = operator_asker;
     std::uint32_t run = 0;
   };
-  std::array<Owner, channels_max> owners_{};
+  NumberedArray<Owner, channels_max> owners_{};
 };
 
 }  // namespace stanok::channels

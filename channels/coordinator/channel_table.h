@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <span>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/coordinator/wait_graph.h"
 #include "channels/cycle/channel.h"
@@ -21,11 +21,9 @@ class ChannelTable {
   }
 
   [[nodiscard]] int count() const RT_SAFE { return count_; }
-  [[nodiscard]] Channel& operator[](int index) const RT_SAFE {
-    return *channels_[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] Channel& operator[](int index) const RT_SAFE { return *channels_[index]; }
   [[nodiscard]] std::span<Channel* const> all() const RT_SAFE {
-    return {channels_.data(), static_cast<std::size_t>(count_)};
+    return {channels_.begin(), channels_.begin() + count_};
   }
   // -1: there is none.
   [[nodiscard]] int index_of(int id) const RT_SAFE {
@@ -44,7 +42,7 @@ class ChannelTable {
   }
 
  private:
-  std::array<Channel*, channels_max> channels_{};
+  NumberedArray<Channel*, channels_max> channels_{};
   int count_;
 };
 

@@ -5,7 +5,7 @@ namespace stanok::channels {
 Verdict ControlDesk::set(std::int32_t id, std::int32_t session) RT_SAFE {
   const int index = channels_.index_of(id);
   if (index < 0) return refusal("E6001", "a channel must be named");
-  controller_[static_cast<std::size_t>(index)] = session;
+  controller_[index] = session;
   return success();
 }
 

@@ -6,10 +6,10 @@
 // the real-time cycle. Owner: the coordinator.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/coordinator/axis_ownership.h"
 #include "channels/coordinator/channel_table.h"
@@ -27,9 +27,7 @@ class ControlDesk {
   // The session has the channel with this id from here on; 0: nobody has.
   [[nodiscard]] Verdict set(std::int32_t id, std::int32_t session) RT_SAFE;
   // The session that has the channel; 0: nobody.
-  [[nodiscard]] std::int32_t of(int channel) const RT_SAFE {
-    return controller_[static_cast<std::size_t>(channel)];
-  }
+  [[nodiscard]] std::int32_t of(int channel) const RT_SAFE { return controller_[channel]; }
   // A program acts for whoever has its own channel. A command of an operator was admitted for the
   // session that had the channel then.
   [[nodiscard]] bool admits(const Errand& errand) const RT_SAFE;
@@ -39,7 +37,7 @@ class ControlDesk {
  private:
   const ChannelTable& channels_;
   const AxisOwnership& ownership_;
-  std::array<std::int32_t, channels_max> controller_{};
+  NumberedArray<std::int32_t, channels_max> controller_{};
 };
 
 }  // namespace stanok::channels

@@ -8,61 +8,111 @@
 namespace stanok::channels {
 namespace {
 
-// What a command that takes time is, as an errand.
+// What a command that takes time is, as a request. The channel is that of the command.
 struct Commission {
-  Errand& errand;
-
-  void load(lang::RequestKind kind, Job job, const ShortText& text) const RT_SAFE {
-    errand.kind = kind;
-    errand.job = job;
-    errand.text = text;
+  Request operator()(const commands::ProgramLoad& command) const RT_SAFE {
+    return requests::ProgramLoad{.program = command.program};
   }
-  void operator()(const commands::ProgramLoad& command) const RT_SAFE {
-    load(lang::RequestKind::channel_load, Job::program, command.program);
+  Request operator()(const commands::ProgramRun& command) const RT_SAFE {
+    return requests::ProgramRun{.program = command.program};
   }
-  void operator()(const commands::ProgramRun& command) const RT_SAFE {
-    load(lang::RequestKind::channel_run, Job::program, command.program);
+  Request operator()(const commands::Mdi& command) const RT_SAFE {
+    return requests::LineRun{command.line};
   }
-  void operator()(const commands::Mdi& command) const RT_SAFE {
-    load(lang::RequestKind::channel_run, Job::line, command.line);
+  Request operator()(const commands::ProgramSearch& command) const RT_SAFE {
+    return requests::Search{command.target, command.way, command.passes};
   }
-  void operator()(const commands::ProgramSearch& command) const RT_SAFE {
-    load(lang::RequestKind::channel_load, Job::search, command.target);
-    errand.way = command.way;
-    errand.passes = command.passes;
+  Request operator()(const commands::ProgramStart& /*command*/) const RT_SAFE {
+    return requests::ProgramStart{};
   }
-  void operator()(const commands::ProgramStart& /*command*/) const RT_SAFE {
-    errand.kind = lang::RequestKind::channel_start;
+  Request operator()(const commands::KinematicsSelect& command) const RT_SAFE {
+    return requests::KinematicsSelect{.scheme = command.scheme};
   }
-  void operator()(const commands::KinematicsSelect& command) const RT_SAFE {
-    errand.kind = lang::RequestKind::kinematics;
-    errand.number = command.scheme;
+  Request operator()(const commands::Home& command) const RT_SAFE {
+    return requests::Home{command.axis};
   }
-  void operator()(const commands::Home& command) const RT_SAFE {
-    errand.kind = lang::RequestKind::channel_reset;
-    errand.homes = true;
-    errand.text = command.axis;
-  }
-  // A stop or a reset has begun; what is left is to wait for rest.
-  void operator()(const auto& /*command*/) const RT_SAFE {
-    errand.kind = lang::RequestKind::channel_reset;
-    errand.stage = 1;
-  }
+  // A stop or a reset.
+  Request operator()(const auto& /*command*/) const RT_SAFE { return requests::ProgramReset{}; }
 };
+
+template <class... Kinds>
+bool holds_one_of(const Request& request) RT_SAFE {
+  return (std::holds_alternative<Kinds>(request) || ...);
+}
 
 // What begins something on another channel, or for an operator.
 bool begins_something(const Errand& errand) RT_SAFE {
-  using lang::RequestKind;
   if (errand.target < 0 || errand.asker == errand.target) return false;
-  return errand.homes || errand.kind == RequestKind::kinematics ||
-         errand.kind == RequestKind::channel_load || errand.kind == RequestKind::channel_start ||
-         errand.kind == RequestKind::channel_run;
+  return holds_one_of<requests::Home, requests::KinematicsSelect, requests::ProgramLoad,
+                      requests::Search, requests::ProgramStart, requests::ProgramRun,
+                      requests::LineRun>(errand.request);
 }
+
+// Of the channel that a request names; 0: it names none.
+struct NamedChannel {
+  template <class Kind>
+  std::int32_t operator()(const Kind& request) const RT_SAFE {
+    if constexpr (requires { request.channel; }) return request.channel;
+    return 0;
+  }
+};
 
 }  // namespace
 
-Coordinator::Coordinator(std::span<Channel* const> channels,
-                         const std::array<OwnerFailure, channels_max>& on_owner_failure,
+struct Coordinator::Step {
+  Coordinator& coordinator;
+  Errand& errand;
+
+  // On the channel that the request names.
+  template <class Function>
+  Verdict on_target(Function&& function) const RT_SAFE {
+    if (errand.target < 0) return refusal("E6001", "there is no such channel");
+    return function(coordinator.channels_[errand.target]);
+  }
+  [[nodiscard]] Channel& asker() const RT_SAFE { return coordinator.channels_[errand.asker]; }
+  [[nodiscard]] ChannelErrands& errands() const RT_SAFE { return coordinator.channel_errands_; }
+
+  Verdict operator()(const requests::Standstill& /*request*/) const RT_SAFE { return success(); }
+  Verdict operator()(const requests::Terminate& /*request*/) const RT_SAFE { return success(); }
+  // The channel has answered where its probe is.
+  Verdict operator()(const requests::ProbeResult& /*request*/) const RT_SAFE { return success(); }
+  // Endless on a machine; a simulation ends behind it.
+  Verdict operator()(const requests::ProgramRestart& /*request*/) const RT_SAFE {
+    return asker().begins_again() ? success() : refusal("W2099", "M99 in the main program");
+  }
+  Verdict operator()(const requests::SpindleToAxis& request) const RT_SAFE {
+    return errands().spindle_to_axis(errand, request.spindle);
+  }
+  Verdict operator()(const requests::AxisToSpindle& request) const RT_SAFE {
+    asker().spindles.open_position_loop(request.spindle);
+    return success();
+  }
+  Verdict operator()(const requests::MarkWait& /*request*/) const RT_SAFE {
+    return coordinator.waits_.wait_at_mark(errand);
+  }
+  Verdict operator()(const requests::EndWait& request) const RT_SAFE {
+    return on_target([&](const Channel& target) RT_SAFE {
+      return coordinator.waits_.wait_for_end(errand, request.seconds, target);
+    });
+  }
+  Verdict operator()(const requests::StateRead& /*request*/) const RT_SAFE {
+    return on_target([](const Channel& target)
+                         RT_SAFE { return success(static_cast<double>(target.state().shown())); });
+  }
+  Verdict operator()(const requests::MarkRead& request) const RT_SAFE {
+    return on_target([&](const Channel& target) RT_SAFE {
+      return success(target.marks.is_set(request.mark) ? 1.0 : 0.0);
+    });
+  }
+  Verdict operator()(const ChannelRequest auto& request) const RT_SAFE {
+    return on_target([&](const Channel&) RT_SAFE { return errands().step(errand, request); });
+  }
+  Verdict operator()(const ValueRequest auto& /*request*/) const RT_SAFE {
+    return coordinator.values_.step(errand);
+  }
+};
+
+Coordinator::Coordinator(std::span<Channel* const> channels, const OwnerFailures& on_owner_failure,
                          double cycle_s, ReplyRings replies, const MachineStores& stores)
     : channels_(channels),
       ownership_(channels),
@@ -123,7 +173,8 @@ void Coordinator::begin_errand(const OperatorEvent& event, int target) RT_SAFE {
   slot->target = target;
   slot->generation = run.generation();
   slot->controller = control_.of(target);
-  visit_in_cycle(Commission{*slot}, event.command);
+  slot->request = visit_in_cycle(Commission{}, event.command);
+  slot->stage = stops ? 1 : 0;  // it has begun; what is left is to wait for rest
 }
 
 void Coordinator::step() RT_SAFE {
@@ -140,7 +191,7 @@ void Coordinator::step() RT_SAFE {
 
 void Coordinator::adopt_request(int index) RT_SAFE {
   const OpenRequest* const open = channels_[index].items().request();
-  Errand& errand = errands_[static_cast<std::size_t>(index)];
+  Errand& errand = errands_[index];
   if (open == nullptr) {
     errand.active = false;
     return;
@@ -150,15 +201,9 @@ void Coordinator::adopt_request(int index) RT_SAFE {
   errand.active = true;
   errand.order = ++errands_taken_;
   errand.asker = index;
-  const RequestData& request = open->request.data;
-  errand.kind = request.kind;
-  errand.request = request;
-  errand.number = request.number;
-  errand.members = channels_.with_ids(request.channels);
-  errand.seconds = request.seconds;
+  errand.request = open->content;
   errand.tag = open->tag;
-  errand.text = open->request.text;
-  errand.target = channels_.index_of(request.channel);
+  errand.target = channels_.index_of(visit_in_cycle(NamedChannel{}, errand.request));
   if (errand.target < 0) return;
   errand.generation = channels_[errand.target].run.generation();
   errand.controller = control_.of(errand.target);
@@ -180,56 +225,7 @@ bool Coordinator::is_asker_held(const Errand& errand) const RT_SAFE {
 }
 
 Verdict Coordinator::step(Errand& errand) RT_SAFE {
-  using lang::RequestKind;
-  if (errand.homes) return channel_errands_.home(errand);
-  if (ValueDesk::serves(errand.kind)) return values_.step(errand);
-  switch (errand.kind) {
-    case RequestKind::sync:
-    // The interpreter ends the run with the alarm U<code> once it has this answer.
-    case RequestKind::terminate:
-      return success();
-    case RequestKind::program_restart:
-      // Endless on a machine; a simulation ends behind it.
-      return channels_[errand.asker].begins_again() ? success()
-                                                    : refusal("W2099", "M99 in the main program");
-    case RequestKind::spindle_to_axis:
-      return channel_errands_.spindle_to_axis(errand);
-    case RequestKind::axis_to_spindle:
-      channels_[errand.asker].spindles.open_position_loop(errand.number);
-      return success();
-    case RequestKind::mark_wait:
-      return waits_.wait_at_mark(errand);
-    default:
-      return errand.target < 0 ? refusal("E6001", "there is no such channel")
-                               : step_on_target(errand);
-  }
-}
-
-Verdict Coordinator::step_on_target(Errand& errand) RT_SAFE {
-  using lang::RequestKind;
-  const Channel& target = channels_[errand.target];
-  switch (errand.kind) {
-    case RequestKind::kinematics:
-      return channel_errands_.change_kinematics(errand);
-    case RequestKind::channel_load:
-      return channel_errands_.load(errand);
-    case RequestKind::channel_start:
-      return channel_errands_.start(errand);
-    case RequestKind::channel_run:
-      return channel_errands_.run(errand);
-    case RequestKind::channel_wait:
-      return waits_.wait_for_end(errand, target);
-    case RequestKind::channel_stop:
-      return channel_errands_.stop(errand);
-    case RequestKind::channel_reset:
-      return channel_errands_.reset(errand);
-    case RequestKind::channel_state:
-      return success(static_cast<double>(target.state().shown()));
-    case RequestKind::mark_state:
-      return success(target.marks.is_set(errand.number) ? 1.0 : 0.0);
-    default:
-      return refusal("E2090", "not supported in this release");
-  }
+  return visit_in_cycle(Step{*this, errand}, errand.request);
 }
 
 void Coordinator::conclude(Errand& errand, const Verdict& verdict) RT_SAFE {

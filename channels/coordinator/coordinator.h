@@ -8,7 +8,6 @@
 // behind are the operators'.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -37,9 +36,8 @@ struct ReplyRings {
 class Coordinator {
  public:
   // All outlive the coordinator.
-  Coordinator(std::span<Channel* const> channels,
-              const std::array<OwnerFailure, channels_max>& on_owner_failure, double cycle_s,
-              ReplyRings replies, const MachineStores& stores);
+  Coordinator(std::span<Channel* const> channels, const OwnerFailures& on_owner_failure,
+              double cycle_s, ReplyRings replies, const MachineStores& stores);
   Coordinator(const Coordinator&) = delete;
   Coordinator& operator=(const Coordinator&) = delete;
 
@@ -60,6 +58,8 @@ class Coordinator {
   }
 
  private:
+  // Takes a step of an errand: one overload for each kind of request.
+  struct Step;
   static constexpr std::size_t operator_errands = 16;
 
   [[nodiscard]] std::optional<Verdict> refusal_by_rule(OperatorAction action,
@@ -69,14 +69,13 @@ class Coordinator {
   [[nodiscard]] bool is_its_turn(const Errand& errand) const RT_SAFE;
   [[nodiscard]] bool is_asker_held(const Errand& errand) const RT_SAFE;
   [[nodiscard]] Verdict step(Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict step_on_target(Errand& errand) RT_SAFE;
   void conclude(Errand& errand, const Verdict& verdict) RT_SAFE;
   void reply(std::uint64_t id, const Verdict& verdict) RT_SAFE;
 
   ChannelTable channels_;
   AxisOwnership ownership_;
   ReplyRings replies_;
-  std::array<Errand, channels_max + operator_errands> errands_{};
+  NumberedArray<Errand, channels_max + operator_errands> errands_{};
   std::uint64_t errands_taken_ = 0;
   ControlDesk control_;
   OperatorDesk operators_;

@@ -4,16 +4,16 @@ namespace stanok::channels {
 
 void Rendezvous::arrive(int channel, int mark, ChannelSet members, const motion::BlockTag& tag)
     RT_SAFE {
-  arrivals_[static_cast<std::size_t>(channel)] = {true, false, mark, members, tag};
+  arrivals_[channel] = {true, false, mark, members, tag};
 }
 
 void Rendezvous::leave(int channel) RT_SAFE {
-  arrivals_[static_cast<std::size_t>(channel)] = {};
+  arrivals_[channel] = {};
 }
 
 void Rendezvous::meet() RT_SAFE {
   for (int k = 0; k < channels_max; ++k) {
-    Arrival& arrival = arrivals_[static_cast<std::size_t>(k)];
+    Arrival& arrival = arrivals_[k];
     if (arrival.present && missing(k, arrival.mark, arrival.members) == 0) arrival.met = true;
   }
 }

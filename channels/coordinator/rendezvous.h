@@ -4,8 +4,7 @@
 // the coordinator; real-time. Channels are numbers from 0.
 #pragma once
 
-#include <array>
-
+#include "base/numbered.h"
 #include "channels/coordinator/wait_graph.h"
 #include "motion/path/path.h"
 
@@ -26,9 +25,7 @@ class Rendezvous {
   // Notes for all channels at once which marks are met.
   void meet() RT_SAFE;
 
-  [[nodiscard]] const Arrival& at(int channel) const RT_SAFE {
-    return arrivals_[static_cast<std::size_t>(channel)];
-  }
+  [[nodiscard]] const Arrival& at(int channel) const RT_SAFE { return arrivals_[channel]; }
   // The members for which channel `channel` still waits at `mark`.
   [[nodiscard]] ChannelSet missing(int channel, int mark, ChannelSet members) const RT_SAFE;
   // A channel that waits at the same mark for `channel` or is awaited by it, with another set; -1:
@@ -36,7 +33,7 @@ class Rendezvous {
   [[nodiscard]] int mismatch(int channel) const RT_SAFE;
 
  private:
-  std::array<Arrival, channels_max> arrivals_{};
+  NumberedArray<Arrival, channels_max> arrivals_{};
 };
 
 }  // namespace stanok::channels

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "base/visit_in_cycle.h"
 
 namespace stanok::channels {
 namespace {
@@ -21,97 +22,116 @@ double combined(double there, double operand, lang::Combination combination) RT_
   return there + operand;
 }
 
+struct InputStates {
+  bool before = false;
+  bool now = false;
+};
+
+bool has_happened(requests::InputEvent event, const InputStates& input) RT_SAFE {
+  switch (event) {
+    case requests::InputEvent::none:
+      return true;
+    case requests::InputEvent::rise:
+      return input.now && !input.before;
+    case requests::InputEvent::fall:
+      return !input.now && input.before;
+    case requests::InputEvent::on:
+      return input.now;
+    case requests::InputEvent::off:
+      return !input.now;
+  }
+  return false;
+}
+
 }  // namespace
 
-bool ValueDesk::serves(lang::RequestKind kind) RT_SAFE {
-  using lang::RequestKind;
-  switch (kind) {
-    case RequestKind::shared_read:
-    case RequestKind::shared_write:
-    case RequestKind::shared_combine:
-    case RequestKind::tool_table_write:
-    case RequestKind::tool_table_read:
-    case RequestKind::offset_table_write:
-    case RequestKind::offset_table_read:
-    case RequestKind::machine_value:
-    case RequestKind::input_wait:
-      return true;
-    default:
-      return false;
+struct ValueDesk::Access {
+  ValueDesk& desk;
+  Errand& errand;
+
+  [[nodiscard]] SharedVariables& shared() const RT_SAFE { return *desk.stores_.shared; }
+  [[nodiscard]] const Channel& asker() const RT_SAFE { return desk.channels_[errand.asker]; }
+  [[nodiscard]] std::optional<double> value_of_table() const RT_SAFE {
+    return execute_table_request(*desk.stores_.tables, errand.request, asker().axes.machine_axes());
   }
-}
-
-Verdict ValueDesk::step(Errand& errand) RT_SAFE {
-  using lang::RequestKind;
-  switch (errand.kind) {
-    case RequestKind::shared_read:
-    case RequestKind::shared_write:
-      return shared(errand);
-    case RequestKind::shared_combine:
-      return combine(errand);
-    case RequestKind::machine_value:
-      return machine_value(errand);
-    case RequestKind::input_wait:
-      return input_wait(errand);
-    default:
-      return table(errand);
+  [[nodiscard]] Verdict table_read() const RT_SAFE {
+    const auto value = value_of_table();
+    return value ? success(*value) : refusal("E5021", "the tables have no such entry");
   }
-}
+  [[nodiscard]] Verdict table_write() const RT_SAFE {
+    const auto value = value_of_table();
+    if (value) return success(*value);
+    return refusal("", "no such entry, a value out of range, or write-protected tables");
+  }
 
-Verdict ValueDesk::shared(const Errand& errand) RT_SAFE {
-  SharedVariables& variables = *stores_.shared;
-  const RequestData& request = errand.request;
-  const bool writes = errand.kind == lang::RequestKind::shared_write;
-  if (writes && request.is_text) variables.set_text(request.number, errand.text);
-  if (writes && !request.is_text) variables.set_number(request.number, request.value);
-  Verdict verdict = success();
-  if (!writes && request.is_text) verdict.text = ReasonText(variables.text(request.number).view());
-  if (!writes && !request.is_text) verdict.number = variables.number(request.number);
-  return verdict;
-}
-
-// Read, computed and written in one cycle: of two channels that count neither is lost. What cannot
-// be computed leaves the value as it is.
-Verdict ValueDesk::combine(const Errand& errand) RT_SAFE {
-  SharedVariables& variables = *stores_.shared;
-  const RequestData& request = errand.request;
-  if (request.is_text) {
-    if (!variables.append_text(request.number, errand.text))
-      return refusal("E3009", "a shared string has at most 255 bytes");
+  Verdict operator()(const requests::ToolRead& /*read*/) const RT_SAFE { return table_read(); }
+  Verdict operator()(const requests::OffsetRead& /*read*/) const RT_SAFE { return table_read(); }
+  Verdict operator()(const requests::ToolWrite& /*write*/) const RT_SAFE { return table_write(); }
+  Verdict operator()(const requests::OffsetWrite& /*write*/) const RT_SAFE { return table_write(); }
+  Verdict operator()(const requests::MachineValueRead& read) const RT_SAFE {
+    return desk.machine_value(read, asker());
+  }
+  Verdict operator()(const requests::AnalogRead& read) const RT_SAFE {
+    return success(desk.stores_.inputs->analog[read.input]);
+  }
+  Verdict operator()(const requests::InputWait& wait) const RT_SAFE {
+    return desk.wait_for(wait, errand);
+  }
+  Verdict operator()(const requests::SharedNumberRead& read) const RT_SAFE {
+    return success(shared().number(read.cell));
+  }
+  Verdict operator()(const requests::SharedNumberWrite& write) const RT_SAFE {
+    shared().set_number(write.cell, write.value);
     return success();
   }
-  if (request.combination == lang::Combination::divide && request.value == 0.0)
-    return refusal("E3008", "a number is divided by zero");
-  const double value =
-      combined(variables.number(request.number), request.value, request.combination);
-  if (!std::isfinite(value)) return refusal("E3009", "the result is too large");
-  variables.set_number(request.number, value);
-  return success();
+  // Read, computed and written in one cycle: of two channels that count neither is lost. What
+  // cannot be computed leaves the value as it is.
+  Verdict operator()(const requests::SharedNumberCombine& request) const RT_SAFE {
+    if (request.combination == lang::Combination::divide && request.operand == 0.0)
+      return refusal("E3008", "a number is divided by zero");
+    const double value =
+        combined(shared().number(request.cell), request.operand, request.combination);
+    if (!std::isfinite(value)) return refusal("E3009", "the result is too large");
+    shared().set_number(request.cell, value);
+    return success();
+  }
+  Verdict operator()(const requests::SharedTextRead& read) const RT_SAFE {
+    Verdict verdict = success();
+    verdict.text = ReasonText(shared().text(read.cell).view());
+    return verdict;
+  }
+  Verdict operator()(const requests::SharedTextWrite& write) const RT_SAFE {
+    shared().set_text(write.cell, write.text);
+    return success();
+  }
+  Verdict operator()(const requests::SharedTextAppend& request) const RT_SAFE {
+    if (shared().append_text(request.cell, request.more)) return success();
+    return refusal("E3009", "a shared string has at most 255 bytes");
+  }
+  Verdict operator()(const auto& /*other*/) const RT_SAFE {
+    return refusal("E2090", "not supported in this release");
+  }
+};
+
+Verdict ValueDesk::step(Errand& errand) RT_SAFE {
+  return visit_in_cycle(Access{*this, errand}, errand.request);
 }
 
-// M66; the modes are those of its L. A time without the event is answered with -1.
-Verdict ValueDesk::input_wait(Errand& errand) const RT_SAFE {
-  const RequestData& request = errand.request;
-  const auto number = static_cast<std::size_t>(request.number);
-  if (request.analog) return success(stores_.inputs->analog[number]);
-  const bool now = stores_.inputs->is_on(request.number);
-  const bool before = errand.stage == 0 ? now : errand.input_before;
+Verdict ValueDesk::wait_for(const requests::InputWait& wait, Errand& errand) const RT_SAFE {
+  const bool now = stores_.inputs->is_on(wait.input);
+  const bool before = errand.stage == 0 ? now : errand.input_was_on;
   errand.stage = 1;
-  errand.input_before = now;
-  const bool happened = request.index == 0 || (request.index == 1 && now && !before) ||
-                        (request.index == 2 && !now && before) || (request.index == 3 && now) ||
-                        (request.index == 4 && !now);
-  if (happened) return success(now ? 1.0 : 0.0);
-  const bool over = static_cast<double>(errand.cycles) * cycle_s_ >= errand.seconds;
+  errand.input_was_on = now;
+  if (has_happened(wait.event, {.before = before, .now = now})) return success(now ? 1.0 : 0.0);
+  const bool over = static_cast<double>(errand.cycles) * cycle_s_ >= wait.seconds;
   return over ? success(-1.0) : pending();
 }
 
 std::optional<double> ValueDesk::value_of_axis(std::string_view name, const Channel& asker,
                                                int axis) const RT_SAFE {
   const motion::InterpolatorOutput& path = asker.motion.path();
-  const auto k = static_cast<std::size_t>(axis);
-  if (name == "pos") return path.point[k].value;
-  if (name == "pos_mcs") return path.axes[k].value;
+  if (name == "pos") return path.point[axis].value;
+  if (name == "pos_mcs") return path.axes[axis].value;
   if (name == "homed") return asker.drives.is_homed(axis) ? 1.0 : 0.0;
   if (name == "axis_channel") {
     const int owner = ownership_.owner(asker.axes.machine_axis(axis));
@@ -120,11 +140,11 @@ std::optional<double> ValueDesk::value_of_axis(std::string_view name, const Chan
   return std::nullopt;
 }
 
-Verdict ValueDesk::machine_value(const Errand& errand) const RT_SAFE {
+Verdict ValueDesk::machine_value(const requests::MachineValueRead& read, const Channel& asker) const
+    RT_SAFE {
   constexpr double percent = 100.0;
-  const Channel& asker = channels_[errand.asker];
-  const std::string_view name = errand.text.view();
-  const int index = errand.request.index;
+  const std::string_view name = read.name.view();
+  const int index = read.index;
   if (const auto value = value_of_axis(name, asker, index)) return success(*value);
   if (name == "clock") return success(static_cast<double>(asker.runs.cycle()) * cycle_s_);
   if (name == "feed_act") return success(asker.motion.path().s_speed * seconds_per_minute);
@@ -150,24 +170,8 @@ Verdict ValueDesk::input(std::string_view name, int index) const RT_SAFE {
   const bool analog = name == "ain";
   const int count = analog ? Signals::analog_count : Signals::digital_count;
   if (index < 0 || index >= count) return refusal("E6028", "there is no such input");
-  if (analog) return success(stores_.inputs->analog[static_cast<std::size_t>(index)]);
+  if (analog) return success(stores_.inputs->analog[index]);
   return success(stores_.inputs->is_on(index) ? 1.0 : 0.0);
-}
-
-Verdict ValueDesk::table(const Errand& errand) RT_SAFE {
-  using lang::RequestKind;
-  const RequestData& request = errand.request;
-  const bool offsets = errand.kind == RequestKind::offset_table_write ||
-                       errand.kind == RequestKind::offset_table_read;
-  const int axis = offsets && request.index >= 0
-                       ? channels_[errand.asker].axes.machine_axis(request.index)
-                       : request.index;
-  const auto value = execute_table_request(*stores_.tables, request, axis);
-  if (value) return success(*value);
-  const bool writes = errand.kind == RequestKind::tool_table_write ||
-                      errand.kind == RequestKind::offset_table_write;
-  return writes ? refusal("", "no such entry, a value out of range, or write-protected tables")
-                : refusal("E5021", "the tables have no such entry");
 }
 
 }  // namespace stanok::channels

@@ -15,6 +15,14 @@
 
 namespace stanok::channels {
 
+template <class Kind>
+concept ValueRequest =
+    IsOneOf<Kind, requests::ToolRead, requests::ToolWrite, requests::OffsetRead,
+            requests::OffsetWrite, requests::MachineValueRead, requests::AnalogRead,
+            requests::InputWait, requests::SharedNumberRead, requests::SharedNumberWrite,
+            requests::SharedNumberCombine, requests::SharedTextRead, requests::SharedTextWrite,
+            requests::SharedTextAppend>;
+
 class ValueDesk {
  public:
   // Both outlive the desk, and what `stores` names.
@@ -22,16 +30,15 @@ class ValueDesk {
             const MachineStores& stores, double cycle_s)
       : channels_(channels), ownership_(ownership), stores_(stores), cycle_s_(cycle_s) {}
 
-  [[nodiscard]] static bool serves(lang::RequestKind kind) RT_SAFE;
-  // Of a kind that it serves.
+  // Of an errand with a ValueRequest.
   [[nodiscard]] Verdict step(Errand& errand) RT_SAFE;
 
  private:
-  [[nodiscard]] Verdict shared(const Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict combine(const Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict table(const Errand& errand) RT_SAFE;
-  [[nodiscard]] Verdict input_wait(Errand& errand) const RT_SAFE;
-  [[nodiscard]] Verdict machine_value(const Errand& errand) const RT_SAFE;
+  // Reads or writes: one overload for each kind of request.
+  struct Access;
+  [[nodiscard]] Verdict wait_for(const requests::InputWait& wait, Errand& errand) const RT_SAFE;
+  [[nodiscard]] Verdict machine_value(const requests::MachineValueRead& read,
+                                      const Channel& asker) const RT_SAFE;
   [[nodiscard]] Verdict input(std::string_view name, int index) const RT_SAFE;
   [[nodiscard]] std::optional<double> value_of_axis(std::string_view name, const Channel& asker,
                                                     int axis) const RT_SAFE;

@@ -10,7 +10,8 @@ void append_place(const FileName& file, std::uint32_t line, ReasonText& text) RT
 
 }  // namespace
 
-Verdict WaitDesk::wait_for_end(Errand& errand, const Channel& target) const RT_SAFE {
+Verdict WaitDesk::wait_for_end(Errand& errand, double seconds, const Channel& target) const
+    RT_SAFE {
   if (errand.stage == 0) {
     if (!target.state().is_running() && target.runs.was_reset()) return success();
     errand.awaited_run = target.runs.run();
@@ -28,7 +29,7 @@ Verdict WaitDesk::wait_for_end(Errand& errand, const Channel& target) const RT_S
     append_place(alarm.file, alarm.line, verdict.text);
     return verdict;
   }
-  if (errand.seconds >= 0.0 && static_cast<double>(errand.cycles) * cycle_s_ >= errand.seconds) {
+  if (seconds >= 0.0 && static_cast<double>(errand.cycles) * cycle_s_ >= seconds) {
     return refusal_of(target.id(), "E6010", " has not ended within the time given");
   }
   return pending();
@@ -41,20 +42,21 @@ Verdict WaitDesk::wait_at_mark(const Errand& errand) const RT_SAFE {
 }
 
 std::optional<Verdict> WaitDesk::arrive(int index) RT_SAFE {
-  const Errand& request = request_of(index);
-  const bool waits = request.active && request.kind == lang::RequestKind::mark_wait;
-  if (!waits && !channels_[index].marks.is_waiting()) rendezvous_.leave(index);
+  const Errand& errand = errand_of(index);
+  const auto* const mark =
+      errand.active ? std::get_if<requests::MarkWait>(&errand.request) : nullptr;
+  if (mark == nullptr && !channels_[index].marks.is_waiting()) rendezvous_.leave(index);
   std::optional<Verdict> fault;
-  if (waits) fault = arrive_at_mark(index);
+  if (mark != nullptr) fault = arrive_at_mark(index, *mark);
   arrive_at_soft_mark(index);
   return fault;
 }
 
-std::optional<Verdict> WaitDesk::arrive_at_mark(int index) RT_SAFE {
-  Errand& request = request_of(index);
-  if (request.stage > 0) return std::nullopt;
-  request.stage = 1;
-  rendezvous_.arrive(index, request.number, request.members, request.tag);
+std::optional<Verdict> WaitDesk::arrive_at_mark(int index, const requests::MarkWait& mark) RT_SAFE {
+  Errand& errand = errand_of(index);
+  if (errand.stage > 0) return std::nullopt;
+  errand.stage = 1;
+  rendezvous_.arrive(index, mark.mark, channels_.with_ids(mark.channels), errand.tag);
   const auto fault = fault_of_arrival(index);
   if (fault) rendezvous_.leave(index);
   return fault;
@@ -73,16 +75,17 @@ void WaitDesk::arrive_at_soft_mark(int index) RT_SAFE {
     if (passed != nullptr || !arriving.marks.is_waiting()) released_ &= ~channel_bit(index);
     return;
   }
-  const Rider* mark = passed != nullptr             ? passed
-                      : arriving.marks.is_waiting() ? arriving.marks.soft_mark()
-                                                    : nullptr;
-  if (mark == nullptr || rendezvous_.at(index).present) return;
-  rendezvous_.arrive(index, mark->number, channels_.with_ids(mark->channels), mark->tag);
+  const Rider* rider = passed != nullptr             ? passed
+                       : arriving.marks.is_waiting() ? arriving.marks.soft_mark()
+                                                     : nullptr;
+  if (rider == nullptr || rendezvous_.at(index).present) return;
+  const auto& mark = *std::get_if<riders::SoftMark>(&rider->content);
+  rendezvous_.arrive(index, mark.mark, channels_.with_ids(mark.channels), rider->tag);
   if (passed != nullptr) return;
   const auto fault = fault_of_arrival(index);
   if (!fault) return;
   rendezvous_.leave(index);
-  arriving.run.fail(fault->code.view(), fault->text.view(), mark->tag);
+  arriving.run.fail(fault->code.view(), fault->text.view(), rider->tag);
 }
 
 // After all arrivals of the cycle: opens soft marks whose partners are there.
@@ -95,11 +98,12 @@ void WaitDesk::work_soft_mark(int index) RT_SAFE {
     }
     return rendezvous_.leave(index);
   }
-  const Rider* mark = coming.marks.soft_mark();
-  if (mark == nullptr || (released_ & channel_bit(index)) != 0) return;
+  const Rider* rider = coming.marks.soft_mark();
+  if (rider == nullptr || (released_ & channel_bit(index)) != 0) return;
   if (!coming.marks.is_waiting()) {
-    const ChannelSet members = channels_.with_ids(mark->channels);
-    if (rendezvous_.missing(index, mark->number, members) == 0) coming.marks.open();
+    const auto& mark = *std::get_if<riders::SoftMark>(&rider->content);
+    const ChannelSet members = channels_.with_ids(mark.channels);
+    if (rendezvous_.missing(index, mark.mark, members) == 0) coming.marks.open();
     return;
   }
   if (arrival.met) {
@@ -145,28 +149,28 @@ std::optional<Verdict> WaitDesk::lost_partner(int index) const RT_SAFE {
 
 // The wait that channel `index` begins closes a circle.
 std::optional<Verdict> WaitDesk::deadlock(int index) const RT_SAFE {
-  std::array<ChannelSet, channels_max> awaited{};
-  for (int k = 0; k < channels_.count(); ++k) awaited[static_cast<std::size_t>(k)] = awaited_by(k);
+  NumberedArray<ChannelSet, channels_max> awaited{};
+  for (int k = 0; k < channels_.count(); ++k) awaited[k] = awaited_by(k);
   const Circle circle = find_circle(awaited, index);
   if (circle.length == 0) return std::nullopt;
   Verdict verdict = refusal("E6020", "the channels would wait for each other for ever");
   verdict.raises = true;
   for (int k = 0; k < circle.length; ++k) {
-    const int waiter = circle.channels[static_cast<std::size_t>(k)];
-    const int next = circle.channels[static_cast<std::size_t>((k + 1) % circle.length)];
+    const int waiter = circle.channels[k];
+    const int next = circle.channels[(k + 1) % circle.length];
     describe_wait(waiter, next, verdict.text);
   }
   return verdict;
 }
 
 ChannelSet WaitDesk::awaited_by(int index) const RT_SAFE {
-  const Errand& errand = request_of(index);
+  const Errand& errand = errand_of(index);
   if (!channels_[index].state().is_running() || channels_[index].state().is_ending()) return 0;
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
   if (arrival.present && !arrival.met)
     return rendezvous_.missing(index, arrival.mark, arrival.members);
-  const bool waits =
-      errand.active && errand.kind == lang::RequestKind::channel_wait && errand.stage == 1;
+  const bool waits = errand.active && errand.stage == 1 &&
+                     std::holds_alternative<requests::EndWait>(errand.request);
   if (!waits || channels_[errand.target].has_ended(errand.awaited_run)) return 0;
   return channel_bit(errand.target);
 }
@@ -174,7 +178,7 @@ ChannelSet WaitDesk::awaited_by(int index) const RT_SAFE {
 // One line: who waits, for whom, where.
 void WaitDesk::describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE {
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
-  const motion::BlockTag& tag = arrival.present ? arrival.tag : request_of(index).tag;
+  const motion::BlockTag& tag = arrival.present ? arrival.tag : errand_of(index).tag;
   text.append("\nchannel ").append(channels_[index].id()).append(" waits for channel ");
   text.append(channels_[awaited].id());
   if (arrival.present) text.append(" at mark ").append(arrival.mark);
@@ -183,10 +187,11 @@ void WaitDesk::describe_wait(int index, int awaited, ReasonText& text) const RT_
 
 bool WaitDesk::is_waiting_for_channels(int index) const RT_SAFE {
   if (channels_[index].marks.is_waiting()) return rendezvous_.at(index).present;
-  const Errand& errand = request_of(index);
+  const Errand& errand = errand_of(index);
   if (!errand.active || errand.stage == 0) return false;
-  if (errand.kind == lang::RequestKind::mark_wait) return !rendezvous_.at(index).met;
-  return errand.kind == lang::RequestKind::channel_wait && errand.seconds < 0.0;
+  if (std::holds_alternative<requests::MarkWait>(errand.request)) return !rendezvous_.at(index).met;
+  const auto* const wait = std::get_if<requests::EndWait>(&errand.request);
+  return wait != nullptr && wait->seconds < 0.0;
 }
 
 }  // namespace stanok::channels

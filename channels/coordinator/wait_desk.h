@@ -5,8 +5,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/coordinator/channel_table.h"
 #include "channels/coordinator/errand.h"
@@ -17,13 +17,14 @@ namespace stanok::channels {
 
 class WaitDesk {
  public:
-  // Both outlive the desk. `requests`: of each channel, by index.
-  WaitDesk(const ChannelTable& channels, std::span<Errand> requests, double cycle_s)
-      : channels_(channels), requests_(requests), cycle_s_(cycle_s) {}
+  // Both outlive the desk. `errands`: the requests of each channel, by index.
+  WaitDesk(const ChannelTable& channels, NumberedSpan<Errand> errands, double cycle_s)
+      : channels_(channels), errands_(errands), cycle_s_(cycle_s) {}
 
-  // channel_wait: for the end of the run that goes on there.
-  [[nodiscard]] Verdict wait_for_end(Errand& errand, const Channel& target) const RT_SAFE;
-  // mark_wait: until all partners are at the mark.
+  // For the end of the run that goes on there; `seconds` < 0: for ever.
+  [[nodiscard]] Verdict wait_for_end(Errand& errand, double seconds, const Channel& target) const
+      RT_SAFE;
+  // Until all partners are at the mark.
   [[nodiscard]] Verdict wait_at_mark(const Errand& errand) const RT_SAFE;
 
   // Once a cycle, in the order of channels: who came to a mark, who is missed for ever, who may go
@@ -31,7 +32,7 @@ class WaitDesk {
   template <class Conclude>
   void advance(Conclude&& conclude) RT_SAFE {
     for (int k = 0; k < channels_.count(); ++k) {
-      if (const auto fault = arrive(k)) conclude(request_of(k), *fault);
+      if (const auto fault = arrive(k)) conclude(errand_of(k), *fault);
     }
     meet();
   }
@@ -40,11 +41,10 @@ class WaitDesk {
   [[nodiscard]] bool is_waiting_for_channels(int index) const RT_SAFE;
 
  private:
-  [[nodiscard]] Errand& request_of(int index) const RT_SAFE {
-    return requests_[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] Errand& errand_of(int index) const RT_SAFE { return errands_[index]; }
   [[nodiscard]] std::optional<Verdict> arrive(int index) RT_SAFE;
-  [[nodiscard]] std::optional<Verdict> arrive_at_mark(int index) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> arrive_at_mark(int index, const requests::MarkWait& mark)
+      RT_SAFE;
   void arrive_at_soft_mark(int index) RT_SAFE;
   void meet() RT_SAFE;
   void work_soft_mark(int index) RT_SAFE;
@@ -55,7 +55,7 @@ class WaitDesk {
   void describe_wait(int index, int awaited, ReasonText& text) const RT_SAFE;
 
   const ChannelTable& channels_;
-  std::span<Errand> requests_;
+  NumberedSpan<Errand> errands_;
   double cycle_s_;
   Rendezvous rendezvous_;
   ChannelSet released_ = 0;  // stood at a soft mark that is met now, and have not yet left it

@@ -5,10 +5,9 @@
 // are numbers from 0. Pure functions, called in the real-time cycle.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/contract/output.h"
 
@@ -24,10 +23,10 @@ using ChannelSet = std::uint32_t;
 // Each channel waits for the next one, the last one for the first.
 struct Circle {
   int length = 0;  // 0: there is none
-  std::array<int, channels_max> channels{};
+  NumberedArray<int, channels_max> channels{};
 };
 
 // A shortest circle through channel `start`. `awaited[k]`: the channels for which channel k waits.
-[[nodiscard]] Circle find_circle(std::span<const ChannelSet> awaited, int start) RT_SAFE;
+[[nodiscard]] Circle find_circle(NumberedSpan<const ChannelSet> awaited, int start) RT_SAFE;
 
 }  // namespace stanok::channels

@@ -203,7 +203,7 @@ std::string_view Channel::jog(const Jog& jog) RT_SAFE {
   if (!axes.owns(axis) || axes.is_spindle(axis)) return "E6052";
   const AxisFeedback& drive = drives.feedback(axis);
   if (!drive.valid || !drive.enabled) return "E6008";
-  const double from = motion.path().axes[static_cast<std::size_t>(axis)].value;
+  const double from = motion.path().axes[axis].value;
   const std::string_view refused = motion.manual().jog(jog, from, drive);
   if (motion.manual().is_active()) run.apply(Change::hand_begins);
   return refused;

@@ -31,7 +31,7 @@ class Channel : public CycleParts {
     arrivals_.open(recorded);
   }
   void watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE;  // empty: ideal drives
-  void sense(std::span<const SpindleSensors> sensors) RT_SAFE { process.sense(sensors); }
+  void sense(NumberedSpan<const SpindleSensors> sensors) RT_SAFE { process.sense(sensors); }
   void advance(std::int64_t cycle) RT_SAFE;
   void fill(ChannelOutput& output) const RT_SAFE;
 

@@ -22,7 +22,7 @@ bool is_of_program(const ItemContent& content) RT_SAFE {
   return holds_one_of<lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode,
                       lang::CoolantCommand, lang::ToolChange, lang::OverrideControl,
                       lang::ForceControl, lang::OutputCommand, lang::MachineFunction,
-                      lang::ProgramStop, ProbeBegin, ProgramRequest, RunEnd>(content);
+                      lang::ProgramStop, ProbeBegin, Request, RunEnd>(content);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ struct ItemWorker::Execution {
   void operator()(const lang::OutputCommand& output) const RT_SAFE {
     Signals& outputs = *parts.books.outputs;
     if (output.analog) {
-      outputs.analog[static_cast<std::size_t>(output.number)] = output.value;
+      outputs.analog[output.number] = output.value;
     } else {
       outputs.set(output.number, output.value != 0.0);
     }
@@ -106,10 +106,10 @@ struct ItemWorker::Execution {
                                        : "the probe is free before the move",
                    tag);
   }
-  void operator()(const ProgramRequest& request) const RT_SAFE {
+  void operator()(const Request& request) const RT_SAFE {
     worker.request_ = OpenRequest{tag, request};
     worker.activity_ = Activity::request;
-    if (request.data.kind == lang::RequestKind::probe_result)
+    if (std::holds_alternative<requests::ProbeResult>(request))
       worker.answer(worker.probe_.take_answer());
   }
   void operator()(const AxesStep& step) const RT_SAFE {

@@ -20,7 +20,7 @@ namespace stanok::channels {
 // A request of the program that waits for the coordinator.
 struct OpenRequest {
   motion::BlockTag tag;
-  ProgramRequest request;
+  Request content;
 };
 
 class ItemWorker {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/visit_in_cycle.h"
 #include "motion/profile/feed_control.h"
 
 namespace stanok::channels {
@@ -16,18 +17,33 @@ bool has_passed(const MarkWorker::Progress& progress, const Rider& rider) RT_SAF
 
 }  // namespace
 
+struct MarkWorker::Execution {
+  MarkWorker& worker;
+
+  void operator()(const riders::MarkChange& change) const RT_SAFE {
+    worker.is_set_[change.mark] = change.is_set;
+  }
+  void operator()(const riders::SoftMark& /*passed*/) const RT_SAFE {}
+  void operator()(const riders::DigitalOutput& output) const RT_SAFE {
+    worker.outputs_.set(output.number, output.is_on);
+  }
+  void operator()(const riders::AnalogOutput& output) const RT_SAFE {
+    worker.outputs_.analog[output.number] = output.value;
+  }
+};
+
 std::optional<motion::BlockTag> MarkWorker::advance(const Progress& progress) RT_SAFE {
   for (int n = 0; n < riders_per_cycle && !riders_.empty(); ++n) {
     const Rider rider = riders_.front();
     const bool passed = has_passed(progress, rider);
     if (!passed && !front_is_due(progress)) return std::nullopt;
-    if (rider.kind == RiderKind::mark_wait) {
+    if (std::holds_alternative<riders::SoftMark>(rider.content)) {
       if (!is_open_ && passed) return rider.tag;
       is_waiting_ = !is_open_;
       if (is_waiting_) return std::nullopt;
       pass(rider);
     }
-    execute(rider);
+    visit_in_cycle(Execution{*this}, rider.content);
     riders_.pop_front();
   }
   return std::nullopt;
@@ -50,23 +66,6 @@ void MarkWorker::pass(const Rider& mark) RT_SAFE {
   is_open_ = false;
 }
 
-void MarkWorker::execute(const Rider& rider) RT_SAFE {
-  switch (rider.kind) {
-    case RiderKind::mark_set:
-    case RiderKind::mark_clear:
-      is_set_[static_cast<std::size_t>(rider.number)] = rider.kind == RiderKind::mark_set;
-      break;
-    case RiderKind::mark_wait:
-      break;
-    case RiderKind::digital_output:
-      outputs_.set(rider.number, rider.value != 0.0);
-      break;
-    case RiderKind::analog_output:
-      outputs_.analog[static_cast<std::size_t>(rider.number)] = rider.value;
-      break;
-  }
-}
-
 void MarkWorker::find_gates() RT_SAFE {
   gate_ = std::max<std::uint64_t>(gate_, riders_.popped());
   while (gate_ < riders_.shown() && soft_mark_at(gate_) == nullptr) ++gate_;
@@ -78,7 +77,7 @@ void MarkWorker::find_gates() RT_SAFE {
 const Rider* MarkWorker::soft_mark_at(std::uint64_t number) const RT_SAFE {
   if (number < riders_.popped() || number >= riders_.shown()) return nullptr;
   const Rider& rider = riders_[number - riders_.popped()];
-  return rider.kind == RiderKind::mark_wait ? &rider : nullptr;
+  return std::holds_alternative<riders::SoftMark>(rider.content) ? &rider : nullptr;
 }
 
 std::uint64_t MarkWorker::closed_from_block() const RT_SAFE {

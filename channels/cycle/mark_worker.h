@@ -9,10 +9,10 @@
 // or behind the front of the ring, the second one behind the first.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
+#include "base/numbered.h"
 #include "base/ring.h"
 #include "base/rt_safe.h"
 #include "channels/contract/output.h"
@@ -46,11 +46,9 @@ class MarkWorker {
   // the path flows through an open mark it must be able to stop at the one behind.
   [[nodiscard]] std::uint64_t closed_from_block() const RT_SAFE;
 
-  [[nodiscard]] bool is_set(int mark) const RT_SAFE {
-    return is_set_[static_cast<std::size_t>(mark)];
-  }
+  [[nodiscard]] bool is_set(int mark) const RT_SAFE { return is_set_[mark]; }
   // The next soft mark on the path, or nullptr; whether the channel stands there, and the one that
-  // it left behind in this cycle.
+  // it left behind in this cycle. Both hold a riders::SoftMark.
   [[nodiscard]] const Rider* soft_mark() const RT_SAFE { return soft_mark_at(gate_); }
   [[nodiscard]] bool is_waiting() const RT_SAFE { return is_waiting_; }
   [[nodiscard]] const Rider* passed_mark() const RT_SAFE {
@@ -68,12 +66,13 @@ class MarkWorker {
   [[nodiscard]] bool front_is_due(const Progress& progress) const RT_SAFE;
   [[nodiscard]] bool is_at_gate(const Progress& progress) const RT_SAFE;
   void pass(const Rider& mark) RT_SAFE;
-  void execute(const Rider& rider) RT_SAFE;
+  // Carries out a rider: one overload for each of its contents.
+  struct Execution;
   [[nodiscard]] const Rider* soft_mark_at(std::uint64_t number) const RT_SAFE;
 
   Ring<Rider>& riders_;
   Signals& outputs_;
-  std::array<bool, lang::mark_max + 1> is_set_{};
+  NumberedArray<bool, lang::mark_max + 1> is_set_{};
   std::uint64_t gate_ = 0;  // number of the rider that is the next soft mark, or of the next rider
   std::uint64_t gate_behind_ = 0;  // the same for the soft mark behind that one
   bool is_waiting_ = false;

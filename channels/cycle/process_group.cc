@@ -1,6 +1,7 @@
 #include "channels/cycle/process_group.h"
 
 #include <cmath>
+#include <utility>
 
 namespace stanok::channels {
 namespace {
@@ -18,9 +19,10 @@ ProcessGroup::ProcessGroup(const ChannelConstants& constants, const AxisGroup& a
     laws_[k] = motion::AutomaticFeed(constants.automatic_feeds[k]);
 }
 
-void ProcessGroup::sense(std::span<const SpindleSensors> sensors) RT_SAFE {
-  const auto spindle = static_cast<std::size_t>(constants_.machine_spindle[0]);
-  if (constants_.spindle_count > 0 && spindle < sensors.size()) sensors_ = sensors[spindle];
+void ProcessGroup::sense(NumberedSpan<const SpindleSensors> sensors) RT_SAFE {
+  const int spindle = constants_.machine_spindle[0];
+  if (constants_.spindle_count > 0 && std::cmp_less(spindle, sensors.size()))
+    sensors_ = sensors[spindle];
 }
 
 double ProcessGroup::form_feed() RT_SAFE {
@@ -79,7 +81,7 @@ motion::CutState ProcessGroup::cut_state(double feed_override) RT_SAFE {
     cut.transverse_code = axes_.setpoint(x).position_code;
     cut.transverse_mm = axes_.setpoint(x).position;
     cut.increment_mm = axes_.constants(x).codes.resolution;
-    cut.radius_mm = path.point[static_cast<std::size_t>(x)].value;
+    cut.radius_mm = path.point[x].value;
   }
   cut.frame_is_new = motion_.takes_new_frame();
   cut.feed_programmed = path.feed_commanded;

@@ -8,6 +8,7 @@
 #include <array>
 #include <span>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/axes/axis_motion.h"
 #include "channels/axes/spindle_group.h"
@@ -25,7 +26,7 @@ class ProcessGroup {
                const SpindleGroup& spindles, ChannelLog& log);
 
   // The sensors of all spindles of the machine.
-  void sense(std::span<const SpindleSensors> sensors) RT_SAFE;
+  void sense(NumberedSpan<const SpindleSensors> sensors) RT_SAFE;
 
   // What the laws of the cycle leave of the programmed feed, by the path at feed of the cycle
   // before.

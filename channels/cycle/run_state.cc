@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "base/enum_names.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -37,20 +39,6 @@ constexpr auto table = std::to_array<Transition>({
     {Change::switch_ends, set_of(Situation::switching), Aim::rest},
 });
 
-ChannelState state_of(Situation situation, bool has_program) RT_SAFE {
-  switch (situation) {
-    case Situation::running:
-      return ChannelState::running;
-    case Situation::held:
-      return ChannelState::held;
-    case Situation::alarm:
-    case Situation::fault:
-      return ChannelState::alarm;
-    default:
-      return has_program ? ChannelState::ready : ChannelState::idle;
-  }
-}
-
 }  // namespace
 
 std::span<const Transition> transitions() RT_SAFE {
@@ -58,17 +46,34 @@ std::span<const Transition> transitions() RT_SAFE {
 }
 
 std::string_view name_of(Change change) {
-  constexpr auto names = std::to_array<std::string_view>(
-      {"power_on", "power_off", "loaded", "run_begins", "held", "resumed", "run_ends", "alarm",
-       "ending_begins", "ending_ends", "ending_ends_in_alarm", "hand_begins", "hand_ends",
-       "switch_begins", "switch_ends"});
-  return names.at(static_cast<std::size_t>(change));
+  static constexpr auto names =
+      enum_names<Change>({{Change::power_on, "power_on"},
+                          {Change::power_off, "power_off"},
+                          {Change::loaded, "loaded"},
+                          {Change::run_begins, "run_begins"},
+                          {Change::held, "held"},
+                          {Change::resumed, "resumed"},
+                          {Change::run_ends, "run_ends"},
+                          {Change::alarm, "alarm"},
+                          {Change::ending_begins, "ending_begins"},
+                          {Change::ending_ends, "ending_ends"},
+                          {Change::ending_ends_in_alarm, "ending_ends_in_alarm"},
+                          {Change::hand_begins, "hand_begins"},
+                          {Change::hand_ends, "hand_ends"},
+                          {Change::switch_begins, "switch_begins"},
+                          {Change::switch_ends, "switch_ends"}});
+  return names[change];
 }
 
 std::string_view name_of(Aim aim) {
-  constexpr auto names = std::to_array<std::string_view>(
-      {"rest", "running", "held", "alarm", "ending", "by hand", "switching"});
-  return names.at(static_cast<std::size_t>(aim));
+  static constexpr auto names = enum_names<Aim>({{Aim::rest, "rest"},
+                                                 {Aim::running, "running"},
+                                                 {Aim::held, "held"},
+                                                 {Aim::alarm, "alarm"},
+                                                 {Aim::ending, "ending"},
+                                                 {Aim::by_hand, "by hand"},
+                                                 {Aim::switching, "switching"}});
+  return names[aim];
 }
 
 void RunState::apply(Change change) RT_SAFE {
@@ -78,7 +83,7 @@ void RunState::apply(Change change) RT_SAFE {
     situation_ = reached(row.to);
     break;
   }
-  if (!is_ending()) shown_ = state_of(situation_, has_program_);
+  if (!is_ending()) shown_ = state();
   if (is_ending() && change == Change::alarm) shown_ = ChannelState::alarm;
 }
 
@@ -102,6 +107,20 @@ void RunState::note(Change change) RT_SAFE {
       return;
     default:
       return;
+  }
+}
+
+ChannelState RunState::state() const RT_SAFE {
+  switch (situation_) {
+    case Situation::running:
+      return ChannelState::running;
+    case Situation::held:
+      return ChannelState::held;
+    case Situation::alarm:
+    case Situation::fault:
+      return ChannelState::alarm;
+    default:
+      return has_program_ ? ChannelState::ready : ChannelState::idle;
   }
 }
 

@@ -65,6 +65,8 @@ class RunState {
   [[nodiscard]] bool is_ending() const RT_SAFE { return situation_ == Situation::ending; }
 
  private:
+  // Of the situation, unless the channel comes to rest.
+  [[nodiscard]] ChannelState state() const RT_SAFE;
   [[nodiscard]] Situation reached(Aim aim) const RT_SAFE;
   void note(Change change) RT_SAFE;
 

@@ -1,12 +1,13 @@
 #include "channels/machine/machine.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
+#include "base/place.h"
 #include "channels/contract/motion_config.h"
 #include "channels/coordinator/coordinator.h"
 #include "channels/cycle/channel.h"
+#include "channels/machine/input_watch.h"
 #include "channels/preparation/preparation.h"
 #include "channels/stores/input_book.h"
 
@@ -24,7 +25,7 @@ constexpr double demand_reserve = 1.2;
 int channel_axis_of(const MachineConfig& machine, const ChannelConfig& channel,
                     const SpindleConfig& spindle) {
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    const AxisConfig& axis = machine.axes[channel.axes[k]];
     if (!spindle.axis.empty() && axis.name == spindle.axis) return static_cast<int>(k);
   }
   return -1;
@@ -39,7 +40,7 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
   constants.stops_go_on = options.stops_go_on;
   constants.probe_input = channel.probe_input;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
-    const AxisConfig& axis = machine.axes[static_cast<std::size_t>(channel.axes[k])];
+    const AxisConfig& axis = machine.axes[channel.axes[k]];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;
     constants.axes[k] = {.codes = {axis.resolution, axis.kmv},
                          .brake_s = axis.brake_s,
@@ -60,15 +61,15 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
         std::find_if(machine.spindles.begin(), machine.spindles.end(),
                      [id](const SpindleConfig& candidate) { return candidate.id == id; });
     if (spindle == machine.spindles.end() || constants.spindle_count == spindles_max) continue;
-    const auto s = static_cast<std::size_t>(constants.spindle_count++);
-    constants.spindles.at(s) = *spindle;
-    constants.spindle_axis.at(s) = channel_axis_of(machine, channel, *spindle);
-    constants.machine_spindle.at(s) = static_cast<int>(spindle - machine.spindles.begin());
+    const int s = constants.spindle_count++;
+    constants.spindles[s] = *spindle;
+    constants.spindle_axis[s] = channel_axis_of(machine, channel, *spindle);
+    constants.machine_spindle[s] = static_cast<int>(spindle - machine.spindles.begin());
   }
   std::copy_n(channel.automatic_feeds.begin(),
               std::min(channel.automatic_feeds.size(), constants.automatic_feeds.size()),
               constants.automatic_feeds.begin());
-  const auto index = static_cast<std::size_t>(&channel - machine.channels.data());
+  const std::size_t index = checked_size(&channel - machine.channels.data());
   if (index < options.feed_modifiers.size())
     constants.feed_modifier = options.feed_modifiers[index];
   return constants;
@@ -92,8 +93,8 @@ struct Seat {
   Channel channel;
 };
 
-std::array<OwnerFailure, channels_max> owner_rules(const MachineConfig& config) {
-  std::array<OwnerFailure, channels_max> rules{};
+OwnerFailures owner_rules(const MachineConfig& config) {
+  OwnerFailures rules{};
   for (std::size_t k = 0; k < config.channels.size(); ++k)
     rules.at(k) = config.channels[k].on_owner_failure;
   return rules;
@@ -105,10 +106,9 @@ struct Machine::Parts {
   Parts(const MachineConfig& machine, const lang::Files& files, const MachineOptions& options)
       : config(machine),
         tables(machine),
-        outputs_to_inputs(options.outputs_to_inputs),
-        sensors(machine.spindles.size()),
         events(events_max),
         inputs(inputs_max, events),
+        watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr, inputs),
         replies(replies_max),
         stop_replies(replies_max) {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
@@ -119,51 +119,13 @@ struct Machine::Parts {
     for (const ChannelConfig& channel : machine.channels) {
       seats.push_back(
           std::make_unique<Seat>(machine, channel, options, files, tables, shared,
-                                 CycleBooks{&events, &reports, &signals_out, &signals_in}));
+                                 CycleBooks{&events, &reports, &signals_out, &watch.signals()}));
       channels.push_back(&seats.back()->channel);
       if (options.on_at_start) channels.back()->power(Power::on);
     }
     coordinator = std::make_unique<Coordinator>(
         channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
-        MachineStores{&shared, &tables, &signals_in});
-  }
-
-  // Takes over what changed, and writes it down.
-  void take_signals(const Signals* given) RT_SAFE {
-    Signals next;
-    if (outputs_to_inputs) next = signals_out;
-    if (given != nullptr) next = *given;
-    if (next == signals_in) return;
-    Signals changed;
-    changed.digital = next.digital ^ signals_in.digital;
-    for (int k = 0; k < Signals::digital_count; ++k) {
-      if (!changed.is_on(k)) continue;
-      inputs.note({.cycle = cycle, .content = DigitalInput{.number = k, .is_on = next.is_on(k)}});
-    }
-    for (std::size_t k = 0; k < next.analog.size(); ++k) {
-      if (next.analog[k] == signals_in.analog[k]) continue;
-      const auto number = static_cast<std::int32_t>(k);
-      inputs.note({.cycle = cycle, .content = AnalogInput{number, next.analog[k]}});
-    }
-    signals_in = next;
-  }
-
-  void take_sensors(std::span<const SpindleSensors> given) RT_SAFE {
-    using enum SpindleQuantity;
-    for (std::size_t k = 0; k < std::min(given.size(), sensors.size()); ++k) {
-      note_sensor(k, power_w, given[k].power_w, sensors[k].power_w);
-      note_sensor(k, vibration_um, given[k].vibration_um, sensors[k].vibration_um);
-      note_sensor(k, vibration_hz, given[k].vibration_hz, sensors[k].vibration_hz);
-    }
-  }
-
-  // Takes over a value that changed, and writes it down.
-  void note_sensor(std::size_t spindle, SpindleQuantity quantity, double given, double& kept)
-      RT_SAFE {
-    if (given == kept || (std::isnan(given) && std::isnan(kept))) return;
-    kept = given;
-    inputs.note({.cycle = cycle,
-                 .content = SpindleInput{static_cast<std::int32_t>(spindle), quantity, given}});
+        MachineStores{&shared, &tables, &watch.signals()});
   }
 
   // Reports of runs and alarms that found no place.
@@ -181,17 +143,15 @@ struct Machine::Parts {
   const MachineConfig& config;
   LiveTables tables;
   SharedVariables shared;
-  bool outputs_to_inputs;
-  std::vector<SpindleSensors> sensors;  // one for each spindle of the machine
-  Signals signals_in;
   Signals signals_out;
   ReportBook reports;
   EventBook events;
   std::uint64_t reports_lost = 0;  // told of
   InputBook inputs;
+  InputWatch watch;
   Ring<OperatorReply> replies;
   Ring<OperatorReply> stop_replies;
-  std::vector<std::unique_ptr<Seat>> seats;
+  NumberedList<std::unique_ptr<Seat>> seats;
   std::unique_ptr<Coordinator> coordinator;
   std::int64_t cycle = 0;
 };
@@ -207,11 +167,11 @@ const MachineConfig& Machine::config() const {
 }
 
 Progress Machine::prepare(int index) {
-  return parts_->seats[static_cast<std::size_t>(index)]->preparation.step();
+  return parts_->seats[index]->preparation.step();
 }
 
 bool Machine::has_prepared(int index, const Arrivals& recorded) const {
-  return parts_->seats[static_cast<std::size_t>(index)]->channel.has_prepared(recorded);
+  return parts_->seats[index]->channel.has_prepared(recorded);
 }
 
 bool Machine::select_scheme_at_start(int channel, int scheme) {
@@ -236,11 +196,10 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     parts.inputs.note({.cycle = parts.cycle, .channel = event.channel, .content = event.command});
     parts.coordinator->take(event);
   }
-  parts.take_signals(inputs.signals);
-  parts.take_sensors(inputs.sensors);
+  parts.watch.take(parts.cycle, inputs.signals, inputs.sensors);
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
-    seat->channel.sense(parts.sensors);
+    seat->channel.sense(parts.watch.sensors());
     seat->channel.advance(parts.cycle);
   }
   parts.coordinator->step();
@@ -306,13 +265,12 @@ std::optional<SearchReport> Machine::search(int channel) const {
   return parts_->reports.search(channel);
 }
 
-BlockReport Machine::block(int channel, const motion::BlockTag& tag, bool running) const {
-  const auto& channels = parts_->config.channels;
-  const auto at = std::find_if(channels.begin(), channels.end(),
-                               [&](const ChannelConfig& config) { return config.id == channel; });
-  if (at == channels.end()) return {};
-  return parts_->seats[static_cast<std::size_t>(at - channels.begin())]->block_book.at(tag,
-                                                                                       running);
+BlockReport Machine::block(const ChannelOutput& shown) const {
+  for (const auto& seat : parts_->seats) {
+    if (seat->channel.id() != shown.id) continue;
+    return shown.running ? seat->block_book.at(shown.tag) : seat->block_book.newest();
+  }
+  return {};
 }
 
 std::vector<AlarmReport> Machine::load_diagnostics() const {

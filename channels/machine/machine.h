@@ -94,7 +94,7 @@ class Machine {
   // Where the next run of the channel with this id begins; nothing: at the first block.
   [[nodiscard]] std::optional<SearchReport> search(int channel) const;
   // The current block of a channel, as its output tells it; any thread.
-  [[nodiscard]] BlockReport block(int channel, const motion::BlockTag& tag, bool running) const;
+  [[nodiscard]] BlockReport block(const ChannelOutput& shown) const;
   [[nodiscard]] TablesConfig tables() const;
 
  private:

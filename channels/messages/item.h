@@ -11,24 +11,11 @@
 
 #include "channels/contract/output.h"
 #include "channels/contract/texts.h"
+#include "channels/messages/request.h"
 #include "lang/contract/command.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
-
-// A request of lang::Request as plain data.
-struct RequestData {
-  lang::RequestKind kind = lang::RequestKind::sync;
-  std::int32_t channel = 0;
-  std::int32_t number = 0;
-  std::int32_t index = 0;
-  bool analog = false;
-  bool is_text = false;  // shared variables
-  lang::Combination combination = lang::Combination::add;
-  std::uint32_t channels = 0;  // bit k: channel with id k
-  double seconds = -1.0;
-  double value = 0.0;
-};
 
 // A program or a line was compiled, or a block found.
 struct LoadDone {
@@ -74,12 +61,6 @@ struct ProbeBegin {
   bool alarm_when_missed = false;
 };
 
-// To the coordinator; the preparation waits for the answer.
-struct ProgramRequest {
-  RequestData data{};
-  ShortText text{};
-};
-
 // A step of a switch of kinematics: brakes closed, then drives off; or drives on, then brakes open.
 struct AxesStep {
   enum class Kind : std::uint8_t { park, join };
@@ -100,12 +81,13 @@ struct SwitchFailed {
   ShortText text{};
 };
 
-// Those of lang are commands of the program that reach the cycle as they are.
+// Those of lang are commands of the program that reach the cycle as they are. The preparation waits
+// for the answer to a Request.
 using ItemContent =
     std::variant<LoadDone, RunEnd, LineEnd, RunFailed, BrokenOff, ResetDone, TransformSet,
                  lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
                  lang::ToolChange, lang::OverrideControl, lang::ForceControl, lang::OutputCommand,
-                 lang::MachineFunction, lang::ProgramStop, ProbeBegin, ProgramRequest, AxesStep,
+                 lang::MachineFunction, lang::ProgramStop, ProbeBegin, Request, AxesStep,
                  SchemeChosen, SwitchDone, SwitchFailed>;
 
 struct Item {
@@ -115,23 +97,34 @@ struct Item {
   ItemContent content{};
 };
 
-enum class RiderKind : std::uint8_t {
-  mark_set,
-  mark_clear,
-  mark_wait,
-  digital_output,
-  analog_output,
+namespace riders {
+
+struct MarkChange {
+  std::int32_t mark = 0;
+  bool is_set = false;  // else it is cleared
+};
+// Stops the path where the partners are not there yet; all others never do.
+struct SoftMark {
+  std::int32_t mark = 0;
+  std::uint32_t channels = 0;  // the partners: bit k: channel with id k
+};
+struct DigitalOutput {
+  std::int32_t number = 0;
+  bool is_on = false;
+};
+struct AnalogOutput {
+  std::int32_t number = 0;
+  double value = 0.0;
 };
 
+}  // namespace riders
+
 // What travels with the path and takes effect where block `before_block` (or a later one) begins.
-// Only a mark where the partners are not there yet stops the path.
 struct Rider {
-  RiderKind kind = RiderKind::mark_set;
   motion::BlockTag tag;
   std::uint64_t before_block = 0;
-  std::int32_t number = 0;     // mark, output
-  double value = 0.0;          // output
-  std::uint32_t channels = 0;  // mark_wait: bit k: channel with id k
+  std::variant<riders::MarkChange, riders::SoftMark, riders::DigitalOutput, riders::AnalogOutput>
+      content{};
 };
 
 struct SpokenText {

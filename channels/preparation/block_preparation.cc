@@ -46,8 +46,7 @@ motion::Point point_on(const motion::Point& start, const motion::Point& end,
     point[k] = start[k] + (end[k] - start[k]) * stretch.end;
   for (std::size_t c = 0; c < 2; ++c) {
     const auto& coefficients = stretch.coefficients[c];
-    point[static_cast<std::size_t>(plane[c])] =
-        std::accumulate(coefficients.begin(), coefficients.end(), 0.0);
+    point[plane[c]] = std::accumulate(coefficients.begin(), coefficients.end(), 0.0);
   }
   return point;
 }
@@ -141,10 +140,8 @@ double BlockPreparation::face_axis_at(const motion::PathBlock& block, double par
     const double angle = block.sweep_rad * part;
     const double x = motion::at(position_W_, block.plane[0]) - block.centre[0];
     const double y = motion::at(position_W_, block.plane[1]) - block.centre[1];
-    point_W[static_cast<std::size_t>(block.plane[0])] =
-        block.centre[0] + x * std::cos(angle) - y * std::sin(angle);
-    point_W[static_cast<std::size_t>(block.plane[1])] =
-        block.centre[1] + x * std::sin(angle) + y * std::cos(angle);
+    point_W[block.plane[0]] = block.centre[0] + x * std::cos(angle) - y * std::sin(angle);
+    point_W[block.plane[1]] = block.centre[1] + x * std::sin(angle) + y * std::cos(angle);
   }
   motion::Point axes_M{};
   kinematics::inverse(*block.transform, point_W, axes_M);
@@ -169,7 +166,7 @@ motion::Point BlockPreparation::axes_M() const {
   kinematics::inverse(transform(), position_W_, axes_M);
   if (is_on_face()) {
     constexpr double turn = 360.0;
-    double& rotary = axes_M[static_cast<std::size_t>(face_.rotary_axis())];
+    double& rotary = axes_M[face_.rotary_axis()];
     rotary += turn * std::round((face_axis_M_ - rotary) / turn);
   }
   return axes_M;
@@ -193,8 +190,7 @@ std::optional<Diagnostic> BlockPreparation::refusal(
 motion::Point BlockPreparation::end_of(const lang::Move& move) const {
   const auto with_words = [&](motion::Point point) {
     for (int k = 0; k < motion_.axis_count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      if ((move.words >> k & 1U) != 0) point[i] = move.end[i];
+      if ((move.words >> k & 1U) != 0) point[k] = move.end[k];
     }
     return point;
   };
@@ -202,8 +198,7 @@ motion::Point BlockPreparation::end_of(const lang::Move& move) const {
     const motion::Point end = face_.to_path(with_words(face_.to_program(position_W_)));
     motion::Point kept = position_W_;  // to the bit where no word is
     for (int k = 0; k < motion_.axis_count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      if ((move.words >> k & 1U) != 0) kept[i] = end[i];
+      if ((move.words >> k & 1U) != 0) kept[k] = end[k];
     }
     return kept;
   }

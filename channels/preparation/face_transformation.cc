@@ -75,7 +75,7 @@ std::optional<Diagnostic> FaceTransformation::refusal(const lang::Transformation
     return refused("no " + name_of(change) + " transformation here: " + defect,
                    "change to a scheme of type lathe or cartesian with the rotary axis before");
   }
-  const motion::AxisLimits& limits = motion_.axes[static_cast<std::size_t>(change.rotary_axis)];
+  const motion::AxisLimits& limits = motion_.axes[change.rotary_axis];
   const bool is_endless = std::isinf(limits.position_min) && std::isinf(limits.position_max);
   if (change.kind == lang::Transformation::polar_face && !is_endless) {
     return refused("the rotary axis of a face must turn without end",
@@ -101,7 +101,7 @@ void FaceTransformation::forget() {
 
 kinematics::Transform FaceTransformation::applied_to(const kinematics::Transform& programmed) {
   if (!is_on()) return programmed;
-  const auto rotary = static_cast<std::size_t>(change_.rotary_axis);
+  const AxisIndex rotary = change_.rotary_axis;
   kinematics::SchemeConfig config =
       is_face()
           ? kinematics::face_scheme(active_->config(), change_.rotary_axis, side_)
@@ -117,13 +117,13 @@ kinematics::Transform FaceTransformation::applied_to(const kinematics::Transform
 
 motion::Point FaceTransformation::to_path(motion::Point programmed) const {
   if (change_.kind == lang::Transformation::cylinder)
-    programmed[static_cast<std::size_t>(change_.rotary_axis)] *= mm_per_deg(change_);
+    programmed[change_.rotary_axis] *= mm_per_deg(change_);
   return programmed;
 }
 
 motion::Point FaceTransformation::to_program(motion::Point path) const {
   if (change_.kind == lang::Transformation::cylinder)
-    path[static_cast<std::size_t>(change_.rotary_axis)] /= mm_per_deg(change_);
+    path[change_.rotary_axis] /= mm_per_deg(change_);
   return path;
 }
 
@@ -134,8 +134,7 @@ std::array<int, 3> FaceTransformation::geometry() const {
 
 double FaceTransformation::distance_to_pole(const motion::Point& start,
                                             const motion::PathBlock& block) const {
-  const double offset =
-      block.transform->frame.offset[static_cast<std::size_t>(motion_.geometry[0])];
+  const double offset = block.transform->frame.offset[motion_.geometry[0]];
   const auto place = [&](const motion::Point& point) {
     return Place{motion::at(point, motion_.geometry[0]) + offset,
                  motion::at(point, change_.rotary_axis)};

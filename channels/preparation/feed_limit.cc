@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/axis_index.h"
 #include "motion/bounds/segment_bounds.h"
 #include "motion/path/shape.h"
 
@@ -20,9 +21,8 @@ bool is_above_limit(const motion::Segment& segment) {
 
 // Along s there are mm, or deg where rotary axes alone move.
 const char* unit_of(const motion::Segment& segment, const motion::MotionConfig& motion) {
-  for (const int axis : motion.geometry) {
-    if (axis >= 0 && segment.geometry.metric.counts(static_cast<std::size_t>(axis)))
-      return "mm/min";
+  for (const AxisIndex axis : motion.geometry) {
+    if (axis.exists() && segment.geometry.metric.counts(axis.place())) return "mm/min";
   }
   return "deg/min";
 }

@@ -35,8 +35,7 @@ class FeedSink {
   virtual void take_segment(const motion::PathBuilder::Built& /*built*/) {}
   virtual void take_thread(motion::ThreadChain /*chain*/) {}
   virtual void take_item(const Item& /*item*/) {}
-  // The same for a ProgramRequest; a shared variable is known to `request` by name only.
-  virtual void take_request(const Item& /*item*/, const lang::Request& /*request*/) {}
+  virtual void take_request(const motion::BlockTag& /*tag*/, const lang::Request& /*request*/) {}
   virtual void take_rider(const Rider& /*rider*/) {}
   virtual void take_remark(const Remark& /*remark*/) {}
 };

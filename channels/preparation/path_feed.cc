@@ -210,43 +210,30 @@ PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
 }
 
 void PathFeed::take_request(const lang::Command& command, const lang::Request& request) {
-  RequestData data;
-  data.kind = request.kind;
-  data.channel = request.channel;
-  data.number = request.number;
-  data.index = request.index;
-  data.analog = request.analog;
-  data.channels = request.channels;
-  data.seconds = request.seconds;
-  data.value = request.value;
-  data.combination = request.combination;
   has_given_ = true;
   end_chain();
-  sink_->take_request(
-      {.tag = tag_of(command), .content = ProgramRequest{data, ShortText(request.text)}}, request);
+  sink_->take_request(tag_of(command), request);
 }
 
 void PathFeed::take_output(const lang::Command& command, const lang::OutputCommand& output) {
-  Rider rider;
-  rider.kind = output.analog ? RiderKind::analog_output : RiderKind::digital_output;
-  rider.tag = tag_of(command);
-  rider.before_block = command.block;
-  rider.number = output.number;
-  rider.value = output.value;
+  Rider rider{.tag = tag_of(command), .before_block = command.block};
+  if (output.analog) {
+    rider.content = riders::AnalogOutput{.number = output.number, .value = output.value};
+  } else {
+    rider.content = riders::DigitalOutput{.number = output.number, .is_on = output.value != 0.0};
+  }
   give_rider(rider);
 }
 
 void PathFeed::take_mark(const lang::Command& command, const lang::MarkCommand& mark) {
   using Kind = lang::MarkCommand::Kind;
-  Rider rider;
-  rider.kind = mark.kind == Kind::set     ? RiderKind::mark_set
-               : mark.kind == Kind::clear ? RiderKind::mark_clear
-                                          : RiderKind::mark_wait;
-  rider.tag = tag_of(command);
-  rider.before_block = command.block + 1;
-  rider.number = mark.id;
-  rider.channels = mark.channels;
-  if (mark.kind == Kind::wait_soft) end_thread();
+  Rider rider{.tag = tag_of(command), .before_block = command.block + 1};
+  if (mark.kind == Kind::wait_soft) {
+    end_thread();
+    rider.content = riders::SoftMark{.mark = mark.id, .channels = mark.channels};
+  } else {
+    rider.content = riders::MarkChange{.mark = mark.id, .is_set = mark.kind == Kind::set};
+  }
   give_rider(rider);
 }
 
@@ -313,7 +300,7 @@ bool PathFeed::move_axis(int axis, double position, double velocity) {
   motion::PathBlock block;
   block.ending = motion::BlockEnding::exact_stop;
   block.end = builder_.end();
-  block.end[static_cast<std::size_t>(axis)] = position;
+  block.end[axis] = position;
   block.rapid = velocity <= 0.0;
   block.feed_per_s = velocity;
   block.transform = &machine_axes_transform();

@@ -46,9 +46,8 @@ std::vector<motion::Point> approach_points(const motion::Point& start, const mot
     if (axes_apart(points.empty() ? start : points.back(), next) != 0) points.push_back(next);
   };
   if (infeed >= 0) {
-    const auto axis = static_cast<std::size_t>(infeed);
-    motion::Point between = end[axis] > start[axis] ? start : end;
-    between[axis] = std::max(start[axis], end[axis]);
+    motion::Point between = end[infeed] > start[infeed] ? start : end;
+    between[infeed] = std::max(start[infeed], end[infeed]);
     go(between);
   }
   go(end);

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "channels/preparation/feed_limit.h"
+#include "channels/preparation/program_requests.h"
 
 namespace stanok::channels {
 
@@ -41,18 +42,8 @@ void QueueSink::take_item(const Item& item) {
   pending_items_.back().after_rider = link_.riders.pushed() + pending_riders_.size();
 }
 
-void QueueSink::take_request(const Item& item, const lang::Request& request) {
-  const bool is_shared = request.kind == lang::RequestKind::shared_read ||
-                         request.kind == lang::RequestKind::shared_write ||
-                         request.kind == lang::RequestKind::shared_combine;
-  if (!is_shared) return take_item(item);
-  const SharedVariables::Cell cell = shared_.cell(request.text, request.index);
-  Item completed = item;
-  auto& wish = std::get<ProgramRequest>(completed.content);
-  wish.data.number = cell.number;
-  wish.data.is_text = cell.is_text;
-  wish.text = ShortText(request.value_text);
-  take_item(completed);
+void QueueSink::take_request(const motion::BlockTag& tag, const lang::Request& request) {
+  take_item({.tag = tag, .content = request_of(request, shared_)});
 }
 
 bool QueueSink::flush() {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "base/place.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -25,9 +27,7 @@ std::string number(double value) {
 SwitchPlan plan_switch(const ChannelConfig& channel, const kinematics::Scheme& next,
                        const motion::Point& axes_M, lang::AxisSet enabled) {
   const kinematics::SchemeConfig& config = next.config();
-  const auto stands_at = [&](int axis, double position) {
-    return axes_M[static_cast<std::size_t>(axis)] == position;
-  };
+  const auto stands_at = [&](int axis, double position) { return axes_M[axis] == position; };
   lang::AxisSet must_move = 0;
   for (const auto& [axis, position] : config.retract) {
     if (!stands_at(axis, position)) must_move = with(must_move, axis);
@@ -58,10 +58,8 @@ SwitchPlan plan_switch(const ChannelConfig& channel, const kinematics::Scheme& n
 }
 
 motion::Point axes_behind_switch(const kinematics::Scheme& next, motion::Point axes_M) {
-  for (const auto& parking : next.config().parking)
-    axes_M[static_cast<std::size_t>(parking.axis)] = parking.position;
-  for (const auto& [axis, position] : next.config().retract)
-    axes_M[static_cast<std::size_t>(axis)] = position;
+  for (const auto& parking : next.config().parking) axes_M[parking.axis] = parking.position;
+  for (const auto& [axis, position] : next.config().retract) axes_M[axis] = position;
   return axes_M;
 }
 
@@ -71,7 +69,7 @@ const kinematics::Transform& machine_axes_transform() {
 }
 
 std::string axis_word(const ChannelConfig& channel, int axis) {
-  return channel.words[static_cast<std::size_t>(axis)];
+  return channel.words[checked_size(axis)];
 }
 
 Diagnostic unreachable_pose(const motion::Unreachable& pose, const ChannelConfig& channel) {

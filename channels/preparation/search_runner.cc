@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/place.h"
 #include "channels/preparation/search_sink.h"
 
 namespace stanok::channels {
@@ -181,9 +182,8 @@ std::optional<lang::Answer> SearchRunner::answer_of_tables(const lang::Request& 
   if (request.kind == lang::RequestKind::tool_table_read) {
     value = parts_.live.tool_value(request.number, request.index, request.channel);
   } else if (request.kind == lang::RequestKind::offset_table_read) {
-    const int axis = request.index >= 0
-                         ? parts_.config.axes.at(static_cast<std::size_t>(request.index))
-                         : request.index;
+    const int axis =
+        request.index >= 0 ? parts_.config.axes.at(checked_size(request.index)) : request.index;
     value = parts_.live.offset(request.number, axis);
   }
   if (!value) return std::nullopt;

@@ -43,10 +43,15 @@ void BlockBook::tell_end(const motion::BlockTag& tag, const motion::Point& end_W
   enter(ends_, {tag.block, end_W}, blocks_max);
 }
 
-BlockReport BlockBook::at(const motion::BlockTag& tag, bool running) {
+BlockReport BlockBook::newest() {
   const std::lock_guard lock(mutex_);
-  BlockReport report{changes_.back().codes, std::nullopt};
-  if (!running || tag.run != run_) return report;
+  return newest_locked();
+}
+
+BlockReport BlockBook::at(const motion::BlockTag& tag) {
+  const std::lock_guard lock(mutex_);
+  BlockReport report = newest_locked();
+  if (tag.run != run_) return report;
   const auto change = latest(changes_, tag.block);
   report.codes = change == changes_.end() ? changes_.front().codes : change->codes;
   const auto end = latest(ends_, tag.block);

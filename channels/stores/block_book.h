@@ -23,8 +23,10 @@ class BlockBook {
   void tell_codes(const lang::CodeChange& change);
   void tell_end(const motion::BlockTag& tag, const motion::Point& end_W);
 
-  // While a program runs, of its block; else what the newest run left behind.
-  [[nodiscard]] BlockReport at(const motion::BlockTag& tag, bool running);
+  // Of a block of the run that goes on; of another run: what the newest one left behind.
+  [[nodiscard]] BlockReport at(const motion::BlockTag& tag);
+  // What the newest run left behind.
+  [[nodiscard]] BlockReport newest();
 
  private:
   // More than the path queue and the look-ahead hold.
@@ -33,6 +35,8 @@ class BlockBook {
     std::uint64_t block = 0;
     motion::Point end_W{};
   };
+
+  [[nodiscard]] BlockReport newest_locked() const { return {changes_.back().codes, std::nullopt}; }
 
   std::mutex mutex_;
   std::uint32_t run_ = 0;

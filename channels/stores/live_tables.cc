@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/visit_in_cycle.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -18,7 +20,8 @@ std::array<double, tool_values> values_of(const ToolEdge& tool) {
 
 // `Tool`: ToolEdge or ToolRow.
 template <class Tool>
-void take_values(const std::array<std::atomic<double>, tool_values>& values, Tool& tool) RT_SAFE {
+void take_values(const NumberedArray<std::atomic<double>, tool_values>& values, Tool& tool)
+    RT_SAFE {
   tool.length = values[0];
   tool.length_y = values[1];
   tool.length_x = values[2];
@@ -29,6 +32,11 @@ void take_values(const std::array<std::atomic<double>, tool_values>& values, Too
   tool.orientation = static_cast<int>(values[7].load());
   tool.angle_front = values[8];
   tool.angle_back = values[9];
+}
+
+// What tools are ordered by.
+std::pair<int, int> key_of(const ToolEdge& tool) RT_SAFE {
+  return {tool.number, tool.edge};
 }
 
 bool is_in_range(ToolValue value, double to) RT_SAFE {
@@ -91,14 +99,14 @@ LiveTables::LiveTables(const MachineConfig& machine)
   for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
   columns_.emplace_back("R");
   for (const ChannelConfig& channel : machine.channels) channels_.push_back(channel.id);
-  reference_points_ = std::make_unique<std::atomic<double>[]>(
+  reference_points_ = NumberedList<std::atomic<double>>(
       channels_.size() * lang::reference_point_count * columns_.size());
   for (const int channel : channels_) read_reference_points(channel, machine.tables);
-  offsets_ = std::make_unique<std::atomic<double>[]>(work_offsets_max * columns_.size());
+  offsets_ = NumberedList<std::atomic<double>>(work_offsets_max * columns_.size());
   for (int number = 1; number <= work_offsets_max; ++number) {
     const auto row = machine.tables.offsets.find(work_offset_name(number));
     if (row == machine.tables.offsets.end()) continue;
-    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+    for (int axis = 0; axis < column_count(); ++axis) {
       const auto value = row->second.find(columns_[axis]);
       if (value != row->second.end()) offsets_[cell(number, axis)] = value->second;
     }
@@ -109,10 +117,11 @@ LiveTables::LiveTables(const MachineConfig& machine)
     plain.number = number;
     rows[{number, 1}] = {plain, true};
   }
-  for (const ToolEdge& tool : machine.tables.tools) rows[{tool.number, tool.edge}] = {tool, false};
-  tools_ = std::make_unique<ToolPlace[]>(rows.size());
+  for (const ToolEdge& tool : machine.tables.tools) rows[key_of(tool)] = {tool, false};
+  tools_ = NumberedList<ToolPlace>(rows.size());
+  int place = 0;
   for (auto& [key, row] : rows) {
-    ToolPlace& made = tools_[tool_count_++];
+    ToolPlace& made = tools_[place++];
     made.fixed = row.first;
     made.row = row_of(row.first);
     made.is_default = row.second;
@@ -133,42 +142,40 @@ void LiveTables::read_reference_points(int channel, const TablesConfig& tables) 
   }
 }
 
-std::atomic<double>& LiveTables::reference_cell(int channel, int which,
-                                                std::string_view axis) const {
+int LiveTables::reference_cell(int channel, int which, std::string_view axis) const {
   const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
-  const std::size_t row = static_cast<std::size_t>(place) * lang::reference_point_count +
-                          static_cast<std::size_t>(which - 1);
-  return reference_points_[row * columns_.size() + static_cast<std::size_t>(column(axis))];
+  const int row = static_cast<int>(place) * lang::reference_point_count + which - 1;
+  return row * column_count() + column(axis);
 }
 
 double LiveTables::reference_point(int channel, int which, std::string_view axis) const {
-  return reference_cell(channel, which, axis);
+  return reference_points_[reference_cell(channel, which, axis)];
 }
 
 void LiveTables::store_reference_point(int channel, int which, std::string_view axis,
                                        double value) {
-  reference_cell(channel, which, axis) = value;
+  reference_points_[reference_cell(channel, which, axis)] = value;
 }
 
 std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
-  const auto rotation = static_cast<int>(columns_.size()) - 1;
+  const int rotation = column_count() - 1;
   if (axis == lang::rotation_of_offset) axis = rotation;
   const bool exists = number >= 1 && number <= work_offsets_max && axis >= 0 && axis <= rotation;
   if (!exists) return std::nullopt;
-  return offsets_[cell(number, static_cast<std::size_t>(axis))].load(std::memory_order_relaxed);
+  return offsets_[cell(number, axis)].load(std::memory_order_relaxed);
 }
 
 bool LiveTables::set_offset(int number, int axis, double value, Writer writer) RT_SAFE {
   if (write_protected_ && writer == Writer::program) return false;
   if (!offset(number, axis)) return false;
-  if (axis == lang::rotation_of_offset) axis = static_cast<int>(columns_.size()) - 1;
-  offsets_[cell(number, static_cast<std::size_t>(axis))].store(value, std::memory_order_relaxed);
+  if (axis == lang::rotation_of_offset) axis = column_count() - 1;
+  offsets_[cell(number, axis)].store(value, std::memory_order_relaxed);
   return true;
 }
 
 int LiveTables::column(std::string_view axis) const RT_SAFE {
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (columns_[k] == axis) return static_cast<int>(k);
+  for (int k = 0; k < column_count(); ++k) {
+    if (columns_[k] == axis) return k;
   }
   return -1;
 }
@@ -181,42 +188,38 @@ std::optional<double> LiveTables::offset(int number, const std::string& axis) co
 }
 
 const LiveTables::ToolPlace* LiveTables::find(int number, int edge) const RT_SAFE {
-  const ToolPlace* const row = find_place(number, edge);
-  return row != nullptr && row->exists.load(std::memory_order_acquire) ? row : nullptr;
+  const int place = find_place(number, edge);
+  if (place < 0 || !tools_[place].exists.load(std::memory_order_acquire)) return nullptr;
+  return &tools_[place];
 }
 
 bool LiveTables::has_place(int number, int edge) const RT_SAFE {
-  return find_place(number, edge) != nullptr;
+  return find_place(number, edge) >= 0;
 }
 
-const LiveTables::ToolPlace* LiveTables::find_place(int number, int edge) const RT_SAFE {
-  std::size_t first = 0;
-  std::size_t count = tool_count_;
-  while (first < count) {
-    const std::size_t middle = first + (count - first) / 2;
-    const ToolEdge& tool = tools_[middle].fixed;
-    const bool before = tool.number < number || (tool.number == number && tool.edge < edge);
-    (before ? first : count) = before ? middle + 1 : middle;
-  }
-  if (first == tool_count_) return nullptr;
-  const ToolPlace& row = tools_[first];
-  return row.fixed.number == number && row.fixed.edge == edge ? &row : nullptr;
+int LiveTables::find_place(int number, int edge) const RT_SAFE {
+  const auto place = std::lower_bound(tools_.begin(), tools_.end(), std::pair{number, edge},
+                                      [](const ToolPlace& tool, const std::pair<int, int>& sought)
+                                          RT_SAFE { return key_of(tool.fixed) < sought; });
+  if (place == tools_.end() || key_of(place->fixed) != std::pair{number, edge}) return -1;
+  return static_cast<int>(place - tools_.begin());
 }
 
 std::optional<double> LiveTables::tool_value(int number, int edge, int value) const RT_SAFE {
   const ToolPlace* row = find(number, edge);
   if (row == nullptr || value < 1 || value > tool_values) return std::nullopt;
-  return row->values[static_cast<std::size_t>(value - 1)].load(std::memory_order_relaxed);
+  return row->values[value - 1].load(std::memory_order_relaxed);
 }
 
 bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writer writer) RT_SAFE {
   if (write_protected_ && writer == Writer::program) return false;
-  const bool by_person = writer == Writer::person;
-  const ToolPlace* const found = by_person ? find_place(number, edge) : find(number, edge);
-  if (found == nullptr || value < 1 || value > tool_values) return false;
+  const int place = find_place(number, edge);
+  if (place < 0 || value < 1 || value > tool_values) return false;
+  if (writer == Writer::program && !tools_[place].exists.load(std::memory_order_acquire))
+    return false;
   if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
-  ToolPlace& row = tools_[static_cast<std::size_t>(found - tools_.get())];
-  row.values[static_cast<std::size_t>(value - 1)].store(to, std::memory_order_relaxed);
+  ToolPlace& row = tools_[place];
+  row.values[value - 1].store(to, std::memory_order_relaxed);
   row.exists.store(true, std::memory_order_release);
   return true;
 }
@@ -239,8 +242,7 @@ ToolRow LiveTables::row(int number, int edge) const RT_SAFE {
 
 TablesConfig LiveTables::snapshot() const {
   TablesConfig tables;
-  for (std::size_t k = 0; k < tool_count_; ++k) {
-    const ToolPlace& row = tools_[k];
+  for (const ToolPlace& row : tools_) {
     ToolEdge now = row.fixed;
     take_values(row.values, now);
     const bool filled = !unnamed_tools_ && row.fixed.number != 0 && row.exists;
@@ -248,7 +250,7 @@ TablesConfig LiveTables::snapshot() const {
       tables.tools.push_back(now);
   }
   for (int number = 1; number <= work_offsets_max; ++number) {
-    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+    for (int axis = 0; axis < column_count(); ++axis) {
       const double value = offsets_[cell(number, axis)];
       if (value != 0.0) tables.offsets[work_offset_name(number)][columns_[axis]] = value;
     }
@@ -259,7 +261,7 @@ TablesConfig LiveTables::snapshot() const {
 
 void LiveTables::add_reference_points(int channel, TablesConfig& tables) const {
   for (int which = 1; which <= lang::reference_point_count; ++which) {
-    for (std::size_t axis = 0; axis + 1 < columns_.size(); ++axis) {
+    for (int axis = 0; axis + 1 < column_count(); ++axis) {
       const double value = reference_point(channel, which, columns_[axis]);
       if (value == 0.0) continue;
       tables.reference_points[channel][reference_point_name(which)][columns_[axis]] = value;
@@ -267,31 +269,54 @@ void LiveTables::add_reference_points(int channel, TablesConfig& tables) const {
   }
 }
 
-std::optional<double> execute_table_request(LiveTables& tables, const RequestData& request,
-                                            int axis) RT_SAFE {
-  using lang::RequestKind;
-  const bool offsets = request.kind == RequestKind::offset_table_write ||
-                       request.kind == RequestKind::offset_table_read;
-  const bool writes = request.kind == RequestKind::offset_table_write ||
-                      request.kind == RequestKind::tool_table_write;
+namespace {
+
+struct TableExecution {
+  using Result = std::optional<double>;
+
+  LiveTables& tables;
+  NumberedSpan<const int> machine_axes;
+
   // Table 1 is the only one there is.
-  if (offsets && request.channel != 1) return std::nullopt;
-  if (writes) {
-    const bool written = offsets ? tables.set_offset(request.number, axis, request.value)
-                                 : tables.set_tool_value(request.number, request.index,
-                                                         request.channel, request.value);
-    if (!written) return std::nullopt;
-    return request.value;
+  [[nodiscard]] static bool exists(const requests::OffsetRead& place) RT_SAFE {
+    return place.table == 1;
   }
-  return offsets ? tables.offset(request.number, axis)
-                 : tables.tool_value(request.number, request.index, request.channel);
+  [[nodiscard]] int machine_axis(const requests::OffsetRead& place) const RT_SAFE {
+    return place.axis >= 0 ? machine_axes[place.axis] : place.axis;
+  }
+
+  Result operator()(const requests::ToolRead& place) const RT_SAFE {
+    return tables.tool_value(place.tool, place.edge, place.value);
+  }
+  Result operator()(const requests::ToolWrite& write) const RT_SAFE {
+    const auto& [tool, edge, value] = write.place;
+    if (!tables.set_tool_value(tool, edge, value, write.value)) return std::nullopt;
+    return write.value;
+  }
+  Result operator()(const requests::OffsetRead& place) const RT_SAFE {
+    if (!exists(place)) return std::nullopt;
+    return tables.offset(place.offset, machine_axis(place));
+  }
+  Result operator()(const requests::OffsetWrite& write) const RT_SAFE {
+    const requests::OffsetRead& place = write.place;
+    if (!exists(place) || !tables.set_offset(place.offset, machine_axis(place), write.value))
+      return std::nullopt;
+    return write.value;
+  }
+  Result operator()(const auto& /*other*/) const RT_SAFE { return std::nullopt; }
+};
+
+}  // namespace
+
+std::optional<double> execute_table_request(LiveTables& tables, const Request& request,
+                                            NumberedSpan<const int> machine_axes) RT_SAFE {
+  return visit_in_cycle(TableExecution{tables, machine_axes}, request);
 }
 
 ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
                              const ChannelConfig& channel)
     : live_(live), channel_(channel.id) {
-  for (const int axis : channel.axes)
-    axis_names_.push_back(machine.axes[static_cast<std::size_t>(axis)].name);
+  for (const int axis : channel.axes) axis_names_.push_back(machine.axes[axis].name);
 }
 
 std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {

@@ -8,18 +8,17 @@
 // thread.
 #pragma once
 
-#include <array>
 #include <atomic>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/contract/machine_config.h"
 #include "channels/contract/tool_row.h"
-#include "channels/messages/item.h"
+#include "channels/messages/request.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 
@@ -88,36 +87,38 @@ class LiveTables {
     ToolEdge fixed;           // number, edge, name, kind, shape
     ToolRow row;              // of the same
     bool is_default = false;  // no row of the tables: left out of a snapshot until it is written
-    std::atomic<bool> exists{true};  // false: a free place
-    std::array<std::atomic<double>, tool_values> values{};
+    std::atomic<bool> exists{true};                            // false: a free place
+    NumberedArray<std::atomic<double>, tool_values> values{};  // ToolValue less 1
   };
 
-  // A tool that exists; a free place too.
+  // A tool that exists.
   [[nodiscard]] const ToolPlace* find(int number, int edge) const RT_SAFE;
-  [[nodiscard]] const ToolPlace* find_place(int number, int edge) const RT_SAFE;
-  [[nodiscard]] std::size_t cell(int number, std::size_t axis) const RT_SAFE {
-    return static_cast<std::size_t>(number - 1) * columns_.size() + axis;
+  // Its number in `tools_`, or that of a free place; -1: there is none.
+  [[nodiscard]] int find_place(int number, int edge) const RT_SAFE;
+  [[nodiscard]] int column_count() const RT_SAFE { return static_cast<int>(columns_.size()); }
+  [[nodiscard]] int cell(int number, int axis) const RT_SAFE {
+    return (number - 1) * column_count() + axis;
   }
 
   void read_reference_points(int channel, const TablesConfig& tables);
   void add_reference_points(int channel, TablesConfig& tables) const;
-  [[nodiscard]] std::atomic<double>& reference_cell(int channel, int which,
-                                                    std::string_view axis) const;
+  [[nodiscard]] int reference_cell(int channel, int which, std::string_view axis) const;
 
-  std::vector<std::string> columns_;  // of the offsets: the axes, and R, the rotation
-  std::vector<int> channels_;         // ids
+  NumberedList<std::string> columns_;  // of the offsets: the axes, and R, the rotation
+  std::vector<int> channels_;          // ids
   bool write_protected_ = false;
   bool unnamed_tools_ = true;
-  std::unique_ptr<std::atomic<double>[]> offsets_;
-  std::unique_ptr<std::atomic<double>[]> reference_points_;
-  std::unique_ptr<ToolPlace[]> tools_;  // ascending by number and edge
-  std::size_t tool_count_ = 0;
+  NumberedList<std::atomic<double>> offsets_;           // by cell()
+  NumberedList<std::atomic<double>> reference_points_;  // by reference_cell()
+  NumberedList<ToolPlace> tools_;                       // ascending by number and edge
 };
 
-// Reads or writes what a program asks for. `axis` is that of the request, counted among all axes of
-// the machine. Nothing when there is no such entry, or when it cannot be written so.
+// Reads or writes what a program asks of the tables; `machine_axes`: the axes of its channel,
+// counted among all axes of the machine. Nothing when there is no such entry, when it cannot be
+// written so, or when something else is asked for.
 [[nodiscard]] std::optional<double> execute_table_request(LiveTables& tables,
-                                                          const RequestData& request, int axis)
+                                                          const Request& request,
+                                                          NumberedSpan<const int> machine_axes)
     RT_SAFE;
 
 // The tables as the interpreter of one channel sees them.

@@ -10,8 +10,7 @@ bool same_declaration(const lang::SharedVariable& one, const lang::SharedVariabl
 
 }  // namespace
 
-SharedVariables::SharedVariables()
-    : numbers_(new double[number_cells]{}), texts_(new ShortText[text_cells]{}) {}
+SharedVariables::SharedVariables() : numbers_(number_cells), texts_(text_cells) {}
 
 std::optional<Diagnostic> SharedVariables::declare(const lang::SharedVariable& variable) {
   const std::lock_guard lock(mutex_);

@@ -6,12 +6,12 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "channels/messages/item.h"
 #include "lang/run/interpreter.h"
@@ -36,21 +36,13 @@ class SharedVariables {
   [[nodiscard]] Cell cell(const std::string& name, int index) const;
 
   // The cycle.
-  [[nodiscard]] double number(std::int32_t cell) const RT_SAFE {
-    return numbers_[static_cast<std::size_t>(cell)];
-  }
-  void set_number(std::int32_t cell, double value) RT_SAFE {
-    numbers_[static_cast<std::size_t>(cell)] = value;
-  }
-  [[nodiscard]] const ShortText& text(std::int32_t cell) const RT_SAFE {
-    return texts_[static_cast<std::size_t>(cell)];
-  }
-  void set_text(std::int32_t cell, const ShortText& value) RT_SAFE {
-    texts_[static_cast<std::size_t>(cell)] = value;
-  }
+  [[nodiscard]] double number(std::int32_t cell) const RT_SAFE { return numbers_[cell]; }
+  void set_number(std::int32_t cell, double value) RT_SAFE { numbers_[cell] = value; }
+  [[nodiscard]] const ShortText& text(std::int32_t cell) const RT_SAFE { return texts_[cell]; }
+  void set_text(std::int32_t cell, const ShortText& value) RT_SAFE { texts_[cell] = value; }
   // False, and nothing is changed, when it does not fit behind what is there.
   [[nodiscard]] bool append_text(std::int32_t cell, const ShortText& more) RT_SAFE {
-    ShortText& text = texts_[static_cast<std::size_t>(cell)];
+    ShortText& text = texts_[cell];
     constexpr std::size_t characters_max = sizeof(ShortText{}.characters) - 1;
     if (text.view().size() + more.view().size() > characters_max) return false;
     text.append(more.view());
@@ -67,8 +59,8 @@ class SharedVariables {
   std::map<std::string, Entry> entries_;
   std::size_t numbers_used_ = 0;
   std::size_t texts_used_ = 0;
-  std::unique_ptr<double[]> numbers_;
-  std::unique_ptr<ShortText[]> texts_;
+  NumberedList<double> numbers_;
+  NumberedList<ShortText> texts_;
 };
 
 }  // namespace stanok::channels

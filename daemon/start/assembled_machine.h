@@ -56,7 +56,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
     return assembly_.machine().search(channel);
   }
   [[nodiscard]] channels::BlockReport block(const channels::ChannelOutput& output) override {
-    return assembly_.machine().block(output.id, output.tag, output.running);
+    return assembly_.machine().block(output);
   }
   [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
     return assembly_.machine().load_diagnostics();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/place.h"
 #include "plant/modbus/machine_drives.h"
 
 namespace stanok::runtime {
@@ -45,7 +46,7 @@ bool DirectDrives::inject_fault(std::string_view drive, plant::FaultKind fault) 
     return one.registers.axis == drive;
   });
   if (found == simulated_.end()) return false;
-  bus_.inject(static_cast<std::size_t>(found - simulated_.begin()), fault);
+  bus_.inject(checked_size(found - simulated_.begin()), fault);
   return true;
 }
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "base/place.h"
 
 namespace stanok::runtime {
 namespace {
@@ -45,8 +48,8 @@ void aim(drives::DriveTarget& target, const channels::ChannelOutput& channel, st
 }
 
 double spindle_speed(const channels::CycleOutput& output, int id) RT_SAFE {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(output.channel_count); ++c) {
-    for (const channels::SpindleSetpoint& spindle : output.channels[c].process.spindles) {
+  for (const channels::ChannelOutput& channel : output.of_channels()) {
+    for (const channels::SpindleSetpoint& spindle : channel.process.spindles) {
       if (spindle.id == id && spindle.rev_per_min != 0.0) return spindle.rev_per_min;
     }
   }
@@ -106,10 +109,9 @@ std::span<const channels::SpindleSensors> DriveExchange::sensors() RT_SAFE {
 }
 
 void DriveExchange::write(const channels::CycleOutput& output) RT_SAFE {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(output.channel_count); ++c) {
-    const std::vector<int>& axes = machine_.channels[c].axes;
-    for (std::size_t k = 0; k < axes.size(); ++k)
-      aim(targets_[static_cast<std::size_t>(axes[k])], output.channels[c], k);
+  for (int c = 0; c < output.channel_count; ++c) {
+    const AxisList<int>& axes = machine_.channels[c].axes;
+    for (std::size_t k = 0; k < axes.size(); ++k) aim(targets_[axes[k]], output.channels[c], k);
   }
   turn_spindles(output);
   carry_out_fault_resets();
@@ -137,13 +139,20 @@ void DriveExchange::note_fault_resets(std::span<const channels::OperatorEvent> e
     if (!is_reset && event.action() != OperatorAction::machine_on) continue;
     for (const channels::ChannelConfig& channel : machine_.channels) {
       if (is_reset && channel.id != event.channel) continue;
-      for (const int axis : channel.axes) acknowledge(static_cast<std::size_t>(axis));
-      for (std::size_t k = machine_.axes.size(); k < drives_.size(); ++k) {
-        if (std::ranges::find(channel.spindles, drives_[k].spindle) != channel.spindles.end())
-          acknowledge(k);
+      for (std::size_t k = 0; k < drives_.size(); ++k) {
+        if (has_drive(channel, k)) acknowledge(k);
       }
     }
   }
+}
+
+// Whether the drive, in the order of the bus, moves an axis or turns a spindle of the channel.
+bool DriveExchange::has_drive(const channels::ChannelConfig& channel, std::size_t drive) const
+    RT_SAFE {
+  if (drive >= machine_.axes.size())
+    return std::ranges::find(channel.spindles, drives_[drive].spindle) != channel.spindles.end();
+  return std::ranges::any_of(channel.axes,
+                             [drive](int axis) RT_SAFE { return std::cmp_equal(axis, drive); });
 }
 
 void DriveExchange::acknowledge(std::size_t drive) RT_SAFE {
@@ -164,7 +173,7 @@ void DriveExchange::carry_out_fault_resets() RT_SAFE {
 bool DriveExchange::demand_reset(std::string_view drive) {
   const auto found = std::ranges::find(drives_, drive, &drives::AxisDriveConfig::axis);
   if (found == drives_.end()) return false;
-  reset_demands_[static_cast<std::size_t>(found - drives_.begin())] = true;
+  reset_demands_[checked_size(found - drives_.begin())] = true;
   return true;
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/numbered.h"
 #include "channels/contract/operator_event.h"
 #include "channels/machine/machine.h"
 #include "drives/bus.h"
@@ -38,9 +39,7 @@ class DriveExchange {
   }
   // Of the spindles that have a drive on the bus, their own or that of their axis.
   [[nodiscard]] std::span<const channels::SpindleSensors> sensors() RT_SAFE;
-  [[nodiscard]] double position_of(int axis) const RT_SAFE {
-    return raw_feedback_[static_cast<std::size_t>(axis)].position;
-  }
+  [[nodiscard]] double position_of(int axis) const RT_SAFE { return raw_feedback_[axis].position; }
   // Of a spindle of the machine; nothing: it has none on the bus.
   [[nodiscard]] std::optional<std::size_t> drive_of_spindle(std::size_t spindle) const RT_SAFE {
     return spindle_drives_[spindle];
@@ -53,15 +52,17 @@ class DriveExchange {
   void take_feedback() RT_SAFE;
   void turn_spindles(const channels::CycleOutput& output) RT_SAFE;
   void note_fault_resets(std::span<const channels::OperatorEvent> events) RT_SAFE;
+  [[nodiscard]] bool has_drive(const channels::ChannelConfig& channel, std::size_t drive) const
+      RT_SAFE;
   void acknowledge(std::size_t drive) RT_SAFE;
   void carry_out_fault_resets() RT_SAFE;
 
   const channels::MachineConfig& machine_;
   drives::DriveBus& bus_;
   std::vector<drives::AxisDriveConfig> drives_;
-  std::array<drives::DriveFeedback, drives_of_machine_max> raw_feedback_{};
-  std::array<channels::AxisFeedback, axes_of_machine_max> feedback_{};
-  std::array<drives::DriveTarget, drives_of_machine_max> targets_{};
+  NumberedArray<drives::DriveFeedback, drives_of_machine_max> raw_feedback_{};
+  NumberedArray<channels::AxisFeedback, axes_of_machine_max> feedback_{};
+  NumberedArray<drives::DriveTarget, drives_of_machine_max> targets_{};
   std::vector<channels::SpindleSensors> sensors_;
   std::vector<std::optional<std::size_t>> spindle_drives_;
   std::array<std::atomic<bool>, drives_of_machine_max> reset_demands_{};  // of operators

@@ -11,12 +11,12 @@ std::span<const channels::SpindleSensors> IdealDrives::sensors() RT_SAFE {
 
 double IdealDrives::position_of(int axis, const channels::CycleOutput& last) const RT_SAFE {
   for (std::size_t c = 0; c < machine_.channels.size(); ++c) {
-    const std::vector<int>& axes = machine_.channels[c].axes;
-    const auto place = std::ranges::find(axes, axis);
-    if (place != axes.end() && last.channel_count > 0)
-      return last.channels[c].axes[static_cast<std::size_t>(place - axes.begin())].position;
+    const AxisList<int>& axes = machine_.channels[c].axes;
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      if (axes[k] == axis && last.channel_count > 0) return last.channels[c].axes[k].position;
+    }
   }
-  return machine_.axes[static_cast<std::size_t>(axis)].start;
+  return machine_.axes[axis].start;
 }
 
 }  // namespace stanok::runtime

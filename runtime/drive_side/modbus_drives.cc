@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/place.h"
 #include "plant/modbus/machine_drives.h"
 
 namespace stanok::runtime {
@@ -64,7 +65,7 @@ bool ModbusDrives::inject_fault(std::string_view drive, plant::FaultKind fault) 
     return one.registers.axis == drive;
   });
   if (found == simulated_.end()) return false;
-  server_->inject(static_cast<std::size_t>(found - simulated_.begin()), fault);
+  server_->inject(checked_size(found - simulated_.begin()), fault);
   return true;
 }
 

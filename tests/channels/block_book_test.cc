@@ -15,7 +15,7 @@ using ::testing::Not;
 
 BlockReport at_hand(MachineBench& bench) {
   const ChannelOutput& output = bench.channel(1);
-  return bench.machine().block(1, output.tag, output.running);
+  return bench.machine().block(output);
 }
 
 TEST(BlockBook, KnowsTheEndAndTheCodesOfEveryBlockThatMoves) {
@@ -59,9 +59,9 @@ TEST(BlockBook, ForgetsTheOldestBlocksOnly) {
   constexpr std::uint64_t blocks = 100000;
   for (std::uint64_t block = 1; block <= blocks; ++block)
     book.tell_end({.run = 3, .block = block}, {static_cast<double>(block)});
-  EXPECT_FALSE(book.at({.run = 3, .block = 1}, true).end_W);
-  EXPECT_EQ((*book.at({.run = 3, .block = blocks - 20000}, true).end_W)[0], blocks - 20000.0);
-  EXPECT_FALSE(book.at({.run = 2, .block = blocks}, true).end_W) << "of another run";
+  EXPECT_FALSE(book.at({.run = 3, .block = 1}).end_W);
+  EXPECT_EQ((*book.at({.run = 3, .block = blocks - 20000}).end_W)[0], blocks - 20000.0);
+  EXPECT_FALSE(book.at({.run = 2, .block = blocks}).end_W) << "of another run";
 }
 
 }  // namespace

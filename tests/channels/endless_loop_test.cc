@@ -1,8 +1,7 @@
 // Programs that never come to a block: reset ends them, however little the preparation gets to do.
 #include <gtest/gtest.h>
 
-#include "channels/machine/machine.h"
-#include "tests/support/machine/machine_bench.h"
+#include "tests/support/machine/stepped_machine.h"
 
 namespace stanok::channels {
 namespace {
@@ -11,36 +10,26 @@ namespace {
 // starved.
 class EndlessLoop : public ::testing::TestWithParam<const char*> {
  protected:
-  void cycle(OperatorAction action, const std::string& text = "") {
-    OperatorEvent event;
-    event.command = command_of({.action = action, .text = std::string_view(text)}).value();
-    event.channel = 1;
-    CycleInputs inputs;
-    inputs.events = {&event, 1};
-    machine.cycle(inputs, output);
-  }
   void cycles(int count) {
     for (int n = 0; n < count; ++n) {
-      static_cast<void>(machine.prepare(0));
-      machine.cycle({}, output);
+      static_cast<void>(bench.machine.prepare(0));
+      bench.cycle();
     }
   }
 
-  MachineConfig config = testing::two_channel_machine();
   testing::MemoryFiles files;
-  Machine machine{config, files, {.on_at_start = true, .stops_go_on = true}};
-  CycleOutput output;
+  testing::SteppedMachine bench{files};
 };
 
 TEST_P(EndlessLoop, EndsWithin100CyclesOfAReset) {
   files.texts["p.nc"] = GetParam();
-  cycle(OperatorAction::program_run, "p.nc");
+  bench.ask(OperatorAction::program_run, "p.nc");
   cycles(1000);
-  ASSERT_EQ(output.channels[0].state, ChannelState::running);
-  cycle(OperatorAction::program_reset);
+  ASSERT_EQ(bench.channel().state, ChannelState::running);
+  bench.ask(OperatorAction::program_reset);
   cycles(100);
-  EXPECT_EQ(output.channels[0].state, ChannelState::ready);
-  EXPECT_FALSE(output.channels[0].running);
+  EXPECT_EQ(bench.channel().state, ChannelState::ready);
+  EXPECT_FALSE(bench.channel().running);
 }
 
 INSTANTIATE_TEST_SUITE_P(

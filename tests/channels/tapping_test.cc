@@ -149,20 +149,18 @@ TEST(ProgrammedThread, PassesOfG78FollowOneHelix) {
   bench.run(1, "p.nc");
   Turns spindle;
   double error = 0.0;
-  std::vector<double> depths;
-  double z_before = 4.0;
+  testing::PassDepths depths(-10.0);
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     const double turns = spindle.after(channel);
     const double x = channel.point_W[0].value;
     const double z = channel.point_W[1].value;
-    if (z_before > -10.0 && z <= -10.0) depths.push_back(x);
-    z_before = z;
+    depths.see(z, x);
     const bool in_thread = x > 13.0 && x < 14.6 && z < 1.0 && z > -18.0;
     if (in_thread) error = std::max(error, testing::off_helix(turns, z - 4.0, -3.0));
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_THAT(depths, ElementsAre(14.5, 14.0, 13.75));
+  EXPECT_THAT(depths.all(), ElementsAre(14.5, 14.0, 13.75));
   EXPECT_LE(error, increment_mm);
 }
 
@@ -176,26 +174,24 @@ TEST(ProgrammedThread, PassesOfG76InTwoBlocksLieOnTheirFlank) {
   bench.run(1, "p.nc");
   Turns spindle;
   double error = 0.0;
-  std::vector<double> depths;
-  double z_before = 5.0;
+  testing::PassDepths depths(-10.0);
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     const double turns = spindle.after(channel);
     const double x = channel.point_W[0].value;
     const double z = channel.point_W[1].value;
     const double depth = 19.0 - x;  // below the crest
-    if (z_before > -10.0 && z <= -10.0) depths.push_back(depth);
-    z_before = z;
+    depths.see(z, depth);
     if (channel.tag.line != 5 || depth < 0.4 || z > 2.0 || z < -18.0) return;
     const double z_start = 5.0 + (1.0 - depth) * std::tan(std::numbers::pi / 6.0);
     error = std::max(error, testing::off_helix(turns, z - z_start, -2.0));
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  ASSERT_EQ(depths.size(), 5U);  // up to 0.9, and the last cut
+  ASSERT_EQ(depths.all().size(), 5U);  // up to 0.9, and the last cut
   for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(depths[k], 0.5 * std::sqrt(static_cast<double>(k) + 1.0), 1e-9);
-  EXPECT_NEAR(depths[3], 0.9, 1e-9);
-  EXPECT_NEAR(depths[4], 1.0, 1e-9);
+    EXPECT_NEAR(depths.all()[k], 0.5 * std::sqrt(static_cast<double>(k) + 1.0), 1e-9);
+  EXPECT_NEAR(depths.all()[3], 0.9, 1e-9);
+  EXPECT_NEAR(depths.all()[4], 1.0, 1e-9);
   EXPECT_LE(error, increment_mm);
 }
 

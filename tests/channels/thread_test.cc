@@ -172,23 +172,21 @@ TEST(Thread, ACycleOfPassesCutsOneHelix) {
                 "G76 P1.5 Z-25 I-1 J0.4 K0.9 R1 Q0 H1 E2 L2\nM30\n");
   bench.run(1, "p.nc");
   Watched watched;
-  std::vector<double> depths;
-  double z_before = 2.0;
+  testing::PassDepths depths(-10.0);
   bench.run_to_end([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     watch_limits(channel, watched);
     const double x = channel.axes[lathe_X].position;
     const double z = channel.axes[lathe_Z].position;
-    if (z_before > -10.0 && z <= -10.0) depths.push_back(x);
-    z_before = z;
+    depths.see(z, x);
     if (channel.tag.line != 4 || x > 10.99 || z > 0.5 || z < -24.0) return;
     // Z does not know where the taper begins.
     watched.error = std::max(watched.error, off_helix(channel, 2.0, -1.5, 0.0));
     ++watched.samples;
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
-  EXPECT_THAT(depths, ElementsAre(DoubleNear(10.6, 1e-9), DoubleNear(10.2, 1e-9),
-                                  DoubleNear(10.1, 1e-9), DoubleNear(10.1, 1e-9)));
+  EXPECT_THAT(depths.all(), ElementsAre(DoubleNear(10.6, 1e-9), DoubleNear(10.2, 1e-9),
+                                        DoubleNear(10.1, 1e-9), DoubleNear(10.1, 1e-9)));
   EXPECT_GT(watched.samples, 4 * 2000);  // 24 mm at 10 mm/s
   EXPECT_LE(watched.error, increment_mm);
   EXPECT_LE(watched.limits, 1.0 + 1e-12);

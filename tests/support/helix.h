@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 namespace stanok::testing {
 
@@ -36,5 +37,23 @@ inline double off_helix(double turns, double way, double lead) {
   const double off = turns - way / lead;
   return std::abs(off - std::round(off)) * std::abs(lead);
 }
+
+// How deep a tool was each time that it came past a place of Z on its way down: the passes of a
+// thread.
+class PassDepths {
+ public:
+  explicit PassDepths(double place) : place_(place), z_(place) {}
+
+  void see(double z, double depth) {
+    if (z_ > place_ && z <= place_) depths_.push_back(depth);
+    z_ = z;
+  }
+  [[nodiscard]] const std::vector<double>& all() const { return depths_; }
+
+ private:
+  double place_;
+  double z_;  // seen last
+  std::vector<double> depths_;
+};
 
 }  // namespace stanok::testing

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/machine/channel_bench.h"
+#include "tests/support/machine/motion_bench.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::channels {
@@ -17,20 +17,16 @@ class AxisMotionTest : public ::testing::Test {
 
   std::optional<Fault> cycle() {
     const NoAllocation guard;
-    return motion_.advance(queue_, {}, 0, SoftLimits::guarded);
+    return motion_.advance(bench_.queue, {}, 0, SoftLimits::guarded);
   }
   void take_feedback() {
     static_cast<void>(drives_.advance(feedback_, LimitSwitches::stop_the_axis));
   }
 
-  motion::MotionConfig config_ = bench_motion();
-  ChannelConstants constants_ = bench_constants();
-  BenchSchemes made_ = bench_schemes();
-  SchemeTable schemes_{made_, 0};
-  AxisGroup axes_{constants_};
-  DriveGuard drives_{constants_, axes_};
-  motion::PathQueue queue_;
-  AxisMotion motion_{config_, constants_, schemes_, axes_, drives_};
+  MotionBench bench_;
+  AxisGroup& axes_ = bench_.axes;
+  DriveGuard& drives_ = bench_.drives;
+  AxisMotion& motion_ = bench_.motion;
   std::vector<AxisFeedback> feedback_ = bench_feedback(10.0, 20.0, 0.0);
 };
 
@@ -71,7 +67,7 @@ TEST_F(AxisMotionTest, ANewFrameIsToldOnce) {
   EXPECT_TRUE(motion_.takes_new_frame());
   EXPECT_FALSE(motion_.takes_new_frame());
   motion_.select_scheme(1);
-  EXPECT_EQ(schemes_.active_id(), 1);
+  EXPECT_EQ(bench_.schemes.active_id(), 1);
   EXPECT_TRUE(motion_.takes_new_frame());
 }
 
@@ -104,9 +100,9 @@ TEST_F(AxisMotionTest, WhileTheMachineIsOffPositionsOfAllAxesAreAdopted) {
 
 TEST_F(AxisMotionTest, AxesAreHomedThatLookForASwitchAndAreMovedByThisChannel) {
   EXPECT_EQ(motion_.axes_to_home(), 0);
-  constants_.axes[bench_x].manual.homing.order = 1;
-  constants_.axes[bench_y].manual.homing.order = 1;
-  constants_.axes[bench_c].manual.homing.order = 2;  // a spindle now
+  bench_.constants.axes[bench_x].manual.homing.order = 1;
+  bench_.constants.axes[bench_y].manual.homing.order = 1;
+  bench_.constants.axes[bench_c].manual.homing.order = 2;  // a spindle now
   axes_.set_owned(bench_y, false);
   EXPECT_EQ(motion_.axes_to_home(), 1U << bench_x);
 }

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "tests/support/machine/channel_bench.h"
+#include "tests/support/machine/motion_bench.h"
 #include "tests/support/no_allocation.h"
 
 namespace stanok::channels {
@@ -35,7 +35,7 @@ class SpindleGroupTest : public ::testing::Test {
   void cycle() {
     const NoAllocation guard;
     spindles_.observe();
-    static_cast<void>(motion_.advance(queue_, {}, 0, SoftLimits::not_guarded));
+    static_cast<void>(motion_.advance(bench_.queue, {}, 0, SoftLimits::not_guarded));
     spindles_.follow_process();
     spindles_.turn();
   }
@@ -43,15 +43,11 @@ class SpindleGroupTest : public ::testing::Test {
     for (int k = 0; k < count; ++k) cycle();
   }
 
-  motion::MotionConfig config_ = bench_motion();
-  ChannelConstants constants_ = two_spindles();
-  BenchSchemes made_ = bench_schemes();
-  SchemeTable schemes_{made_, 0};
-  AxisGroup axes_{constants_};
-  DriveGuard drives_{constants_, axes_};
-  motion::PathQueue queue_;
-  AxisMotion motion_{config_, constants_, schemes_, axes_, drives_};
-  SpindleGroup spindles_{constants_, axes_, drives_, motion_};
+  MotionBench bench_{two_spindles()};
+  AxisGroup& axes_ = bench_.axes;
+  DriveGuard& drives_ = bench_.drives;
+  AxisMotion& motion_ = bench_.motion;
+  SpindleGroup spindles_{bench_.constants, axes_, drives_, motion_};
 };
 
 TEST_F(SpindleGroupTest, ZeroMeansTheMasterAndANegativeNumberAll) {

@@ -95,21 +95,14 @@ TEST_F(DeskTest, LevelsOfBlockSkipAreOneToNine) {
 
 class ValueDeskTest : public DeskTest {
  protected:
-  Verdict value(std::string_view name, int index) {
+  Verdict ask(const Request& request) {
     Errand errand;
-    errand.kind = lang::RequestKind::machine_value;
     errand.asker = 0;
-    errand.text = {name};
-    errand.request.index = index;
+    errand.request = request;
     return desk_.step(errand);
   }
-  Errand shared(lang::RequestKind kind, double value = 0.0) {
-    Errand errand;
-    errand.kind = kind;
-    errand.asker = 0;
-    errand.request.number = 3;
-    errand.request.value = value;
-    return errand;
+  Verdict value(std::string_view name, int index) {
+    return ask(requests::MachineValueRead{{name}, index});
   }
 
   SharedVariables variables_;
@@ -141,25 +134,26 @@ TEST_F(ValueDeskTest, ReadsInputsWithinTheirNumbers) {
 }
 
 TEST_F(ValueDeskTest, ASharedVariableIsCountedInOneOperation) {
-  Errand write = shared(lang::RequestKind::shared_write, 40.0);
-  ASSERT_TRUE(desk_.step(write).ok);
-  Errand add = shared(lang::RequestKind::shared_combine, 2.0);
-  ASSERT_TRUE(desk_.step(add).ok);
-  Errand read = shared(lang::RequestKind::shared_read);
-  EXPECT_EQ(desk_.step(read).number, 42.0);
-  Errand divide = shared(lang::RequestKind::shared_combine, 0.0);
-  divide.request.combination = lang::Combination::divide;
-  EXPECT_EQ(desk_.step(divide).code.view(), "E3008");
-  EXPECT_EQ(desk_.step(read).number, 42.0);
+  using enum lang::Combination;
+  ASSERT_TRUE(ask(requests::SharedNumberWrite{3, 40.0}).ok);
+  ASSERT_TRUE(ask(requests::SharedNumberCombine{3, add, 2.0}).ok);
+  EXPECT_EQ(ask(requests::SharedNumberRead{3}).number, 42.0);
+  EXPECT_EQ(ask(requests::SharedNumberCombine{3, divide, 0.0}).code.view(), "E3008");
+  EXPECT_EQ(ask(requests::SharedNumberRead{3}).number, 42.0);
+}
+
+TEST_F(ValueDeskTest, ASharedTextGrowsToItsRoom) {
+  ASSERT_TRUE(ask(requests::SharedTextWrite{2, {"flange"}}).ok);
+  ASSERT_TRUE(ask(requests::SharedTextAppend{2, {" done"}}).ok);
+  EXPECT_EQ(ask(requests::SharedTextRead{2}).text.view(), "flange done");
+  EXPECT_EQ(ask(requests::SharedTextAppend{2, {std::string(250, 'x')}}).code.view(), "E3009");
+  EXPECT_EQ(ask(requests::SharedTextRead{2}).text.view(), "flange done");
 }
 
 // M66 L1: until the input rises; it was on already.
 TEST_F(ValueDeskTest, AnInputThatIsWaitedForRisesOrTheTimeIsOver) {
   Errand wait;
-  wait.kind = lang::RequestKind::input_wait;
-  wait.request.number = 5;
-  wait.request.index = 1;
-  wait.seconds = 0.003;
+  wait.request = requests::InputWait{5, requests::InputEvent::rise, 0.003};
   bench_.inputs.set(5, true);
   EXPECT_FALSE(desk_.step(wait).done);
   bench_.inputs.set(5, false);

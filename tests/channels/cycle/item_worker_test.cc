@@ -76,10 +76,12 @@ TEST_F(ItemWorkerTest, AnOptionalStopIsOneWhereTheOperatorWantsIt) {
 }
 
 TEST_F(ItemWorkerTest, ARequestIsOpenUntilItIsAnswered) {
-  push(ProgramRequest{{.kind = lang::RequestKind::sync}, {}});
+  push(Request(requests::StateRead{7}));
   cycle();
   ASSERT_NE(worker_.request(), nullptr);
-  EXPECT_EQ(worker_.request()->request.data.kind, lang::RequestKind::sync);
+  const auto* const read = std::get_if<requests::StateRead>(&worker_.request()->content);
+  ASSERT_NE(read, nullptr);
+  EXPECT_EQ(read->channel, 7);
   ChannelAnswer answer;
   answer.value = 42.0;
   worker_.answer(answer);

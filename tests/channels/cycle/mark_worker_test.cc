@@ -11,15 +11,17 @@ namespace {
 
 constexpr std::uint64_t no_gate = motion::FeedControl::no_gate;
 
-Rider rider(RiderKind kind, std::uint64_t before_block, std::int32_t number = 1,
-            double value = 1.0) {
+template <class Content>
+Rider rider(std::uint64_t before_block, const Content& content) {
   Rider made;
-  made.kind = kind;
   made.tag.run = 1;
   made.before_block = before_block;
-  made.number = number;
-  made.value = value;
+  made.content = content;
   return made;
+}
+
+int mark_of(const Rider& rider) {
+  return std::get<riders::SoftMark>(rider.content).mark;
 }
 
 // The path is at a block, in motion or standing before one that is closed.
@@ -48,10 +50,10 @@ class MarkWorkerTest : public ::testing::Test {
 };
 
 TEST_F(MarkWorkerTest, TakesEffectWhereThePathComesToItsBlock) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::digital_output, 5, 3)));
-  ASSERT_TRUE(riders_.push(rider(RiderKind::analog_output, 6, 2, 0.25)));
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_set, 6, 7)));
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_clear, 9, 7)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::DigitalOutput{3, true})));
+  ASSERT_TRUE(riders_.push(rider(6, riders::AnalogOutput{2, 0.25})));
+  ASSERT_TRUE(riders_.push(rider(6, riders::MarkChange{7, true})));
+  ASSERT_TRUE(riders_.push(rider(9, riders::MarkChange{7, false})));
   EXPECT_FALSE(cycle(at_block(4)));
   EXPECT_FALSE(outputs_.is_on(3));
   EXPECT_FALSE(cycle(at_block(5)));
@@ -65,20 +67,20 @@ TEST_F(MarkWorkerTest, TakesEffectWhereThePathComesToItsBlock) {
 }
 
 TEST_F(MarkWorkerTest, OfAnotherRunOrBeforeAClosedBlockTakesNoEffect) {
-  Rider other = rider(RiderKind::digital_output, 1, 4);
+  Rider other = rider(1, riders::DigitalOutput{4, true});
   other.tag.run = 2;
   ASSERT_TRUE(riders_.push(other));
   EXPECT_FALSE(cycle(at_block(5)));
   EXPECT_FALSE(outputs_.is_on(4));
   worker_.forget_riders();
-  ASSERT_TRUE(riders_.push(rider(RiderKind::digital_output, 5, 4)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::DigitalOutput{4, true})));
   EXPECT_FALSE(cycle(at_block(5, true)));
   EXPECT_FALSE(outputs_.is_on(4));
 }
 
 TEST_F(MarkWorkerTest, TakesEffectBeforeAnItemThatWaitsForItAlone) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::digital_output, 90, 5)));
-  ASSERT_TRUE(riders_.push(rider(RiderKind::digital_output, 90, 6)));
+  ASSERT_TRUE(riders_.push(rider(90, riders::DigitalOutput{5, true})));
+  ASSERT_TRUE(riders_.push(rider(90, riders::DigitalOutput{6, true})));
   MarkWorker::Progress progress = at_block(2);
   progress.riders_before_item = 1;
   EXPECT_FALSE(cycle(progress));
@@ -87,21 +89,21 @@ TEST_F(MarkWorkerTest, TakesEffectBeforeAnItemThatWaitsForItAlone) {
 }
 
 TEST_F(MarkWorkerTest, ClosesThePathAtAMarkUntilAllPartnersAreThere) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_wait, 5, 1)));
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_wait, 8, 2)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::SoftMark{1})));
+  ASSERT_TRUE(riders_.push(rider(8, riders::SoftMark{2})));
   EXPECT_FALSE(cycle(at_block(3)));
   EXPECT_EQ(worker_.closed_from_block(), 5U);
   EXPECT_FALSE(worker_.is_waiting());  // it is still on its way
   EXPECT_FALSE(cycle(at_block(4, true)));
   EXPECT_TRUE(worker_.is_waiting());
   ASSERT_NE(worker_.soft_mark(), nullptr);
-  EXPECT_EQ(worker_.soft_mark()->number, 1);
+  EXPECT_EQ(mark_of(*worker_.soft_mark()), 1);
   worker_.open();
   EXPECT_EQ(worker_.closed_from_block(), 8U);  // through the first, not through the second
   EXPECT_FALSE(cycle(at_block(4, true)));
   EXPECT_FALSE(worker_.is_waiting());
   ASSERT_NE(worker_.passed_mark(), nullptr);
-  EXPECT_EQ(worker_.passed_mark()->number, 1);
+  EXPECT_EQ(mark_of(*worker_.passed_mark()), 1);
   EXPECT_FALSE(cycle(at_block(6)));
   EXPECT_EQ(worker_.passed_mark(), nullptr);
   EXPECT_EQ(worker_.closed_from_block(), 8U);
@@ -109,7 +111,7 @@ TEST_F(MarkWorkerTest, ClosesThePathAtAMarkUntilAllPartnersAreThere) {
 
 // Partners are there before the path is: it does not stop.
 TEST_F(MarkWorkerTest, FlowsThroughAnOpenMark) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_wait, 5, 1)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::SoftMark{1})));
   EXPECT_FALSE(cycle(at_block(3)));
   worker_.open();
   EXPECT_EQ(worker_.closed_from_block(), no_gate);
@@ -119,7 +121,7 @@ TEST_F(MarkWorkerTest, FlowsThroughAnOpenMark) {
 }
 
 TEST_F(MarkWorkerTest, TellsAMarkThatThePathCameTooFastTo) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_wait, 5, 1)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::SoftMark{1})));
   const auto missed = cycle(at_block(6));
   ASSERT_TRUE(missed);
   EXPECT_EQ(missed->run, 1U);
@@ -128,7 +130,7 @@ TEST_F(MarkWorkerTest, TellsAMarkThatThePathCameTooFastTo) {
 
 // A gate of another kind, a step or a stop of single block, is none of a mark behind it.
 TEST_F(MarkWorkerTest, WaitsOnlyAtItsOwnGate) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_wait, 5, 1)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::SoftMark{1})));
   MarkWorker::Progress progress = at_block(2, true);
   progress.closed_block = 3;
   EXPECT_FALSE(cycle(progress));
@@ -136,7 +138,7 @@ TEST_F(MarkWorkerTest, WaitsOnlyAtItsOwnGate) {
 }
 
 TEST_F(MarkWorkerTest, ForgetsWhatHasNotComeToItsPlace) {
-  ASSERT_TRUE(riders_.push(rider(RiderKind::mark_wait, 5, 1)));
+  ASSERT_TRUE(riders_.push(rider(5, riders::SoftMark{1})));
   EXPECT_FALSE(cycle(at_block(4, true)));
   worker_.forget_riders();
   EXPECT_FALSE(worker_.is_waiting());

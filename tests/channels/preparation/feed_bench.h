@@ -28,8 +28,8 @@ class RememberingSink final : public FeedSink {
     events += 'i';
     items.push_back(item);
   }
-  void take_request(const Item& item, const lang::Request& /*request*/) override {
-    take_item(item);
+  void take_request(const motion::BlockTag& tag, const lang::Request& /*request*/) override {
+    take_item({.tag = tag, .content = Request()});
   }
   void take_rider(const Rider& rider) override {
     events += 'r';

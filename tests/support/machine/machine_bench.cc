@@ -154,27 +154,14 @@ channels::MachineConfig machine_of_one_axis_channels(int count) {
   machine.name = "lanes";
   machine.file = "lanes.toml";
   for (int k = 0; k < count; ++k) {
-    channels::AxisConfig axis;
-    axis.name = "X" + std::to_string(k + 1);
-    axis.limits.position_min = -500.0;
-    axis.limits.position_max = 500.0;
-    axis.limits.velocity_max = 250.0;
-    axis.limits.acceleration_max = 2500.0;
-    axis.limits.jerk_max = 50000.0;
-    axis.limits.rapid_max = axis.limits.velocity_max;
-    machine.axes.push_back(axis);
+    machine.axes.push_back(linear_axis("X" + std::to_string(k + 1)));
     channels::ChannelConfig channel;
     channel.id = k + 1;
     channel.name = "lane" + std::to_string(k + 1);
     channel.axes = {k};
     channel.words = {"X"};
     channel.scheme = 1;
-    kinematics::SchemeConfig scheme;
-    scheme.id = 1;
-    scheme.type = "cartesian";
-    scheme.axes = {0};
-    scheme.linear = {0, -1, -1};
-    channel.schemes = {scheme};
+    channel.schemes = {cartesian_scheme(1, {0}, {0, -1, -1})};
     machine.channels.push_back(channel);
   }
   return machine;
