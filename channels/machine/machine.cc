@@ -107,6 +107,7 @@ struct Machine::Parts {
         tables(machine),
         outputs_to_inputs(options.outputs_to_inputs),
         sensors(machine.spindles.size()),
+        reports(options.reports_kept_max),
         events(events_max),
         inputs(inputs_max, events),
         replies(replies_max),
