@@ -39,10 +39,8 @@ struct LargeClass {
 };
 const std::map<std::string, LargeClass> large_classes{
     {"channels::Machine::Parts", {.members = 16}}, {"daemon::Reception::Parts", {.members = 16}},
-    {"drives::AxisExchange", {.members = 28}},     {"drives::ModbusBus", {.members = 30}},
     {"lang::ActiveBlock", {.members = 18}},        {"lang::ModalState", {.members = 50}},
     {"motion::Interpolator", {.members = 22}},     {"motion::SynchronousRun", {.members = 27}},
-    {"process::ForceControl", {.members = 17}},    {"process::PowerWatch", {.members = 19}},
     {"recording::MessageStream", {.members = 16}},
 };
 
