@@ -38,8 +38,8 @@ struct LargeClass {
   std::size_t sources = sources_max;
 };
 const std::map<std::string, LargeClass> large_classes{
-    {"channels::Machine::Parts", {.members = 16}}, {"lang::ActiveBlock", {.members = 18}},
-    {"lang::ModalState", {.members = 50}},         {"motion::Interpolator", {.members = 22}},
+    {"channels::Machine::Parts", {.members = 16}},
+    {"motion::Interpolator", {.members = 22}},
     {"motion::SynchronousRun", {.members = 27}},
 };
 
