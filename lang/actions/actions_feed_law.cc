@@ -42,9 +42,9 @@ bool feed_is_known(const ModalState& modal) {
 
 // The address with which the speeds of a form begin; nothing: it leaves the spindle alone.
 std::optional<LawAddress> first_speed_of(const LawForm& form) {
-  if (form.speed == FeedLaw::Speed::unchanged) return std::nullopt;
-  return form.speed == FeedLaw::Speed::rev_per_min ? LawAddress::speed_first
-                                                   : LawAddress::cutting_first;
+  const FeedLaw::Speed speed = law_type_of(form).speed;
+  if (speed == FeedLaw::Speed::unchanged) return std::nullopt;
+  return speed == FeedLaw::Speed::rev_per_min ? LawAddress::speed_first : LawAddress::cutting_first;
 }
 
 // What a law needs around it, beside its own values.
@@ -54,10 +54,11 @@ bool check_surroundings(ActiveBlock& block, const LawForm& form, LawScope scope)
   if (scope == LawScope::block && !path_has_length(block)) {
     block.fault =
         law_without_path(block.words, "for a motion of rotary axes alone", "no path in mm");
-  } else if (form.kind == FeedLaw::Kind::interrupted && !feed_is_known(block.modal)) {
+  } else if (const LawType& type = law_type_of(form);
+             !type.takes_feed.empty() && !feed_is_known(block.modal)) {
     block
-        .fail("E4342", word, "the interrupted feed law has no feed",
-              "it cuts and rests at the feed F")
+        .fail("E4342", word, "the " + std::string(type.name) + " feed law has no feed",
+              std::string(type.takes_feed))
         .help.emplace_back("program F before or in this block");
   }
   return !block.failed();

@@ -9,6 +9,7 @@ namespace {
 FeedLaw law_of(FeedLaw::Kind kind) {
   FeedLaw law;
   law.kind = kind;
+  law.feed_first = kind == FeedLaw::Kind::linear ? 60.0 : 0.0;
   return law;
 }
 
