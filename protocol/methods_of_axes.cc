@@ -79,7 +79,7 @@ constexpr auto axes_rows = std::to_array<Method>({
     {.name = "alarm.list",
      .parameters = of_channel,
      .help = "active alarms",
-     .result = R"({"alarms":["$alarm"]})"},
+     .result = R"({"alarms":["$alarm"],"forgotten?":"integer"})"},
     {.name = "alarm.ack",
      .role = machine_operator,
      .effect = Effect::changes,
@@ -89,8 +89,8 @@ constexpr auto axes_rows = std::to_array<Method>({
      .help = "acknowledge the alarms of a channel"},
     {.name = "alarm.history",
      .parameters = of_channel,
-     .help = "all alarms since the daemon started",
-     .result = R"({"alarms":["$alarm"]})"},
+     .help = "alarms since the daemon started, the newest 500 of each channel",
+     .result = R"({"alarms":["$alarm"],"forgotten?":"integer"})"},
 });
 
 }  // namespace

@@ -139,9 +139,11 @@ constexpr auto program_rows = std::to_array<Method>({
       "complete":"boolean"})"},
     {.name = "program.history",
      .parameters = of_channel,
-     .help = "program runs since the daemon started, with blocks and times",
+     .help = "program runs since the daemon started, with blocks and times, the newest 500 of each "
+             "channel",
      .result = R"({"runs":[{"channel":"integer","program":"string","blocks":"integer",
-      "time_s":"number","path_mm":"number","ended":"boolean","ok":"boolean"}]})"},
+      "time_s":"number","path_mm":"number","ended":"boolean","ok":"boolean"}],
+      "forgotten?":"integer"})"},
     {.name = "program.search",
      .role = machine_operator,
      .effect = Effect::changes,

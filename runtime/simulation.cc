@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "runtime/process_report.h"
 
@@ -235,7 +236,8 @@ class Simulation {
 RunSetup setup_of(const SimulationOptions& options) {
   return {.options = {.on_at_start = true,
                       .stops_go_on = true,
-                      .outputs_to_inputs = options.file.simulation.outputs_to_inputs},
+                      .outputs_to_inputs = options.file.simulation.outputs_to_inputs,
+                      .reports_kept_max = std::numeric_limits<std::size_t>::max()},
           .schemes = options.schemes};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace stanok::channels {
 // One finished (or running) program run of a channel, for reports.
 struct RunReport {
   int channel = 0;
+  std::uint64_t number = 0;  // in its channel: 1, 2, ...
   std::uint32_t run = 0;
   std::string program;
   std::vector<std::string> files;  // 0 the program itself, then what it includes and calls
@@ -35,9 +37,32 @@ struct RunReport {
 // An alarm of a channel, with its diagnostic when a program is to blame.
 struct AlarmReport {
   int channel = 0;
+  std::uint64_t number = 0;  // in its channel: 1, 2, ...
   std::int64_t cycle = 0;
   Diagnostic diagnostic;
 };
+
+// How many reports of a channel there have been so far.
+template <class Report>
+[[nodiscard]] std::uint64_t newest_number(const std::vector<Report>& reports, int channel) {
+  std::uint64_t number = 0;
+  for (const Report& report : reports) {
+    if (report.channel == channel) number = report.number;
+  }
+  return number;
+}
+
+// How many older ones of the channel, or (0) of all channels, are not kept any more.
+template <class Report>
+[[nodiscard]] std::uint64_t forgotten(const std::vector<Report>& reports, int channel) {
+  std::set<int> seen;
+  std::uint64_t count = 0;
+  for (const Report& oldest : reports) {
+    const bool is_asked_for = channel == 0 || oldest.channel == channel;
+    if (is_asked_for && seen.insert(oldest.channel).second) count += oldest.number - 1;
+  }
+  return count;
+}
 
 // What a search came to, for people. Positions in the order of the words, workpiece system.
 struct SearchReport {

@@ -42,6 +42,8 @@ struct MachineOptions {
   // Force control of each channel, in their order; nullptr, or shorter: none. They outlive the
   // machine.
   std::vector<motion::FeedModifier*> feed_modifiers{};
+  // Runs, alarms and diagnostics that are kept of each channel.
+  std::size_t reports_kept_max = 500;
   // Asked from the preparations while they compile; true: nobody waits for them any more.
   std::function<bool()> gives_up{};
 };

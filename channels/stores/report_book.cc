@@ -1,6 +1,7 @@
 #include "channels/stores/report_book.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace stanok::channels {
 namespace {
@@ -15,21 +16,39 @@ void set_text(Diagnostic& diagnostic, std::string_view text) {
   }
 }
 
+// Takes from what is kept of the runs of a channel what belongs to the oldest. A program that is
+// named or explained need not come to run.
+template <class Value>
+void keep_newest(std::map<std::pair<int, std::uint32_t>, Value>& by_run, int channel,
+                 std::size_t kept_max) {
+  const auto begin = by_run.lower_bound({channel, 0});
+  const auto end = by_run.lower_bound({channel + 1, 0});
+  const auto count = std::distance(begin, end);
+  if (std::cmp_greater(count, kept_max))
+    by_run.erase(begin, std::next(begin, count - static_cast<std::ptrdiff_t>(kept_max)));
+}
+
 }  // namespace
 
-ReportBook::ReportBook() : run_records_(256), alarm_records_(256) {}
+ReportBook::ReportBook(std::size_t kept_max)
+    : kept_max_(kept_max),
+      run_records_(256),
+      alarm_records_(256),
+      runs_(kept_max),
+      alarms_(kept_max),
+      load_diagnostics_(kept_max) {}
 
 void ReportBook::name_run(int channel, std::uint32_t run, const std::string& program,
                           std::vector<std::string> files) {
   const std::lock_guard lock(mutex_);
   drain_runs();
   drain_alarms();
-  const RunKey key{channel, run};
-  names_[key] = {program, std::move(files)};
-  const auto known = runs_.find(key);
-  if (known == runs_.end()) return;
-  known->second.program = names_[key].program;
-  known->second.files = names_[key].files;
+  if (RunReport* const known = find(channel, run)) {
+    known->program = program;
+    known->files = files;
+  }
+  names_[{channel, run}] = {program, std::move(files)};
+  keep_newest(names_, channel, kept_max_);
 }
 
 void ReportBook::put(const RunRecord& record) RT_SAFE {
@@ -43,12 +62,14 @@ void ReportBook::put(const AlarmRecord& record) RT_SAFE {
 void ReportBook::explain(int channel, std::uint32_t run, const Diagnostic& diagnostic) {
   const std::lock_guard lock(mutex_);
   explanations_[{channel, run}] = diagnostic;
+  keep_newest(explanations_, channel, kept_max_);
 }
 
 void ReportBook::add_diagnostics(int channel, const Diagnostics& diagnostics) {
   const std::lock_guard lock(mutex_);
+  load_diagnostics_.make_room(channel, diagnostics.size());
   for (const Diagnostic& diagnostic : diagnostics)
-    load_diagnostics_.push_back({channel, 0, diagnostic});
+    load_diagnostics_.add({.channel = channel, .diagnostic = diagnostic});
 }
 
 void ReportBook::tell_search(int channel, const std::optional<SearchReport>& report) {
@@ -66,33 +87,30 @@ std::optional<SearchReport> ReportBook::search(int channel) {
 std::vector<RunReport> ReportBook::runs() {
   const std::lock_guard lock(mutex_);
   drain_runs();
-  std::vector<RunReport> reports;
-  reports.reserve(order_.size());
-  for (const RunKey& key : order_) reports.push_back(runs_.at(key));
-  return reports;
+  return runs_.all();
 }
 
 std::vector<AlarmReport> ReportBook::alarms() {
   const std::lock_guard lock(mutex_);
   drain_alarms();
-  return alarms_;
+  return alarms_.all();
 }
 
 std::vector<AlarmReport> ReportBook::load_diagnostics() {
   const std::lock_guard lock(mutex_);
-  return load_diagnostics_;
+  return load_diagnostics_.all();
+}
+
+// Empty while the preparation has not named the run.
+ReportBook::RunNames ReportBook::names_of(const RunKey& key) const {
+  const auto named = names_.find(key);
+  return named == names_.end() ? RunNames{} : named->second;
 }
 
 void ReportBook::drain_runs() {
   RunRecord record;
   while (run_records_.pop(record)) {
-    const RunKey key{record.channel, record.run};
-    if (!runs_.contains(key)) order_.push_back(key);
-    RunReport& report = runs_[key];
-    report.channel = record.channel;
-    report.run = record.run;
-    report.program = names_[key].program;
-    report.files = names_[key].files;
+    RunReport& report = report_of(record);
     report.ok = record.ok;
     report.ended = record.ended;
     report.blocks = record.blocks;
@@ -104,6 +122,25 @@ void ReportBook::drain_runs() {
     report.end_M = record.end_M;
     report.axis_count = record.axis_count;
   }
+}
+
+// That of its beginning, or a new one with the names that it has so far.
+RunReport& ReportBook::report_of(const RunRecord& record) {
+  RunReport* const known = find(record.channel, record.run);
+  if (known != nullptr) return *known;
+  RunReport begun;
+  begun.channel = record.channel;
+  begun.run = record.run;
+  RunNames names = names_of({record.channel, record.run});
+  begun.program = std::move(names.program);
+  begun.files = std::move(names.files);
+  runs_.make_room(record.channel, 1);
+  return runs_.add(std::move(begun));
+}
+
+RunReport* ReportBook::find(int channel, std::uint32_t run) {
+  return runs_.newest(
+      [&](const RunReport& report) { return report.channel == channel && report.run == run; });
 }
 
 void ReportBook::drain_alarms() {
@@ -121,10 +158,11 @@ void ReportBook::drain_alarms() {
       set_text(report.diagnostic, record.text.view());
       report.diagnostic.place.file = std::string(record.file.view());
       if (record.file.empty())
-        report.diagnostic.place.file = names_[{record.channel, record.tag.run}].program;
+        report.diagnostic.place.file = names_of({record.channel, record.tag.run}).program;
       report.diagnostic.place.line = static_cast<int>(record.tag.line);
     }
-    alarms_.push_back(std::move(report));
+    alarms_.make_room(report.channel, 1);
+    alarms_.add(std::move(report));
   }
 }
 

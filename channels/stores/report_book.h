@@ -4,7 +4,8 @@
 // The cycle hands over plain records through rings; texts and diagnostics come from the
 // preparations. Any thread. Bound of the rings: they are emptied whenever a run is named, which
 // the preparation does at the begin of each, so that between two runs of a channel at most two
-// records of it wait, and what a fault or a stop adds.
+// records of it wait, and what a fault or a stop adds. Of each channel the newest runs, alarms and
+// diagnostics are kept, however long the machine runs.
 #pragma once
 
 #include <atomic>
@@ -16,6 +17,7 @@
 #include "base/fixed_text.h"
 #include "base/ring.h"
 #include "channels/contract/reports.h"
+#include "channels/stores/channel_history.h"
 
 namespace stanok::channels {
 
@@ -47,7 +49,10 @@ struct AlarmRecord {
 
 class ReportBook {
  public:
-  ReportBook();
+  static constexpr std::size_t kept_max_default = 500;
+
+  // `kept_max`: of each channel and kind. The diagnostics of the latest load are kept whole.
+  explicit ReportBook(std::size_t kept_max = kept_max_default);
 
   // Preparation side.
   // `files`: by the index in the tags of its blocks.
@@ -72,23 +77,27 @@ class ReportBook {
 
  private:
   using RunKey = std::pair<int, std::uint32_t>;
-  void drain_runs();
-  void drain_alarms();
-
-  std::mutex mutex_;
-  Ring<RunRecord> run_records_;
-  Ring<AlarmRecord> alarm_records_;
-  std::atomic<std::uint64_t> lost_{0};
   struct RunNames {
     std::string program;
     std::vector<std::string> files;
   };
+
+  void drain_runs();
+  void drain_alarms();
+  [[nodiscard]] RunReport& report_of(const RunRecord& record);
+  [[nodiscard]] RunReport* find(int channel, std::uint32_t run);  // nullptr: it is not known
+  [[nodiscard]] RunNames names_of(const RunKey& key) const;
+
+  std::size_t kept_max_;
+  std::mutex mutex_;
+  Ring<RunRecord> run_records_;
+  Ring<AlarmRecord> alarm_records_;
+  std::atomic<std::uint64_t> lost_{0};
   std::map<RunKey, RunNames> names_;
   std::map<RunKey, Diagnostic> explanations_;
-  std::vector<RunKey> order_;
-  std::map<RunKey, RunReport> runs_;
-  std::vector<AlarmReport> alarms_;
-  std::vector<AlarmReport> load_diagnostics_;
+  ChannelHistory<RunReport> runs_;
+  ChannelHistory<AlarmReport> alarms_;
+  ChannelHistory<AlarmReport> load_diagnostics_;
   std::map<int, SearchReport> searches_;  // by channel
 };
 

@@ -3,6 +3,7 @@
 // Written when the machine has accepted a command; belongs to the operator server's thread.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -13,10 +14,9 @@ struct ChannelNotes {
   double rapid_override_percent = 100.0;
   double spindle_override_percent = 100.0;
   std::string controlled_by;  // a session; empty: nobody alone
-  // Both count in the machine's list of alarms, from its beginning. What is cleared is never active
-  // again.
-  std::size_t alarms_acknowledged = 0;
-  std::size_t alarms_cleared = 0;
+  // Numbers of the newest alarm that was. What is cleared is never active again.
+  std::uint64_t alarms_acknowledged = 0;
+  std::uint64_t alarms_cleared = 0;
 };
 
 // By channel id.

@@ -55,7 +55,8 @@ void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer ans
   event.id = ++last_id_;
   Pending pending{event, wait, std::move(answer), 0, runtime::runs_of(machine_.newest_output())};
   if (reads_program(event.action()))
-    pending.diagnostics_before = machine_.load_diagnostics().size();
+    pending.diagnostics_before =
+        channels::newest_number(machine_.load_diagnostics(), event.channel);
   if (!machine_.submit(event)) {
     return pending.answer(Unexpected<Failure>(failure_of(
         FailureKind::refused, "E9007", "there are too many requests at once", event.channel)));
@@ -86,11 +87,9 @@ Failure CommandDesk::refusal(const Pending& pending, const channels::OperatorRep
   const int channel = pending.event.channel;
   if (reads_program(pending.event.action()) && reply.code.empty()) {
     std::vector<channels::AlarmReport> errors;
-    const auto diagnostics = machine_.load_diagnostics();
-    for (std::size_t k = pending.diagnostics_before; k < diagnostics.size(); ++k) {
-      const bool is_ours = diagnostics[k].channel == channel;
-      if (is_ours && diagnostics[k].diagnostic.severity == Severity::error)
-        errors.push_back(diagnostics[k]);
+    for (const channels::AlarmReport& told : machine_.load_diagnostics()) {
+      const bool is_ours = told.channel == channel && told.number > pending.diagnostics_before;
+      if (is_ours && told.diagnostic.severity == Severity::error) errors.push_back(told);
     }
     if (!errors.empty()) return failure_of_load(errors, channel);
   }
@@ -99,7 +98,7 @@ Failure CommandDesk::refusal(const Pending& pending, const channels::OperatorRep
 }
 
 void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
-  const std::size_t alarms = machine_.alarms().size();
+  const std::vector<channels::AlarmReport> alarms = machine_.alarms();
   for (const auto& channel : machine_.file().machine.channels) {
     if (event.channel != 0 && event.channel != channel.id) continue;
     ChannelNotes& notes = notes_[channel.id];
@@ -110,8 +109,8 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
       notes.spindle_override_percent = spindle->factor * 100.0;
     const bool resets = event.action() == OperatorAction::program_reset;
     if (resets || event.action() == OperatorAction::alarm_acknowledge) {
-      notes.alarms_acknowledged = alarms;
-      if (resets || !is_in_alarm(channel.id)) notes.alarms_cleared = alarms;
+      notes.alarms_acknowledged = channels::newest_number(alarms, channel.id);
+      if (resets || !is_in_alarm(channel.id)) notes.alarms_cleared = notes.alarms_acknowledged;
     }
   }
 }

@@ -47,7 +47,7 @@ class CommandDesk {
     channels::OperatorEvent event;
     WaitFor wait = WaitFor::accepted;
     Answer answer;
-    std::size_t diagnostics_before = 0;     // of loads, when the command was given
+    std::uint64_t diagnostics_before = 0;   // of loads, when the command was given
     runtime::RunsOfChannels runs_before{};  // likewise
   };
   struct AwaitedRun {

@@ -89,6 +89,12 @@ json alarm_json(const channels::AlarmReport& alarm) {
           {"remedy", row == nullptr ? json(nullptr) : json(row->remedy)}};
 }
 
+// A history says how many older entries are not kept any more.
+json with_forgotten(json history, std::uint64_t count) {
+  if (count > 0) history["forgotten"] = count;
+  return history;
+}
+
 const channels::ChannelConfig& config_of(const channels::MachineConfig& machine, int channel) {
   return *std::find_if(machine.channels.begin(), machine.channels.end(),
                        [&](const auto& config) { return config.id == channel; });
@@ -251,8 +257,7 @@ StatusReport::Books StatusReport::books() const {
 
 json StatusReport::channel(const channels::ChannelConfig& config, const ChannelOutput& output,
                            const Books& books) const {
-  const auto notes_at = notes_.find(config.id);
-  const ChannelNotes notes = notes_at == notes_.end() ? ChannelNotes{} : notes_at->second;
+  const ChannelNotes notes = notes_of(config.id);
   json position = json::object();
   for (std::size_t k = 0; k < config.words.size(); ++k)
     position[config.words[k]] = output.point_W[k].value;
@@ -354,7 +359,8 @@ json StatusReport::program_history(int channel) const {
   const double cycle_s = machine_.file().machine.cycle_us * 1e-6;
   const std::int64_t now = machine_.newest_output().cycle;
   json rows = json::array();
-  for (const channels::RunReport& run : machine_.runs()) {
+  const std::vector<channels::RunReport> runs = machine_.runs();
+  for (const channels::RunReport& run : runs) {
     if (channel != 0 && run.channel != channel) continue;
     const std::int64_t end = run.ended ? run.end_cycle : now;
     rows.push_back({{"channel", run.channel},
@@ -365,33 +371,36 @@ json StatusReport::program_history(int channel) const {
                     {"ended", run.ended},
                     {"ok", run.ok}});
   }
-  return {{"runs", std::move(rows)}};
+  return with_forgotten({{"runs", std::move(rows)}}, channels::forgotten(runs, channel));
 }
 
 json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
   const auto output = machine_.newest_output();
   const auto alarms = machine_.alarms();
   json rows = json::array();
-  for (std::size_t k = 0; k < alarms.size(); ++k) {
-    if (channel != 0 && alarms[k].channel != channel) continue;
-    const bool active = is_active(alarms[k], k, output);
-    if (choice == AlarmChoice::active && !active) continue;
-    json row = alarm_json(alarms[k]);
-    const auto notes = notes_.find(alarms[k].channel);
-    row["acknowledged"] = notes != notes_.end() && k < notes->second.alarms_acknowledged;
+  for (const channels::AlarmReport& alarm : alarms) {
+    if (channel != 0 && alarm.channel != channel) continue;
+    if (choice == AlarmChoice::active && !is_active(alarm, output)) continue;
+    json row = alarm_json(alarm);
+    row["acknowledged"] = alarm.number <= notes_of(alarm.channel).alarms_acknowledged;
     rows.push_back(std::move(row));
   }
-  return {{"alarms", std::move(rows)}};
+  return with_forgotten({{"alarms", std::move(rows)}}, channels::forgotten(alarms, channel));
 }
 
 // An alarm is active until somebody has acknowledged it, and as long as its channel is in that
 // state; what a reset has cleared does not come back with the next one.
-bool StatusReport::is_active(const channels::AlarmReport& alarm, std::size_t index,
+bool StatusReport::is_active(const channels::AlarmReport& alarm,
                              const channels::CycleOutput& output) const {
-  const auto notes = notes_.find(alarm.channel);
-  if (notes != notes_.end() && index < notes->second.alarms_cleared) return false;
-  const bool is_acknowledged = notes != notes_.end() && index < notes->second.alarms_acknowledged;
+  const ChannelNotes notes = notes_of(alarm.channel);
+  if (alarm.number <= notes.alarms_cleared) return false;
+  const bool is_acknowledged = alarm.number <= notes.alarms_acknowledged;
   return !is_acknowledged || output_of(output, alarm.channel).state == ChannelState::alarm;
+}
+
+ChannelNotes StatusReport::notes_of(int channel) const {
+  const auto notes = notes_.find(channel);
+  return notes == notes_.end() ? ChannelNotes{} : notes->second;
 }
 
 }  // namespace stanok::daemon

@@ -47,7 +47,8 @@ class StatusReport {
                                        const channels::ChannelOutput& output,
                                        const Books& books) const;
   [[nodiscard]] nlohmann::json alarm_rows(int channel, AlarmChoice choice) const;
-  [[nodiscard]] bool is_active(const channels::AlarmReport& alarm, std::size_t index,
+  [[nodiscard]] ChannelNotes notes_of(int channel) const;
+  [[nodiscard]] bool is_active(const channels::AlarmReport& alarm,
                                const channels::CycleOutput& output) const;
 
   RunningMachine& machine_;

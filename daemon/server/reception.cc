@@ -9,16 +9,15 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <map>
 #include <thread>
 #include <vector>
 
-#include "base/place.h"
 #include "daemon/desk/stop_desk.h"
 #include "daemon/host/processor_share.h"
 #include "daemon/host/real_time_rights.h"
 #include "daemon/host/signals.h"
 #include "daemon/server/orderly_end.h"
+#include "daemon/server/session_list.h"
 
 namespace stanok::daemon {
 namespace {
@@ -65,16 +64,12 @@ struct Reception::Parts {
   void admit(LocalSocket::socket socket);
   void take_frame(Session& session, const protocol::Frame& frame);
   [[nodiscard]] bool take_stop(Session& session, const protocol::Frame& frame);
-  void count_clients();
-  [[nodiscard]] bool make_room();
-  [[nodiscard]] bool end_oldest_turned_away();
   void forget(int id);
   void await_signal();
   void begin_end(const std::string& why);
   void serve_one_round();
   [[nodiscard]] bool step_end();
   void drop_overdue();
-  [[nodiscard]] std::vector<std::shared_ptr<Session>> all_sessions() const;
 
   ServerLimits limits;
   RunningMachine& machine;
@@ -87,9 +82,7 @@ struct Reception::Parts {
   StopDesk stops;
   OrderlyEnd ending;
   ProcessorShare share{round_share, round};
-  std::map<int, std::shared_ptr<Session>> sessions;  // by id: the oldest first
-  int last_session = 0;
-  std::atomic<std::size_t> clients{0};
+  SessionList sessions;
   std::atomic<bool> end_asked{false};
   std::atomic<bool> failed{false};
 };
@@ -102,7 +95,7 @@ void Reception::Parts::accept() {
       return accept();
     }
     // Somebody without a place gives up a descriptor for who knocks now.
-    const bool has_room = end_oldest_turned_away();
+    const bool has_room = sessions.end_oldest_turned_away();
     if (!has_room) spdlog::warn("cannot accept a client: {}", error.message());
     pause.expires_after(has_room ? std::chrono::milliseconds(0) : accept_retry_pause);
     pause.async_wait([this](const error_code& stopped) {
@@ -112,9 +105,9 @@ void Reception::Parts::accept() {
 }
 
 void Reception::Parts::admit(LocalSocket::socket socket) {
-  const auto session = std::make_shared<Session>(std::move(socket), ++last_session);
-  const bool has_room = clients < limits.clients_max || make_room();
-  sessions.emplace(session->id(), session);
+  const auto session = std::make_shared<Session>(std::move(socket), sessions.next_id());
+  const bool has_room = sessions.places_taken() < limits.clients_max || sessions.make_room();
+  sessions.add(session);
   session->start([this](Session& from, const protocol::Frame& frame) { take_frame(from, frame); },
                  [this](int id) { forget(id); });
   if (has_room) {
@@ -123,41 +116,13 @@ void Reception::Parts::admit(LocalSocket::socket socket) {
   } else {
     session->turn_away("E9008", "there are too many clients");
     if (sessions.size() > limits.clients_max + limits.turned_away_max)
-      static_cast<void>(end_oldest_turned_away());
+      static_cast<void>(sessions.end_oldest_turned_away());
   }
-  count_clients();
-}
-
-// Who has been told to go lingers until it has read that, but has no place any more.
-void Reception::Parts::count_clients() {
-  clients = checked_size(std::count_if(sessions.begin(), sessions.end(), [](const auto& entry) {
-    return entry.second->has_place();
-  }));
-}
-
-// Ends the session of the observer who has been here longest.
-bool Reception::Parts::make_room() {
-  const auto observer = std::find_if(sessions.begin(), sessions.end(), [](const auto& entry) {
-    return entry.second->has_place() && entry.second->role() == protocol::Role::observer;
-  });
-  if (observer == sessions.end()) return false;
-  observer->second->drop("E9008", "the connection was closed because an operator needs its place");
-  return true;
-}
-
-bool Reception::Parts::end_oldest_turned_away() {
-  const auto oldest = std::find_if(sessions.begin(), sessions.end(), [](const auto& entry) {
-    return entry.second->is_turned_away();
-  });
-  if (oldest == sessions.end()) return false;
-  const auto session = oldest->second;
-  session->close();
-  return true;
+  sessions.count_places();
 }
 
 void Reception::Parts::forget(int id) {
-  sessions.erase(id);
-  count_clients();
+  sessions.forget(id);
   counter.on_departure(id);
 }
 
@@ -190,22 +155,14 @@ bool Reception::Parts::take_stop(Session& session, const protocol::Frame& frame)
   return is_stop;
 }
 
-// Sessions may end while something is sent to them; the copy keeps the loop whole.
-std::vector<std::shared_ptr<Session>> Reception::Parts::all_sessions() const {
-  std::vector<std::shared_ptr<Session>> all;
-  all.reserve(sessions.size());
-  for (const auto& [id, session] : sessions) all.push_back(session);
-  return all;
-}
-
 void Reception::Parts::drop_overdue() {
   const auto now = std::chrono::steady_clock::now();
-  for (const auto& session : all_sessions()) {
+  for (const auto& session : sessions.all()) {
     if (session->has_overstayed(now)) {
       session->close();
     } else if (session->has_frame_begun_before(now - limits.frame_time_max)) {
       session->drop("E9001", "a request was begun and not finished in time");
-      count_clients();
+      sessions.count_places();
     }
   }
 }
@@ -264,7 +221,7 @@ void Reception::run() {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  for (const auto& session : parts_->all_sessions()) session->close();
+  for (const auto& session : parts_->sessions.all()) session->close();
   parts_->counter.on_end();
 }
 
@@ -281,7 +238,7 @@ bool Reception::has_failed() const {
 }
 
 std::size_t Reception::clients() const {
-  return parts_->clients;
+  return parts_->sessions.places_taken();
 }
 
 void Reception::listen_on(int descriptor) {

@@ -3,23 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace stanok::drives {
 namespace {
 
-// Weight of a failed exchange in the leaky counter, a good one takes off 1: it falls while 20 % of
-// the exchanges fail (0.2 x 3 < 0.8) and rises while 30 % do. Failures that come at random make it
-// wander: with 20 % the counter reaches n with the probability x^-n, 0.2 x^4 + 0.8 = x, x = 1.151;
-// once in 10^12 polls it reaches 200.
-constexpr int failure_weight = 3;
-constexpr int leak_max = 200;
-
 // Noise of a velocity estimate, and a drive that overshoots, must not be called absurd.
 constexpr double velocity_margin = 2.0;
-
-// Shorter excursions of the following error come from a late target, not from the axis.
-constexpr std::chrono::milliseconds following_error_time{100};
 
 // For which a position drive goes on with the velocity of its last target.
 constexpr std::chrono::milliseconds bridged_time{100};
@@ -30,48 +19,54 @@ double seconds(BusTime time) RT_SAFE {
 
 }  // namespace
 
-// After a loss contact is back when the polls of one and a half time-outs were answered.
+// A late target is seen when it arrives: until then the drive went on with constant velocity for a
+// poll.
 AxisExchange::AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime timeout)
     : config_(config),
-      timeout_(timeout),
-      bridging_error_(0.5 * config.acceleration_max * seconds(poll) * seconds(poll)),
-      leak_regained_(std::max(0, leak_max - static_cast<int>(3 * timeout / (2 * poll)))) {}
+      contact_(poll, timeout),
+      reference_(config.absolute_encoder ? Encoder::absolute : Encoder::incremental),
+      following_(config.following_error_max +
+                 0.5 * config.acceleration_max * seconds(poll) * seconds(poll)) {}
 
 CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_SAFE {
-  take_offset(target);
+  reference_.take(target);
   follows_velocity_ = target.mode == OperationMode::cyclic_synchronous_velocity;
-  enable_blocked_ = target.enabled && (enable_blocked_ || lost_ || age == TargetAge::stale);
-  watch_fault_reset(target);
+  enable_blocked_ =
+      target.enabled && (enable_blocked_ || contact_.is_lost() || age == TargetAge::stale);
+  fault_reset_.look(target, feedback_.state);
   const std::optional<Demand> demand = demand_of(target);
-  request_ = request_for(target, demand);
-  source_ = source_under(request_);
+  sent_.request = request_for(target, demand);
+  sent_.source = source_under(sent_.request);
 
-  sent_.control_word = word_for(request_, target.velocity);
-  told_reverse_ = has_direction_in_word() && sent_.control_word == config_.words->run_reverse;
+  std::uint16_t& word = sent_.block.control_word;
+  word = word_for(sent_.request, target.velocity);
+  sent_.told_reverse = has_direction_in_word() && word == config_.words->run_reverse;
   if (target.brake_closed) {
-    sent_.control_word |= config_.map.bits.close_brake;
+    word |= config_.map.bits.close_brake;
   }
   if (follows_velocity_) {
-    sent_.control_word |= config_.map.bits.follow_velocity;
+    word |= config_.map.bits.follow_velocity;
   }
   set_targets(demand, target);
-  if (!lost_) {
-    const double sent = config_.map.target_velocity.value(sent_.target_velocity);
+  if (!contact_.is_lost()) {
+    const double sent = config_.map.target_velocity.value(sent_.block.target_velocity);
     const bool actual_is_faster = std::fabs(feedback_.velocity) > std::fabs(sent);
     velocity_before_loss_ = actual_is_faster ? feedback_.velocity : sent;
   }
-  ++sent_.heartbeat;
-  commanded_ = true;
-  return sent_;
+  ++sent_.block.heartbeat;
+  sent_.awaits_answer = true;
+  return sent_.block;
 }
 
 WriteOrder AxisExchange::write_order() const RT_SAFE {
-  return request_ == PowerRequest::on ? WriteOrder::target_first : WriteOrder::control_word_first;
+  return sent_.request == PowerRequest::on ? WriteOrder::target_first
+                                           : WriteOrder::control_word_first;
 }
 
 std::optional<AxisExchange::Demand> AxisExchange::demand_of(const DriveTarget& target) const
     RT_SAFE {
-  const auto position = config_.map.target_position.increments(target.position - position_offset_);
+  const auto position =
+      config_.map.target_position.increments(target.position - reference_.offset());
   const auto velocity = config_.map.target_velocity.increments(
       has_direction_in_word() ? std::fabs(target.velocity) : target.velocity);
   if (!position || !velocity) return std::nullopt;
@@ -86,25 +81,25 @@ AxisExchange::TargetSource AxisExchange::source_under(PowerRequest request) cons
   if (!moves_axis()) return TargetSource::cycle;
   if (feedback_.state != DriveState::operation_enabled) return TargetSource::actual;
   if (request == PowerRequest::on) return TargetSource::cycle;
-  return source_ == TargetSource::actual ? TargetSource::actual : TargetSource::held;
+  return sent_.source == TargetSource::actual ? TargetSource::actual : TargetSource::held;
 }
 
 // What cannot be sent leaves the targets as they were, without velocity.
 void AxisExchange::set_targets(const std::optional<Demand>& demand, const DriveTarget& target)
     RT_SAFE {
   const RegisterField& field = config_.map.target_position;
-  const bool follows_cycle = source_ == TargetSource::cycle && demand.has_value();
+  const bool follows_cycle = sent_.source == TargetSource::cycle && demand.has_value();
   if (follows_cycle) {
-    sent_.target_position = demand->position;
-  } else if (source_ == TargetSource::actual) {
-    sent_.target_position = field.saturated_increments(counted_position());
+    sent_.block.target_position = demand->position;
+  } else if (sent_.source == TargetSource::actual) {
+    sent_.block.target_position = field.saturated_increments(counted_position());
   }
-  const double sent = field.exists()  ? field.value(sent_.target_position)
-                      : follows_cycle ? target.position - position_offset_
+  const double sent = field.exists()  ? field.value(sent_.block.target_position)
+                      : follows_cycle ? target.position - reference_.offset()
                                       : counted_position();
-  target_position_ = sent + position_offset_;
-  targets_ = {std::min(targets_.low, sent), std::max(targets_.high, sent)};
-  sent_.target_velocity = follows_cycle && !enable_blocked_ ? demand->velocity : 0;
+  sent_.target_position = sent + reference_.offset();
+  sent_.targets = {std::min(sent_.targets.low, sent), std::max(sent_.targets.high, sent)};
+  sent_.block.target_velocity = follows_cycle && !enable_blocked_ ? demand->velocity : 0;
 }
 
 std::uint16_t AxisExchange::word_for(PowerRequest request, double velocity) const RT_SAFE {
@@ -116,24 +111,9 @@ bool AxisExchange::has_direction_in_word() const RT_SAFE {
   return config_.words && config_.words->run_reverse;
 }
 
-void AxisExchange::take_offset(const DriveTarget& target) RT_SAFE {
-  position_accepted_ = target.position_accepted;
-  if (position_accepted_) position_offset_ = target.position_offset;
-}
-
-// One demand resets one fault: a fault that comes again stays.
-void AxisExchange::watch_fault_reset(const DriveTarget& target) RT_SAFE {
-  const bool demanded = target.fault_reset;
-  if (demanded && !fault_reset_demanded_) {
-    fault_reset_pending_ = true;
-  }
-  fault_reset_pending_ = fault_reset_pending_ && demanded && feedback_.state == DriveState::fault;
-  fault_reset_demanded_ = demanded;
-}
-
 PowerRequest AxisExchange::request_for(const DriveTarget& target,
                                        const std::optional<Demand>& demand) const RT_SAFE {
-  if (fault_reset_pending_) {
+  if (fault_reset_.is_pending()) {
     return PowerRequest::reset_fault;
   }
   if (!target.enabled) {
@@ -149,9 +129,9 @@ PowerRequest AxisExchange::request_for(const DriveTarget& target,
 // was enabled the cycle may move on, before it is asked the next time.
 bool AxisExchange::may_take_over(const DriveTarget& target) const RT_SAFE {
   const bool is_taken_over =
-      request_ == PowerRequest::on && feedback_.state == DriveState::operation_enabled;
+      sent_.request == PowerRequest::on && feedback_.state == DriveState::operation_enabled;
   if (is_taken_over || !moves_axis() || follows_velocity_) return true;
-  const double apart = std::fabs(target.position - position_offset_ - counted_position());
+  const double apart = std::fabs(target.position - reference_.offset() - counted_position());
   return apart <= config_.following_error_max;
 }
 
@@ -160,7 +140,7 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
   const auto state = state_in(answer);
   std::optional<ExchangeError> error;
   const bool has_echo = config_.map.heartbeat.exists() && config_.map.heartbeat_echo.exists();
-  if (has_echo && commanded_ && answer.heartbeat_echo != sent_.heartbeat) {
+  if (has_echo && sent_.awaits_answer && answer.heartbeat_echo != sent_.block.heartbeat) {
     error = ExchangeError::stuck;
   } else if (!state || !is_plausible(answer, now)) {
     error = ExchangeError::implausible;
@@ -174,14 +154,14 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
 }
 
 std::optional<DriveState> AxisExchange::state_in(const StatusBlock& answer) const RT_SAFE {
-  if (config_.words) return state_of(*config_.words, answer.status_word, sent_.control_word);
+  if (config_.words) return state_of(*config_.words, answer.status_word, sent_.block.control_word);
   return state_of(answer.status_word);
 }
 
 // A drive that is told its direction by a word reports a speed without sign.
 double AxisExchange::velocity_in(const StatusBlock& answer) const RT_SAFE {
   const double velocity = config_.map.velocity.value(answer.velocity);
-  return told_reverse_ ? -velocity : velocity;
+  return sent_.told_reverse ? -velocity : velocity;
 }
 
 // While contact lasts the axis cannot be further away than it can have travelled. What it did out
@@ -194,44 +174,42 @@ bool AxisExchange::is_plausible(const StatusBlock& answer, BusTime now) const RT
   if (std::fabs(velocity_in(answer)) > fastest) {
     return false;
   }
-  const double position = config_.map.position.value(answer.position) + position_offset_;
+  const double position = config_.map.position.value(answer.position) + reference_.offset();
   const double travel = std::fabs(position - feedback_.position);
-  const double reach = fastest * seconds(now - feedback_from_) + config_.following_error_max;
-  return travel <= reach || !feedback_.valid || position_accepted_;
+  const double reach =
+      fastest * seconds(now - contact_.answered_at()) + config_.following_error_max;
+  return travel <= reach || !feedback_.valid || reference_.is_accepted();
 }
 
 void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime asked, BusTime now)
     RT_SAFE {
   const RegisterMap& map = config_.map;
-  const double position = map.position.value(answer.position) + position_offset_;
+  const double position = map.position.value(answer.position) + reference_.offset();
   check_reference(map.position.value(answer.position));
-  const bool followed = moves_axis() && source_ == TargetSource::cycle;
+  const bool followed = moves_axis() && sent_.source == TargetSource::cycle;
   enable_blocked_ |= followed && state != DriveState::operation_enabled;
-  answering_ = true;
-  commanded_ = false;
-  leak_ = std::max(leak_ - 1, 0);
-  lost_ = lost_ && leak_ > leak_regained_;
+  sent_.awaits_answer = false;
+  contact_.note_answer(asked);
   feedback_.position = position;
-  feedback_.target_position = target_position_;
+  feedback_.target_position = sent_.target_position;
   feedback_.velocity = velocity_in(answer);
   feedback_.fault_code = answer.fault_code;
   feedback_.state = state;
   feedback_.brake_closed = (answer.status_word & map.bits.brake_closed) != 0;
   feedback_.referenced = is_referenced(answer);
   take_measurements(answer);
-  feedback_.valid = !lost_;
+  feedback_.valid = !contact_.is_lost();
   ++feedback_.sequence;
-  feedback_from_ = asked;
   watch_following_error(map.following_error.value(answer.following_error), now);
-  const double sent = target_position_ - position_offset_;
-  targets_ = {sent, sent};
+  const double sent = sent_.target_position - reference_.offset();
+  sent_.targets = {sent, sent};
 }
 
 // A drive without a bit for it knows its position when its encoder is absolute.
 bool AxisExchange::is_referenced(const StatusBlock& answer) const RT_SAFE {
   const std::uint16_t bit = config_.map.bits.referenced;
   const bool drive_knows = bit != 0 ? (answer.status_word & bit) != 0 : config_.absolute_encoder;
-  return (drive_knows || reference_found_) && !moved_out_of_sight_;
+  return (drive_knows || reference_.is_found()) && !reference_.has_moved_out_of_sight();
 }
 
 void AxisExchange::take_measurements(const StatusBlock& answer) RT_SAFE {
@@ -243,23 +221,23 @@ void AxisExchange::take_measurements(const StatusBlock& answer) RT_SAFE {
   feedback_.home_switch = (answer.inputs & map.bits.home_switch) != 0;
   feedback_.limit_negative = (answer.inputs & map.bits.limit_negative) != 0;
   feedback_.limit_positive = (answer.inputs & map.bits.limit_positive) != 0;
-  feedback_.position_offset = position_offset_;
-  feedback_.index_position = map.index_position.value(answer.index_position) + position_offset_;
+  feedback_.position_offset = reference_.offset();
+  feedback_.index_position = map.index_position.value(answer.index_position) + reference_.offset();
   feedback_.index_count = answer.index_count;
 }
 
 // Out of sight an axis comes to rest: at most behind the last target that was sent, which may have
 // arrived, or, when nothing arrived any more, behind the stretch that it bridges from where it was
 // seen last; a velocity drive goes on for the time-out. From there it brakes.
-AxisExchange::Band AxisExchange::reach_out_of_sight() const RT_SAFE {
+Band AxisExchange::reach_out_of_sight() const RT_SAFE {
   const double counted = counted_position();
   const double speed = std::fabs(velocity_before_loss_);
-  const BusTime bridged = config_.kind == DriveKind::velocity ? timeout_ : bridged_time;
+  const BusTime bridged = config_.kind == DriveKind::velocity ? contact_.timeout() : bridged_time;
   const double braking =
       config_.acceleration_max > 0.0 ? speed * speed / (2.0 * config_.acceleration_max) : 0.0;
   const double ahead = std::copysign(speed * seconds(bridged), velocity_before_loss_);
-  Band reach{std::min({counted, targets_.low, counted + ahead}),
-             std::max({counted, targets_.high, counted + ahead})};
+  Band reach{std::min({counted, sent_.targets.low, counted + ahead}),
+             std::max({counted, sent_.targets.high, counted + ahead})};
   (velocity_before_loss_ < 0.0 ? reach.low : reach.high) += std::copysign(braking, ahead);
   return {reach.low - config_.following_error_max, reach.high + config_.following_error_max};
 }
@@ -267,20 +245,19 @@ AxisExchange::Band AxisExchange::reach_out_of_sight() const RT_SAFE {
 // Further away than it can have moved, the counter of the drive no longer tells the position of the
 // machine.
 void AxisExchange::check_reference(double counted) RT_SAFE {
-  if (position_accepted_) {
-    moved_out_of_sight_ = false;
-    reference_found_ = true;
-  } else if (lost_ && feedback_.sequence > 0 && !follows_velocity_) {
-    moved_out_of_sight_ |= counted < reach_.low || counted > reach_.high;
+  if (reference_.is_accepted()) {
+    reference_.confirm();
+  } else if (contact_.is_lost() && feedback_.sequence > 0 && !follows_velocity_) {
+    reference_.see_again(counted);
   }
 }
 
 // From the nearest target that the drive may be following; 0 while it follows none.
 double AxisExchange::deviation() const RT_SAFE {
-  const bool follows = source_ == TargetSource::cycle && moves_axis() && !follows_velocity_ &&
+  const bool follows = sent_.source == TargetSource::cycle && moves_axis() && !follows_velocity_ &&
                        feedback_.state == DriveState::operation_enabled;
   const double counted = counted_position();
-  return follows ? std::clamp(counted, targets_.low, targets_.high) - counted : 0.0;
+  return follows ? std::clamp(counted, sent_.targets.low, sent_.targets.high) - counted : 0.0;
 }
 
 // The worse of what the drive says of itself and what its answer shows.
@@ -288,39 +265,23 @@ void AxisExchange::watch_following_error(double reported, BusTime now) RT_SAFE {
   const double seen = deviation();
   feedback_.following_error = std::fabs(seen) > std::fabs(reported) ? seen : reported;
   const double error = follows_velocity_ ? 0.0 : feedback_.following_error;
-  if (std::fabs(error) <= config_.following_error_max + bridging_error_) {
-    following_error_since_.reset();
-  } else if (!following_error_since_) {
-    following_error_since_ = now;
-  }
-  feedback_.following_error_exceeded =
-      following_error_since_ && now - *following_error_since_ > following_error_time;
-}
-
-std::uint64_t AxisExchange::errors() const RT_SAFE {
-  return std::accumulate(errors_.begin(), errors_.end(), std::uint64_t{0});
+  feedback_.following_error_exceeded = following_.is_exceeded(error, now);
 }
 
 void AxisExchange::fail(ExchangeError error) RT_SAFE {
-  ++errors_[error];
-  answering_ = false;
-  leak_ = std::min(leak_ + failure_weight, leak_max);
+  contact_.note_failure(error);
 }
 
 void AxisExchange::supervise(BusTime now) RT_SAFE {
-  const bool silent = now - feedback_from_ > timeout_;
-  if (silent || leak_ >= leak_max) lose_contact();
+  if (contact_.is_exhausted(now)) lose_contact();
 }
 
 void AxisExchange::lose_contact() RT_SAFE {
-  if (lost_) return;
-  lost_ = true;
-  reach_ = reach_out_of_sight();
-  leak_ = leak_max;
+  if (contact_.is_lost()) return;
+  contact_.lose();
+  reference_.lose_sight(reach_out_of_sight());
   feedback_.valid = false;
   ++feedback_.losses;
-  // Whether an incremental encoder has counted on meanwhile, or begun anew, nobody can tell.
-  reference_found_ = reference_found_ && config_.absolute_encoder;
 }
 
 }  // namespace stanok::drives

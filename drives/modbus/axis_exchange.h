@@ -1,11 +1,9 @@
 // What one drive is told in an exchange and what of its answer is believed. No sockets, no clock.
 //
 // The bus asks for the next command, sends it, and reports the answer or the error. From these the
-// exchange supervises contact: it is lost after `timeout` without a good answer, or when a leaky
-// counter (up with every bad exchange, down with every good one) passes its limit. After a loss the
-// drive is told to stop, and it stays off until the cycle has taken back `enabled` once: nothing
-// resumes by itself. The same holds for the drive of an axis that has left "operation enabled" by
-// itself.
+// exchange supervises contact (contact_watch.h). After a loss the drive is told to stop, and it
+// stays off until the cycle has taken back `enabled` once: nothing resumes by itself. The same
+// holds for the drive of an axis that has left "operation enabled" by itself.
 //
 // The drive of an axis follows targets of the cycle only while it is on. Until then its target is
 // the position it reports itself, so it is never enabled towards a place where the axis is not; and
@@ -16,25 +14,25 @@
 // the position of an answer against the targets of this exchange and the one before, between which
 // a drive may be that takes one exchange to reach a target.
 //
-// Time is given by the caller, as the time since the start of the bus.
+// Owned by the bus, on its thread. Time is given by the caller, as the time since the start of the
+// bus.
 #pragma once
 
-#include <chrono>
 #include <optional>
 
 #include "base/rt_safe.h"
 #include "drives/bus.h"
 #include "drives/bus_config.h"
 #include "drives/cia402.h"
+#include "drives/modbus/contact_watch.h"
 #include "drives/modbus/drive_registers.h"
 #include "drives/modbus/exchange_plan.h"
+#include "drives/modbus/fault_reset.h"
+#include "drives/modbus/following_watch.h"
+#include "drives/modbus/position_reference.h"
+#include "drives/modbus/target_watch.h"
 
 namespace stanok::drives {
-
-using BusTime = std::chrono::nanoseconds;
-
-// Whether the cycle still writes targets.
-enum class TargetAge : std::uint8_t { fresh, stale };
 
 class AxisExchange {
  public:
@@ -65,23 +63,26 @@ class AxisExchange {
 
   // `age_cycles` stays 0 here: age is counted where it is read.
   [[nodiscard]] const DriveFeedback& feedback() const RT_SAFE { return feedback_; }
-  [[nodiscard]] bool is_lost() const RT_SAFE { return lost_; }
-  [[nodiscard]] bool is_answering() const RT_SAFE { return answering_; }  // the last time asked
-  [[nodiscard]] std::uint64_t errors() const RT_SAFE;
-  [[nodiscard]] const ErrorCounts& errors_by_kind() const RT_SAFE { return errors_; }
+  [[nodiscard]] const ContactWatch& contact() const RT_SAFE { return contact_; }
 
  private:
   // Whose target the drive was sent last: its own position, the last one of the cycle while it is
   // being stopped, or the cycle's.
   enum class TargetSource : std::uint8_t { actual, held, cycle };
-  // Of positions, as the drive counts.
-  struct Band {
-    double low = 0.0;
-    double high = 0.0;
-  };
   struct Demand {
     std::int32_t position;
     std::int32_t velocity;
+  };
+  // What the drive was sent last.
+  struct Sent {
+    CommandBlock block;
+    TargetSource source = TargetSource::actual;
+    PowerRequest request = PowerRequest::off;
+    double target_position = 0.0;
+    // That the drive may be following: sent since the last answer, and the one that it answered.
+    Band targets{};
+    bool told_reverse = false;   // by a word of its own
+    bool awaits_answer = false;  // since the last answer
   };
 
   [[nodiscard]] std::optional<Demand> demand_of(const DriveTarget& target) const RT_SAFE;
@@ -99,46 +100,24 @@ class AxisExchange {
   void check_reference(double counted) RT_SAFE;
   [[nodiscard]] double deviation() const RT_SAFE;
   void watch_following_error(double reported, BusTime now) RT_SAFE;
-  void watch_fault_reset(const DriveTarget& target) RT_SAFE;
   [[nodiscard]] std::uint16_t word_for(PowerRequest request, double velocity) const RT_SAFE;
   [[nodiscard]] std::optional<DriveState> state_in(const StatusBlock& answer) const RT_SAFE;
   [[nodiscard]] double velocity_in(const StatusBlock& answer) const RT_SAFE;
   [[nodiscard]] bool has_direction_in_word() const RT_SAFE;
-  void take_offset(const DriveTarget& target) RT_SAFE;
   [[nodiscard]] bool is_referenced(const StatusBlock& answer) const RT_SAFE;
   void take_measurements(const StatusBlock& answer) RT_SAFE;
   void accept(const StatusBlock& answer, DriveState state, BusTime asked, BusTime now) RT_SAFE;
 
   AxisDriveConfig config_;
-  BusTime timeout_;
-  // Seen when a target arrives: until then the drive went on with constant velocity for a poll.
-  double bridging_error_;
-  int leak_regained_;
-  CommandBlock sent_;
+  ContactWatch contact_;
+  PositionReference reference_;
+  FollowingWatch following_;
+  FaultReset fault_reset_;
+  Sent sent_;
   DriveFeedback feedback_;
-  BusTime feedback_from_{0};  // the feedback is not older than this
-  std::optional<BusTime> following_error_since_;
-  int leak_ = 0;
-  ErrorCounts errors_{};
-  TargetSource source_ = TargetSource::actual;
-  PowerRequest request_ = PowerRequest::off;
-  Band targets_{};  // that the drive may be following: sent since the last answer, and the one that
-                    // it answered
-  double position_offset_ = 0.0;
-  double target_position_ = 0.0;       // as sent
   double velocity_before_loss_ = 0.0;  // the faster of target and actual velocity
-  Band reach_{};                       // out of sight, as the drive counts
   bool follows_velocity_ = false;
-  bool told_reverse_ = false;  // by a word of its own
-  bool answering_ = true;
-  bool lost_ = false;
-  bool commanded_ = false;  // since the last answer
   bool enable_blocked_ = false;
-  bool moved_out_of_sight_ = false;
-  bool position_accepted_ = false;
-  bool reference_found_ = false;  // by the control, for a drive that does not know it
-  bool fault_reset_demanded_ = false;
-  bool fault_reset_pending_ = false;
 };
 
 }  // namespace stanok::drives

@@ -52,7 +52,10 @@ RegisterField within(const SignalBlock& block, RegisterField field) {
 }  // namespace
 
 SignalExchange::SignalExchange(std::vector<SignalConfig> signals, BusTime timeout)
-    : signals_(std::move(signals)), blocks_(blocks_of(signals_)), timeout_(timeout) {
+    : signals_(std::move(signals)),
+      blocks_(blocks_of(signals_)),
+      patience_(blocks_.size(), Patience(timeout)),
+      timeout_(timeout) {
   for (const SignalBlock& block : blocks_) {
     const bool is_known = std::ranges::any_of(
         silences_, [&](const Silence& silence) { return silence.unit == block.unit; });

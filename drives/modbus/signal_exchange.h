@@ -10,7 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "drives/modbus/axis_exchange.h"
+#include "drives/modbus/contact_watch.h"
+#include "drives/modbus/patience.h"
 #include "drives/signals.h"
 
 namespace stanok::drives {
@@ -32,6 +33,8 @@ class SignalExchange {
   SignalExchange(std::vector<SignalConfig> signals, BusTime timeout);
 
   [[nodiscard]] std::vector<SignalBlock>& blocks() { return blocks_; }
+  // With the unit of a block.
+  [[nodiscard]] Patience& patience(std::size_t place) { return patience_[place]; }
   // Outputs into the blocks; an output of no signal is 0.
   void fill_outputs(const Signals& outputs);
 
@@ -57,6 +60,7 @@ class SignalExchange {
 
   std::vector<SignalConfig> signals_;
   std::vector<SignalBlock> blocks_;
+  std::vector<Patience> patience_;  // with each block
   std::vector<Silence> silences_;
   Signals inputs_;
   BusTime timeout_;

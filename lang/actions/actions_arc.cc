@@ -72,7 +72,7 @@ std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
 
 bool is_on_cylinder(const ActiveBlock& block) {
   if (block.modal.code(Group::transformation) != g(7, 1)) return false;
-  return is_programmed(block, block.modal.transformed_axis);
+  return is_programmed(block, block.modal.transformation.axis);
 }
 
 // The surface of G7.1: J along C, K along Z.
@@ -83,10 +83,10 @@ std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
         .notes.push_back(block.modal.origin_of(Group::transformation));
     return std::nullopt;
   }
-  ArcPlane plane{block.modal.transformed_axis, along, 'J', 'K'};
+  ArcPlane plane{block.modal.transformation.axis, along, 'J', 'K'};
   plane.set_by = Group::transformation;
   plane.second_gain = block.modal.map.gain(plane.second);
-  plane.first_scale = block.modal.cylinder_radius_mm * std::numbers::pi / 180.0;
+  plane.first_scale = block.modal.transformation.cylinder_radius_mm * std::numbers::pi / 180.0;
   if (std::abs(plane.second_gain) == 1.0) return plane;
   block
       .fail("E4303", code_word(code), "an arc on a cylinder is not possible while Z is scaled",

@@ -14,8 +14,8 @@ namespace {
 
 // Tool whose radius counts: D, or the active edge.
 std::optional<Tool> compensated_tool(ActiveBlock& block, CodeNumber code) {
-  int number = block.modal.tool_active;
-  int edge = std::max(block.modal.tool_edge, 1);
+  int number = block.modal.tool.active;
+  int edge = std::max(block.modal.tool.edge, 1);
   if (block.has('D')) {
     const auto named = block.integer('D', 0, 99999999);
     if (!named) return std::nullopt;

@@ -46,7 +46,7 @@ std::optional<AxisIndex> tool_axis(ActiveBlock& block, CodeNumber code) {
 
 // Takes R, Z, Q and P of the block over into the sequence.
 void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
-  DrillingCycle& cycle = block.modal.cycle;
+  DrillingCycle& cycle = block.modal.cycles.drilling;
   const CoordinateMap& map = block.modal.map;
   const auto level = [&](double word, double from) {
     return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
@@ -65,7 +65,7 @@ void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
 }
 
 void check_cycle(ActiveBlock& block, CodeNumber code) {
-  const DrillingCycle& cycle = block.modal.cycle;
+  const DrillingCycle& cycle = block.modal.cycles.drilling;
   const std::string name = "`" + code_text('G', code) + "`";
   if (!cycle.has_bottom || !cycle.has_retract_level) {
     block
@@ -82,7 +82,7 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
   } else if (code == g(76) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
                "no Q");
-  } else if ((code == g(86) || code == g(76)) && !block.modal.spindle_running) {
+  } else if ((code == g(86) || code == g(76)) && !block.modal.spindles.any_runs) {
     block.fail("E4064", code_word(code), name + " needs a spindle that turns",
                "no M3 or M4 before");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
@@ -93,7 +93,7 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
 
 // Holes that the block makes: L, bounded together with the pecks of each.
 std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
-  const DrillingCycle& cycle = block.modal.cycle;
+  const DrillingCycle& cycle = block.modal.cycles.drilling;
   const double depth = cycle.retract_level - cycle.bottom;
   const double moves = pecks(code) ? 3.0 * std::ceil(depth / cycle.peck) + 4.0 : 6.0;
   if (moves > moves_max) {
@@ -139,7 +139,7 @@ void bore_or_thread(ActiveBlock& block, CodeNumber code) {
 void drill_hole(ActiveBlock& block, CodeNumber code) {
   const auto axis = tool_axis(block, code);
   if (!axis || !uses_its_words(block, code)) return;
-  DrillingCycle& cycle = block.modal.cycle;
+  DrillingCycle& cycle = block.modal.cycles.drilling;
   if (!is_cycle(block.modal.code(Group::motion))) {
     cycle = {};
     cycle.initial_level = block.modal.position_W[*axis];

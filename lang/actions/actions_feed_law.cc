@@ -32,19 +32,19 @@ bool block_moves(const ActiveBlock& block) {
 
 // Lengths of a law are mm along the path.
 bool path_has_length(const ActiveBlock& block) {
-  return is_curve(motion_of(block)) || block.modal.transformed_axis >= 0 ||
+  return is_curve(motion_of(block)) || block.modal.transformation.axis >= 0 ||
          (block.programmed & block.channel_words.linear_axes()) != 0;
 }
 
 bool feed_is_known(const ModalState& modal) {
-  return (modal.feed_known || modal.feed_behind_law) && modal.feed_programmed > 0.0;
+  return modal.feed.is_set() && modal.feed.programmed > 0.0;
 }
 
 // The address with which the speeds of a form begin; nothing: it leaves the spindle alone.
 std::optional<LawAddress> first_speed_of(const LawForm& form) {
-  if (form.speed == FeedLaw::Speed::unchanged) return std::nullopt;
-  return form.speed == FeedLaw::Speed::rev_per_min ? LawAddress::speed_first
-                                                   : LawAddress::cutting_first;
+  const FeedLaw::Speed speed = law_type_of(form).speed;
+  if (speed == FeedLaw::Speed::unchanged) return std::nullopt;
+  return speed == FeedLaw::Speed::rev_per_min ? LawAddress::speed_first : LawAddress::cutting_first;
 }
 
 // What a law needs around it, beside its own values.
@@ -54,10 +54,11 @@ bool check_surroundings(ActiveBlock& block, const LawForm& form, LawScope scope)
   if (scope == LawScope::block && !path_has_length(block)) {
     block.fault =
         law_without_path(block.words, "for a motion of rotary axes alone", "no path in mm");
-  } else if (form.kind == FeedLaw::Kind::interrupted && !feed_is_known(block.modal)) {
+  } else if (const LawType& type = law_type_of(form);
+             !type.takes_feed.empty() && !feed_is_known(block.modal)) {
     block
-        .fail("E4342", word, "the interrupted feed law has no feed",
-              "it cuts and rests at the feed F")
+        .fail("E4342", word, "the " + std::string(type.name) + " feed law has no feed",
+              std::string(type.takes_feed))
         .help.emplace_back("program F before or in this block");
   }
   return !block.failed();
@@ -84,7 +85,7 @@ void take_feed_law(ActiveBlock& block, CodeNumber) {
     return;
   }
   if (scope == LawScope::modal) return set_feed_law(block, std::move(*law));
-  block.law_feed = law->gives_feed() ? law->feed_first : block.modal.feed_mm;
+  block.law_feed = law->gives_feed() ? law->feed_first : block.modal.feed.mm;
   block.queue.emit(FeedLawChange{std::move(*law), true});
 }
 
@@ -119,26 +120,23 @@ bool spindle_takes_law(ActiveBlock& block, const WordName& word, const std::stri
 
 void set_feed_law(ActiveBlock& block, FeedLaw law) {
   ModalState& modal = block.modal;
-  const bool known = modal.feed_known || modal.feed_behind_law;
-  modal.feed_known = known && !law.gives_feed();
-  modal.feed_behind_law = known && law.gives_feed();
-  modal.feed_law = law;
+  modal.feed.put_under(law);
   block.queue.emit(FeedLawChange{std::move(law), false});
 }
 
 void end_feed_law(ActiveBlock& block) {
-  if (block.modal.feed_law.kind != FeedLaw::Kind::off) set_feed_law(block, {});
+  if (block.modal.feed.law.kind != FeedLaw::Kind::off) set_feed_law(block, {});
 }
 
 void restore_feed_law(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
-  modal.feed_known = saved.feed_known;
-  modal.feed_behind_law = saved.feed_behind_law;
-  modal.feed_programmed = saved.feed_programmed;
-  modal.feed_mm = saved.feed_mm;
-  if (modal.feed_law == saved.feed_law) return;
-  modal.feed_law = saved.feed_law;
-  block.queue.emit(FeedLawChange{saved.feed_law, false});
+  modal.feed.known = saved.feed.known;
+  modal.feed.behind_law = saved.feed.behind_law;
+  modal.feed.programmed = saved.feed.programmed;
+  modal.feed.mm = saved.feed.mm;
+  if (modal.feed.law == saved.feed.law) return;
+  modal.feed.law = saved.feed.law;
+  block.queue.emit(FeedLawChange{saved.feed.law, false});
 }
 
 }  // namespace stanok::lang

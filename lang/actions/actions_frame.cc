@@ -15,41 +15,41 @@ int offset_number(CodeNumber code) {
 
 FrameChange frame_of(const ModalState& modal) {
   const WorkFrame frame = modal.frame();
-  return {modal.work_offset_number, frame.offset, frame.rotation};
+  return {modal.frames.work_offset_number, frame.offset, frame.rotation};
 }
 
 void take_work_offset(ModalState& modal, const Tables& tables, int number) {
-  modal.work_offset_number = number;
-  modal.work_offset = tables.work_offset(number).value_or(modal.work_offset);
-  modal.work_offset_rotation =
+  modal.frames.work_offset_number = number;
+  modal.frames.work_offset = tables.work_offset(number).value_or(modal.frames.work_offset);
+  modal.frames.work_offset_rotation =
       Rotation::about({0.0, 0.0, 1.0}, tables.work_offset_rotation(number));
 }
 
 void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before) {
   const bool changed = block.modal.frame() != before;
   if (changed) block.modal.reexpress_position(before);
-  if (changed || block.modal.work_offset_number != work_offset_before) {
+  if (changed || block.modal.frames.work_offset_number != work_offset_before) {
     block.queue.emit(frame_of(block.modal));
   }
 }
 
 void publish_frame(ActiveBlock& block, const WorkFrame& before) {
-  publish_frame(block, before, block.modal.work_offset_number);
+  publish_frame(block, before, block.modal.frames.work_offset_number);
 }
 
 void restore_work_offset(ActiveBlock& block, const ModalState& saved) {
   const WorkFrame before = block.modal.frame();
-  const int number_before = block.modal.work_offset_number;
-  take_work_offset(block.modal, block.tables, saved.work_offset_number);
+  const int number_before = block.modal.frames.work_offset_number;
+  take_work_offset(block.modal, block.tables, saved.frames.work_offset_number);
   publish_frame(block, before, number_before);
 }
 
 void restore_shifts(ActiveBlock& block, const ModalState& saved) {
   const WorkFrame before = block.modal.frame();
-  block.modal.local_shift = saved.local_shift;
-  block.modal.axis_shift = saved.axis_shift;
-  block.modal.axis_shift_active = saved.axis_shift_active;
-  block.modal.rotation = saved.rotation;
+  block.modal.frames.local_shift = saved.frames.local_shift;
+  block.modal.frames.axis_shift = saved.frames.axis_shift;
+  block.modal.frames.axis_shift_active = saved.frames.axis_shift_active;
+  block.modal.frames.rotation = saved.frames.rotation;
   block.modal.map = saved.map;
   for (const Group group : {Group::rotation, Group::scaling, Group::mirror}) {
     if (block.modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
@@ -75,7 +75,7 @@ void select_work_offset(ActiveBlock& block, CodeNumber code) {
     return;
   }
   const WorkFrame before = block.modal.frame();
-  const int number_before = block.modal.work_offset_number;
+  const int number_before = block.modal.frames.work_offset_number;
   take_work_offset(block.modal, block.tables, number);
   publish_frame(block, before, number_before);
 }
@@ -83,7 +83,7 @@ void select_work_offset(ActiveBlock& block, CodeNumber code) {
 void shift_locally(ActiveBlock& block, CodeNumber) {
   const WorkFrame before = block.modal.frame();
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    if (is_programmed(block, i)) block.modal.local_shift[i] = block.values[i];
+    if (is_programmed(block, i)) block.modal.frames.local_shift[i] = block.values[i];
   }
   publish_frame(block, before);
 }
@@ -98,9 +98,9 @@ AxisValues shift_to_words(const ActiveBlock& block) {
     if (!is_programmed(block, i)) continue;
     distance_W[i] = modal.position_W[i] - modal.map.to_work(i, block.values[i]);
   }
-  AxisValues shift = turned(modal.rotation.rotation, modal.geometry, distance_W);
-  for (std::size_t i = 0; modal.axis_shift_active && i < shift.size(); ++i) {
-    shift[i] += modal.axis_shift[i];
+  AxisValues shift = turned(modal.frames.rotation.rotation, modal.geometry, distance_W);
+  for (std::size_t i = 0; modal.frames.axis_shift_active && i < shift.size(); ++i) {
+    shift[i] += modal.frames.axis_shift[i];
   }
   return shift;
 }
@@ -116,11 +116,11 @@ void shift_axes(ActiveBlock& block, CodeNumber code) {
       if (!block.has('S')) block.fail("E4007", {'G', g(92), {}}, "`G92` needs an axis word", "");
       return;
     }
-    block.modal.axis_shift = shift_to_words(block);
-    block.modal.axis_shift_active = true;
+    block.modal.frames.axis_shift = shift_to_words(block);
+    block.modal.frames.axis_shift_active = true;
   } else {
-    if (code == g(92, 1)) block.modal.axis_shift = {};
-    block.modal.axis_shift_active = code != g(92, 2);
+    if (code == g(92, 1)) block.modal.frames.axis_shift = {};
+    block.modal.frames.axis_shift_active = code != g(92, 2);
   }
   publish_frame(block, before);
   for (std::size_t i = 0; code == g(92) && i < block.channel.axes.size(); ++i) {

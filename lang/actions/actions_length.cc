@@ -12,12 +12,12 @@ namespace stanok::lang {
 namespace {
 
 void change_length(ActiveBlock& block, const ToolLength& after) {
-  const ToolLength before = block.modal.length;
+  const ToolLength before = block.modal.tool.length;
   if (before.mode == after.mode && before.tool == after.tool &&
       before.offset_mm == after.offset_mm) {
     return;
   }
-  block.modal.length = after;
+  block.modal.tool.length = after;
   block.queue.emit(after);
   if (before.mode == LengthMode::tip || after.mode == LengthMode::tip) {
     block.queue.emit(Request{});
@@ -39,7 +39,7 @@ struct LengthSource {
 };
 
 std::optional<LengthSource> length_source(ActiveBlock& block) {
-  LengthSource source{block.modal.tool_active, std::max(block.modal.tool_edge, 1)};
+  LengthSource source{block.modal.tool.active, std::max(block.modal.tool.edge, 1)};
   if (block.has('H')) {
     const auto named = block.integer('H', 0, 99999999);
     if (!named) return std::nullopt;
@@ -68,8 +68,8 @@ Offset offset_of(const ActiveBlock& block, const LengthSource& source, CodeNumbe
 void set_by_axis_words(ActiveBlock& block) {
   ToolLength length;
   length.mode = LengthMode::length;
-  length.tool = block.modal.tool_active;
-  length.offset_mm = block.modal.length.offset_mm;
+  length.tool = block.modal.tool.active;
+  length.offset_mm = block.modal.tool.length.offset_mm;
   for (std::size_t k = 0; k < 3; ++k) {
     const AxisIndex axis = block.channel_words.geometry_axis(k);
     if (is_programmed(block, axis)) length.offset_mm[k] = table_value(block, axis);
@@ -82,8 +82,8 @@ void set_by_axis_words(ActiveBlock& block) {
 void use_tool_offset(ActiveBlock& block, int tool, int edge) {
   ToolLength length;
   const bool known = tool != 0 && edge != 0 && block.tables.tool_edge(tool, edge);
-  block.modal.length_base_mm = {};
-  block.modal.length_edge = std::max(edge, 1);
+  block.modal.tool.length_base_mm = {};
+  block.modal.tool.length_edge = std::max(edge, 1);
   if (known) {
     length.mode = LengthMode::length;
     length.tool = tool;
@@ -103,28 +103,29 @@ void compensate_length(ActiveBlock& block, CodeNumber code) {
   const auto source = length_source(block);
   if (!source) return;
   ModalState& modal = block.modal;
-  modal.length_base_mm = code == g(43, 2) ? modal.length.offset_mm : Offset{};
-  modal.length_edge = source->edge;
+  modal.tool.length_base_mm = code == g(43, 2) ? modal.tool.length.offset_mm : Offset{};
+  modal.tool.length_edge = source->edge;
   ToolLength length;
   length.mode = code == g(43, 4) ? LengthMode::tip : LengthMode::length;
-  length.tool = source->tool != 0 ? source->tool : modal.tool_active;
-  length.offset_mm = offset_of(block, *source, code, modal.length_base_mm);
+  length.tool = source->tool != 0 ? source->tool : modal.tool.active;
+  length.offset_mm = offset_of(block, *source, code, modal.tool.length_base_mm);
   change_length(block, length);
 }
 
 void restore_length(ActiveBlock& block, const ToolLength& saved) {
-  block.modal.length_base_mm = {};
-  block.modal.length_edge = 1;
+  block.modal.tool.length_base_mm = {};
+  block.modal.tool.length_edge = 1;
   change_length(block, saved);
 }
 
 void read_tool_length_again(ActiveBlock& block) {
   const ModalState& modal = block.modal;
   const CodeNumber code = modal.code(Group::length);
-  if (modal.length.mode == LengthMode::off || code == g(43, 1)) return;
-  if (!block.tables.tool_edge(modal.length.tool, modal.length_edge)) return;
-  ToolLength length = modal.length;
-  length.offset_mm = offset_of(block, {length.tool, modal.length_edge}, code, modal.length_base_mm);
+  if (modal.tool.length.mode == LengthMode::off || code == g(43, 1)) return;
+  if (!block.tables.tool_edge(modal.tool.length.tool, modal.tool.length_edge)) return;
+  ToolLength length = modal.tool.length;
+  length.offset_mm =
+      offset_of(block, {length.tool, modal.tool.length_edge}, code, modal.tool.length_base_mm);
   change_length(block, length);
 }
 

@@ -29,8 +29,8 @@ bool changes_at_tool_word(const ActiveBlock& block) {
 
 void put_into_spindle(ActiveBlock& block, const ToolWord& tool) {
   set_overhang(block, {});
-  block.modal.tool_active = tool.tool;
-  block.modal.tool_edge = tool.edge;
+  block.modal.tool.active = tool.tool;
+  block.modal.tool.edge = tool.edge;
   block.queue.emit(ToolChange{.tool = tool.tool, .edge = std::max(tool.edge, 1)});
 }
 
@@ -49,9 +49,9 @@ void set_feed(ActiveBlock& block) {
     block.fail("E4022", {'F', -1, {}}, "the feed must not be negative", "negative feed");
     return;
   }
-  block.modal.feed_known = true;
-  block.modal.feed_programmed = feed;
-  block.modal.feed_mm = feed * block.length_unit();
+  block.modal.feed.known = true;
+  block.modal.feed.programmed = feed;
+  block.modal.feed.mm = feed * block.length_unit();
 }
 
 void take_tool(ActiveBlock& block, CodeNumber) {
@@ -72,7 +72,7 @@ void take_tool(ActiveBlock& block, CodeNumber) {
         .help.push_back("the last two digits are the edge: edge 1 is `T" + tool + "01`");
     return;
   }
-  block.modal.tool_prepared = word.tool;
+  block.modal.tool.prepared = word.tool;
   block.queue.emit(ToolPrepare{word.tool});
   if (!changes_at_tool_word(block)) return;
   put_into_spindle(block, word);
@@ -80,14 +80,14 @@ void take_tool(ActiveBlock& block, CodeNumber) {
 }
 
 void change_tool(ActiveBlock& block, CodeNumber) {
-  if (block.modal.tool_prepared < 0) {
+  if (block.modal.tool.prepared < 0) {
     block
         .fail("E4051", {'M', m(6), {}}, "`M6` has no tool to change to",
               "no T was programmed before")
         .help.push_back("name the tool first, e.g. `T1 M6`");
     return;
   }
-  put_into_spindle(block, {block.modal.tool_prepared, 1});
+  put_into_spindle(block, {block.modal.tool.prepared, 1});
 }
 
 // M61: the tool in the spindle is called Q; nothing moves.
@@ -104,15 +104,15 @@ void set_tool_number(ActiveBlock& block, CodeNumber) {
     return;
   }
   set_overhang(block, {});
-  block.modal.tool_active = *tool;
-  block.modal.tool_edge = 1;
+  block.modal.tool.active = *tool;
+  block.modal.tool.edge = 1;
   block.queue.emit(ToolChange{*tool, true});
 }
 
 void select_feed_mode(ActiveBlock& block, CodeNumber code) {
   if (block.modal.code(Group::feed_mode) == code) return;
-  block.modal.feed_known = false;
-  block.modal.feed_behind_law = false;
+  block.modal.feed.known = false;
+  block.modal.feed.behind_law = false;
   end_feed_law(block);
 }
 
@@ -165,20 +165,20 @@ bool check_dwell(ActiveBlock& block, char letter, double seconds) {
 }
 
 void switch_coolant(ActiveBlock& block, CodeNumber code) {
-  if (code == m(7)) block.modal.mist = true;
-  if (code == m(8)) block.modal.flood = true;
+  if (code == m(7)) block.modal.switches.mist = true;
+  if (code == m(8)) block.modal.switches.flood = true;
   if (code == m(9)) {
-    block.modal.mist = false;
-    block.modal.flood = false;
+    block.modal.switches.mist = false;
+    block.modal.switches.flood = false;
     block.set_modal(Group::flood, code);
   }
-  block.queue.emit(CoolantCommand{block.modal.mist, block.modal.flood});
+  block.queue.emit(CoolantCommand{block.modal.switches.mist, block.modal.switches.flood});
 }
 
 void switch_overrides(ActiveBlock& block, CodeNumber code) {
   const bool enabled = code == m(48);
-  block.modal.feed_override = enabled;
-  block.modal.spindle_override = enabled;
+  block.modal.switches.feed_override = enabled;
+  block.modal.switches.spindle_override = enabled;
   block.queue.emit(override_control_of(block.modal));
 }
 
@@ -194,8 +194,8 @@ void stop_program(ActiveBlock& block, CodeNumber code) {
 }
 
 void end_program(ActiveBlock& block, CodeNumber code) {
-  block.flow = Flow::end_of_program;
-  block.end_kind = code == m(2) ? ProgramEndKind::end : ProgramEndKind::end_and_rewind;
+  block.flow.kind = Flow::end_of_program;
+  block.flow.end_kind = code == m(2) ? ProgramEndKind::end : ProgramEndKind::end_and_rewind;
 }
 
 void call_program(ActiveBlock& block, CodeNumber code) {
@@ -204,8 +204,8 @@ void call_program(ActiveBlock& block, CodeNumber code) {
                "`" + code_text('M', code) + "` needs the number of a program", "no P");
     return;
   }
-  block.flow = Flow::call_numbered;
-  block.flow_code = code;
+  block.flow.kind = Flow::call_numbered;
+  block.flow.code = code;
 }
 
 void send_machine_function(ActiveBlock& block, CodeNumber code) {
@@ -218,7 +218,7 @@ void send_machine_function(ActiveBlock& block, CodeNumber code) {
 }
 
 void return_from_program(ActiveBlock& block, CodeNumber) {
-  block.flow = Flow::return_from_subprogram;
+  block.flow.kind = Flow::return_from_subprogram;
 }
 
 }  // namespace stanok::lang

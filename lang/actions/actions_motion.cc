@@ -15,7 +15,7 @@ double shortest_way(double programmed, double position, double modulo) {
 void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
   const WordName word{'G', g(53), {}};
   if (excluded_by_mode(block, g(53), {Exclusion::transformation})) return;
-  if (block.modal.length.mode == LengthMode::tip) {
+  if (block.modal.tool.length.mode == LengthMode::tip) {
     BlockFault& fault =
         block.fail("E4040", word, "`G53` is not allowed while TCP (G43.4) is active", "");
     fault.notes.push_back(block.modal.origin_of(Group::length));
@@ -32,7 +32,7 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
 
 double length_along(const ActiveBlock& block, const AxisDescription& axis) {
   if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
-  return block.modal.length.offset_mm[AxisIndex(axis.geometry).place()];
+  return block.modal.tool.length.offset_mm[AxisIndex(axis.geometry).place()];
 }
 
 void stop_at_block_end(ActiveBlock& block, CodeNumber) {
@@ -82,7 +82,7 @@ void resolve_modal_feed(ActiveBlock& block, Move& move) {
   move.path = modal.path;
   move.feed_mode = modal.feed_mode();
   if (move.kind == MoveKind::rapid) return;
-  const bool linear = move.kind == MoveKind::arc || modal.transformed_axis >= 0 ||
+  const bool linear = move.kind == MoveKind::arc || modal.transformation.axis >= 0 ||
                       (move.words & block.channel_words.linear_axes()) != 0;
   const bool inverse_time = move.feed_mode == FeedMode::inverse_time;
   if (inverse_time && !block.has('F')) {
@@ -90,15 +90,15 @@ void resolve_modal_feed(ActiveBlock& block, Move& move) {
         .notes.push_back(modal.origin_of(Group::feed_mode));
     return;
   }
-  move.feed = linear && !inverse_time ? modal.feed_mm : modal.feed_programmed;
-  if (!modal.feed_known || move.feed <= 0.0) {
-    if (modal.feed_law.gives_feed()) {
-      move.feed = modal.feed_law.feed_first;
+  move.feed = linear && !inverse_time ? modal.feed.mm : modal.feed.programmed;
+  if (!modal.feed.known || move.feed <= 0.0) {
+    if (modal.feed.law.gives_feed()) {
+      move.feed = modal.feed.law.feed_first;
       return;
     }
     block
         .fail("E4020", {},
-              modal.feed_known ? "the feed of a motion at feed is 0" : "a motion at feed needs F",
+              modal.feed.known ? "the feed of a motion at feed is 0" : "a motion at feed needs F",
               "no feed")
         .notes.push_back(modal.origin_of(Group::feed_mode));
   }

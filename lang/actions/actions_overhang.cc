@@ -9,28 +9,28 @@ namespace stanok::lang {
 namespace {
 
 double table_overhang(const BlockSurroundings& around) {
-  const auto tool = around.tables.tool_edge(around.modal.tool_active, around.modal.tool_edge);
+  const auto tool = around.tables.tool_edge(around.modal.tool.active, around.modal.tool.edge);
   return tool ? tool->overhang_mm : 0.0;
 }
 
 }  // namespace
 
 double overhang_in_force(const BlockSurroundings& around) {
-  return table_overhang(around) + around.modal.overhang_shift_mm;
+  return table_overhang(around) + around.modal.tool.overhang_shift_mm;
 }
 
 void set_overhang(ActiveBlock& block, const ToolOverhang& overhang) {
   const WorkFrame before = block.modal.frame();
-  block.modal.overhang_axis = overhang.axis;
-  block.modal.overhang_shift_mm =
+  block.modal.tool.overhang_axis = overhang.axis;
+  block.modal.tool.overhang_shift_mm =
       overhang.axis < 0 ? 0.0 : overhang.value_mm - table_overhang(block);
   publish_frame(block, before);
 }
 
 void restore_overhang(ActiveBlock& block, const ModalState& saved) {
   const WorkFrame before = block.modal.frame();
-  block.modal.overhang_axis = saved.overhang_axis;
-  block.modal.overhang_shift_mm = saved.overhang_shift_mm;
+  block.modal.tool.overhang_axis = saved.tool.overhang_axis;
+  block.modal.tool.overhang_shift_mm = saved.tool.overhang_shift_mm;
   publish_frame(block, before);
 }
 

@@ -52,7 +52,7 @@ bool check_axes(ActiveBlock& block) {
 
 Vector centre_of(const ActiveBlock& block) {
   const ModalState& modal = block.modal;
-  const ProgrammedRotation& before = modal.rotation;
+  const ProgrammedRotation& before = modal.frames.rotation;
   Vector from_centre{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (!modal.geometry[k].exists()) continue;
@@ -71,7 +71,7 @@ Vector centre_of(const ActiveBlock& block) {
 
 void change_rotation(ActiveBlock& block, const ProgrammedRotation& rotation) {
   const WorkFrame before = block.modal.frame();
-  block.modal.rotation = rotation;
+  block.modal.frames.rotation = rotation;
   publish_frame(block, before);
 }
 

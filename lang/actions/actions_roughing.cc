@@ -105,7 +105,8 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
 
 void take_settings(ActiveBlock& block, CodeNumber code) {
   const bool turning = code == g(71);
-  RoughingSettings& settings = turning ? block.modal.turning_roughing : block.modal.facing_roughing;
+  RoughingSettings& settings =
+      turning ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
   const char depth = turning ? 'U' : 'W';
   if (block.has(depth)) settings.depth = block.length(depth);
   if (block.has('R')) settings.retract = block.length('R');
@@ -199,7 +200,7 @@ class Roughing {
 void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour& contour) {
   const bool turning = code == g(71);
   const RoughingSettings& settings =
-      turning ? block.modal.turning_roughing : block.modal.facing_roughing;
+      turning ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
   const std::vector<PlaneMove> list = moves_of(block, code, contour);
   if (block.failed()) return;
   const double across = block.modal.diameters() ? 0.5 : 1.0;
@@ -231,7 +232,7 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
   if (block.failed()) return;
   if (only_settings) return take_settings(block, code);
   const RoughingSettings& settings =
-      code == g(71) ? block.modal.turning_roughing : block.modal.facing_roughing;
+      code == g(71) ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
   if (settings.depth <= 0.0) {
     block.fail("E4007", {'G', code, {}}, "no depth of cut is known", "no block with it before")
         .help.push_back(code == g(71) ? "write a block `G71 U2 R0.5` before"
@@ -242,8 +243,8 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
   if (!contour) return;
   rough(block, code, *moves, *contour);
   if (block.failed() || contour->blocks.front().origin.line <= block.line) return;
-  block.flow = Flow::behind_line;
-  block.flow_line = contour->blocks.back().origin.line;
+  block.flow.kind = Flow::behind_line;
+  block.flow.line = contour->blocks.back().origin.line;
 }
 
 // The blocks themselves are run, with all they do; then the tool comes back.
@@ -257,9 +258,9 @@ void finish_contour(ActiveBlock& block, CodeNumber code) {
     });
     if (nested) return fail_contour(block, code, "a contour cannot hold a contour cycle");
   }
-  block.flow = Flow::run_contour;
-  block.contour_line = contour->blocks.front().origin.line;
-  block.flow_line = contour->blocks.back().origin.line;
+  block.flow.kind = Flow::run_contour;
+  block.flow.contour_line = contour->blocks.front().origin.line;
+  block.flow.line = contour->blocks.back().origin.line;
 }
 
 }  // namespace stanok::lang

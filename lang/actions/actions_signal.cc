@@ -19,7 +19,8 @@ std::optional<int> signal(ActiveBlock& block, CodeNumber code, char letter, int 
 }  // namespace
 
 OverrideControl override_control_of(const ModalState& modal) {
-  return {modal.feed_override, modal.spindle_override, modal.adaptive_feed, modal.feed_stop};
+  return {modal.switches.feed_override, modal.switches.spindle_override,
+          modal.switches.adaptive_feed, modal.switches.feed_stop};
 }
 
 // P0 switches off; P1 or no P switches on.
@@ -30,10 +31,10 @@ void switch_override(ActiveBlock& block, CodeNumber code) {
     if (!given) return;
     enabled = *given == 1;
   }
-  if (code == m(50)) block.modal.feed_override = enabled;
-  if (code == m(51)) block.modal.spindle_override = enabled;
-  if (code == m(52)) block.modal.adaptive_feed = enabled;
-  if (code == m(53)) block.modal.feed_stop = enabled;
+  if (code == m(50)) block.modal.switches.feed_override = enabled;
+  if (code == m(51)) block.modal.switches.spindle_override = enabled;
+  if (code == m(52)) block.modal.switches.adaptive_feed = enabled;
+  if (code == m(53)) block.modal.switches.feed_stop = enabled;
   block.queue.emit(override_control_of(block.modal));
 }
 

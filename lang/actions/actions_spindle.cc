@@ -34,13 +34,14 @@ std::optional<int> checked(ActiveBlock& block, int spindle, const WordName& word
 
 bool is_cutting_speed_of(const ActiveBlock& block, int spindle) {
   return block.modal.code(Group::spindle_mode) == g(96) && spindle != -1 &&
-         index_of(block, spindle) == index_of(block, block.modal.cutting_spindle);
+         index_of(block, spindle) == index_of(block, block.modal.spindles.cutting_spindle);
 }
 
 void send_cutting_speed(ActiveBlock& block) {
   const ModalState& modal = block.modal;
-  block.queue.emit(CuttingSpeedMode{modal.cutting_spindle, true, modal.cutting_speed_m_per_min,
-                                    modal.speed_limit_rev_per_min});
+  block.queue.emit(CuttingSpeedMode{modal.spindles.cutting_spindle, true,
+                                    modal.spindles.cutting_speed_m_per_min,
+                                    modal.spindles.speed_limit_rev_per_min});
 }
 
 // S as a cutting speed, in m/min.
@@ -55,15 +56,16 @@ void set_speed(ActiveBlock& block, int spindle, double speed, const WordName& wo
     return;
   }
   if (is_cutting_speed_of(block, spindle)) {
-    block.modal.cutting_speed_m_per_min = speed * (block.modal.inches() ? m_per_foot : 1.0);
+    block.modal.spindles.cutting_speed_m_per_min =
+        speed * (block.modal.inches() ? m_per_foot : 1.0);
     return send_cutting_speed(block);
   }
   if (spindle == -1) {
-    block.modal.speeds_rev_per_min.fill(speed);
+    block.modal.spindles.speeds_rev_per_min.fill(speed);
   } else {
-    block.modal.speeds_rev_per_min[index_of(block, spindle)] = speed;
+    block.modal.spindles.speeds_rev_per_min[index_of(block, spindle)] = speed;
   }
-  block.modal.speed_rev_per_min = block.modal.speeds_rev_per_min[0];
+  block.modal.spindles.speed_rev_per_min = block.modal.spindles.speeds_rev_per_min[0];
   block.queue.emit(SpindleCommand{
       .spindle = spindle, .action = SpindleAction::set_speed, .speed_rev_per_min = speed});
 }
@@ -73,13 +75,11 @@ void note_action(ActiveBlock& block, int spindle, SpindleAction action) {
   const std::uint16_t which = spindle == -1
                                   ? std::uint16_t{0xFFFF}
                                   : static_cast<std::uint16_t>(1U << index_of(block, spindle));
-  std::uint16_t& all = block.modal.running_spindles;
-  all = static_cast<std::uint16_t>(running ? all | which : all & ~which);
-  block.modal.spindle_running = all != 0;
+  running ? block.modal.spindles.start(which) : block.modal.spindles.stop(which);
 }
 
 bool speeds_differ(const ActiveBlock& block) {
-  const auto& speeds = block.modal.speeds_rev_per_min;
+  const auto& speeds = block.modal.spindles.speeds_rev_per_min;
   const auto last = speeds.begin() + static_cast<std::ptrdiff_t>(block.channel.spindles.size());
   return std::any_of(speeds.begin(), last, [&](double speed) { return speed != speeds[0]; });
 }
@@ -91,11 +91,11 @@ std::optional<int> named_spindle(ActiveBlock& block) {
 }
 
 double speed_of_spindle(const ActiveBlock& block, int spindle) {
-  return block.modal.speeds_rev_per_min[index_of(block, spindle)];
+  return block.modal.spindles.speeds_rev_per_min[index_of(block, spindle)];
 }
 
 bool spindle_turns(const ActiveBlock& block, int spindle) {
-  return (block.modal.running_spindles >> index_of(block, spindle) & 1U) != 0;
+  return block.modal.spindles.runs(index_of(block, spindle));
 }
 
 bool spindle_has_position(const ActiveBlock& block, int spindle) {
@@ -119,7 +119,7 @@ void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action) {
   command.action = action;
   command.speed_rev_per_min = speed_of_spindle(block, spindle);
   if (turns && is_cutting_speed_of(block, spindle)) {
-    command.cutting_speed_m_per_min = block.modal.cutting_speed_m_per_min;
+    command.cutting_speed_m_per_min = block.modal.spindles.cutting_speed_m_per_min;
   }
   block.queue.emit(command);
 }
@@ -157,7 +157,7 @@ void orient_spindle(ActiveBlock& block, CodeNumber code) {
   command.action = SpindleAction::orient;
   command.speed_rev_per_min = speed_of_spindle(block, *spindle);
   if (block.has('R')) command.angle_deg = block.value('R');
-  block.modal.orient_angle_deg = command.angle_deg;
+  block.modal.spindles.orient_angle_deg = command.angle_deg;
   if (block.has('P')) {
     const auto way = block.integer('P', 0, 2);
     if (!way) return;
@@ -181,11 +181,11 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
   ModalState& modal = block.modal;
   if (code == g(97)) {
     if (modal.code(Group::spindle_mode) != g(96)) return;
-    block.queue.emit(CuttingSpeedMode{modal.cutting_spindle});
+    block.queue.emit(CuttingSpeedMode{modal.spindles.cutting_spindle});
     return;
   }
   if (refuse_spindle_that_is_axis(block, *spindle, {'G', code, {}})) return;
-  if (modal.feed_law.speed != FeedLaw::Speed::unchanged) {
+  if (modal.feed.law.speed != FeedLaw::Speed::unchanged) {
     block
         .fail("E4344", {'G', code, {}},
               "`G96` is not possible while a feed law gives the speed of the spindle",
@@ -193,13 +193,14 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
         .help.emplace_back("end the law with `#feedlaw (off)` or an F word before");
     return;
   }
-  if (block.has('D')) modal.speed_limit_rev_per_min = block.value('D');
-  if (block.has('S')) modal.cutting_speed_m_per_min = cutting_speed(block);
-  modal.cutting_spindle = *spindle;
-  if (modal.speed_limit_rev_per_min < 0.0 || modal.cutting_speed_m_per_min < 0.0) {
-    block.fail("E4022", {modal.speed_limit_rev_per_min < 0.0 ? 'D' : 'S', -1, {}},
+  if (block.has('D')) modal.spindles.speed_limit_rev_per_min = block.value('D');
+  if (block.has('S')) modal.spindles.cutting_speed_m_per_min = cutting_speed(block);
+  modal.spindles.cutting_spindle = *spindle;
+  if (modal.spindles.speed_limit_rev_per_min < 0.0 ||
+      modal.spindles.cutting_speed_m_per_min < 0.0) {
+    block.fail("E4022", {modal.spindles.speed_limit_rev_per_min < 0.0 ? 'D' : 'S', -1, {}},
                "a speed must not be negative", "negative speed");
-  } else if (modal.cutting_speed_m_per_min == 0.0) {
+  } else if (modal.spindles.cutting_speed_m_per_min == 0.0) {
     block.fail("E4054", {'G', g(96), {}}, "`G96` needs a cutting speed", "no S")
         .help.push_back("give m/min (G20: ft/min), e.g. `G96 S180 D2500`");
   } else {
@@ -210,17 +211,18 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
 void restore_spindle_mode(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
   const CodeNumber code = saved.code(Group::spindle_mode);
-  const bool same = modal.code(Group::spindle_mode) == code &&
-                    modal.cutting_spindle == saved.cutting_spindle &&
-                    modal.cutting_speed_m_per_min == saved.cutting_speed_m_per_min &&
-                    modal.speed_limit_rev_per_min == saved.speed_limit_rev_per_min;
+  const bool same =
+      modal.code(Group::spindle_mode) == code &&
+      modal.spindles.cutting_spindle == saved.spindles.cutting_spindle &&
+      modal.spindles.cutting_speed_m_per_min == saved.spindles.cutting_speed_m_per_min &&
+      modal.spindles.speed_limit_rev_per_min == saved.spindles.speed_limit_rev_per_min;
   if (same) return;
   if (code != g(96) && modal.code(Group::spindle_mode) == g(96)) {
-    block.queue.emit(CuttingSpeedMode{modal.cutting_spindle});
+    block.queue.emit(CuttingSpeedMode{modal.spindles.cutting_spindle});
   }
-  modal.cutting_spindle = saved.cutting_spindle;
-  modal.cutting_speed_m_per_min = saved.cutting_speed_m_per_min;
-  modal.speed_limit_rev_per_min = saved.speed_limit_rev_per_min;
+  modal.spindles.cutting_spindle = saved.spindles.cutting_spindle;
+  modal.spindles.cutting_speed_m_per_min = saved.spindles.cutting_speed_m_per_min;
+  modal.spindles.speed_limit_rev_per_min = saved.spindles.speed_limit_rev_per_min;
   block.set_modal(Group::spindle_mode, code);
   if (code == g(96)) send_cutting_speed(block);
 }
@@ -232,7 +234,7 @@ void limit_speed(ActiveBlock& block) {
     block.fail("E4022", {'S', -1, {}}, "the speed limit must not be negative", "negative speed");
     return;
   }
-  block.modal.speed_limit_rev_per_min = limit;
+  block.modal.spindles.speed_limit_rev_per_min = limit;
   if (block.modal.code(Group::spindle_mode) == g(96)) send_cutting_speed(block);
 }
 

@@ -45,7 +45,7 @@ std::optional<AxisIndex> axis_of(const ActiveBlock& block, int spindle) {
 }
 
 bool is_converted(const ActiveBlock& block, AxisIndex axis) {
-  return (block.modal.converted_axes & axis_bit(axis)) != 0;
+  return (block.modal.spindles.converted_axes & axis_bit(axis)) != 0;
 }
 
 // H2 counts the axes that the machine file gives the spindle; it gives one.
@@ -62,7 +62,8 @@ bool excludes_conversion(ActiveBlock& block, CodeNumber code) {
 }
 
 void give_back(ActiveBlock& block, AxisIndex axis) {
-  block.modal.converted_axes = static_cast<AxisSet>(block.modal.converted_axes & ~axis_bit(axis));
+  block.modal.spindles.converted_axes =
+      static_cast<AxisSet>(block.modal.spindles.converted_axes & ~axis_bit(axis));
   Request request;
   request.kind = RequestKind::axis_to_spindle;
   request.number = block.channel.axes[axis].spindle;
@@ -135,7 +136,8 @@ void make_axis_of_spindle(ActiveBlock& block, CodeNumber code) {
   }
   if (is_converted(block, *axis)) return;
   if (spindle_turns(block, spindle)) turn_spindle(block, spindle, SpindleAction::stop);
-  block.modal.converted_axes = static_cast<AxisSet>(block.modal.converted_axes | axis_bit(*axis));
+  block.modal.spindles.converted_axes =
+      static_cast<AxisSet>(block.modal.spindles.converted_axes | axis_bit(*axis));
   Request request;
   request.kind = RequestKind::spindle_to_axis;
   request.number = spindle;

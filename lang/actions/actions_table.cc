@@ -65,7 +65,7 @@ bool check_words(ActiveBlock& block, int kind, LetterSet used) {
 std::optional<int> table_page(ActiveBlock& block) {
   const auto page = block.integer('P', 0, work_offset_max);
   if (!page) return std::nullopt;
-  const int number = *page == 0 ? block.modal.work_offset_number : *page;
+  const int number = *page == 0 ? block.modal.frames.work_offset_number : *page;
   if (block.tables.work_offset(number)) return number;
   block.fail("E5001", {'P', -1, {}}, "there is no work offset " + std::to_string(number),
              "unknown work offset");
@@ -120,7 +120,7 @@ void write_work_offset_here(ActiveBlock& block) {
     const bool moved = std::abs(point_B[i] - wanted_B[i]) > position_noise;
     if (!is_programmed(block, i) && !moved) continue;
     write_offset(block, *page, block.channel.axes[i].word, static_cast<int>(i),
-                 there.work_offset[i] + point_B[i] - wanted_B[i]);
+                 there.frames.work_offset[i] + point_B[i] - wanted_B[i]);
   }
 }
 

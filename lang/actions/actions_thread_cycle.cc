@@ -150,7 +150,7 @@ void take_thread_settings(ActiveBlock& block) {
   refuse_words_of_other_forms(block, "PQR");
   refuse_thousandths(block, 'Q', thread_depth_max / 10.0, "a smallest cut");
   if (block.failed()) return;
-  ThreadSettings& settings = block.modal.thread;
+  ThreadSettings& settings = block.modal.cycles.thread;
   if (block.has('P')) {
     const auto digits = block.integer('P', 0, 999999);
     if (!digits) return;
@@ -165,7 +165,7 @@ void take_thread_settings(ActiveBlock& block) {
 }
 
 void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
-  const ThreadSettings& settings = block.modal.thread;
+  const ThreadSettings& settings = block.modal.cycles.thread;
   refuse_words_of_other_forms(block, "PQRF");
   for (const char letter : {'P', 'Q'})
     refuse_thousandths(block, letter, thread_depth_max, "a depth");

@@ -15,8 +15,8 @@ bool excludes_transformation(ActiveBlock& block, CodeNumber code) {
 }
 
 void change(ActiveBlock& block, const TransformationChange& transformation) {
-  block.modal.transformed_axis = transformation.rotary_axis;
-  block.modal.cylinder_radius_mm = transformation.radius_mm;
+  block.modal.transformation.axis = transformation.rotary_axis;
+  block.modal.transformation.cylinder_radius_mm = transformation.radius_mm;
   block.queue.emit(transformation);
   block.queue.emit(Request{});
   block.awaits_position = true;

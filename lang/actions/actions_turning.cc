@@ -9,7 +9,7 @@ namespace stanok::lang {
 namespace {
 
 void take_turning_words(ActiveBlock& block, const CycleMoves& moves, CodeNumber code) {
-  TurningCycle& cycle = block.modal.turning;
+  TurningCycle& cycle = block.modal.cycles.turning;
   if (block.modal.code(Group::motion) != code) cycle = {};
   const TurningPoint end = moves.programmed_end();
   if (moves.names_x()) cycle.x = end.x;
@@ -21,7 +21,7 @@ void take_turning_words(ActiveBlock& block, const CycleMoves& moves, CodeNumber 
 }
 
 void check_turning(ActiveBlock& block, CodeNumber code) {
-  const TurningCycle& cycle = block.modal.turning;
+  const TurningCycle& cycle = block.modal.cycles.turning;
   const std::string name = "`" + code_text('G', code) + "`";
   if (!cycle.has_x || !cycle.has_z) {
     block.fail("E4007", {'G', code, {}}, name + " needs X and Z", cycle.has_x ? "no Z" : "no X");
@@ -44,7 +44,7 @@ void turn_once(ActiveBlock& block, CodeNumber code) {
   check_turning(block, code);
   if (code == g(78)) check_spindle_turns(block, *spindle, code);
   if (block.failed()) return;
-  const TurningCycle& cycle = block.modal.turning;
+  const TurningCycle& cycle = block.modal.cycles.turning;
   const TurningPoint start = moves->position();
   if (code == g(79)) {
     moves->rapid({start.x, cycle.z + cycle.taper});

@@ -215,9 +215,9 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   const LetterSet axes = words.letters & block.channel_words.letters();
   if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
   if (words.has('F')) {
-    if (words.value('F') <= 0.0 || block.modal.feed_law.kind != FeedLaw::Kind::off) return false;
+    if (words.value('F') <= 0.0 || block.modal.feed.law.kind != FeedLaw::Kind::off) return false;
     set_feed(block);
-  } else if (motion == g(1) && (!block.modal.feed_known || block.modal.feed_programmed <= 0.0)) {
+  } else if (motion == g(1) && (!block.modal.feed.known || block.modal.feed.programmed <= 0.0)) {
     return false;
   }
   collect_axis_words(block);

@@ -31,7 +31,7 @@ bool is_lead(ActiveBlock& block, double speed) {
   constexpr double tolerance = 0.01;  // of a feed that was rounded
   const double lead = block.length('K');
   const bool by_turn = block.modal.feed_mode() == FeedMode::per_revolution;
-  const double by_feed = by_turn ? block.modal.feed_mm : block.modal.feed_mm / speed;
+  const double by_feed = by_turn ? block.modal.feed.mm : block.modal.feed.mm / speed;
   const bool contradicted = block.has('F') && std::abs(by_feed - lead) > tolerance * std::abs(lead);
   if (lead > 0.0 && !contradicted) return true;
   BlockFault& fault =
@@ -54,9 +54,9 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
     return 0.0;
   }
   if (!is_lead(block, speed)) return 0.0;
-  double lead = modal.cycle.lead;
-  if (lead <= 0.0 && modal.feed_known) {
-    lead = modal.feed_mode() == FeedMode::per_revolution ? modal.feed_mm : modal.feed_mm / speed;
+  double lead = modal.cycles.drilling.lead;
+  if (lead <= 0.0 && modal.feed.known) {
+    lead = modal.feed_mode() == FeedMode::per_revolution ? modal.feed.mm : modal.feed.mm / speed;
   }
   if (lead <= 0.0) {
     block.fail("E4066", {'G', code, {}}, "tapping needs a lead", "no F and no K")
@@ -92,11 +92,11 @@ void HoleMoves::feed(double level) {
 }
 
 void HoleMoves::dwell() {
-  block_.queue.emit(Dwell{block_.modal.cycle.dwell_s});
+  block_.queue.emit(Dwell{block_.modal.cycles.drilling.dwell_s});
 }
 
 void HoleMoves::approach(const Move& positioning) {
-  const DrillingCycle& cycle = block_.modal.cycle;
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
   if (block_.modal.position_W[axis_] < cycle.retract_level) rapid(cycle.retract_level);
   if (positioning.words != 0) {
     Move move = positioning;
@@ -108,7 +108,7 @@ void HoleMoves::approach(const Move& positioning) {
 }
 
 void HoleMoves::retract() {
-  const DrillingCycle& cycle = block_.modal.cycle;
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
   const bool to_initial = block_.modal.code(Group::return_level) == g(98);
   const double level =
       to_initial ? std::max(cycle.initial_level, cycle.retract_level) : cycle.retract_level;
@@ -116,7 +116,7 @@ void HoleMoves::retract() {
 }
 
 void HoleMoves::peck(CodeNumber code) {
-  const DrillingCycle& cycle = block_.modal.cycle;
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
   double depth = cycle.retract_level;
   while (!block_.failed()) {
     depth -= cycle.peck;
@@ -134,7 +134,7 @@ void HoleMoves::peck(CodeNumber code) {
 }
 
 void HoleMoves::bore_out(CodeNumber code) {
-  const DrillingCycle& cycle = block_.modal.cycle;
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
   feed(cycle.bottom);
   if (block_.failed()) return;
   if (code == g(82) || code == g(86) || code == g(89)) dwell();
@@ -144,7 +144,7 @@ void HoleMoves::bore_out(CodeNumber code) {
   block_.queue.emit(spindle);
   retract();
   spindle.action = turning_of(block_.modal);
-  spindle.speed_rev_per_min = block_.modal.speed_rev_per_min;
+  spindle.speed_rev_per_min = block_.modal.spindles.speed_rev_per_min;
   block_.queue.emit(spindle);
 }
 
@@ -169,7 +169,7 @@ void HoleMoves::tap(CodeNumber code) {
 
 // The channel reverses the spindle at the bottom and comes back to where the move begins.
 void HoleMoves::tap_rigidly(int spindle, double lead_mm) {
-  const DrillingCycle& cycle = block_.modal.cycle;
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
   SynchronousMove move;
   move.kind = SynchronousMove::Kind::rigid_tap;
   move.line.kind = MoveKind::line;
@@ -185,7 +185,7 @@ void HoleMoves::tap_rigidly(int spindle, double lead_mm) {
 
 // The chuck takes up what feed and spindle differ by; overrides would make that too much.
 void HoleMoves::tap_with_floating_chuck(int spindle, SpindleAction turning, double lead_mm) {
-  const DrillingCycle& cycle = block_.modal.cycle;
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
   const double speed = speed_of_spindle(block_, spindle);
   Move move;
   move.kind = MoveKind::line;
@@ -228,16 +228,17 @@ void HoleMoves::shift(double first, double second) {
 // angle 0 the edge points along the first axis of the plane, angles run to the second one.
 void HoleMoves::bore_finely() {
   const ModalState& modal = block_.modal;
-  const double angle = modal.orient_angle_deg * std::numbers::pi / 180.0;
-  feed(modal.cycle.bottom);
+  const double angle = modal.spindles.orient_angle_deg * std::numbers::pi / 180.0;
+  feed(modal.cycles.drilling.bottom);
   if (block_.failed()) return;
-  if (modal.cycle.dwell_s > 0.0) dwell();
+  if (modal.cycles.drilling.dwell_s > 0.0) dwell();
   SpindleCommand spindle{.action = SpindleAction::orient,
-                         .speed_rev_per_min = modal.speed_rev_per_min,
-                         .angle_deg = modal.orient_angle_deg};
+                         .speed_rev_per_min = modal.spindles.speed_rev_per_min,
+                         .angle_deg = modal.spindles.orient_angle_deg};
   block_.queue.emit(spindle);
   const AxisValues over_hole = modal.position_W;
-  shift(-modal.cycle.peck * std::cos(angle), -modal.cycle.peck * std::sin(angle));
+  shift(-modal.cycles.drilling.peck * std::cos(angle),
+        -modal.cycles.drilling.peck * std::sin(angle));
   retract();
   Move back;
   back.end = over_hole;

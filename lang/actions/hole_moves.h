@@ -1,7 +1,7 @@
 // Moves of one hole of a drilling, tapping or boring cycle.
 //
 // Levels stand along the tool axis, the third axis of the plane; W, mm. The hole belongs to a block
-// and its cycle (ModalState::cycle).
+// and its cycle (CycleSettings::drilling).
 #pragma once
 
 #include "lang/actions/actions.h"

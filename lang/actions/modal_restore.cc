@@ -23,16 +23,17 @@ void restore_modal(ActiveBlock& block, const ModalState& saved) {
     if (modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
   }
   modal.path = saved.path;
-  if (modal.work_offset_number != saved.work_offset_number) {
+  if (modal.frames.work_offset_number != saved.frames.work_offset_number) {
     restore_work_offset(block, saved);
     block.set_modal(Group::work_offset, saved.code(Group::work_offset));
   }
-  const bool overrides_differ = modal.feed_override != saved.feed_override ||
-                                modal.spindle_override != saved.spindle_override;
-  modal.feed_override = saved.feed_override;
-  modal.spindle_override = saved.spindle_override;
+  const bool overrides_differ = modal.switches.feed_override != saved.switches.feed_override ||
+                                modal.switches.spindle_override != saved.switches.spindle_override;
+  modal.switches.feed_override = saved.switches.feed_override;
+  modal.switches.spindle_override = saved.switches.spindle_override;
   if (overrides_differ) {
-    block.queue.emit(OverrideControl{saved.feed_override, saved.spindle_override});
+    block.queue.emit(
+        OverrideControl{saved.switches.feed_override, saved.switches.spindle_override});
   }
 }
 
@@ -40,39 +41,38 @@ void restore_modal(ActiveBlock& block, const ModalState& saved) {
 void restore_spindle(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
   restore_spindle_mode(block, saved);
-  const bool other_speed = modal.speed_rev_per_min != saved.speed_rev_per_min;
-  modal.speed_rev_per_min = saved.speed_rev_per_min;
-  modal.speeds_rev_per_min[0] = saved.speed_rev_per_min;
+  const bool other_speed = modal.spindles.speed_rev_per_min != saved.spindles.speed_rev_per_min;
+  modal.spindles.speed_rev_per_min = saved.spindles.speed_rev_per_min;
+  modal.spindles.speeds_rev_per_min[0] = saved.spindles.speed_rev_per_min;
   SpindleCommand command;
-  command.speed_rev_per_min = saved.speed_rev_per_min;
-  const bool cutting = saved.code(Group::spindle_mode) == g(96) && saved.spindle_running;
+  command.speed_rev_per_min = saved.spindles.speed_rev_per_min;
+  const bool cutting = saved.code(Group::spindle_mode) == g(96) && saved.spindles.any_runs;
   if (other_speed) {
     command.action = SpindleAction::set_speed;
     block.queue.emit(command);
   }
   const CodeNumber code = saved.code(Group::spindle);
-  if (modal.code(Group::spindle) == code && modal.spindle_running == saved.spindle_running) return;
-  command.action = !saved.spindle_running ? SpindleAction::stop
-                   : code == m(4)         ? SpindleAction::counter_clockwise
-                                          : SpindleAction::clockwise;
+  if (modal.code(Group::spindle) == code && modal.spindles.any_runs == saved.spindles.any_runs)
+    return;
+  command.action = !saved.spindles.any_runs ? SpindleAction::stop
+                   : code == m(4)           ? SpindleAction::counter_clockwise
+                                            : SpindleAction::clockwise;
   constexpr std::uint16_t master = 1;
-  const std::uint16_t others = modal.running_spindles & static_cast<std::uint16_t>(~master);
-  modal.running_spindles =
-      static_cast<std::uint16_t>(others | (saved.spindle_running ? master : 0));
-  modal.spindle_running = modal.running_spindles != 0;
+  saved.spindles.any_runs ? modal.spindles.start(master) : modal.spindles.stop(master);
   block.set_modal(Group::spindle, code);
-  if (cutting) command.cutting_speed_m_per_min = saved.cutting_speed_m_per_min;
+  if (cutting) command.cutting_speed_m_per_min = saved.spindles.cutting_speed_m_per_min;
   block.queue.emit(command);
 }
 
 void restore_coolant(ActiveBlock& block, const ModalState& saved) {
   ModalState& modal = block.modal;
-  if (modal.mist == saved.mist && modal.flood == saved.flood) return;
-  modal.mist = saved.mist;
-  modal.flood = saved.flood;
+  if (modal.switches.mist == saved.switches.mist && modal.switches.flood == saved.switches.flood)
+    return;
+  modal.switches.mist = saved.switches.mist;
+  modal.switches.flood = saved.switches.flood;
   block.set_modal(Group::mist, saved.code(Group::mist));
   block.set_modal(Group::flood, saved.code(Group::flood));
-  block.queue.emit(CoolantCommand{saved.mist, saved.flood});
+  block.queue.emit(CoolantCommand{saved.switches.mist, saved.switches.flood});
 }
 
 }  // namespace
@@ -84,15 +84,17 @@ std::string_view reason_against_restoring(const ModalState& now, const ModalStat
       std::any_of(equal_groups.begin(), equal_groups.end(), differs)) {
     return "radius compensation or a transformation differs";
   }
-  if ((parts & state_frames) != 0 && now.transformed_axis >= 0 && differs(Group::rotation)) {
+  if ((parts & state_frames) != 0 && now.transformation.axis >= 0 && differs(Group::rotation)) {
     return "a transformation excludes the rotation";
   }
-  if ((parts & state_tool) != 0 && now.tool_active != saved.tool_active) {
+  if ((parts & state_tool) != 0 && now.tool.active != saved.tool.active) {
     return "another tool is active";
   }
-  const bool tip = now.length.mode == LengthMode::tip || saved.length.mode == LengthMode::tip;
+  const bool tip =
+      now.tool.length.mode == LengthMode::tip || saved.tool.length.mode == LengthMode::tip;
   if ((parts & (state_tool | state_length)) != 0 && tip &&
-      (now.length.mode != saved.length.mode || now.length.offset_mm != saved.length.offset_mm)) {
+      (now.tool.length.mode != saved.tool.length.mode ||
+       now.tool.length.offset_mm != saved.tool.length.offset_mm)) {
     return "TCP (RTCP) differs";
   }
   return {};
@@ -103,13 +105,13 @@ void restore_state(ActiveBlock& block, const ModalState& saved, StateParts parts
   if ((parts & state_modal) != 0) restore_modal(block, saved);
   if ((parts & state_motion) != 0) {
     block.set_modal(Group::motion, saved.code(Group::motion));
-    modal.cycle = saved.cycle;
+    modal.cycles.drilling = saved.cycles.drilling;
   }
   if ((parts & state_feed) != 0) restore_feed_law(block, saved);
-  if (modal.feed_law.feed_mode != modal.feed_mode()) end_feed_law(block);
+  if (modal.feed.law.feed_mode != modal.feed_mode()) end_feed_law(block);
   if ((parts & state_spindle) != 0) restore_spindle(block, saved);
   if ((parts & (state_tool | state_length)) != 0) {
-    restore_length(block, saved.length);
+    restore_length(block, saved.tool.length);
     block.set_modal(Group::length, saved.code(Group::length));
   }
   if ((parts & state_tool) != 0) restore_overhang(block, saved);

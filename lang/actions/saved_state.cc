@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -20,11 +21,14 @@ namespace {
 constexpr std::string_view version = "GV1";
 
 // Where a value stands in the modal state.
-using Member = std::variant<double ModalState::*, int ModalState::*, bool ModalState::*,
-                            AxisValues ModalState::*, double PathControl::*, int ToolLength::*,
-                            std::array<double, 3> ToolLength::*, double ProgrammedRotation::*,
-                            std::array<double, 3> ProgrammedRotation::*,
-                            CoordinateMap ModalState::*, FeedLaw ModalState::*>;
+using Member =
+    std::variant<bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*,
+                 bool ModalSpindles::*, int ModalSpindles::*, double ModalSpindles::*,
+                 bool ModalSwitches::*, int ModalTool::*, double ModalTool::*, int ToolLength::*,
+                 std::array<double, 3> ToolLength::*, bool FrameSettings::*, int FrameSettings::*,
+                 AxisValues FrameSettings::*, double ProgrammedRotation::*,
+                 std::array<double, 3> ProgrammedRotation::*, double PathControl::*,
+                 CoordinateMap ModalState::*>;
 
 struct Field {
   StateParts part;
@@ -33,35 +37,35 @@ struct Field {
 };
 
 const auto fields = std::to_array<Field>({
-    {state_modal, "work_offset", &ModalState::work_offset_number},
+    {state_modal, "work_offset", &FrameSettings::work_offset_number},
     {state_modal, "tolerance", &PathControl::tolerance_mm},
     {state_modal, "straightening", &PathControl::straightening_mm},
-    {state_modal, "feed_override", &ModalState::feed_override},
-    {state_modal, "spindle_override", &ModalState::spindle_override},
-    {state_feed, "known", &ModalState::feed_known},
-    {state_feed, "F", &ModalState::feed_programmed},
-    {state_feed, "mm", &ModalState::feed_mm},
-    {state_feed, "law", &ModalState::feed_law},
-    {state_feed, "behind_law", &ModalState::feed_behind_law},
-    {state_spindle, "S", &ModalState::speed_rev_per_min},
-    {state_spindle, "turns", &ModalState::spindle_running},
-    {state_spindle, "cutting_spindle", &ModalState::cutting_spindle},
-    {state_spindle, "cutting_speed", &ModalState::cutting_speed_m_per_min},
-    {state_spindle, "speed_limit", &ModalState::speed_limit_rev_per_min},
-    {state_tool, "T", &ModalState::tool_active},
+    {state_modal, "feed_override", &ModalSwitches::feed_override},
+    {state_modal, "spindle_override", &ModalSwitches::spindle_override},
+    {state_feed, "known", &ModalFeed::known},
+    {state_feed, "F", &ModalFeed::programmed},
+    {state_feed, "mm", &ModalFeed::mm},
+    {state_feed, "law", &ModalFeed::law},
+    {state_feed, "behind_law", &ModalFeed::behind_law},
+    {state_spindle, "S", &ModalSpindles::speed_rev_per_min},
+    {state_spindle, "turns", &ModalSpindles::any_runs},
+    {state_spindle, "cutting_spindle", &ModalSpindles::cutting_spindle},
+    {state_spindle, "cutting_speed", &ModalSpindles::cutting_speed_m_per_min},
+    {state_spindle, "speed_limit", &ModalSpindles::speed_limit_rev_per_min},
+    {state_tool, "T", &ModalTool::active},
     {state_tool, "H", &ToolLength::tool},
     {state_tool, "length", &ToolLength::offset_mm},
-    {state_tool, "overhang_axis", &ModalState::overhang_axis},
-    {state_tool, "overhang_shift", &ModalState::overhang_shift_mm},
-    {state_frames, "G52", &ModalState::local_shift},
-    {state_frames, "G92", &ModalState::axis_shift},
-    {state_frames, "shifted", &ModalState::axis_shift_active},
+    {state_tool, "overhang_axis", &ModalTool::overhang_axis},
+    {state_tool, "overhang_shift", &ModalTool::overhang_shift_mm},
+    {state_frames, "G52", &FrameSettings::local_shift},
+    {state_frames, "G92", &FrameSettings::axis_shift},
+    {state_frames, "shifted", &FrameSettings::axis_shift_active},
     {state_frames, "turned_about", &ProgrammedRotation::axis},
     {state_frames, "turned_by", &ProgrammedRotation::angle_deg},
     {state_frames, "centre", &ProgrammedRotation::centre},
     {state_frames, "map", &ModalState::map},
-    {state_coolant, "mist", &ModalState::mist},
-    {state_coolant, "flood", &ModalState::flood},
+    {state_coolant, "mist", &ModalSwitches::mist},
+    {state_coolant, "flood", &ModalSwitches::flood},
 });
 
 struct Section {
@@ -121,15 +125,9 @@ std::string list_text(std::span<const double> numbers) {
 
 template <class Owner>
 Owner& owner(ModalState& state) {
-  if constexpr (std::is_same_v<Owner, PathControl>) {
-    return state.path;
-  } else if constexpr (std::is_same_v<Owner, ToolLength>) {
-    return state.length;
-  } else if constexpr (std::is_same_v<Owner, ProgrammedRotation>) {
-    return state.rotation;
-  } else {
-    return state;
-  }
+  return std::get<Owner&>(std::tie(state, state.feed, state.spindles, state.switches, state.tool,
+                                   state.tool.length, state.frames, state.frames.rotation,
+                                   state.path));
 }
 
 std::string value_text(ModalState& state, const Member& member) {
@@ -236,26 +234,26 @@ bool read_section(std::string_view text, SavedState& saved) {
 
 // Modes follow from codes, codes of coolant from its state.
 void complete(ModalState& state) {
-  state.set(Group::mist, state.mist ? m(7) : m(9), 0);
-  state.set(Group::flood, state.flood ? m(8) : m(9), 0);
+  state.set(Group::mist, state.switches.mist ? m(7) : m(9), 0);
+  state.set(Group::flood, state.switches.flood ? m(8) : m(9), 0);
   const CodeNumber path = state.code(Group::path_mode);
   state.path.mode = path == g(64)      ? PathMode::continuous
                     : path == g(61, 1) ? PathMode::exact_stop
                                        : PathMode::exact_path;
   const CodeNumber length = state.code(Group::length);
-  state.length.mode = length == g(49)      ? LengthMode::off
-                      : length == g(43, 4) ? LengthMode::tip
-                                           : LengthMode::length;
+  state.tool.length.mode = length == g(49)      ? LengthMode::off
+                           : length == g(43, 4) ? LengthMode::tip
+                                                : LengthMode::length;
   if (state.code(Group::rotation) == g(68)) {
-    state.rotation.rotation =
-        Rotation::about(vector3(state.rotation.axis), state.rotation.angle_deg);
+    state.frames.rotation.rotation =
+        Rotation::about(vector3(state.frames.rotation.axis), state.frames.rotation.angle_deg);
   }
 }
 
 bool is_plausible(const ModalState& state) {
   const bool turned = state.code(Group::rotation) == g(68);
-  if (turned && state.rotation.axis == std::array<double, 3>{}) return false;
-  return state.overhang_axis >= -1 && state.overhang_axis < axes_max;
+  if (turned && state.frames.rotation.axis == std::array<double, 3>{}) return false;
+  return state.tool.overhang_axis >= -1 && state.tool.overhang_axis < axes_max;
 }
 
 }  // namespace

@@ -19,14 +19,22 @@
 
 namespace stanok::lang {
 
-// What a block does to the flow of the program after its own effects.
 enum class Flow : std::uint8_t {
   next,
   end_of_program,
   call_numbered,
   return_from_subprogram,
-  behind_line,  // on behind `flow_line`
-  run_contour,  // the lines from `contour_line` to `flow_line`, then back to where the tool stands
+  behind_line,  // on behind `line`
+  run_contour,  // the lines from `contour_line` to `line`, then back to where the tool stands
+};
+
+// What a block does to the flow of the program behind its own effects.
+struct BlockFlow {
+  Flow kind = Flow::next;
+  CodeNumber code = 0;  // M98 or M198
+  ProgramEndKind end_kind = ProgramEndKind::end;
+  std::uint32_t line = 0;
+  std::uint32_t contour_line = 0;
 };
 
 // Blocks N first to N last of the current text, for cycles that refer to a contour.
@@ -83,11 +91,7 @@ struct ActiveBlock : BlockSurroundings {
 
   GroupSet kept_groups = 0;  // of which the block's code does not become the active one
 
-  Flow flow = Flow::next;
-  CodeNumber flow_code = 0;  // M98 or M198
-  ProgramEndKind end_kind = ProgramEndKind::end;
-  std::uint32_t flow_line = 0;
-  std::uint32_t contour_line = 0;
+  BlockFlow flow;
 
   std::optional<BlockFault> fault;
 

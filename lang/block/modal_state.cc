@@ -40,17 +40,8 @@ FeedMode ModalState::feed_mode() const {
 }
 
 WorkFrame ModalState::frame() const {
-  AxisValues shift = local_shift;
-  for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
-  const auto turned_centre = components(rotation.rotation.turned(vector3(rotation.centre)));
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!geometry[k].exists() || rotation.rotation.is_identity()) continue;
-    shift[geometry[k]] += rotation.centre[k] - turned_centre[k];
-  }
-  WorkFrame frame{turned(work_offset_rotation, geometry, shift),
-                  work_offset_rotation * rotation.rotation, geometry};
-  for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
-  if (overhang_axis >= 0) frame.offset[overhang_axis] -= overhang_shift_mm;
+  WorkFrame frame = frames.frame(geometry);
+  if (tool.overhang_axis >= 0) frame.offset[tool.overhang_axis] -= tool.overhang_shift_mm;
   return frame;
 }
 

@@ -34,7 +34,7 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
     case Exclusion::radius_compensation:
       return modal.code(Group::radius_compensation) != g(40);
     case Exclusion::tcp:
-      return modal.length.mode == LengthMode::tip;
+      return modal.tool.length.mode == LengthMode::tip;
     case Exclusion::transformation:
       return modal.code(Group::transformation) != g(13, 1);
     case Exclusion::drilling_cycle: {

@@ -37,9 +37,9 @@ double has_code(const ParameterView& view) {
   return modal_of(view).code(Which) == Number ? 1.0 : 0.0;
 }
 
-template <bool ModalState::* Flag>
+template <bool ModalSwitches::* Flag>
 double flag(const ParameterView& view) {
-  return modal_of(view).*Flag ? 1.0 : 0.0;
+  return modal_of(view).switches.*Flag ? 1.0 : 0.0;
 }
 
 double position_of(const BlockSurroundings& around, char letter) {
@@ -53,20 +53,20 @@ double position(const ParameterView& view) {
 }
 
 double spindle_runs(const ParameterView& view) {
-  return modal_of(view).spindle_running ? 1.0 : 0.0;
+  return modal_of(view).spindles.any_runs ? 1.0 : 0.0;
 }
 
 double spindle_runs_clockwise(const ParameterView& view) {
   const ModalState& modal = modal_of(view);
-  return modal.spindle_running && modal.code(Group::spindle) == m(3) ? 1.0 : 0.0;
+  return modal.spindles.any_runs && modal.code(Group::spindle) == m(3) ? 1.0 : 0.0;
 }
 
 double active_tool(const ParameterView& view) {
-  return modal_of(view).tool_active;
+  return modal_of(view).tool.active;
 }
 
 double prepared_tool(const ParameterView& view) {
-  return std::max(modal_of(view).tool_prepared, 0);
+  return std::max(modal_of(view).tool.prepared, 0);
 }
 
 // A program that is interpreted here is always meant for its machine.
@@ -94,7 +94,7 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_units_per_rev", has_code<Group::feed_mode, g(95)>},
     {"_tool_offset",
      [](const ParameterView& view) {
-       return modal_of(view).length.mode == LengthMode::off ? 0.0 : 1.0;
+       return modal_of(view).tool.length.mode == LengthMode::off ? 0.0 : 1.0;
      }},
     {"_retract_r_plane", has_code<Group::return_level, g(99)>},
     {"_retract_old_z", has_code<Group::return_level, g(98)>},
@@ -104,12 +104,12 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_lathe_radius_mode", has_code<Group::diameter, g(8)>},
     {"_spindle_on", spindle_runs},
     {"_spindle_cw", spindle_runs_clockwise},
-    {"_mist", flag<&ModalState::mist>},
-    {"_flood", flag<&ModalState::flood>},
-    {"_feed_override", flag<&ModalState::feed_override>},
-    {"_speed_override", flag<&ModalState::spindle_override>},
-    {"_feed", [](const ParameterView& view) { return modal_of(view).feed_programmed; }},
-    {"_rpm", [](const ParameterView& view) { return modal_of(view).speed_rev_per_min; }},
+    {"_mist", flag<&ModalSwitches::mist>},
+    {"_flood", flag<&ModalSwitches::flood>},
+    {"_feed_override", flag<&ModalSwitches::feed_override>},
+    {"_speed_override", flag<&ModalSwitches::spindle_override>},
+    {"_feed", [](const ParameterView& view) { return modal_of(view).feed.programmed; }},
+    {"_rpm", [](const ParameterView& view) { return modal_of(view).spindles.speed_rev_per_min; }},
     {"_x", position<'X'>},
     {"_y", position<'Y'>},
     {"_z", position<'Z'>},
@@ -152,13 +152,13 @@ std::optional<double> work_offset_parameter(int number, const BlockSurroundings&
 std::optional<double> tool_offset_parameter(int number, const BlockSurroundings& around) {
   const auto coordinate = place_in_block(number, tool_offset_first);
   if (!coordinate) return std::nullopt;
-  if (*coordinate >= around.modal.length.offset_mm.size()) return 0.0;
+  if (*coordinate >= around.modal.tool.length.offset_mm.size()) return 0.0;
   const double unit = around.modal.inches() ? mm_per_inch : 1.0;
-  return around.modal.length.offset_mm[*coordinate] / unit;
+  return around.modal.tool.length.offset_mm[*coordinate] / unit;
 }
 
 double tool_diameter(const BlockSurroundings& around) {
-  const auto tool = around.tables.tool(around.modal.tool_active);
+  const auto tool = around.tables.tool(around.modal.tool.active);
   const double unit = around.modal.inches() ? mm_per_inch : 1.0;
   return tool ? 2.0 * tool->radius_mm / unit : 0.0;
 }
@@ -196,18 +196,18 @@ std::optional<double> machine_parameter(int number, const ParameterView& view) {
   const ModalState& modal = around.modal;
   switch (number) {
     case 5210:
-      return modal.axis_shift_active && modal.axis_shift != AxisValues{} ? 1.0 : 0.0;
+      return modal.frames.axis_shift_active && modal.frames.axis_shift != AxisValues{} ? 1.0 : 0.0;
     case 5220:
-      return modal.work_offset_number;
+      return modal.frames.work_offset_number;
     case 5400:
-      return modal.tool_active;
+      return modal.tool.active;
     case 5410:
       return tool_diameter(around);
     default:
       break;
   }
   if (const auto letter = letter_in_block(number, axis_shift_first)) {
-    return of_axis(around, *letter, modal.axis_shift);
+    return of_axis(around, *letter, modal.frames.axis_shift);
   }
   if (const auto letter = letter_in_block(number, position_first)) {
     return position_of(around, *letter);

@@ -70,7 +70,7 @@ struct FeedLaw {
 
   Kind kind = Kind::off;
   FeedMode feed_mode = FeedMode::per_minute;
-  double feed_first = 0.0;   // S_n, Smin
+  double feed_first = 0.0;   // S_n, Smin; 0: the law leaves the feed to F
   double feed_step = 0.0;    // dS > 0; linear: its direction is that of `falls`; 0: S_k = S_n
   bool falls = false;        // linear: dl < 0, or S_k < S_n
   double way_step_mm = 0.0;  // |dl|; 0: follows from the length of the block and `feed_last`
@@ -86,7 +86,7 @@ struct FeedLaw {
 
   bool operator==(const FeedLaw&) const = default;
   // Whether the law says the feed itself, instead of F.
-  [[nodiscard]] bool gives_feed() const { return kind != Kind::off && kind != Kind::interrupted; }
+  [[nodiscard]] bool gives_feed() const { return feed_first > 0.0; }
 };
 
 // A law for the motion that follows: until the next change, or for the next Move or SplineMove

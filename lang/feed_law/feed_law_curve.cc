@@ -91,4 +91,12 @@ Expected<FeedLaw, BlockFault> read_feed_curve(const LawSurroundings& around,
   return law;
 }
 
+bool is_plausible_curve_law(const FeedLaw& law) {
+  return law.feed_first > 0.0 && law.curve.size() >= 2;
+}
+
+std::vector<LawValue> values_of_curve_law(const FeedLaw&) {
+  return {};
+}
+
 }  // namespace stanok::lang

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/feed_law/law_types.h"
 #include "lang/text/limits.h"
 
 namespace stanok::lang {
@@ -38,28 +39,17 @@ class Taker {
   bool good_ = true;
 };
 
-// What every modal law has, so that no saved text can bring one that a block could not.
 bool is_plausible(const FeedLaw& law) {
-  const auto positive = [](double value) { return value > 0.0; };
-  const bool feeds = !law.gives_feed() || positive(law.feed_first);
-  const bool speeds = law.speed == FeedLaw::Speed::unchanged || positive(law.speed_first) ||
-                      law.kind == FeedLaw::Kind::curve;
+  const LawType* const type = find_law_type(law.kind);
   const bool not_negative = std::min({law.feed_step, law.way_step_mm, law.feed_last, law.stand_mm,
                                       law.cut_mm, law.speed_first, law.speed_last}) >= 0.0;
-  if (!feeds || !speeds || !not_negative) return false;
-  switch (law.kind) {
-    case FeedLaw::Kind::off:
-      return false;
-    case FeedLaw::Kind::linear:
-      return positive(law.way_step_mm);
-    case FeedLaw::Kind::modulated:
-      return positive(law.way_step_mm) && positive(law.feed_step) && law.steps > 0;
-    case FeedLaw::Kind::interrupted:
-      return positive(law.stand_mm) && positive(law.cut_mm);
-    case FeedLaw::Kind::curve:
-      return law.curve.size() >= 2;
-  }
-  return false;
+  const bool has_speed =
+      law.speed == FeedLaw::Speed::unchanged || law.speed_first > 0.0 || !law.curve.empty();
+  return type != nullptr && not_negative && has_speed && type->is_plausible(law);
+}
+
+FeedLaw::Kind last_kind() {
+  return std::ranges::max(law_types(), {}, &LawType::kind).kind;
 }
 
 }  // namespace
@@ -89,7 +79,7 @@ std::vector<double> numbers_of(const FeedLaw& law) {
 std::optional<FeedLaw> law_of_numbers(std::span<const double> numbers) {
   Taker from(numbers);
   FeedLaw law;
-  from.take(law.kind, FeedLaw::Kind::curve);
+  from.take(law.kind, last_kind());
   if (law.kind == FeedLaw::Kind::off) {
     return from.good() && from.left() == 0 ? std::optional(law) : std::nullopt;
   }

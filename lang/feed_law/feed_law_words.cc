@@ -7,53 +7,9 @@
 namespace stanok::lang {
 namespace {
 
-using enum LawAddress;
-using Kind = FeedLaw::Kind;
-using Speed = FeedLaw::Speed;
-
-constexpr LawAddressSet bit(LawAddress address) {
-  return static_cast<LawAddressSet>(1U << static_cast<unsigned>(address));
-}
-
-struct Must {
-  std::array<LawAddress, 5> addresses{};
-  std::size_t count = 0;
-};
-template <class... Addresses>
-constexpr Must must(Addresses... addresses) {
-  return {{addresses...}, sizeof...(addresses)};
-}
-
-constexpr LawForm form(std::string_view law, std::string_view directive, Kind kind, Speed speed,
-                       const Must& must, LawAddressSet may = 0) {
-  return {law, directive, kind, speed, must.addresses, must.count, may};
-}
-
-// Columns: law, word of #feedlaw, kind, speed, addresses it must have and may have. The forms of a
-// law follow each other. With S_k, dl follows from the length of the block; S_k beside dl ends the
-// steps.
-constexpr auto forms = std::to_array<LawForm>({
-    form("linear", "linear", Kind::linear, Speed::unchanged, must(feed_first, feed_step, way_step),
-         bit(feed_last)),
-    form("linear", "", Kind::linear, Speed::unchanged, must(feed_first, feed_last, feed_step)),
-    form("modulated", "modulated", Kind::modulated, Speed::unchanged,
-         must(feed_min, feed_step, way_step, steps)),
-    form("modulated", "", Kind::modulated, Speed::unchanged,
-         must(feed_min, feed_max, feed_step, way_step)),
-    form("interrupted", "interrupt", Kind::interrupted, Speed::unchanged, must(stand, cut)),
-    form("spindle speed", "speed", Kind::linear, Speed::rev_per_min,
-         must(speed_first, speed_step, feed_first, feed_step, way_step)),
-    form("spindle speed", "", Kind::linear, Speed::rev_per_min,
-         must(speed_first, speed_last, feed_first, feed_last, feed_step), bit(way_step)),
-    form("cutting speed", "cutting_speed", Kind::linear, Speed::m_per_min,
-         must(cutting_first, cutting_step, feed_first, feed_step, way_step)),
-    form("cutting speed", "", Kind::linear, Speed::m_per_min,
-         must(cutting_first, cutting_last, feed_first, feed_last, feed_step), bit(way_step)),
-});
-
 LawAddressSet must_of(const LawForm& form) {
   LawAddressSet set = 0;
-  for (const LawAddress address : form.must()) set |= bit(address);
+  for (const LawAddress address : form.must()) set |= address_bit(address);
   return set;
 }
 
@@ -87,14 +43,14 @@ LawAddress first_of(LawAddressSet set) {
 
 // The law that `address` makes one think of: the first that has it in a form.
 const LawForm& form_with(LawAddress address) {
-  return *std::find_if(forms.begin(), forms.end(), [address](const LawForm& form) {
-    return ((must_of(form) | form.may) & bit(address)) != 0;
+  return *std::ranges::find_if(law_forms(), [address](const LawForm& form) {
+    return ((must_of(form) | form.may) & address_bit(address)) != 0;
   });
 }
 
 bool belongs_to(std::string_view law, LawAddress address) {
-  return std::any_of(forms.begin(), forms.end(), [&](const LawForm& form) {
-    return form.law == law && ((must_of(form) | form.may) & bit(address)) != 0;
+  return std::ranges::any_of(law_forms(), [&](const LawForm& form) {
+    return form.law == law && ((must_of(form) | form.may) & address_bit(address)) != 0;
   });
 }
 
@@ -144,19 +100,15 @@ LawWords law_words_of(const BlockWords& words) {
   for (const NamedWord& word : words.named) {
     const auto address = find_law_address(word.name);
     if (!address) continue;
-    law.set |= bit(*address);
+    law.set |= address_bit(*address);
     law.values[*address] = word.value;
   }
   return law;
 }
 
-std::span<const LawForm> law_forms() {
-  return forms;
-}
-
 std::string forms_text(std::string_view law) {
   std::string text;
-  for (const LawForm& form : forms) {
+  for (const LawForm& form : law_forms()) {
     if (form.law != law) continue;
     text += text.empty() ? "`" : " or `";
     for (const LawAddress address : form.must()) {
@@ -168,9 +120,8 @@ std::string forms_text(std::string_view law) {
 
 Expected<const LawForm*, BlockFault> form_of(const LawWords& words) {
   const auto distance = [&](const LawForm& form) { return difference(form, words.set).distance(); };
-  const LawForm& nearest = *std::min_element(
-      forms.begin(), forms.end(),
-      [&](const LawForm& a, const LawForm& b) { return distance(a) < distance(b); });
+  const LawForm& nearest = *std::ranges::min_element(
+      law_forms(), [&](const LawForm& a, const LawForm& b) { return distance(a) < distance(b); });
   const Difference gap = difference(nearest, words.set);
   if (gap.none()) return &nearest;
   if (gap.excess != 0) {

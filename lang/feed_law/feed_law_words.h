@@ -1,28 +1,21 @@
 // The addresses of feed laws, and which of them make a law together.
 //
-// A table has a row for every way to write a law: the addresses it must have and those it may have.
-// What fits no row is answered with the address that is missing or too many. Source of the laws and
-// their addresses: docs/programmer/feed-laws.md; how programs state them:
+// Every law has its forms (law_type.h): the addresses it must have and those it may have. What fits
+// no row is answered with the address that is missing or too many. Source of the laws and their
+// addresses: docs/programmer/feed-laws.md; how programs state them:
 // docs/reference/language.md#feed-laws.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "base/expected.h"
-#include "lang/contract/command.h"
+#include "lang/feed_law/law_types.h"
 #include "lang/words/block_fault.h"
 #include "lang/words/block_words.h"
 #include "lang/words/law_address.h"
 
 namespace stanok::lang {
-
-// Bit k stands for the k-th address.
-using LawAddressSet = std::uint16_t;
 
 // The words of a law in a block, with their values as programmed; a value that is computed later is
 // not a number.
@@ -38,22 +31,6 @@ struct LawWords {
 };
 [[nodiscard]] LawWords law_words_of(const BlockWords& words);
 
-// One way to write a law.
-struct LawForm {
-  std::string_view law;  // "linear": as messages call it
-  // The word of #feedlaw, whose arguments are the addresses of `must` in their order; empty: the
-  // form is none of #feedlaw.
-  std::string_view directive;
-  FeedLaw::Kind kind = FeedLaw::Kind::linear;
-  FeedLaw::Speed speed = FeedLaw::Speed::unchanged;
-  std::array<LawAddress, 5> addresses{};
-  std::size_t must_count = 0;
-  LawAddressSet may = 0;
-
-  [[nodiscard]] std::span<const LawAddress> must() const { return {addresses.data(), must_count}; }
-};
-
-[[nodiscard]] std::span<const LawForm> law_forms();
 // "`S_n dS dl` or `S_n S_k dS`": the forms of the law.
 [[nodiscard]] std::string forms_text(std::string_view law);
 

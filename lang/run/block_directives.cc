@@ -171,7 +171,7 @@ std::optional<ToolOverhang> BlockDirectives::pop_overhang(const Instruction& ins
 void BlockDirectives::ask_overhang(const Instruction& instruction) {
   const auto overhang = pop_overhang(instruction);
   if (!overhang) return;
-  if (state_.modal.tool_active == 0) {
+  if (state_.modal.tool.active == 0) {
     return vm_.fail("E5012", "there is no active tool whose overhang could be set", "no tool");
   }
   pending_.expect_overhang(*overhang);

@@ -20,10 +20,6 @@ std::vector<IsoWord> places_of_words(const Source& source, const Span& block_spa
   return block ? std::move(block->words) : std::vector<IsoWord>{};
 }
 
-BlockFlow flow_of(const ActiveBlock& block) {
-  return {block.flow, block.flow_code, block.end_kind, block.flow_line, block.contour_line};
-}
-
 }  // namespace
 
 BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStore& parameters)
@@ -44,11 +40,11 @@ void BlockRunner::reset() {
 
 void BlockRunner::begin(const AxisValues& position_B) {
   ModalState& modal = state_.modal;
-  const int tool_active = modal.tool_active;
+  const int tool_active = modal.tool.active;
   modal = default_modal_state(state_.channel.kind);
-  modal.tool_active = tool_active;
+  modal.tool.active = tool_active;
   modal.geometry = state_.channel_words.geometry();
-  take_work_offset(modal, state_.tables, modal.work_offset_number);
+  take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
   modal.position_W = modal.frame().work_from_base(position_B);
 }
 
@@ -62,7 +58,7 @@ void BlockRunner::emit_first_commands() {
   state_.queue.set_origin({}, 0);
   code_changes_.note(0, state_.modal.codes);
   state_.queue.emit(frame_of(state_.modal));
-  state_.queue.emit(state_.modal.length);
+  state_.queue.emit(state_.modal.tool.length);
 }
 
 BlockRunner::LineResult BlockRunner::take_line(Command& command) {
@@ -174,7 +170,7 @@ BlockFlow BlockRunner::execute() {
     fail_compensation(std::move(*fault));
     return {};
   }
-  return flow_of(block);
+  return block.flow;
 }
 
 // Of what was emitted, or at the end of a run of what is held there.
@@ -201,7 +197,7 @@ void BlockRunner::read_tables_again() {
   ActiveBlock block = state_.block_at(vm_.span().line);
   read_tool_length_again(block);
   const WorkFrame before = modal.frame();
-  take_work_offset(modal, state_.tables, modal.work_offset_number);
+  take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
   if (modal.frame() == before) return;
   modal.reexpress_position(before);
   state_.queue.emit(frame_of(modal));
@@ -222,13 +218,13 @@ void BlockRunner::emit_end(ProgramEndKind kind) {
   const ModalState& modal = state_.modal;
   CommandQueue& queue = state_.queue;
   code_changes_.note(state_.blocks, default_codes(state_.channel.kind));
-  if (modal.feed_law.kind != FeedLaw::Kind::off) queue.emit(FeedLawChange{});
-  if (modal.spindle_running) queue.emit(SpindleCommand{.spindle = -1});
-  if (modal.mist || modal.flood) queue.emit(CoolantCommand{});
-  const bool overrides_usual =
-      modal.feed_override && modal.spindle_override && !modal.adaptive_feed && modal.feed_stop;
+  if (modal.feed.law.kind != FeedLaw::Kind::off) queue.emit(FeedLawChange{});
+  if (modal.spindles.any_runs) queue.emit(SpindleCommand{.spindle = -1});
+  if (modal.switches.mist || modal.switches.flood) queue.emit(CoolantCommand{});
+  const bool overrides_usual = modal.switches.feed_override && modal.switches.spindle_override &&
+                               !modal.switches.adaptive_feed && modal.switches.feed_stop;
   if (!overrides_usual) queue.emit(OverrideControl{});
-  if (modal.transformed_axis >= 0) queue.emit(TransformationChange{});
+  if (modal.transformation.axis >= 0) queue.emit(TransformationChange{});
   queue.emit(ProgramEnd{kind});
 }
 

@@ -23,15 +23,6 @@
 
 namespace stanok::lang {
 
-// What a block does to the flow of the program behind its own effects.
-struct BlockFlow {
-  Flow flow = Flow::next;
-  CodeNumber code = 0;  // M98 or M198
-  ProgramEndKind end_kind = ProgramEndKind::end;
-  std::uint32_t line = 0;
-  std::uint32_t contour_line = 0;
-};
-
 class BlockRunner {
  public:
   // What became of a plain line.

@@ -36,10 +36,10 @@ void adopt_feed(ActiveBlock& block) {
   if (block.words.has('F') && block.words.value('F') > 0.0) return set_feed(block);
   constexpr double any_feed = 100.0;
   ModalState& modal = block.modal;
-  if (modal.feed_known && modal.feed_programmed > 0.0) return;
-  modal.feed_known = true;
-  modal.feed_programmed = any_feed;
-  modal.feed_mm = any_feed;
+  if (modal.feed.known && modal.feed.programmed > 0.0) return;
+  modal.feed.known = true;
+  modal.feed.programmed = any_feed;
+  modal.feed.mm = any_feed;
 }
 
 }  // namespace

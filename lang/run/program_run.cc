@@ -170,7 +170,7 @@ void ProgramRun::execute_block() {
 }
 
 void ProgramRun::follow(const BlockFlow& flow) {
-  switch (flow.flow) {
+  switch (flow.kind) {
     case Flow::next:
       break;
     case Flow::end_of_program:

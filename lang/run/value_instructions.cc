@@ -13,12 +13,12 @@ namespace {
 
 // Programmed speed in 1/min of a spindle by its id; 0: the master spindle.
 std::optional<double> spindle_speed(const BlockState& state, double id) {
-  if (std::abs(id) <= 1e-9) return state.modal.speed_rev_per_min;
+  if (std::abs(id) <= 1e-9) return state.modal.spindles.speed_rev_per_min;
   const auto is_meant = [id](int spindle) { return is_integer(id) && std::lround(id) == spindle; };
   const std::vector<int>& known = state.channel.spindles;
   const auto found = std::find_if(known.begin(), known.end(), is_meant);
   if (found == known.end()) return std::nullopt;
-  return state.modal.speeds_rev_per_min[static_cast<std::size_t>(found - known.begin())];
+  return state.modal.spindles.speeds_rev_per_min[static_cast<std::size_t>(found - known.begin())];
 }
 
 // Active code of modal group n of docs/reference/language.md.
@@ -30,7 +30,7 @@ std::optional<double> modal_code_of_group(const BlockState& state, double index)
 
 std::optional<double> tool_value(const BlockState& state, std::string_view name) {
   const ModalState& modal = state.modal;
-  const Tool tool = state.tables.tool_edge(modal.tool_active, modal.tool_edge).value_or(Tool{});
+  const Tool tool = state.tables.tool_edge(modal.tool.active, modal.tool.edge).value_or(Tool{});
   if (name == "tool_length") return tool.length_mm[2];
   if (name == "tool_radius") return tool.radius_mm;
   return std::nullopt;
@@ -46,10 +46,10 @@ std::optional<double> system_value(const BlockState& state, std::string_view nam
   if (name == "prog_pos") return programmed_position(state.around, axis);
   if (name == "probe_ok") return truth(state.probe.found);
   if (name == "probe") return as_programmed(state.around, axis, state.probe.position[axis]);
-  if (name == "feed") return modal.feed_programmed;
-  if (name == "tool") return modal.tool_active;
-  if (name == "tool_next") return std::max(modal.tool_prepared, 0);
-  if (name == "edge") return modal.tool_edge;
+  if (name == "feed") return modal.feed.programmed;
+  if (name == "tool") return modal.tool.active;
+  if (name == "tool_next") return std::max(modal.tool.prepared, 0);
+  if (name == "edge") return modal.tool.edge;
   if (name == "overhang") return overhang_in_force(state.around);
   if (name == "speed") {
     fault = {"E4053", "the channel has no such spindle", "unknown spindle"};

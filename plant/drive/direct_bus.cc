@@ -100,8 +100,8 @@ drives::BusStatus DirectBus::status() const {
     status.axes.push_back({.axis = names_[i],
                            .in_contact = feedback.valid,
                            .answers = feedback.sequence,
-                           .errors = axes_[i].exchange.errors(),
-                           .errors_by_kind = axes_[i].exchange.errors_by_kind(),
+                           .errors = axes_[i].exchange.contact().error_count(),
+                           .errors_by_kind = axes_[i].exchange.contact().errors(),
                            .feedback = feedback});
   }
   return status;

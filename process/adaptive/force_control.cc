@@ -12,9 +12,6 @@ using motion::ForceCommand;
 using motion::ForceEvent;
 using motion::ForceState;
 
-// The smallest feed where neither program nor machine file gives one, part of the programmed one.
-constexpr double feed_min_part_default = 0.05;
-
 // The path goes at the feed asked for when it is this close to it.
 constexpr double follows_within = 0.05;
 
@@ -60,23 +57,15 @@ void ForceControl::switch_off() RT_SAFE {
   law_.set_mean(force_n);
   amplifier_.set_level(config_.vibration_level_um);
   feed_asked_ = 0.0;
-  vibration_is_lost_ = false;
-  overload_is_told_ = false;
+  events_.tell_again();
 }
 
 void ForceControl::command_force(const ForceCommand& command) RT_SAFE {
   if (command.force_n > 0.0) set_force(command.force_n);
   if (law_.mean_n() <= 0.0) return;
-  clamps_ = {.feed_min = command.feed_min,
-             .feed_max = command.feed_max,
-             .per_revolution = command.per_revolution};
-  if (!command.per_revolution) {
-    clamps_.feed_min /= s_per_min;
-    clamps_.feed_max /= s_per_min;
-  }
+  clamps_ = FeedClamps(command);
   watch_.reset();
-  vibration_is_lost_ = false;
-  overload_is_told_ = false;
+  events_.tell_again();
   status_.state = ForceState::idle_power;
 }
 
@@ -114,19 +103,15 @@ bool ForceControl::is_ready() const RT_SAFE {
   return status_.state != ForceState::idle_power;
 }
 
-void ForceControl::note(ForceEvent event) RT_SAFE {
-  if (event_ == ForceEvent::none) event_ = event;
-}
-
 motion::FeedDemand ForceControl::advance(const motion::CutState& cut) RT_SAFE {
-  event_ = ForceEvent::none;
-  count_radius(cut);
+  events_.begin_cycle();
+  radius_.count(cut);
   compensator_.advance(cut);
   computing_ = {.omega = angular_speed(cut.rev_per_min),
-                .radius_mm = radius_.radius_mm(),
+                .radius_mm = radius_.counter().radius_mm(),
                 .efficiency = config_.efficiency};
   status_.captures = compensator_.captures();
-  status_.radius_mm = radius_.radius_mm();
+  status_.radius_mm = computing_.radius_mm;
   status_.power_w = cut.power_w;
   status_.power_idle_w = compensator_.power_w(cut.rev_per_min);
   status_.level_um = amplifier_.level_um();
@@ -137,35 +122,16 @@ motion::FeedDemand ForceControl::advance(const motion::CutState& cut) RT_SAFE {
   return control(cut);
 }
 
-// Blocks 10 and 11: a new frame moves the counter while the key holds the slide.
-void ForceControl::count_radius(const motion::CutState& cut) RT_SAFE {
-  const RadiusCounter::Slide slide{.position_mm = cut.transverse_mm,
-                                   .code = cut.transverse_code,
-                                   .increment_mm = cut.increment_mm};
-  key_.set_blocked(cut.frame_is_new);
-  radius_.count(key_.pass(slide.code - transverse_code_));
-  if (cut.frame_is_new) radius_.preset(cut.radius_mm, slide);
-  transverse_code_ = slide.code;
-}
-
-// Those of the program, else of the machine file, else by the programmed feed.
 void ForceControl::resolve_clamps(const motion::CutState& cut) RT_SAFE {
-  const double unit = clamps_.per_revolution ? cut.rev_per_min / s_per_min : 1.0;
-  double feed_max = unit * clamps_.feed_max;
-  if (feed_max <= 0.0) feed_max = config_.feed_max;
-  if (feed_max <= 0.0) feed_max = cut.feed_programmed;
-  double feed_min = unit * clamps_.feed_min;
-  if (feed_min <= 0.0) feed_min = config_.feed_min;
-  if (feed_min <= 0.0) feed_min = feed_min_part_default * cut.feed_programmed;
-  if (feed_max <= 0.0 || feed_min <= 0.0) return;  // in rapid: those of the feed before
-  status_.feed_max_per_s = feed_max;
-  status_.feed_min_per_s = std::min(feed_min, feed_max);
+  const auto limits = clamps_.resolve(config_, cut);
+  if (!limits) return;  // in rapid: those of the feed before
+  status_.feed_max_per_s = limits->max;
+  status_.feed_min_per_s = limits->min;
 }
 
 void ForceControl::watch_sensors(const motion::CutState& cut) RT_SAFE {
   const bool lost_vibration = law_.mass_kg() > 0.0 && !std::isfinite(cut.vibration_um);
-  if (lost_vibration && !vibration_is_lost_) note(ForceEvent::vibration_lost);
-  vibration_is_lost_ = lost_vibration;
+  events_.set_vibration_lost(lost_vibration);
   if (status_.state == ForceState::fault) return;
   const double turns_per_s = cut.rev_per_min / s_per_min;
   const PowerTrust trust =
@@ -181,9 +147,9 @@ void ForceControl::watch_sensors(const motion::CutState& cut) RT_SAFE {
   status_.state = ForceState::fault;
   const bool is_slow = config_.on_sensor_fault == SensorFault::feed_min;
   if (trust == PowerTrust::lost) {
-    note(is_slow ? ForceEvent::sensor_lost_slow : ForceEvent::sensor_lost);
+    events_.note(is_slow ? ForceEvent::sensor_lost_slow : ForceEvent::sensor_lost);
   } else {
-    note(is_slow ? ForceEvent::sensor_stuck_slow : ForceEvent::sensor_stuck);
+    events_.note(is_slow ? ForceEvent::sensor_stuck_slow : ForceEvent::sensor_stuck);
   }
 }
 
@@ -238,7 +204,7 @@ ForceSetpoint ForceControl::form_setpoint(const motion::CutState& cut) RT_SAFE {
                     .revolution_s = cut.rev_per_min > 0.0 ? s_per_min / cut.rev_per_min : 0.0,
                     .vibration = vibration,
                     .cuts = cuts_});
-  note(law_.event());
+  events_.note(law_.event());
   status_.force_set_n = setpoint.mean_n;
   status_.force_now_n = setpoint.now_n;
   status_.vibration_um = vibration.amplitude_um;
@@ -266,8 +232,7 @@ void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& se
                        .may_rise = !watch_.is_suspicious(),
                        .feed_min = status_.feed_min_per_s / turns_per_s,
                        .feed_max = status_.feed_max_per_s / turns_per_s});
-  if (controller_.is_at_minimum() && !overload_is_told_) note(ForceEvent::overload_at_feed_min);
-  overload_is_told_ = controller_.is_at_minimum();
+  events_.set_overloaded(controller_.is_at_minimum());
 }
 
 }  // namespace stanok::process

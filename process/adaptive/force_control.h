@@ -6,8 +6,10 @@
 #pragma once
 
 #include "motion/segments/feed_modifier.h"
+#include "process/adaptive/feed_clamps.h"
 #include "process/adaptive/feed_controller.h"
 #include "process/adaptive/force_control_config.h"
+#include "process/adaptive/force_events.h"
 #include "process/adaptive/idle_power_compensator.h"
 #include "process/adaptive/power_correction.h"
 #include "process/adaptive/power_watch.h"
@@ -24,24 +26,18 @@ class ForceControl final : public motion::FeedModifier {
   [[nodiscard]] bool command(const motion::ForceCommand& command) RT_SAFE override;
   [[nodiscard]] motion::FeedDemand advance(const motion::CutState& cut) RT_SAFE override;
   [[nodiscard]] bool is_ready() const RT_SAFE override;
-  [[nodiscard]] motion::ForceEvent event() const RT_SAFE override { return event_; }
+  [[nodiscard]] motion::ForceEvent event() const RT_SAFE override { return events_.event(); }
   [[nodiscard]] motion::ForceStatus status() const RT_SAFE override { return status_; }
 
-  [[nodiscard]] const RadiusCounter& radius_counter() const RT_SAFE { return radius_; }
+  [[nodiscard]] const RadiusCounter& radius_counter() const RT_SAFE { return radius_.counter(); }
 
  private:
-  struct Clamps {
-    double feed_min = 0.0;  // mm/s, or mm/rev
-    double feed_max = 0.0;
-    bool per_revolution = false;
-  };
   void switch_off() RT_SAFE;
   void command_force(const motion::ForceCommand& command) RT_SAFE;
   void set_force(double force_n) RT_SAFE;
   void adjust(const motion::ForceCommand& command) RT_SAFE;
   [[nodiscard]] bool command_vibration(const motion::ForceCommand& command) RT_SAFE;
   [[nodiscard]] bool is_on() const RT_SAFE { return status_.state != motion::ForceState::off; }
-  void count_radius(const motion::CutState& cut) RT_SAFE;
   void resolve_clamps(const motion::CutState& cut) RT_SAFE;
   void watch_sensors(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] motion::FeedDemand control(const motion::CutState& cut) RT_SAFE;
@@ -49,25 +45,20 @@ class ForceControl final : public motion::FeedModifier {
   [[nodiscard]] ForceSetpoint form_setpoint(const motion::CutState& cut) RT_SAFE;
   void regulate(const motion::CutState& cut, const ForceSetpoint& setpoint) RT_SAFE;
   [[nodiscard]] motion::FeedDemand demand(double feed_per_s) RT_SAFE;
-  void note(motion::ForceEvent event) RT_SAFE;
 
   ForceControlConfig config_;
   IdlePowerCompensator compensator_;  // 9
-  RadiusCounter radius_;              // 10
-  OverhangKey key_;                   // 11
+  CutRadius radius_;                  // 10 and 11
   ComputingBlock computing_;          // 12
   FeedController controller_;         // 14
   VibrationAmplifier amplifier_;      // 17 to 20, 18 its level
   SetpointLaw law_;                   // 21
   PowerWatch watch_;
 
-  Clamps clamps_;
-  std::int64_t transverse_code_ = 0;
+  FeedClamps clamps_;
   double feed_asked_ = 0.0;  // in the cycle before, mm/s
-  bool vibration_is_lost_ = false;
-  bool overload_is_told_ = false;
   bool cuts_ = false;
-  motion::ForceEvent event_ = motion::ForceEvent::none;
+  ForceEvents events_;
   motion::ForceStatus status_;
 };
 

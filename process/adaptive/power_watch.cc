@@ -21,18 +21,14 @@ constexpr double moved_part = 0.35;
 // Where it answers already by so little it lives; ln.
 constexpr double answer_least = 0.01;
 
-// A dead sensor may flicker by three of its counts to either side.
-constexpr double flicker_counts = 6.5;
 // The change needed in noise, over its standard deviation: of a value that comes every 50 ms the
 // smoothing leaves 0.4, and moved_part of the change is then twice what two such values differ by.
 constexpr double noise_factor = 3.2;
 constexpr double step_of_noise = 0.954;  // median step between two values, in standard deviations
-constexpr double step_learning = 1.05;
 
 // A living sensor shows the change of a chip within a part of a revolution and few of its lags.
 constexpr double revolutions = 0.5;
 constexpr double lags = 3.0;
-constexpr double smoothing_s = 0.15;
 // How much longer a trial lasts than a power takes that falls as fast as the feed has risen.
 constexpr double fall_reserve = 3.0;
 // A power that moves more slowly than that part of what the feed did drifts.
@@ -51,10 +47,6 @@ constexpr double quick_s = 0.15;
 
 constexpr double least = 1e-9;
 
-double part_of(double cycle_s, double lag_s) RT_SAFE {
-  return lag_s > 0.0 ? 1.0 - std::exp(-cycle_s / lag_s) : 1.0;
-}
-
 double log_ratio(double value, double to) RT_SAFE {
   return std::log(std::max(value, least) / std::max(to, least));
 }
@@ -63,30 +55,28 @@ double log_ratio(double value, double to) RT_SAFE {
 
 PowerTrust PowerWatch::look(const Inputs& inputs) RT_SAFE {
   if (!std::isfinite(inputs.power_w)) return PowerTrust::lost;
-  learn_count(inputs.power_w);
+  count_.learn(inputs.power_w);
   if (!inputs.cuts) {
     cutting_s_ = 0.0;
     trial_ = {};
     trials_ = 0;
     return PowerTrust::good;
   }
-  smooth(inputs);
-  if (!is_within_flicker(inputs.power_w, steady_w_)) {
+  follow(inputs);
+  if (!count_.is_within_flicker(inputs.power_w, steady_w_)) {
     steady_w_ = inputs.power_w;
-    steady_feed_ = inputs.feed_per_rev;
-    steady_s_ = 0.0;
+    steady_ = {.feed = inputs.feed_per_rev};
   }
-  steady_s_ += inputs.cycle_s;
+  steady_.s += inputs.cycle_s;
   const bool is_alive = !only_flickers(inputs) && lives();
   if (is_alive || falls_slowly(inputs)) {
     if (is_alive) trials_ = 0;
     refer(inputs);
-    chain_feed_ = inputs.feed_per_rev;
-    chain_s_ = 0.0;
+    chain_ = {.feed = inputs.feed_per_rev};
     trial_ = {};
     return PowerTrust::good;
   }
-  if (std::abs(log_ratio(inputs.feed_per_rev, chain_feed_)) > feed_left) chain_s_ += inputs.cycle_s;
+  if (std::abs(log_ratio(inputs.feed_per_rev, chain_.feed)) > feed_left) chain_.s += inputs.cycle_s;
   if (std::abs(log_ratio(inputs.feed_per_rev, reference_.feed)) > feed_left)
     reference_.left_s += inputs.cycle_s;
   else
@@ -99,50 +89,31 @@ PowerTrust PowerWatch::look(const Inputs& inputs) RT_SAFE {
   return go_on_with_trial(inputs);
 }
 
-// The count is that of whole watts, or of the register of a drive. The usual step, a median that
-// follows slowly, is that of the noise: a cut that changes makes few great ones.
-void PowerWatch::learn_count(double power_w) RT_SAFE {
-  const double step = has_seen_ ? std::abs(power_w - seen_w_) : 0.0;
-  if (step > 0.0) {
-    count_w_ = count_w_ > 0.0 ? std::min(count_w_, step) : step;
-    step_w_ =
-        std::max(count_w_, step > step_w_ ? step_learning * step_w_ : step_w_ / step_learning);
-  }
-  seen_w_ = power_w;
-  has_seen_ = true;
-}
-
-// A whole revolution for the chip and more than the lag of the sensor: the demand is rather late
-// than early against the power, so that a living one has always answered.
-void PowerWatch::smooth(const Inputs& inputs) RT_SAFE {
-  constexpr double late = 1.5;
+void PowerWatch::follow(const Inputs& inputs) RT_SAFE {
   const double cut_w = inputs.power_w - inputs.power_idle_w;
   const double demand =
       inputs.speed_radius * std::pow(std::max(inputs.feed_per_rev, least), config_.feed_exponent);
   if (cutting_s_ == 0.0) {
-    chip_ = lagging_ = demand_ = demand;
-    smooth_w_ = cut_w;
+    cut_.begin(demand, cut_w);
     steady_w_ = inputs.power_w;
-    steady_feed_ = chain_feed_ = inputs.feed_per_rev;
-    steady_s_ = chain_s_ = 0.0;
+    steady_ = chain_ = {.feed = inputs.feed_per_rev};
     refer(inputs);
   }
   cutting_s_ += inputs.cycle_s;
-  chip_ += (demand - chip_) * part_of(inputs.cycle_s, inputs.revolution_s);
-  lagging_ += (chip_ - lagging_) * part_of(inputs.cycle_s, late * config_.power_lag_s);
-  demand_ += (lagging_ - demand_) * part_of(inputs.cycle_s, smoothing_s);
-  smooth_w_ += (cut_w - smooth_w_) * part_of(inputs.cycle_s, smoothing_s);
+  cut_.follow(
+      demand, cut_w,
+      {.cycle_s = inputs.cycle_s, .chip_s = inputs.revolution_s, .sensor_s = config_.power_lag_s});
 }
 
 void PowerWatch::refer(const Inputs& inputs) RT_SAFE {
-  reference_ = {.feed = inputs.feed_per_rev, .smooth_w = smooth_w_, .demand = demand_};
+  reference_ = {.feed = inputs.feed_per_rev, .smooth_w = cut_.power_w(), .demand = cut_.demand()};
 }
 
 // ln of the power that stands out of noise and flicker.
 double PowerWatch::change_in_noise() const RT_SAFE {
-  const double change_w =
-      std::max(noise_factor * step_w_ / step_of_noise, flicker_counts * count_w_ / moved_part);
-  return change_w / std::max(smooth_w_, least);
+  const double change_w = std::max(noise_factor * count_.usual_step_w() / step_of_noise,
+                                   SensorCount::flicker_counts * count_.count_w() / moved_part);
+  return change_w / std::max(cut_.power_w(), least);
 }
 
 // That of a whole tenth of feed also when less is judged.
@@ -150,15 +121,11 @@ double PowerWatch::change_of_life() const RT_SAFE {
   return std::max(config_.feed_exponent * std::log1p(feed_change), change_in_noise());
 }
 
-bool PowerWatch::is_within_flicker(double power_w, double of_w) const RT_SAFE {
-  return std::abs(power_w - of_w) <= flicker_counts * count_w_;
-}
-
 // By an answer to the feed, or of itself.
 bool PowerWatch::lives() const RT_SAFE {
-  const double moved = log_ratio(smooth_w_, reference_.smooth_w);
-  if (is_within_flicker(smooth_w_, reference_.smooth_w)) return false;
-  const double demanded = log_ratio(demand_, reference_.demand);
+  const double moved = log_ratio(cut_.power_w(), reference_.smooth_w);
+  if (count_.is_within_flicker(cut_.power_w(), reference_.smooth_w)) return false;
+  const double demanded = log_ratio(cut_.demand(), reference_.demand);
   const double per_s = std::min(rate_part * rate_per_s_, drift_max_per_s);
   const double quickly = trial_.is_on ? per_s * trial_.time_s : 0.0;
   const double life = std::max(moved_part * change_of_life(), quickly);
@@ -184,10 +151,11 @@ double PowerWatch::change_judged() const RT_SAFE {
 // was tried, a change that would leave the flicker is enough.
 bool PowerWatch::only_flickers(const Inputs& inputs) const RT_SAFE {
   constexpr double reserve = 1.2;
-  const double flicker = reserve * flicker_counts * count_w_ / std::max(smooth_w_, least);
+  const double flicker =
+      reserve * SensorCount::flicker_counts * count_.count_w() / std::max(cut_.power_w(), least);
   const double again = config_.feed_exponent * std::log1p(feed_change_again);
   const double judged = trials_ == 0 ? change_judged() : std::max(again, flicker);
-  const double change = config_.feed_exponent * log_ratio(inputs.feed_per_rev, steady_feed_);
+  const double change = config_.feed_exponent * log_ratio(inputs.feed_per_rev, steady_.feed);
   return std::abs(change) > judged;
 }
 
@@ -200,38 +168,42 @@ bool PowerWatch::is_unanswered(const Inputs& inputs) const RT_SAFE {
     return rise > change_judged();
   }
   const double clear = config_.feed_exponent * std::log1p(feed_change_clear);
-  return std::abs(log_ratio(demand_, reference_.demand)) >= std::max(clear, change_in_noise());
+  return std::abs(log_ratio(cut_.demand(), reference_.demand)) >=
+         std::max(clear, change_in_noise());
 }
 
 void PowerWatch::begin_trial(const Inputs& inputs) RT_SAFE {
   const double patience_s =
       revolutions * inputs.revolution_s + lags * config_.power_lag_s + config_.power_answer_s;
   rate_per_s_ = rise_per_s(inputs);
-  if (only_flickers(inputs)) smooth_w_ = reference_.smooth_w = inputs.power_w - inputs.power_idle_w;
+  if (only_flickers(inputs)) {
+    reference_.smooth_w = inputs.power_w - inputs.power_idle_w;
+    cut_.take_power(reference_.smooth_w);
+  }
   const double falls_s = fall_reserve * moved_part * change_of_life() / rate_per_s_;
-  const double lag_s = inputs.revolution_s + smoothing_s;
+  const double lag_s = inputs.revolution_s + SmoothedCut::smoothing_s;
   trial_ = {.is_on = true,
             .due_s = lag_s + std::clamp(falls_s, patience_s, trial_max_s),
             .feed_least = inputs.feed_per_rev,
-            .least_w = smooth_w_,
-            .most_w = smooth_w_};
+            .least_w = cut_.power_w(),
+            .most_w = cut_.power_w()};
 }
 
 // Of the ln of what the feed demands, since the power lived or since it only flickers.
 double PowerWatch::rise_per_s(const Inputs& inputs) const RT_SAFE {
   const bool flickers = only_flickers(inputs);
-  const double since = flickers ? steady_feed_ : reference_.feed;
-  const double time_s = flickers ? steady_s_ : reference_.left_s;
+  const double since = flickers ? steady_.feed : reference_.feed;
+  const double time_s = flickers ? steady_.s : reference_.left_s;
   const auto per_s = [&](double feed, double seconds) RT_SAFE {
     const double change = config_.feed_exponent * std::abs(log_ratio(inputs.feed_per_rev, feed));
     return std::max(change, least) / (seconds + inputs.cycle_s);
   };
-  return std::min(per_s(since, time_s), per_s(chain_feed_, chain_s_));
+  return std::min(per_s(since, time_s), per_s(chain_.feed, chain_.s));
 }
 
 // In trials: one, or more where no cut makes up for the change by chance.
 double PowerWatch::weight(const Inputs& inputs) const RT_SAFE {
-  const double since = inputs.is_at_minimum ? steady_feed_ : reference_.feed;
+  const double since = inputs.is_at_minimum ? steady_.feed : reference_.feed;
   const bool is_clear = inputs.is_at_minimum || reference_.left_s <= quick_s;
   return is_clear ? std::abs(log_ratio(inputs.feed_per_rev, since)) / std::log1p(feed_change) : 1.0;
 }
@@ -240,8 +212,8 @@ double PowerWatch::weight(const Inputs& inputs) const RT_SAFE {
 PowerTrust PowerWatch::go_on_with_trial(const Inputs& inputs) RT_SAFE {
   trial_.time_s += inputs.cycle_s;
   trial_.weight = std::max(trial_.weight, weight(inputs));
-  trial_.least_w = std::min(trial_.least_w, smooth_w_);
-  trial_.most_w = std::max(trial_.most_w, smooth_w_);
+  trial_.least_w = std::min(trial_.least_w, cut_.power_w());
+  trial_.most_w = std::max(trial_.most_w, cut_.power_w());
   if (inputs.feed_per_rev < (1.0 - feed_rests) * trial_.feed_least) {
     trial_.feed_least = inputs.feed_per_rev;
     trial_.time_s = 0.0;
@@ -253,7 +225,7 @@ PowerTrust PowerWatch::go_on_with_trial(const Inputs& inputs) RT_SAFE {
   ++trials_;
   if (trials_ >= trials_max || is_clear || only_flickered) return PowerTrust::stuck;
   refer(inputs);
-  steady_feed_ = inputs.feed_per_rev;
+  steady_.feed = inputs.feed_per_rev;
   trial_ = {};
   return PowerTrust::good;
 }

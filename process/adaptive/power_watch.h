@@ -12,11 +12,14 @@
 //
 // What is compared is smoothed alike, and the feed is delayed by the chip and the lag of the
 // sensor. The more the power is noisy the more the feed must have changed. In the air, where
-// nothing answers, nothing is judged. Real-time.
+// nothing answers, nothing is judged. Owned by the force control of a channel, in the cycle;
+// allocates nothing.
 #pragma once
 
 #include "base/rt_safe.h"
 #include "process/adaptive/force_control_config.h"
+#include "process/adaptive/sensor_count.h"
+#include "process/adaptive/smoothed_cut.h"
 
 namespace stanok::process {
 
@@ -51,6 +54,11 @@ class PowerWatch {
     double demand = 0.0;    // w R h^y as the sensor shows it
     double left_s = 0.0;    // since the feed has left it
   };
+  // Where the power or the feed last did something: the feed then, and the time since.
+  struct Since {
+    double feed = 0.0;  // mm/rev
+    double s = 0.0;
+  };
   struct Trial {
     bool is_on = false;
     double time_s = 0.0;
@@ -61,13 +69,11 @@ class PowerWatch {
     double most_w = 0.0;
   };
 
-  void learn_count(double power_w) RT_SAFE;
-  void smooth(const Inputs& inputs) RT_SAFE;
+  void follow(const Inputs& inputs) RT_SAFE;
   void refer(const Inputs& inputs) RT_SAFE;
   [[nodiscard]] bool lives() const RT_SAFE;
   [[nodiscard]] bool is_unanswered(const Inputs& inputs) const RT_SAFE;
   [[nodiscard]] bool falls_slowly(const Inputs& inputs) const RT_SAFE;
-  [[nodiscard]] bool is_within_flicker(double power_w, double of_w) const RT_SAFE;
   [[nodiscard]] double change_in_noise() const RT_SAFE;
   [[nodiscard]] double change_of_life() const RT_SAFE;
   [[nodiscard]] double change_judged() const RT_SAFE;
@@ -78,25 +84,15 @@ class PowerWatch {
   [[nodiscard]] PowerTrust go_on_with_trial(const Inputs& inputs) RT_SAFE;
 
   ForceControlConfig config_;
-  double seen_w_ = 0.0;   // the power of the cycle before
-  double count_w_ = 0.0;  // the smallest step that the sensor was seen to make
-  double step_w_ = 0.0;   // the usual one
-  bool has_seen_ = false;
-
+  SensorCount count_;
+  SmoothedCut cut_;
   double cutting_s_ = 0.0;
-  double chip_ = 0.0;      // w R h^y behind the chip,
-  double lagging_ = 0.0;   // and the sensor,
-  double demand_ = 0.0;    // smoothed
-  double smooth_w_ = 0.0;  // power of the cut
-
   Reference reference_;
-  double steady_w_ = 0.0;     // about which the power may only flicker
-  double steady_feed_ = 0.0;  // when it last did more
-  double steady_s_ = 0.0;     // since then
+  double steady_w_ = 0.0;  // about which the power may only flicker
+  Since steady_;           // the power last did more
   Trial trial_;
   int trials_ = 0;           // in vain, one after the other
-  double chain_feed_ = 0.0;  // before the first of them
-  double chain_s_ = 0.0;     // since the feed has left that
+  Since chain_;              // the feed before the first of them, and since it has left that
   double rate_per_s_ = 0.0;  // at which the feed rose, of the ln of its demand
 };
 

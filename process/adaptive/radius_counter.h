@@ -1,16 +1,18 @@
-// RadiusCounter and OverhangKey, blocks 10 and 11: the radius at which the tool cuts, counted in
-// increments of the transverse axis.
+// RadiusCounter, OverhangKey and CutRadius, blocks 10 and 11: the radius at which the tool cuts,
+// counted in increments of the transverse axis.
 //
 // The counter is preset where the axes stand in a frame that is new: at the reference point, behind
 // work offsets and tools. Between, it follows the pulses of the transverse axis and nothing else.
 // An overhang command sends the difference of the overhangs to the counter while the key keeps it
-// from the drive: the counter moves, the slide stands. Real-time.
+// from the drive: the counter moves, the slide stands. Part of the force control of a channel, in
+// the cycle.
 #pragma once
 
 #include <cstdint>
 
 #include "base/numeric.h"
 #include "base/rt_safe.h"
+#include "motion/segments/feed_modifier.h"
 
 namespace stanok::process {
 
@@ -50,6 +52,27 @@ class RadiusCounter {
  private:
   std::int64_t code_ = 0;
   double increment_mm_ = 0.001;
+};
+
+// Both as they are wired: a new frame moves the counter while the key holds the slide.
+class CutRadius {
+ public:
+  // Once a cycle.
+  void count(const motion::CutState& cut) RT_SAFE {
+    const RadiusCounter::Slide slide{.position_mm = cut.transverse_mm,
+                                     .code = cut.transverse_code,
+                                     .increment_mm = cut.increment_mm};
+    key_.set_blocked(cut.frame_is_new);
+    counter_.count(key_.pass(slide.code - transverse_code_));
+    if (cut.frame_is_new) counter_.preset(cut.radius_mm, slide);
+    transverse_code_ = slide.code;
+  }
+  [[nodiscard]] const RadiusCounter& counter() const RT_SAFE { return counter_; }
+
+ private:
+  RadiusCounter counter_;
+  OverhangKey key_;
+  std::int64_t transverse_code_ = 0;
 };
 
 }  // namespace stanok::process

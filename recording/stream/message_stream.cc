@@ -42,36 +42,20 @@ program_chunk_t chunk_of(const TextRecord& record, std::size_t offset) {
 
 MessageStream::MessageStream(LogDescription description, std::vector<MessageSink*> sinks)
     : description_(std::move(description)),
-      names_(description_.machine),
-      sinks_(std::move(sinks)),
-      buffer_(
-          checked_size(std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize()))),
-      meta_period_(cycles_in(meta_period_us, description_.cycle_us)),
-      state_period_(cycles_in(state_period_us, description_.cycle_us)),
-      path_period_(cycles_in(path_period_us, description_.cycle_us)),
+      sender_(description_, std::move(sinks),
+              std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize())),
+      periods_{.meta = cycles_in(meta_period_us, description_.cycle_us),
+               .state = cycles_in(state_period_us, description_.cycle_us),
+               .path = cycles_in(path_period_us, description_.cycle_us)},
       next_meta_cycle_(std::numeric_limits<std::int64_t>::min()) {}
-
-template <class Message>
-void MessageStream::send(const Message& message, int channel, Topic topic) {
-  const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
-  STANOK_ASSERT(size > 0);
-  const std::span<const std::uint8_t> bytes(buffer_.begin(), buffer_.begin() + size);
-  for (MessageSink* sink : sinks_) sink->send(names_.name(channel, topic), message.utime, bytes);
-}
-
-Stamp MessageStream::next_stamp(std::int64_t cycle, int channel, Topic topic) {
-  STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
-  return {.utime = description_.utime_start + cycle * description_.cycle_us,
-          .cycle = cycle,
-          .seq = next_seq_[channel][topic]++};
-}
 
 void MessageStream::cycle(const channels::CycleOutput& output) {
   send_meta_when_due(output.cycle);
   for (const channels::ChannelOutput& channel : output.of_channels()) {
     if (channel.axis_count > 0) {
-      send(to_setpoint(channel, next_stamp(output.cycle, channel.id, Topic::setpoint)), channel.id,
-           Topic::setpoint);
+      sender_.send(
+          to_setpoint(channel, sender_.next_stamp(output.cycle, channel.id, Topic::setpoint)),
+          channel.id, Topic::setpoint);
     }
     inputs_when_new(output.cycle, channel);
     state_when_due(output.cycle, channel);
@@ -87,14 +71,14 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
 
 void MessageStream::event(const channels::Event& event) {
   send_meta_when_due(event.cycle);
-  send(to_event(event, next_stamp(event.cycle, event.channel, Topic::event)), event.channel,
-       Topic::event);
+  sender_.send(to_event(event, sender_.next_stamp(event.cycle, event.channel, Topic::event)),
+               event.channel, Topic::event);
 }
 
 void MessageStream::input(const channels::InputRecord& record) {
   send_meta_when_due(record.cycle);
-  send(to_input(record, next_stamp(record.cycle, record.channel, Topic::input)), record.channel,
-       Topic::input);
+  sender_.send(to_input(record, sender_.next_stamp(record.cycle, record.channel, Topic::input)),
+               record.channel, Topic::input);
 }
 
 void MessageStream::text(const TextRecord& record) {
@@ -103,68 +87,72 @@ void MessageStream::text(const TextRecord& record) {
   std::size_t offset = 0;
   do {
     program_chunk_t chunk = chunk_of(record, offset);
-    const Stamp stamp = next_stamp(record.cycle, record.channel, Topic::program);
+    const Stamp stamp = sender_.next_stamp(record.cycle, record.channel, Topic::program);
     chunk.utime = stamp.utime;
     chunk.cycle = stamp.cycle;
     chunk.seq = stamp.seq;
     chunk.hash = hash;
-    send(chunk, record.channel, Topic::program);
+    sender_.send(chunk, record.channel, Topic::program);
     offset += checked_size(chunk.length);
   } while (offset < record.text.size());
 }
 
 void MessageStream::program_read(const ProgramRead& read, std::int64_t cycle) {
   send_meta_when_due(cycle);
-  send(to_program_read(read, next_stamp(cycle, 0, Topic::program_read)), 0, Topic::program_read);
+  sender_.send(to_program_read(read, sender_.next_stamp(cycle, 0, Topic::program_read)), 0,
+               Topic::program_read);
   if (!read.found || !sent_texts_.insert(text_hash(read.text)).second) return;
   text({.cycle = cycle, .name = read.path, .text = read.text});
 }
 
 void MessageStream::send_meta_when_due(std::int64_t cycle) {
   if (cycle < next_meta_cycle_) return;
-  next_meta_cycle_ = cycle + meta_period_;
-  send(to_log_meta(description_, next_stamp(cycle, 0, Topic::log_meta)), 0, Topic::log_meta);
-  send(to_log_types(next_stamp(cycle, 0, Topic::log_types)), 0, Topic::log_types);
+  next_meta_cycle_ = cycle + periods_.meta;
+  sender_.send(to_log_meta(description_, sender_.next_stamp(cycle, 0, Topic::log_meta)), 0,
+               Topic::log_meta);
+  sender_.send(to_log_types(sender_.next_stamp(cycle, 0, Topic::log_types)), 0, Topic::log_types);
 }
 
 void MessageStream::drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
-  if (!output.has_feedback || output.axis_count == 0 || cycle % state_period_ != 0) return;
-  send(to_drive_status(output, next_stamp(cycle, output.id, Topic::drive)), output.id,
-       Topic::drive);
+  if (!output.has_feedback || output.axis_count == 0 || cycle % periods_.state != 0) return;
+  sender_.send(to_drive_status(output, sender_.next_stamp(cycle, output.id, Topic::drive)),
+               output.id, Topic::drive);
 }
 
 void MessageStream::process_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
-  if (output.axis_count == 0 || cycle % state_period_ != 0) return;
-  send(to_process_status(output, next_stamp(cycle, output.id, Topic::process)), output.id,
-       Topic::process);
+  if (output.axis_count == 0 || cycle % periods_.state != 0) return;
+  sender_.send(to_process_status(output, sender_.next_stamp(cycle, output.id, Topic::process)),
+               output.id, Topic::process);
 }
 
 void MessageStream::force_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   const bool is_on = output.process.force.state != motion::ForceState::off;
-  if (!output.process.has_force_control || !is_on || cycle % state_period_ != 0) return;
-  send(to_force_status(output, next_stamp(cycle, output.id, Topic::force)), output.id,
-       Topic::force);
+  if (!output.process.has_force_control || !is_on || cycle % periods_.state != 0) return;
+  sender_.send(to_force_status(output, sender_.next_stamp(cycle, output.id, Topic::force)),
+               output.id, Topic::force);
 }
 
 void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
-  if (cycle % state_period_ != 0) return;
-  send(to_state(output, next_stamp(cycle, output.id, Topic::state)), output.id, Topic::state);
+  if (cycle % periods_.state != 0) return;
+  sender_.send(to_state(output, sender_.next_stamp(cycle, output.id, Topic::state)), output.id,
+               Topic::state);
 }
 
 void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output) {
   ShownInputs& shown = inputs_[output.id];
   if (output.arrivals != shown.arrivals) {
     shown.arrivals = output.arrivals;
-    send(to_arrival(output.id, output.arrivals, next_stamp(cycle, output.id, Topic::arrival)),
-         output.id, Topic::arrival);
+    sender_.send(to_arrival(output.id, output.arrivals,
+                            sender_.next_stamp(cycle, output.id, Topic::arrival)),
+                 output.id, Topic::arrival);
   }
   if (!output.has_feedback) return;
   for (int k = 0; k < output.axis_count; ++k) {
     if (shown.has_feedback && output.feedback[k] == shown.feedback[k]) continue;
     shown.feedback[k] = output.feedback[k];
-    send(to_feedback(output.id, k, output.feedback[k],
-                     next_stamp(cycle, output.id, Topic::feedback)),
-         output.id, Topic::feedback);
+    sender_.send(to_feedback(output.id, k, output.feedback[k],
+                             sender_.next_stamp(cycle, output.id, Topic::feedback)),
+                 output.id, Topic::feedback);
   }
   shown.has_feedback = true;
 }
@@ -172,20 +160,22 @@ void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelO
 void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (output.axis_count == 0) return;
   ShownTool& shown = tools_[output.id];
-  if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + meta_period_) return;
+  if (output.tool == shown.tool && shown.cycle >= 0 && cycle < shown.cycle + periods_.meta) return;
   shown = {output.tool, cycle};
-  send(to_tool(output, next_stamp(cycle, output.id, Topic::tool)), output.id, Topic::tool);
+  sender_.send(to_tool(output, sender_.next_stamp(cycle, output.id, Topic::tool)), output.id,
+               Topic::tool);
 }
 
 // A tool that goes leaves nothing to be told; when it comes back, its row is new again.
 void MessageStream::tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
   if (output.axis_count == 0) return;
   ShownToolRow& shown = tool_rows_[output.id];
-  if (output.tool_row == shown.row && cycle < shown.cycle + meta_period_) return;
+  if (output.tool_row == shown.row && cycle < shown.cycle + periods_.meta) return;
   shown = {output.tool_row, cycle};
   if (output.tool_row.number == 0) return;
-  send(to_tool_row(output.id, output.tool_row, next_stamp(cycle, output.id, Topic::tool_row)),
-       output.id, Topic::tool_row);
+  sender_.send(to_tool_row(output.id, output.tool_row,
+                           sender_.next_stamp(cycle, output.id, Topic::tool_row)),
+               output.id, Topic::tool_row);
 }
 
 void MessageStream::path(PathPreview preview) {
@@ -198,13 +188,13 @@ void MessageStream::path(PathPreview preview) {
 void MessageStream::path_when_due(std::int64_t cycle, int channel) {
   ShownPath& shown = paths_[channel];
   if (shown.preview.points.empty() || cycle < shown.next_cycle) return;
-  const path_t message =
-      to_path(shown.preview, shown.number, shown.next, next_stamp(cycle, channel, Topic::path));
-  send(message, channel, Topic::path);
+  const path_t message = to_path(shown.preview, shown.number, shown.next,
+                                 sender_.next_stamp(cycle, channel, Topic::path));
+  sender_.send(message, channel, Topic::path);
   shown.next += checked_size(message.count);
   const bool is_whole = shown.next == shown.preview.points.size();
   if (is_whole) shown.next = 0;
-  shown.next_cycle = cycle + (is_whole ? meta_period_ : path_period_);
+  shown.next_cycle = cycle + (is_whole ? periods_.meta : periods_.path);
 }
 
 void MessageStream::allow_workpieces(bool allowed) {
@@ -217,10 +207,10 @@ void MessageStream::workpiece_when_due(std::int64_t cycle, const channels::Chann
   ShownWorkpiece& shown = workpieces_[output.id];
   const std::uint32_t announcements = output.workpiece.announcements;
   if (announcements == 0) return;
-  if (announcements == shown.announcements && cycle < shown.cycle + meta_period_) return;
+  if (announcements == shown.announcements && cycle < shown.cycle + periods_.meta) return;
   shown = {announcements, cycle};
-  send(to_workpiece(output, next_stamp(cycle, output.id, Topic::workpiece)), output.id,
-       Topic::workpiece);
+  sender_.send(to_workpiece(output, sender_.next_stamp(cycle, output.id, Topic::workpiece)),
+               output.id, Topic::workpiece);
 }
 
 }  // namespace stanok::recording

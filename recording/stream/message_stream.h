@@ -17,10 +17,10 @@
 
 #include "channels/contract/output.h"
 #include "channels/machine/machine.h"
-#include "recording/format/channel_names.h"
 #include "recording/format/encode_inputs.h"
 #include "recording/format/log_description.h"
 #include "recording/format/path_preview.h"
+#include "recording/stream/message_sender.h"
 #include "recording/stream/message_sink.h"
 
 namespace stanok::recording {
@@ -59,7 +59,6 @@ class MessageStream {
   [[nodiscard]] const LogDescription& description() const { return description_; }
 
  private:
-  [[nodiscard]] Stamp next_stamp(std::int64_t cycle, int channel, Topic topic);
   void send_meta_when_due(std::int64_t cycle);
   void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
@@ -70,14 +69,9 @@ class MessageStream {
   void tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void path_when_due(std::int64_t cycle, int channel);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
-  template <class Message>
-  void send(const Message& message, int channel, Topic topic);
 
   LogDescription description_;
-  ChannelNames names_;
-  std::vector<MessageSink*> sinks_;
-  std::vector<std::uint8_t> buffer_;
-  PerChannel<EnumArray<Topic, std::int64_t>> next_seq_{};
+  MessageSender sender_;
   struct ShownWorkpiece {
     std::uint32_t announcements = 0;
     std::int64_t cycle = 0;  // of the latest message
@@ -108,9 +102,12 @@ class MessageStream {
   };
   PerChannel<ShownInputs> inputs_{};
   std::set<std::uint64_t> sent_texts_;  // hashes
-  std::int64_t meta_period_;            // cycles
-  std::int64_t state_period_;           // cycles
-  std::int64_t path_period_;            // cycles between two parts of a preview
+  struct Periods {                      // in cycles
+    std::int64_t meta;
+    std::int64_t state;
+    std::int64_t path;  // between two parts of a preview
+  };
+  Periods periods_;
   std::int64_t next_meta_cycle_;
 };
 

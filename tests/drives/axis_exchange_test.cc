@@ -51,10 +51,10 @@ class AxisExchangeTest : public ::testing::Test {
 
   // Contact is lost, and comes back with the drive at `position_mm`.
   void lose_and_find_again(double position_mm) {
-    while (!exchange.is_lost()) {
+    while (!exchange.contact().is_lost()) {
       no_answer();
     }
-    for (int i = 0; i < 100 && exchange.is_lost(); ++i) {
+    for (int i = 0; i < 100 && exchange.contact().is_lost(); ++i) {
       answer(position_mm, DriveState::switch_on_disabled);
     }
   }
@@ -74,7 +74,7 @@ class AxisExchangeTest : public ::testing::Test {
     for (target.position = 5.0; target.position < 10.0; target.position += 1.0)
       answer(target.position);
     answer(10.0);
-    while (!exchange.is_lost()) {
+    while (!exchange.contact().is_lost()) {
       target.position += 1.0;
       no_answer();
     }
@@ -181,7 +181,7 @@ TEST_F(AxisExchangeTest, AnAnswerWithoutEchoIsStuckAndDiscarded) {
   old.heartbeat_echo = static_cast<std::uint16_t>(sent.heartbeat - 1);
   EXPECT_EQ(exchange.take(old, now, now), ExchangeError::stuck);
   EXPECT_EQ(exchange.feedback().position, 1.0);
-  EXPECT_EQ(exchange.errors(), 1U);
+  EXPECT_EQ(exchange.contact().error_count(), 1U);
 }
 
 TEST_F(AxisExchangeTest, AWordThatIsNoStateIsImplausible) {
@@ -220,7 +220,7 @@ TEST_F(AxisExchangeTest, AVelocityOutOfReachIsImplausible) {
 TEST_F(AxisExchangeTest, ContactIsLostAfterTheTimeout) {
   answer(0.0);
   const BusTime last = now;
-  while (!exchange.is_lost()) {
+  while (!exchange.contact().is_lost()) {
     EXPECT_TRUE(exchange.feedback().valid);
     now += milliseconds{1};
     exchange.supervise(now);
@@ -234,10 +234,10 @@ TEST_F(AxisExchangeTest, ContactIsLostAfterTheTimeout) {
 TEST_F(AxisExchangeTest, OneFailureInFiveIsBorneOneInTwoIsNot) {
   for (int i = 0; i < 10000; ++i) {
     i % 5 == 0 ? no_answer() : static_cast<void>(answer(0.0));
-    ASSERT_FALSE(exchange.is_lost()) << i;
+    ASSERT_FALSE(exchange.contact().is_lost()) << i;
   }
   int exchanges = 0;
-  while (!exchange.is_lost() && exchanges < 1000) {
+  while (!exchange.contact().is_lost() && exchanges < 1000) {
     exchanges++ % 2 == 0 ? no_answer() : static_cast<void>(answer(0.0));
   }
   // Up by 3, down by 1: 200 is reached within 200 exchanges.
@@ -249,7 +249,7 @@ TEST_F(AxisExchangeTest, OneFailureInFiveIsBorneWhenItComesAtRandom) {
   std::mt19937 random(seed);
   for (int i = 0; i < 300000; ++i) {
     random() % 5 == 0 ? no_answer() : static_cast<void>(answer(0.0));
-    ASSERT_FALSE(exchange.is_lost()) << i << ", seed " << seed;
+    ASSERT_FALSE(exchange.contact().is_lost()) << i << ", seed " << seed;
   }
 }
 
@@ -257,7 +257,7 @@ TEST_F(AxisExchangeTest, ThreeFailuresInTenAreNotBorne) {
   const unsigned seed = 23;
   std::mt19937 random(seed);
   int exchanges = 0;
-  while (!exchange.is_lost() && exchanges < 20000) {
+  while (!exchange.contact().is_lost() && exchanges < 20000) {
     random() % 10 < 3 ? no_answer() : static_cast<void>(answer(0.0));
     ++exchanges;
   }
@@ -433,8 +433,9 @@ TEST_F(AxisExchangeTest, SurvivesArbitraryAnswers) {
     }
     ASSERT_TRUE(std::isfinite(exchange.feedback().position)) << "seed " << seed;
   }
-  EXPECT_GE(exchange.errors(), 19990U) << "an echo by chance is 1 in 65536; seed " << seed;
-  EXPECT_TRUE(exchange.is_lost());
+  EXPECT_GE(exchange.contact().error_count(), 19990U)
+      << "an echo by chance is 1 in 65536; seed " << seed;
+  EXPECT_TRUE(exchange.contact().is_lost());
 }
 
 TEST_F(AxisExchangeTest, AllocatesNothing) {

@@ -17,6 +17,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lang/feed_law/law_types.h"
 #include "lang/text/source.h"
 #include "tests/lang/program_support.h"
 #include "tests/support/project_folders.h"
@@ -159,8 +160,8 @@ class Describer {
   }
   std::string operator()(const FeedLawChange& change) const {
     const FeedLaw& law = change.law;
-    static const char* const names[] = {"off", "linear", "modulated", "interrupted", "curve"};
-    std::string text = std::string("law ") + names[static_cast<int>(law.kind)];
+    const LawType* const type = find_law_type(law.kind);
+    std::string text = "law " + std::string(type == nullptr ? "off" : type->name);
     const auto add = [&](const char* name, double value) {
       if (value != 0.0) text += std::string(" ") + name + number_text(value);
     };

@@ -30,20 +30,6 @@ constexpr std::size_t members_max = 15;
 constexpr std::size_t headers_max = 1;
 constexpr std::size_t sources_max = 2;
 
-// Classes that are larger, with the numbers that they may have. They only fall: what is added to
-// one of these classes becomes a class of its own.
-struct LargeClass {
-  std::size_t methods = methods_max;
-  std::size_t members = members_max;
-  std::size_t sources = sources_max;
-};
-const std::map<std::string, LargeClass> large_classes{
-    {"daemon::Reception::Parts", {.members = 16}}, {"drives::AxisExchange", {.members = 28}},
-    {"drives::ModbusBus", {.members = 30}},        {"lang::ActiveBlock", {.members = 18}},
-    {"lang::ModalState", {.members = 50}},         {"process::ForceControl", {.members = 17}},
-    {"process::PowerWatch", {.members = 19}},      {"recording::MessageStream", {.members = 16}},
-};
-
 // One line of ctags.
 struct Tag {
   std::string kind;
@@ -155,16 +141,16 @@ Classes classes_of(const std::vector<Tag>& tags) {
 }
 
 // What is too large of a class, or nothing.
-std::string excess(const Class& measured, const LargeClass& limit) {
+std::string excess(const Class& measured) {
   std::ostringstream text;
   const auto compare = [&](const char* what, std::size_t count, std::size_t count_max) {
     if (count > count_max) text << count << ' ' << what << ", not over " << count_max << "; ";
   };
   if (measured.is_record) return "";
-  compare("methods", measured.methods, limit.methods);
-  compare("data members", measured.members, limit.members);
+  compare("methods", measured.methods, methods_max);
+  compare("data members", measured.members, members_max);
   compare("headers", measured.headers.size(), headers_max);
-  compare("sources", measured.sources.size(), limit.sources);
+  compare("sources", measured.sources.size(), sources_max);
   return text.str();
 }
 
@@ -180,15 +166,7 @@ TEST(ClassSizes, NoClassIsLargerThanAReaderCanHoldInMind) {
   const Classes classes = classes_of(tags_of(repository, files_of_the_runtime()));
   EXPECT_GT(classes.size(), 500U);
   for (const auto& [name, measured] : classes) {
-    const auto large = large_classes.find(name);
-    const std::string wrong =
-        excess(measured, large == large_classes.end() ? LargeClass{} : large->second);
-    EXPECT_EQ(wrong, "") << name << " (" << measured.file << "): divide it into classes";
-  }
-  for (const auto& [name, limit] : large_classes) {
-    const auto measured = classes.find(name);
-    ASSERT_NE(measured, classes.end()) << name << " is no class any more: take it from the list";
-    EXPECT_NE(excess(measured->second, {}), "") << name << " needs no exception any more";
+    EXPECT_EQ(excess(measured), "") << name << " (" << measured.file << "): divide it into classes";
   }
 }
 

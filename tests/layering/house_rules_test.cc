@@ -99,10 +99,6 @@ TEST(HouseRules, NothingIsLeftUnfinished) {
   }
 }
 
-// Functions that have a bool parameter still, by folder: a call reads `rows(channel,
-// AlarmChoice::all)`, not `rows(channel, false)`. The list only falls.
-const std::map<std::string, std::set<std::string>> functions_with_bool_parameter_left{};
-
 // Functions of which the bool is the value itself: it becomes a value of the language, a text.
 const std::set<std::string> functions_of_a_bool{"config: kind_text", "lang: truth",
                                                 "lang: value_of"};
@@ -121,23 +117,15 @@ std::set<std::string> functions_with_bool_parameter(const std::string& text) {
   return names;
 }
 
+// A call reads `rows(channel, AlarmChoice::all)`, not `rows(channel, false)`.
 TEST(HouseRules, NoCallSaysTrueOrFalseWithoutAName) {
-  std::map<std::string, std::set<std::string>> found;
   for (const SourceFile& file : source_files(repository)) {
     if (!is_code_of_the_runtime(file)) continue;
     std::string text;
     for (const std::string& line : file.lines) text += line.substr(0, line.find("//")) + "\n";
     for (const std::string& name : functions_with_bool_parameter(text)) {
-      if (functions_of_a_bool.contains(file.folder + ": " + name)) continue;
-      found[file.folder].insert(name);
-      const auto left = functions_with_bool_parameter_left.find(file.folder);
-      EXPECT_TRUE(left != functions_with_bool_parameter_left.end() && left->second.contains(name))
+      EXPECT_TRUE(functions_of_a_bool.contains(file.folder + ": " + name))
           << file.path << ": " << name << " has a bool parameter: use an enumeration";
-    }
-  }
-  for (const auto& [folder, names] : functions_with_bool_parameter_left) {
-    for (const std::string& name : names) {
-      EXPECT_TRUE(found[folder].contains(name)) << folder << ": " << name << " needs no exception";
     }
   }
 }
@@ -154,11 +142,9 @@ TEST(HouseRules, ABoolParameterIsFound) {
             (std::set<std::string>{"Terminal", "rows", "set_speed"}));
 }
 
-// Casts to std::size_t, by folder: an array that is read by an index of its own type wants none.
-// More than one in 1,000 lines are too many. A folder that has more may have as many as stand here;
-// the numbers only fall.
+// Casts to std::size_t: an array that is read by an index of its own type wants none. More than one
+// in 1,000 lines of a folder are too many.
 constexpr double casts_max = 1e-3;  // per line
-const std::map<std::string, std::size_t> folders_of_many_casts{};
 
 std::size_t casts_to_size(const std::vector<std::string>& lines) {
   static const std::regex cast(R"(static_cast<(std::)?size_t>|\bsize_t\{\w|\(std::size_t\)\w)");
@@ -180,13 +166,8 @@ TEST(HouseRules, IndicesAreNotCastAtEveryUse) {
     casts[file.folder] += casts_to_size(file.lines);
   }
   for (const auto& [folder, count] : casts) {
-    const auto many = folders_of_many_casts.find(folder);
-    const bool is_few =
-        static_cast<double>(count) <= casts_max * static_cast<double>(lines[folder]);
-    EXPECT_TRUE(is_few || (many != folders_of_many_casts.end() && count <= many->second))
+    EXPECT_LE(static_cast<double>(count), casts_max * static_cast<double>(lines[folder]))
         << folder << ": " << count << " casts to std::size_t in " << lines[folder] << " lines";
-    EXPECT_FALSE(is_few && many != folders_of_many_casts.end())
-        << folder << " needs no exception any more";
   }
 }
 

@@ -259,6 +259,7 @@ TEST_F(DispatchTest, TellsTheFirstErrorOfAProgramWithItsPlace) {
   const auto error_at = [](int line, const char* code) {
     channels::AlarmReport report;
     report.channel = 1;
+    report.number = static_cast<std::uint64_t>(line);
     report.diagnostic.code = code;
     report.diagnostic.message = "unknown word";
     report.diagnostic.place = {"part.nc", line, 5, line, 6};
@@ -360,11 +361,13 @@ TEST_F(DispatchTest, GivesUpWhenTheCycleStands) {
 TEST_F(DispatchTest, ListsAlarmsUntilTheyAreAcknowledged) {
   channels::AlarmReport alarm;
   alarm.channel = 1;
+  alarm.number = 501;  // of which the first 500 are not kept any more
   alarm.diagnostic.code = "E7001";
   alarm.diagnostic.place = {"part.nc", 3, 1, 3, 2};
   machine.alarm_reports = {alarm};
   const json standing = result("alarm.list");
   ASSERT_EQ(standing["alarms"].size(), 1U);
+  EXPECT_EQ(standing["forgotten"], 500);
   EXPECT_EQ(standing["alarms"][0]["line"], 3);
   EXPECT_FALSE(standing["alarms"][0]["remedy"].get<std::string>().empty());
   machine.output.channels[0].state = channels::ChannelState::alarm;
@@ -382,6 +385,7 @@ TEST_F(DispatchTest, AnAlarmThatWasResetDoesNotComeBackWithTheNext) {
   const auto raise = [&](const char* code) {
     channels::AlarmReport alarm;
     alarm.channel = 1;
+    alarm.number = machine.alarm_reports.size() + 1;
     alarm.diagnostic.code = code;
     machine.alarm_reports.push_back(alarm);
     machine.output.channels[0].state = channels::ChannelState::alarm;
@@ -410,12 +414,14 @@ TEST_F(DispatchTest, AnAlarmThatWasResetDoesNotComeBackWithTheNext) {
   raise("E6003");
   EXPECT_EQ(standing(), std::vector<std::string>{"E6003"});
   EXPECT_EQ(result("alarm.history")["alarms"].size(), 3u);
+  EXPECT_FALSE(result("alarm.history").contains("forgotten"));
 }
 
 TEST_F(DispatchTest, TellsTheErrorOfALineWithTheKindOfAProgramsErrors) {
   const auto slot = ask("mdi", {{"text", "G1 X1 F"}});
   channels::AlarmReport report;
   report.channel = 1;
+  report.number = 1;
   report.diagnostic.code = "E2001";
   machine.diagnostics = {report};
   dispatch.on_reply(refused(machine.submitted()[0].id, "", "mdi"));

@@ -20,7 +20,7 @@ class SavedStates : public ProgramTest {
 
   void turn(ModalState& state) {
     state.set(Group::rotation, 680, 0);
-    ProgrammedRotation& turned = state.rotation;
+    ProgrammedRotation& turned = state.frames.rotation;
     turned = {{}, {number(), number(), 1.0}, number(), {number(), number(), number()}};
     turned.rotation = Rotation::about(vector3(turned.axis), turned.angle_deg);
   }
@@ -40,26 +40,26 @@ class SavedStates : public ProgramTest {
       state.set(group,
                 codes[std::uniform_int_distribution<std::size_t>(0, codes.size() - 1)(random)], 0);
     }
-    for (bool ModalState::* flag :
-         {&ModalState::feed_known, &ModalState::spindle_running, &ModalState::mist,
-          &ModalState::flood, &ModalState::feed_override, &ModalState::axis_shift_active}) {
-      state.*flag = chance();
+    for (bool* const flag :
+         {&state.feed.known, &state.spindles.any_runs, &state.switches.mist, &state.switches.flood,
+          &state.switches.feed_override, &state.frames.axis_shift_active}) {
+      *flag = chance();
     }
-    state.feed_programmed = number();
-    state.feed_mm = number();
-    state.speed_rev_per_min = number();
+    state.feed.programmed = number();
+    state.feed.mm = number();
+    state.spindles.speed_rev_per_min = number();
     state.path.tolerance_mm = number();
-    state.tool_active = std::uniform_int_distribution<int>(0, 99999)(random);
-    state.length.tool = state.tool_active;
-    for (double& part : state.length.offset_mm) part = number();
-    state.work_offset_number = std::uniform_int_distribution<int>(1, 309)(random);
-    for (double& shift : state.local_shift) shift = number();
-    for (double& shift : state.axis_shift) shift = number();
-    state.overhang_axis = std::uniform_int_distribution<int>(-1, axes_max - 1)(random);
-    state.overhang_shift_mm = number();
+    state.tool.active = std::uniform_int_distribution<int>(0, 99999)(random);
+    state.tool.length.tool = state.tool.active;
+    for (double& part : state.tool.length.offset_mm) part = number();
+    state.frames.work_offset_number = std::uniform_int_distribution<int>(1, 309)(random);
+    for (double& shift : state.frames.local_shift) shift = number();
+    for (double& shift : state.frames.axis_shift) shift = number();
+    state.tool.overhang_axis = std::uniform_int_distribution<int>(-1, axes_max - 1)(random);
+    state.tool.overhang_shift_mm = number();
     state.set(Group::spindle_mode, chance() ? 960 : 970, 0);
-    state.cutting_speed_m_per_min = number();
-    state.speed_limit_rev_per_min = number();
+    state.spindles.cutting_speed_m_per_min = number();
+    state.spindles.speed_limit_rev_per_min = number();
     if (chance()) turn(state);
     if (chance()) state.map.scale(1, number(), 1.0 + std::abs(number()));
     if (chance()) state.map.mirror(0, number());
@@ -78,17 +78,17 @@ TEST_F(SavedStates, AreTheSameAfterTheirText) {
                               Group::path_mode, Group::length, Group::spindle}) {
       EXPECT_EQ(read->state.code(group), state.code(group)) << text;
     }
-    EXPECT_EQ(read->state.feed_programmed, state.feed_programmed);
-    EXPECT_EQ(read->state.feed_known, state.feed_known);
-    EXPECT_EQ(read->state.speed_rev_per_min, state.speed_rev_per_min);
+    EXPECT_EQ(read->state.feed.programmed, state.feed.programmed);
+    EXPECT_EQ(read->state.feed.known, state.feed.known);
+    EXPECT_EQ(read->state.spindles.speed_rev_per_min, state.spindles.speed_rev_per_min);
     EXPECT_EQ(read->state.path.tolerance_mm, state.path.tolerance_mm);
-    EXPECT_EQ(read->state.tool_active, state.tool_active);
-    EXPECT_EQ(read->state.length.offset_mm, state.length.offset_mm);
-    EXPECT_EQ(read->state.local_shift, state.local_shift);
-    EXPECT_EQ(read->state.axis_shift, state.axis_shift);
-    EXPECT_EQ(read->state.axis_shift_active, state.axis_shift_active);
-    EXPECT_EQ(read->state.mist, state.mist);
-    EXPECT_EQ(read->state.rotation.rotation, state.rotation.rotation);
+    EXPECT_EQ(read->state.tool.active, state.tool.active);
+    EXPECT_EQ(read->state.tool.length.offset_mm, state.tool.length.offset_mm);
+    EXPECT_EQ(read->state.frames.local_shift, state.frames.local_shift);
+    EXPECT_EQ(read->state.frames.axis_shift, state.frames.axis_shift);
+    EXPECT_EQ(read->state.frames.axis_shift_active, state.frames.axis_shift_active);
+    EXPECT_EQ(read->state.switches.mist, state.switches.mist);
+    EXPECT_EQ(read->state.frames.rotation.rotation, state.frames.rotation.rotation);
     EXPECT_EQ(read->state.map.numbers(), state.map.numbers());
     EXPECT_EQ(saved_state_text(read->state, state_all), text);
     for (const char c : text) ASSERT_TRUE(c >= 0x20 && c < 0x7F);

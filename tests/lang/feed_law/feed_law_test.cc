@@ -233,7 +233,7 @@ FeedLaw random_law(std::mt19937& random) {
   law.kind = static_cast<FeedLaw::Kind>(random() % 5);
   if (law.kind == FeedLaw::Kind::off) return law;
   law.feed_mode = random() % 2 == 0 ? FeedMode::per_minute : FeedMode::per_revolution;
-  law.feed_first = value();
+  if (law.kind != FeedLaw::Kind::interrupted) law.feed_first = value();
   law.feed_step = value();
   law.falls = random() % 2 == 0;
   law.way_step_mm = value();

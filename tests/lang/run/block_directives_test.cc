@@ -26,13 +26,13 @@ TEST_F(BlockDirectivesTest, AMessageIsEmittedWithItsPlace) {
 }
 
 TEST_F(BlockDirectivesTest, AnOverhangIsInForceWithTheAnswerOnly) {
-  state.modal.tool_active = 3;
+  state.modal.tool.active = 3;
   execute("#tool_overhang (35, X)\n");
   EXPECT_EQ(std::get<Request>(emitted()).kind, RequestKind::sync);
   EXPECT_EQ(pending.overhang().value_mm, 35.0);
-  EXPECT_EQ(state.modal.overhang_axis, -1);
+  EXPECT_EQ(state.modal.tool.overhang_axis, -1);
   directives.finish_overhang();
-  EXPECT_EQ(state.modal.overhang_axis, 0);
+  EXPECT_EQ(state.modal.tool.overhang_axis, 0);
 }
 
 TEST_F(BlockDirectivesTest, ForceControlNeedsItsSensor) {

@@ -54,7 +54,7 @@ TEST_F(BlockRunnerTest, WhatABlockDoesToTheProgramIsOnlySaid) {
   ASSERT_EQ(blocks.take_line(command), LineResult::block);
   blocks.begin_block();
   const BlockFlow flow = blocks.execute();
-  EXPECT_EQ(flow.flow, Flow::call_numbered);
+  EXPECT_EQ(flow.kind, Flow::call_numbered);
   EXPECT_EQ(flow.code, m(98));
   EXPECT_EQ(vm.frames().size(), 1u);
 }
@@ -71,14 +71,14 @@ TEST_F(BlockRunnerTest, AFaultNamesTheWordAndTheBlockCanBePassed) {
   load("G1 X10\n");
   ASSERT_EQ(blocks.take_line(command), LineResult::block);
   blocks.begin_block();
-  EXPECT_EQ(blocks.execute().flow, Flow::next);
+  EXPECT_EQ(blocks.execute().kind, Flow::next);
   ASSERT_TRUE(run.failed());
   EXPECT_EQ(run.error().code, "E4020") << "no feed";
   EXPECT_EQ(run.error().place.line, 1u);
   EXPECT_EQ(blocks.pass_fault(), Passed::known_position);
   EXPECT_TRUE(run.running());
   EXPECT_EQ(state.modal.position_W[0], 10.0);
-  EXPECT_TRUE(state.modal.feed_known) << "asked for once";
+  EXPECT_TRUE(state.modal.feed.known) << "asked for once";
 }
 
 TEST_F(BlockRunnerTest, CompensationStandsBetweenBlocksAndDelivery) {

@@ -67,6 +67,7 @@ TEST(RecordText, OfTheOtherLawsHasWhatTheyHave) {
             json::parse(R"({"law":"interrupted","stand":0.5,"cut":2.0})"));
   law = {};
   law.kind = lang::FeedLaw::Kind::curve;
+  law.feed_first = 60.0;  // of its first point
   law.curve = {{0.0, 60.0, 0.0}, {10.0, 80.0, 0.0}};
   EXPECT_EQ(record_of(law, false)["feed_law"], json::parse(R"({"law":"curve","feed_unit":"mm/min",
     "points":[{"way":0.0,"feed":60.0},{"way":10.0,"feed":80.0}]})"));

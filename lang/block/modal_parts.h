@@ -1,0 +1,178 @@
+// The parts of the modal state: what earlier blocks left in force of the feed, the spindles, the
+// tool, the cycles and the frames.
+//
+// Values without an owner of their own: each is a member of a ModalState, on the thread of its
+// channel's preparation, and is copied and set back with it. Lengths mm, angles deg; an axis is one
+// of the channel, -1: none.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lang/block/work_frame.h"
+#include "lang/contract/command.h"
+
+namespace stanok::lang {
+
+inline constexpr std::size_t spindles_max = 16;
+
+// A sequence of drilling cycles: what stays valid from hole to hole. Levels along the tool axis in
+// W, mm.
+struct DrillingCycle {
+  double initial_level = 0.0;
+  double retract_level = 0.0;  // R
+  double bottom = 0.0;         // Z
+  double peck = 0.0;           // Q
+  double dwell_s = -1.0;       // P; below zero: none
+  double lead = 0.0;           // K of tapping; 0: from F
+  bool has_retract_level = false;
+  bool has_bottom = false;
+};
+
+// A sequence of G77, G78 or G79: W, radii, mm.
+struct TurningCycle {
+  double x = 0.0;
+  double z = 0.0;
+  double taper = 0.0;  // R
+  double lead = 0.0;   // F of G78
+  bool has_x = false;
+  bool has_z = false;
+};
+
+// First block of G76 without K, mm.
+struct ThreadSettings {
+  int spring_passes = 0;
+  int run_out_tenths = 0;  // length of the run-out in tenths of the lead
+  double angle_deg = 0.0;  // of the tool
+  double smallest_cut = 0.0;
+  double last_cut = 0.0;
+};
+
+// First block of G71 or G72, mm.
+struct RoughingSettings {
+  double depth = 0.0;    // U of G71 (a radius), W of G72
+  double retract = 0.0;  // R
+};
+
+// G68: W is turned about a centre in the system that G54, G52 and G92 make.
+struct ProgrammedRotation {
+  Rotation rotation;  // by `angle_deg` about `axis`
+  std::array<double, 3> axis{};
+  double angle_deg = 0.0;
+  std::array<double, 3> centre{};  // X, Y, Z
+};
+
+// G41 and G42 as selected: the tool is `radius_mm` off the contour, on its left or right side in
+// `plane`.
+struct RadiusCompensation {
+  enum class Side : std::uint8_t { off, left, right };
+  Side side = Side::off;
+  Plane plane = Plane::xy;
+  int orientation = 0;  // of a lathe tool, 0 to 9
+  double radius_mm = 0.0;
+
+  [[nodiscard]] bool on() const { return side != Side::off; }
+  bool operator==(const RadiusCompensation&) const = default;
+};
+
+// First and second coordinate in the plane of an arc or curve, mm.
+using CurvePoint = std::array<double, 2>;
+
+// What a spline leaves to the next block.
+struct ProgrammedCurve {
+  CurvePoint arrival{};  // G5: from the end to its second control point, in W
+
+  // G5.2, until G5.3: control points with the start, in W.
+  int order = 0;
+  std::vector<CurvePoint> points;
+  std::vector<double> weights;
+
+  [[nodiscard]] bool open() const { return !points.empty(); }
+};
+
+// Feed. Invariant: F is known, or waits behind a law, or neither.
+struct ModalFeed {
+  // F as programmed, and with lengths in mm. Not known at start and after a change of feed mode.
+  bool known = false;
+  double programmed = 0.0;
+  double mm = 0.0;
+  // The modal feed law. While it gives the feed, F counts as not known, and is known again behind
+  // it.
+  FeedLaw law;
+  bool behind_law = false;
+
+  // F was programmed in the current feed mode, whether or not a law gives the feed.
+  [[nodiscard]] bool is_set() const { return known || behind_law; }
+  // The law that is in force from now on; off: F is again.
+  void put_under(FeedLaw given);
+};
+
+struct ModalSpindles {
+  double speed_rev_per_min = 0.0;  // of the master spindle
+  bool any_runs = false;
+  std::array<double, spindles_max> speeds_rev_per_min{};  // in the order of the channel's spindles
+  std::uint16_t running = 0;                              // bit k: the k-th of them turns
+  AxisSet converted_axes = 0;                             // that spindles have become with M902
+  double orient_angle_deg = 0.0;                          // of the last M19
+  int cutting_spindle = 0;                                // of G96, as in SpindleCommand
+  double cutting_speed_m_per_min = 0.0;
+  double speed_limit_rev_per_min = 0.0;  // of G96: D, G50 S, G92 S; 0: none
+
+  [[nodiscard]] bool runs(std::size_t spindle) const { return (running >> spindle & 1U) != 0; }
+  // `which`: bits of spindles.
+  void start(std::uint16_t which);
+  void stop(std::uint16_t which);
+};
+
+// Modes that are on or off.
+struct ModalSwitches {
+  bool mist = false;
+  bool flood = false;
+  bool feed_override = true;
+  bool spindle_override = true;
+  bool adaptive_feed = false;  // M52
+  bool feed_stop = true;       // M53
+};
+
+struct ModalTool {
+  int prepared = -1;  // T; -1: none since the program started
+  int active = 0;
+  int edge = 1;
+  ToolLength length;
+  std::array<double, 3> length_base_mm{};  // to which the length of the edge was added (G43.2)
+  int length_edge = 1;                     // of length.tool
+  // #tool_overhang: what it adds to the programmed position of its axis.
+  int overhang_axis = -1;
+  double overhang_shift_mm = 0.0;
+};
+
+// What cycles leave to the next block of their sequence.
+struct CycleSettings {
+  DrillingCycle drilling;
+  TurningCycle turning;
+  ThreadSettings thread;
+  RoughingSettings turning_roughing;  // G71
+  RoughingSettings facing_roughing;   // G72
+};
+
+// Where the program has put W.
+struct FrameSettings {
+  int work_offset_number = 1;     // 1 = G54
+  AxisValues work_offset{};       // of the table
+  Rotation work_offset_rotation;  // G10 L2 R, of the table
+  AxisValues local_shift{};       // G52
+  AxisValues axis_shift{};        // G92
+  bool axis_shift_active = true;  // false after G92.2
+  ProgrammedRotation rotation;    // G68
+
+  // p_B = work offset + its rotation * (G52 + G92 + G68 * p_W), for a channel with these X, Y, Z.
+  [[nodiscard]] WorkFrame frame(const GeometryAxes& geometry) const;
+};
+
+struct ActiveTransformation {
+  int axis = -1;                    // the rotary one of G12.1 or G7.1; -1: off
+  double cylinder_radius_mm = 0.0;  // G7.1
+};
+
+}  // namespace stanok::lang
