@@ -203,7 +203,7 @@ TEST_F(ClassSizesOf, TooManyMethodsAndMembersAreFound) {
   for (int i = 0; i < 41; ++i) text += "  void method_" + std::to_string(i) + "(int);\n";
   for (int i = 0; i < 16; ++i) text += "  int member_" + std::to_string(i) + " = 0;\n";
   write("large.h", text + "};\n");
-  EXPECT_EQ(excess(classes().at("motion::Large"), {}),
+  EXPECT_EQ(excess(classes().at("motion::Large")),
             "41 methods, not over 40; 16 data members, not over 15; ");
 }
 
@@ -212,8 +212,8 @@ TEST_F(ClassSizesOf, ARecordMayHaveManyFields) {
   for (int i = 0; i < 30; ++i) fields += "  int field_" + std::to_string(i) + " = 0;\n";
   write("row.h", "struct Row {\n  Row();\n  bool operator==(const Row&) const = default;\n" +
                      fields + "};\nclass Closed {\n" + fields + "};\n");
-  EXPECT_EQ(excess(classes().at("motion::Row"), {}), "");
-  EXPECT_EQ(excess(classes().at("motion::Closed"), {}), "30 data members, not over 15; ");
+  EXPECT_EQ(excess(classes().at("motion::Row")), "");
+  EXPECT_EQ(excess(classes().at("motion::Closed")), "30 data members, not over 15; ");
 }
 
 TEST_F(ClassSizesOf, AClassCutOverManyFilesIsFound) {
@@ -222,8 +222,7 @@ TEST_F(ClassSizesOf, AClassCutOverManyFilesIsFound) {
   for (const char* part : {"a", "b", "c"}) {
     write("wide_" + std::string(part) + ".cc", "void Wide::" + std::string(part) + "() {}\n");
   }
-  EXPECT_EQ(excess(classes().at("motion::Wide"), {}),
-            "2 headers, not over 1; 3 sources, not over 2; ");
+  EXPECT_EQ(excess(classes().at("motion::Wide")), "2 headers, not over 1; 3 sources, not over 2; ");
   EXPECT_EQ(classes().at("motion::Wide").methods, 4U);
 }
 
