@@ -106,7 +106,7 @@ struct Machine::Parts {
   Parts(const MachineConfig& machine, const lang::Files& files, const MachineOptions& options)
       : config(machine),
         tables(machine),
-         reports(options.reports_kept_max),
+        reports(options.reports_kept_max),
         events(events_max),
         inputs(inputs_max, events),
         watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr, inputs),
