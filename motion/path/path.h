@@ -7,6 +7,7 @@
 // (kinematics/scheme.h). All types here are plain data and cross into the real-time cycle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -190,6 +191,26 @@ struct Segment {
   SegmentProcess process;
 };
 
+// How a phase may be run more slowly than planned (motion/interpolation/pace.h): bounds over all
+// axes of the machine and over the phases that belong together. Stored in single precision, rounded
+// up.
+struct PaceLimits {
+  float use = 0.0F;       // u: largest part of acceleration or jerk that the plan uses, < 1
+  float velocity = 0.0F;  // P: largest |velocity| / a_max, s
+  float thrust = 0.0F;    // Q: largest |velocity| / j_max, s^2
+  float coupling = 0.0F;  // R: largest |acceleration| / j_max, s
+
+  // Phases that are made under limits constant along each segment have none.
+  [[nodiscard]] bool holds() const RT_SAFE { return use > 0.0F; }
+};
+
+[[nodiscard]] constexpr PaceLimits highest_of(const PaceLimits& one, const PaceLimits& other) {
+  return {.use = std::max(one.use, other.use),
+          .velocity = std::max(one.velocity, other.velocity),
+          .thrust = std::max(one.thrust, other.thrust),
+          .coupling = std::max(one.coupling, other.coupling)};
+}
+
 // Axes whose travel counts as that of a working feed, bit k: channel axis k; 0 in rapid.
 [[nodiscard]] inline unsigned working_axes(const Segment& segment) RT_SAFE {
   return segment.rapid ? 0U : segment.geometry.metric.axes;
@@ -205,6 +226,7 @@ struct Phase {
   double j = 0.0;
   double s_end = 0.0;  // state at the end, stored: the next phase starts here to the bit
   double v_end = 0.0;
+  PaceLimits pace{};
 };
 
 // A chain that a spindle leads: its path coordinate s counts turns of the spindle from the start of

@@ -51,7 +51,7 @@ inline constexpr double between_samples = 1.5 / 8.0;
 
 template <class Scalar>
 void to_machine(const Segment& segment, const kinematics::AxisVector<Scalar>& point_W,
-                kinematics::AxisVector<Scalar>& axes_M) {
+                kinematics::AxisVector<Scalar>& axes_M) RT_SAFE {
   if (segment.transform == nullptr) {
     axes_M = point_W;
   } else {
