@@ -20,6 +20,9 @@ class NominalRun {
   // The current phase began `time` ago.
   void begin(double time = 0.0) RT_SAFE;
 
+  // Since the current phase began.
+  [[nodiscard]] double time() const RT_SAFE { return time_first_ + cycles_ * cycle_s_; }
+
   // Goes over to the phases where they stand in the very state of `motion`: in a phase of constant
   // speed, or at its start at rest. False: they do not, yet.
   [[nodiscard]] bool rejoin(PathQueue& queue, PathCursor& cursor, const PathMotion& motion) RT_SAFE;

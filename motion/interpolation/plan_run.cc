@@ -1,0 +1,148 @@
+#include "motion/interpolation/plan_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::motion {
+namespace {
+
+// The plan's state at the end of a phase.
+PathMotion end_of(const Phase& phase) RT_SAFE {
+  return {
+      .s = phase.s_end, .v = phase.v_end, .a = phase.a + phase.j * phase.duration, .j = phase.j};
+}
+
+// What a phase of ramps uses of its limits on a segment, as PaceLimits says it.
+PaceLimits limits_of_ramp(const Phase& phase, const SegmentBounds& bounds) RT_SAFE {
+  const double a_end = phase.a + phase.j * phase.duration;
+  const double a = std::max(std::abs(phase.a), std::abs(a_end));
+  const bool has_peak = phase.a > 0.0 && a_end < 0.0;
+  const double peak = has_peak ? phase.v - 0.5 * phase.a * phase.a / phase.j : 0.0;
+  const double v = std::max({phase.v, phase.v_end, peak});
+  const double acceleration = v * v * bounds.curvature + a * bounds.tangent;
+  const double jerk =
+      v * (v * v * bounds.aberrancy + 3.0 * a * bounds.bend) + std::abs(phase.j) * bounds.thrust;
+  return {.use = static_cast<float>(std::min(std::max(acceleration, jerk), 1.0)),
+          .velocity = static_cast<float>(v * bounds.tangent),
+          .thrust = static_cast<float>(v * bounds.thrust),
+          .coupling = static_cast<float>(v * v * bounds.bend + a * bounds.thrust)};
+}
+
+PaceLimits limits_of(const Phase& phase, const Segment& segment) RT_SAFE {
+  return phase.pace.holds() ? phase.pace : limits_of_ramp(phase, segment.bounds);
+}
+
+// The limits of here and of what comes so soon that a change has to be taken away before. Ramps
+// that come count as using their limits to the full.
+PaceLimits limits_ahead(const PathQueue& queue, const PathCursor& cursor, const PaceLimits& limits)
+    RT_SAFE {
+  constexpr std::size_t phases_max = 512;
+  const double soon = 2.0 * settling_time(limits);
+  const std::size_t known = cursor.chunk().last ? cursor.phases_left() : queue.phases.size();
+  const std::size_t seen = std::min(phases_max, known);
+  PaceLimits ahead = limits;
+  double time = 0.0;
+  for (std::size_t k = 0; k < seen && time < soon; ++k) {
+    const Phase& phase = queue.phases[k];
+    const bool is_even = phase.a == 0.0 && phase.j == 0.0;
+    if (phase.pace.holds()) {
+      ahead = highest_of(ahead, phase.pace);
+    } else if (!is_even) {
+      ahead.use = 1.0F;
+      break;
+    }
+    time += phase.duration;
+  }
+  return ahead;
+}
+
+bool stands_still(const PathMotion& motion) RT_SAFE {
+  return motion.v == 0.0 && motion.a == 0.0;
+}
+
+}  // namespace
+
+void PlanRun::begin(double time) RT_SAFE {
+  nominal_.begin(time);
+  pace_ = {};
+}
+
+bool PlanRun::rejoin(PathQueue& queue, PathCursor& cursor, const PathMotion& motion) RT_SAFE {
+  if (!nominal_.rejoin(queue, cursor, motion)) return false;
+  pace_ = {};
+  return true;
+}
+
+bool PlanRun::rejoin_at_pace(PathQueue& queue, PathCursor& cursor, const PathMotion& motion,
+                             double asked) RT_SAFE {
+  while (cursor.has_phase() && cursor.phase(queue).s_end <= motion.s) cursor.pass_phase(queue);
+  if (!is_paced(queue, cursor) || cursor.phase(queue).s > motion.s) return false;
+  const Phase& phase = cursor.phase(queue);
+  const double t = time_at(phase, motion.s);
+  const PathMotion planned = motion_at(phase, t);
+  Pace pace{.rate = 0.0};
+  if (!stands_still(motion)) {
+    if (planned.v <= 0.0) return false;
+    pace.rate = motion.v / planned.v;
+    pace.change = (motion.a - pace.rate * pace.rate * planned.a) / planned.v;
+    if (!goes_on_from(pace, phase.pace, cycle_s_)) return false;
+  } else if (planned.v <= 0.0) {
+    pace.rate = asked;
+  }
+  nominal_.begin(t);
+  pace_ = pace;
+  return true;
+}
+
+bool PlanRun::rejoin_at_start(PathQueue& queue, PathCursor& cursor, const PathMotion& motion)
+    RT_SAFE {
+  while (cursor.has_phase() && cursor.phase(queue).s < motion.s) cursor.pass_phase(queue);
+  if (!cursor.has_phase() || cursor.phase(queue).s != motion.s) return false;
+  const Phase& phase = cursor.phase(queue);
+  if (!phase.pace.holds() && phase.v != motion.v) return false;
+  begin();
+  pace_.rate = motion.v / phase.v;
+  return true;
+}
+
+void PlanRun::start_at(const PathQueue& queue, const PathCursor& cursor, const PathMotion& motion,
+                       double asked) RT_SAFE {
+  const Phase& phase = cursor.phase(queue);
+  if (stands_still(motion) && phase.v == 0.0 && motion.s == phase.s) pace_ = {.rate = asked};
+}
+
+double PlanRun::advance(PathQueue& queue, PathCursor& cursor, double target, double time,
+                        PathMotion& motion) RT_SAFE {
+  if (target == 1.0 && is_nominal()) return nominal_.advance(queue, cursor, time, motion);
+  return advance_at_pace(queue, cursor, target, time, motion);
+}
+
+double PlanRun::advance_at_pace(PathQueue& queue, PathCursor& cursor, double target, double time,
+                                PathMotion& motion) RT_SAFE {
+  if (!cursor.has_phase()) return time;
+  const PaceLimits limits = limits_of(cursor.phase(queue), cursor.segment(queue));
+  const PaceLimits ahead = limits_ahead(queue, cursor, limits);
+  const PaceStep step = step_pace(pace_, target, limits, ahead, time);
+  double t = nominal_.time() + step.advance;  // within the current phase
+  while (t >= cursor.phase(queue).duration) {
+    const Phase phase = cursor.phase(queue);
+    t -= phase.duration;
+    cursor.pass_phase(queue);
+    const bool ends = !cursor.has_phase() || (phase.pace.holds() && !is_paced(queue, cursor));
+    if (!ends) continue;
+    const double used = step.time_of(step.advance - t, time);
+    nominal_.begin();
+    pace_ = step.after(used);
+    motion = at_pace(end_of(phase), pace_, step.second);
+    if (!cursor.has_phase()) motion.s = cursor.chunk().length;
+    return time - used;
+  }
+  nominal_.begin(t);
+  pace_ = step.to;
+  motion = at_pace(motion_at(cursor.phase(queue), t), pace_, step.second);
+  if (pace_.rests()) motion.v = motion.a = 0.0;
+  cursor.go_to(queue, motion.s);
+  return 0.0;
+}
+
+}  // namespace stanok::motion
