@@ -1,8 +1,10 @@
 #include "motion/interpolation/interpolator.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/path/geometry.h"
+#include "motion/profile/speed_segment.h"
 
 namespace stanok::motion {
 namespace {
@@ -24,8 +26,8 @@ bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE
 Interpolator::Interpolator(const MotionConfig& config)
     : cycle_s_(config.cycle_s),
       axis_count_(config.axis_count),
-      nominal_(config.cycle_s),
-      planner_(config.cycle_s),
+      plan_(config.cycle_s),
+      planner_(config),
       interruption_(config),
       synchronous_(config.cycle_s) {}
 
@@ -98,10 +100,10 @@ bool Interpolator::may_enter(const PathQueue& queue, const FeedControl& control,
 void Interpolator::enter(PathQueue& queue) RT_SAFE {
   cursor_.enter(queue);
   interruption_.begin_chain(cursor_);
+  plan_.begin();  // not with phases that an override had left, nor at its pace
   if (!is_synchronous()) return;
   synchronous_.begin(cursor_.chunk().coupling, cursor_.chunk().length);
-  is_nominal_ = true;
-  nominal_.begin();  // not with phases that an override had left
+  is_on_plan_ = true;
 }
 
 // Runs for a cycle by the spindle; nothing is left of it.
@@ -117,7 +119,7 @@ double Interpolator::follow_spindle(PathQueue& queue, const FeedControl& control
 // motion does.
 bool Interpolator::has_run_chunk() const RT_SAFE {
   if (is_synchronous()) return synchronous_.is_over();
-  if (is_nominal_) return !cursor_.has_phase();
+  if (is_on_plan_) return !cursor_.has_phase();
   const double length = cursor_.chunk().length;
   return cursor_.chunk().last ? at_rest() && motion_.s == length : motion_.s >= length;
 }
@@ -129,37 +131,146 @@ bool Interpolator::knows_next(const PathQueue& queue) const RT_SAFE {
 double Interpolator::run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE {
   if (is_synchronous()) return follow_spindle(queue, control);
   interruption_.look(queue, cursor_, motion_.s);
-  // Rapid traverse does not know of force control: it runs as it was planned.
   FeedControl asked = control;
-  if (cursor_.segment(queue).rapid && (is_nominal_ || at_rest())) asked.controlled_per_s = 0.0;
-  const bool wants_nominal =
-      overlap_.runs() ||
-      (asked.is_nominal() && follows_spindle(queue, control) && knows_next(queue) &&
-       !sees_gate(queue, control) && !interruption_.is_on());
-  if (!is_nominal_ && wants_nominal) is_nominal_ = nominal_.rejoin(queue, cursor_, motion_);
-  if (is_nominal_ && wants_nominal) return run_nominal(queue, time);
-  if (is_nominal_) planner_.forget();
+  // Rapid traverse does not know of force control: it runs as it was planned.
+  if (cursor_.segment(queue).rapid && (is_on_plan_ || at_rest())) asked.controlled_per_s = 0.0;
+  asked.hold = control.hold || interruption_.holds(cursor_.segment(queue));
+  if (!is_on_plan_) rejoin_plan(queue, asked);
+  if (!is_on_plan_) time = approach_plan(queue, asked, time);
+  if (is_on_plan_ && keeps_plan(queue, asked)) {
+    time = run_plan(queue, asked, time);
+    if (is_on_plan_ && (time <= 0.0 || !cursor_.has_phase())) return time;
+    if (is_on_plan_ && keeps_plan(queue, asked)) return run_plan(queue, asked, time);
+  }
+  return run_under_override(queue, asked, time);
+}
+
+// Nothing is asked but what was planned.
+bool Interpolator::wants_nominal(const PathQueue& queue, const FeedControl& asked) const RT_SAFE {
+  if (overlap_.runs()) return true;
+  const bool is_asked = asked.is_nominal() && follows_spindle(queue, asked) && knows_next(queue) &&
+                        !interruption_.is_on();
+  if (!is_asked) return false;
+  if (!is_on_plan_ || !PlanRun::is_paced(queue, cursor_)) return !sees_gate(queue, asked);
+  return gate_ahead(queue, cursor_, asked, motion_) == unlimited;
+}
+
+// Overrides alone change the pace of a plan; all else is a matter of the override planner.
+bool Interpolator::may_keep_plan(const PathQueue& queue, const FeedControl& asked) const RT_SAFE {
+  return asked.controlled_per_s <= 0.0 && !interruption_.is_on() && knows_next(queue) &&
+         gate_ahead(queue, cursor_, asked, motion_) == unlimited;
+}
+
+// Whether the plan is run at the current place. One that uses the limits of the axes to the full is
+// not left without a brake; under a higher feed, ramps are run as they are, and only what holds the
+// feed becomes faster: never is a higher override slower.
+bool Interpolator::keeps_plan(const PathQueue& queue, const FeedControl& asked) const RT_SAFE {
+  if (!cursor_.has_phase() || PlanRun::is_paced(queue, cursor_)) return cursor_.has_phase();
+  if (!plan_.is_nominal()) return false;
+  if (wants_nominal(queue, asked)) return true;
+  const Segment& segment = cursor_.segment(queue);
+  if (!raises_feed(segment, asked) || !may_keep_plan(queue, asked)) return false;
+  constexpr double worthwhile = 0.05;  // s
+  return !holds_feed(cursor_.phase(queue), segment) ||
+         plan_to_approach(queue, asked, worthwhile).s < unlimited;
+}
+
+// Goes over to the plan where it comes to the very state of now.
+void Interpolator::rejoin_plan(PathQueue& queue, const FeedControl& asked) RT_SAFE {
+  if (wants_nominal(queue, asked)) is_on_plan_ = plan_.rejoin(queue, cursor_, motion_);
+  if (is_on_plan_ || asked.hold || !may_keep_plan(queue, asked)) return;
+  const double pace = asked_pace(cursor_.segment(queue), asked);
+  is_on_plan_ = plan_.rejoin_at_pace(queue, cursor_, motion_, pace);
+}
+
+// Before a plan that is to be run as it was made: comes down to its speed, and, once the speed is
+// even, exactly to its start. Returns what is left of the time.
+double Interpolator::approach_plan(PathQueue& queue, FeedControl& asked, double time) RT_SAFE {
+  if (asked.hold || !may_keep_plan(queue, asked)) return time;
+  constexpr double settling = 0.012;  // s
+  const PlanStart start = plan_to_approach(queue, asked, settling);
+  if (start.s == unlimited) return time;
+  asked.feed_override = std::min(asked.feed_override, 1.0);
+  if (raises_feed(cursor_.segment(queue), asked))
+    is_on_plan_ = plan_.rejoin(queue, cursor_, motion_);
+  if (is_on_plan_) return time;
+  constexpr double even = 1e-6;  // mm/s^2
+  constexpr double rounding = 1e-9;
+  const bool comes_there =
+      std::abs(motion_.a) < even && motion_.v > 0.0 && motion_.v <= start.v * (1.0 + rounding) &&
+      start.s <= cursor_.chunk().length && start.s - motion_.s <= motion_.v * time;
+  if (!comes_there) return time;
+  const PathMotion before = motion_;
+  const double used = (start.s - motion_.s) / motion_.v;
+  double left = 0.0;
+  if (used > 0.0 &&
+      !planner_.advance(queue, cursor_, asked, interruption_.wall(), used, motion_, left)) {
+    return time;
+  }
+  if (std::abs(motion_.a) < even && std::abs(motion_.s - start.s) < rounding) {
+    const double v = std::abs(motion_.v / start.v - 1.0) < rounding ? start.v : motion_.v;
+    motion_ = {.s = start.s, .v = v};
+    is_on_plan_ = plan_.rejoin_at_start(queue, cursor_, motion_);
+  }
+  advanced_ += motion_.s - before.s;
+  cursor_.go_to(queue, motion_.s, asked.closed_from_block);
+  return time - used;
+}
+
+// The next plan that is so near that the motion has to come to its speed now, with a while to
+// spare; none: far away.
+PlanStart Interpolator::plan_to_approach(const PathQueue& queue, const FeedControl& asked,
+                                         double while_s) const RT_SAFE {
+  const Segment& segment = cursor_.segment(queue);
+  const PlanKind kind = raises_feed(segment, asked) ? PlanKind::every : PlanKind::paced;
+  const double part = std::max(asked.feed_part(segment.process.rev_per_min), 1.0);
+  const double highest = segment.rapid ? motion_.v : std::max(motion_.v, part * segment.feed_per_s);
+  const double near =
+      motion_.s + highest * while_s + rest_distance(queue, cursor_, motion_.s, highest, part);
+  return next_plan_start(queue, cursor_, kind, motion_.s, near);
+}
+
+// On the plan for `time`: at the pace that is asked, or to rest, by a brake if there is one.
+// Returns what is left of it where the plan ends, or the chunk, or where the plan was left.
+double Interpolator::run_plan(PathQueue& queue, const FeedControl& asked, double time) RT_SAFE {
+  const bool is_nominal = wants_nominal(queue, asked);
+  const bool may_keep = is_nominal || may_keep_plan(queue, asked);
+  const double asked_part = may_keep ? asked_pace(cursor_.segment(queue), asked) : 0.0;
+  const double pace = is_nominal ? 1.0 : asked_part;
+  plan_.start_at(queue, cursor_, motion_, pace);
+  if (pace == 0.0 && leaves_plan(queue, asked)) return time;
+  const double before = motion_.s;
+  const double left = plan_.advance(queue, cursor_, pace, time, motion_);
+  advanced_ += motion_.s - before;
+  return left;
+}
+
+// To rest: at once where there is a brake; at rest, when the plan cannot go on from there.
+bool Interpolator::leaves_plan(const PathQueue& queue, const FeedControl& asked) RT_SAFE {
+  if (at_rest()) {
+    is_on_plan_ = wants_nominal(queue, asked) || may_keep_plan(queue, asked);
+    if (!is_on_plan_) planner_.forget();
+  } else {
+    const double wall = gate_ahead(queue, cursor_, asked, motion_);
+    is_on_plan_ = !planner_.take_over_braking(queue, cursor_, wall, motion_);
+  }
+  return !is_on_plan_;
+}
+
+// By the override planner, for `time`; the plan goes on where that has nothing to offer.
+double Interpolator::run_under_override(PathQueue& queue, const FeedControl& asked, double time)
+    RT_SAFE {
+  if (is_on_plan_) planner_.forget();
   const double before = motion_.s;
   double left = 0.0;
-  asked.hold = control.hold || interruption_.holds(cursor_.segment(queue));
-  if (!planner_.advance(queue, cursor_, asked, interruption_.wall(), time, motion_, left)) {
-    return run_nominal(queue, time);
-  }
-  is_nominal_ = false;
+  is_on_plan_ = !planner_.advance(queue, cursor_, asked, interruption_.wall(), time, motion_, left);
+  if (is_on_plan_) left = plan_.go_on(queue, cursor_, time, motion_);
   // At rest at the end of the chain, to rounding: exactly there.
   constexpr double rounding = 1e-11;  // mm; its jump is far below any limit
   const double length = cursor_.chunk().length;
   if (at_rest() && std::abs(motion_.s - length) < rounding) motion_.s = length;
   advanced_ += motion_.s - before;
-  cursor_.go_to(queue, motion_.s, control.closed_from_block);
-  return left;
-}
-
-// Runs committed phases for `time`; returns what is left of it at the end of the chunk.
-double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
-  const double before = motion_.s;
-  const double left = nominal_.advance(queue, cursor_, time, motion_);
-  advanced_ += motion_.s - before;
+  if (!is_on_plan_) cursor_.go_to(queue, motion_.s, asked.closed_from_block);
   return left;
 }
 
@@ -168,11 +279,13 @@ double Interpolator::run_nominal(PathQueue& queue, double time) RT_SAFE {
 void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& control,
                                std::uint64_t chunk_limit) RT_SAFE {
   const double overlap = cursor_.chunk().overlap_s;
-  if (overlap <= 0.0 || !is_nominal_ || overlap_.is_refused()) return;
-  const double begun = overlap - nominal_.time_to_end(queue, cursor_, overlap);
+  if (overlap <= 0.0 || !is_on_plan_ || overlap_.is_refused()) return;
+  const double begun = overlap - plan_.time_to_end(queue, cursor_, overlap);
   if (begun <= 0.0) return;
   if (overlap_.is_undecided()) {
-    if (!control.is_nominal() || !may_enter(queue, control, chunk_limit)) return overlap_.refuse();
+    const bool is_asked =
+        plan_.is_nominal() && (control.is_nominal() || keeps_plan(queue, control));
+    if (!is_asked || !may_enter(queue, control, chunk_limit)) return overlap_.refuse();
     overlap_.begin();
   }
   advanced_ += overlap_.advance(queue, cursor_.phases_left(), begun);
@@ -180,7 +293,7 @@ void Interpolator::run_overlap(const PathQueue& queue, const FeedControl& contro
 
 // The current chain has ended, the next one runs already.
 void Interpolator::enter_overlapped(PathQueue& queue) RT_SAFE {
-  nominal_.begin(cursor_.chunk().overlap_s);
+  plan_.begin(cursor_.chunk().overlap_s);
   interruption_.end_chain(cursor_.chunk().length);
   cursor_.leave(queue);
   ++chunks_done_;
@@ -214,7 +327,7 @@ bool Interpolator::finish_chunk(PathQueue& queue, const FeedControl& control,
                                 InterpolatorOutput& out) RT_SAFE {
   const double length = cursor_.chunk().length;
   const bool gate_here =
-      !is_nominal_ && !cursor_.chunk().last && !queue.chunks.empty() &&
+      !is_on_plan_ && !cursor_.chunk().last && !queue.chunks.empty() &&
       queue.segments[cursor_.segments_left()].tag.block >= control.closed_from_block;
   if (!knows_next(queue) || gate_here) {
     motion_ = {.s = length};
@@ -316,9 +429,9 @@ void Interpolator::drop_path(PathQueue& queue) RT_SAFE {
   chunks_done_ += queue.chunks.size();
   dwell_.drop();
   cursor_.drop(queue);
-  is_nominal_ = true;
+  is_on_plan_ = true;
   overlap_.forget();
-  nominal_.begin();
+  plan_.begin();
   planner_.forget();
 }
 

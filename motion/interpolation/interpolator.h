@@ -3,9 +3,10 @@
 // Nominal run: the committed phases are evaluated at cycle instants in the chain's own clock; the
 // fraction of a cycle that a chain leaves over is carried into the next one, and a chain that may
 // overlap the end of the one before begins within it: the axes then move by the sum of both. Under
-// hold, resume and override a bounded one-dimensional profile is planned in the cycle on the same
-// path (docs/developer/motion.md#override); the path is never left, the limits are kept, and there
-// is always a way to rest. A chain that a spindle leads has no phases: there the spindle is
+// hold, resume and override the plan is run at another pace (docs/developer/motion.md#pace) where
+// it leaves room for that, else a bounded one-dimensional profile is planned in the cycle on the
+// same path (docs/developer/motion.md#override); the path is never left, the limits are kept, and
+// there is always a way to rest. A chain that a spindle leads has no phases: there the spindle is
 // followed (motion/threads/synchronous_run.h), whatever the overrides are. Thread: the cycle.
 // Owner: the axes' motion of a channel. Invariant: of the parts (NominalRun, OverridePlanner,
 // SynchronousRun, DwellPath) one moves the path at a time; the cursor stands where the motion is.
@@ -17,9 +18,10 @@
 #include "motion/interpolation/chain_overlap.h"
 #include "motion/interpolation/dwell_path.h"
 #include "motion/interpolation/feed_interruption.h"
-#include "motion/interpolation/nominal_run.h"
 #include "motion/interpolation/override_planner.h"
 #include "motion/interpolation/path_cursor.h"
+#include "motion/interpolation/plan_ahead.h"
+#include "motion/interpolation/plan_run.h"
 #include "motion/path/path.h"
 #include "motion/path/path_queue.h"
 #include "motion/profile/feed_control.h"
@@ -110,7 +112,17 @@ class Interpolator {
   void enter_overlapped(PathQueue& queue) RT_SAFE;
   [[nodiscard]] bool is_interrupted(const PathQueue& queue) const RT_SAFE;
   void begin_interruption(const PathQueue& queue) RT_SAFE;
-  [[nodiscard]] double run_nominal(PathQueue& queue, double time) RT_SAFE;
+  [[nodiscard]] bool wants_nominal(const PathQueue& queue, const FeedControl& asked) const RT_SAFE;
+  [[nodiscard]] bool may_keep_plan(const PathQueue& queue, const FeedControl& asked) const RT_SAFE;
+  [[nodiscard]] bool keeps_plan(const PathQueue& queue, const FeedControl& asked) const RT_SAFE;
+  void rejoin_plan(PathQueue& queue, const FeedControl& asked) RT_SAFE;
+  [[nodiscard]] double approach_plan(PathQueue& queue, FeedControl& asked, double time) RT_SAFE;
+  [[nodiscard]] PlanStart plan_to_approach(const PathQueue& queue, const FeedControl& asked,
+                                           double while_s) const RT_SAFE;
+  [[nodiscard]] double run_plan(PathQueue& queue, const FeedControl& asked, double time) RT_SAFE;
+  [[nodiscard]] bool leaves_plan(const PathQueue& queue, const FeedControl& asked) RT_SAFE;
+  [[nodiscard]] double run_under_override(PathQueue& queue, const FeedControl& asked, double time)
+      RT_SAFE;
   [[nodiscard]] bool finish_chunk(PathQueue& queue, const FeedControl& control,
                                   InterpolatorOutput& out) RT_SAFE;
   [[nodiscard]] bool is_next_segment_closed(const PathQueue& queue,
@@ -128,8 +140,8 @@ class Interpolator {
   int axis_count_;
   PathCursor cursor_;
   PathMotion motion_;  // along the current chunk
-  NominalRun nominal_;
-  bool is_nominal_ = true;  // committed phases are being run
+  PlanRun plan_;
+  bool is_on_plan_ = true;  // committed phases are being run, not what the override planner found
   ChainOverlap overlap_;    // the next chain within the end of the current one
   OverridePlanner planner_;
   FeedInterruption interruption_;

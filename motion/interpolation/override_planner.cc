@@ -88,6 +88,19 @@ void OverridePlanner::forget() RT_SAFE {
   reach_ = {};
 }
 
+bool OverridePlanner::take_over_braking(const PathQueue& queue, const PathCursor& cursor,
+                                        double wall, const PathMotion& motion) RT_SAFE {
+  const std::optional<PhaseRun> run = brake_.find(queue, cursor, wall, motion);
+  if (!run) return false;
+  brake_.restart();
+  forget();
+  plans_[current_].clear();
+  plans_[current_].add(*run);
+  has_plan_ = true;
+  plan_caps_ = Caps::hard;
+  return true;
+}
+
 bool OverridePlanner::advance(const PathQueue& queue, const PathCursor& cursor,
                               const FeedControl& control, const PathWall& wall, double time,
                               PathMotion& motion, double& left) RT_SAFE {

@@ -11,6 +11,7 @@
 #include <cstddef>
 
 #include "base/rt_safe.h"
+#include "motion/interpolation/path_brake.h"
 #include "motion/interpolation/path_sight.h"
 #include "motion/profile/feed_control.h"
 #include "motion/profile/profile.h"
@@ -20,10 +21,14 @@ namespace stanok::motion {
 
 class OverridePlanner {
  public:
-  explicit OverridePlanner(double cycle_s) : cycle_s_(cycle_s) {}
+  explicit OverridePlanner(const MotionConfig& config) : cycle_s_(config.cycle_s), brake_(config) {}
 
   // Takes over, or starts afresh, with no way to rest known.
   void forget() RT_SAFE;
+  // Takes over from a plan that leaves the limits of segments: with a brake that is proved against
+  // the axes (motion/interpolation/path_brake.h), or not yet. `wall` as there.
+  [[nodiscard]] bool take_over_braking(const PathQueue& queue, const PathCursor& cursor,
+                                       double wall, const PathMotion& motion) RT_SAFE;
 
   // Runs for `time` from `motion`, which it replaces. Returns false, with nothing done, when it has
   // no plan that keeps the limits; possible only right after forget(). `left`: what remains of
@@ -87,6 +92,7 @@ class OverridePlanner {
   FeedControl plan_control_;
   Caps draft_caps_ = Caps::hard;
   PathSight::Reach reach_;
+  PathBrake brake_;
 };
 
 }  // namespace stanok::motion
