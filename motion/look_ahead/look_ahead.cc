@@ -45,9 +45,11 @@ void shift(std::vector<Phase>& phases, double ds) {
   }
 }
 
+constexpr std::size_t phases_kept_max = 200;
+
 }  // namespace
 
-LookAhead::LookAhead(const MotionConfig& config) : config_(config) {}
+LookAhead::LookAhead(const MotionConfig& config) : config_(config), improvement_(config) {}
 
 void LookAhead::add(const PathBuilder::Built& built) {
   const Segment& segment = built.segment;
@@ -58,8 +60,8 @@ void LookAhead::add(const PathBuilder::Built& built) {
   window_.push_back(segment);
   speeds_.push_back(speed_segment(segment, 1.0));
   speeds_.back().ramp.j *= built.jerk_part;
-  overlap_ = built.overlap;
-  stand_mm_ = built.stand_mm;
+  jerk_parts_.push_back(built.jerk_part);
+  chain_end_ = {.overlap = built.overlap, .stand_mm = built.stand_mm};
   if (built.ends_chain || blocks_.back() - blocks_.front() >= plan_at_blocks_) {
     plan_window(built.ends_chain ? Behind::end : Behind::more);
   }
@@ -96,17 +98,19 @@ bool LookAhead::deliver(PathQueue& queue) {
 }
 
 bool LookAhead::is_empty() const {
-  return window_.empty() && ready_.empty();
+  return window_.empty() && planned_.segments.empty() && ready_.empty();
 }
 
 void LookAhead::clear() {
   window_.clear();
   speeds_.clear();
+  jerk_parts_.clear();
   blocks_.clear();
+  planned_ = {};
   v_start_ = 0.0;
   plan_at_blocks_ = 2 * blocks_beyond;
-  rest_phases_.clear();
-  rest_keys_.clear();
+  rest_.phases.clear();
+  rest_.keys.clear();
   ready_.clear();
 }
 
@@ -131,7 +135,8 @@ void LookAhead::plan_window(Behind behind) {
   plan_at_blocks_ = 2 * blocks_beyond;
 }
 
-// Commits the window up to a boundary with a = 0 and keeps what the plan holds for the rest.
+// Takes the window up to a boundary with a = 0, keeps what the plan holds for the rest, and commits
+// what will not be planned again.
 void LookAhead::commit(std::size_t boundary, Behind behind) {
   const double s_end = plan_.boundary(boundary);
   std::vector<Phase> phases;
@@ -140,74 +145,130 @@ void LookAhead::commit(std::size_t boundary, Behind behind) {
   } else {
     split_phases(phases_, s_end, phases);
   }
-  rest_phases_.swap(phases_);
-  shift(rest_phases_, s_end);
-  rest_keys_.clear();
+  rest_.phases.swap(phases_);
+  shift(rest_.phases, s_end);
+  rest_.keys.clear();
   for (const KeySpan& span : plan_.spans()) {
     if (span.last <= boundary) continue;
-    rest_keys_.push_back(
+    rest_.keys.push_back(
         {.segments = span.last - boundary, .s = plan_.boundary(span.last) - s_end, .v = span.v1});
   }
   STANOK_ASSERT(!phases.empty());
   const double v = phases.back().v_end;
-  commit_chunks(boundary, phases, behind);
+  take(boundary, phases);
   forget(boundary, v);
+  improvement_.improve({.segments = planned_.segments,
+                        .jerk_parts = planned_.jerk_parts,
+                        .follows_others = planned_.phases.front().v > 0.0,
+                        .goes_on = behind == Behind::more},
+                       planned_.phases);
+  commit_chunks(behind == Behind::end ? planned_.segments.size() : count_to_commit(), behind);
+}
+
+// Adds the first segments of the window to what is planned.
+void LookAhead::take(std::size_t segments, std::vector<Phase>& phases) {
+  const auto count = static_cast<std::ptrdiff_t>(segments);
+  planned_.segments.insert(planned_.segments.end(), window_.begin(), window_.begin() + count);
+  planned_.jerk_parts.insert(planned_.jerk_parts.end(), jerk_parts_.begin(),
+                             jerk_parts_.begin() + count);
+  planned_.blocks.insert(planned_.blocks.end(), blocks_.begin(), blocks_.begin() + count);
+  shift(phases, -planned_.length);
+  planned_.phases.insert(planned_.phases.end(), phases.begin(), phases.end());
+  for (std::size_t k = 0; k < segments; ++k) planned_.length += window_[k].length;
+}
+
+// Without the end of a stretch, which is planned again with what follows.
+std::size_t LookAhead::count_to_commit() const {
+  const std::vector<Phase>& phases = planned_.phases;
+  std::size_t count = planned_.segments.size();
+  std::size_t k = phases.size();
+  const std::size_t last = phases.size() - std::min(phases.size(), phases_kept_max);
+  while (k > last && phases[k - 1].pace.holds()) --k;
+  if (k == phases.size()) return count;
+  double s = planned_.length;
+  while (count > 1 && s > phases[k].s) s -= planned_.segments[--count].length;
+  return count;
 }
 
 // The segments that came since cannot be joined at the speed of the last cut: the last plan is run
 // as it is up to its next key point from which they can be; at the latest that is where it ends, at
 // rest.
 void LookAhead::run_last_plan_on(Behind behind) {
-  STANOK_ASSERT(!rest_keys_.empty());
+  STANOK_ASSERT(!rest_.keys.empty());
   std::size_t k = 0;
-  for (; k + 1 < rest_keys_.size(); ++k) {
-    const auto first = speeds_.begin() + static_cast<std::ptrdiff_t>(rest_keys_[k].segments);
-    if (plan_.plan({first, speeds_.end()}, rest_keys_[k].v)) break;
+  for (; k + 1 < rest_.keys.size(); ++k) {
+    const auto first = speeds_.begin() + static_cast<std::ptrdiff_t>(rest_.keys[k].segments);
+    if (plan_.plan({first, speeds_.end()}, rest_.keys[k].v)) break;
   }
-  const RestKey key = rest_keys_[k];
+  const RestKey key = rest_.keys[k];
   std::vector<Phase> phases;
-  split_phases(rest_phases_, key.s, phases);
-  commit_chunks(key.segments, phases, key.segments == window_.size() ? behind : Behind::more);
+  split_phases(rest_.phases, key.s, phases);
+  take(key.segments, phases);
   forget(key.segments, key.v);
-  shift(rest_phases_, key.s);
-  rest_keys_.erase(rest_keys_.begin(), rest_keys_.begin() + static_cast<std::ptrdiff_t>(k + 1));
-  for (RestKey& rest : rest_keys_) {
+  commit_chunks(planned_.segments.size(), window_.empty() ? behind : Behind::more);
+  shift(rest_.phases, key.s);
+  rest_.keys.erase(rest_.keys.begin(), rest_.keys.begin() + static_cast<std::ptrdiff_t>(k + 1));
+  for (RestKey& rest : rest_.keys) {
     rest.segments -= key.segments;
     rest.s -= key.s;
   }
 }
 
-// Puts the first segments of the window and the phases over them into chunks of the size allowed.
-void LookAhead::commit_chunks(std::size_t segments, std::vector<Phase>& phases, Behind behind) {
+// Puts the first segments of what is planned and their phases into chunks of the size allowed.
+void LookAhead::commit_chunks(std::size_t segments, Behind behind) {
+  std::vector<Phase>& phases = planned_.phases;
+  const std::uint64_t known = blocks_.empty() ? planned_.blocks.back() : blocks_.back();
   double s_first = 0.0;
   double s_last = 0.0;
   for (std::size_t first = 0; first < segments;) {
-    const std::size_t last = std::min(segments, first + chunk_segments_max);
-    for (std::size_t k = first; k < last; ++k) s_last += window_[k].length;
+    const std::size_t last = end_of_chunk(first, s_first, segments);
+    for (std::size_t k = first; k < last; ++k) s_last += planned_.segments[k].length;
     Committed committed;
-    const auto begin = window_.begin();
+    const auto begin = planned_.segments.begin();
     committed.segments.assign(begin + static_cast<std::ptrdiff_t>(first),
                               begin + static_cast<std::ptrdiff_t>(last));
-    if (last == segments) {
+    if (last == planned_.segments.size()) {
       committed.phases.swap(phases);
     } else {
       split_phases(phases, s_last, committed.phases);
     }
     shift(committed.phases, s_first);
-    committed.chunk = {.segments = static_cast<std::uint32_t>(committed.segments.size()),
-                       .phases = static_cast<std::uint32_t>(committed.phases.size()),
-                       .last = behind == Behind::end && last == segments,
-                       .length = s_last - s_first,
-                       .lookahead_blocks = static_cast<std::uint32_t>(blocks_after(last))};
+    committed.chunk = {
+        .segments = static_cast<std::uint32_t>(committed.segments.size()),
+        .phases = static_cast<std::uint32_t>(committed.phases.size()),
+        .last = behind == Behind::end && last == segments,
+        .length = s_last - s_first,
+        .lookahead_blocks = static_cast<std::uint32_t>(known - planned_.blocks[last - 1])};
     if (committed.chunk.last) {
-      committed.overlap = overlap_;
-      committed.chunk.stand_mm = stand_mm_;
+      committed.overlap = chain_end_.overlap;
+      committed.chunk.stand_mm = chain_end_.stand_mm;
     }
     if (!ready_.empty() && ready_.back().overlap) decide_overlap(ready_.back(), committed);
     ready_.push_back(std::move(committed));
     first = last;
     s_first = s_last;
   }
+  shift(phases, s_last);
+  const auto count = static_cast<std::ptrdiff_t>(segments);
+  planned_.segments.erase(planned_.segments.begin(), planned_.segments.begin() + count);
+  planned_.jerk_parts.erase(planned_.jerk_parts.begin(), planned_.jerk_parts.begin() + count);
+  planned_.blocks.erase(planned_.blocks.begin(), planned_.blocks.begin() + count);
+  planned_.length = 0.0;
+  for (const Segment& segment : planned_.segments) planned_.length += segment.length;
+}
+
+// The segment behind the last one of a chunk that begins with `first`, at `s_first` along the
+// phases.
+std::size_t LookAhead::end_of_chunk(std::size_t first, double s_first, std::size_t segments) const {
+  const std::size_t last = std::min(segments, first + chunk_segments_max);
+  if (planned_.phases.size() <= chunk_phases_max) return last;
+  const double s_max = planned_.phases[chunk_phases_max].s;
+  std::size_t k = first;
+  for (double s = s_first; k < last && (k == first || s + planned_.segments[k].length <= s_max);
+       ++k) {
+    s += planned_.segments[k].length;
+  }
+  return k;
 }
 
 // How long the next chain, which begins with `start`, may overlap the one that ends with `end`.
@@ -229,12 +290,9 @@ void LookAhead::forget(std::size_t segments, double v) {
   const auto count = static_cast<std::ptrdiff_t>(segments);
   window_.erase(window_.begin(), window_.begin() + count);
   speeds_.erase(speeds_.begin(), speeds_.begin() + count);
+  jerk_parts_.erase(jerk_parts_.begin(), jerk_parts_.begin() + count);
   blocks_.erase(blocks_.begin(), blocks_.begin() + count);
   v_start_ = v;
-}
-
-std::uint64_t LookAhead::blocks_after(std::size_t boundary) const {
-  return blocks_.back() - blocks_[boundary - 1];
 }
 
 std::size_t LookAhead::last_boundary_to_commit() const {

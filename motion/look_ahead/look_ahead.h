@@ -15,13 +15,16 @@
 #include "motion/path/path_queue.h"
 #include "motion/segments/path_builder.h"
 #include "motion/threads/thread_builder.h"
+#include "motion/time_optimum/plan_improvement.h"
 
 namespace stanok::motion {
 
 class LookAhead {
  public:
-  static constexpr std::uint64_t blocks_beyond = 1000;     // known beyond what is committed
-  static constexpr std::size_t chunk_segments_max = 2048;  // the queue holds several chunks
+  static constexpr std::uint64_t blocks_beyond = 1000;  // known beyond what is committed
+  // The queue holds several chunks of this size; one more segment may bring the phases over it.
+  static constexpr std::size_t chunk_segments_max = 2048;
+  static constexpr std::size_t chunk_phases_max = 8192;
 
   explicit LookAhead(const MotionConfig& config);
 
@@ -50,6 +53,19 @@ class LookAhead {
     // The next chain may overlap the end of this chunk; how long, its start will tell.
     std::optional<OverlapCorner> overlap;
   };
+  // Segments whose phases are known, from the end of the last chunk on.
+  struct Planned {
+    std::vector<Segment> segments;
+    std::vector<double> jerk_parts;
+    std::vector<std::uint64_t> blocks;
+    std::vector<Phase> phases;  // s from their start
+    double length = 0.0;
+  };
+  // Of a chain.
+  struct ChainEnd {
+    std::optional<OverlapCorner> overlap;
+    double stand_mm = 0.0;
+  };
   // A state with a = 0 after so many segments, s of path.
   struct RestKey {
     std::size_t segments = 0;
@@ -62,33 +78,41 @@ class LookAhead {
 
   void plan_window(Behind behind);
   void commit(std::size_t boundary, Behind behind);
-  void commit_chunks(std::size_t segments, std::vector<Phase>& phases, Behind behind);
+  void take(std::size_t segments, std::vector<Phase>& phases);
+  [[nodiscard]] std::size_t count_to_commit() const;
+  void commit_chunks(std::size_t segments, Behind behind);
+  [[nodiscard]] std::size_t end_of_chunk(std::size_t first, double s_first,
+                                         std::size_t segments) const;
   void decide_overlap(Committed& end, const Committed& start) const;
   void run_last_plan_on(Behind behind);
   void forget(std::size_t segments, double v);
 
-  [[nodiscard]] std::uint64_t blocks_after(std::size_t boundary) const;
   [[nodiscard]] std::size_t last_boundary_to_commit() const;
   [[nodiscard]] std::size_t cut_at_or_before(std::size_t boundary) const;
   [[nodiscard]] std::size_t start_of_last_descent() const;
 
-  // The current chain from the last commit on: segments, their limits, and how many blocks were
+  // The current chain from what is planned on: segments, their limits, and how many blocks were
   // known when each one came.
   MotionConfig config_;
   std::vector<Segment> window_;
   std::vector<SpeedSegment> speeds_;
+  std::vector<double> jerk_parts_;  // of the segments, that their ramps use
   std::vector<std::uint64_t> blocks_;
-  std::optional<OverlapCorner> overlap_;  // at the end of the chain
-  double stand_mm_ = 0.0;                 // there, too
+  ChainEnd chain_end_;
   double v_start_ = 0.0;
   std::uint64_t plan_at_blocks_ = 2 * blocks_beyond;
 
   SpeedPlan plan_;
+  PlanImprovement improvement_;
   std::vector<Phase> phases_;  // of the plan, s from the start of the window
+  Planned planned_;
   // What the last plan held for the segments it did not commit: a way to rest, always, and the key
   // points on it.
-  std::vector<Phase> rest_phases_;
-  std::vector<RestKey> rest_keys_;
+  struct Rest {
+    std::vector<Phase> phases;
+    std::vector<RestKey> keys;
+  };
+  Rest rest_;
 
   std::deque<Committed> ready_;
   std::uint64_t delivered_ = 0;

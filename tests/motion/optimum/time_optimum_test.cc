@@ -1,0 +1,162 @@
+// Plans along whole paths, by the setpoints of every cycle: as fast as the limits of the axes
+// allow, and never slower for a higher feed or override.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/motion/path_samples.h"
+#include "tests/motion/random_programs.h"
+
+namespace stanok::motion::testing {
+namespace {
+
+std::vector<PathBuilder::Built> built_from(const MotionConfig& config,
+                                           const std::vector<PathBlock>& blocks) {
+  PathBuilder builder(config);
+  builder.restart({});
+  for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
+  builder.finish();
+  return builder.built();
+}
+
+double time_of(const std::vector<Sample>& samples) {
+  return 0.001 * static_cast<double>(samples.size());
+}
+
+// Turns of a circle from rest to rest in short chords.
+std::vector<PathBlock> circle(double radius, double feed_per_s, int turns = 1) {
+  std::vector<PathBlock> blocks;
+  constexpr int count = 400;
+  for (int n = 1; n <= turns * count; ++n) {
+    const double angle = 2.0 * std::numbers::pi * n / count;
+    PathBlock block = line_to({radius * std::sin(angle), radius - radius * std::cos(angle)});
+    block.tag = {.run = 1, .block = static_cast<std::uint64_t>(n)};
+    block.feed_per_s = feed_per_s;
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+// Where acceleration and jerk of each axis are all that limits it, a circle is passed at the speed
+// at which an axis at its turning point has all of its acceleration: v^2 = a r; with its jerk,
+// v^3 / r^2 <= j.
+TEST(TimeOptimum, ACircleIsPassedAtTheSpeedThatItsAxesAllow) {
+  const Limits limits{.v = 1000.0, .a = 2000.0, .j = 200000.0};
+  const MotionConfig config = three_axes(limits);
+  const double radius = 20.0;
+  const double v = std::min(std::sqrt(limits.a * radius), std::cbrt(limits.j * radius * radius));
+  double top = 0.0;
+  for (const Sample& sample : run_path(config, built_from(config, circle(radius, 900.0))))
+    top = std::max(top, sample.out.s_speed);
+  EXPECT_GT(top, 0.97 * v);
+  EXPECT_LT(top, 1.01 * v * std::numbers::sqrt2);  // between the turning points it may be faster
+}
+
+// Many turns are planned in several stretches: where two of them meet the speed is that of any
+// other place.
+TEST(TimeOptimum, WhereStretchesMeetTheSpeedStays) {
+  const Limits limits{.v = 1000.0, .a = 2000.0, .j = 200000.0};
+  const MotionConfig config = three_axes(limits);
+  const double radius = 20.0;
+  const double v = std::min(std::sqrt(limits.a * radius), std::cbrt(limits.j * radius * radius));
+  constexpr int turns = 8;
+  const auto samples = run_path(config, built_from(config, circle(radius, 900.0, turns)));
+  double lowest = unlimited;
+  for (std::size_t k = samples.size() / 10; k < samples.size() * 9 / 10; ++k)
+    lowest = std::min(lowest, samples[k].out.s_speed);
+  EXPECT_GT(lowest, 0.95 * v);
+}
+
+void expect_no_slower_for_a_higher_feed(std::uint64_t first, std::uint64_t last) {
+  const MotionConfig config = three_axes(channel_limits);
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
+    SCOPED_TRACE(seed);
+    double slower = unlimited;
+    for (const double feed : {15.0, 25.0, 40.0, 60.0, 90.0, 140.0, 240.0}) {
+      Random random(seed);
+      Program program = winding_way(random, {}, {.blocks = 150});
+      for (PathBlock& block : program.blocks) {
+        block.feed_per_s = feed;
+        block.tolerance_mm = 0.01;
+        block.tolerance_deg = 0.05;
+      }
+      const double time = time_of(run_path(config, built_from(config, program.blocks)));
+      EXPECT_LE(time, 1.002 * slower) << "feed " << feed;
+      slower = std::min(slower, time);
+    }
+  }
+}
+
+TEST(TimeOptimum, AHigherFeedIsNotSlower) {
+  expect_no_slower_for_a_higher_feed(1, 20);
+}
+
+TEST(TimeOptimum, AHigherFeedIsNotSlowerFullSize) {
+  expect_no_slower_for_a_higher_feed(21, 200);
+}
+
+TEST(TimeOptimum, AHigherOverrideIsNotSlower) {
+  const MotionConfig config = three_axes(channel_limits);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Program program = winding_way(random, {}, {.blocks = 150});
+    for (PathBlock& block : program.blocks) {
+      block.feed_per_s *= random.between(0.5, 4.0);
+      block.tolerance_mm = 0.01;
+      block.tolerance_deg = 0.05;
+    }
+    const auto built = built_from(config, program.blocks);
+    double slower = unlimited;
+    for (const double part : {0.3, 0.6, 0.9, 0.99, 1.0, 1.01, 1.2, 2.0}) {
+      const auto control = [part](int) { return FeedControl{.feed_override = part}; };
+      const double time = time_of(run_path(config, built, control));
+      EXPECT_LE(time, 1.002 * slower + 0.003) << "override " << part;
+      slower = std::min(slower, time);
+    }
+  }
+}
+
+// A hold comes to rest, wherever it comes: in 0.5 s at most with these limits, by which a move of
+// the highest speed stops in 0.15 s.
+TEST(TimeOptimum, AHoldComesToRestSoon) {
+  const MotionConfig config = three_axes(channel_limits);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Program program = winding_way(random, {}, {.blocks = 150});
+    for (PathBlock& block : program.blocks) {
+      block.feed_per_s = 200.0;
+      block.tolerance_mm = 0.01;
+      block.tolerance_deg = 0.05;
+    }
+    const auto built = built_from(config, program.blocks);
+    const auto cycles = static_cast<double>(run_path(config, built).size());
+    for (int n = 0; n < 8; ++n) {
+      const int held = static_cast<int>(random.between(20.0, cycles - 20.0));
+      const auto control = [held](int k) { return FeedControl{.hold = k >= held}; };
+      const auto samples = run_path(config, built, control, held + 2000);
+      const auto rest = std::find_if(samples.begin() + held + 1, samples.end(),
+                                     [](const Sample& s) { return s.out.s_speed == 0.0; });
+      ASSERT_NE(rest, samples.end());
+      EXPECT_LE(rest - samples.begin() - held, 500) << "held at cycle " << held;
+    }
+  }
+}
+
+// What a hold leaves is run to its exact end.
+TEST(TimeOptimum, AfterHoldsThePlanIsRunToItsEnd) {
+  const MotionConfig config = three_axes(channel_limits);
+  const auto blocks = circle(20.0, 300.0);
+  const auto built = built_from(config, blocks);
+  const double nominal = time_of(run_path(config, built));
+  const auto control = [](int k) { return FeedControl{.hold = k % 700 > 400 && k < 3000}; };
+  const auto samples = run_path(config, built, control);
+  EXPECT_EQ(samples.back().out.point[0].value, blocks.back().end[0]);
+  EXPECT_EQ(samples.back().out.point[1].value, blocks.back().end[1]);
+  EXPECT_LT(time_of(samples), nominal + 4.0);
+}
+
+}  // namespace
+}  // namespace stanok::motion::testing
