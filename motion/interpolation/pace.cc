@@ -76,7 +76,8 @@ double settling_time(const PaceLimits& limits) RT_SAFE {
 }
 
 Pace PaceStep::after(double time) const RT_SAFE {
-  return {.rate = from.rate + time * (from.change + 0.5 * time * second),
+  const double rate = from.rate + time * (from.change + 0.5 * time * second);
+  return {.rate = std::clamp(rate, 0.0, 1.0),  // rounding
           .change = from.change + time * second};
 }
 
@@ -92,18 +93,23 @@ double PaceStep::time_of(double part, double duration) const RT_SAFE {
   return high;
 }
 
+// The change behind a step, of a rate that is `distance` from its target and comes nearer by
+// `change`, so that steps of at most `braking` in p'' bring it to rest there. From n on, whatever
+// n is, they need no more than n^2 / 2 braking + n time / 2.
+double change_that_stops(double distance, double change, double braking, double time) RT_SAFE {
+  const double least = braking * time;
+  // With two more steps: what is left behind this one is what the last one takes.
+  const double before_last = distance / time - 0.5 * change;
+  if (before_last >= 0.0 && before_last <= least && std::abs(before_last - change) <= least)
+    return before_last;
+  const double squared = least * least + braking * (2.0 * distance - change * time);
+  return -least + std::sqrt(std::max(squared, 0.0));
+}
+
 PaceStep step_pace(const Pace& from, double target, const PaceLimits& limits,
                    const PaceLimits& ahead, double time) RT_SAFE {
   const double gap = target - from.rate;
   PaceStep step{.from = from, .to = {}};
-  // What a step could take away is nothing.
-  const double least = time * pace_second_max(limits, std::max(target, from.rate));
-  constexpr double rounding = 1e-12;
-  if (std::abs(gap) <= least * time + rounding && std::abs(from.change) <= least + rounding) {
-    step.to = {.rate = target};
-    step.advance = target * time;
-    return step;
-  }
   // Mirrored, so that it rises towards the target.
   const double sign = gap > 0.0 || (gap == 0.0 && from.change > 0.0) ? 1.0 : -1.0;
   const double change = sign * from.change;
@@ -111,20 +117,33 @@ PaceStep step_pace(const Pace& from, double target, const PaceLimits& limits,
   // The limits fall with the rate: those of the highest rate that the step can come to.
   const double rise =
       std::max(from.change, sign > 0.0 ? pace_rise_max(ahead, from.rate, target) : 0.0);
-  const double highest = std::clamp(from.rate + rise * time, from.rate, 1.0);
+  const double highest = std::min(from.rate + rise * time, 1.0);
   const double second_max = pace_second_max(limits, highest);
   // The rate comes to rest at the target under the second derivative that is allowed there.
   const double braking = std::min(second_max, pace_second_max(limits, std::max(target, from.rate)));
-  const double w = 0.5 * braking * time;
-  const double stops =
-      -w + std::sqrt(std::max(w * w + braking * (2.0 * distance - change * time), 0.0));
-  const double farther = sign > 0.0 ? pace_rise_max(ahead, highest, target) : stops;
-  const double wanted = std::min(std::max(stops, farther), pace_change_max(ahead, highest));
+  const double least = braking * time;
+  constexpr double rounding = 1e-12;
+  constexpr double part_unseen = 1e-6;  // of what a step can do
+  const bool is_last =
+      std::abs(distance - 0.5 * change * time) <= rounding + part_unseen * least * time &&
+      std::abs(change) <= least + rounding;
+  if (is_last) {
+    step.second = -from.change / time;
+    step.to = {.rate = target};
+    step.advance = time * (from.rate + from.change * time / 3.0);
+    return step;
+  }
+  const double stops = change_that_stops(distance, change, braking, time);
+  // Farther from the target, what p'' may take away at the rates between; a step is fine enough
+  // for that where p' is several times what it takes.
+  constexpr double steps_min = 5.0;
+  const double rising = sign > 0.0 ? pace_rise_max(ahead, highest, target) : 0.0;
+  const double farther = rising > steps_min * least ? std::max(stops, rising) : stops;
+  const double wanted = std::min(farther, pace_change_max(ahead, highest));
   const double next = std::clamp(wanted, change - second_max * time, change + second_max * time);
   step.second = sign * (next - change) / time;
   step.to = step.after(time);
   step.to.change = sign * next;
-  step.to.rate = std::clamp(step.to.rate, 0.0, 1.0);
   step.advance = time * (from.rate + time * (0.5 * from.change + time * step.second / 6.0));
   step.advance = std::max(step.advance, 0.0);
   return step;

@@ -101,7 +101,7 @@ bool PlanRun::rejoin_at_start(PathQueue& queue, PathCursor& cursor, const PathMo
   const Phase& phase = cursor.phase(queue);
   if (!phase.pace.holds() && phase.v != motion.v) return false;
   begin();
-  pace_.rate = motion.v / phase.v;
+  pace_.rate = std::min(motion.v / phase.v, 1.0);
   return true;
 }
 
