@@ -9,6 +9,11 @@
 namespace stanok::motion {
 namespace {
 
+// For so long a higher feed has to be run that the plan is left for it; before a plan that is taken
+// up again it is left for so long.
+constexpr double worthwhile = 0.05;  // s
+constexpr double settling = 0.012;   // s
+
 // A gate lies on the path that is known.
 bool sees_gate(const PathQueue& queue, const FeedControl& control) RT_SAFE {
   return control.closed_from_block != FeedControl::no_gate && !queue.segments.empty() &&
@@ -135,6 +140,8 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   // Rapid traverse does not know of force control: it runs as it was planned.
   if (cursor_.segment(queue).rapid && (is_on_plan_ || at_rest())) asked.controlled_per_s = 0.0;
   asked.hold = control.hold || interruption_.holds(cursor_.segment(queue));
+  if (is_on_plan_) look_for_raise(queue, asked);
+  asked.feed_override = std::min(asked.feed_override, planner_.override_max());
   if (!is_on_plan_) rejoin_plan(queue, asked);
   if (!is_on_plan_) time = approach_plan(queue, asked, time);
   if (is_on_plan_ && keeps_plan(queue, asked)) {
@@ -170,7 +177,6 @@ bool Interpolator::keeps_plan(const PathQueue& queue, const FeedControl& asked) 
   if (wants_nominal(queue, asked)) return true;
   const Segment& segment = cursor_.segment(queue);
   if (!raises_feed(segment, asked) || !may_keep_plan(queue, asked)) return false;
-  constexpr double worthwhile = 0.05;  // s
   return !holds_feed(cursor_.phase(queue), segment) ||
          plan_to_approach(queue, asked, worthwhile).s < unlimited;
 }
@@ -187,7 +193,6 @@ void Interpolator::rejoin_plan(PathQueue& queue, const FeedControl& asked) RT_SA
 // even, exactly to its start. Returns what is left of the time.
 double Interpolator::approach_plan(PathQueue& queue, FeedControl& asked, double time) RT_SAFE {
   if (asked.hold || !may_keep_plan(queue, asked)) return time;
-  constexpr double settling = 0.012;  // s
   const PlanStart start = plan_to_approach(queue, asked, settling);
   if (start.s == unlimited) return time;
   asked.feed_override = std::min(asked.feed_override, 1.0);
@@ -243,6 +248,20 @@ double Interpolator::run_plan(PathQueue& queue, const FeedControl& asked, double
   const double left = plan_.advance(queue, cursor_, pace, time, motion_);
   advanced_ += motion_.s - before;
   return left;
+}
+
+// An override above 100 % under which the plan would be taken up again before anything could be
+// used of it is lowered until then.
+void Interpolator::look_for_raise(const PathQueue& queue, const FeedControl& asked) RT_SAFE {
+  planner_.bound_override(unlimited);
+  if (asked.feed_override <= 1.0 || !raises_feed(cursor_.segment(queue), asked)) return;
+  FeedControl lowered = asked;
+  for (const double part : {1.0, 0.5, 0.25, 0.125}) {
+    lowered.feed_override = 1.0 + part * (asked.feed_override - 1.0);
+    if (plan_to_approach(queue, lowered, worthwhile).s < unlimited) continue;
+    if (part < 1.0) planner_.bound_override(lowered.feed_override);
+    return;
+  }
 }
 
 // To rest: at once where there is a brake; at rest, when the plan cannot go on from there.

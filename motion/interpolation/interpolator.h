@@ -120,6 +120,7 @@ class Interpolator {
   [[nodiscard]] PlanStart plan_to_approach(const PathQueue& queue, const FeedControl& asked,
                                            double while_s) const RT_SAFE;
   [[nodiscard]] double run_plan(PathQueue& queue, const FeedControl& asked, double time) RT_SAFE;
+  void look_for_raise(const PathQueue& queue, const FeedControl& asked) RT_SAFE;
   [[nodiscard]] bool leaves_plan(const PathQueue& queue, const FeedControl& asked) RT_SAFE;
   [[nodiscard]] double run_under_override(PathQueue& queue, const FeedControl& asked, double time)
       RT_SAFE;

@@ -37,6 +37,10 @@ class OverridePlanner {
                              const FeedControl& control, const PathWall& wall, double time,
                              PathMotion& motion, double& left) RT_SAFE;
 
+  // Up to which overrides are followed, until it is bounded anew.
+  void bound_override(double highest) RT_SAFE { override_max_ = highest; }
+  [[nodiscard]] double override_max() const RT_SAFE { return override_max_; }
+
   // The path coordinate counts from ds later on: the next chunk was entered.
   void shift(double ds) RT_SAFE { plans_[current_].shift(ds); }
 
@@ -92,6 +96,7 @@ class OverridePlanner {
   FeedControl plan_control_;
   Caps draft_caps_ = Caps::hard;
   PathSight::Reach reach_;
+  double override_max_ = unlimited;
   PathBrake brake_;
 };
 
