@@ -52,9 +52,10 @@ SegmentLimits rest_of_squares(const SegmentBounds& bounds, double v) RT_SAFE {
 }  // namespace
 
 SegmentLimits segment_limits(const SegmentBounds& bounds, double feed_per_s) RT_SAFE {
-  const double v = std::min({feed_per_s, speed_ceiling, 1.0 / bounds.velocity,
-                             std::sqrt(curvature_share / bounds.curvature),
-                             std::cbrt(aberrancy_share / bounds.aberrancy)});
+  const double v =
+      std::min({feed_per_s, speed_ceiling, 1.0 / std::max(bounds.velocity, bounds.chords),
+                std::sqrt(curvature_share / bounds.curvature),
+                std::cbrt(aberrancy_share / bounds.aberrancy)});
   const SegmentLimits sums = rest_of_sums(bounds, v);
   if (!bounds.euclidean.holds) return sums;
   const SegmentLimits squares = rest_of_squares(bounds, v);

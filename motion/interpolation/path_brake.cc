@@ -86,14 +86,15 @@ bool PathBrake::keeps_limits(const Phase& phase, Place& place, std::size_t& samp
   return true;
 }
 
-// False: faster than programmed.
+// False: faster than the segment allows.
 bool PathBrake::sample(const PathMotion& motion, Place& place, Uses& uses) const RT_SAFE {
   while (place.segment + 1 < seen_ &&
          motion.s >= place.start + queue_->segments[place.segment].length) {
     place.start += queue_->segments[place.segment++].length;
   }
   const Segment& segment = queue_->segments[place.segment];
-  if (motion.v > segment.feed_per_s * (1.0 + rounding)) return false;
+  const double v_max = std::min(segment.feed_per_s, 1.0 / segment.bounds.chords);
+  if (motion.v > v_max * (1.0 + rounding)) return false;
   JetPoint point_s;
   JetPoint point;
   JetPoint axes;

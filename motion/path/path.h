@@ -151,6 +151,8 @@ struct SegmentBounds {
   double curvature = 0.0;  // max |q''|  / a_max   s^2/mm^2
   double bend = 0.0;       // max |q''|  / j_max   s^3/mm^2
   double aberrancy = 0.0;  // max |q'''| / j_max   s^3/mm^3
+  // v * chords <= 1, too: the chords between setpoints keep what they have of the tolerance. s/mm
+  double chords = 0.0;
 
   // The same with Euclidean lengths, where X, Y and Z alone move and have one limit each: what acts
   // along the path and what acts across it adds in squares,

@@ -31,6 +31,28 @@ Point Polyline::at(double t) const {
   return point_of(leg(index_at(t)), t);
 }
 
+// By trapezoids from corner to corner, exact; relative to the point at t, so that it is that point
+// where the path is straight, but for rounding.
+Point Polyline::mean_around(double t, double half) const {
+  const Point middle = at(t);
+  if (half <= 0.0) return middle;
+  Point sum{};
+  double from = t - half;
+  Point before = at(from);
+  for (std::size_t index = index_at(from); from < t + half; ++index) {
+    const bool is_last = index + 1 >= legs_.size();
+    const double to = is_last ? t + half : std::min(legs_[index].t_end, t + half);
+    const Point point = point_of(legs_[std::min(index, legs_.size() - 1)], to);
+    for (std::size_t k = 0; k < axes_max; ++k)
+      sum[k] += 0.5 * (to - from) * ((before[k] - middle[k]) + (point[k] - middle[k]));
+    from = to;
+    before = point;
+  }
+  Point mean = middle;
+  for (std::size_t k = 0; k < axes_max; ++k) mean[k] += sum[k] / (2.0 * half);
+  return mean;
+}
+
 Point point_of(const Leg& leg, double t) {
   const Geometry& line = leg.line.geometry;
   if (t == leg.t_start) return line.start;

@@ -40,6 +40,8 @@ class Polyline {
   [[nodiscard]] double nearest_corner(double t) const;
 
   [[nodiscard]] Point at(double t) const;
+  // The mean of the points between t - half and t + half.
+  [[nodiscard]] Point mean_around(double t, double half) const;
 
  private:
   std::deque<Leg> legs_;

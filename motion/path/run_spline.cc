@@ -3,21 +3,38 @@
 #include "motion/path/point_algebra.h"
 
 namespace stanok::motion {
+namespace {
+
+// Of the distance to the next knot. So much that what rounded coordinates add is averaged over the
+// blocks of half a span; corners are still followed closely.
+constexpr double window_part = 0.5;
+
+}  // namespace
 
 double RunSpline::greville(std::size_t middle) const {
   return (knots[middle - 1] + knots[middle] + knots[middle + 1]) / 3.0;
 }
 
+double RunSpline::half_window(std::size_t middle) const {
+  const double t = greville(middle);
+  return window_part * std::min(t - knots[middle - 1], knots[middle + 1] - t);
+}
+
 bool RunSpline::is_straight(std::size_t span) const {
-  return greville(span + 3) <= way.leg(way.index_at(greville(span - 2))).t_end;
+  const double from = greville(span - 2) - half_window(span - 2);
+  const double to = greville(span + 3) + half_window(span + 3);
+  return to <= way.leg(way.index_at(from)).t_end;
 }
 
 RunSpline::ControlPoints RunSpline::control_points(std::size_t span) const {
   std::array<double, 6> t;
+  std::array<double, 6> h2;  // squares of half the windows
   std::array<Point, 6> point;
   for (std::size_t k = 0; k < t.size(); ++k) {
     t[k] = greville(span - 2 + k);
-    point[k] = way.at(t[k]);
+    const double half = half_window(span - 2 + k);
+    h2[k] = half * half;
+    point[k] = way.mean_around(t[k], half);
   }
   ControlPoints control;
   for (std::size_t k = 0; k < control.size(); ++k) {
@@ -30,11 +47,16 @@ RunSpline::ControlPoints RunSpline::control_points(std::size_t span) const {
     if (spread == 0.0) continue;  // an end of the spline
     const double before = t[k + 1] - t[k];
     const double after = t[k + 2] - t[k + 1];
+    // Of a quadratic the mean lies off by h^2 / 6 of its second derivative, and second differences
+    // of means tell as much more as these grow.
+    const double growth =
+        ((h2[k + 2] - h2[k + 1]) / after - (h2[k + 1] - h2[k]) / before) / (before + after);
+    const double taken = (spread + h2[k + 1] / 3.0) / (1.0 + growth / 3.0);
     for (std::size_t axis = 0; axis < axes_max; ++axis) {
       const double bent = ((point[k + 2][axis] - point[k + 1][axis]) / after -
                            (point[k + 1][axis] - point[k][axis]) / before) /
                           (before + after);
-      control[k][axis] -= spread * bent;
+      control[k][axis] -= taken * bent;
     }
   }
   return control;

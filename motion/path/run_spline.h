@@ -46,6 +46,8 @@ class RunSpline {
   }
 
  private:
+  // The path is averaged over so much on either side of that.
+  [[nodiscard]] double half_window(std::size_t middle) const;
   // The abscissa of the control point around knot `middle`.
   [[nodiscard]] double greville(std::size_t middle) const;
 };

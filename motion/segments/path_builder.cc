@@ -232,10 +232,7 @@ void PathBuilder::close_run(SmoothRun::End end) {
 }
 
 void PathBuilder::emit_run() {
-  for (Segment& segment : smoothed_) {
-    segment.bounds = segment_bounds(segment, config_);
-    append(segment);
-  }
+  for (const Segment& segment : smoothed_) append(segment);
   smoothed_.clear();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/bounds/segment_bounds.h"
 #include "motion/path/arc_length.h"
 #include "motion/path/point_algebra.h"
 #include "motion/path/shape.h"
@@ -13,8 +14,9 @@ namespace stanok::motion {
 namespace {
 
 constexpr double length_min = 1e-4;            // mm of a block, and of its part before the spline
-constexpr double tolerance_min = 5e-4;         // mm: below, corners are left to blends
+constexpr double tolerance_min = 2e-4;         // mm: below, corners are left to blends
 constexpr double rate_step_max = 1000.0;       // tolerances of another axis per mm, at a corner
+constexpr double chord_part_max = 0.25;        // of the tolerance
 constexpr double run_tolerance_used = 0.99;    // the rest is for rounding of every kind
 constexpr double width_max = 2.0;              // mm between two knots
 constexpr std::size_t legs_per_span_max = 32;  // and so many blocks
@@ -56,8 +58,7 @@ bool SmoothRun::may_join(const Segment& incoming, const Segment& outgoing,
                          const Tolerance& tolerance) const {
   if (config_.run_turn_max_deg <= 0.0) return false;
   if (!is_run_block(incoming) || !is_run_block(outgoing)) return false;
-  if (!(tolerance.mm >= std::max(tolerance_min, 2.0 * chord_margin_.mm))) return false;
-  if (!(tolerance.deg > 2.0 * chord_margin_.deg)) return false;
+  if (!(tolerance.mm >= tolerance_min && tolerance.deg > 0.0)) return false;
   const PathMetric& metric = incoming.geometry.metric;
   if (metric != outgoing.geometry.metric || incoming.transform != outgoing.transform) return false;
   double cosine = 0.0;
@@ -80,6 +81,22 @@ void SmoothRun::clear() {
   settled_ = 0;
   emitted_ = 0;
   frozen_ = 0;
+}
+
+// What chords may take of a tolerance: as much as they ever need, but not most of it.
+Tolerance SmoothRun::chord_share(const Tolerance& tolerance) const {
+  return lower_of(chord_margin_, {chord_part_max * tolerance.mm, chord_part_max * tolerance.deg});
+}
+
+// Bounds of a segment, and a speed at which its chords keep their share: v^2 * curvature is the
+// part of the accelerations that is used across the path, and the chords use as large a part of
+// chord_margin_.
+SegmentBounds SmoothRun::bounds_of(const Segment& segment, const Tolerance& tolerance) const {
+  SegmentBounds bounds = segment_bounds(segment, config_);
+  const Tolerance share = chord_share(tolerance);
+  const double part = std::max(chord_margin_.mm / share.mm, chord_margin_.deg / share.deg);
+  if (part > 1.0) bounds.chords = std::sqrt(bounds.curvature * part);
+  return bounds;
 }
 
 SmoothRun::Place SmoothRun::begin(const Segment& first, const Tolerance& tolerance, End end,
@@ -269,8 +286,9 @@ bool SmoothRun::fits(std::size_t span) const {
 // within that of their steps.
 bool SmoothRun::fits_leg(const Leg& leg, double a, double b,
                          const RunSpline::ControlPoints& points) const {
-  const Tolerance allowed{run_tolerance_used * (leg.tolerance.mm - chord_margin_.mm),
-                          run_tolerance_used * (leg.tolerance.deg - chord_margin_.deg)};
+  const Tolerance chords = chord_share(leg.tolerance);
+  const Tolerance allowed{run_tolerance_used * (leg.tolerance.mm - chords.mm),
+                          run_tolerance_used * (leg.tolerance.deg - chords.deg)};
   const Point from = point_of(leg, a);
   const Point to = point_of(leg, b);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -318,6 +336,7 @@ void SmoothRun::emit_line(std::vector<Segment>& out) {
   const Shape shape = line(segment.geometry.metric, emitted_to_, end);
   segment.geometry = shape.geometry;
   segment.length = shape.length;
+  segment.bounds = bounds_of(segment, leg.tolerance);
   out.push_back(segment);
   emitted_to_ = end;
 }
@@ -338,6 +357,7 @@ void SmoothRun::emit_curve(const Leg& leg, const RunSpline::ControlPoints& point
   }
   measure(segment.geometry);
   segment.length = arc_length(segment.geometry);
+  segment.bounds = bounds_of(segment, leg.tolerance);
   out.push_back(segment);
   emitted_to_ = points[3];
 }

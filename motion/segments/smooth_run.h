@@ -43,12 +43,14 @@ class SmoothRun {
   // where on it the spline begins: there or later.
   [[nodiscard]] Place begin(const Segment& first, const Tolerance& tolerance, End end,
                             const Place& taken);
-  // Takes the next block. Segments that are final are appended to `out`, without bounds.
+  // Takes the next block. Segments that are final are appended to `out`.
   void add(const Segment& next, const Tolerance& tolerance, std::vector<Segment>& out);
   // Closes the run. Returns where on its last block the spline ends.
   [[nodiscard]] Place end(End end, std::vector<Segment>& out);
 
  private:
+  [[nodiscard]] Tolerance chord_share(const Tolerance& tolerance) const;
+  [[nodiscard]] SegmentBounds bounds_of(const Segment& segment, const Tolerance& tolerance) const;
   void place_knots();
   [[nodiscard]] double next_knot() const;
   double place_last_knots();

@@ -58,7 +58,7 @@ void LimitGrid::add(const Segment& segment, std::span<const double> knots, doubl
     const Rates at_end = rates(knots[i + 1]);
     const Rates at_first_quarter = rates(knots[i] + 0.25 * length);
     const Rates at_last_quarter = rates(knots[i] + 0.75 * length);
-    double slowest = std::max(1.0 / segment.feed_per_s, slowest_min);
+    double slowest = std::max({1.0 / segment.feed_per_s, segment.bounds.chords, slowest_min});
     for (std::size_t k = 0; k < axes_max; ++k) {
       const double inside = std::abs(at_middle[k].velocity);
       const double sides = std::max(std::abs(at_start[k].velocity), std::abs(at_end[k].velocity));
