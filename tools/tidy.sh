@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Runs clang-tidy 22 over the sources with the checks of .clang-tidy; fails on the first file set with findings.
 #
-# Usage: tools/tidy.sh [FILE...]   (default: every tracked .cc file that the clang preset compiles)
+# Usage: tools/tidy.sh [FILE...]   (default: every tracked .cc file that is compiled)
 set -euo pipefail
 # shellcheck source=tools/environment.sh
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
-readonly database=build/clang
-[[ -f "$database/compile_commands.json" ]] || cmake --preset clang >/dev/null
-cmake --build build/clang --target stanok_lcm_types >/dev/null  # headers that are generated
+readonly database=build/tidy
+cmake --preset tidy >/dev/null
+cmake --build "$database" --target stanok_lcm_types >/dev/null  # headers that are generated
 
 if (($#)); then
   files=("$@")
