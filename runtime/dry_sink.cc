@@ -59,7 +59,7 @@ void DrySink::estimate_law(const motion::PathBlock& block) {
   LawBlock found{.place = {},
                  .kind = process.law->kind(),
                  .units = units,
-                 .way_mm = process.path_length,
+                 .path_mm = process.path_length,
                  .estimate = *estimate,
                  .time_is_least = planned > 0.0 && follows_diameter};
   found.place.file = std::string(lang::file_name(*program_, block.tag.file));

@@ -25,7 +25,7 @@ struct LawBlock {
   Place place;
   motion::LawKind kind = motion::LawKind::none;
   motion::LawUnits units;
-  double way_mm = 0.0;
+  double path_mm = 0.0;
   motion::LawEstimate estimate;
   bool time_is_least = false;  // the spindle follows the diameter: planned for its highest speed
 };

@@ -85,9 +85,9 @@ void Spindle::advance(double period_s) RT_SAFE {
     speed_ += std::clamp(wanted - speed_, -step, step);
   }
   if (before == 0.0 && speed_ == 0.0) return;
-  const double way_deg = deg_per_s_of_rev_per_min * 0.5 * (before + speed_) * period_s;
-  turns_ += way_deg / full_turn_deg;
-  set_angle(angle_deg_ + way_deg);
+  const double travel_deg = deg_per_s_of_rev_per_min * 0.5 * (before + speed_) * period_s;
+  turns_ += travel_deg / full_turn_deg;
+  set_angle(angle_deg_ + travel_deg);
 }
 
 }  // namespace stanok::channels

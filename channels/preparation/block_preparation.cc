@@ -287,15 +287,15 @@ double BlockPreparation::diameter(const motion::Point& point_W) const {
   return x < 0 ? 0.0 : 2.0 * std::abs(motion::at(point_W, x));
 }
 
-ProcessPreparation::Way BlockPreparation::way_of(const motion::PathBlock& block,
-                                                 double length) const {
+ProcessPreparation::Travel BlockPreparation::travel_of(const motion::PathBlock& block,
+                                                       double length) const {
   const int x = motion_.geometry[0];
   const bool passes_centre =
       x >= 0 && std::signbit(motion::at(position_W_, x)) != std::signbit(motion::at(block.end, x));
   const double smaller = std::min(diameter(position_W_), diameter(block.end));
   motion::MotionConfig motion = motion_;
   motion.geometry = face_.geometry();
-  const bool in_mm = motion::way_of(block, position_W_, motion) == motion::BlockWay::geometry;
+  const bool in_mm = motion::travel_of(block, position_W_, motion) == motion::BlockTravel::geometry;
   return {.length = length, .in_mm = in_mm, .diameter_min_mm = passes_centre ? 0.0 : smaller};
 }
 
@@ -330,8 +330,8 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
                                                                 const motion::BlockTag& tag) {
   auto block = block_without_feed(move, tag);
   if (!block) return block;
-  const auto way = way_of(*block, length_of(position_W_, *block));
-  if (auto refusal = process_.apply(move, way, *block))
+  const auto travel = travel_of(*block, length_of(position_W_, *block));
+  if (auto refusal = process_.apply(move, travel, *block))
     return Unexpected<Diagnostic>(std::move(*refusal));
   if (is_on_face()) face_axis_M_ += face_turn(*block, 0.0, 1.0);
   position_W_ = block->end;
@@ -377,17 +377,17 @@ Expected<std::vector<motion::PathBlock>, Diagnostic> BlockPreparation::curve(
     from_W = part.end;
     blocks.push_back(part);
   }
-  const auto way = way_of(*whole, std::accumulate(lengths.begin(), lengths.end(), 0.0));
-  if (auto refusal = process_.apply(spline.base, way, *whole))
+  const auto travel = travel_of(*whole, std::accumulate(lengths.begin(), lengths.end(), 0.0));
+  if (auto refusal = process_.apply(spline.base, travel, *whole))
     return Unexpected<Diagnostic>(std::move(*refusal));
   position_W_ = whole->end;
-  double way_start = whole->process.path_start;
+  double path_start = whole->process.path_start;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     blocks[k].feed_per_s = whole->feed_per_s;
     blocks[k].process = whole->process;
-    blocks[k].process.path_start = way_start;
+    blocks[k].process.path_start = path_start;
     blocks[k].process.path_length = lengths[k];
-    way_start += lengths[k];
+    path_start += lengths[k];
   }
   return blocks;
 }

@@ -103,7 +103,8 @@ class BlockPreparation {
   [[nodiscard]] std::optional<Diagnostic> refuse_parked_axes(const lang::Move& move) const;
   [[nodiscard]] Expected<motion::PathBlock, Diagnostic> block_without_feed(
       const lang::Move& move, const motion::BlockTag& tag) const;
-  [[nodiscard]] ProcessPreparation::Way way_of(const motion::PathBlock& block, double length) const;
+  [[nodiscard]] ProcessPreparation::Travel travel_of(const motion::PathBlock& block,
+                                                     double length) const;
   [[nodiscard]] double diameter(const motion::Point& point_W) const;
 
   const motion::MotionConfig& motion_;

@@ -78,16 +78,16 @@ std::uint64_t increments_to_end(const lang::FeedLaw& wanted, const LawPlace& pla
   const double change = std::abs(wanted.feed_last - wanted.feed_first);
   if (wanted.feed_last > 0.0 && wanted.feed_step > 0.0)
     return static_cast<std::uint64_t>(std::llround(change / wanted.feed_step));
-  if (wanted.speed_last > 0.0) return motion::whole_steps(place.block_mm, wanted.way_step_mm);
+  if (wanted.speed_last > 0.0) return motion::whole_steps(place.block_mm, wanted.path_step_mm);
   return ~std::uint64_t{0};
 }
 
 Made make_linear(const lang::FeedLaw& wanted, const LawPlace& place) {
-  if (wanted.way_step_mm <= 0.0) return make_linear_over_block(wanted, place);
+  if (wanted.path_step_mm <= 0.0) return make_linear_over_block(wanted, place);
   motion::LinearLawParameters parameters{
       .feed_first = wanted.feed_first,
       .feed_step = wanted.falls ? -wanted.feed_step : wanted.feed_step,
-      .path_step_mm = wanted.way_step_mm,
+      .path_step_mm = wanted.path_step_mm,
       .increments_max = increments_to_end(wanted, place),
       .speed_first = wanted.speed_first,
       .speed_step = wanted.speed_step};
@@ -106,7 +106,7 @@ Made make_modulated(const lang::FeedLaw& wanted, const LawPlace&) {
       units_of(wanted),
       motion::ModulatedLawParameters{.feed_min = wanted.feed_first,
                                      .feed_step = wanted.feed_step,
-                                     .path_step_mm = wanted.way_step_mm,
+                                     .path_step_mm = wanted.path_step_mm,
                                      .steps = static_cast<std::uint64_t>(wanted.steps)});
 }
 
@@ -119,7 +119,7 @@ Made make_curve(const lang::FeedLaw& wanted, const LawPlace& place) {
   std::vector<motion::CurveLawPoint> points;
   points.reserve(wanted.curve.size());
   for (const lang::FeedLaw::CurvePoint& point : wanted.curve)
-    points.push_back({point.way_mm, point.feed, point.speed});
+    points.push_back({point.path_mm, point.feed, point.speed});
   return std::make_unique<const motion::CurveLaw>(
       units, points, units.per_revolution ? feed_step_per_revolution : feed_step_per_minute,
       place.increment_mm);

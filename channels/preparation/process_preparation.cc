@@ -29,10 +29,10 @@ const char* unit_of(const motion::LawUnits& units, LawValue value) {
   return units.speed == motion::LawSpeed::m_per_min ? "m/min" : "rev/min";
 }
 
-// Where a value of a law falls to zero within the increments of its first `way` mm.
-Diagnostic vanishing_value(const motion::FeedLaw& law, double way, LawValue value) {
+// Where a value of a law falls to zero within the increments of its first `path_mm`.
+Diagnostic vanishing_value(const motion::FeedLaw& law, double path_mm, LawValue value) {
   std::uint64_t first = 0;
-  std::uint64_t last = law.increments_at(way);
+  std::uint64_t last = law.increments_at(path_mm);
   while (first < last) {
     const std::uint64_t middle = first + (last - first) / 2;
     if (law.stretch(middle).*value <= 0.0) {
@@ -47,7 +47,7 @@ Diagnostic vanishing_value(const motion::FeedLaw& law, double way, LawValue valu
   std::snprintf(text.data(), text.size(),
                 "the %s comes to %.6g %s after %.6g mm of its path of %.6g mm",
                 is_feed ? "feed law" : "speed of the law", law.stretch(last).*value,
-                unit_of(law.units(), value), place, way);
+                unit_of(law.units(), value), place, path_mm);
   Diagnostic d;
   d.code = "E5106";
   d.message = text.data();
@@ -110,14 +110,14 @@ void ProcessPreparation::take_law(const lang::FeedLawChange& change) {
   }
   modal_ = change.law;
   modal_law_ = nullptr;
-  modal_way_ = 0.0;
+  modal_path_ = 0.0;
 }
 
 // The law for a block of this length; its pointer is empty where there is none.
 Expected<ProcessPreparation::Law, Diagnostic> ProcessPreparation::law_of(double length) {
   const bool is_modal = !of_block_.has_value();
   if (is_modal && (modal_.kind == lang::FeedLaw::Kind::off || modal_law_ != nullptr))
-    return Law{modal_law_, modal_way_, true};
+    return Law{modal_law_, modal_path_, true};
   auto made = make_feed_law(is_modal ? modal_ : *of_block_,
                             {.block_mm = is_modal ? 0.0 : length, .increment_mm = increment_mm_});
   of_block_.reset();
@@ -138,52 +138,53 @@ double ProcessPreparation::rev_per_min(double cutting_speed, double diameter_mm)
   return std::max(speed_min_, std::min(wanted, limit));
 }
 
-std::optional<Diagnostic> ProcessPreparation::apply(const lang::Move& move, const Way& way,
+std::optional<Diagnostic> ProcessPreparation::apply(const lang::Move& move, const Travel& travel,
                                                     motion::PathBlock& block) {
   if (block.rapid) return std::nullopt;
   constexpr double s_per_min = 60.0;
   if (move.feed_mode == lang::FeedMode::inverse_time) {
-    block.feed_per_s = way.length * move.feed / s_per_min;
+    block.feed_per_s = travel.length * move.feed / s_per_min;
     return std::nullopt;
   }
-  const Expected<Law, Diagnostic> law = way.in_mm && !move.is_tap ? law_of(way.length) : Law{};
+  const Expected<Law, Diagnostic> law =
+      travel.in_mm && !move.is_tap ? law_of(travel.length) : Law{};
   if (!law) return law.error();
   const motion::LawUnits units{.per_revolution = move.feed_mode == lang::FeedMode::per_revolution};
   const bool law_per_revolution = law->law != nullptr && law->law->units().per_revolution;
   if (units.per_revolution || law_per_revolution) {
-    block.process.rev_per_min = spindle_turns_ ? rev_per_min(way.diameter_min_mm) : 0.0;
+    block.process.rev_per_min = spindle_turns_ ? rev_per_min(travel.diameter_min_mm) : 0.0;
     if (block.process.rev_per_min <= 0.0) return standing_spindle();
   }
   block.feed_per_s = motion::feed_per_s(move.feed, units, block.process.rev_per_min);
-  return law->law == nullptr ? std::nullopt : apply_law(*law, way, block);
+  return law->law == nullptr ? std::nullopt : apply_law(*law, travel, block);
 }
 
-std::optional<Diagnostic> ProcessPreparation::apply_law(const Law& law, const Way& way,
+std::optional<Diagnostic> ProcessPreparation::apply_law(const Law& law, const Travel& travel,
                                                         motion::PathBlock& block) {
-  const double way_stop = law.way_start + way.length;
-  const motion::LawStretch last = law.law->stretch(law.law->increments_at(way_stop));
-  const double highest = law.law->highest_feed(way_stop);
+  const double path_stop = law.path_start + travel.length;
+  const motion::LawStretch last = law.law->stretch(law.law->increments_at(path_stop));
+  const double highest = law.law->highest_feed(path_stop);
   if (highest > 0.0 && last.feed <= 0.0)
-    return vanishing_value(*law.law, way_stop, &motion::LawStretch::feed);
+    return vanishing_value(*law.law, path_stop, &motion::LawStretch::feed);
   const motion::LawUnits& units = law.law->units();
   if (units.speed != motion::LawSpeed::unchanged && last.speed <= 0.0)
-    return vanishing_value(*law.law, way_stop, &motion::LawStretch::speed);
+    return vanishing_value(*law.law, path_stop, &motion::LawStretch::speed);
   if (units.speed == motion::LawSpeed::rev_per_min) {
     spindle_rev_per_min_ = last.speed;
     cutting_speed_ = 0.0;
   } else if (units.speed == motion::LawSpeed::m_per_min) {
-    const double first = law.law->stretch(law.law->increments_at(law.way_start)).speed;
+    const double first = law.law->stretch(law.law->increments_at(law.path_start)).speed;
     cutting_speed_ = last.speed;
     if (block.process.rev_per_min > 0.0)
-      block.process.rev_per_min = rev_per_min(std::max(first, last.speed), way.diameter_min_mm);
+      block.process.rev_per_min = rev_per_min(std::max(first, last.speed), travel.diameter_min_mm);
   }
   motion::BlockProcess& process = block.process;
   process.law = law.law;
-  process.path_start = law.way_start;
-  process.path_length = way.length;
-  process.path_end = law.is_modal ? motion::unlimited : way_stop;
+  process.path_start = law.path_start;
+  process.path_length = travel.length;
+  process.path_end = law.is_modal ? motion::unlimited : path_stop;
   if (highest > 0.0) block.feed_per_s = motion::feed_per_s(highest, units, process.rev_per_min);
-  if (law.is_modal) modal_way_ = way_stop;
+  if (law.is_modal) modal_path_ = path_stop;
   return std::nullopt;
 }
 

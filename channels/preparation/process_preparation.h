@@ -38,26 +38,26 @@ class ProcessPreparation {
   // The length of a block in its own metric, and the smallest diameter that it comes to. Laws hold
   // for ways in mm: a block of rotary axes alone has its feed F, a tap that of its lead, and the
   // path of a law does not count them.
-  struct Way {
+  struct Travel {
     double length = 0.0;
     bool in_mm = true;
     double diameter_min_mm = 0.0;
   };
   // Gives a block its feed and process, or says why it has none.
-  [[nodiscard]] std::optional<Diagnostic> apply(const lang::Move& move, const Way& way,
+  [[nodiscard]] std::optional<Diagnostic> apply(const lang::Move& move, const Travel& travel,
                                                 motion::PathBlock& block);
 
  private:
   struct Law {
     const motion::FeedLaw* law = nullptr;
-    double way_start = 0.0;
+    double path_start = 0.0;
     bool is_modal = false;
   };
   void take_spindle(const lang::SpindleCommand& command);
   void take_law(const lang::FeedLawChange& change);
   [[nodiscard]] bool is_master(int spindle) const { return spindle <= 0 || spindle == master_; }
   [[nodiscard]] Expected<Law, Diagnostic> law_of(double length);
-  [[nodiscard]] std::optional<Diagnostic> apply_law(const Law& law, const Way& way,
+  [[nodiscard]] std::optional<Diagnostic> apply_law(const Law& law, const Travel& travel,
                                                     motion::PathBlock& block);
   [[nodiscard]] double rev_per_min(double diameter_mm) const;
   [[nodiscard]] double rev_per_min(double cutting_speed, double diameter_mm) const;
@@ -75,7 +75,7 @@ class ProcessPreparation {
   std::deque<std::unique_ptr<const motion::FeedLaw>> laws_;
   lang::FeedLaw modal_;
   const motion::FeedLaw* modal_law_ = nullptr;  // made from `modal_`
-  double modal_way_ = 0.0;                      // that it has run
+  double modal_path_ = 0.0;                     // that it has run
   std::optional<lang::FeedLaw> of_block_;
 };
 

@@ -207,7 +207,7 @@ void check_homing(const toml::table& table, const AxisConfig& axis, const Scope&
 
 // Distance in which an axis comes to rest from this velocity: the mean of a ramp of limited jerk is
 // half of it.
-double stopping_way(double velocity, const motion::AxisLimits& limits) {
+double stopping_distance(double velocity, const motion::AxisLimits& limits) {
   const double a = limits.acceleration_max;
   const double j = limits.jerk_max;
   const double time = velocity * j >= a * a ? velocity / a + a / j : 2.0 * std::sqrt(velocity / j);
@@ -220,10 +220,10 @@ void check_homing_end(const toml::table& table, const AxisConfig& axis, const Sc
   const HomingConfig& homing = axis.homing;
   const bool leaves_switch = homing.signal == channels::HomingSignal::limit_switch;
   const double speed = leaves_switch ? std::abs(homing.velocity) : homing.velocity_slow;
-  const double way = stopping_way(speed, axis.limits);
+  const double distance = stopping_distance(speed, axis.limits);
   const bool goes_up = (homing.velocity > 0.0) != leaves_switch;
-  const double end = homing.position + (goes_up ? way : -way);
-  const bool is_known = homing.order > 0 && homing.velocity != 0.0 && std::isfinite(way) &&
+  const double end = homing.position + (goes_up ? distance : -distance);
+  const bool is_known = homing.order > 0 && homing.velocity != 0.0 && std::isfinite(distance) &&
                         std::abs(homing.velocity) <= axis.limits.velocity_max;
   if (!is_known) return;  // or a fault already
   if (end >= axis.limits.position_min && end <= axis.limits.position_max) return;

@@ -7,7 +7,7 @@ namespace stanok::lang {
 namespace {
 
 // The angle equal to `programmed` by full turns that lies nearest to `position`.
-double shortest_way(double programmed, double position, double modulo) {
+double shortest_travel(double programmed, double position, double modulo) {
   const double turns = std::round((position - programmed) / modulo);
   return turns == 0.0 ? programmed : programmed + turns * modulo;
 }
@@ -63,7 +63,7 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     if (block.modal.incremental() || (block.incremental & axis_bit(i)) != 0) {
       move.end[i] += mapped ? map.gain(i) * value : value;
     } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates && !is_length(block, i)) {
-      move.end[i] = shortest_way(value, move.end[i], axis.modulo_deg);
+      move.end[i] = shortest_travel(value, move.end[i], axis.modulo_deg);
     } else {
       move.end[i] = mapped ? map.to_work(i, value) : value;
     }

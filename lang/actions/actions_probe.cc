@@ -9,9 +9,9 @@ namespace stanok::lang {
 namespace {
 
 // Shortest travel in which a probe can change, mm or deg.
-constexpr double probing_way_min = 0.01;
+constexpr double probing_travel_min = 0.01;
 
-double longest_way(const AxisValues& from, const AxisValues& to) {
+double longest_travel(const AxisValues& from, const AxisValues& to) {
   double way = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) way = std::max(way, std::abs(to[i] - from[i]));
   return way;
@@ -28,7 +28,7 @@ void probe(ActiveBlock& block, CodeNumber code) {
   move.until_contact = code == g(38, 2) || code == g(38, 3);
   move.alarm_when_missed = code == g(38, 2) || code == g(38, 4);
   resolve_ends(block, move.line);
-  if (longest_way(block.modal.position_W, move.line.end) < probing_way_min) {
+  if (longest_travel(block.modal.position_W, move.line.end) < probing_travel_min) {
     block.fail("E4321", {'G', code, {}}, "a probing move needs a length",
                "the end is where the axes stand");
     return;

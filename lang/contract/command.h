@@ -61,7 +61,7 @@ struct FeedLaw {
   };
   enum class Speed : std::uint8_t { unchanged, rev_per_min, m_per_min };
   struct CurvePoint {
-    double way_mm = 0.0;
+    double path_mm = 0.0;
     double feed = 0.0;
     double speed = 0.0;
 
@@ -70,14 +70,14 @@ struct FeedLaw {
 
   Kind kind = Kind::off;
   FeedMode feed_mode = FeedMode::per_minute;
-  double feed_first = 0.0;   // S_n, Smin; 0: the law leaves the feed to F
-  double feed_step = 0.0;    // dS > 0; linear: its direction is that of `falls`; 0: S_k = S_n
-  bool falls = false;        // linear: dl < 0, or S_k < S_n
-  double way_step_mm = 0.0;  // |dl|; 0: follows from the length of the block and `feed_last`
-  double feed_last = 0.0;    // S_k, where the steps end; 0: not given; modulated: Smax
-  int steps = 0;             // n_s of the modulated law
-  double stand_mm = 0.0;     // L_A
-  double cut_mm = 0.0;       // L_B
+  double feed_first = 0.0;    // S_n, Smin; 0: the law leaves the feed to F
+  double feed_step = 0.0;     // dS > 0; linear: its direction is that of `falls`; 0: S_k = S_n
+  bool falls = false;         // linear: dl < 0, or S_k < S_n
+  double path_step_mm = 0.0;  // |dl|; 0: follows from the length of the block and `feed_last`
+  double feed_last = 0.0;     // S_k, where the steps end; 0: not given; modulated: Smax
+  int steps = 0;              // n_s of the modulated law
+  double stand_mm = 0.0;      // L_A
+  double cut_mm = 0.0;        // L_B
   Speed speed = Speed::unchanged;
   double speed_first = 0.0;       // n_n, v_n
   double speed_step = 0.0;        // dn, dv, signed

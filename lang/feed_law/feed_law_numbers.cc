@@ -41,7 +41,7 @@ class Taker {
 
 bool is_plausible(const FeedLaw& law) {
   const LawType* const type = find_law_type(law.kind);
-  const bool not_negative = std::min({law.feed_step, law.way_step_mm, law.feed_last, law.stand_mm,
+  const bool not_negative = std::min({law.feed_step, law.path_step_mm, law.feed_last, law.stand_mm,
                                       law.cut_mm, law.speed_first, law.speed_last}) >= 0.0;
   const bool has_speed =
       law.speed == FeedLaw::Speed::unchanged || law.speed_first > 0.0 || !law.curve.empty();
@@ -61,7 +61,7 @@ std::vector<double> numbers_of(const FeedLaw& law) {
                               law.feed_first,
                               law.feed_step,
                               law.falls ? 1.0 : 0.0,
-                              law.way_step_mm,
+                              law.path_step_mm,
                               law.feed_last,
                               static_cast<double>(law.steps),
                               law.stand_mm,
@@ -71,7 +71,7 @@ std::vector<double> numbers_of(const FeedLaw& law) {
                               law.speed_step,
                               law.speed_last};
   for (const FeedLaw::CurvePoint& point : law.curve) {
-    numbers.insert(numbers.end(), {point.way_mm, point.feed, point.speed});
+    numbers.insert(numbers.end(), {point.path_mm, point.feed, point.speed});
   }
   return numbers;
 }
@@ -87,7 +87,7 @@ std::optional<FeedLaw> law_of_numbers(std::span<const double> numbers) {
   law.feed_first = from.next();
   law.feed_step = from.next();
   law.falls = from.whole(1) != 0;
-  law.way_step_mm = from.next();
+  law.path_step_mm = from.next();
   law.feed_last = from.next();
   law.steps = from.whole(limits::feed_law_steps);
   law.stand_mm = from.next();
@@ -99,7 +99,7 @@ std::optional<FeedLaw> law_of_numbers(std::span<const double> numbers) {
   if (from.left() % 3 != 0 || from.left() / 3 > limits::feed_law_points) return std::nullopt;
   while (from.left() > 0) {
     FeedLaw::CurvePoint point;
-    point.way_mm = from.next();
+    point.path_mm = from.next();
     point.feed = from.next();
     point.speed = from.next();
     law.curve.push_back(point);

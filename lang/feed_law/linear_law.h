@@ -14,7 +14,7 @@ void read_linear_law(LawReader& reader);
 
 inline constexpr std::array linear_forms{
     law_form("linear", "linear", address_bit(LawAddress::feed_last), LawAddress::feed_first,
-             LawAddress::feed_step, LawAddress::way_step),
+             LawAddress::feed_step, LawAddress::path_step),
     law_form("linear", "", 0, LawAddress::feed_first, LawAddress::feed_last, LawAddress::feed_step),
 };
 

@@ -57,21 +57,21 @@ void read_modulated_law(LawReader& reader) {
   FeedLaw& law = reader.law();
   law.feed_first = reader.feed(feed_min);
   law.feed_step = reader.step_of_feed();
-  law.way_step_mm = reader.length(way_step);
+  law.path_step_mm = reader.length(path_step);
   if (reader.failed()) return;
   reader.has(steps) ? read_step_count(reader) : read_largest_feed(reader);
   law.feed_last = law.feed_first + law.steps * law.feed_step;
 }
 
 bool is_plausible_modulated_law(const FeedLaw& law) {
-  return law.feed_first > 0.0 && law.way_step_mm > 0.0 && law.feed_step > 0.0 && law.steps > 0;
+  return law.feed_first > 0.0 && law.path_step_mm > 0.0 && law.feed_step > 0.0 && law.steps > 0;
 }
 
 std::vector<LawValue> values_of_modulated_law(const FeedLaw& law) {
   return {{"feed_min", law.feed_first},
           {"feed_max", law.feed_last},
           {"feed_step", law.feed_step},
-          {"way_step", law.way_step_mm},
+          {"path_step", law.path_step_mm},
           {"steps", static_cast<double>(law.steps)}};
 }
 

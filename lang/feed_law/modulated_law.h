@@ -13,9 +13,9 @@ void read_modulated_law(LawReader& reader);
 
 inline constexpr std::array modulated_forms{
     law_form("modulated", "modulated", 0, LawAddress::feed_min, LawAddress::feed_step,
-             LawAddress::way_step, LawAddress::steps),
+             LawAddress::path_step, LawAddress::steps),
     law_form("modulated", "", 0, LawAddress::feed_min, LawAddress::feed_max, LawAddress::feed_step,
-             LawAddress::way_step),
+             LawAddress::path_step),
 };
 
 inline constexpr LawType modulated_law{.name = "modulated",

@@ -13,16 +13,16 @@ void read_cutting_speed_law(LawReader& reader);
 
 inline constexpr std::array spindle_speed_forms{
     law_form("spindle speed", "speed", 0, LawAddress::speed_first, LawAddress::speed_step,
-             LawAddress::feed_first, LawAddress::feed_step, LawAddress::way_step),
-    law_form("spindle speed", "", address_bit(LawAddress::way_step), LawAddress::speed_first,
+             LawAddress::feed_first, LawAddress::feed_step, LawAddress::path_step),
+    law_form("spindle speed", "", address_bit(LawAddress::path_step), LawAddress::speed_first,
              LawAddress::speed_last, LawAddress::feed_first, LawAddress::feed_last,
              LawAddress::feed_step),
 };
 inline constexpr std::array cutting_speed_forms{
     law_form("cutting speed", "cutting_speed", 0, LawAddress::cutting_first,
              LawAddress::cutting_step, LawAddress::feed_first, LawAddress::feed_step,
-             LawAddress::way_step),
-    law_form("cutting speed", "", address_bit(LawAddress::way_step), LawAddress::cutting_first,
+             LawAddress::path_step),
+    law_form("cutting speed", "", address_bit(LawAddress::path_step), LawAddress::cutting_first,
              LawAddress::cutting_last, LawAddress::feed_first, LawAddress::feed_last,
              LawAddress::feed_step),
 };

@@ -13,7 +13,7 @@ enum class LawAddress : std::uint8_t {
   feed_first,     // S_n
   feed_last,      // S_k
   feed_step,      // dS
-  way_step,       // dl, its sign is the direction of the feed
+  path_step,      // dl, its sign is the direction of the feed
   feed_min,       // Smin
   feed_max,       // Smax
   steps,          // n_s

@@ -9,7 +9,7 @@
 namespace stanok::motion {
 namespace {
 
-double way(const PathBlock& block, const Point& start, int axis) {
+double travel(const PathBlock& block, const Point& start, int axis) {
   return at(block.end, axis) - at(start, axis);
 }
 
@@ -49,27 +49,27 @@ bool is_point_like(const PathBlock& block, const Point& start) {
   return false;
 }
 
-BlockWay way_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
-  if (block.kind != BlockKind::line && !is_point_like(block, start)) return BlockWay::geometry;
-  BlockWay moved = BlockWay::none;
+BlockTravel travel_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
+  if (block.kind != BlockKind::line && !is_point_like(block, start)) return BlockTravel::geometry;
+  BlockTravel moved = BlockTravel::none;
   for (int axis = 0; axis < config.axis_count; ++axis) {
-    if (std::abs(way(block, start, axis)) <= standstill) continue;
-    if (is_geometry_axis(config, axis)) return BlockWay::geometry;
-    moved = BlockWay::others;
+    if (std::abs(travel(block, start, axis)) <= standstill) continue;
+    if (is_geometry_axis(config, axis)) return BlockTravel::geometry;
+    moved = BlockTravel::others;
   }
   return moved;
 }
 
-PathMetric metric_of(BlockWay way, const MotionConfig& config) {
+PathMetric metric_of(BlockTravel travel, const MotionConfig& config) {
   PathMetric metric = of_geometry(config);
-  if (way != BlockWay::geometry)
+  if (travel != BlockTravel::geometry)
     metric.axes = ((1U << static_cast<unsigned>(config.axis_count)) - 1U) & ~metric.axes;
   return metric;
 }
 
 double length_of(const PathBlock& block, const Point& start, const MotionConfig& config) {
-  const BlockWay moved = way_of(block, start, config);
-  if (moved == BlockWay::none) return 0.0;
+  const BlockTravel moved = travel_of(block, start, config);
+  if (moved == BlockTravel::none) return 0.0;
   const PathMetric metric = metric_of(moved, config);
   const bool is_curved = block.kind != BlockKind::line && !is_point_like(block, start);
   if (is_curved && block.kind == BlockKind::curve) return curve(metric, start, block).length;
@@ -77,7 +77,7 @@ double length_of(const PathBlock& block, const Point& start, const MotionConfig&
   for (int axis = 0; axis < config.axis_count; ++axis) {
     const bool in_plane = is_curved && (axis == block.plane[0] || axis == block.plane[1]);
     if (in_plane || !metric.counts(axis)) continue;
-    squared += way(block, start, axis) * way(block, start, axis);
+    squared += travel(block, start, axis) * travel(block, start, axis);
   }
   return is_curved ? std::hypot(arc_length(block, start), std::sqrt(squared)) : std::sqrt(squared);
 }

@@ -13,17 +13,17 @@ namespace stanok::motion {
 // rounding of sums of offsets. The language takes coordinates for equal within it, too.
 inline constexpr double standstill = 1e-9;
 
-enum class BlockWay {
+enum class BlockTravel {
   none,      // nothing moves
   geometry,  // s counts the tip's path in mm
   others     // X, Y and Z stand: s counts the distance of all other axes
 };
 
 // A block from `start`; arcs and curves whose length is shorter than `standstill` count as lines.
-[[nodiscard]] BlockWay way_of(const PathBlock& block, const Point& start,
-                              const MotionConfig& config);
+[[nodiscard]] BlockTravel travel_of(const PathBlock& block, const Point& start,
+                                    const MotionConfig& config);
 
-[[nodiscard]] PathMetric metric_of(BlockWay way, const MotionConfig& config);
+[[nodiscard]] PathMetric metric_of(BlockTravel travel, const MotionConfig& config);
 
 // Length of the block in mm, or in deg where only other axes move; 0 where nothing does.
 [[nodiscard]] double length_of(const PathBlock& block, const Point& start,

@@ -34,8 +34,8 @@ Shape shape_of(const Point& start, const PathBlock& block, const MotionConfig& c
   const bool on_geometry = std::ranges::any_of(config.geometry, [&](int axis) {
     return axis >= 0 && at(block.end, axis) != at(start, axis);
   });
-  BlockWay moved = way_of(block, start, config);
-  if (moved == BlockWay::none && on_geometry) moved = BlockWay::geometry;
+  BlockTravel moved = travel_of(block, start, config);
+  if (moved == BlockTravel::none && on_geometry) moved = BlockTravel::geometry;
   const PathMetric metric = metric_of(moved, config);
   if (is_point_like(block, start)) return line(metric, start, block.end);
   switch (block.kind) {
@@ -133,7 +133,7 @@ void PathBuilder::restart(const Point& point, const std::array<int, 3>& geometry
 }
 
 std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
-  if (way_of(block, programmed_end(), config_) == BlockWay::none) return stand(block);
+  if (travel_of(block, programmed_end(), config_) == BlockTravel::none) return stand(block);
   STANOK_ASSERT(block.rapid || block.feed_per_s > 0.0);
   Pending next = pending_from(block);
   if (next.whole.length <= 0.0) return stand(block);  // back over what was not moved before

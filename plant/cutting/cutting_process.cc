@@ -18,9 +18,9 @@ constexpr int steps_per_sample = 4;
 
 ChipThickness::ChipThickness() : samples_(samples_max) {}
 
-void ChipThickness::advance(double way_mm, double turns) RT_SAFE {
+void ChipThickness::advance(double travel_mm, double turns) RT_SAFE {
   const Sample& last = samples_[newest_];
-  const Sample next{.turns = last.turns + turns, .way_mm = last.way_mm + way_mm};
+  const Sample next{.turns = last.turns + turns, .travel_mm = last.travel_mm + travel_mm};
   newest_ = (newest_ + 1) % samples_.size();
   samples_[newest_] = next;
   if (oldest_ == newest_) oldest_ = (oldest_ + 1) % samples_.size();
@@ -34,7 +34,7 @@ void ChipThickness::advance(double way_mm, double turns) RT_SAFE {
   const Sample& b = samples_[(oldest_ + 1) % samples_.size()];
   const double part =
       b.turns > a.turns ? std::clamp((since - a.turns) / (b.turns - a.turns), 0.0, 1.0) : 0.0;
-  thickness_mm_ = next.way_mm - (a.way_mm + part * (b.way_mm - a.way_mm));
+  thickness_mm_ = next.travel_mm - (a.travel_mm + part * (b.travel_mm - a.travel_mm));
 }
 
 CuttingProcess::CuttingProcess(const config::CuttingConfig& config)

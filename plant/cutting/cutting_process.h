@@ -25,13 +25,13 @@ struct ToolPoint {
 class ChipThickness {
  public:
   ChipThickness();
-  void advance(double way_mm, double turns) RT_SAFE;
+  void advance(double travel_mm, double turns) RT_SAFE;
   [[nodiscard]] double thickness_mm() const RT_SAFE { return thickness_mm_; }
 
  private:
   struct Sample {
     double turns = 0.0;
-    double way_mm = 0.0;
+    double travel_mm = 0.0;
   };
   std::vector<Sample> samples_;  // a ring
   std::size_t newest_ = 0;

@@ -41,7 +41,7 @@ double constant_safe_time_s(const GrindingProcess& process, double allowance_mm)
 double three_step_time_s(const GrindingProcess& process, double allowance_mm,
                          const PlungeOptions& simulation) {
   PlungeOptions options = simulation;
-  options.at_end = InfeedWay::AtEnd::goes_on;
+  options.at_end = InfeedTravel::AtEnd::goes_on;
   double feed = steady_feed_mm_per_s(process, process.removal_end_mm2_per_rad);
   PlungeRun run;
   for (int round = 0; round < scaling_rounds; ++round) {

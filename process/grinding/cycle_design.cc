@@ -68,10 +68,10 @@ void check_stability(const DesignRequest& request, Findings& findings) {
   const double margin = stability_margin(process);
   if (margin >= margin_trusted) return;
   const double feed = steady_feed_mm_per_s(process, process.removal_end_mm2_per_rad);
-  const double way_mm = trial_revolutions * revolution_s(process) * feed;
+  const double travel_mm = trial_revolutions * revolution_s(process) * feed;
   PlungeOptions options = request.simulation;
-  options.at_end = InfeedWay::AtEnd::stands;
-  const PlungeRun run = simulate_plunge(process, constant_law(way_mm, 0.0, feed), options);
+  options.at_end = InfeedTravel::AtEnd::stands;
+  const PlungeRun run = simulate_plunge(process, constant_law(travel_mm, 0.0, feed), options);
   if (run.contact_losses == 0) return;
   findings.push_back({"E9105", "the cut chatters at the feed of the end: stiffness " +
                                    number_text(process.stiffness_n_per_m) +

@@ -13,9 +13,9 @@ double relative_growth(double z) {
 
 // Time of a travel along which the feed goes linearly from `first` to `last`: the distance divided
 // by their logarithmic mean, s.
-double linear_feed_time_s(double way_mm, double first, double last) {
+double linear_feed_time_s(double travel_mm, double first, double last) {
   const double change = (last - first) / first;
-  return way_mm / first * (change == 0.0 ? 1.0 : std::log1p(change) / change);
+  return travel_mm / first * (change == 0.0 ? 1.0 : std::log1p(change) / change);
 }
 
 }  // namespace
@@ -33,29 +33,29 @@ double law_time_s(const InfeedLaw& law) {
   return time_s;
 }
 
-InfeedWay::InfeedWay(const InfeedLaw& law, AtEnd at_end)
+InfeedTravel::InfeedTravel(const InfeedLaw& law, AtEnd at_end)
     : law_(law), at_end_(at_end), x_mm_(law.front().x_mm) {}
 
-double InfeedWay::slope_per_s() const {
+double InfeedTravel::slope_per_s() const {
   const InfeedRow& first = law_[segment_];
   const InfeedRow& last = law_[segment_ + 1];
-  const double way_mm = first.x_mm - last.x_mm;
-  return way_mm > 0.0 ? (first.feed_mm_per_s - last.feed_mm_per_s) / way_mm : 0.0;
+  const double travel_mm = first.x_mm - last.x_mm;
+  return travel_mm > 0.0 ? (first.feed_mm_per_s - last.feed_mm_per_s) / travel_mm : 0.0;
 }
 
-double InfeedWay::feed_mm_per_s() const {
+double InfeedTravel::feed_mm_per_s() const {
   if (is_at_end()) return at_end_ == AtEnd::goes_on ? law_.back().feed_mm_per_s : 0.0;
   const InfeedRow& first = law_[segment_];
   return first.feed_mm_per_s + slope_per_s() * (x_mm_ - first.x_mm);
 }
 
-double InfeedWay::rest_s() const {
+double InfeedTravel::rest_s() const {
   const InfeedRow& last = law_[segment_ + 1];
   if (x_mm_ <= last.x_mm) return 0.0;
   return linear_feed_time_s(x_mm_ - last.x_mm, feed_mm_per_s(), last.feed_mm_per_s);
 }
 
-void InfeedWay::advance(double time_s) {
+void InfeedTravel::advance(double time_s) {
   while (!is_at_end()) {
     const double rest = rest_s();
     if (time_s < rest) {

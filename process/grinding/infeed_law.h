@@ -28,11 +28,11 @@ using InfeedLaw = std::vector<InfeedRow>;
 [[nodiscard]] double law_time_s(const InfeedLaw& law);
 
 // Where a wheel head that follows a law is; the time steps need not fit its rows.
-class InfeedWay {
+class InfeedTravel {
  public:
   enum class AtEnd { stands, goes_on };  // behind the last row, with its feed
 
-  InfeedWay(const InfeedLaw& law, AtEnd at_end);
+  InfeedTravel(const InfeedLaw& law, AtEnd at_end);
 
   void advance(double time_s);
   [[nodiscard]] double x_mm() const { return x_mm_; }

@@ -66,7 +66,7 @@ class Optimisation {
         feeds_(feeds),
         options_(options),
         simulation_(std::move(simulation)) {
-    simulation_.at_end = InfeedWay::AtEnd::goes_on;
+    simulation_.at_end = InfeedTravel::AtEnd::goes_on;
   }
 
   [[nodiscard]] OptimalLaw run(InfeedLaw law) && {

@@ -58,13 +58,13 @@ class Plunge {
         steps_per_revolution_(static_cast<int>(std::ceil(revolution_s_ / options.time_step_max_s))),
         step_s_(revolution_s_ / steps_per_revolution_),
         begin_mm_(law.front().x_mm),
-        way_(law, options.at_end),
+        travel_(law, options.at_end),
         system_(process, step_s_),
         surface_(steps_per_revolution_, begin_mm_) {}
 
   [[nodiscard]] PlungeRun run() && {
     const double time_max_s =
-        options_.at_end == InfeedWay::AtEnd::goes_on ? options_.time_max_s : planned_time_s();
+        options_.at_end == InfeedTravel::AtEnd::goes_on ? options_.time_max_s : planned_time_s();
     run_.samples.reserve(checked_size(planned_time_s() / step_s_) + 2);
     for (std::int64_t step = 1; !is_done(time_max_s); ++step) {
       advance(static_cast<double>(step) * step_s_);
@@ -78,18 +78,18 @@ class Plunge {
  private:
   [[nodiscard]] double planned_time_s() const {
     return std::min(options_.time_max_s,
-                    law_time_s(way_.law()) + options_.spark_out_revolutions * revolution_s_);
+                    law_time_s(travel_.law()) + options_.spark_out_revolutions * revolution_s_);
   }
   // To half a step, so that a cycle is not one step longer than its law for want of a last bit.
   [[nodiscard]] bool is_done(double time_max_s) const {
     if (run_.time_s > time_max_s - 0.5 * step_s_) return true;
-    return options_.at_end == InfeedWay::AtEnd::goes_on && run_.size_reached_s.has_value();
+    return options_.at_end == InfeedTravel::AtEnd::goes_on && run_.size_reached_s.has_value();
   }
 
   void advance(double time_s) {
-    way_.advance(step_s_);
+    travel_.advance(step_s_);
     run_.time_s = time_s;
-    const double rigid_depth_mm = begin_mm_ - way_.x_mm() - run_.wear_mm;
+    const double rigid_depth_mm = begin_mm_ - travel_.x_mm() - run_.wear_mm;
     const double before_mm = surface_.depth_mm();
     const double layer_mm = system_.advance(rigid_depth_mm - before_mm);
     surface_.grind(layer_mm);
@@ -100,16 +100,16 @@ class Plunge {
     if (options_.wear_rate_mm_per_s) run_.wear_mm += options_.wear_rate_mm_per_s(removal) * step_s_;
     if (!run_.size_reached_s && surface_.is_at_size()) run_.size_reached_s = time_s;
     run_.samples.push_back({.time_s = time_s,
-                            .x_mm = way_.x_mm(),
+                            .x_mm = travel_.x_mm(),
                             .allowance_mm = begin_mm_ - rigid_depth_mm + system_.deflection_mm(),
-                            .feed_mm_per_s = way_.feed_mm_per_s(),
+                            .feed_mm_per_s = travel_.feed_mm_per_s(),
                             .removal_mm2_per_rad = removal,
                             .deflection_mm = system_.deflection_mm()});
   }
 
   void count_contact(double layer_mm) {
     const bool has_contact = layer_mm > 0.0;
-    const bool is_fed = run_.time_s > plunge_in_s_ && !way_.is_at_end();
+    const bool is_fed = run_.time_s > plunge_in_s_ && !travel_.is_at_end();
     if (had_contact_ && !has_contact && is_fed) ++run_.contact_losses;
     had_contact_ = has_contact;
   }
@@ -121,7 +121,7 @@ class Plunge {
   int steps_per_revolution_;
   double step_s_;
   double begin_mm_;
-  InfeedWay way_;
+  InfeedTravel travel_;
   ElasticSystem system_;
   Surface surface_;
   PlungeRun run_;

@@ -22,7 +22,7 @@ namespace stanok::process {
 
 struct PlungeOptions {
   double time_step_max_s = 0.0005;
-  InfeedWay::AtEnd at_end = InfeedWay::AtEnd::stands;
+  InfeedTravel::AtEnd at_end = InfeedTravel::AtEnd::stands;
   // Revolutions for which the wheel stands at the end of the law (spark-out).
   double spark_out_revolutions = 0.0;
   // A cycle that takes longer is given up, s.

@@ -53,7 +53,7 @@ class StaircaseTuning {
         decimals_(decimals),
         quantum_(std::pow(10.0, -decimals)),
         simulation_(std::move(simulation)) {
-    simulation_.at_end = InfeedWay::AtEnd::goes_on;
+    simulation_.at_end = InfeedTravel::AtEnd::goes_on;
   }
 
   // The feeds that suit the places, rounded; where the last one ends; its time.
@@ -179,7 +179,7 @@ std::vector<Step> begun_steps(std::vector<Step> steps, double end_mm) {
 double end_for_spark_out(const GrindingProcess& process, const std::vector<Step>& steps,
                          double end_mm, double quantum_mm, PlungeOptions simulation) {
   constexpr int rounds = 4;
-  simulation.at_end = InfeedWay::AtEnd::stands;
+  simulation.at_end = InfeedTravel::AtEnd::stands;
   for (int round = 0; round < rounds; ++round) {
     const InfeedLaw law = law_of_steps(begun_steps(steps, end_mm), end_mm);
     const double left_mm = simulate_plunge(process, law, simulation).residual_mm;

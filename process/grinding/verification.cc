@@ -136,7 +136,7 @@ SizeError size_error(const GrindingProcess& process, const InfeedLaw& law,
   GrindingProcess other = process;
   other.stiffness_n_per_m *= factor;
   PlungeOptions gauged = simulation;
-  gauged.at_end = InfeedWay::AtEnd::goes_on;
+  gauged.at_end = InfeedTravel::AtEnd::goes_on;
   return {factor, simulate_plunge(other, law, simulation).residual_mm - residual_mm,
           simulate_plunge(other, law, gauged).size_reached_s};
 }
@@ -146,7 +146,7 @@ SizeError size_error(const GrindingProcess& process, const InfeedLaw& law,
 Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
                           const PlungeOptions& simulation, const VerificationLimits& limits) {
   PlungeOptions options = simulation;
-  options.at_end = InfeedWay::AtEnd::stands;
+  options.at_end = InfeedTravel::AtEnd::stands;
   Verification verification;
   if (const double time_s = law_time_s(law); time_s > options.time_max_s) {
     verification.findings.push_back({"E9106", "the table takes " + rounded_text(time_s, 1) +

@@ -65,17 +65,17 @@ TEST(Probing, FindsTheSurfaceInTheFrameOfTheProgramAndGoesOnFromWhereItStopped) 
     Touching watch(bench, surface);
     bench.run_to_end(std::ref(watch));
     ASSERT_THAT(bench.alarm_codes(), IsEmpty());
-    const double way_of_a_cycle = feed / 60.0 * cycle_s;
+    const double travel_of_a_cycle = feed / 60.0 * cycle_s;
     const auto& axes = bench.channel(1).axes;
     EXPECT_LE(axes[0].position, surface - 3.0 + 1e-9);
-    EXPECT_GE(axes[0].position, surface - 3.0 - way_of_a_cycle - 1e-9);
+    EXPECT_GE(axes[0].position, surface - 3.0 - travel_of_a_cycle - 1e-9);
     EXPECT_NEAR(axes[2].position, axes[0].position + 10.0 + 3.0, 1e-9);
     EXPECT_NEAR(axes[1].position, 2.0, 1e-9);
     // Down by the way to rest from the feed: v/2 times the time of a ramp with limited jerk.
     const double v = feed / 60.0;
     const double t = v > 2500.0 * 2500.0 / 50000.0 ? v / 2500.0 + 2500.0 / 50000.0
                                                    : 2.0 * std::sqrt(v / 50000.0);
-    EXPECT_GE(watch.lowest(), surface - 0.5 * v * t - 3.0 * way_of_a_cycle);
+    EXPECT_GE(watch.lowest(), surface - 0.5 * v * t - 3.0 * travel_of_a_cycle);
     EXPECT_LE(watch.acceleration(), 2500.0 * (1.0 + 1e-6));
   }
 }

@@ -168,7 +168,7 @@ class Describer {
     add("S_n=", law.feed_first);
     add("S_k=", law.feed_last);
     add(law.falls ? "dS=-" : "dS=", law.feed_step);
-    add("dl=", law.way_step_mm);
+    add("dl=", law.path_step_mm);
     add("n_s=", law.steps);
     add("L_A=", law.stand_mm);
     add("L_B=", law.cut_mm);
@@ -177,7 +177,7 @@ class Describer {
     add("step ", law.speed_step);
     add("to ", law.speed_last);
     for (const FeedLaw::CurvePoint& point : law.curve) {
-      text += " (" + number_text(point.way_mm) + " " + number_text(point.feed) + " " +
+      text += " (" + number_text(point.path_mm) + " " + number_text(point.feed) + " " +
               number_text(point.speed) + ")";
     }
     if (law.gives_feed() && law.feed_mode == FeedMode::per_revolution) text += " per revolution";

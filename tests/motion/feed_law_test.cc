@@ -206,7 +206,7 @@ struct LinearCase {
   double length;
   double feed;
   double step;  // signed
-  double way_step;
+  double path_step;
   Way way = Way::line;
 };
 
@@ -220,14 +220,14 @@ TEST_P(LinearFeed, RunsByTheSumOverItsIncrements) {
   double feed = c.feed;
   double way = 0.0;
   double increments = 0.0;
-  for (int n = 1; n * c.way_step < length - 1e-9; ++n) {
-    steps.push_back({c.way_step, feed});
-    way += c.way_step;
+  for (int n = 1; n * c.path_step < length - 1e-9; ++n) {
+    steps.push_back({c.path_step, feed});
+    way += c.path_step;
     feed += c.step;
     increments += 1.0;
   }
   steps.push_back({length - way, feed});
-  const LinearLaw law({}, {.feed_first = c.feed, .feed_step = c.step, .path_step_mm = c.way_step});
+  const LinearLaw law({}, {.feed_first = c.feed, .feed_step = c.step, .path_step_mm = c.path_step});
   put_law(law, std::max(c.feed, feed), blocks);
   expect_run(run_blocks(blocks, strong_mill()), steps, increments);
 }
@@ -253,7 +253,7 @@ struct ModulatedCase {
   double length;
   double feed_min;
   double step;
-  double way_step;
+  double path_step;
   std::uint64_t steps;
   Way way = Way::line;
 };
@@ -270,9 +270,9 @@ TEST_P(ModulatedFeed, RisesAndFallsByTheSumOverItsIncrements) {
   double increments = 0.0;
   double direction = 1.0;  // the sign of the buffer cell of dl in the seed
   std::uint64_t left = c.steps;
-  for (int n = 1; n * c.way_step < length - 1e-9; ++n) {
-    steps.push_back({c.way_step, feed});
-    way += c.way_step;
+  for (int n = 1; n * c.path_step < length - 1e-9; ++n) {
+    steps.push_back({c.path_step, feed});
+    way += c.path_step;
     feed += direction * c.step;
     increments += 1.0;
     if (--left == 0) {
@@ -283,7 +283,7 @@ TEST_P(ModulatedFeed, RisesAndFallsByTheSumOverItsIncrements) {
   steps.push_back({length - way, feed});
   const ModulatedLaw law(
       {},
-      {.feed_min = c.feed_min, .feed_step = c.step, .path_step_mm = c.way_step, .steps = c.steps});
+      {.feed_min = c.feed_min, .feed_step = c.step, .path_step_mm = c.path_step, .steps = c.steps});
   put_law(law, c.feed_min + static_cast<double>(c.steps) * c.step, blocks);
   expect_run(run_blocks(blocks, strong_mill()), steps, increments);
 }

@@ -19,7 +19,7 @@ namespace {
 
 // A row of the table: values with four decimals, as printed there.
 struct Row {
-  double feed, step, way_step;
+  double feed, step, path_step;
   std::uint64_t count;
   double exact, printed, corrected;
 };
@@ -39,7 +39,7 @@ TEST(LawEstimate, LinearTimesAreThoseOfTheTable) {
         Row{300, -5, 0.1, 50, 2.1011, 2.0357, 2.1015}, Row{100, 50, 1, 4, 1.5400, 1.0995, 1.5591},
         Row{100, 20, 1, 1, 0.6000, 0.0, 0.6020}}) {
     SCOPED_TRACE(row.exact);
-    expect_row(linear_time(row.feed, row.step, row.way_step, row.count), row);
+    expect_row(linear_time(row.feed, row.step, row.path_step, row.count), row);
   }
 }
 
@@ -49,7 +49,7 @@ TEST(LawEstimate, CyclesOfModulationAreThoseOfTheTable) {
         Row{100, 0.1, 0.01, 100, 1.1437, 1.1323, 1.1437},
         Row{60, 60, 0.3, 2, 0.7000, 0.3296, 0.6592}, Row{600, 100, 0.05, 1, 0.0093, 0.0, 0.0092}}) {
     SCOPED_TRACE(row.exact);
-    expect_row(modulation_cycle_time(row.feed, row.step, row.way_step, row.count), row);
+    expect_row(modulation_cycle_time(row.feed, row.step, row.path_step, row.count), row);
   }
 }
 

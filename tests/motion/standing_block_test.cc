@@ -108,7 +108,7 @@ TEST(BlockMetric, IsThatOfTheSegment) {
   Point end = at_x(1e-10);
   end[3] = 0.3;
   const PathBlock block = line_to(end, feed);
-  EXPECT_EQ(way_of(block, {}, config), BlockWay::others);
+  EXPECT_EQ(travel_of(block, {}, config), BlockTravel::others);
   EXPECT_NEAR(length_of(block, {}, config), 0.3, 1e-12);
   EXPECT_NEAR(planned({block}, 5).end[0], 1e-10, 0.0);
 }
@@ -120,10 +120,10 @@ TEST(BlockMetric, TakesArcsAroundNothingForLines) {
   circle.kind = BlockKind::arc;
   circle.centre = {1e-11, 0.0};
   circle.sweep_rad = 2.0 * std::numbers::pi;
-  EXPECT_EQ(way_of(circle, {}, config), BlockWay::none);
+  EXPECT_EQ(travel_of(circle, {}, config), BlockTravel::none);
   PathBlock helix = circle;
   helix.end[2] = 5.0;
-  EXPECT_EQ(way_of(helix, {}, config), BlockWay::geometry);
+  EXPECT_EQ(travel_of(helix, {}, config), BlockTravel::geometry);
   EXPECT_NEAR(length_of(helix, {}, config), 5.0, 1e-12);
   EXPECT_EQ(planned({helix}).end, helix.end);
 }

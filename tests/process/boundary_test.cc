@@ -72,7 +72,7 @@ TEST(Baselines, AConstantSafeFeedTakesTheTimeOfItsSimulation) {
   const GrindingProcess process = petrakov::sheet();
   const double feed = 0.05 / (30.0 * 200.0 / 230.0 * 0.5);
   const PlungeRun run = simulate_plunge(process, constant_law(0.3, -0.05, feed),
-                                        {.at_end = InfeedWay::AtEnd::goes_on});
+                                        {.at_end = InfeedTravel::AtEnd::goes_on});
   EXPECT_NEAR(constant_safe_time_s(process, 0.3), run.time_s, 0.002);
 }
 

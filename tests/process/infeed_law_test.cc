@@ -34,37 +34,37 @@ TEST(InfeedLaw, TakesTheIntegralWhereTheFeedChangesAlongTheWay) {
   EXPECT_NEAR(law_time_s({fast, slow}), integrated_time_s(fast, slow), 1e-6);
 }
 
-TEST(InfeedWay, ComesToTheSamePlaceInManySmallStepsAsInOneLargeOne) {
+TEST(InfeedTravel, ComesToTheSamePlaceInManySmallStepsAsInOneLargeOne) {
   const InfeedLaw law{{0.3, 0.04}, {0.2, 0.02}, {0.2, 0.03}, {0.05, 0.03}, {-0.01, 0.002}};
   std::mt19937 random(20);
   std::uniform_real_distribution<double> step(0.0, 0.02);
-  InfeedWay small(law, InfeedWay::AtEnd::goes_on);
+  InfeedTravel small(law, InfeedTravel::AtEnd::goes_on);
   double time_s = 0.0;
   for (int k = 0; k < 2000; ++k) {
     const double next = step(random);
     small.advance(next);
     time_s += next;
-    InfeedWay large(law, InfeedWay::AtEnd::goes_on);
+    InfeedTravel large(law, InfeedTravel::AtEnd::goes_on);
     large.advance(time_s);
     ASSERT_NEAR(small.x_mm(), large.x_mm(), 1e-12) << "seed 20, step " << k;
   }
 }
 
-TEST(InfeedWay, PassesEveryRowAtItsTime) {
+TEST(InfeedTravel, PassesEveryRowAtItsTime) {
   const InfeedLaw law = petrakov::table();
-  InfeedWay way(law, InfeedWay::AtEnd::stands);
+  InfeedTravel way(law, InfeedTravel::AtEnd::stands);
   way.advance(0.0398 / 0.0400);
   EXPECT_NEAR(way.x_mm(), 0.2602, 1e-12);
   EXPECT_NEAR(way.feed_mm_per_s(), 0.0294, 1e-12);
 }
 
-TEST(InfeedWay, StandsAtTheEndOrGoesOnWithTheLastFeed) {
+TEST(InfeedTravel, StandsAtTheEndOrGoesOnWithTheLastFeed) {
   const InfeedLaw law = constant_law(0.1, 0.0, 0.01);
-  InfeedWay standing(law, InfeedWay::AtEnd::stands);
+  InfeedTravel standing(law, InfeedTravel::AtEnd::stands);
   standing.advance(12.0);
   EXPECT_EQ(standing.x_mm(), 0.0);
   EXPECT_EQ(standing.feed_mm_per_s(), 0.0);
-  InfeedWay going(law, InfeedWay::AtEnd::goes_on);
+  InfeedTravel going(law, InfeedTravel::AtEnd::goes_on);
   going.advance(12.0);
   EXPECT_NEAR(going.x_mm(), -0.02, 1e-12);
 }

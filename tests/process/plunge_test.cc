@@ -144,7 +144,7 @@ TEST(Plunge, WearOfTheWheelLeavesThePartLarger) {
 }
 
 TEST(Plunge, GivesUpWhenTheTimeIsOver) {
-  PlungeOptions options{.at_end = InfeedWay::AtEnd::goes_on, .time_max_s = 2.0};
+  PlungeOptions options{.at_end = InfeedTravel::AtEnd::goes_on, .time_max_s = 2.0};
   const PlungeRun run = simulate_plunge(petrakov::sheet(), constant_law(0.3, 0.0, 0.001), options);
   EXPECT_FALSE(run.size_reached_s.has_value());
   EXPECT_NEAR(run.time_s, 2.0, 1e-3);

@@ -163,7 +163,7 @@ TEST(CheckProgram, EstimatesASplineUnderALaw) {
   ASSERT_EQ(result.laws.size(), 1U);
   // y = x^2 from -2 to 2.
   const double length = 2.0 * std::sqrt(17.0) + 0.5 * std::asinh(4.0);
-  EXPECT_NEAR(result.laws[0].way_mm, length, 1e-6);
+  EXPECT_NEAR(result.laws[0].path_mm, length, 1e-6);
   EXPECT_EQ(result.laws[0].estimate.increments, 18U);  // 9.29 mm
 }
 

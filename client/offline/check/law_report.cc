@@ -45,7 +45,7 @@ std::vector<std::string> cells(const runtime::LawBlock& block) {
   const motion::LawEstimate& e = block.estimate;
   return {fmt::format("{}:{}", block.place.file, block.place.line),
           name_of(block),
-          fmt::format("{:.3f}", block.way_mm),
+          fmt::format("{:.3f}", block.path_mm),
           std::to_string(e.increments),
           fmt::format("{:.6g}", e.feed_first),
           fmt::format("{:.6g}", e.feed_last),
@@ -65,7 +65,7 @@ void put(ordered_json& json, const char* name, const std::optional<double>& valu
 ordered_json fields(const runtime::LawBlock& block) {
   const motion::LawEstimate& e = block.estimate;
   ordered_json json = {{"file", block.place.file},   {"line", block.place.line},
-                       {"law", name_of(block)},      {"way_mm", block.way_mm},
+                       {"law", name_of(block)},      {"path_mm", block.path_mm},
                        {"increments", e.increments}, {"feed_first", e.feed_first},
                        {"feed_last", e.feed_last},   {"feed_unit", unit_of(block)},
                        {"time_s", e.time_s},         {"time_is_least", block.time_is_least}};

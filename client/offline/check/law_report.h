@@ -13,7 +13,7 @@ namespace stanok::client {
 [[nodiscard]] std::string estimate_table(const std::vector<CheckedProgram>& programs,
                                          const Terminal& terminal);
 
-// {"diagnostics": [as `check --json`], "feed_laws": [{"file", "line", "law", "way_mm",
+// {"diagnostics": [as `check --json`], "feed_laws": [{"file", "line", "law", "path_mm",
 // "increments", "feed_first", "feed_last", "feed_unit", "time_s", "time_is_least",
 // "closed_form_s", "cycle_s", "cycle_closed_form_s", "k_a", "k_b", "k_m"}]}; "feed_unit" is
 // "mm/min" or "mm/rev", fields without a value are absent.

@@ -20,7 +20,7 @@ void append_curve(std::string& text, const FeedLaw& law) {
   text += R"(,"points":[)";
   const char* comma = "";
   for (const FeedLaw::CurvePoint& point : law.curve) {
-    append(text, R"({}{{"way":{},"feed":{})", comma, point.way_mm, point.feed);
+    append(text, R"({}{{"path":{},"feed":{})", comma, point.path_mm, point.feed);
     if (law.speed != FeedLaw::Speed::unchanged) append(text, R"(,"speed":{})", point.speed);
     text += '}';
     comma = ",";

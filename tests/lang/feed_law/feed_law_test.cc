@@ -131,7 +131,7 @@ TEST_F(FeedLaws, AreInInchesLikeTheirProgram) {
   EXPECT_NEAR(inch[0].law.feed_first, 50.8, 1e-12);
   EXPECT_NEAR(inch[0].law.feed_last, 101.6, 1e-12);
   EXPECT_NEAR(inch[0].law.feed_step, 12.7, 1e-12);
-  EXPECT_NEAR(inch[0].law.way_step_mm, 1.27, 1e-12);
+  EXPECT_NEAR(inch[0].law.path_step_mm, 1.27, 1e-12);
   EXPECT_EQ(inch[0].law.steps, 4);
   EXPECT_EQ(error_code("G20 S_n=2 dS=0.1 dl=0.05\nM30\n"), "E4336");
 }
@@ -236,7 +236,7 @@ FeedLaw random_law(std::mt19937& random) {
   if (law.kind != FeedLaw::Kind::interrupted) law.feed_first = value();
   law.feed_step = value();
   law.falls = random() % 2 == 0;
-  law.way_step_mm = value();
+  law.path_step_mm = value();
   law.feed_last = value();
   law.steps = static_cast<int>(random() % 1000 + 1);
   law.stand_mm = value();
@@ -273,11 +273,11 @@ TEST_F(FeedLaws, AreNotTakenFromNumbersThatNoBlockCouldSay) {
   law.kind = FeedLaw::Kind::linear;
   law.feed_first = 60.0;
   law.feed_step = 1.0;
-  law.way_step_mm = 1.0;
+  law.path_step_mm = 1.0;
   EXPECT_TRUE(law_of_numbers(numbers_of(law)));
-  law.way_step_mm = 0.0;
+  law.path_step_mm = 0.0;
   EXPECT_FALSE(law_of_numbers(numbers_of(law)));
-  law.way_step_mm = 1.0;
+  law.path_step_mm = 1.0;
   law.feed_first = 0.0;
   EXPECT_FALSE(law_of_numbers(numbers_of(law)));
   law.feed_first = 60.0;

@@ -41,7 +41,7 @@ TEST(LawTypes, ALawThatWasReadIsPlausible) {
     const auto law = read_feed_law({.resolution_mm = 0.001}, form, words, LawScope::block);
     ASSERT_TRUE(law.has_value()) << form.law << ": " << law.error().message;
     const bool follows =
-        (words.set & address_bit(LawAddress::way_step)) == 0 && law->kind == FeedLaw::Kind::linear;
+        (words.set & address_bit(LawAddress::path_step)) == 0 && law->kind == FeedLaw::Kind::linear;
     EXPECT_EQ(law_type_of(form).is_plausible(*law), !follows) << form.law;
     EXPECT_EQ(law->gives_feed(), law_type_of(form).takes_feed.empty());
     EXPECT_FALSE(law_type_of(form).values(*law).empty());

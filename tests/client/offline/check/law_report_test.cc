@@ -10,7 +10,7 @@ runtime::LawBlock block_of(motion::LawKind kind, int line) {
   block.place.file = "a.nc";
   block.place.line = line;
   block.kind = kind;
-  block.way_mm = 10.0;
+  block.path_mm = 10.0;
   block.estimate.increments = 4;
   block.estimate.feed_first = block.estimate.feed_last = 120.0;
   block.estimate.time_s = 5.8;

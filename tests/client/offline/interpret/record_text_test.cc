@@ -25,10 +25,10 @@ TEST(RecordText, OfALinearLawHasItsStepsWithSign) {
   law.feed_first = 60.0;
   law.feed_step = 0.5;
   law.falls = true;
-  law.way_step_mm = 0.05;
+  law.path_step_mm = 0.05;
   EXPECT_EQ(record_of(law, true), json::parse(R"({"line":12,"kind":"feed_law","of_next_block":true,
     "feed_law":{"law":"linear","feed_unit":"mm/min","feed_first":60.0,"feed_step":-0.5,
-                "way_step":0.05}})"));
+                "path_step":0.05}})"));
 }
 
 TEST(RecordText, OfALawOfSpeedsSaysWhereTheyEnd) {
@@ -54,11 +54,11 @@ TEST(RecordText, OfTheOtherLawsHasWhatTheyHave) {
   law.feed_first = 30.0;
   law.feed_last = 40.0;
   law.feed_step = 1.0;
-  law.way_step_mm = 0.5;
+  law.path_step_mm = 0.5;
   law.steps = 10;
   EXPECT_EQ(record_of(law, false)["feed_law"],
             json::parse(R"({"law":"modulated","feed_unit":"mm/min","feed_min":30.0,"feed_max":40.0,
-    "feed_step":1.0,"way_step":0.5,"steps":10})"));
+    "feed_step":1.0,"path_step":0.5,"steps":10})"));
   law = {};
   law.kind = lang::FeedLaw::Kind::interrupted;
   law.stand_mm = 0.5;
@@ -70,7 +70,7 @@ TEST(RecordText, OfTheOtherLawsHasWhatTheyHave) {
   law.feed_first = 60.0;  // of its first point
   law.curve = {{0.0, 60.0, 0.0}, {10.0, 80.0, 0.0}};
   EXPECT_EQ(record_of(law, false)["feed_law"], json::parse(R"({"law":"curve","feed_unit":"mm/min",
-    "points":[{"way":0.0,"feed":60.0},{"way":10.0,"feed":80.0}]})"));
+    "points":[{"path":0.0,"feed":60.0},{"path":10.0,"feed":80.0}]})"));
 }
 
 TEST(RecordText, OfASearchHasTheModalLaw) {
