@@ -1,7 +1,9 @@
 #include "motion/interpolation/plan_ahead.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "motion/interpolation/pace.h"
 #include "motion/profile/speed_segment.h"
 
 namespace stanok::motion {
@@ -15,7 +17,91 @@ bool is_even(const Phase& phase) RT_SAFE {
   return phase.a == 0.0 && phase.j == 0.0 && phase.v > 0.0;
 }
 
+// What a phase of ramps uses of its limits on a segment, as PaceLimits says it.
+PaceLimits limits_of_ramp(const Phase& phase, const SegmentBounds& bounds) RT_SAFE {
+  const double a_end = phase.a + phase.j * phase.duration;
+  const double a = std::max(std::abs(phase.a), std::abs(a_end));
+  const bool has_peak = phase.a > 0.0 && a_end < 0.0;
+  const double peak = has_peak ? phase.v - 0.5 * phase.a * phase.a / phase.j : 0.0;
+  const double v = std::max({phase.v, phase.v_end, peak});
+  const double acceleration = v * v * bounds.curvature + a * bounds.tangent;
+  const double jerk =
+      v * (v * v * bounds.aberrancy + 3.0 * a * bounds.bend) + std::abs(phase.j) * bounds.thrust;
+  return {.use = static_cast<float>(std::min(std::max(acceleration, jerk), 1.0)),
+          .velocity = static_cast<float>(v * bounds.tangent),
+          .thrust = static_cast<float>(v * bounds.thrust),
+          .coupling = static_cast<float>(v * v * bounds.bend + a * bounds.thrust)};
+}
+
+// Goes along the segments with the phases of a plan.
+class SegmentWalk {
+ public:
+  SegmentWalk(const PathQueue& queue, const PathCursor& cursor) RT_SAFE
+      : queue_(queue),
+        start_(cursor.segment_start()),
+        seen_(cursor.segments_seen(queue)) {}
+
+  // Of a phase of ramps on all segments between two places; later calls ask for later ones.
+  [[nodiscard]] PaceLimits limits(const Phase& phase, double from, double to) RT_SAFE {
+    while (index_ + 1 < seen_ && start_ + length() <= from) next();
+    PaceLimits limits = limits_of_ramp(phase, queue_.segments[index_].bounds);
+    while (index_ + 1 < seen_ && start_ + length() < to) {
+      next();
+      limits = highest_of(limits, limits_of_ramp(phase, queue_.segments[index_].bounds));
+    }
+    return limits;
+  }
+  [[nodiscard]] std::size_t passed() const RT_SAFE { return index_; }
+
+ private:
+  [[nodiscard]] double length() const RT_SAFE { return queue_.segments[index_].length; }
+  void next() RT_SAFE {
+    start_ += length();
+    ++index_;
+  }
+
+  const PathQueue& queue_;
+  double start_;
+  std::size_t seen_;
+  std::size_t index_ = 0;
+};
+
+// In `time` from s on, at the speeds of a phase.
+double reach(const Phase& phase, double s, double time) RT_SAFE {
+  return s + time * std::max(phase.v, phase.v_end);
+}
+
 }  // namespace
+
+PaceRoom pace_room(const PathQueue& queue, const PathCursor& cursor, double s, double elapsed,
+                   double time) RT_SAFE {
+  constexpr std::size_t seen_max = 512;  // phases, and segments
+  const Phase& current = cursor.phase(queue);
+  SegmentWalk walk(queue, cursor);
+  const bool has_pace = current.pace.holds();
+  PaceRoom room;
+  room.here = has_pace ? current.pace : walk.limits(current, s, reach(current, s, 2.0 * time));
+  room.ahead = room.here;
+  const double soon = 2.0 * settling_time(room.here);
+  const std::size_t own = cursor.phases_left();
+  const std::size_t known = std::min(seen_max, cursor.chunk().last ? own : queue.phases.size());
+  double passed = -elapsed;
+  for (std::size_t k = 0; k < known && passed < soon && walk.passed() < seen_max; ++k) {
+    const Phase& phase = queue.phases[k];
+    const double offset = k < own ? 0.0 : cursor.chunk().length;
+    const double from = std::max(phase.s + offset, s);
+    PaceLimits limits = phase.pace;
+    if (!limits.holds()) {
+      limits = walk.limits(
+          phase, from,
+          std::min(phase.s_end + offset, reach(phase, from, soon - std::max(passed, 0.0))));
+      if (phase.a != 0.0 || phase.j != 0.0) limits.use = 1.0F;  // in places
+    }
+    room.ahead = highest_of(room.ahead, limits);
+    passed += phase.duration;
+  }
+  return room;
+}
 
 double gate_ahead(const PathQueue& queue, const PathCursor& cursor, const FeedControl& control,
                   const PathMotion& motion) RT_SAFE {

@@ -16,6 +16,16 @@ namespace stanok::motion {
 [[nodiscard]] double gate_ahead(const PathQueue& queue, const PathCursor& cursor,
                                 const FeedControl& control, const PathMotion& motion) RT_SAFE;
 
+// What the plan leaves for a change of its pace: within the next cycle of `time`, and with all that
+// comes so soon that a change has to be taken away before. The current phase began `elapsed` ago,
+// the motion is at `s` along the current chunk.
+struct PaceRoom {
+  PaceLimits here{};
+  PaceLimits ahead{};
+};
+[[nodiscard]] PaceRoom pace_room(const PathQueue& queue, const PathCursor& cursor, double s,
+                                 double elapsed, double time) RT_SAFE;
+
 // The part of its own speed that overrides ask of the plan on a segment, at most 1.
 [[nodiscard]] double asked_pace(const Segment& segment, const FeedControl& asked) RT_SAFE;
 

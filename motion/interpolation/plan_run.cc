@@ -1,7 +1,8 @@
 #include "motion/interpolation/plan_run.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "motion/interpolation/plan_ahead.h"
 
 namespace stanok::motion {
 namespace {
@@ -10,50 +11,6 @@ namespace {
 PathMotion end_of(const Phase& phase) RT_SAFE {
   return {
       .s = phase.s_end, .v = phase.v_end, .a = phase.a + phase.j * phase.duration, .j = phase.j};
-}
-
-// What a phase of ramps uses of its limits on a segment, as PaceLimits says it.
-PaceLimits limits_of_ramp(const Phase& phase, const SegmentBounds& bounds) RT_SAFE {
-  const double a_end = phase.a + phase.j * phase.duration;
-  const double a = std::max(std::abs(phase.a), std::abs(a_end));
-  const bool has_peak = phase.a > 0.0 && a_end < 0.0;
-  const double peak = has_peak ? phase.v - 0.5 * phase.a * phase.a / phase.j : 0.0;
-  const double v = std::max({phase.v, phase.v_end, peak});
-  const double acceleration = v * v * bounds.curvature + a * bounds.tangent;
-  const double jerk =
-      v * (v * v * bounds.aberrancy + 3.0 * a * bounds.bend) + std::abs(phase.j) * bounds.thrust;
-  return {.use = static_cast<float>(std::min(std::max(acceleration, jerk), 1.0)),
-          .velocity = static_cast<float>(v * bounds.tangent),
-          .thrust = static_cast<float>(v * bounds.thrust),
-          .coupling = static_cast<float>(v * v * bounds.bend + a * bounds.thrust)};
-}
-
-PaceLimits limits_of(const Phase& phase, const Segment& segment) RT_SAFE {
-  return phase.pace.holds() ? phase.pace : limits_of_ramp(phase, segment.bounds);
-}
-
-// The limits of here and of what comes so soon that a change has to be taken away before. Ramps
-// that come count as using their limits to the full.
-PaceLimits limits_ahead(const PathQueue& queue, const PathCursor& cursor, const PaceLimits& limits)
-    RT_SAFE {
-  constexpr std::size_t phases_max = 512;
-  const double soon = 2.0 * settling_time(limits);
-  const std::size_t known = cursor.chunk().last ? cursor.phases_left() : queue.phases.size();
-  const std::size_t seen = std::min(phases_max, known);
-  PaceLimits ahead = limits;
-  double time = 0.0;
-  for (std::size_t k = 0; k < seen && time < soon; ++k) {
-    const Phase& phase = queue.phases[k];
-    const bool is_even = phase.a == 0.0 && phase.j == 0.0;
-    if (phase.pace.holds()) {
-      ahead = highest_of(ahead, phase.pace);
-    } else if (!is_even) {
-      ahead.use = 1.0F;
-      break;
-    }
-    time += phase.duration;
-  }
-  return ahead;
 }
 
 bool stands_still(const PathMotion& motion) RT_SAFE {
@@ -120,9 +77,8 @@ double PlanRun::advance(PathQueue& queue, PathCursor& cursor, double target, dou
 double PlanRun::advance_at_pace(PathQueue& queue, PathCursor& cursor, double target, double time,
                                 PathMotion& motion) RT_SAFE {
   if (!cursor.has_phase()) return time;
-  const PaceLimits limits = limits_of(cursor.phase(queue), cursor.segment(queue));
-  const PaceLimits ahead = limits_ahead(queue, cursor, limits);
-  const PaceStep step = step_pace(pace_, target, limits, ahead, time);
+  const PaceRoom room = pace_room(queue, cursor, motion.s, nominal_.time(), time);
+  const PaceStep step = step_pace(pace_, target, room.here, room.ahead, time);
   double t = nominal_.time() + step.advance;  // within the current phase
   while (t >= cursor.phase(queue).duration) {
     const Phase phase = cursor.phase(queue);
