@@ -17,8 +17,7 @@ class PaceRoomTest : public ::testing::Test {
     push_segment(1e-5);
     push_segment(1e-3);
     push_segment(1e-5);
-    ASSERT_TRUE(
-        queue_.phases.push({.duration = 1.0, .v = v, .s_end = 10.0, .v_end = v}));
+    ASSERT_TRUE(queue_.phases.push({.duration = 1.0, .v = v, .s_end = 10.0, .v_end = v}));
     ASSERT_TRUE(queue_.phases.push({.duration = 0.5,
                                     .s = 10.0,
                                     .v = v,
