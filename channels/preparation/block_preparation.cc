@@ -256,6 +256,7 @@ void BlockPreparation::shape_ending(const lang::Move& move, motion::PathBlock& b
   block.tolerance_mm =
       move.path.tolerance_mm < 0.0 ? channel_.path_tolerance_mm : move.path.tolerance_mm;
   block.tolerance_deg = block.tolerance_mm > 0.0 ? channel_.orientation_tolerance_deg : 0.0;
+  block.straightening_mm = move.path.straightening_mm;
 }
 
 std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move& move) const {

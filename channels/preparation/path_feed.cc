@@ -254,12 +254,14 @@ void PathFeed::give(const Item& item) {
 // A chain with very many riders ends: its path must be delivered before the ring is full of them.
 void PathFeed::give_rider(const Rider& rider) {
   has_given_ = true;
+  builder_.keep_end();
   sink_->take_rider(rider);
   if (++riders_in_chain_ >= riders_in_chain_max) end_chain();
 }
 
 void PathFeed::give_remark(const Remark& remark) {
   has_given_ = true;
+  builder_.keep_end();
   sink_->take_remark(remark);
 }
 

@@ -89,7 +89,9 @@ struct PathBlock {
       0.0;  // mm/s along the tip's path; deg/s when only rotary words move; rapid: unused
   double tolerance_mm = 0.0;  // how far the path may leave the corner at the block's end; 0 = exact
                               // path (stop at corners)
-  double tolerance_deg = 0.0;  // the same for rotary axes
+  double tolerance_deg = 0.0;      // the same for rotary axes
+  double straightening_mm = -1.0;  // how far corners may lie off a line that leaves them out; below
+                                   // 0: most of the tolerance
   // Arc (helix): axes of the plane, centre in W, signed sweep in rad (> 0 from first towards second
   // axis), turns included. All other axes move linearly with the sweep. The radius goes linearly
   // from start radius to end radius (they differ by rounding only).

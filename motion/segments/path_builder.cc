@@ -1,6 +1,7 @@
-// Blocks to segments, one block behind (motion/segments/path_builder.h).
+// Blocks to segments, two blocks behind (motion/segments/path_builder.h).
 //
-// The last block taken is pending: its start is settled, its end waits for the join with the block
+// A line is held back until the next block is known, which it may grow by. The last block behind
+// that is pending: its start is settled, its end waits for the join with the block
 // that follows. A blend takes at most half of the block that follows, and of the pending block all
 // that the blend at its start has left: the two never meet, and every second half is used.
 #include "motion/segments/path_builder.h"
@@ -24,6 +25,9 @@ namespace {
 // "Exact" path: what a tolerance of 0 still permits, a millionth of a micrometre. It lets tangent
 // joins with rounded coordinates or a step of curvature pass slowly; real corners stop.
 constexpr double exact_tolerance = 1e-9;  // mm or deg
+
+// Of the whole tolerance, that corners left out of a line may use; blends have the rest.
+constexpr double straightening_share = 0.8;
 
 // Shorter rests between two blends are not worth a segment of their own; their blend gives way.
 constexpr double rest_min = 1e-4;
@@ -118,13 +122,16 @@ MotionConfig narrowed(MotionConfig config, const Segment& segment, const Toleran
 
 }  // namespace
 
-PathBuilder::PathBuilder(const MotionConfig& config) : config_(config), run_(config) {}
+PathBuilder::PathBuilder(const MotionConfig& config)
+    : config_(config), straightening_(config), run_(config) {}
 
 void PathBuilder::restart(const Point& point, const std::array<int, 3>& geometry) {
   if (geometry != config_.geometry) {
     config_.geometry = geometry;
     run_ = SmoothRun(config_);
+    straightening_ = Straightening(config_);
   }
+  line_.reset();
   pending_.reset();
   standing_.reset();
   run_.clear();
@@ -137,7 +144,7 @@ std::optional<Unreachable> PathBuilder::add(const PathBlock& block) {
   STANOK_ASSERT(block.rapid || block.feed_per_s > 0.0);
   Pending next = pending_from(block);
   if (next.whole.length <= 0.0) return stand(block);  // back over what was not moved before
-  next.keeps_clear = !soft_limit_excess(next.whole, narrowed(config_, next.whole, next.tolerance));
+  next.keeps_clear = !soft_limit_excess(next.whole, narrowed(config_, next.whole, next.total));
   if (!next.keeps_clear) {
     if (const auto excess = soft_limit_excess(next.whole, config_)) {
       return Unreachable{block.tag, excess->axis, excess->position, excess->limit};
@@ -161,7 +168,54 @@ const Point& PathBuilder::programmed_end() const {
   return standing_ ? standing_->end : end_;
 }
 
+void PathBuilder::keep_end() {
+  if (line_) line_->keeps_end = true;
+}
+
+// A line is held back until it is known how far it goes.
 void PathBuilder::take(const Pending& next) {
+  if (line_ && may_straighten(*line_, next) && straighten(next)) return;
+  settle_line();
+  const Segment& whole = next.whole;
+  const bool is_line = whole.geometry.kind == SegmentKind::line && !whole.rapid &&
+                       whole.process.law == nullptr && next.corner.mm > 0.0 && next.keeps_clear;
+  if (!is_line) return settle(next);
+  line_ = next;
+  straightening_.begin();
+}
+
+// Two blocks of one kind that meet in a corner which is too sharp for a run.
+bool PathBuilder::may_straighten(const Pending& line, const Pending& next) const {
+  const Segment& one = line.whole;
+  const Segment& other = next.whole;
+  if (line.keeps_end || !next.keeps_clear || other.geometry.kind != SegmentKind::line) return false;
+  const bool is_alike = one.feed_per_s == other.feed_per_s && one.rapid == other.rapid &&
+                        other.process.law == nullptr &&
+                        one.process.rev_per_min == other.process.rev_per_min;
+  return is_alike && judge_join(one, other) == Join::corner &&
+         !run_.may_join(one, other, lower_of(line.tolerance, next.tolerance));
+}
+
+bool PathBuilder::straighten(const Pending& next) {
+  const Tolerance allowed = lower_of(line_->corner, next.corner);
+  const auto off = straightening_.extend(line_->whole, next.whole, allowed);
+  if (!off) return false;
+  line_->corner = allowed;
+  line_->programmed = lower_of(line_->programmed, next.programmed);
+  line_->total = lower_of(line_->total, next.total);
+  line_->tolerance =
+      lower_of(line_->programmed, {line_->total.mm - off->mm, line_->total.deg - off->deg});
+  return true;
+}
+
+void PathBuilder::settle_line() {
+  if (!line_) return;
+  const Pending line = *line_;
+  line_.reset();
+  settle(line);
+}
+
+void PathBuilder::settle(const Pending& next) {
   if (run_.is_open() && belong_together(last_of_run_, next)) {
     run_.add(next.whole, next.tolerance, smoothed_);
     last_of_run_ = next;
@@ -181,6 +235,7 @@ void PathBuilder::take(const Pending& next) {
 }
 
 void PathBuilder::finish() {
+  settle_line();
   if (run_.is_open()) close_run(SmoothRun::End::at_rest);
   if (pending_) stop();
   if (standing_) stand_at_programmed_end();
@@ -246,7 +301,13 @@ PathBuilder::Pending PathBuilder::pending_from(const PathBlock& block) const {
   pending.whole.rapid = block.rapid;
   pending.whole.transform = block.transform;
   pending.whole.process = process_of(block.process);
-  pending.tolerance = {block.tolerance_mm, block.tolerance_deg};
+  pending.programmed = {block.tolerance_mm, block.tolerance_deg};
+  pending.tolerance = pending.programmed;
+  pending.total = {std::max(block.tolerance_mm, block.straightening_mm), block.tolerance_deg};
+  const bool has_own = block.straightening_mm >= 0.0;
+  const double most = straightening_share * pending.total.mm;
+  pending.corner = {has_own ? std::min(block.straightening_mm, most) : most,
+                    straightening_share * block.tolerance_deg};
   pending.from_point = end_;
   return pending;
 }

@@ -13,6 +13,7 @@
 #include "motion/path/path.h"
 #include "motion/segments/corner_overlap.h"
 #include "motion/segments/smooth_run.h"
+#include "motion/segments/straightening.h"
 
 namespace stanok::motion {
 
@@ -39,6 +40,9 @@ class PathBuilder {
   // taken.
   [[nodiscard]] std::optional<Unreachable> add(const PathBlock& block);
 
+  // Something happens at the end of the last block: it stays a point of the path.
+  void keep_end();
+
   // No block follows for now: what is pending becomes final and the chain ends at rest.
   void finish();
 
@@ -63,6 +67,12 @@ class PathBuilder {
   struct Pending {
     Segment whole;  // the programmed block
     Tolerance tolerance;
+    // Corners that a straight line leaves out may be so far off it, and these and blends together
+    // so far.
+    Tolerance programmed{};
+    Tolerance corner{};
+    Tolerance total{};
+    bool keeps_end = false;
     bool keeps_clear = false;  // of the soft limits, by its tolerance
     double from = 0.0;         // path length already taken by the blend at its start
     Point from_point{};
@@ -80,6 +90,10 @@ class PathBuilder {
   [[nodiscard]] std::optional<Unreachable> stand(const PathBlock& block);
   [[nodiscard]] Pending pending_from(const PathBlock& block) const;
   void take(const Pending& next);
+  [[nodiscard]] bool may_straighten(const Pending& line, const Pending& next) const;
+  [[nodiscard]] bool straighten(const Pending& next);
+  void settle_line();
+  void settle(const Pending& next);
   [[nodiscard]] bool belong_together(const Pending& one, const Pending& next) const;
   void open_run(const Pending& next);
   void close_run(SmoothRun::End end);
@@ -108,6 +122,8 @@ class PathBuilder {
   // Either the last block is pending, or it is the last one of an open run.
   std::optional<Pending> pending_;
   Pending last_of_run_;
+  std::optional<Pending> line_;  // the last block, where it is a line that may still grow
+  Straightening straightening_;
   SmoothRun run_;
   std::vector<Segment> smoothed_;
   std::vector<Built> built_;
