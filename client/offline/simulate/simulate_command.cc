@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "client/offline/machine/job_options.h"
 #include "client/offline/simulate/operator_events_file.h"
 #include "client/offline/simulate/sensor_file.h"
+#include "client/offline/simulate/speed_limits.h"
 #include "client/offline/workpiece/workpiece_observer.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/exit_codes.h"
@@ -37,6 +39,7 @@ struct SimulateOptions {
   std::string log;
   std::string events;
   std::string sensors;
+  std::vector<std::string> why;  // lines
   WorkpieceOptions workpiece;
   double until_s = -1.0;
   bool drives = false;
@@ -228,12 +231,27 @@ runtime::SimulationOptions simulation_options(const SimulateOptions& given) {
   return options;
 }
 
+// Empty: all lines.
+std::vector<int> lines_of(const std::vector<std::string>& asked) {
+  std::vector<int> lines;
+  for (const std::string& text : asked) {
+    if (text == "all") return {};
+    int line = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), line);
+    if (error != std::errc{} || end != text.data() + text.size() || line < 1)
+      throw CLI::ValidationError("--why", "`" + text + "` is no line: give its number, or all");
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 // Who looks at the cycles of a run.
 struct Observers {
   ProgressLine progress;
   std::vector<std::unique_ptr<runtime::CycleObserver>> lines_and_traces;
   std::unique_ptr<runtime::LogObserver> log;      // none: no log is written
   std::unique_ptr<WorkpieceObserver> workpieces;  // none: nothing is asked of them
+  std::unique_ptr<SpeedLimits> limits;            // none: nobody asks why
 
   Observers(const SimulateOptions& given, const runtime::SimulationOptions& options) {
     const channels::MachineConfig& machine = options.file.machine;
@@ -252,16 +270,18 @@ struct Observers {
       log = std::make_unique<runtime::LogObserver>(options.file, runtime::setup_of(options),
                                                    given.log, std::string(protocol::version));
     }
+    if (!given.why.empty()) limits = std::make_unique<SpeedLimits>(machine, lines_of(given.why));
     if (given.workpiece.files.is_wanted())
       workpieces = std::make_unique<WorkpieceObserver>(machine, given.workpiece);
   }
 
   [[nodiscard]] std::vector<runtime::CycleObserver*> all() const {
     std::vector<runtime::CycleObserver*> observers;
-    observers.reserve(lines_and_traces.size() + 2);
+    observers.reserve(lines_and_traces.size() + 3);
     for (const auto& observer : lines_and_traces) observers.push_back(observer.get());
     if (log != nullptr) observers.push_back(log.get());
     if (workpieces != nullptr) observers.push_back(workpieces.get());
+    if (limits != nullptr) observers.push_back(limits.get());
     return observers;
   }
 };
@@ -280,14 +300,18 @@ void tell_faults(const runtime::SimulationResult& result) {
 }
 
 void print_result(const SimulateOptions& given, const channels::MachineConfig& machine,
-                  const runtime::SimulationResult& result, const WorkpieceObserver* workpieces) {
+                  const runtime::SimulationResult& result, const Observers& observers) {
+  const WorkpieceObserver* workpieces = observers.workpieces.get();
+  const SpeedLimits* limits = observers.limits.get();
   if (given.job.json) {
     nlohmann::ordered_json json = result_json(result, machine);
     if (workpieces != nullptr) json["workpieces"] = workpieces->json();
+    if (limits != nullptr) json["why"] = limits->json();
     write_json(json);
   } else {
     print_summary(result);
     if (workpieces != nullptr) workpieces->print_summary();
+    if (limits != nullptr) write_data(limits->text());
   }
 }
 
@@ -302,7 +326,7 @@ int run(const SimulateOptions& given) {
   tell_faults(result);
   WorkpieceObserver* workpieces = observers.workpieces.get();
   const bool has_workpieces = workpieces == nullptr || workpieces->finish(result.runs);
-  print_result(given, options.file.machine, result, workpieces);
+  print_result(given, options.file.machine, result, observers);
   const int code = outcome(result);
   return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;
 }
@@ -331,6 +355,14 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->add_option("--sensors", options->sensors,
                    "CSV of sensor values over machine time: t,power_w,vibration_um")
       ->type_name("FILE");
+  command
+      ->add_option("--why", options->why,
+                   "what held the speed in these lines (12,15), and what would make them faster; "
+                   "all: in those "
+                   "that took longest")
+      ->type_name("LINE|all")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_workpiece_options(*command, options->workpiece);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
