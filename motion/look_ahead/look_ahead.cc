@@ -238,7 +238,7 @@ void LookAhead::commit_chunks(std::size_t segments, Behind behind) {
         .phases = static_cast<std::uint32_t>(committed.phases.size()),
         .last = behind == Behind::end && last == segments,
         .length = s_last - s_first,
-        .lookahead_blocks = static_cast<std::uint32_t>(known - planned_.blocks[last - 1])};
+        .lookahead_blocks = static_cast<std::uint32_t>(known - planned_.blocks[first])};
     if (committed.chunk.last) {
       committed.overlap = chain_end_.overlap;
       committed.chunk.stand_mm = chain_end_.stand_mm;

@@ -271,7 +271,7 @@ struct Chunk {
   double overlap_s = 0.0;      // the next chain may begin so long before this one has ended; s
   double stand_mm = 0.0;       // equivalent dwell path at the end of the chain: the axes rest
   std::uint64_t sequence = 0;  // counts all chunks of the channel
-  std::uint32_t lookahead_blocks = 0;  // blocks known beyond this chunk when it was committed
+  std::uint32_t lookahead_blocks = 0;  // blocks known behind its first one when it was committed
   SpindleCoupling coupling{};          // of a chain that is one chunk
 };
 
