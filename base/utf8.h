@@ -51,9 +51,9 @@ inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
   for (std::size_t back = 1; back < longest_character && back <= bytes_max; ++back) {
     if (continues_character(text[bytes_max - back])) continue;
     const bool is_cut = character_length(text, bytes_max - back) > back;
-    return {text.data(), is_cut ? bytes_max - back : bytes_max};
+    return std::string_view(text.begin(), text.begin() + (is_cut ? bytes_max - back : bytes_max));
   }
-  return {text.data(), bytes_max};
+  return std::string_view(text.begin(), text.begin() + bytes_max);
 }
 
 [[nodiscard]] bool is_utf8(std::string_view text);

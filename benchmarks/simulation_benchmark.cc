@@ -50,7 +50,7 @@ void sweep_five_axis_blocks(benchmark::State& state) {
   ToolPlace place = place_on_surface(0.0);
   double way = 0.0;
   std::uint64_t block = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     way += 0.2;
     circumstances.shares.front().origin.block = ++block;
     const ToolPlace next = place_on_surface(way);
@@ -76,7 +76,7 @@ void turn_a_pass(benchmark::State& state) {
   circumstances.shares = {{}};
   double z = 100.0;
   double x = 29.9;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     workpiece.turn(tool, {}, {z, x}, {z - 0.5, x}, circumstances);
     z -= 0.5;
     if (z < 20.0) {
@@ -92,7 +92,8 @@ void surface(benchmark::State& state) {
   const Blank blank = impeller_blank(static_cast<double>(state.range(0)) * 0.01);
   const Workpiece workpiece(blank, *grid_of(blank));
   std::size_t triangles = 0;
-  for (auto _ : state) triangles = surface_of(workpiece.material()).triangles.size();
+  for ([[maybe_unused]] auto _ : state)
+    triangles = surface_of(workpiece.material()).triangles.size();
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 BENCHMARK(surface)->Arg(40)->Arg(20)->Unit(benchmark::kMillisecond);

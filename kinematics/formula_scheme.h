@@ -30,10 +30,10 @@ class FormulaScheme : public Scheme {
     formula().to_axes(mode, tool, point_B, axes_M);
   }
 
- protected:
+ private:
+  friend Type;
   explicit FormulaScheme(const SchemeConfig& config) : Scheme(config) {}
 
- private:
   [[nodiscard]] const Type& formula() const RT_SAFE { return static_cast<const Type&>(*this); }
 };
 

@@ -82,6 +82,7 @@ struct Eigen::NumTraits<stanok::kinematics::Jet> : Eigen::GenericNumTraits<doubl
   using NonInteger = stanok::kinematics::Jet;
   using Nested = stanok::kinematics::Jet;
   using Literal = double;
+  // NOLINTNEXTLINE(readability-identifier-naming): Eigen's names
   enum { ReadCost = 4, AddCost = 4, MulCost = 16 };
 };
 template <class Operation>

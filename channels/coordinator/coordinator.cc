@@ -142,7 +142,8 @@ std::optional<Verdict> Coordinator::refusal_by_rule(OperatorAction action,
   FixedText<64> who;
   int count = 0;
   for (const Channel* const channel : channels_.all()) {
-    if (channel != named && (named != nullptr || !asks_all)) continue;
+    const bool is_asked = named == nullptr ? asks_all : channel == named;
+    if (!is_asked) continue;
     const std::string_view found = refusal_code(action, channel->state().situation());
     if (found.empty() || (count > 0 && found != code)) continue;
     code = found;

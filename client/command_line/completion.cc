@@ -274,6 +274,7 @@ std::string cases(const CLI::App& app, std::string_view one_case) {
 
 std::vector<std::string> completion_shells() {
   std::vector<std::string> names;
+  names.reserve(shells.size());
   for (const Shell& shell : shells) names.emplace_back(shell.name);
   return names;
 }

@@ -112,7 +112,7 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        [](Dispatch&, const Call& call) { return subscribe(call, call.parameters["topics"], 0); }},
       {"session.role", [](Dispatch&, const Call& call) { return lower_role(call); }},
       {"system.info", [](Dispatch& d, const json&) { return d.system_info(); }},
-      {"system.shutdown", [](Dispatch& d, Call call) { d.shut_down(std::move(call)); }},
+      {"system.shutdown", [](Dispatch& d, Call call) { d.shut_down(call); }},
       {"rpc.discover",
        [](Dispatch&, const json&) { return protocol::discovery_document(protocol::version); }},
   };
@@ -275,7 +275,7 @@ CommandResult Dispatch::allow_workpieces(const json& parameters) {
   return json{{"allowed", allowed}};
 }
 
-void Dispatch::shut_down(Call call) {
+void Dispatch::shut_down(const Call& call) {
   log_command(call.session, call.request, json());
   call.answer(json{{"accepted", true}});
   on_shutdown_();

@@ -98,7 +98,7 @@ class Dispatch {
   [[nodiscard]] CommandResult reset_drive(const Call& call);
   [[nodiscard]] CommandResult make_drive_fail(const Call& call);
   [[nodiscard]] CommandResult allow_workpieces(const nlohmann::json& parameters);
-  void shut_down(Call call);
+  void shut_down(const Call& call);
   [[nodiscard]] static CommandResult lower_role(const Call& call);
   [[nodiscard]] static CommandResult subscribe(const Call& call, const nlohmann::json& topics,
                                                int channel);

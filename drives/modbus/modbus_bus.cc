@@ -9,10 +9,10 @@
 #include "base/assert.h"
 
 namespace stanok::drives {
-ModbusBus::ModbusBus(BusConfig config, Duration cycle)
+ModbusBus::ModbusBus(const BusConfig& config, Duration cycle)
     : ModbusBus(config, cycle, std::make_unique<ModbusLink>(config)) {}
 
-ModbusBus::ModbusBus(BusConfig config, Duration cycle, std::unique_ptr<ModbusLink> link)
+ModbusBus::ModbusBus(const BusConfig& config, Duration cycle, std::unique_ptr<ModbusLink> link)
     : poll_(std::chrono::milliseconds{config.poll_ms}),
       boxes_(drives_of(config).size(), config.timeout_ms * millisecond, cycle),
       status_(link->endpoint(), config),

@@ -35,9 +35,9 @@ namespace stanok::drives {
 class ModbusBus final : public DriveBus {
  public:
   // `cycle`: period of read and write.
-  ModbusBus(BusConfig config, Duration cycle);
+  ModbusBus(const BusConfig& config, Duration cycle);
   // Over a link of the caller's.
-  ModbusBus(BusConfig config, Duration cycle, std::unique_ptr<ModbusLink> link);
+  ModbusBus(const BusConfig& config, Duration cycle, std::unique_ptr<ModbusLink> link);
   ~ModbusBus() override;
 
   void start() override;

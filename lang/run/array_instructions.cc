@@ -107,8 +107,8 @@ bool ArrayInstructions::pop_element(std::size_t indices, Element& element, Value
     return false;
   }
   const std::size_t columns = plane ? array.columns : 1;
-  const auto rows = static_cast<double>(array.elements.size() / columns);
-  const double limits[2] = {rows, plane ? static_cast<double>(columns) : 1.0};
+  const std::size_t rows = array.elements.size() / columns;
+  const double limits[2] = {static_cast<double>(rows), plane ? static_cast<double>(columns) : 1.0};
   for (std::size_t i = 0; i < indices; ++i) {
     if (is_integer(index[i]) && index[i] > -0.5 && index[i] < limits[i] - 0.5) continue;
     char text[64];

@@ -230,7 +230,7 @@ void BlockRunner::emit_end(ProgramEndKind kind) {
 
 // A value that stands in the text of a plain line.
 void BlockRunner::fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault) {
-  const std::size_t offset = vm_.file().source.offset_of(text.data());
+  const std::size_t offset = vm_.file().source.offset_of(text);
   vm_.fail_at({offset, static_cast<std::uint32_t>(text.size()), line}, fault.code, fault.message,
               fault.label);
 }

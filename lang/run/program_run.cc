@@ -117,13 +117,18 @@ Step ProgramRun::advance(Command& command, int& work) {
     if (stop_.active() && stops_here()) return failed_or(Step::stopped);
     if (vm_.plain().at_end()) {
       work += run_code(work_bound - work);
-    } else {
-      const BlockRunner::LineResult result = blocks_.take_line(command);
-      if (result == BlockRunner::LineResult::command) return Step::command;
-      if (result == BlockRunner::LineResult::block) execute_block();
+    } else if (run_line(command)) {
+      return Step::command;
     }
   }
   return Step::working;
+}
+
+// A line of plain code. True: it is one command, which is all that there is of it.
+bool ProgramRun::run_line(Command& command) {
+  const BlockRunner::LineResult result = blocks_.take_line(command);
+  if (result == BlockRunner::LineResult::block) execute_block();
+  return result == BlockRunner::LineResult::command;
 }
 
 // The run has failed when it cannot be entered where the search stops.

@@ -80,6 +80,7 @@ class ProgramRun {
   Step advance(Command& command, int& work);
   void fail_endless();
   bool stops_here();
+  [[nodiscard]] bool run_line(Command& command);
   int run_code(int bound);
   void execute_effect(const Instruction& instruction);
   void execute_block();

@@ -129,7 +129,7 @@ Span Source::words_of_line(std::uint32_t line) const {
 
 Place Source::place(const Span& span) const {
   const std::string_view line = line_at(span.offset);
-  const std::size_t start = offset_of(line.data());
+  const std::size_t start = offset_of(line);
   const std::size_t inside = std::min(span.offset - start, line.size());
   const std::size_t length = std::min<std::size_t>(span.length, line.size() - inside);
   Place place;

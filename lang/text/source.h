@@ -50,6 +50,10 @@ class Source {
   [[nodiscard]] std::size_t offset_of(const char* character) const {
     return static_cast<std::size_t>(character - text_->text.data());
   }
+  // Of a part of the text.
+  [[nodiscard]] std::size_t offset_of(std::string_view part) const {
+    return offset_of(std::to_address(part.begin()));
+  }
   // The text of the line in which `offset` stands, without its end.
   [[nodiscard]] std::string_view line_at(std::size_t offset) const;
   [[nodiscard]] std::uint32_t line_number(std::size_t offset) const;

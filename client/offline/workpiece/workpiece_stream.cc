@@ -48,28 +48,36 @@ void WorkpieceStream::take(std::string_view channel_name, std::span<const std::u
   const auto on = [&](Topic wanted) { return topic == recording::name_of(wanted); };
   if (on(Topic::setpoint)) {
     if (const auto message = recording::decode<setpoint_t>(bytes)) follow(*message);
-  } else if (on(Topic::tool)) {
-    const auto message = recording::decode<tool_t>(bytes);
-    Followed* channel = message ? followed(message->channel) : nullptr;
-    if (channel != nullptr) channel->tool = {message->number, message->edge};
-  } else if (on(Topic::tool_row)) {
-    const auto message = recording::decode<tool_row_t>(bytes);
-    const auto row = message ? recording::from_tool_row(*message) : std::nullopt;
-    Followed* channel = row ? followed(message->channel) : nullptr;
-    if (channel != nullptr) channel->feed->hear_of_tool(*row);
-  } else if (on(Topic::process)) {
-    const auto message = recording::decode<process_status_t>(bytes);
-    Followed* channel = message ? followed(message->channel) : nullptr;
-    if (channel != nullptr) channel->spindle_rev_per_min = message->spindle_speed;
-  } else if (on(Topic::workpiece)) {
-    const auto message = recording::decode<workpiece_t>(bytes);
-    Followed* channel = message ? followed(message->channel) : nullptr;
-    if (channel != nullptr) channel->news = news_of(*message);
   } else if (on(Topic::program_read)) {
     const auto message = recording::decode<program_read_t>(bytes);
     if (message && message->found != 0 && message->from[0] == 0)
       program_ = recording::text_of(message->name);
+  } else if (on(Topic::tool)) {
+    take_of_channel<tool_t>(bytes, [](Followed& channel, const tool_t& message) {
+      channel.tool = {message.number, message.edge};
+    });
+  } else if (on(Topic::tool_row)) {
+    take_of_channel<tool_row_t>(bytes, [](Followed& channel, const tool_row_t& message) {
+      if (const auto row = recording::from_tool_row(message)) channel.feed->hear_of_tool(*row);
+    });
+  } else if (on(Topic::process)) {
+    take_of_channel<process_status_t>(bytes,
+                                      [](Followed& channel, const process_status_t& message) {
+                                        channel.spindle_rev_per_min = message.spindle_speed;
+                                      });
+  } else if (on(Topic::workpiece)) {
+    take_of_channel<workpiece_t>(bytes, [](Followed& channel, const workpiece_t& message) {
+      channel.news = news_of(message);
+    });
   }
+}
+
+// A message that names a channel that is followed.
+template <class Message, class Use>
+void WorkpieceStream::take_of_channel(std::span<const std::uint8_t> bytes, Use use) {
+  const auto message = recording::decode<Message>(bytes);
+  Followed* channel = message ? followed(message->channel) : nullptr;
+  if (channel != nullptr) use(*channel, *message);
 }
 
 void WorkpieceStream::follow(const setpoint_t& setpoint) {

@@ -52,6 +52,8 @@ class WorkpieceStream {
   };
 
   [[nodiscard]] Followed* followed(int channel);
+  template <class Message, class Use>
+  void take_of_channel(std::span<const std::uint8_t> bytes, Use use);
   void follow(const setpoint_t& setpoint);
   void count_missing(Followed& channel, std::int64_t cycle);
   [[nodiscard]] std::vector<std::string> files_of_program() const;
