@@ -243,7 +243,7 @@ OverridePlanner::RestSearch OverridePlanner::find_rest(PathMotion from, std::siz
     if (stage == 0) search.binding_speed = range.binding_speed;
     if (range.fits && can_slow_down(from, range.limits) &&
         keeps(change_speed(from, 0.0, range.limits), segment, range.last, caps)) {
-      if (!stop_at_wall(from, segment, range, caps)) stop(from, range);
+      if (!stop_at_wall(from, segment, range, caps)) stop(from, segment, range, caps);
       search.is_safe = true;
       return search;
     }
@@ -366,9 +366,10 @@ bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t segment,
 }
 
 // Brakes to rest. When that ends just before the end of the known path, it is made a little softer,
-// so that it ends there exactly.
-void OverridePlanner::stop(const PathMotion& from, const BrakingRange& range) RT_SAFE {
-  PhaseRun run = change_speed(from, 0.0, range.limits);
+// so that it ends there exactly, unless it would then pass a segment too fast.
+void OverridePlanner::stop(const PathMotion& from, std::size_t segment, const BrakingRange& range,
+                           Caps caps) RT_SAFE {
+  const PhaseRun run = change_speed(from, 0.0, range.limits);
   const double wall = sight_.end(range.last);
   const double room = wall - from.s;
   const double reach = from.v * stop_cycles * cycle_s_;
@@ -382,13 +383,15 @@ void OverridePlanner::stop(const PathMotion& from, const BrakingRange& range) RT
     for (int k = 0; k < halvings; ++k) {
       const double part = 0.5 * (soft + hard);
       const RampLimits limits{.a = part * range.limits.a, .j = part * range.limits.j};
-      run = change_speed(from, 0.0, limits);
-      (length_of(run, from.s) > room ? soft : hard) = part;
+      (length_of(change_speed(from, 0.0, limits), from.s) > room ? soft : hard) = part;
     }
-    run = change_speed(from, 0.0, {.a = hard * range.limits.a, .j = hard * range.limits.j});
-    draft().add(run);
-    if (room - length_of(run, from.s) < 1e-11) draft().end_at(wall);
-    return;
+    const PhaseRun softer =
+        change_speed(from, 0.0, {.a = hard * range.limits.a, .j = hard * range.limits.j});
+    if (keeps(softer, segment, range.last, caps)) {
+      draft().add(softer);
+      if (room - length_of(softer, from.s) < 1e-11) draft().end_at(wall);
+      return;
+    }
   }
   draft().add(run);
 }

@@ -84,7 +84,8 @@ class OverridePlanner {
   [[nodiscard]] bool ease(PathMotion& from, std::size_t& segment, Caps caps) RT_SAFE;
   [[nodiscard]] bool stop_at_wall(const PathMotion& from, std::size_t segment,
                                   const BrakingRange& range, Caps caps) RT_SAFE;
-  void stop(const PathMotion& from, const BrakingRange& range) RT_SAFE;
+  void stop(const PathMotion& from, std::size_t segment, const BrakingRange& range, Caps caps)
+      RT_SAFE;
   [[nodiscard]] RestPlan& draft() RT_SAFE { return plans_[1 - current_]; }
 
   double cycle_s_;

@@ -137,6 +137,40 @@ TEST(Override, SegmentLimitsHoldAboveOneHundredPercent) {
   EXPECT_GE(used, 10);
 }
 
+// Lines with limits of their own, which differ little: the brake at the end of the path, which is
+// made softer to end there exactly, may begin while the motion speeds up still.
+TEST(Override, SpeedsHoldWhereABrakeIsMadeToEndAtTheEndOfThePath) {
+  for (unsigned seed = 1; seed <= 2000; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    ChainMaker chain(usual_limits);
+    const double v = 50.0 + 200.0 * part(random);
+    // Up to the highest speed and down again takes v (v / A + A / J).
+    const double length =
+        (0.95 + 0.1 * part(random)) * v * (v / usual_limits.a + usual_limits.a / usual_limits.j);
+    constexpr int lines = 8;
+    std::vector<double> ends, speeds;
+    for (int k = 0; k < lines; ++k) {
+      const Limits own{.v = v * (1.0 + 0.01 * part(random)),
+                       .j = usual_limits.j * (0.95 + 0.05 * part(random))};
+      chain.slow_line(length / lines, 500.0, own);
+      ends.push_back(length * (k + 1) / lines);
+      speeds.push_back(own.v);
+    }
+    chain.end_chain();
+    const auto samples = run_path(three_axes(usual_limits), chain.built(), [](int k) {
+      return k < 2 ? FeedControl{} : FeedControl{.controlled_per_s = 100.0};  // of no axis here
+    });
+    for (const Sample& sample : samples) {
+      const auto at = std::upper_bound(ends.begin(), ends.end(), sample.s) - ends.begin();
+      const double cap = speeds[std::min<std::size_t>(static_cast<std::size_t>(at), lines - 1)];
+      ASSERT_LE(sample.out.axes[0].first, cap * (1.0 + 1e-8)) << sample.s;
+    }
+    EXPECT_EQ(samples.back().out.axes[0].value, chain.end()[0]);
+  }
+}
+
 // Blends of some tens of nm between lines: a cycle passes several segments, the limits of each hold
 // at its setpoints.
 TEST(Override, SegmentLimitsHoldWhereACyclePassesSeveralSegments) {
