@@ -43,8 +43,7 @@ SegmentBounds bounds_of(const AxisDerivatives& q, const Segment& segment,
   SegmentBounds bounds;
   for (int k = 0; k < config.axis_count; ++k) {
     const AxisLimits& limit = config.axes[k];
-    const double velocity_max =
-        segment.rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
+    const double velocity_max = segment.rapid ? limit.rapid_speed_max() : limit.velocity_max;
     bounds.velocity = std::max(bounds.velocity, q[k].first / velocity_max);
     bounds.tangent = std::max(bounds.tangent, q[k].first / limit.acceleration_max);
     bounds.thrust = std::max(bounds.thrust, q[k].first / limit.jerk_max);

@@ -108,8 +108,7 @@ bool PathBrake::sample(const PathMotion& motion, Place& place, Uses& uses) const
   to_machine(segment, point, axes);
   for (int k = 0; k < config_.axis_count; ++k) {
     const AxisLimits& limits = config_.axes[k];
-    const double speed_max =
-        segment.rapid ? std::min(limits.rapid_max, limits.velocity_max) : limits.velocity_max;
+    const double speed_max = segment.rapid ? limits.rapid_speed_max() : limits.velocity_max;
     uses.velocity[k] = use_max * axes[k].first / (speed_max * (1.0 + rounding));
     uses.acceleration[k] = axes[k].second / limits.acceleration_max;
     uses.jerk[k] = axes[k].third / limits.jerk_max;

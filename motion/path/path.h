@@ -37,6 +37,9 @@ struct AxisLimits {
   double acceleration_max = unlimited;
   double jerk_max = unlimited;
   double rapid_max = unlimited;
+
+  // The highest speed in rapid travel; velocity_max bounds it, too.
+  [[nodiscard]] double rapid_speed_max() const RT_SAFE { return std::min(rapid_max, velocity_max); }
 };
 
 struct MotionConfig {

@@ -105,8 +105,7 @@ bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const Path
   }
   for (int k = 0; k < config.axis_count; ++k) {
     const AxisLimits& limit = config.axes[k];
-    const double velocity_max =
-        corner.rapid ? std::min(limit.rapid_max, limit.velocity_max) : limit.velocity_max;
+    const double velocity_max = corner.rapid ? limit.rapid_speed_max() : limit.velocity_max;
     const double v = one.v * corner.incoming[k] + other.v * corner.outgoing[k];
     const double a = one.a * corner.incoming[k] + other.a * corner.outgoing[k];
     const double j = one.j * corner.incoming[k] + other.j * corner.outgoing[k];

@@ -31,8 +31,7 @@ LimitGrid::Rates LimitGrid::rates_at(const Segment& segment, double s, double je
   for (std::size_t k = 0; k < static_cast<std::size_t>(config_.axis_count); ++k) {
     const AxisLimits& limits = config_.axes[k];
     const double jerk_max = jerk_part * limits.jerk_max;
-    const double speed_max =
-        segment.rapid ? std::min(limits.rapid_max, limits.velocity_max) : limits.velocity_max;
+    const double speed_max = segment.rapid ? limits.rapid_speed_max() : limits.velocity_max;
     rates[k] = {.velocity = axes_M[k].first / speed_max,
                 .tangent = axes_M[k].first / limits.acceleration_max,
                 .curvature = axes_M[k].second / limits.acceleration_max,
