@@ -231,18 +231,28 @@ runtime::SimulationOptions simulation_options(const SimulateOptions& given) {
   return options;
 }
 
-// Empty: all lines.
-std::vector<int> lines_of(const std::vector<std::string>& asked) {
-  std::vector<int> lines;
-  for (const std::string& text : asked) {
-    if (text == "all") return {};
-    int line = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), line);
-    if (error != std::errc{} || end != text.data() + text.size() || line < 1)
-      throw CLI::ValidationError("--why", "`" + text + "` is no line: give its number, or all");
-    lines.push_back(line);
+// `12` or `part.nc:12`.
+AskedLine asked_line(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  AskedLine asked;
+  if (colon != std::string::npos) asked.file = text.substr(0, colon);
+  const char* const number = text.data() + (colon == std::string::npos ? 0 : colon + 1);
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(number, last, asked.line);
+  if (error != std::errc{} || end != last || asked.line < 1) {
+    throw CLI::ValidationError(
+        "--why",
+        "`" + text + "` is no line: give its number, FILE:NUMBER of a called file, or all");
   }
-  return lines;
+  return asked;
+}
+
+// Empty: all lines.
+std::vector<AskedLine> asked_lines(const std::vector<std::string>& texts) {
+  if (std::ranges::find(texts, "all") != texts.end()) return {};
+  std::vector<AskedLine> asked;
+  std::ranges::transform(texts, std::back_inserter(asked), asked_line);
+  return asked;
 }
 
 // Who looks at the cycles of a run.
@@ -270,7 +280,7 @@ struct Observers {
       log = std::make_unique<runtime::LogObserver>(options.file, runtime::setup_of(options),
                                                    given.log, std::string(protocol::version));
     }
-    if (!given.why.empty()) limits = std::make_unique<SpeedLimits>(machine, lines_of(given.why));
+    if (!given.why.empty()) limits = std::make_unique<SpeedLimits>(machine, asked_lines(given.why));
     if (given.workpiece.files.is_wanted())
       workpieces = std::make_unique<WorkpieceObserver>(machine, given.workpiece);
   }
@@ -306,12 +316,12 @@ void print_result(const SimulateOptions& given, const channels::MachineConfig& m
   if (given.job.json) {
     nlohmann::ordered_json json = result_json(result, machine);
     if (workpieces != nullptr) json["workpieces"] = workpieces->json();
-    if (limits != nullptr) json["why"] = limits->json();
+    if (limits != nullptr) json["why"] = limits->json(result.runs);
     write_json(json);
   } else {
     print_summary(result);
     if (workpieces != nullptr) workpieces->print_summary();
-    if (limits != nullptr) write_data(limits->text());
+    if (limits != nullptr) write_data(limits->text(result.runs));
   }
 }
 
@@ -357,10 +367,9 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--why", options->why,
-                   "what held the speed in these lines (12,15), and what would make them faster; "
-                   "all: in those "
-                   "that took longest")
-      ->type_name("LINE|all")
+                   "what held the speed in these lines (12,15; sub.nc:7 in a file that is called), "
+                   "and what would make them faster; all: in those that took longest")
+      ->type_name("LINE|FILE:LINE|all")
       ->delimiter(',')
       ->allow_extra_args(false);
   add_workpiece_options(*command, options->workpiece);

@@ -56,13 +56,34 @@ std::string advice(const SpeedLimit& limit) {
   return "";
 }
 
+// The file of a block, or nothing when no run tells it.
+std::string file_of(const std::vector<channels::RunReport>& runs, int channel, std::uint32_t run,
+                    std::uint16_t file) {
+  const auto is_meant = [&](const channels::RunReport& report) {
+    return report.channel == channel && report.run == run;
+  };
+  const auto report = std::ranges::find_if(runs, is_meant);
+  return report != runs.end() && file < report->files.size() ? report->files[file] : "";
+}
+
+// Whether a file is the one that a person names, by its last part or by more of its path.
+bool is_named(std::string_view file, std::string_view name) {
+  if (!file.ends_with(name)) return false;
+  return file.size() == name.size() || file[file.size() - name.size() - 1] == '/';
+}
+
 }  // namespace
+
+void SpeedLimits::add(Line& sum, const Line& line) {
+  sum.time_s += line.time_s;
+  for (const auto& [limit, time_s] : line.causes) sum.causes[limit] += time_s;
+}
 
 void SpeedLimits::observe(const channels::CycleOutput& output) {
   const double cycle_s = machine_.cycle_us * 1e-6;
   for (const channels::ChannelOutput& channel : output.of_channels()) {
-    if (channel.running && channel.tag.line > 0 && is_asked(channel.tag.line)) {
-      Line& line = places_[{channel.id, channel.tag.file, channel.tag.line}];
+    if (channel.running && channel.tag.line > 0) {
+      Line& line = places_[{channel.id, channel.tag.run, channel.tag.file, channel.tag.line}];
       line.time_s += cycle_s;
       line.causes[limit_of(channel)] += cycle_s;
     }
@@ -70,8 +91,22 @@ void SpeedLimits::observe(const channels::CycleOutput& output) {
   }
 }
 
-bool SpeedLimits::is_asked(std::uint32_t line) const {
-  return lines_.empty() || std::ranges::find(lines_, static_cast<int>(line)) != lines_.end();
+SpeedLimits::NamedLines SpeedLimits::asked_lines(
+    const std::vector<channels::RunReport>& runs) const {
+  NamedLines lines;
+  for (const auto& [place, line] : places_) {
+    const std::string file = file_of(runs, place.channel, place.run, place.file);
+    if (is_asked(place, file)) add(lines[{place.channel, file, place.line}], line);
+  }
+  return lines;
+}
+
+bool SpeedLimits::is_asked(const Place& place, const std::string& file) const {
+  const auto is_meant = [&](const AskedLine& asked) {
+    if (asked.line != place.line) return false;
+    return asked.file.empty() ? place.file == 0 : is_named(file, asked.file);
+  };
+  return asked_.empty() || std::ranges::any_of(asked_, is_meant);
 }
 
 SpeedLimit SpeedLimits::limit_of(const channels::ChannelOutput& channel) const {
@@ -96,8 +131,7 @@ SpeedLimit SpeedLimits::limit_of_axes(const channels::ChannelOutput& channel) co
     const motion::AxisLimits& limits = machine_.axes[axes[k]].limits;
     const channels::AxisSetpoint& axis = channel.axes[k];
     const bool is_rapid = channel.feed_commanded == 0.0;
-    const double speed_max =
-        is_rapid ? std::min(limits.rapid_max, limits.velocity_max) : limits.velocity_max;
+    const double speed_max = is_rapid ? limits.rapid_speed_max() : limits.velocity_max;
     const std::array<std::pair<SpeedCause, double>, 3> uses{
         {{SpeedCause::velocity, std::abs(axis.velocity) / speed_max},
          {SpeedCause::acceleration, std::abs(axis.acceleration) / limits.acceleration_max},
@@ -123,9 +157,9 @@ SpeedLimits::Causes SpeedLimits::by_time(const Line& line) {
   return causes;
 }
 
-nlohmann::ordered_json SpeedLimits::json() const {
+nlohmann::ordered_json SpeedLimits::json(const std::vector<channels::RunReport>& runs) const {
   auto lines = nlohmann::ordered_json::array();
-  for (const auto& [place, line] : places_) {
+  for (const auto& [place, line] : asked_lines(runs)) {
     auto causes = nlohmann::ordered_json::array();
     for (const auto& [limit, time_s] : by_time(line)) {
       nlohmann::ordered_json cause{{"cause", cause_names[limit.cause]}, {"time_s", time_s}};
@@ -144,20 +178,25 @@ nlohmann::ordered_json SpeedLimits::json() const {
   return lines;
 }
 
-std::string SpeedLimits::text() const {
-  std::vector<const std::pair<const Place, Line>*> shown;
-  for (const auto& entry : places_) shown.push_back(&entry);
-  if (lines_.empty() && shown.size() > lines_shown) {
+std::string SpeedLimits::text(const std::vector<channels::RunReport>& runs) const {
+  const NamedLines lines = asked_lines(runs);
+  std::vector<const NamedLines::value_type*> shown;
+  Line together;
+  for (const auto& entry : lines) {
+    shown.push_back(&entry);
+    add(together, entry.second);
+  }
+  if (asked_.empty() && shown.size() > lines_shown) {
     std::ranges::stable_sort(shown, std::greater{},
                              [](const auto* entry) { return entry->second.time_s; });
     shown.resize(lines_shown);
   }
   if (shown.empty()) return "no line asked for was run\n";
   std::string text;
-  if (shown.size() > 1) text += "all together: " + causes_text(together());
+  if (shown.size() > 1) text += "all together: " + causes_text(together);
   for (const auto* entry : shown) {
-    const Place& place = entry->first;
-    text += fmt::format("channel {} line {}: {}", place.channel, place.line,
+    const NamedPlace& place = entry->first;
+    text += fmt::format("channel {} {}:{}: {}", place.channel, place.file, place.line,
                         causes_text(entry->second));
   }
   return text;
@@ -174,15 +213,6 @@ std::string SpeedLimits::causes_text(const Line& line) const {
                     cause_names[limit.cause], axis, where, help.empty() ? "" : "  (" + help + ")");
   }
   return text;
-}
-
-SpeedLimits::Line SpeedLimits::together() const {
-  Line sum;
-  for (const auto& [place, line] : places_) {
-    sum.time_s += line.time_s;
-    for (const auto& [limit, time_s] : line.causes) sum.causes[limit] += time_s;
-  }
-  return sum;
 }
 
 }  // namespace stanok::client

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "channels/contract/machine_config.h"
+#include "channels/contract/reports.h"
 #include "runtime/simulation.h"
 
 namespace stanok::client {
@@ -36,17 +37,24 @@ struct SpeedLimit {
   friend auto operator<=>(const SpeedLimit&, const SpeedLimit&) = default;
 };
 
+// A line that is asked for: of a program that was started, or of a file that it calls.
+struct AskedLine {
+  std::string file;  // its name, with or without folders; empty: the programs themselves
+  std::uint32_t line = 0;
+};
+
 class SpeedLimits final : public runtime::CycleObserver {
  public:
-  // `lines`: those asked for, of every channel's own program; empty: all.
-  SpeedLimits(const channels::MachineConfig& machine, std::vector<int> lines)
-      : machine_(machine), lines_(std::move(lines)) {}
+  // `asked`: the lines told of; empty: all.
+  SpeedLimits(const channels::MachineConfig& machine, std::vector<AskedLine> asked)
+      : machine_(machine), asked_(std::move(asked)) {}
 
   void observe(const channels::CycleOutput& output) override;
 
-  [[nodiscard]] nlohmann::ordered_json json() const;
+  // `runs` tell the names of files.
+  [[nodiscard]] nlohmann::ordered_json json(const std::vector<channels::RunReport>& runs) const;
   // For people: lines in their order, causes by their time; of all lines those that took longest.
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text(const std::vector<channels::RunReport>& runs) const;
 
  private:
   struct Line {
@@ -55,22 +63,33 @@ class SpeedLimits final : public runtime::CycleObserver {
   };
   struct Place {
     int channel = 0;
+    std::uint32_t run = 0;  // of the channel
     std::uint16_t file = 0;
     std::uint32_t line = 0;
 
     friend auto operator<=>(const Place&, const Place&) = default;
   };
+  // The same for people; of all runs of a program together.
+  struct NamedPlace {
+    int channel = 0;
+    std::string file;
+    std::uint32_t line = 0;
+
+    friend auto operator<=>(const NamedPlace&, const NamedPlace&) = default;
+  };
+  using NamedLines = std::map<NamedPlace, Line>;
   using Causes = std::vector<std::pair<SpeedLimit, double>>;
 
-  [[nodiscard]] bool is_asked(std::uint32_t line) const;
+  static void add(Line& sum, const Line& line);
+  [[nodiscard]] NamedLines asked_lines(const std::vector<channels::RunReport>& runs) const;
+  [[nodiscard]] bool is_asked(const Place& place, const std::string& file) const;
   [[nodiscard]] SpeedLimit limit_of(const channels::ChannelOutput& channel) const;
   [[nodiscard]] SpeedLimit limit_of_axes(const channels::ChannelOutput& channel) const;
   [[nodiscard]] static Causes by_time(const Line& line);
   [[nodiscard]] std::string causes_text(const Line& line) const;
-  [[nodiscard]] Line together() const;
 
   const channels::MachineConfig& machine_;
-  std::vector<int> lines_;
+  std::vector<AskedLine> asked_;
   std::map<Place, Line> places_;
   std::map<int, double> speeds_;  // of the path in the cycle before, by channel
 };

@@ -33,7 +33,7 @@ class SpeedLimitsTest : public ::testing::Test {
   }
   // The causes of line 7 after a cycle with this output, and one before at the same speed.
   nlohmann::ordered_json cause() {
-    SpeedLimits limits(machine_, {7});
+    SpeedLimits limits(machine_, {{.file = "", .line = 7}});
     channels::CycleOutput output;
     output.channel_count = 1;
     output.channels[0] = channel_;
@@ -42,7 +42,7 @@ class SpeedLimitsTest : public ::testing::Test {
     limits.observe(output);
     output.channels[0] = channel_;
     limits.observe(output);
-    const auto json = limits.json();
+    const auto json = limits.json({});
     EXPECT_EQ(json.size(), 1U);
     EXPECT_EQ(json.at(0).at("line"), 7);
     EXPECT_EQ(json.at(0).at("time_s"), 0.001);
@@ -99,7 +99,41 @@ TEST_F(SpeedLimitsTest, HoldAndRest) {
 }
 
 TEST_F(SpeedLimitsTest, LinesThatWereNotRunAreSaidSo) {
-  EXPECT_EQ(SpeedLimits(machine_, {3}).text(), "no line asked for was run\n");
+  EXPECT_EQ(SpeedLimits(machine_, {{.file = "", .line = 3}}).text({}),
+            "no line asked for was run\n");
+}
+
+// Line 7 of the program, of a file that it calls, and of another program on the same channel.
+TEST_F(SpeedLimitsTest, AFileIsNamed) {
+  const auto lines_of = [&](std::vector<AskedLine> asked) {
+    SpeedLimits limits(machine_, std::move(asked));
+    channels::CycleOutput output;
+    output.channel_count = 1;
+    for (const std::uint32_t run : {1U, 2U, 3U}) {
+      for (const std::uint16_t file : {std::uint16_t{0}, std::uint16_t{1}}) {
+        output.channels[0] = channel_;
+        output.channels[0].tag = {.run = run, .line = 7, .file = file};
+        limits.observe(output);
+      }
+    }
+    const auto report = [](std::uint32_t run, const char* program) {
+      channels::RunReport ended;
+      ended.channel = 1;
+      ended.run = run;
+      ended.files = {std::string("/jobs/") + program, "/jobs/sub.nc"};
+      return ended;
+    };
+    std::vector<std::string> lines;
+    for (const auto& line : limits.json({report(1, "a.nc"), report(2, "b.nc"), report(3, "b.nc")}))
+      lines.push_back(line.at("file").get<std::string>() + " " + line.at("time_s").dump());
+    return lines;
+  };
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(lines_of({{.file = "", .line = 7}}), (Lines{"/jobs/a.nc 0.001", "/jobs/b.nc 0.002"}));
+  EXPECT_EQ(lines_of({{.file = "sub.nc", .line = 7}}), (Lines{"/jobs/sub.nc 0.003"}));
+  EXPECT_EQ(lines_of({{.file = "jobs/b.nc", .line = 7}}), (Lines{"/jobs/b.nc 0.002"}));
+  EXPECT_EQ(lines_of({{.file = "ub.nc", .line = 7}}), Lines{});
+  EXPECT_EQ(lines_of({}).size(), 3U);
 }
 
 }  // namespace
