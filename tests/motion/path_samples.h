@@ -2,6 +2,8 @@
 // runner that records every cycle of the axes.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -123,6 +125,16 @@ class ChainMaker {
   std::uint64_t block_ = 1;
   std::vector<PathBuilder::Built> built_;
 };
+
+// Blocks that start at the origin, through the builder.
+inline std::vector<PathBuilder::Built> built_from(const MotionConfig& config,
+                                                  const std::vector<PathBlock>& blocks) {
+  PathBuilder builder(config);
+  builder.restart({});
+  for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
+  builder.finish();
+  return builder.built();
+}
 
 // What one cycle gave.
 struct Sample {

@@ -45,15 +45,6 @@ std::vector<PathBlock> winding_way(Draw& draw, int count, double tolerance) {
   return blocks;
 }
 
-std::vector<PathBuilder::Built> built_of(const MotionConfig& config,
-                                         const std::vector<PathBlock>& blocks) {
-  PathBuilder builder(config);
-  builder.restart({});
-  for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
-  builder.finish();
-  return builder.built();
-}
-
 // Of the setpoints from the blocks around the one they belong to.
 double worst_deviation(const std::vector<Sample>& samples, const std::vector<PathBlock>& blocks) {
   double worst = 0.0;
@@ -89,7 +80,7 @@ TEST(SmoothRunMotion, KeepsLimitsAndToleranceAtTheFeed) {
     Draw draw(seed);
     const double tolerance = std::pow(10.0, draw.between(-3.7, -1.5));
     const auto blocks = winding_way(draw, 400, tolerance);
-    expect_kept(run_path(config, built_of(config, blocks)), blocks, tolerance);
+    expect_kept(run_path(config, built_from(config, blocks)), blocks, tolerance);
   }
 }
 
@@ -111,7 +102,7 @@ TEST(SmoothRunMotion, KeepsThemUnderHoldResumeAndOverride) {
       }
       return now;
     };
-    expect_kept(run_path(config, built_of(config, blocks), control), blocks, tolerance);
+    expect_kept(run_path(config, built_from(config, blocks), control), blocks, tolerance);
   }
 }
 
@@ -135,7 +126,7 @@ void expect_chords_within(double tolerance) {
   }
   std::vector<double> passed(blocks.size(), 1e300);
   Point before{};
-  for (const Sample& sample : run_path(config, built_of(config, blocks))) {
+  for (const Sample& sample : run_path(config, built_from(config, blocks))) {
     Point here;
     for (std::size_t k = 0; k < 3; ++k) here[k] = sample.out.axes[k].value;
     for (std::size_t n = 0; n < blocks.size(); ++n)
@@ -180,7 +171,7 @@ TEST(SmoothRunMotion, RoundedCoordinatesCostLittle) {
     for (const double tolerance : {0.016, 0.008, 0.004, 0.002, 0.001}) {
       SCOPED_TRACE(tolerance);
       const auto blocks = rounded_row(step, tolerance);
-      const auto samples = run_path(config, built_of(config, blocks));
+      const auto samples = run_path(config, built_from(config, blocks));
       const double time = config.cycle_s * static_cast<double>(samples.size());
       EXPECT_LE(time, 1.15 * coarser);
       EXPECT_LE(time, 1.3 * at_the_feed);
@@ -204,7 +195,7 @@ TEST(SmoothRunMotion, ChordsOfACircleRunAtTheFeed) {
     block.tolerance_deg = 0.05;
     blocks.push_back(block);
   }
-  const auto samples = run_path(config, built_of(config, blocks));
+  const auto samples = run_path(config, built_from(config, blocks));
   int steady = 0;
   for (const Sample& sample : samples) {
     const double speed = std::hypot(sample.out.point[0].first, sample.out.point[1].first);

@@ -37,15 +37,6 @@ Steps stairs(int count, double x, double y, double tolerance, double straighteni
   return steps;
 }
 
-std::vector<PathBuilder::Built> lines_of(const MotionConfig& config,
-                                         const std::vector<PathBlock>& blocks) {
-  PathBuilder builder(config);
-  builder.restart({});
-  for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
-  builder.finish();
-  return builder.built();
-}
-
 double taken_by(const MotionConfig& config, const std::vector<Sample>& samples) {
   return config.cycle_s * static_cast<double>(samples.size());
 }
@@ -76,7 +67,7 @@ void expect_mill_limits(const MotionConfig& config, const std::vector<Sample>& s
 TEST(Straightening, AStaircaseIsALine) {
   const MotionConfig config = three_axes(mill_limits);
   const auto blocks = stairs(8000, 0.002, 0.002, 0.01).blocks;
-  const auto samples = run_path(config, lines_of(config, blocks));
+  const auto samples = run_path(config, built_from(config, blocks));
   EXPECT_LE(taken_by(config, samples), 0.5);
   for (std::size_t k = 0; k < 2; ++k)
     EXPECT_EQ(samples.back().out.point[k].value, blocks.back().end[k]);
@@ -99,7 +90,7 @@ TEST(Straightening, StaysWithinToleranceOfTheBlocks) {
       if (random.chance(0.2)) at[2] += tolerance * random.between(-1.0, 1.0);
       steps.to(at, tolerance, own);
     }
-    const auto samples = run_path(config, lines_of(config, steps.blocks));
+    const auto samples = run_path(config, built_from(config, steps.blocks));
     EXPECT_LE(farthest_off(samples, steps.blocks), std::max(tolerance, own));
     expect_mill_limits(config, samples);
     EXPECT_EQ(samples.back().out.point[0].value, at[0]);
@@ -111,7 +102,7 @@ TEST(Straightening, StaysWithinToleranceOfTheBlocks) {
 TEST(Straightening, IsWhatTheProgramSays) {
   const MotionConfig config = three_axes(mill_limits);
   const auto lines = [&](double straightening) {
-    return lines_of(config, stairs(40, 0.002, 0.002, 0.01, straightening).blocks).size();
+    return built_from(config, stairs(40, 0.002, 0.002, 0.01, straightening).blocks).size();
   };
   EXPECT_GE(lines(0.0), 40U);
   EXPECT_LE(lines(0.005), 4U);

@@ -11,15 +11,6 @@
 namespace stanok::motion::testing {
 namespace {
 
-std::vector<PathBuilder::Built> built_from(const MotionConfig& config,
-                                           const std::vector<PathBlock>& blocks) {
-  PathBuilder builder(config);
-  builder.restart({});
-  for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
-  builder.finish();
-  return builder.built();
-}
-
 double time_of(const std::vector<Sample>& samples) {
   return 0.001 * static_cast<double>(samples.size());
 }
