@@ -71,6 +71,7 @@ bool goes_on_from(const Pace& pace, const PaceLimits& limits, double time) RT_SA
 // the rate is low only.
 double settling_time(const PaceLimits& limits) RT_SAFE {
   const double low = pace_change_max(limits, 0.0) / pace_second_max(limits, 0.0);
+  if (limits.use >= 1.0F) return low;  // at the rate 1 nothing is left for a change
   const double high = pace_change_max(limits, 1.0) / pace_second_max(limits, 1.0);
   return std::max(low, high);
 }
@@ -147,6 +148,10 @@ PaceStep step_pace(const Pace& from, double target, const PaceLimits& limits,
   step.advance = time * (from.rate + time * (0.5 * from.change + time * step.second / 6.0));
   step.advance = std::max(step.advance, 0.0);
   return step;
+}
+
+PaceStep keep_pace(const Pace& pace, double time) RT_SAFE {
+  return {.from = pace, .to = {.rate = pace.rate}, .advance = time * pace.rate};
 }
 
 PathMotion at_pace(const PathMotion& planned, const Pace& pace, double second) RT_SAFE {

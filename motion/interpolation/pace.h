@@ -49,6 +49,9 @@ struct PaceStep {
 [[nodiscard]] PaceStep step_pace(const Pace& from, double target, const PaceLimits& limits,
                                  const PaceLimits& ahead, double time) RT_SAFE;
 
+// The step of `time` at an even pace, one whose rate does not change.
+[[nodiscard]] PaceStep keep_pace(const Pace& pace, double time) RT_SAFE;
+
 // What the path does where the plan is in the state `planned`.
 [[nodiscard]] PathMotion at_pace(const PathMotion& planned, const Pace& pace, double second)
     RT_SAFE;

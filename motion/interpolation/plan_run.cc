@@ -74,11 +74,17 @@ double PlanRun::advance(PathQueue& queue, PathCursor& cursor, double target, dou
   return advance_at_pace(queue, cursor, target, time, motion);
 }
 
+PaceStep PlanRun::next_step(const PathQueue& queue, const PathCursor& cursor, double target,
+                            double time, double s) const RT_SAFE {
+  if (pace_.rate == target && pace_.change == 0.0) return keep_pace(pace_, time);
+  const PaceRoom room = pace_room(queue, cursor, s, nominal_.time(), time);
+  return step_pace(pace_, target, room.here, room.ahead, time);
+}
+
 double PlanRun::advance_at_pace(PathQueue& queue, PathCursor& cursor, double target, double time,
                                 PathMotion& motion) RT_SAFE {
   if (!cursor.has_phase()) return time;
-  const PaceRoom room = pace_room(queue, cursor, motion.s, nominal_.time(), time);
-  const PaceStep step = step_pace(pace_, target, room.here, room.ahead, time);
+  const PaceStep step = next_step(queue, cursor, target, time, motion.s);
   double t = nominal_.time() + step.advance;  // within the current phase
   while (t >= cursor.phase(queue).duration) {
     const Phase phase = cursor.phase(queue);

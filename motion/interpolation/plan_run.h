@@ -59,6 +59,8 @@ class PlanRun {
   }
 
  private:
+  [[nodiscard]] PaceStep next_step(const PathQueue& queue, const PathCursor& cursor, double target,
+                                   double time, double s) const RT_SAFE;
   [[nodiscard]] double advance_at_pace(PathQueue& queue, PathCursor& cursor, double target,
                                        double time, PathMotion& motion) RT_SAFE;
 
