@@ -302,32 +302,61 @@ std::size_t LookAhead::last_boundary_to_commit() const {
   return checked_size(beyond - blocks_.begin());
 }
 
-// The last boundary with a = 0, at or before the one given.
+// The last boundary at or before the one given where a span holds its highest speed; nothing: there
+// is none behind its start.
+std::optional<std::size_t> LookAhead::last_held(const KeySpan& span, std::size_t boundary) const {
+  const double held_from = plan_.boundary(span.first) + span.wait_first + span.up_distance();
+  const double held_to = plan_.boundary(span.last) - span.wait_last - span.down_distance();
+  std::size_t b = std::min(boundary, span.last);
+  for (; b > span.first && plan_.boundary(b) > held_from; --b) {
+    if (plan_.boundary(b) < held_to) return b;
+  }
+  return std::nullopt;
+}
+
+// The last boundary with a = 0, at or before the one given: where the plan holds the feed, so that
+// nothing is lost when what follows is planned apart, else anywhere.
 std::size_t LookAhead::cut_at_or_before(std::size_t boundary) const {
   const auto& spans = plan_.spans();
   if (boundary == 0 || spans.empty()) return 0;
   const auto after =
       std::upper_bound(spans.begin(), spans.end(), boundary,
                        [](std::size_t place, const KeySpan& span) { return place < span.first; });
+  for (auto span = std::make_reverse_iterator(after); span != spans.rend(); ++span) {
+    const std::optional<std::size_t> held = last_held(*span, boundary);
+    if (held && is_feed(span->top, *held)) return *held;
+  }
   const KeySpan& span = *(after - 1);
   if (span.last <= boundary) return span.last;
-  const double held_from = plan_.boundary(span.first) + span.wait_first + span.up_distance();
-  const double held_to = plan_.boundary(span.last) - span.wait_last - span.down_distance();
-  for (std::size_t b = boundary; b > span.first && plan_.boundary(b) > held_from; --b) {
-    if (plan_.boundary(b) < held_to) return b;
-  }
-  return span.first;
+  return last_held(span, boundary).value_or(span.first);
+}
+
+// Whether a speed is the feed on both sides of a boundary.
+bool LookAhead::is_feed(double v, std::size_t boundary) const {
+  constexpr double rounding = 1e-9;
+  const double feed = std::max(window_[boundary - 1].feed_per_s, window_[boundary].feed_per_s);
+  return v >= feed * (1.0 - rounding);
+}
+
+// Whether the speed at the start of a span of the plan is as high as it can be, whatever comes
+// later: it was committed, or a segment beside it allows no more.
+bool LookAhead::begins_at_limit(const KeySpan& span) const {
+  constexpr double rounding = 1e-9;
+  if (span.first == 0) return true;
+  const double limit = std::min(speeds_[span.first - 1].v, speeds_[span.first].v);
+  return span.v0 >= limit * (1.0 - rounding);
 }
 
 // The boundary behind which the plan only slows down for the end of what is known.
 std::size_t LookAhead::start_of_last_descent() const {
   const auto& spans = plan_.spans();
-  std::size_t k = spans.size();
-  while (k > 0 && spans[k - 1].top <= spans[k - 1].v0 && spans[k - 1].v1 < spans[k - 1].v0) {
-    --k;
-  }
-  if (k == 0) return 0;
-  const KeySpan& span = spans[k - 1];
+  const auto only_slows = [](const KeySpan& span) {
+    return span.top <= span.v0 && span.v1 < span.v0;
+  };
+  if (spans.empty()) return 0;
+  std::size_t k = spans.size() - 1;
+  while (k > 0 && only_slows(spans[k]) && !begins_at_limit(spans[k])) --k;
+  const KeySpan& span = spans[k];
   const double descent = plan_.boundary(span.last) - span.wait_last - span.down_distance();
   std::size_t boundary = span.last;
   while (boundary > span.first && plan_.boundary(boundary) > descent) --boundary;

@@ -89,6 +89,10 @@ class LookAhead {
 
   [[nodiscard]] std::size_t last_boundary_to_commit() const;
   [[nodiscard]] std::size_t cut_at_or_before(std::size_t boundary) const;
+  [[nodiscard]] std::optional<std::size_t> last_held(const KeySpan& span,
+                                                     std::size_t boundary) const;
+  [[nodiscard]] bool is_feed(double v, std::size_t boundary) const;
+  [[nodiscard]] bool begins_at_limit(const KeySpan& span) const;
   [[nodiscard]] std::size_t start_of_last_descent() const;
 
   // The current chain from what is planned on: segments, their limits, and how many blocks were

@@ -70,6 +70,41 @@ TEST(LookAhead, CommitsOnlyWhatAThousandLaterBlocksSecure) {
   }
 }
 
+std::uint32_t farthest_seen(const ChainMaker& chain) {
+  std::uint32_t blocks = 0;
+  for (const Chunk& chunk : commit_all(chain.built(), 1).chunks)
+    blocks = std::max(blocks, chunk.lookahead_blocks);
+  return blocks;
+}
+
+// A thousand blocks, what is planned at a time and what is planned again: a few thousand, however
+// long the program is, at an even feed and at any other.
+TEST(LookAhead, LooksNoFartherInALongerProgram) {
+  constexpr int blocks = 30000;
+  constexpr std::uint32_t few = 5000;
+  for (const double feed : {20.0, 100.0, 250.0, 500.0}) {  // the last above what the axis allows
+    ChainMaker even(usual_limits);
+    for (int k = 0; k < blocks; ++k) even.line(0.05, feed);
+    even.end_chain();
+    EXPECT_LE(farthest_seen(even), few) << feed;
+  }
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    EXPECT_LE(farthest_seen(random_walk(seed, blocks, 0.05)), few) << seed;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    ChainMaker stairs(usual_limits);  // feeds that only rise, only fall, and stay the same
+    double feed = 100.0;
+    double change = 0.0;
+    for (int k = 0; k < blocks; ++k) {
+      if (k % 3000 == 0) change = part(random) < 0.3 ? 0.0 : 0.1 * (part(random) - 0.5);
+      feed = std::clamp(feed + change, 20.0, 390.0);
+      stairs.line(0.05, feed);
+    }
+    stairs.end_chain();
+    EXPECT_LE(farthest_seen(stairs), few) << seed;
+  }
+}
+
 TEST(LookAhead, ChunksMeetInOneStateToTheBit) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const ChainMaker chain = random_walk(seed, 8000, 0.2);
