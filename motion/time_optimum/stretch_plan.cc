@@ -65,6 +65,7 @@ std::span<const Phase> StretchPlan::plan(const Stretch& stretch) {
     append_phases(grid_, spline_, begin.s, planned_);
     if (tighten(planned_, proof)) continue;
     make_phases(begin, end);
+    // Also false where rounding next to rest has left no number.
     if (duration_of(planned_) < duration_of(before)) return planned_;
     return {};
   }
