@@ -3,8 +3,10 @@
 // there.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <map>
 #include <set>
+#include <string>
 
 #include "tests/motion/path_samples.h"
 #include "tests/motion/random_programs.h"
@@ -76,6 +78,22 @@ Point values_of(const JetPoint& jets) {
 
 // What aborts met: kinds of segment on which they came to rest.
 using Places = std::map<SegmentKind, int>;
+
+// Of every bit of the setpoints, for builds by other compilers (tools/same-setpoints.sh): FNV-1a.
+class SetpointDigest {
+ public:
+  void add(const Sample& sample, std::size_t axes) {
+    for (std::size_t k = 0; k < axes; ++k) {
+      const auto& axis = sample.out.axes[k];
+      for (const double value : {axis.value, axis.first, axis.second, axis.third})
+        state_ = (state_ ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
+    }
+  }
+  [[nodiscard]] std::string text() const { return std::to_string(state_); }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325;
+};
 
 // A channel of the machine from preparation to setpoints.
 class Run {
@@ -150,6 +168,10 @@ class Run {
     }
   }
 
+  void add_to(SetpointDigest& digest) const {
+    for (const Sample& sample : samples_) digest.add(sample, axis_count());
+  }
+
   void expect_limits() const {
     for (std::size_t k = 0; k < axis_count(); ++k) {
       const AxisLimits& axis = machine_.config.axes[k];
@@ -211,7 +233,8 @@ struct AbortScene {
 };
 
 // Up to three programs that are aborted, and one that is run to its end.
-void run_seed(const AbortScene& scene, const Machine& machine, std::uint64_t seed, Places& places) {
+void run_seed(const AbortScene& scene, const Machine& machine, std::uint64_t seed, Places& places,
+              SetpointDigest& digest) {
   constexpr int aborts = 3;
   constexpr int busy_cycles = 6000;  // then the operator lets the last program run on
   Random random(seed);
@@ -234,6 +257,7 @@ void run_seed(const AbortScene& scene, const Machine& machine, std::uint64_t see
     }
   }
   run.expect_limits();
+  run.add_to(digest);
 }
 
 class OperatorRuns : public ::testing::TestWithParam<AbortScene> {
@@ -242,11 +266,13 @@ class OperatorRuns : public ::testing::TestWithParam<AbortScene> {
     const AbortScene& scene = GetParam();
     const auto machine = scene.machine();
     Places places;
+    SetpointDigest digest;
     for (std::uint64_t seed = first; seed <= last; ++seed) {
       SCOPED_TRACE(::testing::Message() << scene.name << " seed " << seed);
-      run_seed(scene, *machine, seed, places);
+      run_seed(scene, *machine, seed, places, digest);
       if (HasFatalFailure()) return;
     }
+    RecordProperty("setpoints", digest.text());
     for (const SegmentKind kind : scene.kinds) {
       EXPECT_GT(places[kind], 0) << "no abort came to rest on segment kind "
                                  << static_cast<int>(kind);
@@ -279,10 +305,12 @@ TEST(OperatorRunsOverChunks, KeepLimitsAndPathAndRestWhereTheyAreAborted) {
   const AbortScene scene{"chunks", three_axis_mill, many_short_blocks, false, {}};
   const auto machine = scene.machine();
   Places places;
+  SetpointDigest digest;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    run_seed(scene, *machine, seed, places);
+    run_seed(scene, *machine, seed, places, digest);
   }
+  RecordProperty("setpoints", digest.text());
 }
 
 INSTANTIATE_TEST_SUITE_P(
