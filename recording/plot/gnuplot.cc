@@ -7,6 +7,8 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstdlib>
+#include <fstream>
 
 namespace stanok::recording {
 namespace {
@@ -28,6 +30,32 @@ int spawn(const std::filesystem::path& script, pid_t& process) {
   return error;
 }
 
+// A file that is there as long as the object.
+class TemporaryScript {
+ public:
+  explicit TemporaryScript(const std::string& text) {
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "stanok-picture-XXXXXX").string();
+    const int descriptor = mkstemp(pattern.data());
+    if (descriptor < 0) return;
+    close(descriptor);
+    path_ = pattern;
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryScript() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  TemporaryScript(const TemporaryScript&) = delete;
+  TemporaryScript& operator=(const TemporaryScript&) = delete;
+
+  // Empty: it could not be written.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 }  // namespace
 
 std::optional<LogError> run_gnuplot(const std::filesystem::path& script) {
@@ -44,6 +72,12 @@ std::optional<LogError> run_gnuplot(const std::filesystem::path& script) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
   return LogError{0, "gnuplot failed on " + script.string()};
+}
+
+std::optional<LogError> draw(const std::string& script) {
+  const TemporaryScript file(script);
+  if (file.path().empty()) return log_error("cannot write a temporary file", errno);
+  return run_gnuplot(file.path());
 }
 
 std::string gnuplot_text(std::string_view text) {

@@ -14,6 +14,9 @@ namespace stanok::recording {
 // failure; a missing gnuplot is named with the package that has it.
 [[nodiscard]] std::optional<LogError> run_gnuplot(const std::filesystem::path& script);
 
+// The same for a script as a text.
+[[nodiscard]] std::optional<LogError> draw(const std::string& script);
+
 // A text as gnuplot's single-quoted string; control characters become blanks.
 [[nodiscard]] std::string gnuplot_text(std::string_view text);
 // Nine significant digits, the same in every locale.

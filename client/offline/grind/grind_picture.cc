@@ -1,9 +1,6 @@
 #include "client/offline/grind/grind_picture.h"
 
-#include <unistd.h>
-
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 
 #include "recording/plot/gnuplot.h"
@@ -117,30 +114,6 @@ std::string ratio_panel(const process::PlungeRun& run) {
          "  $run using 1:6 with lines lw 1.5 lc rgb '#1f4e79' title 'Q/D'\n";
 }
 
-// A file that is there as long as the object.
-class TemporaryScript {
- public:
-  explicit TemporaryScript(const std::string& text) {
-    std::string pattern = (fs::temp_directory_path() / "stanok-grind-XXXXXX").string();
-    const int descriptor = mkstemp(pattern.data());
-    if (descriptor < 0) throw std::runtime_error("cannot write " + pattern);
-    close(descriptor);
-    path_ = pattern;
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryScript() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryScript(const TemporaryScript&) = delete;
-  TemporaryScript& operator=(const TemporaryScript&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 }  // namespace
 
 std::string picture_script(const GrindPicture& picture, const fs::path& file) {
@@ -165,8 +138,7 @@ std::string picture_script(const GrindPicture& picture, const fs::path& file) {
 }
 
 void draw_picture(const GrindPicture& picture, const fs::path& file) {
-  const TemporaryScript script(picture_script(picture, file));
-  if (const auto error = recording::run_gnuplot(script.path())) {
+  if (const auto error = recording::draw(picture_script(picture, file))) {
     throw std::runtime_error("cannot draw " + file.string() + ": " + error->text);
   }
 }
