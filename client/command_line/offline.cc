@@ -7,6 +7,7 @@
 #include "client/offline/interpret/interpret_command.h"
 #include "client/offline/log/log_command.h"
 #include "client/offline/machine/machine_check_command.h"
+#include "client/offline/process/process_command.h"
 #include "client/offline/simulate/simulate_command.h"
 #include "client/offline/workpiece/workpiece_follow_command.h"
 
@@ -20,6 +21,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_log_commands(app, exit_code);
   add_workpiece_follow_command(app, exit_code);
   add_grind_commands(app, exit_code);
+  add_process_commands(app, exit_code);
   add_explain_command(app, exit_code);
   add_completion_command(app);
   add_manual_command(app);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
 #include "config/files/tables_file.h"
 #include "config/sections/automatic_feed_section.h"
@@ -64,6 +65,8 @@ std::vector<KeySection> key_sections() {
       {"[[contact]]", contact_key_rows()},
       {"[[tool]] of the tables file", tool_key_rows()},
       {"process file of stanok grind", grinding_key_rows()},
+      {"file of stanok process lobes", chatter_key_rows()},
+      {"[[mode_x]] and [[mode_y]] of a file of stanok process lobes", vibration_mode_key_rows()},
   };
   const std::vector<KeySection> geometries = geometry_sections();
   const auto parked = std::ranges::find(sections, "[[parked]] of a scheme", &KeySection::title);
