@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/place.h"
+#include "process/grinding/place_search.h"
 
 namespace stanok::process {
 namespace {
@@ -56,15 +58,19 @@ class StaircaseTuning {
     simulation_.at_end = InfeedTravel::AtEnd::goes_on;
   }
 
-  // The feeds that suit the places, rounded; where the last one ends; its time.
+  // The feeds that suit the places, rounded; its run tells where the last one ends, and its time.
   struct Tuned {
     std::vector<Step> steps;
     PlungeRun run;
     [[nodiscard]] double time_s() const { return run.time_s; }
   };
 
-  [[nodiscard]] Tuned tuned(std::vector<Step> steps) const {
+  // Begins with the feeds of `like`, where it has as many steps.
+  [[nodiscard]] Tuned tuned(std::vector<Step> steps, const std::vector<Step>& like = {}) const {
     const std::vector<Step> quasi_steady = steps;
+    if (like.size() == steps.size()) {
+      for (std::size_t k = 0; k < steps.size(); ++k) steps[k].feed_mm_per_s = like[k].feed_mm_per_s;
+    }
     for (int round = 0; round < tuning_rounds; ++round) {
       const PlungeRun run = run_of(steps);
       const std::vector<double> peaks = peaks_of(steps, run);
@@ -200,18 +206,77 @@ int points_worth_it(const QuasiSteadyLaw& law) {
   return points_chosen_max;
 }
 
-// The same number of points, the first one spent on the plunge-in: the greatest feed until the
-// removal has built up.
-std::vector<Step> with_plunge_in(const StaircaseTuning& tuning, const QuasiSteadyLaw& law,
-                                 int points, const FeedRange& feeds, int decimals) {
-  const double place_mm = tuning.plunge_in_place_mm();
-  std::vector<double> places = best_places(law, points - 1);
-  if (!places.empty() && places.front() >= place_mm) return {};
-  places.insert(places.begin(), place_mm);
-  std::vector<Step> steps = tuning.steps_at(written_places(places, decimals), law);
-  steps.front().feed_mm_per_s = feeds.max_mm_per_s;
-  return steps;
-}
+// Staircases of one process, by the places of their switch points.
+class StaircaseChoice {
+ public:
+  using Tuned = StaircaseTuning::Tuned;
+
+  StaircaseChoice(const StaircaseTuning& tuning, const QuasiSteadyLaw& law, const FeedRange& feeds,
+                  double allowance_mm, int decimals)
+      : tuning_(tuning),
+        law_(law),
+        feeds_(feeds),
+        allowance_mm_(allowance_mm),
+        decimals_(decimals) {}
+
+  // The places that dynamic programming finds, or one of them spent on the plunge-in: the greatest
+  // feed until the removal has built up.
+  [[nodiscard]] Tuned quick(int points) {
+    Tuned best = at(best_places(law_, points));
+    if (points == 0) return best;
+    const double place_mm = tuning_.plunge_in_place_mm();
+    std::vector<double> places = best_places(law_, points - 1);
+    if (!places.empty() && places.front() >= place_mm) return best;
+    places.insert(places.begin(), place_mm);
+    Tuned other = tuned_at(places, Begin::plunge_in);
+    return other.time_s() < best.time_s() ? other : best;
+  }
+
+  [[nodiscard]] Tuned at(const std::vector<double>& places_mm) {
+    return tuned_at(places_mm, Begin::tuned);
+  }
+
+  // The best with at most so many points, its places moved: steps shorter than a revolution may be
+  // slower than fewer of them.
+  [[nodiscard]] Tuned thorough(int points) {
+    Tuned best = quick(points);
+    for (const int fewer : {8, 9, 10, 11, 12, 14, 16, 20, 24, 32}) {
+      if (fewer >= points) break;
+      Tuned other = quick(fewer);
+      if (other.time_s() < best.time_s()) best = std::move(other);
+    }
+    const auto tuned_like_best = [&](const std::vector<double>& places) {
+      return tuning_.tuned(tuning_.steps_at(written_places(places, decimals_), law_), best.steps);
+    };
+    const auto time_s = [&](const std::vector<double>& places) {
+      const Tuned tried = tuned_like_best(places);
+      return tried.run.size_reached_s ? tried.time_s() : std::numeric_limits<double>::infinity();
+    };
+    Tuned moved = tuned_like_best(search_places(places_of(best), allowance_mm_, decimals_, time_s));
+    return moved.run.size_reached_s && moved.time_s() < best.time_s() ? moved : best;
+  }
+
+ private:
+  // The feed of the first step: tuned like the others, or the greatest.
+  enum class Begin { tuned, plunge_in };
+
+  [[nodiscard]] Tuned tuned_at(const std::vector<double>& places_mm, Begin begin) const {
+    std::vector<Step> steps = tuning_.steps_at(written_places(places_mm, decimals_), law_);
+    if (begin == Begin::plunge_in) steps.front().feed_mm_per_s = feeds_.max_mm_per_s;
+    return tuning_.tuned(std::move(steps));
+  }
+  static std::vector<double> places_of(const Tuned& tuned) {
+    std::vector<double> places;
+    for (std::size_t k = 1; k < tuned.steps.size(); ++k) places.push_back(tuned.steps[k].begin_mm);
+    return places;
+  }
+
+  const StaircaseTuning& tuning_;
+  const QuasiSteadyLaw& law_;
+  FeedRange feeds_;
+  double allowance_mm_;
+  int decimals_;
+};
 
 }  // namespace
 
@@ -239,16 +304,12 @@ Staircase design_staircase(const GrindingProcess& process, double allowance_mm,
   const QuasiSteadyLaw quasi_steady = quasi_steady_law(process, allowance_mm, feeds);
   const bool is_given = !options.at_mm.empty();
   const int points = options.points.value_or(is_given ? 0 : points_worth_it(quasi_steady));
-  const std::vector<double> places =
-      is_given ? options.at_mm : written_places(best_places(quasi_steady, points), decimals);
-  StaircaseTuning::Tuned best = tuning.tuned(tuning.steps_at(places, quasi_steady));
-  if (!is_given && points > 0) {
-    const std::vector<Step> steps = with_plunge_in(tuning, quasi_steady, points, feeds, decimals);
-    if (!steps.empty()) {
-      StaircaseTuning::Tuned other = tuning.tuned(steps);
-      if (other.time_s() < best.time_s()) best = std::move(other);
-    }
-  }
+  StaircaseChoice choice(tuning, quasi_steady, feeds, allowance_mm, decimals);
+  const bool is_thorough = options.effort == StaircaseEffort::thorough && points > 0;
+  const StaircaseTuning::Tuned best =
+      is_given      ? tuning.tuned(tuning.steps_at(options.at_mm, quasi_steady))
+      : is_thorough ? choice.thorough(points)
+                    : choice.quick(points);
   double end_mm = tuning.end_mm(best);
   if (simulation.spark_out_revolutions > 0.0 && best.run.size_reached_s) {
     const double quantum_mm = std::pow(10.0, -decimals);

@@ -4,8 +4,9 @@
 // step is therefore the one whose removal touches the boundary at the step's end. Where the steps
 // end is chosen by dynamic programming over the quasi-steady law, so that their time is least; then
 // the feeds are tuned by simulating the whole cycle, delay and deflection included, until each step
-// touches the boundary and none crosses it. Places and feeds are rounded to the decimals of the
-// control file within the tuning, so that what is verified is what is written.
+// touches the boundary and none crosses it; and the places are moved as long as the whole cycle,
+// tuned each time, becomes shorter. Places and feeds are rounded to the decimals of the control
+// file within the tuning, so that what is verified is what is written.
 #pragma once
 
 #include <optional>
@@ -25,12 +26,17 @@ struct Step {
 // `end_mm`.
 [[nodiscard]] InfeedLaw law_of_steps(const std::vector<Step>& steps, double end_mm);
 
+// quick: at the places that dynamic programming finds. thorough: also with fewer points, and the
+// best of them moved while the whole cycle becomes shorter.
+enum class StaircaseEffort : std::uint8_t { quick, thorough };
+
 struct StaircaseOptions {
   std::optional<int> points{};  // number of switch points; none: as many as are worth it
   std::vector<double> at_mm{};  // their places, falling, taken as they are; empty: chosen
   // Of chosen places in mm and feeds in mm/s; none: 4, and more where the feed of the end would
   // have less than two digits.
   std::optional<int> decimals{};
+  StaircaseEffort effort = StaircaseEffort::thorough;
 };
 
 struct Staircase {

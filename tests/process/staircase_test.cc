@@ -8,6 +8,7 @@
 #include <random>
 
 #include "process/grinding/cycle_design.h"
+#include "process/grinding/place_search.h"
 #include "tests/process/petrakov.h"
 
 namespace stanok::process {
@@ -59,7 +60,8 @@ class Points : public ::testing::TestWithParam<int> {};
 TEST_P(Points, GiveATableThatReachesTheSizeWithoutCrossingTheBoundary) {
   const GrindingProcess process = petrakov::sheet();
   const Staircase designed = staircase({.points = GetParam()});
-  ASSERT_EQ(designed.law.size(), 2U * (static_cast<std::size_t>(GetParam()) + 1U));
+  // Fewer points may be better: a step shorter than a revolution tells nothing of its own.
+  ASSERT_LE(designed.law.size(), 2U * (static_cast<std::size_t>(GetParam()) + 1U));
   const PlungeRun run = simulate_plunge(process, designed.law, {});
   EXPECT_LE(peak_ratio(process, run), 1.001);
   EXPECT_GT(peak_ratio(process, run), 0.97);
@@ -72,6 +74,48 @@ TEST_P(Points, GiveATableThatReachesTheSizeWithoutCrossingTheBoundary) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Staircase, Points, ::testing::Values(0, 1, 2, 3, 5, 8, 12));
+
+// Of a bowl whose bottom is known; the places stay in order.
+TEST(PlaceSearch, FindsTheBottomOfABowl) {
+  const std::vector<double> bottom{0.21, 0.09, 0.012};
+  const auto time_s = [&](const std::vector<double>& places) {
+    double time = 1.0;
+    for (std::size_t k = 0; k < bottom.size(); ++k)
+      time += std::pow(std::log(places[k] / bottom[k]), 2.0);
+    return time;
+  };
+  const std::vector<double> found = search_places({0.15, 0.11, 0.02}, 0.3, 4, time_s);
+  for (std::size_t k = 0; k < bottom.size(); ++k) EXPECT_NEAR(found[k] / bottom[k], 1.0, 0.03) << k;
+  for (const double place : found) EXPECT_TRUE(has_decimals(place, 1e-4));
+}
+
+// More points never make the cycle longer, and no place moved alone makes it shorter by 0.5 %.
+TEST(Staircase, MorePointsAreNeverSlower) {
+  double before = 1e9;
+  for (const int points : {1, 2, 4, 7, 12, 40}) {
+    const double time = law_time_s(staircase({.points = points}).law);
+    EXPECT_LE(time, before * 1.0005) << points;
+    before = time;
+  }
+}
+
+TEST(Staircase, NoPlaceMovedAloneIsHalfAPercentFaster) {
+  for (const int points : {3, 6}) {
+    const Staircase designed = staircase({.points = points});
+    std::vector<double> places;
+    for (std::size_t k = 2; k < designed.law.size(); k += 2) places.push_back(designed.law[k].x_mm);
+    const double time = law_time_s(designed.law);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      for (const double factor : {0.85, 0.95, 1.05, 1.15}) {
+        std::vector<double> moved = places;
+        moved[k] = std::round(moved[k] * factor * 1e4) / 1e4;
+        if (!std::is_sorted(moved.rbegin(), moved.rend()) || moved.front() >= 0.3) continue;
+        const Staircase other = staircase({.at_mm = moved});
+        EXPECT_GT(law_time_s(other.law), time * 0.995) << points << " " << k << " " << factor;
+      }
+    }
+  }
+}
 
 TEST(Staircase, OfThePaperIsBeatenAtItsOwnPlacesAndByBetterOnes) {
   const double paper_s = law_time_s(petrakov::table());
@@ -108,8 +152,10 @@ TEST(Staircase, NeverCrossesTheBoundaryForRandomProcesses) {
     process.force_exponent = 0.5 + 0.4 * of_one(random);
     process.critical_allowance_mm = 0.05 + 0.1 * of_one(random);
     process.removal_end_mm2_per_rad = 0.1 * Boundary(process).removal_max();
+    const auto effort = trial % 4 == 0 ? StaircaseEffort::thorough : StaircaseEffort::quick;
     const Staircase designed =
-        design_staircase(process, 0.3, usual_feeds(process), {.points = 4, .decimals = 5}, {});
+        design_staircase(process, 0.3, usual_feeds(process),
+                         {.points = 4, .at_mm = {}, .decimals = 5, .effort = effort}, {});
     ASSERT_TRUE(designed.is_reachable);
     const PlungeRun run = simulate_plunge(process, designed.law, {});
     EXPECT_LE(peak_ratio(process, run), 1.002) << "seed 11, trial " << trial;

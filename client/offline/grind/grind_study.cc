@@ -55,6 +55,7 @@ StudyPoint studied(DesignRequest request, const std::vector<Variation>& variatio
     index /= count;
     *quantity_of(request, variations[k].key) = point.values[k];
   }
+  request.staircase.effort = process::StaircaseEffort::quick;
   auto design = process::design_cycle(request);
   if (!design) {
     point.finding = first_error(design.error());
