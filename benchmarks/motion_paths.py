@@ -222,7 +222,65 @@ def five_axis_swarf_rows():
     return rows(Path(3000, 4), 8, 30, 0.5, place)
 
 
+def curve(feed, length, step, place):
+    """A smooth curve by its parameter as short blocks, moved to begin at zero."""
+    path, first = Path(feed, 5), place(0.0)
+    for k in range(1, round(length / step) + 1):
+        path.line(**{name: value - first[name] for name, value in place(k * step).items()})
+    return path
+
+
+def wave(u):
+    return 4 * math.sin(u / 9 + 0.4) + 1.5 * math.sin(u / 3.7 + 0.8) + 0.5 * math.sin(u / 1.9)
+
+
+def five_axis_wave(u):
+    return {"x": u, "z": wave(u), "b": 12 * math.sin(u / 11 + 0.4) + 2 * math.sin(u / 5),
+            "c": 20 * math.cos(u / 13 + 0.4) + 2 * math.sin(u / 6)}
+
+
+def loops(u):
+    return {"x": u + 3 * math.sin(5 * u + 0.4), "y": 3 - 3 * math.cos(5 * u + 0.4)}
+
+
+def square():
+    path = Path(5000, 3)
+    for x, y in ((20, 0), (20, 20), (0, 20), (0, 0)) * 3:
+        path.line(x=x, y=y)
+    return path
+
+
+def circles():
+    path = Path(5000, 3)
+    for _ in range(8):
+        path.arc(-1, (10, 0), x=0, y=0)
+    return path
+
+
+def chords():
+    count = round(2 * math.pi * 10 / 0.1)
+    return curve(5000, 2 * count, 1, lambda k: {"x": -10 * math.cos(2 * math.pi * k / count),
+                                                "y": 10 * math.sin(2 * math.pi * k / count)})
+
+
+def staircase(step=0.002):
+    path = Path(1500, 3)
+    for k in range(900):
+        path.line(x=step * (k + 1))
+        path.line(y=step * (k + 1))
+    return path
+
+
 CASES = {
+    "20 mm square, three rounds": square,
+    "circles R10, eight rounds": circles,
+    "R10 as chords of 0.1 mm, two rounds": chords,
+    "stairs of 2 um": staircase,
+    "sine": lambda: curve(10000, 100, 0.25, lambda u: {"x": u, "z": 3 * math.sin(u / 4 + 0.4)}),
+    "sine in Y": lambda: curve(8000, 100, 0.1, lambda u: {"y": u, "z": 2 * math.sin(u / 3 + 0.4)}),
+    "three waves": lambda: curve(12000, 100, 0.2, lambda u: {"x": u, "z": wave(u)}),
+    "five-axis waves": lambda: curve(5000, 100, 0.2, five_axis_wave),
+    "loops of chords": lambda: curve(6000, 15, 0.008, loops),
     "square pocket": square_pocket,
     "rounded pocket": rounded_pocket,
     "finishing rows, 3 decimals": finishing_rows,
