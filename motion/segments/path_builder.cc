@@ -83,7 +83,8 @@ double reach_allowed(double left, double length_after) {
 }
 
 // Share of the tolerance at which setpoints on a blend between two lines pass the corner: the
-// chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8.
+// chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8. The speed
+// is the highest that any plan may have there: where nothing is left for a change of speed.
 double chord_share(const Segment& incoming, const Segment& blend, const Segment& outgoing,
                    const Tolerance& tolerance, const MotionConfig& config) {
   constexpr double override_max = 2.0;
@@ -101,8 +102,9 @@ double chord_share(const Segment& incoming, const Segment& blend, const Segment&
     distance2 += distance * distance;
     bend2 += middle[axis].second * middle[axis].second;
   }
-  const double way =
-      segment_limits(blend.bounds, override_max * blend.feed_per_s).v * config.cycle_s;
+  const double by_curvature =
+      blend.bounds.curvature > 0.0 ? 1.0 / std::sqrt(blend.bounds.curvature) : unlimited;
+  const double way = std::min(override_max * blend.feed_per_s, by_curvature) * config.cycle_s;
   return (std::sqrt(distance2) + 0.125 * way * way * std::sqrt(bend2)) /
          std::max(tolerance.mm, unseen);
 }
