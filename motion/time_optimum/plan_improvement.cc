@@ -11,6 +11,8 @@ constexpr double same_speed = 1.0 - 1e-9;
 constexpr double held_min = 0.02;           // s at the feed, between two stretches
 constexpr double typical_interval = 0.003;  // s
 constexpr std::size_t stretch_max = 600;    // intervals that are planned together
+constexpr double room_time = 0.01;          // s, of the feed held beside a stretch, at most
+constexpr double room_part = 0.25;          // and of that phase
 constexpr std::size_t divided_min = 8;      // phases
 constexpr int places_max = 3;
 constexpr std::size_t joined_max = 200;  // phases that are planned again with what follows
@@ -50,7 +52,7 @@ void PlanImprovement::improve(const PlannedPath& path, std::vector<Phase>& phase
     segment = index_.before(part.s1);
     if (count > segment_phases_max || !may_gain(part)) continue;
     const std::size_t before = improved_.size();
-    if (plan_joined(phases, part) || plan_alone(phases, part)) {
+    if (plan_part(phases, with_room(phases, part)) || plan_part(phases, part)) {
       count += improved_.size() - std::min(before, improved_.size());
     } else {
       divide(phases, part);
@@ -75,6 +77,28 @@ void PlanImprovement::join_pace_limits() {
     for (auto phase = first; phase != last; ++phase) all = highest_of(all, phase->pace);
     for (; first != last; ++first) first->pace = all;
   }
+}
+
+// With some of the feed that is held on either side: a ramp that uses the limits to the full ends
+// just there, and a stretch may use somewhat less of them.
+PlanImprovement::Part PlanImprovement::with_room(const std::vector<Phase>& phases,
+                                                 const Part& part) const {
+  const auto room = [&](const Phase& phase) {
+    return phase.v * std::min(room_time, room_part * phase.duration);
+  };
+  Part wide = part;
+  const bool begins_behind_held =
+      part.first > 0 && part.s0 == phases[part.first].s && holds_feed(phases[part.first - 1]);
+  if (begins_behind_held) wide.s0 -= room(phases[--wide.first]);
+  const bool ends_before_held = part.last < phases.size() &&
+                                part.s1 == phases[part.last - 1].s_end &&
+                                holds_feed(phases[part.last]);
+  if (ends_before_held) wide.s1 += room(phases[wide.last++]);
+  return wide;
+}
+
+bool PlanImprovement::plan_part(const std::vector<Phase>& phases, const Part& part) {
+  return plan_joined(phases, part) || plan_alone(phases, part);
 }
 
 bool PlanImprovement::plan_alone(const std::vector<Phase>& phases, const Part& part) {

@@ -50,6 +50,8 @@ class PlanImprovement {
   [[nodiscard]] bool plan_joined(const std::vector<Phase>& phases, const Part& part);
   [[nodiscard]] bool plan_from(std::size_t first, const std::vector<Phase>& phases,
                                const Part& part);
+  [[nodiscard]] Part with_room(const std::vector<Phase>& phases, const Part& part) const;
+  [[nodiscard]] bool plan_part(const std::vector<Phase>& phases, const Part& part);
   [[nodiscard]] bool plan_alone(const std::vector<Phase>& phases, const Part& part);
   void divide(const std::vector<Phase>& phases, const Part& part);
 
