@@ -9,7 +9,7 @@
 
 #include "lang/program/code.h"
 #include "lang/program/compile.h"
-#include "lang/tree/named_parameter.h"
+#include "lang/words/named_parameter.h"
 
 namespace stanok::lang {
 

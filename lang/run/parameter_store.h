@@ -17,8 +17,8 @@
 #include "lang/block/active_block.h"
 #include "lang/block/predefined_parameter.h"
 #include "lang/program/program.h"
-#include "lang/tree/named_parameter.h"
 #include "lang/tree/text_value.h"
+#include "lang/words/named_parameter.h"
 
 namespace stanok::lang {
 

@@ -19,12 +19,12 @@
 #include "lang/tree/directive_parser.h"
 #include "lang/tree/expression_parser.h"
 #include "lang/tree/iso_parser.h"
-#include "lang/tree/named_parameter.h"
 #include "lang/tree/o_line_parser.h"
 #include "lang/tree/statement_parser.h"
 #include "lang/tree/token_cursor.h"
 #include "lang/tree/tree.h"
 #include "lang/words/channel_words.h"
+#include "lang/words/named_parameter.h"
 
 namespace stanok::lang {
 
