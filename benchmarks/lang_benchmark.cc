@@ -34,6 +34,8 @@ class EmptyTables : public Tables {
   [[nodiscard]] std::optional<Tool> tool(int) const override { return Tool{}; }
   [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
   [[nodiscard]] AxisValues reference_point(int) const override { return {}; }
+  [[nodiscard]] double common_variable(int) const override { return 0.0; }
+  void set_common_variable(int, double) override {}
   void store_reference_point(int, const AxisValues&) override {}
 };
 

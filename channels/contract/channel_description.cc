@@ -40,6 +40,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.bounds = machine.program_bounds;
   description.name = channel.name;
   description.kind = channel.kind;
+  description.rules = channel.rules;
   description.spindles = channel.spindles;
   for (const SpindleConfig& spindle : machine.spindles) {
     if (spindle.encoder_pulses > 0) description.spindles_with_position.push_back(spindle.id);

@@ -16,6 +16,7 @@
 #include "base/diagnostic.h"
 #include "base/expected.h"
 #include "lang/contract/command.h"
+#include "lang/contract/dialect.h"
 
 namespace stanok::lang {
 
@@ -62,6 +63,7 @@ struct ChannelDescription {
   int id = 1;
   std::string name;
   ChannelKind kind = ChannelKind::mill;
+  TextRules rules;  // of texts that do not say otherwise
   AxisList<AxisDescription> axes;
   std::vector<int> spindles;                // ids; the first is the master spindle
   std::vector<int> spindles_with_position;  // those of them that can follow or lead an axis
@@ -89,6 +91,10 @@ struct Tool {
 
 inline constexpr int reference_point_count = 4;  // 1: G28, 2 to 4: G30 P
 
+// Common variables of the Fanuc dialect that are kept through power-off.
+inline constexpr int kept_variable_first = 500;
+inline constexpr int kept_variable_last = 999;
+
 // The tables of the machine as the program sees them at this moment.
 class Tables {
  public:
@@ -109,6 +115,9 @@ class Tables {
   [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
   // Reference point 1 (G28) to reference_point_count (G30 P4) in M, per axis of the channel.
   [[nodiscard]] virtual AxisValues reference_point(int which) const = 0;
+  // #500 to #999 of the Fanuc dialect, kept through power-off; NaN: vacant.
+  [[nodiscard]] virtual double common_variable(int number) const = 0;
+  virtual void set_common_variable(int number, double value) = 0;
   // Of G28.1 and its like; survives power-off.
   virtual void store_reference_point(int which, const AxisValues& point_M) = 0;
 };
