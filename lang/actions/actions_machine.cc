@@ -217,7 +217,13 @@ void send_machine_function(ActiveBlock& block, CodeNumber code) {
   if (block.channel_words.dialect().output_waits(code)) block.queue.emit(Request{});
 }
 
+// M99 P10 goes on with N10 of the caller.
 void return_from_program(ActiveBlock& block, CodeNumber) {
+  if (block.has('P')) {
+    const auto number = block.integer('P', 0, 99999999);
+    if (!number) return;
+    block.flow.block = *number;
+  }
   block.flow.kind = Flow::return_from_subprogram;
 }
 

@@ -1,6 +1,9 @@
 // Blocks that a control the code is known from understands as something else: refused with both
 // meanings named, never executed with the wrong one.
 //
+// A text of the Fanuc dialect has a code system: what the systems contradict each other in is
+// clear.
+//
 // Sources: operator's manuals of Fanuc lathes (code systems A, B, C) and machining centres, of
 // Haas lathes and mills, and the G-code reference of LinuxCNC; docs/reference/language.md, "Where
 // conventions differ", names what cannot be told apart. Codes whose own words have two meanings

@@ -42,7 +42,9 @@ void IsoCompiler::compile(const IsoBlock& block) {
   compile_words(block, made);
   compile_spindle(block, made);
   compile_settings(block.settings);
+  made.words.rules = file_.source.rules();
   check_template(made);
+  if (made.words.m.has(m(99)) && made.words.has('P')) context_.program.jumps = true;
   if (block.words.empty() && !block.spindle) return;
   file_.blocks.push_back(std::move(made));
   code_.emit(Op::block, code_.statement_span(),

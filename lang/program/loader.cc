@@ -91,6 +91,7 @@ Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostic
       dialect_(channel),
       warnings_(warnings),
       watch_(interrupted),
+      rules_(channel != nullptr ? channel->rules : TextRules{}),
       program_(std::make_shared<Program>()) {}
 
 Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_view name) {
@@ -125,7 +126,7 @@ Loader::FileIndex Loader::add_file(std::shared_ptr<const SourceText> text) {
   bytes_ += text->text.size();
   const auto index = static_cast<FileIndex>(loaded_.size());
   index_by_path_.emplace(text->path, index);
-  program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text))));
+  program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text), rules_)));
   LoadedFile file;
   file.reporter = std::make_unique<Reporter>(program_->files.back()->source);
   loaded_.push_back(std::move(file));
@@ -169,6 +170,9 @@ void Loader::parse(FileIndex index) {
   if (source.lone_frame_mark().length != 0) {
     reporter.warning("W210", source.lone_frame_mark(), "the program has only one line with %",
                      "a second one is missing");
+  }
+  if (!source.dialect_problem().empty()) {
+    reporter.error("E2041", source.first_words(), source.dialect_problem(), "names a dialect");
   }
   ParserContext context;
   context.channel = index == 0 ? channel_ : nullptr;
@@ -324,6 +328,23 @@ void Loader::compile_all() {
   // Included files stand behind those that include them, and their constants come first.
   for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);
   for (std::size_t i = 0; i < loaded_.size(); ++i) compilers[i]->compile(loaded_[i].tree);
+  if (program_->jumps) find_jump_targets();
+}
+
+void Loader::find_jump_targets() {
+  for (std::size_t i = 0; i < loaded_.size(); ++i) {
+    CompiledFile& file = *program_->files[i];
+    BlockIndex index;
+    index.read(file);
+    file.block_index = std::move(index);
+    for (const ConstantJump& jump : file.jumps) check_jump(static_cast<FileIndex>(i), jump);
+  }
+}
+
+void Loader::check_jump(FileIndex index, const ConstantJump& jump) {
+  const auto found = program_->files[index]->block_index.find(jump.number, jump.position);
+  const auto fault = fault_of_jump(jump.number, found);
+  if (fault) loaded_[index].reporter->error(fault->code, jump.span, fault->message, fault->label);
 }
 
 Expected<std::shared_ptr<const Program>, Diagnostics> Loader::result() {

@@ -65,7 +65,13 @@ std::optional<Diagnostic> ProgramRun::start_at(std::shared_ptr<const Program> pr
   return diagnostic;
 }
 
+void ProgramRun::stop_before(const StopPlace& place) {
+  stop_.set(place);
+  parameters_.begin_search();
+}
+
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
+  parameters_.end_search();
   parameters_.begin(program);
   vm_.begin(std::move(program));
   blocks_.reset();
@@ -134,6 +140,7 @@ bool ProgramRun::run_line(Command& command) {
 // The run has failed when it cannot be entered where the search stops.
 bool ProgramRun::stops_here() {
   if (!stop_.is_reached(vm_, texts_)) return false;
+  parameters_.end_search();
   if (state_.modal.compensation.on()) {
     vm_.fail("E6042", "a program cannot be entered while radius compensation is active",
              "search for the block before G41 or G42");
@@ -158,6 +165,7 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
     if (blocks_.take_block(instruction)) execute_block();
     return;
   }
+  if (instruction.op == Op::go_to) return texts_.go_to_number_on_stack();
   if (instruction.op == Op::end_of_text) return end_text();
   const bool done = values_.execute(instruction) || calls_.execute(instruction) ||
                     requests_.execute(instruction) || directives_.execute(instruction);
@@ -185,7 +193,10 @@ void ProgramRun::follow(const BlockFlow& flow) {
       calls_.call_numbered(flow.code);
       break;
     case Flow::return_from_subprogram:
-      leave_subprogram();
+      flow.block < 0 ? leave_subprogram() : leave_for_block(flow.block);
+      break;
+    case Flow::go_to_block:
+      texts_.go_to_block(flow.block);
       break;
     case Flow::behind_line:
       texts_.go_behind_line(flow.line);
@@ -203,6 +214,12 @@ void ProgramRun::leave_subprogram() {
   Request request;
   request.kind = RequestKind::program_restart;
   requests_.ask(std::move(request), AnswerUse::restart);
+}
+
+// M99 P: to a block of the caller; in the main program to one of its own.
+void ProgramRun::leave_for_block(int block) {
+  calls_.leave_subprogram(SubprogramCalls::Repeats::forgotten);
+  if (run_.running()) texts_.go_to_block(block);
 }
 
 void ProgramRun::end_text() {

@@ -43,7 +43,7 @@ class ProgramRun {
 
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
   void start_line(std::shared_ptr<const Program> program, const AxisValues& position_B);
-  void stop_before(const StopPlace& place) { stop_.set(place); }
+  void stop_before(const StopPlace& place);
   [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
@@ -86,6 +86,7 @@ class ProgramRun {
   void execute_block();
   void follow(const BlockFlow& flow);
   void leave_subprogram();
+  void leave_for_block(int block);
   void end_text();
   void end_program(ProgramEndKind kind);
   Step deliver(CommandQueue& queue, Command& command);

@@ -92,7 +92,7 @@ void SubprogramCalls::leave_state_level(std::size_t level) {
 void SubprogramCalls::call_o_subprogram(const Instruction& instruction) {
   const auto callee = called_o_subprogram(vm_.file().o_calls[instruction.operand]);
   if (!callee || !vm_.check_call_depth()) return;
-  LocalParameters locals = parameters_.fresh_locals();
+  LocalParameters locals = parameters_.fresh_locals(rules_of(callee->file));
   for (std::size_t i = instruction.count; i-- > 0;) locals.numbered[i] = vm_.stack().pop_number();
   const FunctionCode& function = vm_.program().files[callee->file]->functions[callee->function];
   Frame frame = subprogram_frame(callee->file);
@@ -139,7 +139,8 @@ void SubprogramCalls::call_file() {
   if (!vm_.check_call_depth()) return;
   Frame frame = subprogram_frame(found->second);
   vm_.renew_file_variables(frame);
-  frame.context->of_caller = parameters_.exchange_locals(parameters_.fresh_locals());
+  frame.context->of_caller =
+      parameters_.exchange_locals(parameters_.fresh_locals(rules_of(found->second)));
   vm_.enter(std::move(frame));
 }
 
@@ -252,7 +253,8 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
 // The words of the block are the arguments and the local parameters of the called text.
 void SubprogramCalls::give_arguments(Frame& frame, const MacroCode& macro) {
   frame.context->arguments = arguments_of(state_.words, macro);
-  frame.context->of_caller = parameters_.exchange_locals(parameters_of(*frame.context->arguments));
+  frame.context->of_caller =
+      parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
 }
 
 // Makes `frame` that of a function of its file which takes and returns nothing.
@@ -270,8 +272,13 @@ bool SubprogramCalls::enter_function(Frame& frame, const std::string& name) {
   return true;
 }
 
-LocalParameters SubprogramCalls::parameters_of(const BlockWords& arguments) const {
-  LocalParameters locals = parameters_.fresh_locals();
+const TextRules& SubprogramCalls::rules_of(std::uint16_t file) const {
+  return vm_.program().files[file]->source.rules();
+}
+
+LocalParameters SubprogramCalls::parameters_of(const BlockWords& arguments,
+                                               const TextRules& rules) const {
+  LocalParameters locals = parameters_.fresh_locals(rules);
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const int number = parameter_of_argument(letter);
     if (number == 0 || !arguments.has(letter)) continue;
@@ -301,7 +308,7 @@ void SubprogramCalls::push_argument(const Instruction& instruction) {
            arguments != nullptr ? "not among its arguments" : "no macro runs here");
 }
 
-SubprogramCalls::Left SubprogramCalls::leave_subprogram() {
+SubprogramCalls::Left SubprogramCalls::leave_subprogram(Repeats repeats) {
   const auto& frames = vm_.frames();
   std::size_t depth = frames.size();
   while (depth > 1 && !frames[depth - 1].subprogram) --depth;
@@ -311,14 +318,14 @@ SubprogramCalls::Left SubprogramCalls::leave_subprogram() {
   vm_.plain() = {};
   if (frame.function != nullptr && frame.function->o_subprogram) {
     return_from_o_subprogram(std::nullopt);
-  } else if (frame.repeats == 0) {
+  } else if (frame.repeats == 0 || repeats == Repeats::forgotten) {
     pop_frame();
   } else {
     --frame.repeats;
     frame.position = frame.entry;
     vm_.stack().cut_to(frame.stack);
     if (frame.context->arguments) {
-      parameters_.exchange_locals(parameters_of(*frame.context->arguments));
+      parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
     }
   }
   return Left::subprogram;

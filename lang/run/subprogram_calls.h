@@ -32,9 +32,11 @@ class SubprogramCalls {
   void call_numbered(CodeNumber code);
 
   enum class Left { subprogram, main_program };
+  // Whether the calls of L that are still to be made are: M99 P leaves for another block.
+  enum class Repeats : std::uint8_t { made, forgotten };
   // M99, M17 or the end of a called text: back to the caller, or once more. Nothing is left when it
   // is the main program.
-  Left leave_subprogram();
+  Left leave_subprogram(Repeats repeats = Repeats::made);
   // The main program from its first line, in the modal state of the last one.
   void begin_again();
 
@@ -58,7 +60,9 @@ class SubprogramCalls {
   Frame numbered_frame(const NumberedCall& call);
   bool enter_function(Frame& frame, const std::string& name);
   void give_arguments(Frame& frame, const MacroCode& macro);
-  [[nodiscard]] LocalParameters parameters_of(const BlockWords& arguments) const;
+  [[nodiscard]] LocalParameters parameters_of(const BlockWords& arguments,
+                                              const TextRules& rules) const;
+  [[nodiscard]] const TextRules& rules_of(std::uint16_t file) const;
   [[nodiscard]] const BlockWords* current_arguments() const;
   void push_argument(const Instruction& instruction);
   void pop_frame();

@@ -228,6 +228,12 @@ Span Vm::next_span() const {
   return spans[std::min<std::size_t>(frames_.back().position, spans.size() - 1)];
 }
 
+WhereItRuns Vm::where() const {
+  const int level = static_cast<int>(frames_.size()) - 1;
+  const bool runs = !frames_.empty() && program_;
+  return {origin(), level, runs ? file().source.rules() : TextRules{}};
+}
+
 Origin Vm::origin() const {
   if (frames_.empty() || !program_) return {};
   if (!plain_.at_end()) return {frames_.back().file, plain_.line};

@@ -86,8 +86,8 @@ class Vm final : public RunPlace {
   [[nodiscard]] const Span& span() const;
   [[nodiscard]] Span next_span() const;
   [[nodiscard]] Origin instruction_origin() const { return {frames_.back().file, span().line}; }
-  [[nodiscard]] Origin origin() const override;
-  [[nodiscard]] int call_level() const override { return static_cast<int>(frames_.size()) - 1; }
+  [[nodiscard]] Origin origin() const;
+  [[nodiscard]] WhereItRuns where() const override;
 
   // Calls. Nothing can be entered where check_call_depth() is false; it has failed the run.
   [[nodiscard]] bool check_call_depth();

@@ -6,6 +6,7 @@
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/tree/comment_parser.h"
+#include "lang/words/code_system.h"
 #include "lang/words/named_address.h"
 #include "lang/words/unsupported_word.h"
 
@@ -153,7 +154,7 @@ bool IsoParser::parse_long_word(IsoBlock& block, std::string_view name) {
   const bool has_index = name.size() > 1 && is_digit(name[1]);
   IsoWord word;
   if (!has_index && !is_named_address(name)) {
-    if (bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
+    if (is_bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
       word.name.letter = upper_case(name[0]);
       scanner_.advance(1);
       auto value = brackets_.parse_value();
@@ -233,6 +234,26 @@ bool IsoParser::apply_aliases(IsoBlock& block) {
   return true;
 }
 
+// From the code system of the text.
+bool IsoParser::translate_code(IsoWord& word) {
+  const CodeSystem system = source_.rules().code_system;
+  if (system == CodeSystem::b) return true;
+  const auto written = static_cast<CodeNumber>(word.name.code);
+  const auto here = translated_code(written, system);
+  if (here) {
+    word.name.code = *here;
+    return true;
+  }
+  const std::string_view instead = instead_of_code(written, system);
+  Diagnostic& diagnostic =
+      reporter_.error("E4004", word.span,
+                      "code system " + std::string(system == CodeSystem::a ? "A" : "C") +
+                          " has no `" + code_text('G', written) + "`",
+                      "unknown code");
+  if (!instead.empty()) diagnostic.help.emplace_back(instead);
+  return false;
+}
+
 bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
   const char letter = word.name.letter;
   const bool is_code = letter == 'G' || letter == 'M';
@@ -243,6 +264,7 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
       return false;
     }
     word.name.code = static_cast<int>(std::lround(tenths));
+    if (letter == 'G' && !translate_code(word)) return false;
   }
   const auto same_name = [&](const IsoWord& other) {
     return other.name.letter == letter && other.name.name == word.name.name;
@@ -271,7 +293,7 @@ bool IsoParser::parse_parameter_setting(IsoBlock& block) {
   }
   scanner_.advance(1);
   scanner_.skip_blanks(LineEnds::significant);
-  auto value = brackets_.parse_value();
+  auto value = brackets_.parse_right_side();
   if (!value) return false;
   block.settings.push_back({std::move(*target), std::move(*value)});
   return true;

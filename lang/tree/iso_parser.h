@@ -40,6 +40,7 @@ class IsoParser {
   bool apply_aliases(IsoBlock& block);
   bool parse_parameter_setting(IsoBlock& block);
   bool add_word(IsoBlock& block, IsoWord word);
+  bool translate_code(IsoWord& word);
   bool end_iso_in_braces();
 
   TokenCursor& cursor_;

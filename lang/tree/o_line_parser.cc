@@ -300,15 +300,7 @@ MaybeExpression OLineParser::parse_o_bracket(std::string_view keyword) {
 MaybeExpression OLineParser::parse_o_condition(std::string_view keyword) {
   auto number = parse_o_bracket(keyword);
   if (!number) return std::nullopt;
-  Expression zero;
-  zero.span = number->span;
-  Expression comparison;
-  comparison.node = Node::binary;
-  comparison.operation = Operation::not_equal;
-  comparison.span = number->span;
-  comparison.children.push_back(std::move(*number));
-  comparison.children.push_back(std::move(zero));
-  return comparison;
+  return truth_of(std::move(*number));
 }
 
 // [expression] or nothing, then the end of the line.

@@ -223,7 +223,7 @@ constexpr auto code_rows = std::to_array<Code>({
     m(720, state, P::functions_before, "", everywhere, restore_saved_state, "restore modal state"),
     m(730, state, P::functions_before, "", everywhere, save_state, "save and auto-restore"),
     m(980, subprogram, P::stop, "PL", everywhere, call_program, "subprogram call"),
-    m(990, subprogram, P::stop, "", everywhere, return_from_program, "return from subprogram"),
+    m(990, subprogram, P::stop, "P", everywhere, return_from_program, "return from subprogram"),
     m(1980, subprogram, P::stop, "PL", everywhere, call_program, "call of another file"),
     m(9020, spindle_axis, P::spindle_axis, "", not_master, make_axis_of_spindle,
       "spindle becomes an axis"),
