@@ -88,7 +88,7 @@ struct ChannelConfig {
   std::map<std::string, std::string> codes;          // "G200" -> "cycles/groove.nc"
   std::map<std::string, std::string> address_alias;  // "E" -> "dS"
   std::string tool_change = "m6";                    // "m6" | "t_word"
-  std::string t_format = "plain";                    // "plain" | "tool_edge"
+  std::string t_format = "plain";                    // "plain" | "tool_edge" | "tool_offset"
   lang::TextRules rules;                             // of programs that do not say otherwise
 };
 

@@ -11,7 +11,9 @@ namespace {
 
 constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
 constexpr int tools_without_row_max = 99;
-constexpr int variables_of_channel = lang::kept_variable_last - lang::kept_variable_first + 1;
+constexpr int common_variables = lang::kept_variable_last - lang::kept_variable_first + 1;
+constexpr int variables_of_channel =
+    common_variables + lang::parts_variable_last - lang::parts_variable_first + 1;
 
 // In the order of ToolValue.
 std::array<double, tool_values> values_of(const ToolEdge& tool) {
@@ -154,7 +156,8 @@ void LiveTables::read_variables(int channel, const TablesConfig& tables) {
 }
 
 void LiveTables::add_variables(int channel, TablesConfig& tables) const {
-  for (int number = lang::kept_variable_first; number <= lang::kept_variable_last; ++number) {
+  for (int number = lang::kept_variable_first; number <= lang::parts_variable_last; ++number) {
+    if (!lang::is_kept_variable(number)) continue;
     const double value = variable(channel, number);
     if (!std::isnan(value)) tables.variables[channel][number] = value;
   }
@@ -162,7 +165,10 @@ void LiveTables::add_variables(int channel, TablesConfig& tables) const {
 
 int LiveTables::variable_cell(int channel, int number) const {
   const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
-  return static_cast<int>(place) * variables_of_channel + number - lang::kept_variable_first;
+  const int row = number <= lang::kept_variable_last
+                      ? number - lang::kept_variable_first
+                      : common_variables + number - lang::parts_variable_first;
+  return static_cast<int>(place) * variables_of_channel + row;
 }
 
 double LiveTables::variable(int channel, int number) const {

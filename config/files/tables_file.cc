@@ -30,7 +30,7 @@ const Keys<TablesFile>& tables_keys() {
       {"offset", at<&TablesFile::offsets>, optional, "", "work offsets"},
       {"reference_point", at<&TablesFile::reference_points>, optional, "", "points of G28 and G30"},
       {"variable", at<&TablesFile::variables>, optional, "",
-       "common variables #500 to #999 of the dialect fanuc, by channel"},
+       "common variables #500 to #999 of the dialect fanuc, and its part counters, by channel"},
   };
   return keys;
 }
@@ -206,8 +206,7 @@ int number_of_variable(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = error == std::errc() && end == text.data() + text.size();
-  const bool is_kept = number >= lang::kept_variable_first && number <= lang::kept_variable_last;
-  return is_whole && is_kept ? number : 0;
+  return is_whole && lang::is_kept_variable(number) ? number : 0;
 }
 
 void read_variables_of_channel(const toml::table& values, std::map<int, double>& variables,
@@ -215,7 +214,7 @@ void read_variables_of_channel(const toml::table& values, std::map<int, double>&
   for (const auto& [key, node] : values) {
     const int number = number_of_variable(key.str());
     if (number == 0) {
-      scope.fault(key.source(), "no common variable; the numbers are 500 to 999");
+      scope.fault(key.source(), "no common variable; the numbers are 500 to 999, 3901 and 3902");
       continue;
     }
     detail::read_value(node, {.name = key.str(), .unit = "", .meaning = "common variable"}, scope,

@@ -72,7 +72,9 @@ const Keys<ChannelFile>& channel_keys() {
       {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
        "which word changes the tool", one_of({"m6", "t_word"})},
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",
-       "what T says: the tool, or tool and edge (T0101)", one_of({"plain", "tool_edge"})},
+       "what T says: the tool, tool and edge (T0102: edge 2 of tool 1), or tool and offset "
+       "(T0102: tool 1 with the values of tool 2)",
+       one_of({"plain", "tool_edge", "tool_offset"})},
       {"address_alias", at<&ChannelFile::channel, &ChannelConfig::address_alias>, optional, "",
        "free letters that stand for named addresses (E = \"dS\"): A, B, C, E and, but on a lathe, "
        "V and W, as far as they are no axes"},

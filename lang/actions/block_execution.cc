@@ -149,7 +149,7 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
   for (std::size_t i = block.actions_done; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[i];
-    function_of(row.action)(block, row.number);
+    if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
@@ -201,6 +201,8 @@ void execute_block(ActiveBlock& block) {
   check_incremental_words(block, codes);
   check_open_curve(block, codes);
   if (block.failed()) return;
+  block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
+                     codes.axis_user->order == EffectOrder::motion;
   add_feed_speed_tool(block, codes);
   run_actions(block, codes);
 }

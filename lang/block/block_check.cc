@@ -127,6 +127,7 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
 }
 
 bool dwells_suspiciously_long(const BlockWords& words) {
+  if (words.rules.is_fanuc()) return false;
   const auto looks_like_milliseconds = [&](char letter) {
     return words.has(letter) && words.value(letter) >= 100.0 &&
            (words.whole & letter_bit(letter)) != 0;

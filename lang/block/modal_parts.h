@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lang/block/work_frame.h"
+#include "lang/contract/code_number.h"
 #include "lang/contract/command.h"
 
 namespace stanok::lang {
@@ -150,6 +151,8 @@ struct ModalTool {
 // What cycles leave to the next block of their sequence.
 struct CycleSettings {
   DrillingCycle drilling;
+  double peck_back = 0.0;        // R of G74 and G75 on lathes, mm
+  CodeNumber motion_before = 0;  // that was active before the sequence of holes
   TurningCycle turning;
   ThreadSettings thread;
   RoughingSettings turning_roughing;  // G71

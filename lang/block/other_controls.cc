@@ -114,9 +114,17 @@ std::optional<BlockFault> other_meaning(const BlockMeaning& block) {
   return axis_words_of_another_code(block);
 }
 
+double value_or_thousandths(const ActiveBlock& block, char letter) {
+  constexpr double per_unit = 1000.0;
+  const bool counted =
+      block.words.rules.is_fanuc() && (block.words.whole & letter_bit(letter)) != 0;
+  return counted ? block.value(letter) / per_unit : block.value(letter);
+}
+
 void refuse_thousandths(ActiveBlock& block, char letter, double largest, std::string_view what) {
   const bool whole = (block.words.whole & letter_bit(letter)) != 0;
-  if (!block.has(letter) || !whole || block.value(letter) < largest) return;
+  if (!block.has(letter) || !whole || block.words.rules.is_fanuc() || block.value(letter) < largest)
+    return;
   std::string message = "`" + std::string(1, letter) + "` is ";
   message.append(what).append(" of ");
   message.append(std::to_string(static_cast<long long>(block.value(letter))));

@@ -28,6 +28,10 @@ struct BlockMeaning {
 };
 [[nodiscard]] std::optional<BlockFault> other_meaning(const BlockMeaning& block);
 
+// A word that Fanuc controls count in thousandths when it has no decimal point, or in ms: its
+// value. In the other dialects it is what is written.
+[[nodiscard]] double value_or_thousandths(const ActiveBlock& block, char letter);
+
 // Fails the block when a word without decimal point is a length of `largest` or more: controls that
 // count such words in thousandths mean another one.
 void refuse_thousandths(ActiveBlock& block, char letter, double largest, std::string_view what);

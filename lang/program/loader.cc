@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lang/text/foreign_control.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/tree/parser.h"
@@ -57,7 +58,8 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   for (const IsoWord& word : block.words) {
     const bool call = word.name.letter == 'M' && word.name.code == m(98);
     const bool file_call = word.name.letter == 'M' && word.name.code == m(198);
-    const bool macro = word.name.letter == 'G' && word.name.code == g(65);
+    const bool macro =
+        word.name.letter == 'G' && calls_macro(static_cast<CodeNumber>(word.name.code));
     if (call || file_call || macro)
       program = NamedProgram{0, file_call ? SearchedTexts::files_only : SearchedTexts::all};
     if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;
@@ -65,6 +67,15 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   if (!program || number == nullptr || !is_integer(number->value.number)) return std::nullopt;
   program->number = static_cast<int>(std::lround(number->value.number));
   return program;
+}
+
+Diagnostic foreign_control(const Source& source, const Span& span, std::string_view control) {
+  Diagnostic diagnostic = diagnostic_at(
+      source, "E2042", span, "this looks like a program for a " + std::string(control) + " control",
+      "words of that control");
+  diagnostic.help.emplace_back(
+      "stanok reads ISO programs; post-process the part for Fanuc, Haas or LinuxCNC");
+  return diagnostic;
 }
 
 std::vector<std::string> file_names_of_number(int number) {
@@ -171,6 +182,11 @@ void Loader::parse(FileIndex index) {
     reporter.warning("W210", source.lone_frame_mark(), "the program has only one line with %",
                      "a second one is missing");
   }
+  const std::string_view control = control_of_header(source.text());
+  if (!control.empty()) {
+    reporter.tell_only(foreign_control(source, source.words_of_line(1), control));
+    return;
+  }
   if (!source.dialect_problem().empty()) {
     reporter.error("E2041", source.first_words(), source.dialect_problem(), "names a dialect");
   }
@@ -187,6 +203,17 @@ void Loader::parse(FileIndex index) {
   Parser parser(source, reporter, std::move(context));
   StatementList tree = parser.parse_program();
   loaded_[index].tree = std::move(tree);
+  tell_foreign_control(index);
+}
+
+void Loader::tell_foreign_control(FileIndex index) {
+  const Source& source = program_->files[index]->source;
+  Reporter& reporter = *loaded_[index].reporter;
+  const auto is_foreign = [](std::string_view line) { return !control_of_line(line).empty(); };
+  const auto line = reporter.find_error_line(is_foreign);
+  if (!line) return;
+  const Span words = source.words_of_line(*line);
+  reporter.tell_only(foreign_control(source, words, control_of_line(source.text(words))));
 }
 
 void Loader::follow_includes(FileIndex index) {

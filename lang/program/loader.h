@@ -63,6 +63,8 @@ class Loader {
   bool follow_number(FileIndex index, int number, SearchedTexts texts);
   std::optional<FileIndex> first_file_of(const std::vector<std::string>& names, FileIndex from);
   void check_end(FileIndex index);
+  // One error for all where the text is written for a control that is not read here.
+  void tell_foreign_control(FileIndex index);
   void compile_all();
   void find_jump_targets();
   void check_jump(FileIndex index, const ConstantJump& jump);

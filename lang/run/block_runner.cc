@@ -81,7 +81,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   Move* move = std::get_if<Move>(&command.payload);
   if (move == nullptr) move = &command.payload.emplace<Move>();
   ActiveBlock block = state_.block_at(line);
-  if (!compensation_.engaged() && execute_simple_move(block, *move)) {
+  if (!compensation_.engaged() && !state_.calls_modal && execute_simple_move(block, *move)) {
     command.origin = {vm_.frame().file, line};
     command.block = state_.blocks;
     code_changes_.note(state_.blocks, state_.modal.codes);

@@ -38,6 +38,13 @@ std::optional<int> parameter_index(double number, ValueFault& fault) {
   return std::nullopt;
 }
 
+ValueFault no_variable(int number) {
+  const std::string_view meaning = meaning_elsewhere(number);
+  std::string label = meaning.empty() ? "docs/reference/language.md lists those that exist"
+                                      : "on other controls: " + std::string(meaning);
+  return {"E3015", "there is no variable #" + std::to_string(number), std::move(label)};
+}
+
 bool is_of_channel(const std::string& name) {
   return name.starts_with('_');
 }
@@ -114,13 +121,20 @@ double ParameterStore::kept_variable(int number) const {
   return around_.tables.common_variable(number);
 }
 
+void ParameterStore::set_kept_variable(int number, double value) {
+  if (searched_) {
+    (*searched_)[number] = value;
+  } else {
+    around_.tables.set_common_variable(number, value);
+  }
+}
+
 std::optional<double> ParameterStore::macro_variable(int number, ValueFault& fault) {
   if (const double* const variable = variable_in_memory(number)) return *variable;
   if (number == 0) return unset;
   if (number >= kept_variable_first && number <= kept_variable_last) return kept_variable(number);
   if (const auto value = system_variable(number, view(), place_.where().rules)) return value;
-  fault = {"E3015", "there is no variable #" + std::to_string(number),
-           "docs/reference/language.md lists those that exist"};
+  fault = no_variable(number);
   return std::nullopt;
 }
 
@@ -128,14 +142,13 @@ bool ParameterStore::set_macro_variable(int number, double value, ValueFault& fa
   if (double* const variable = variable_in_memory(number)) {
     *variable = value;
   } else if (number >= kept_variable_first && number <= kept_variable_last) {
-    if (searched_) {
-      (*searched_)[number] = value;
-    } else {
-      around_.tables.set_common_variable(number, value);
-    }
+    set_kept_variable(number, value);
   } else {
-    fault = {"E3013", "#" + std::to_string(number) + " cannot be set",
-             "no variable of programs has this number"};
+    fault = no_variable(number);
+    if (system_variable(number, view(), place_.where().rules)) {
+      fault = {"E3013", "#" + std::to_string(number) + " shows the state of the machine",
+               "cannot be set"};
+    }
     return false;
   }
   return true;

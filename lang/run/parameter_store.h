@@ -70,6 +70,10 @@ class ParameterStore final : public Parameters {
   [[nodiscard]] bool set_numbered(double number, double value, ValueFault& fault);
   void set_named(std::uint32_t slot, double value) { named_[slot] = value; }
   void set_r_parameter(std::uint32_t number, double value) { r_parameters_[number] = value; }
+  // What is kept through power-off: #500 to #999, #3901 and #3902 of the Fanuc dialect; NaN:
+  // vacant.
+  [[nodiscard]] double kept_variable(int number) const;
+  void set_kept_variable(int number, double value);
   // #5399, what M66 found.
   void set_input_result(double value);
   // #<_value>; nothing: the O-subprogram returned no value.
@@ -90,7 +94,6 @@ class ParameterStore final : public Parameters {
   void keep_globals();
   // What the Fanuc dialect has under a number; nullptr for others than #1 to #33 and #100 to #199.
   [[nodiscard]] double* variable_in_memory(double number);
-  [[nodiscard]] double kept_variable(int number) const;
   std::optional<double> macro_variable(int number, ValueFault& fault);
   bool set_macro_variable(int number, double value, ValueFault& fault);
 

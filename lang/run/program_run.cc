@@ -28,6 +28,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
       calls_(vm_, state_, parameters_),
       values_(vm_, state_, parameters_),
       requests_(vm_, state_, pending_),
+      macro_requests_(vm_, state_, parameters_, pending_, requests_),
       directives_(vm_, run_, state_, pending_, requests_) {}
 
 // How a run begins: a program with the default modal state, a line with that of the line before.
@@ -72,6 +73,7 @@ void ProgramRun::stop_before(const StopPlace& place) {
 
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
   parameters_.end_search();
+  calls_.end_modal();
   parameters_.begin(program);
   vm_.begin(std::move(program));
   blocks_.reset();
@@ -167,15 +169,23 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
   }
   if (instruction.op == Op::go_to) return texts_.go_to_number_on_stack();
   if (instruction.op == Op::end_of_text) return end_text();
-  const bool done = values_.execute(instruction) || calls_.execute(instruction) ||
-                    requests_.execute(instruction) || directives_.execute(instruction);
+  const bool done = macro_requests_.execute(instruction) || values_.execute(instruction) ||
+                    calls_.execute(instruction) || requests_.execute(instruction) ||
+                    directives_.execute(instruction);
   STANOK_ASSERT(done);
 }
 
 void ProgramRun::execute_block() {
   blocks_.begin_block();
+  if (state_.calls_modal && calls_.calls_for_blocks()) return calls_.call_modal();
   const auto macro = calls_.macro_of_block();
-  if (!macro) return follow(blocks_.execute());
+  if (!macro) {
+    const BlockFlow flow = blocks_.execute();
+    follow(flow);
+    if (state_.calls_modal && flow.moves && run_.running() && calls_.calls_behind_moves())
+      calls_.call_modal();
+    return;
+  }
   if (auto fault = check_macro_block(state_.words, *macro)) {
     return blocks_.fail(std::move(*fault));
   }
@@ -195,6 +205,14 @@ void ProgramRun::follow(const BlockFlow& flow) {
     case Flow::return_from_subprogram:
       flow.block < 0 ? leave_subprogram() : leave_for_block(flow.block);
       break;
+    case Flow::call_block:
+      if (flow.repeats == 0) break;
+      calls_.call_block(flow.repeats, flow.block);
+      if (run_.running()) texts_.go_to_block(flow.block);
+      break;
+    case Flow::end_modal_call:
+      calls_.end_modal();
+      break;
     case Flow::go_to_block:
       texts_.go_to_block(flow.block);
       break;
@@ -209,7 +227,9 @@ void ProgramRun::follow(const BlockFlow& flow) {
 
 // The main program begins again; the channel is asked before.
 void ProgramRun::leave_subprogram() {
-  if (calls_.leave_subprogram() == SubprogramCalls::Left::subprogram) return;
+  const auto left = calls_.leave_subprogram();
+  if (left == SubprogramCalls::Left::again) return texts_.go_to_block(vm_.frame().block);
+  if (left == SubprogramCalls::Left::subprogram) return;
   if (line_.runs) return end_program(ProgramEndKind::restart);
   Request request;
   request.kind = RequestKind::program_restart;
@@ -239,6 +259,7 @@ void ProgramRun::end_program(ProgramEndKind kind) {
     return state_.queue.emit(ProgramEnd{ProgramEndKind::end_of_line});
   }
   line_.state_lasts = false;
+  if (!ends_like_text) macro_requests_.count_part();
   blocks_.emit_end(kind);
 }
 
@@ -278,6 +299,10 @@ void ProgramRun::finish(AnswerUse use, const Answer& answer) {
     case AnswerUse::probe:
     case AnswerUse::probe_or_alarm:
       return take_probe_answer(use, answer);
+    case AnswerUse::work_position:
+      return macro_requests_.finish_position();
+    case AnswerUse::timer:
+      return macro_requests_.finish_timer(answer);
     case AnswerUse::fail_run:
       return vm_.fail_with(pending_.end());
     case AnswerUse::restart:

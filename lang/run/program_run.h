@@ -7,6 +7,7 @@
 //   BlockRunner        ISO blocks into commands              BlockState      what blocks change
 //   BlockDirectives    messages, #directives, saved state    TextPlaces      contours, lines
 //   ChannelRequests    what is asked of the channel          PendingAnswer   what is waited for
+//   MacroRequests      variables of the machine
 //   RunState           running, ended or failed, and why
 //
 // Owner: Interpreter, on the thread of the preparation. A run can stop after any instruction: at a
@@ -26,6 +27,7 @@
 #include "lang/run/block_state.h"
 #include "lang/run/channel_requests.h"
 #include "lang/run/interpreter.h"
+#include "lang/run/macro_requests.h"
 #include "lang/run/parameter_store.h"
 #include "lang/run/pending_answer.h"
 #include "lang/run/run_state.h"
@@ -104,6 +106,7 @@ class ProgramRun {
   SubprogramCalls calls_;
   ValueInstructions values_;
   ChannelRequests requests_;
+  MacroRequests macro_requests_;
   BlockDirectives directives_;
   SearchStop stop_;
   StepCount count_;

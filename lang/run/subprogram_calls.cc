@@ -220,10 +220,61 @@ std::optional<MacroCode> SubprogramCalls::macro_of_block() const {
 
 void SubprogramCalls::call_macro(const MacroCode& macro) {
   if (macro.user_code != nullptr) return call_user_code(macro);
+  if (macro.number != g(65)) return make_modal(macro);
   const auto call = numbered_call(g(65));
   if (!call || call->repeats == 0 || !vm_.check_call_depth()) return;
   Frame frame = numbered_frame(*call);
-  give_arguments(frame, macro);
+  give_arguments(frame, state_.words, macro);
+  vm_.enter(std::move(frame));
+}
+
+void SubprogramCalls::make_modal(const MacroCode& macro) {
+  if (modal_) {
+    return vm_.fail("E4013", "a macro is called for each block already", "end it with `G67`");
+  }
+  const auto call = numbered_call(g(65));
+  if (call) modal_ = ModalCall{*call, macro, state_.words};
+  state_.calls_modal = modal_.has_value();
+}
+
+void SubprogramCalls::end_modal() {
+  modal_.reset();
+  state_.calls_modal = false;
+}
+
+bool SubprogramCalls::modal_call_runs() const {
+  return std::ranges::any_of(
+      vm_.frames(), [](const Frame& frame) { return frame.context && frame.context->modal_call; });
+}
+
+bool SubprogramCalls::calls_behind_moves() const {
+  return modal_ && modal_->macro.number == g(66) && !modal_call_runs();
+}
+
+bool SubprogramCalls::calls_for_blocks() const {
+  return modal_ && modal_->macro.number == g(66, 1) && !state_.words.g.has(g(67)) &&
+         !modal_call_runs();
+}
+
+void SubprogramCalls::call_modal() {
+  if (modal_->call.repeats == 0 || !vm_.check_call_depth()) return;
+  Frame frame = numbered_frame(modal_->call);
+  const bool each = modal_->macro.number == g(66, 1);
+  give_arguments(frame, each ? state_.words : modal_->words, modal_->macro);
+  frame.context->modal_call = true;
+  frame.context->plain_of_caller = std::exchange(vm_.plain(), {});
+  vm_.enter(std::move(frame));
+}
+
+void SubprogramCalls::call_block(int repeats, int block) {
+  if (!vm_.check_call_depth()) return;
+  const Frame& caller = vm_.frame();
+  Frame frame = subprogram_frame(caller.file);
+  frame.position = caller.position;
+  frame.entry = caller.position;
+  frame.program_number = caller.program_number;
+  frame.repeats = repeats - 1;
+  frame.block = block;
   vm_.enter(std::move(frame));
 }
 
@@ -245,14 +296,15 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
                         " without parameters and result",
                     "the macro of this code");
   }
-  give_arguments(frame, macro);
+  give_arguments(frame, state_.words, macro);
   frame.context->user_code = macro.user_code;
   vm_.enter(std::move(frame));
 }
 
 // The words of the block are the arguments and the local parameters of the called text.
-void SubprogramCalls::give_arguments(Frame& frame, const MacroCode& macro) {
-  frame.context->arguments = arguments_of(state_.words, macro);
+void SubprogramCalls::give_arguments(Frame& frame, const BlockWords& words,
+                                     const MacroCode& macro) {
+  frame.context->arguments = arguments_of(words, macro);
   frame.context->of_caller =
       parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
 }
@@ -282,7 +334,11 @@ LocalParameters SubprogramCalls::parameters_of(const BlockWords& arguments,
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const int number = parameter_of_argument(letter);
     if (number == 0 || !arguments.has(letter)) continue;
-    locals.numbered[static_cast<std::size_t>(number - 1)] = arguments.value(letter);
+    locals.numbered[whole_number(number - 1)] = arguments.value(letter);
+  }
+  for (const NamedWord& word : arguments.named) {
+    const int number = parameter_of_repeated(word.name);
+    if (number != 0) locals.numbered[whole_number(number - 1)] = word.value;
   }
   return locals;
 }
@@ -327,6 +383,7 @@ SubprogramCalls::Left SubprogramCalls::leave_subprogram(Repeats repeats) {
     if (frame.context->arguments) {
       parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
     }
+    if (frame.block >= 0) return Left::again;
   }
   return Left::subprogram;
 }

@@ -277,6 +277,7 @@ void Vm::leave() {
   if (frame.context && frame.context->file_slots_before) {
     file_slots_[frame.file] = *frame.context->file_slots_before;
   }
+  if (frame.context && frame.context->modal_call) plain_ = frame.context->plain_of_caller;
   frames_.pop_back();
 }
 

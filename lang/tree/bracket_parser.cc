@@ -70,6 +70,10 @@ MaybeExpression BracketParser::parse_unsigned_value() {
   const char* at = first;
   Expression number;
   bool whole = false;
+  if (static_cast<unsigned char>(c) >= 0x80) {
+    report_illegal_character(cursor_);
+    return std::nullopt;
+  }
   if (!is_digit(c) && c != '.') {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a number");
     return std::nullopt;
@@ -199,6 +203,12 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
   if (function == "exists") {
     call.node = Node::exists;
     if (call.children[0].node == Node::named_parameter) return call;
+    if (call.children[0].node == Node::parameter) {
+      Expression exists;  // numbered ones always do
+      exists.number = 1.0;
+      exists.span = call.span;
+      return exists;
+    }
     reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
     return std::nullopt;
   }

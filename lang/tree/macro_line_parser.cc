@@ -10,6 +10,24 @@ namespace {
 
 constexpr std::string_view goto_word = "goto";
 
+Expression text_expression(std::string text, const Span& span) {
+  Expression expression;
+  expression.node = Node::string;
+  expression.span = span;
+  expression.text = std::move(text);
+  return expression;
+}
+
+Expression joined_texts(Expression left, Expression right) {
+  Expression sum;
+  sum.node = Node::binary;
+  sum.operation = Operation::add;
+  sum.span = left.span;
+  sum.children.push_back(std::move(left));
+  sum.children.push_back(std::move(right));
+  return sum;
+}
+
 }  // namespace
 
 MaybeStatement MacroLineParser::parse_macro_line() {
@@ -20,6 +38,8 @@ MaybeStatement MacroLineParser::parse_macro_line() {
   if (name == "if") return parse_if();
   if (name == "while") return parse_while();
   if (name.starts_with(goto_word)) return parse_goto();
+  if (name == "popen" || name == "pclos") return parse_printer_switch();
+  if (name == "dprnt" || name == "bprnt") return parse_print();
   if (name.starts_with("do")) {
     Expression always;
     always.number = 1.0;
@@ -204,6 +224,68 @@ MaybeStatement MacroLineParser::parse_goto() {
   auto target = brackets_.parse_value();
   if (!target || !finish_macro_line()) return std::nullopt;
   return statement_of(JumpLine{std::move(*target)});
+}
+
+// POPEN and PCLOS: what DPRNT prints goes into the log, which is open always.
+MaybeStatement MacroLineParser::parse_printer_switch() {
+  scanner_.advance(scanner_.name_ahead().size());
+  if (!finish_macro_line()) return std::nullopt;
+  return statement_of(Compound{});
+}
+
+// DPRNT[X#100[53]*TEXT]: the text with the values of variables, [53] is 5 digits before and 3
+// behind the point; * is a blank.
+MaybeStatement MacroLineParser::parse_print() {
+  const Span span = scanner_.here(5);
+  scanner_.advance(scanner_.name_ahead().size());
+  scanner_.skip_blanks(LineEnds::significant);
+  Expression line = text_expression({}, span);
+  std::string text;
+  for (scanner_.advance(1); scanner_.character() != ']';) {
+    if (scanner_.at_line_end()) {
+      reporter_.error("E2001", span, "`DPRNT[` is not closed", "`]` is missing on this line");
+      return std::nullopt;
+    }
+    if (scanner_.character() != '#') {
+      text += scanner_.character() == '*' ? ' ' : scanner_.character();
+      scanner_.advance(1);
+      continue;
+    }
+    auto value = parse_printed_value();
+    if (!value) return std::nullopt;
+    line = joined_texts(std::move(line), text_expression(std::exchange(text, {}), span));
+    line = joined_texts(std::move(line), std::move(*value));
+  }
+  scanner_.advance(1);
+  if (!finish_macro_line()) return std::nullopt;
+  IsoBlock block;
+  block.comments.push_back(
+      {Message::Kind::log, joined_texts(std::move(line), text_expression(text, span))});
+  return statement_of(std::move(block));
+}
+
+// #100[53]
+MaybeExpression MacroLineParser::parse_printed_value() {
+  auto value = brackets_.parse_parameter_reference();
+  if (!value) return std::nullopt;
+  const bool formatted = scanner_.character() == '[' && is_digit(scanner_.character(1)) &&
+                         is_digit(scanner_.character(2)) && scanner_.character(3) == ']';
+  if (!formatted) {
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
+                              "the digits before and behind the point, as in `[53]`");
+    return std::nullopt;
+  }
+  Expression decimals;
+  decimals.number = scanner_.character(2) - '0';
+  decimals.span = value->span;
+  scanner_.advance(4);
+  Expression call;
+  call.node = Node::call;
+  call.span = value->span;
+  call.text = "str";
+  call.children.push_back(std::move(*value));
+  call.children.push_back(std::move(decimals));
+  return call;
 }
 
 // Comments may follow, nothing else.

@@ -2,6 +2,7 @@
 //
 //   IF [..] GOTO n   IF [..] THEN block   IF [..] THEN / ELSE / ENDIF   GOTO n
 //   WHILE [..] DO m ... END m             DO m ... END m
+//   POPEN   DPRNT[text#1[53]]   BPRNT[..]   PCLOS
 //
 // Blanks between keyword and number are optional. What they enclose becomes the same tree as
 // high-level text. Source: Fanuc operator's manual B-63944EN, 16.5. Owner: Parser.
@@ -41,6 +42,9 @@ class MacroLineParser {
   MaybeStatement parse_while();
   MaybeStatement parse_loop(MaybeExpression condition, const Span& opened);
   MaybeStatement parse_goto();
+  MaybeStatement parse_printer_switch();
+  MaybeStatement parse_print();
+  MaybeExpression parse_printed_value();
   bool parse_loop_body(While& loop, const Span& opened);
   [[nodiscard]] std::string keyword_ahead() const;
   [[nodiscard]] std::size_t behind_block_number() const;

@@ -64,7 +64,8 @@ bool is_numbered(std::string_view name, std::string_view word) {
 // Parameters of a program that does not run: no value is known.
 class UnknownParameters : public Parameters {
  public:
-  explicit UnknownParameters(NamedParameters* names) : names_(names) {}
+  UnknownParameters(NamedParameters* names, const TextRules& rules)
+      : names_(names), rules_(rules) {}
 
   std::optional<double> numbered(double, ValueFault&) override { return std::nan(""); }
   std::optional<double> named(const std::string& name, ValueFault&) override {
@@ -72,6 +73,10 @@ class UnknownParameters : public Parameters {
     return known ? std::optional(std::nan("")) : std::nullopt;
   }
   bool are_known() const override { return false; }
+  bool is_at_hand(double number) const override {
+    constexpr double system_variable_first = 1000.0;
+    return !rules_.is_fanuc() || number < system_variable_first;
+  }
   std::optional<std::uint32_t> slot_to_set(const std::string& name) override {
     if (names_ == nullptr || find_predefined_parameter(name) != nullptr) return std::nullopt;
     return names_->add(name);
@@ -79,6 +84,7 @@ class UnknownParameters : public Parameters {
 
  private:
   NamedParameters* names_;
+  TextRules rules_;
 };
 
 // What stands here for a type of C, C++ or another control; empty: it is none.
@@ -208,7 +214,7 @@ bool Parser::take_plain_lines(StatementList& list) {
   std::uint32_t lines = 0;
   bool any_words = false;
   BlockWords words;
-  UnknownParameters parameters(context_.named_parameters);
+  UnknownParameters parameters(context_.named_parameters, cursor_.source().rules());
   TextValues values(parameters);
   const ChannelWords* const channel = channel_words_ ? &*channel_words_ : nullptr;
   for (const char* line = at; line != end; line = at, ++lines) {
@@ -218,7 +224,8 @@ bool Parser::take_plain_lines(StatementList& list) {
       at = line;
       break;
     }
-    any_words = any_words || !words.empty() || !values.settings().empty();
+    any_words = any_words || !words.empty() || !values.settings().empty() ||
+                block_number({line, end}).has_value();
   }
   if (at == begin) return false;
   const std::size_t from = scanner().offset();
@@ -272,8 +279,7 @@ MaybeStatement Parser::parse_kind() {
   const bool foreign =
       static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20;
   if (foreign) {
-    reporter().error("E1001", token.span, "illegal character",
-                     "only comments and strings may hold it");
+    report_illegal_character(cursor_);
   } else {
     cursor_.report_unexpected(token, "a statement");
   }
@@ -288,7 +294,10 @@ MaybeStatement Parser::parse_named_start() {
   const char behind = scanner().character(next);
   const bool macro_condition = (name == "if" || name == "while") && behind == '[';
   const bool macro_number = (name == "do" || name == "end") && is_digit(behind);
-  if (macro_condition || macro_number || name == "goto" || is_numbered(name, "goto") ||
+  const bool prints = ((name == "dprnt" || name == "bprnt") && behind == '[') ||
+                      ((name == "popen" || name == "pclos") && !is_name_start(behind) &&
+                       behind != '(' && behind != '=');
+  if (prints || macro_condition || macro_number || name == "goto" || is_numbered(name, "goto") ||
       is_numbered(name, "do") || is_numbered(name, "end")) {
     return macro_lines_.parse_macro_line();
   }

@@ -99,7 +99,7 @@ bool skip_block_number(const char*& at, const char* end) {
   }
   const auto value = values.read(at);
   if (value && std::isnan(*value) && values.are_known()) return true;  // a vacant parameter
-  return value && add_word(words, letter, {*value, false});
+  return value && add_word(words, letter, {*value, words.rules.is_fanuc()});
 }
 
 // Address and value; `at` is left behind them.

@@ -126,6 +126,7 @@ bool TextValues::read_setting(const char*& at) {
     const MaybeValue number = unsigned_value();
     if (!number) return false;
     setting.number = *number;
+    if (!parameters_.is_at_hand(*number)) return false;
   }
   setting.text = {at, at_};
   skip_blanks();
@@ -195,7 +196,7 @@ TextValues::MaybeValue TextValues::parameter() {
     result = parameters_.named(name_, fault_);
   } else {
     const MaybeValue number = unsigned_value();
-    if (!number) return std::nullopt;
+    if (!number || !parameters_.is_at_hand(*number)) return std::nullopt;
     result = parameters_.numbered(*number, fault_);
   }
   --depth_;

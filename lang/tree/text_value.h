@@ -38,6 +38,9 @@ class Parameters {
   virtual std::optional<double> named(const std::string& name, ValueFault& fault) = 0;
   // False: all values are NaN because no program runs. Otherwise NaN is a vacant parameter.
   [[nodiscard]] virtual bool are_known() const { return true; }
+  // Whether #number may be read and set while a line is read: not when the machine must be asked.
+  // NaN: a number that is computed.
+  [[nodiscard]] virtual bool is_at_hand(double) const { return true; }
   // Where a value for #<name> goes; nothing for a name that cannot be set.
   virtual std::optional<std::uint32_t> slot_to_set(const std::string& name) = 0;
 };

@@ -121,6 +121,7 @@ struct IsoBlock {
   std::vector<IsoWord> words;
   std::optional<Expression> spindle;  // after $
   std::vector<ParameterSetting> settings;
+  std::string remark;  // the text of its last comment that does nothing by itself
 };
 
 // GOTO n of macro lines: to block N of the text.
