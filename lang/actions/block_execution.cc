@@ -113,8 +113,8 @@ void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
 }
 
 void check_unused(ActiveBlock& block, const BlockCodes& codes) {
-  LetterSet allowed = codes.words | always_allowed | block.channel_words.letters() |
-                      block.channel_words.incremental_letters();
+  LetterSet allowed = codes.words | allowed_everywhere(block.words.rules) |
+                      block.channel_words.letters() | block.channel_words.incremental_letters();
   if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
   const LetterSet unused = block.words.letters & ~allowed;
   if (unused != 0) {
@@ -133,6 +133,14 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
                "unused word");
   }
+}
+
+// D of the Fanuc dialect, unless a code of the block has another use for it.
+void keep_offset_of_radius(ActiveBlock& block, const BlockCodes& codes) {
+  if (!block.words.rules.is_fanuc() || !block.has('D')) return;
+  const bool compensates = block.words.g.has(g(41)) || block.words.g.has(g(42));
+  if (!compensates && (codes.words & letters_of("D")) != 0) return;
+  if (const auto number = block.integer('D', 0, 99999999)) block.modal.tool.radius_offset = *number;
 }
 
 // In the order in which they take effect; codes of one rank stay as written.
@@ -203,6 +211,7 @@ void execute_block(ActiveBlock& block) {
   if (block.failed()) return;
   block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
                      codes.axis_user->order == EffectOrder::motion;
+  keep_offset_of_radius(block, codes);
   add_feed_speed_tool(block, codes);
   run_actions(block, codes);
 }

@@ -143,6 +143,7 @@ struct ModalTool {
   ToolLength length;
   std::array<double, 3> length_base_mm{};  // to which the length of the edge was added (G43.2)
   int length_edge = 1;                     // of length.tool
+  int radius_offset = -1;                  // last D of the Fanuc dialect; -1: none
   // #tool_overhang: what it adds to the programmed position of its axis.
   int overhang_axis = -1;
   double overhang_shift_mm = 0.0;

@@ -67,8 +67,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   BlockWords& words = state_.words;
   const char* const start = plain.at;
   const std::uint32_t line = plain.line;
-  const LineRules rules{plain.surroundings, vm_.file().source.rules()};
-  if (!read_plain_line(plain.at, plain.end, rules, words, text_values_)) {
+  if (!read_plain_line(plain.at, plain.end, plain.rules, words, text_values_)) {
     STANOK_ASSERT(text_values_.faulty());
     fail_text(text_values_.fault_text(), line, text_values_.fault());
     return LineResult::nothing;

@@ -64,7 +64,8 @@ std::optional<TextPlaces::PlainPlace> TextPlaces::plain_place(std::uint32_t line
   for (std::size_t i = 0; i < current.code.size(); ++i) {
     if (current.code[i].op != Op::plain_lines) continue;
     const PlainLines& lines = current.plain_lines[current.code[i].operand];
-    PlainCursor cursor{text + lines.begin, text + lines.end, lines.first_line, lines.surroundings};
+    PlainCursor cursor{text + lines.begin, text + lines.end, lines.first_line,
+                       rules_of(current, lines)};
     for (; !cursor.at_end() && cursor.line < line; ++cursor.line) {
       cursor.at = behind_line(cursor.at, cursor.end);
     }
@@ -132,7 +133,7 @@ void TextPlaces::go_to_block(int number) {
   if (block.offset == NumberedBlock::no_text) return;
   const PlainLines& lines = current.plain_lines[current.code[block.position].operand];
   const char* const text = current.source.text().data();
-  vm_.plain() = {text + block.offset, text + lines.end, block.line, lines.surroundings};
+  vm_.plain() = {text + block.offset, text + lines.end, block.line, rules_of(current, lines)};
   ++frame.position;
 }
 

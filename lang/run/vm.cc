@@ -34,6 +34,10 @@ std::vector<std::string> call_stack(const Program& program, const std::vector<Fr
 
 }  // namespace
 
+LineRules rules_of(const CompiledFile& file, const PlainLines& lines) {
+  return {lines.surroundings, file.source.rules()};
+}
+
 void Vm::begin(std::shared_ptr<const Program> program) {
   program_ = std::move(program);
   plain_ = {};
@@ -79,7 +83,7 @@ bool Vm::execute(const Instruction& instruction) {
     case Op::plain_lines: {
       const PlainLines& lines = file().plain_lines[instruction.operand];
       const char* const text = file().source.text().data();
-      plain_ = {text + lines.begin, text + lines.end, lines.first_line, lines.surroundings};
+      plain_ = {text + lines.begin, text + lines.end, lines.first_line, rules_of(file(), lines)};
       return true;
     }
     case Op::raise: {

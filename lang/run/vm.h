@@ -30,7 +30,7 @@ struct PlainCursor {
   const char* at = nullptr;
   const char* end = nullptr;
   std::uint32_t line = 0;
-  Surroundings surroundings = Surroundings::file_level;
+  LineRules rules;
 
   [[nodiscard]] bool at_end() const { return at == end; }
 };
@@ -60,6 +60,9 @@ struct Frame {
   std::uint32_t entry = 0;
   std::unique_ptr<CallContext> context;
 };
+
+// How lines of a file are read.
+[[nodiscard]] LineRules rules_of(const CompiledFile& file, const PlainLines& lines);
 
 class Vm final : public RunPlace {
  public:

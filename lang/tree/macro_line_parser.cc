@@ -36,7 +36,7 @@ MaybeStatement MacroLineParser::parse_macro_line() {
   const std::string name = folded(scanner_.name_ahead());
   const Span span = scanner_.here(static_cast<std::uint32_t>(name.size()));
   if (name == "if") return parse_if();
-  if (name == "while") return parse_while();
+  if (name == "while" || name == "wh") return parse_while();
   if (name.starts_with(goto_word)) return parse_goto();
   if (name == "popen" || name == "pclos") return parse_printer_switch();
   if (name == "dprnt" || name == "bprnt") return parse_print();
@@ -129,7 +129,7 @@ bool MacroLineParser::parse_branches(If& branch, const Span& opened) {
 }
 
 MaybeStatement MacroLineParser::parse_while() {
-  const Span span = scanner_.here(5);
+  const Span span = scanner_.here(static_cast<std::uint32_t>(scanner_.name_ahead().size()));
   auto condition = parse_condition();
   if (!condition) return std::nullopt;
   scanner_.skip_blanks(LineEnds::significant);
