@@ -34,6 +34,8 @@ class EmptyTables : public Tables {
   [[nodiscard]] std::optional<Tool> tool(int) const override { return Tool{}; }
   [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
   [[nodiscard]] AxisValues reference_point(int) const override { return {}; }
+  [[nodiscard]] double common_variable(int) const override { return 0.0; }
+  void set_common_variable(int, double) override {}
   void store_reference_point(int, const AxisValues&) override {}
 };
 
@@ -108,6 +110,19 @@ void computed_blocks(benchmark::State& state) {
       "angle += 1;\n}\nM30\n");
 }
 BENCHMARK(computed_blocks)->Unit(benchmark::kMillisecond);
+
+// Blocks with an axis word only are counted; each pass computes twice besides.
+void loop_of_macro_lines(benchmark::State& state) {
+  run(state,
+      "(dialect fanuc)\n#1=0\nG1 F1000\nWHILE [#1 LT 200000] DO 1\nX#1 Y[#1*2]\n#1=#1+1\nEND 1\n"
+      "M30\n");
+}
+BENCHMARK(loop_of_macro_lines)->Unit(benchmark::kMillisecond);
+
+void loop_of_jumps(benchmark::State& state) {
+  run(state, "(dialect fanuc)\n#1=0\nG1 F1000\nN10 X#1\n#1=#1+1\nIF [#1 LT 200000] GOTO 10\nM30\n");
+}
+BENCHMARK(loop_of_jumps)->Unit(benchmark::kMillisecond);
 
 void load(benchmark::State& state) {
   const OneFile files(plain_text(false, true));

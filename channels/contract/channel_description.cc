@@ -40,6 +40,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.bounds = machine.program_bounds;
   description.name = channel.name;
   description.kind = channel.kind;
+  description.rules = channel.rules;
   description.spindles = channel.spindles;
   for (const SpindleConfig& spindle : machine.spindles) {
     if (spindle.encoder_pulses > 0) description.spindles_with_position.push_back(spindle.id);
@@ -47,6 +48,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.has_force_control = channel.force_control;
   description.tool_word_changes_tool = channel.tool_change == "t_word";
   description.tool_word_has_edge = channel.t_format == "tool_edge";
+  description.tool_word_has_offset = channel.t_format == "tool_offset";
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;
   for (std::size_t index = 0; index < channel.axes.size(); ++index) {
     const AxisConfig& axis = machine.axes[channel.axes[index]];

@@ -88,7 +88,8 @@ struct ChannelConfig {
   std::map<std::string, std::string> codes;          // "G200" -> "cycles/groove.nc"
   std::map<std::string, std::string> address_alias;  // "E" -> "dS"
   std::string tool_change = "m6";                    // "m6" | "t_word"
-  std::string t_format = "plain";                    // "plain" | "tool_edge"
+  std::string t_format = "plain";                    // "plain" | "tool_edge" | "tool_offset"
+  lang::TextRules rules;                             // of programs that do not say otherwise
 };
 
 // Tools and offsets at first start, and later the live tables.
@@ -113,6 +114,8 @@ struct TablesConfig {
   std::map<std::string, AxisRow> offsets;  // "G54" -> axes
   // channel id -> "G28", "G30 P2" to "G30 P4" -> axes, in M; absent values are zero
   std::map<int, std::map<std::string, AxisRow>> reference_points;
+  // channel id -> number (500 to 999) -> common variable of the Fanuc dialect; absent: vacant
+  std::map<int, std::map<int, double>> variables;
 };
 
 struct MachineConfig {

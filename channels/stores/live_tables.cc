@@ -1,6 +1,7 @@
 #include "channels/stores/live_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/visit_in_cycle.h"
@@ -10,6 +11,9 @@ namespace {
 
 constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
 constexpr int tools_without_row_max = 99;
+constexpr int common_variables = lang::kept_variable_last - lang::kept_variable_first + 1;
+constexpr int variables_of_channel =
+    common_variables + lang::parts_variable_last - lang::parts_variable_first + 1;
 
 // In the order of ToolValue.
 std::array<double, tool_values> values_of(const ToolEdge& tool) {
@@ -102,6 +106,9 @@ LiveTables::LiveTables(const MachineConfig& machine)
   reference_points_ = NumberedList<std::atomic<double>>(
       channels_.size() * lang::reference_point_count * columns_.size());
   for (const int channel : channels_) read_reference_points(channel, machine.tables);
+  variables_ = NumberedList<std::atomic<double>>(channels_.size() * variables_of_channel);
+  for (std::atomic<double>& value : variables_) value = std::nan("");
+  for (const int channel : channels_) read_variables(channel, machine.tables);
   offsets_ = NumberedList<std::atomic<double>>(work_offsets_max * columns_.size());
   for (int number = 1; number <= work_offsets_max; ++number) {
     const auto row = machine.tables.offsets.find(work_offset_name(number));
@@ -140,6 +147,36 @@ void LiveTables::read_reference_points(int channel, const TablesConfig& tables) 
     for (const auto& [axis, value] : row->second)
       store_reference_point(channel, which, axis, value);
   }
+}
+
+void LiveTables::read_variables(int channel, const TablesConfig& tables) {
+  const auto values = tables.variables.find(channel);
+  if (values == tables.variables.end()) return;
+  for (const auto& [number, value] : values->second) set_variable(channel, number, value);
+}
+
+void LiveTables::add_variables(int channel, TablesConfig& tables) const {
+  for (int number = lang::kept_variable_first; number <= lang::parts_variable_last; ++number) {
+    if (!lang::is_kept_variable(number)) continue;
+    const double value = variable(channel, number);
+    if (!std::isnan(value)) tables.variables[channel][number] = value;
+  }
+}
+
+int LiveTables::variable_cell(int channel, int number) const {
+  const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
+  const int row = number <= lang::kept_variable_last
+                      ? number - lang::kept_variable_first
+                      : common_variables + number - lang::parts_variable_first;
+  return static_cast<int>(place) * variables_of_channel + row;
+}
+
+double LiveTables::variable(int channel, int number) const {
+  return variables_[variable_cell(channel, number)].load(std::memory_order_relaxed);
+}
+
+void LiveTables::set_variable(int channel, int number, double value) {
+  variables_[variable_cell(channel, number)].store(value, std::memory_order_relaxed);
 }
 
 int LiveTables::reference_cell(int channel, int which, std::string_view axis) const {
@@ -256,6 +293,7 @@ TablesConfig LiveTables::snapshot() const {
     }
   }
   for (const int channel : channels_) add_reference_points(channel, tables);
+  for (const int channel : channels_) add_variables(channel, tables);
   return tables;
 }
 

@@ -65,6 +65,10 @@ class LiveTables {
   [[nodiscard]] double reference_point(int channel, int which, std::string_view axis) const;
   void store_reference_point(int channel, int which, std::string_view axis, double value);
 
+  // Common variable #500 to #999 of a channel; NaN: vacant. Written by its preparation alone.
+  [[nodiscard]] double variable(int channel, int number) const;
+  void set_variable(int channel, int number, double value);
+
   // The cycle: single values. `axis` counts among all axes of the machine, or is
   // lang::rotation_of_offset (deg). Nothing, or false, when
   // there is no such entry; a write also when the value is out of range or the tables are
@@ -102,6 +106,9 @@ class LiveTables {
 
   void read_reference_points(int channel, const TablesConfig& tables);
   void add_reference_points(int channel, TablesConfig& tables) const;
+  void read_variables(int channel, const TablesConfig& tables);
+  void add_variables(int channel, TablesConfig& tables) const;
+  [[nodiscard]] int variable_cell(int channel, int number) const;
   [[nodiscard]] int reference_cell(int channel, int which, std::string_view axis) const;
 
   NumberedList<std::string> columns_;  // of the offsets: the axes, and R, the rotation
@@ -110,6 +117,7 @@ class LiveTables {
   bool unnamed_tools_ = true;
   NumberedList<std::atomic<double>> offsets_;           // by cell()
   NumberedList<std::atomic<double>> reference_points_;  // by reference_cell()
+  NumberedList<std::atomic<double>> variables_;         // by variable_cell()
   NumberedList<ToolPlace> tools_;                       // ascending by number and edge
 };
 
@@ -133,6 +141,12 @@ class ChannelTables final : public lang::Tables {
   [[nodiscard]] lang::AxisValues scheme_zero() const override { return scheme_zero_; }
   [[nodiscard]] lang::AxisValues reference_point(int which) const override;
   void store_reference_point(int which, const lang::AxisValues& point_M) override;
+  [[nodiscard]] double common_variable(int number) const override {
+    return live_.variable(channel_, number);
+  }
+  void set_common_variable(int number, double value) override {
+    live_.set_variable(channel_, number, value);
+  }
 
   [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
 

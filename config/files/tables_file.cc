@@ -1,4 +1,5 @@
-// Keys and checks of the tables file: [[tool]], [offset.G54] and [reference_point.1.G28].
+// Keys and checks of the tables file: [[tool]], [offset.G54], [reference_point.1.G28] and
+// [variable.1].
 #include "config/files/tables_file.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct TablesFile {
   Subtables tools = nullptr;
   Subtable offsets = nullptr;
   Subtable reference_points = nullptr;
+  Subtable variables = nullptr;
 };
 
 const Keys<TablesFile>& tables_keys() {
@@ -27,6 +29,8 @@ const Keys<TablesFile>& tables_keys() {
       {"tool", at<&TablesFile::tools>, optional, "", "one edge of a tool"},
       {"offset", at<&TablesFile::offsets>, optional, "", "work offsets"},
       {"reference_point", at<&TablesFile::reference_points>, optional, "", "points of G28 and G30"},
+      {"variable", at<&TablesFile::variables>, optional, "",
+       "common variables #500 to #999 of the dialect fanuc, and its part counters, by channel"},
   };
   return keys;
 }
@@ -197,6 +201,40 @@ void read_reference_points(Subtable channels, const std::vector<std::string>& ax
   }
 }
 
+// 0: it is none.
+int number_of_variable(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && end == text.data() + text.size();
+  return is_whole && lang::is_kept_variable(number) ? number : 0;
+}
+
+void read_variables_of_channel(const toml::table& values, std::map<int, double>& variables,
+                               const Scope& scope) {
+  for (const auto& [key, node] : values) {
+    const int number = number_of_variable(key.str());
+    if (number == 0) {
+      scope.fault(key.source(), "no common variable; the numbers are 500 to 999, 3901 and 3902");
+      continue;
+    }
+    detail::read_value(node, {.name = key.str(), .unit = "", .meaning = "common variable"}, scope,
+                       variables[number]);
+  }
+}
+
+void read_variables(Subtable channels, TablesConfig& tables, FaultList& faults) {
+  if (channels == nullptr) return;
+  for (const auto& [key, node] : *channels) {
+    const Scope scope{faults, "variable " + std::string(key.str())};
+    const int channel = number_of_channel(key.str());
+    if (channel == 0 || !node.is_table()) {
+      scope.fault(key.source(), "no table of a channel; write [variable.1] and 500 = 1.5");
+    } else {
+      read_variables_of_channel(*node.as_table(), tables.variables[channel], scope);
+    }
+  }
+}
+
 toml::table to_table(const channels::AxisRow& row) {
   toml::table table;
   for (const auto& [axis, value] : row) table.insert(axis, value);
@@ -263,6 +301,7 @@ TablesConfig read_tables(const std::filesystem::path& file,
   tables.tools = read_tools(sections.tools, base, faults);
   read_offsets(sections.offsets, axis_names, tables, faults);
   read_reference_points(sections.reference_points, axis_names, tables, faults);
+  read_variables(sections.variables, tables, faults);
   return tables;
 }
 
@@ -286,11 +325,20 @@ std::string to_toml(const TablesConfig& tables) {
     for (const auto& [name, values] : points) of_channel.insert(name, to_table(values));
     reference_points.insert(std::to_string(channel), std::move(of_channel));
   }
+  toml::table all{{"tool", std::move(tools)},
+                  {"offset", std::move(offsets)},
+                  {"reference_point", std::move(reference_points)}};
+  if (!tables.variables.empty()) {
+    toml::table variables;
+    for (const auto& [channel, values] : tables.variables) {
+      toml::table of_channel;
+      for (const auto& [number, value] : values) of_channel.insert(std::to_string(number), value);
+      variables.insert(std::to_string(channel), std::move(of_channel));
+    }
+    all.insert("variable", std::move(variables));
+  }
   std::ostringstream text;
-  text << toml::table{{"tool", std::move(tools)},
-                      {"offset", std::move(offsets)},
-                      {"reference_point", std::move(reference_points)}}
-       << "\n";
+  text << all << "\n";
   return text.str();
 }
 

@@ -11,6 +11,8 @@
 #include "config/sections/automatic_feed_section.h"
 #include "config/sections/axis_section.h"
 #include "config/sections/scheme_file.h"
+#include "lang/text/dialect_line.h"
+#include "lang/text/source.h"
 
 namespace stanok::config {
 namespace {
@@ -26,6 +28,8 @@ struct ChannelFile {
   Subtables schemes = nullptr;
   Subtables automatic_feeds = nullptr;
   std::string on_owner_failure = "hold";
+  std::string dialect = "stanok";
+  std::string code_system;
 };
 
 const Keys<ChannelFile>& channel_keys() {
@@ -34,7 +38,7 @@ const Keys<ChannelFile>& channel_keys() {
        "number by which programs and operators call the channel", from(1, 99)},
       {"name", at<&ChannelFile::channel, &ChannelConfig::name>, required, "", "name for people"},
       {"kind", at<&ChannelFile::kind>, optional, "",
-       "dialect of its programs; a master has no axes and no spindles",
+       "which codes its programs have; a master has no axes and no spindles",
        one_of({"mill", "lathe", "grind", "master"})},
       {"axes", at<&ChannelFile::axes>, optional, "",
        "names of its [[axis]], at most 8, in the order of displays and messages"},
@@ -60,10 +64,17 @@ const Keys<ChannelFile>& channel_keys() {
        one_of({"hold", "continue", "reset"})},
       {"probe_input", at<&ChannelFile::channel, &ChannelConfig::probe_input>, optional, "",
        "digital input that is on while the probe of G38.2 to G38.5 touches", from(0, 63), "none"},
+      {"dialect", at<&ChannelFile::dialect>, optional, "",
+       "whose meaning its programs have where controls contradict each other",
+       one_of({"stanok", "linuxcnc", "fanuc"})},
+      {"code_system", at<&ChannelFile::code_system>, optional, "",
+       "G codes of a lathe in the dialect fanuc, by Fanuc's name", one_of({"A", "B", "C"}), "B"},
       {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
        "which word changes the tool", one_of({"m6", "t_word"})},
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",
-       "what T says: the tool, or tool and edge (T0101)", one_of({"plain", "tool_edge"})},
+       "what T says: the tool, tool and edge (T0102: edge 2 of tool 1), or tool and offset "
+       "(T0102: tool 1 with the values of tool 2)",
+       one_of({"plain", "tool_edge", "tool_offset"})},
       {"address_alias", at<&ChannelFile::channel, &ChannelConfig::address_alias>, optional, "",
        "free letters that stand for named addresses (E = \"dS\"): A, B, C, E and, but on a lathe, "
        "V and W, as far as they are no axes"},
@@ -80,6 +91,21 @@ lang::ChannelKind channel_kind(std::string_view name) {
   if (name == "grind") return lang::ChannelKind::grind;
   if (name == "master") return lang::ChannelKind::master;
   return lang::ChannelKind::mill;
+}
+
+// A code system is one of Fanuc lathes.
+lang::TextRules text_rules(const toml::table& table, const ChannelFile& file,
+                           lang::ChannelKind kind, const Scope& scope) {
+  lang::TextRules rules;
+  rules.dialect = lang::dialect_called(file.dialect).value_or(lang::Dialect::stanok);
+  if (file.code_system.empty()) return rules;
+  rules.code_system =
+      lang::code_system_called(lang::folded(file.code_system)).value_or(lang::CodeSystem::b);
+  if (rules.is_fanuc() && kind == lang::ChannelKind::lathe) return rules;
+  scope.fault(place_of(table, "code_system"),
+              "a code system is one of lathes in the dialect fanuc; take it out, or give the "
+              "channel kind = \"lathe\" and dialect = \"fanuc\"");
+  return rules;
 }
 
 channels::OwnerFailure owner_failure(std::string_view name) {
@@ -257,6 +283,7 @@ ChannelConfig read_channel(const toml::table& table, const MachineConfig& machin
   ChannelConfig channel = std::move(file.channel);
   channel.kind = channel_kind(file.kind);
   channel.on_owner_failure = owner_failure(file.on_owner_failure);
+  channel.rules = text_rules(table, file, channel.kind, scope);
   resolve_axes(table, file, machine, channel, scope);
   if (!table.contains("words")) channel.words = file.axes;
   check_spindles(table, channel, machine, scope);

@@ -21,6 +21,9 @@ std::optional<Tool> compensated_tool(ActiveBlock& block, CodeNumber code) {
     if (!named) return std::nullopt;
     number = *named;
     edge = 1;
+  } else if (block.words.rules.is_fanuc() && block.modal.tool.radius_offset >= 0) {
+    number = block.modal.tool.radius_offset;
+    edge = 1;
   }
   if (number == 0) return Tool{};
   auto tool = block.tables.tool_edge(number, edge);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "lang/actions/hole_moves.h"
+#include "lang/block/other_controls.h"
 
 namespace stanok::lang {
 namespace {
@@ -19,7 +20,8 @@ constexpr double moves_max = 100000.0;
 
 bool is_cycle(CodeNumber code) {
   const Code* const row = find_code('G', code);
-  return row != nullptr && (row->action == CodeAction::drill_hole || code == g(76));
+  return row != nullptr &&
+         (row->action == CodeAction::drill_hole || code == g(74) || code == g(76));
 }
 
 bool needs_dwell(CodeNumber code) {
@@ -34,14 +36,31 @@ bool pecks(CodeNumber code) {
   return code == g(73) || code == g(83);
 }
 
-// Channel axis along which the tool goes; fails the block when the channel has none.
+// Words that only the cycle of the same number on lathes has.
+bool refuses_words_of_lathes(ActiveBlock& block) {
+  for (const char letter : {'Q', 'I', 'D'}) {
+    if (!block.has(letter)) continue;
+    block.fail("E4003", {letter, -1, {}},
+               std::string("nothing in this block uses `") + letter + "`", "unused word");
+  }
+  return block.failed();
+}
+
+// Channel axis along which the tool goes; on lathes the cycles drill into the face. Fails the block
+// when the channel has none.
 std::optional<AxisIndex> tool_axis(ActiveBlock& block, CodeNumber code) {
-  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
-  const AxisIndex axis = block.channel_words.geometry_axis(plane.normal);
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  const Plane plane = lathe ? Plane::xy : block.modal.plane();
+  const AxisIndex axis = block.channel_words.geometry_axis(plane_coordinates[plane].normal);
   if (axis.exists()) return axis;
   block.fail("E4036", code_word(code), "the channel lacks the tool axis of the cycle", "")
       .notes.push_back(block.modal.origin_of(Group::plane));
   return std::nullopt;
+}
+
+// K of the Fanuc dialect; elsewhere it is the lead of tapping.
+bool counts_repeats(const ActiveBlock& block) {
+  return block.words.rules.is_fanuc();
 }
 
 // Takes R, Z, Q and P of the block over into the sequence.
@@ -52,7 +71,10 @@ void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
     return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
   };
   if (block.has('R')) {
-    cycle.retract_level = level(block.length('R'), cycle.initial_level);
+    // On Fanuc lathes R is a distance from the initial level, whatever G90 says.
+    const bool distance = block.channel.kind == ChannelKind::lathe && block.words.rules.is_fanuc();
+    cycle.retract_level = distance ? cycle.initial_level + map.gain(axis) * block.length('R')
+                                   : level(block.length('R'), cycle.initial_level);
     cycle.has_retract_level = true;
   }
   if ((block.programmed & axis_bit(axis)) != 0) {
@@ -60,8 +82,9 @@ void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
     cycle.has_bottom = true;
   }
   if (block.has('Q')) cycle.peck = block.length('Q');
-  if (block.has('P') && check_dwell(block, 'P', block.value('P'))) cycle.dwell_s = block.value('P');
-  if (block.has('K')) cycle.lead = block.length('K');
+  const double dwell_s = value_or_thousandths(block, 'P');
+  if (block.has('P') && check_dwell(block, 'P', dwell_s)) cycle.dwell_s = dwell_s;
+  if (block.has('K') && !counts_repeats(block)) cycle.lead = block.length('K');
 }
 
 void check_cycle(ActiveBlock& block, CodeNumber code) {
@@ -77,7 +100,7 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
                "the level R lies below the bottom of the hole", "below the bottom");
   } else if (pecks(code) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
-  } else if (needs_dwell(code) && cycle.dwell_s < 0.0) {
+  } else if (needs_dwell(code) && cycle.dwell_s < 0.0 && !block.words.rules.is_fanuc()) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
   } else if (code == g(76) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
@@ -101,15 +124,21 @@ std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
                "too small");
     return std::nullopt;
   }
-  if (!block.has('L')) return 1;
-  return block.integer('L', 0, static_cast<int>(moves_max / moves));
+  const char letter = block.has('K') && counts_repeats(block) ? 'K' : 'L';
+  if (!block.has(letter)) return 1;
+  return block.integer(letter, 0, static_cast<int>(moves_max / moves));
 }
 
 // Of the words of G76 some belong to the thread cycle of lathe channels.
 bool uses_its_words(ActiveBlock& block, CodeNumber code) {
+  if (block.has('K') && !taps(code) && code != g(76) && !counts_repeats(block)) {
+    block.fail("E4003", {'K', -1, {}}, "nothing in this block uses `K`", "unused word")
+        .help.emplace_back("repeats are `L`; K counts them in the dialect fanuc");
+    return false;
+  }
   if (code != g(76)) return true;
   for (const char letter : {'E', 'H', 'I', 'J', 'K'}) {
-    if (!block.has(letter)) continue;
+    if (!block.has(letter) || (letter == 'K' && counts_repeats(block))) continue;
     block.fail("E4003", {letter, -1, {}},
                std::string("`G76` does not use `") + letter + "` on this channel", "unused word");
     return false;
@@ -139,9 +168,11 @@ void bore_or_thread(ActiveBlock& block, CodeNumber code) {
 void drill_hole(ActiveBlock& block, CodeNumber code) {
   const auto axis = tool_axis(block, code);
   if (!axis || !uses_its_words(block, code)) return;
+  if (code == g(74) && refuses_words_of_lathes(block)) return;
   DrillingCycle& cycle = block.modal.cycles.drilling;
   if (!is_cycle(block.modal.code(Group::motion))) {
     cycle = {};
+    block.modal.cycles.motion_before = block.modal.code(Group::motion);
     cycle.initial_level = block.modal.position_W[*axis];
   }
   if (block.programmed == 0) return;

@@ -59,9 +59,9 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved) {
 
 void select_work_offset(ActiveBlock& block, CodeNumber code) {
   int number = offset_number(code);
-  if (code == g(54, 1)) {
+  if (code == g(54, 1) || code == g(154)) {
     if (!block.has('P')) {
-      block.fail("E4007", {'G', g(54, 1), {}}, "`G54.1` needs P", "no P");
+      block.fail("E4007", {'G', code, {}}, "`" + code_text('G', code) + "` needs P", "no P");
       return;
     }
     const auto page = block.integer('P', 1, 300);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lang/actions/actions.h"
+#include "lang/block/other_controls.h"
 #include "lang/text/number.h"
 
 namespace stanok::lang {
@@ -12,12 +13,14 @@ namespace {
 struct ToolWord {
   int tool = 0;
   int edge = 1;
+  int offset = -1;  // tool whose values hold; -1: its own
 };
 
 // On a lathe channel three and more digits hold the edge in the last two (T0101).
 ToolWord tool_of_word(const ActiveBlock& block, int number) {
   const bool lathe = block.channel.kind == ChannelKind::lathe;
   const bool with_edge = block.channel.tool_word_has_edge.value_or(lathe);
+  if (block.channel.tool_word_has_offset && number >= 100) return {number / 100, 1, number % 100};
   if (with_edge && number >= 100) return {number / 100, number % 100};
   return {number, 1};
 }
@@ -37,6 +40,17 @@ void put_into_spindle(ActiveBlock& block, const ToolWord& tool) {
 }  // namespace
 
 void only_modal(ActiveBlock&, CodeNumber) {}
+
+// In the Fanuc dialect G80 is in a group of its own: the motion code from before the cycle is in
+// force again.
+void end_cycle(ActiveBlock& block, CodeNumber) {
+  if (!block.words.rules.is_fanuc()) return;
+  block.kept_groups |= group_bit(Group::motion);
+  const Code* const motion = find_code('G', block.modal.code(Group::motion));
+  const bool drills = motion->action == CodeAction::drill_hole;
+  if (drills || motion->number == g(74) || motion->number == g(76))
+    block.set_modal(Group::motion, block.modal.cycles.motion_before);
+}
 
 void take_feed(ActiveBlock& block, CodeNumber) {
   set_feed(block);
@@ -72,10 +86,17 @@ void take_tool(ActiveBlock& block, CodeNumber) {
         .help.push_back("the last two digits are the edge: edge 1 is `T" + tool + "01`");
     return;
   }
+  if (word.offset > 0 && !block.tables.tool(word.offset)) {
+    block.fail("E5021", {'T', -1, {}},
+               "the tool table has no values for offset " + std::to_string(word.offset),
+               "unknown offset");
+    return;
+  }
   block.modal.tool.prepared = word.tool;
   block.queue.emit(ToolPrepare{word.tool});
   if (!changes_at_tool_word(block)) return;
   put_into_spindle(block, word);
+  if (word.offset >= 0) return use_tool_offset(block, word.offset, word.offset == 0 ? 0 : 1);
   use_tool_offset(block, word.tool, word.edge);
 }
 
@@ -139,7 +160,8 @@ void dwell(ActiveBlock& block, CodeNumber) {
         .help.push_back("give seconds, e.g. `G4 P0.5`");
     return;
   }
-  double seconds = block.value(block.dwell_word);
+  const bool in_ms = block.dwell_word == 'P';
+  double seconds = in_ms ? value_or_thousandths(block, 'P') : block.value(block.dwell_word);
   if (block.dwell_word == 'S') {
     const auto spindle = named_spindle(block);
     if (!spindle) return;
@@ -208,6 +230,24 @@ void call_program(ActiveBlock& block, CodeNumber code) {
   block.flow.code = code;
 }
 
+// M97 P100 L2: N100 of this program up to M99, as on Haas controls.
+void call_block(ActiveBlock& block, CodeNumber code) {
+  if (!block.has('P')) {
+    block.fail("E4007", {'M', code, {}}, "`M97` needs the number of a block", "no P");
+    return;
+  }
+  const auto number = block.integer('P', 0, 99999999);
+  const auto repeats = block.has('L') ? block.integer('L', 0, 99999999) : 1;
+  if (!number || !repeats) return;
+  block.flow.kind = Flow::call_block;
+  block.flow.block = *number;
+  block.flow.repeats = *repeats;
+}
+
+void end_modal_call(ActiveBlock& block, CodeNumber) {
+  block.flow.kind = Flow::end_modal_call;
+}
+
 void send_machine_function(ActiveBlock& block, CodeNumber code) {
   MachineFunction function;
   function.code = code / 10;
@@ -217,7 +257,13 @@ void send_machine_function(ActiveBlock& block, CodeNumber code) {
   if (block.channel_words.dialect().output_waits(code)) block.queue.emit(Request{});
 }
 
+// M99 P10 goes on with N10 of the caller.
 void return_from_program(ActiveBlock& block, CodeNumber) {
+  if (block.has('P')) {
+    const auto number = block.integer('P', 0, 99999999);
+    if (!number) return;
+    block.flow.block = *number;
+  }
   block.flow.kind = Flow::return_from_subprogram;
 }
 

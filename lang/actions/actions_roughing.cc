@@ -9,6 +9,7 @@
 
 #include "lang/actions/block_execution.h"
 #include "lang/actions/cycle_moves.h"
+#include "lang/block/other_controls.h"
 #include "lang/block/turned_contour.h"
 
 namespace stanok::lang {
@@ -23,10 +24,18 @@ void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
 
 // Words that the code does not have on this channel, or not in this form.
 void refuse_words(ActiveBlock& block, std::string_view refused) {
+  std::vector<std::string> help;
+  if (block.channel.kind != ChannelKind::lathe) {
+    help.emplace_back(
+        "on a mill G70 and G71 are inch and millimetre; the contour cycles exist on lathe "
+        "channels");
+  }
   for (const char letter : refused) {
     if (!block.has(letter)) continue;
-    block.fail("E4003", {letter, -1, {}},
-               std::string("nothing in this block uses `") + letter + "`", "unused word");
+    block
+        .fail("E4003", {letter, -1, {}}, std::string("nothing in this block uses `") + letter + "`",
+              "unused word")
+        .help = help;
   }
 }
 
@@ -117,6 +126,20 @@ void take_settings(ActiveBlock& block, CodeNumber code) {
              letter == 'R' ? "the retract must not be negative"
                            : std::string("`") + letter + "`, the depth of cut, must be positive",
              "");
+}
+
+// G71 P Q U W D F: one line, as Haas and older Fanuc controls have it. The depth D is a radius; the
+// tool goes back by what a block with R said, or a millimetre.
+bool take_depth_of_line(ActiveBlock& block, CodeNumber code) {
+  if (!block.has('D')) return true;
+  constexpr double retract_mm = 1.0;
+  RoughingSettings& settings =
+      code == g(71) ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
+  settings.depth = value_or_thousandths(block, 'D') * block.length_unit();
+  if (settings.retract <= 0.0) settings.retract = retract_mm;
+  if (settings.depth > 0.0) return true;
+  block.fail("E4008", {'D', -1, {}}, "`D`, the depth of cut, must be positive", "");
+  return false;
 }
 
 class Roughing {
@@ -224,12 +247,12 @@ void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour
 }  // namespace
 
 void rough_contour(ActiveBlock& block, CodeNumber code) {
-  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUW");
+  if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUWD");
   auto moves = CycleMoves::of(block, code);
   if (!moves) return;
   const bool only_settings = !block.has('P') && !block.has('Q');
-  refuse_words(block, !only_settings ? "R" : code == g(71) ? "W" : "U");
-  if (block.failed()) return;
+  refuse_words(block, !only_settings ? "R" : code == g(71) ? "DW" : "DU");
+  if (block.failed() || !take_depth_of_line(block, code)) return;
   if (only_settings) return take_settings(block, code);
   const RoughingSettings& settings =
       code == g(71) ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;

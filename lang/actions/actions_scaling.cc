@@ -67,8 +67,8 @@ void scale_axes(ActiveBlock& block, CodeNumber code) {
     }
     const bool centred = is_programmed(block, axis);
     const double centre = centred ? block.values[axis] : block.modal.programmed_position(axis);
-    const double each = named ? block.value(factor_words[k]) : 1.0;
-    block.modal.map.scale(axis, centre, block.has('P') ? block.value('P') : each);
+    const double each = named ? value_or_thousandths(block, factor_words[k]) : 1.0;
+    block.modal.map.scale(axis, centre, block.has('P') ? value_or_thousandths(block, 'P') : each);
   }
 }
 

@@ -158,7 +158,8 @@ void take_thread_settings(ActiveBlock& block) {
     settings.run_out_tenths = *digits / 100 % 100;
     settings.angle_deg = *digits % 100;
   }
-  if (block.has('Q')) settings.smallest_cut = block.length('Q');
+  if (block.has('Q'))
+    settings.smallest_cut = value_or_thousandths(block, 'Q') * block.length_unit();
   if (block.has('R')) settings.last_cut = block.length('R');
   if (settings.smallest_cut < 0.0) ask_for(block, 'Q', "Q of at least 0");
   if (settings.last_cut < 0.0) ask_for(block, 'R', "R of at least 0");
@@ -177,7 +178,7 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   const TurningPoint start = moves.position();
   const TurningPoint root = moves.programmed_end();
   const double taper = block.has('R') ? block.length('R') : 0.0;
-  const double depth = block.length('P');
+  const double depth = value_or_thousandths(block, 'P') * block.length_unit();
   thread.inward = start.x > root.x ? -1.0 : 1.0;
   thread.lead = block.length('F');
   thread.depth = depth;
@@ -189,10 +190,35 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   if (thread.depth <= 0.0) ask_for(block, 'P', "P larger than the last cut");
   if (settings.smallest_cut >= depth) ask_for(block, 'P', "P larger than the smallest cut");
   if (block.failed()) return;
-  add_passes(block, thread, block.length('Q'), 0.5, settings.smallest_cut, 0);
+  const double first_cut = value_or_thousandths(block, 'Q') * block.length_unit();
+  add_passes(block, thread, first_cut, 0.5, settings.smallest_cut, 0);
   thread.depth = depth;
   const int finishing = (settings.last_cut > 0.0 ? 1 : 0) + settings.spring_passes;
   thread.passes.insert(thread.passes.end(), static_cast<std::size_t>(finishing), depth);
+  cut_passes(block, moves, thread);
+}
+
+// G76 X Z K D F [I] [A] in one block, as Haas and older Fanuc controls have it: height K, first
+// depth D, lead F, taper I (radii), tool angle A.
+void cut_in_one_block(ActiveBlock& block, CycleMoves& moves, Thread thread) {
+  refuse_words_of_other_forms(block, "KFIP");
+  const double first = value_or_thousandths(block, 'D') * block.length_unit();
+  if (!moves.names_x()) ask_for(block, 'X', "X, the root of the thread");
+  if (block.value('K') <= 0.0) ask_for(block, 'K', "K, a positive height");
+  if (first <= 0.0) ask_for(block, 'D', "D, a positive first depth");
+  if (!block.has('F') || block.value('F') <= 0.0) ask_for(block, 'F', "F, a positive lead");
+  const double angle = block.has('A') ? block.value('A') : 0.0;
+  if (angle < 0.0 || angle >= 160.0) ask_for(block, 'A', "A from 0 to below 160 degrees");
+  if (block.failed()) return;
+  const TurningPoint start = moves.position();
+  const TurningPoint root = moves.programmed_end();
+  thread.inward = start.x > root.x ? -1.0 : 1.0;
+  thread.lead = block.length('F');
+  thread.depth = block.length('K');
+  thread.peak_end = {root.x - thread.inward * thread.depth, root.z};
+  thread.peak_start = {thread.peak_end.x + (block.has('I') ? block.length('I') : 0.0), start.z};
+  thread.infeed_tangent = tangent_of_deg(angle / 2.0);
+  add_passes(block, thread, first, 0.5, 0.0, 0);
   cut_passes(block, moves, thread);
 }
 
@@ -210,7 +236,9 @@ void cut_thread_in_passes(ActiveBlock& block, CodeNumber code) {
   if (block.failed()) return;
   Thread thread;
   thread.spindle = *spindle;
-  if (block.has('K')) {
+  if (block.has('K') && block.has('D')) {
+    cut_in_one_block(block, *moves, std::move(thread));
+  } else if (block.has('K')) {
     cut_with_full_depth(block, *moves, std::move(thread));
   } else {
     cut_with_root(block, *moves, std::move(thread));

@@ -113,8 +113,8 @@ void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
 }
 
 void check_unused(ActiveBlock& block, const BlockCodes& codes) {
-  LetterSet allowed = codes.words | always_allowed | block.channel_words.letters() |
-                      block.channel_words.incremental_letters();
+  LetterSet allowed = codes.words | allowed_everywhere(block.words.rules) |
+                      block.channel_words.letters() | block.channel_words.incremental_letters();
   if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
   const LetterSet unused = block.words.letters & ~allowed;
   if (unused != 0) {
@@ -135,6 +135,14 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
+// D of the Fanuc dialect, unless a code of the block has another use for it.
+void keep_offset_of_radius(ActiveBlock& block, const BlockCodes& codes) {
+  if (!block.words.rules.is_fanuc() || !block.has('D')) return;
+  const bool compensates = block.words.g.has(g(41)) || block.words.g.has(g(42));
+  if (!compensates && (codes.words & letters_of("D")) != 0) return;
+  if (const auto number = block.integer('D', 0, 99999999)) block.modal.tool.radius_offset = *number;
+}
+
 // In the order in which they take effect; codes of one rank stay as written.
 void sort_by_phase(BlockCodes& codes) {
   for (const Code** next = codes.begin(); next != codes.end(); ++next) {
@@ -149,7 +157,7 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
   for (std::size_t i = block.actions_done; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[i];
-    function_of(row.action)(block, row.number);
+    if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
@@ -201,6 +209,9 @@ void execute_block(ActiveBlock& block) {
   check_incremental_words(block, codes);
   check_open_curve(block, codes);
   if (block.failed()) return;
+  block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
+                     codes.axis_user->order == EffectOrder::motion;
+  keep_offset_of_radius(block, codes);
   add_feed_speed_tool(block, codes);
   run_actions(block, codes);
 }

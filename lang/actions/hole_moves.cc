@@ -27,7 +27,7 @@ SpindleAction turning_of(const ModalState& modal) {
 // K is the lead, on Fanuc controls a number of holes: what F of the same block contradicts, and
 // what can be no lead, is refused.
 bool is_lead(ActiveBlock& block, double speed) {
-  if (!block.has('K')) return true;
+  if (!block.has('K') || block.words.rules.is_fanuc()) return true;
   constexpr double tolerance = 0.01;  // of a feed that was rounded
   const double lead = block.length('K');
   const bool by_turn = block.modal.feed_mode() == FeedMode::per_revolution;

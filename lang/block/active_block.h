@@ -24,8 +24,11 @@ enum class Flow : std::uint8_t {
   end_of_program,
   call_numbered,
   return_from_subprogram,
-  behind_line,  // on behind `line`
-  run_contour,  // the lines from `contour_line` to `line`, then back to where the tool stands
+  go_to_block,     // `block` of the current text
+  call_block,      // the same as a subprogram, `repeats` times
+  end_modal_call,  // G67
+  behind_line,     // on behind `line`
+  run_contour,     // the lines from `contour_line` to `line`, then back to where the tool stands
 };
 
 // What a block does to the flow of the program behind its own effects.
@@ -35,6 +38,9 @@ struct BlockFlow {
   ProgramEndKind end_kind = ProgramEndKind::end;
   std::uint32_t line = 0;
   std::uint32_t contour_line = 0;
+  int repeats = 1;
+  bool moves = false;  // a motion code took the axis words of the block
+  int block = -1;      // N to go to, behind a return; -1: on behind the call
 };
 
 // Blocks N first to N last of the current text, for cycles that refer to a contour.

@@ -113,7 +113,7 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
     const bool has_axis_words = (words.letters & axes & ~dwell_set) != 0 || any_named_axis(words);
     if (auto fault = other_meaning({words, codes, channel->kind, has_axis_words})) return fault;
   }
-  LetterSet allowed = codes.words | always_allowed | dwell_set | axes;
+  LetterSet allowed = codes.words | allowed_everywhere(words.rules) | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
   const LetterSet unused = words.letters & ~allowed;
   if (unused != 0) return unused_word(unused, channel);
@@ -127,6 +127,7 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
 }
 
 bool dwells_suspiciously_long(const BlockWords& words) {
+  if (words.rules.is_fanuc()) return false;
   const auto looks_like_milliseconds = [&](char letter) {
     return words.has(letter) && words.value(letter) >= 100.0 &&
            (words.whole & letter_bit(letter)) != 0;

@@ -22,6 +22,10 @@ namespace stanok::lang {
 
 // Words that every block may have: F, S and T.
 inline constexpr LetterSet always_allowed = letters_of("FST");
+// In the Fanuc dialect D is modal: G41 and G42 without D take the last one.
+[[nodiscard]] constexpr LetterSet allowed_everywhere(const TextRules& rules) {
+  return rules.is_fanuc() ? always_allowed | letters_of("D") : always_allowed;
+}
 // 0: the set is empty.
 [[nodiscard]] char first_letter(LetterSet set);
 // The word that holds the time of G4. X and U are axis words elsewhere, F and S feed and speed:

@@ -14,16 +14,12 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
     return fault_at("E4009", word, "`" + name + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
-  const bool other_on_lathe = code.letter == 'G' && (code.number == g(73) || code.number == g(74));
-  if (kind == ChannelKind::lathe && other_on_lathe) {
+  if (kind == ChannelKind::lathe && code.letter == 'G' && code.number == g(73)) {
     return fault_at("E2090", word, "`" + name + "` is not supported in this release",
-                    code.number == g(73) ? "pattern repeating" : "face pecking cycle");
+                    "pattern repeating");
   }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
-    BlockFault fault =
-        fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
-    if (code.number == g(84)) fault.help.emplace_back("tap with `G33.1`, e.g. `G33.1 Z-12 K1.25`");
-    return fault;
+    return fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
   }
   if (kind != ChannelKind::lathe && code.availability == Availability::lathe_only) {
     return fault_at("E4009", word, "`" + name + "` exists on lathe channels only", "");
@@ -87,7 +83,13 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   const std::string name = code_text(letter, number);
   const WordName word{letter, number, {}};
   if (row == nullptr) {
-    return fault_at("E4004", word, "unknown code `" + name + "`", "there is no such code");
+    BlockFault fault =
+        fault_at("E4004", word, "unknown code `" + name + "`", "there is no such code");
+    fault.help.push_back("a machine builder's code gets its meaning in the machine file: " + name +
+                         " = \"cycles/name.nc\"" +
+                         (letter == 'M' ? " or \"before\", \"after\"" : "") +
+                         " in [channel.codes]");
+    return fault;
   }
   if (row->action == CodeAction::unsupported) {
     BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
@@ -112,13 +114,30 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   codes.add(row);
   codes.groups |= row->groups;
   codes.words |= row->words;
+  const bool thread = letter == 'G' && number == g(76);
+  if (thread && kind != nullptr && *kind == ChannelKind::lathe) codes.words |= letters_of("AD");
   return std::nullopt;
 }
 
+// In the Fanuc dialect a motion code beside G28, G30, G92 and their like is active for the blocks
+// to come only: `G0 G28 Z0`. True when `row` leaves the axis words to the code that has them, or
+// takes them from the motion code that had them.
+bool rests_beside(BlockCodes& codes, const Code& row) {
+  const Code& user = *codes.axis_user;
+  const bool user_moves = user.group == Group::motion;
+  const bool row_moves = row.group == Group::motion;
+  const Code& motion = user_moves ? user : row;
+  if (user_moves == row_moves || motion.action != CodeAction::move_straight) return false;
+  codes.resting_motion = &motion;
+  if (user_moves) codes.axis_user = &row;
+  return true;
+}
+
 // Rule: the axis words of a block belong to one code.
-std::optional<BlockFault> find_axis_user(BlockCodes& codes) {
+std::optional<BlockFault> find_axis_user(BlockCodes& codes, const TextRules& rules) {
   for (const Code* const row : codes) {
     if (row->axes == AxisWords::unused) continue;
+    if (codes.axis_user != nullptr && rules.is_fanuc() && rests_beside(codes, *row)) continue;
     if (codes.axis_user != nullptr) {
       return fault_at("E4006", {row->letter, row->number, {}},
                       "`" + code_text(codes.axis_user->letter, codes.axis_user->number) +
@@ -141,7 +160,7 @@ std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKi
   for (const CodeNumber number : words.m) {
     if (auto fault = add_code(codes, 'M', number, words, kind, dialect)) return fault;
   }
-  return find_axis_user(codes);
+  return find_axis_user(codes, words.rules);
 }
 
 }  // namespace stanok::lang

@@ -25,7 +25,8 @@ struct BlockCodes {
   std::size_t count = 0;
   GroupSet groups = 0;
   LetterSet words = 0;
-  const Code* axis_user = nullptr;  // the code that takes the axis words
+  const Code* axis_user = nullptr;       // the code that takes the axis words
+  const Code* resting_motion = nullptr;  // only becomes the active code of its group
 
   [[nodiscard]] const Code** begin() { return rows.data(); }
   [[nodiscard]] const Code** end() { return rows.data() + count; }

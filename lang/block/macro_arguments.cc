@@ -35,7 +35,11 @@ std::optional<BlockFault> check_macro_block(const BlockWords& words, const Macro
                       "unused word", {}, {}};
   }
   if (call && !words.has('P')) {
-    return BlockFault{"E4007", {'G', g(65), {}}, "`G65` needs the number of a program", "no P", {},
+    return BlockFault{"E4007",
+                      WordName{macro.letter, macro.number, {}},
+                      "`" + name + "` needs the number of a program",
+                      "no P",
+                      {},
                       {}};
   }
   return std::nullopt;
@@ -52,6 +56,16 @@ BlockWords arguments_of(const BlockWords& words, const MacroCode& macro) {
   arguments.g.count = 0;
   arguments.m.count = 0;
   return arguments;
+}
+
+int parameter_of_repeated(std::string_view name) {
+  const bool repeated = name.size() >= 2 && name[0] >= 'I' && name[0] <= 'K' && is_digit(name[1]);
+  if (!repeated) return 0;
+  int set = 0;
+  for (const char digit : name.substr(1)) set = 10 * set + (is_digit(digit) ? digit - '0' : 0);
+  constexpr int first = 4;  // of I, then J and K
+  const int number = first + 3 * (set - 1) + (name[0] - 'I');
+  return number <= 33 ? number : 0;
 }
 
 std::optional<double> find_argument(const BlockWords& arguments, std::string_view name) {

@@ -15,6 +15,10 @@ namespace stanok::lang {
 // The number of the parameter that a letter sets; 0 if none.
 [[nodiscard]] int parameter_of_argument(char letter);
 
+// The number of the parameter that the second and later I, J and K of a call set ("I2"): argument
+// specification II; 0 if none.
+[[nodiscard]] int parameter_of_repeated(std::string_view name);
+
 // Why a block cannot be a call of `macro`, if so.
 [[nodiscard]] std::optional<BlockFault> check_macro_block(const BlockWords& words,
                                                           const MacroCode& macro);

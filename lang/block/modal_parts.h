@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lang/block/work_frame.h"
+#include "lang/contract/code_number.h"
 #include "lang/contract/command.h"
 
 namespace stanok::lang {
@@ -142,6 +143,7 @@ struct ModalTool {
   ToolLength length;
   std::array<double, 3> length_base_mm{};  // to which the length of the edge was added (G43.2)
   int length_edge = 1;                     // of length.tool
+  int radius_offset = -1;                  // last D of the Fanuc dialect; -1: none
   // #tool_overhang: what it adds to the programmed position of its axis.
   int overhang_axis = -1;
   double overhang_shift_mm = 0.0;
@@ -150,6 +152,8 @@ struct ModalTool {
 // What cycles leave to the next block of their sequence.
 struct CycleSettings {
   DrillingCycle drilling;
+  double peck_back = 0.0;        // R of G74 and G75 on lathes, mm
+  CodeNumber motion_before = 0;  // that was active before the sequence of holes
   TurningCycle turning;
   ThreadSettings thread;
   RoughingSettings turning_roughing;  // G71

@@ -58,7 +58,8 @@ std::optional<BlockFault> axis_words_of_another_code(const BlockMeaning& block) 
   if (!block.has_axis_words || block.codes.axis_user != nullptr) return std::nullopt;
   for (const TakesAxisWordsElsewhere& row : takes_axis_words) {
     if (!block.words.g.has(row.code)) continue;
-    if (row.channels == Channels::lathes && block.kind != ChannelKind::lathe) continue;
+    const bool is_lathe = block.kind == ChannelKind::lathe;
+    if (row.channels == Channels::lathes && (!is_lathe || block.words.rules.is_fanuc())) continue;
     if (row.code == g(90) && !confirms_absolute(block)) continue;
     return two_meanings(code_word(row.code),
                         "`" + code_text('G', row.code) + "` with axis words and no motion code",
@@ -84,7 +85,7 @@ std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
 }
 
 std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
-  if (block.kind != ChannelKind::lathe) return std::nullopt;
+  if (block.kind != ChannelKind::lathe || block.words.rules.is_fanuc()) return std::nullopt;
   for (const CodeNumber code : {g(98), g(99)}) {
     if (!block.words.g.has(code)) continue;
     return two_meanings(
@@ -113,9 +114,17 @@ std::optional<BlockFault> other_meaning(const BlockMeaning& block) {
   return axis_words_of_another_code(block);
 }
 
+double value_or_thousandths(const ActiveBlock& block, char letter) {
+  constexpr double per_unit = 1000.0;
+  const bool counted =
+      block.words.rules.is_fanuc() && (block.words.whole & letter_bit(letter)) != 0;
+  return counted ? block.value(letter) / per_unit : block.value(letter);
+}
+
 void refuse_thousandths(ActiveBlock& block, char letter, double largest, std::string_view what) {
   const bool whole = (block.words.whole & letter_bit(letter)) != 0;
-  if (!block.has(letter) || !whole || block.value(letter) < largest) return;
+  if (!block.has(letter) || !whole || block.words.rules.is_fanuc() || block.value(letter) < largest)
+    return;
   std::string message = "`" + std::string(1, letter) + "` is ";
   message.append(what).append(" of ");
   message.append(std::to_string(static_cast<long long>(block.value(letter))));

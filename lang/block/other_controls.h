@@ -1,6 +1,9 @@
 // Blocks that a control the code is known from understands as something else: refused with both
 // meanings named, never executed with the wrong one.
 //
+// A text of the Fanuc dialect has a code system: what the systems contradict each other in is
+// clear.
+//
 // Sources: operator's manuals of Fanuc lathes (code systems A, B, C) and machining centres, of
 // Haas lathes and mills, and the G-code reference of LinuxCNC; docs/reference/language.md, "Where
 // conventions differ", names what cannot be told apart. Codes whose own words have two meanings
@@ -24,6 +27,10 @@ struct BlockMeaning {
   const ModalState* modal = nullptr;
 };
 [[nodiscard]] std::optional<BlockFault> other_meaning(const BlockMeaning& block);
+
+// A word that Fanuc controls count in thousandths when it has no decimal point, or in ms: its
+// value. In the other dialects it is what is written.
+[[nodiscard]] double value_or_thousandths(const ActiveBlock& block, char letter);
 
 // Fails the block when a word without decimal point is a length of `largest` or more: controls that
 // count such words in thousandths mean another one.

@@ -16,6 +16,7 @@
 #include "base/diagnostic.h"
 #include "base/expected.h"
 #include "lang/contract/command.h"
+#include "lang/contract/dialect.h"
 
 namespace stanok::lang {
 
@@ -62,12 +63,14 @@ struct ChannelDescription {
   int id = 1;
   std::string name;
   ChannelKind kind = ChannelKind::mill;
+  TextRules rules;  // of texts that do not say otherwise
   AxisList<AxisDescription> axes;
   std::vector<int> spindles;                // ids; the first is the master spindle
   std::vector<int> spindles_with_position;  // those of them that can follow or lead an axis
   // What a T word does; nothing: as customary for the kind, that is true on lathe channels.
   std::optional<bool> tool_word_changes_tool;
   std::optional<bool> tool_word_has_edge;  // T0102: tool 1, edge 2
+  bool tool_word_has_offset = false;       // T0102: tool 1, lengths of row 2
   std::vector<int> channels;               // ids of all channels of the machine
   std::vector<std::pair<int, int>>
       schemes;  // (channel, scheme id) of all channels, for constant checks
@@ -89,6 +92,17 @@ struct Tool {
 
 inline constexpr int reference_point_count = 4;  // 1: G28, 2 to 4: G30 P
 
+// Common variables of the Fanuc dialect that are kept through power-off.
+inline constexpr int kept_variable_first = 500;
+inline constexpr int kept_variable_last = 999;
+// Parts made and parts wanted, which are kept too.
+inline constexpr int parts_variable_first = 3901;
+inline constexpr int parts_variable_last = 3902;
+[[nodiscard]] constexpr bool is_kept_variable(int number) {
+  return (number >= kept_variable_first && number <= kept_variable_last) ||
+         (number >= parts_variable_first && number <= parts_variable_last);
+}
+
 // The tables of the machine as the program sees them at this moment.
 class Tables {
  public:
@@ -109,6 +123,9 @@ class Tables {
   [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
   // Reference point 1 (G28) to reference_point_count (G30 P4) in M, per axis of the channel.
   [[nodiscard]] virtual AxisValues reference_point(int which) const = 0;
+  // #500 to #999, #3901 and #3902 of the Fanuc dialect, kept through power-off; NaN: vacant.
+  [[nodiscard]] virtual double common_variable(int number) const = 0;
+  virtual void set_common_variable(int number, double value) = 0;
   // Of G28.1 and its like; survives power-off.
   virtual void store_reference_point(int which, const AxisValues& point_M) = 0;
 };

@@ -12,6 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "lang/contract/command.h"
+#include "lang/program/block_index.h"
 #include "lang/program/compile.h"
 #include "lang/text/source.h"
 #include "lang/tree/tree.h"
@@ -39,7 +40,7 @@ enum class Op : std::uint8_t {
   element_reference,  // (array index... -> reference)
   new_array,          // (size... -> array), `count` dimensions; operand 1: of strings
   fill_array,         // (array value... -> array), operand values
-  parameter,          // (n -> #n)
+  parameter,          // (n -> #n); extra 1: a vacant one stays vacant
   named_parameter,    // ( -> #<name>): slot `operand` of the program's named parameters
   named_parameter_exists,
   predefined_parameter,  // ( -> value of predefined_parameters()[operand])
@@ -53,6 +54,7 @@ enum class Op : std::uint8_t {
   jump_if_false_keep,  // jumps with the value, else drops it
   jump_if_true_keep,
   jump_if_skipped,  // block skip of level `count` is on
+  go_to,            // (n -> ): to block N n of the text
   call,             // callees[operand], arguments on the stack
   return_value,
   return_nothing,
@@ -139,6 +141,26 @@ struct SettingTarget {
   std::uint32_t slot = 0;  // named, r_parameter
 };
 
+// A statement with a block number that is no plain line.
+struct NumberedStatement {
+  int number = 0;
+  std::uint32_t position = 0;
+  std::uint32_t line = 0;
+};
+
+// The code of a loop, end excluded: nothing outside jumps into it.
+struct LoopCode {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+// GOTO with a number that is known when the program is loaded.
+struct ConstantJump {
+  int number = 0;
+  std::uint32_t position = 0;
+  Span span;
+};
+
 // The code of one file. `spans` stands parallel to `code`.
 struct CompiledFile {
   explicit CompiledFile(Source text) : source(std::move(text)) {}
@@ -156,6 +178,10 @@ struct CompiledFile {
   std::vector<OCallCode> o_calls;
   std::vector<std::vector<SettingTarget>> settings;
   std::vector<Fault> faults;
+  std::vector<NumberedStatement> numbered_statements;
+  std::vector<LoopCode> loops;
+  std::vector<ConstantJump> jumps;
+  BlockIndex block_index;                                 // empty: nothing jumps to numbers
   std::map<int, std::uint32_t> numbered_programs;         // O number -> instruction
   std::map<std::string, std::uint32_t> function_by_name;  // folded
   std::map<std::string, std::uint32_t> o_subprograms;     // label -> index in functions

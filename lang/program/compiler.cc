@@ -105,6 +105,9 @@ void Compiler::compile_statement(const Statement& statement) {
   const std::size_t errors = reporter_.error_count();
   const std::size_t start = file_.code.size();
   std::optional<std::size_t> skip;
+  if (statement.number >= 0) {
+    file_.numbered_statements.push_back({statement.number, code_.position(), statement.span.line});
+  }
   if (statement.skip_level != 0) {
     skip = code_.emit(Op::jump_if_skipped, statement.span, 0,
                       static_cast<std::uint8_t>(statement.skip_level));

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "lang/text/number.h"
 #include "lang/tree/builtin.h"
 
 namespace stanok::lang {
@@ -183,13 +184,28 @@ void ControlCompiler::compile(const ORepeat& loop) {
   end_loop();
 }
 
+// A constant number is looked for when the file is compiled, see Loader.
+void ControlCompiler::compile(const JumpLine& jump) {
+  program_.jumps = true;
+  if (!expressions_.require(jump.target, Type::number, "the number of a block")) return;
+  const auto number = symbols_.constant_of(jump.target);
+  if (number && is_integer(number->number)) {
+    file_.jumps.push_back({static_cast<int>(number->number), code_.position(), jump.target.span});
+  }
+  code_.emit(Op::go_to, jump.target.span);
+}
+
 void ControlCompiler::end_loop() {
+  file_.loops.push_back({loops_.back().begin, code_.position()});
   code_.patch_all(loops_.back().breaks);
   loops_.pop_back();
 }
 
 void ControlCompiler::forget_jumps_from(std::size_t start) {
   const auto dropped = [start](std::size_t jump) { return jump >= start; };
+  const auto dropped_code = [start](const auto& place) { return place.position >= start; };
+  std::erase_if(file_.jumps, dropped_code);
+  std::erase_if(file_.numbered_statements, dropped_code);
   for (Loop& loop : loops_) {
     std::erase_if(loop.breaks, dropped);
     std::erase_if(loop.continues, dropped);

@@ -19,6 +19,8 @@ class ControlCompiler {
   ControlCompiler(const CompilerContext& context, CodeBuilder& code, SymbolTable& symbols,
                   ExpressionCompiler& expressions, BodyCompiler& bodies)
       : reporter_(context.reporter),
+        program_(context.program),
+        file_(context.compiled()),
         code_(code),
         symbols_(symbols),
         expressions_(expressions),
@@ -33,6 +35,7 @@ class ControlCompiler {
   void compile(const Break& leave);
   void compile(const Continue& next);
   void compile(const ORepeat& loop);
+  void compile(const JumpLine& jump);
 
   // The code from there on is dropped.
   void forget_jumps_from(std::size_t start);
@@ -40,16 +43,20 @@ class ControlCompiler {
  private:
   struct Loop {
     std::string label;                // of O-lines
+    std::uint32_t begin = 0;          // its first instruction
     std::vector<std::size_t> breaks;  // jumps to patch
     std::vector<std::size_t> continues;
   };
   Loop* find_loop(const std::string& label, std::string_view keyword);
-  void begin_loop(const std::string& label) { loops_.push_back({label, {}, {}}); }
+  // At the beginning of a body.
+  void begin_loop(const std::string& label) { loops_.push_back({label, code_.position(), {}, {}}); }
   void end_loop();
   void check_cases(const Switch& statement);
   bool compile_case(const SwitchCase& one, const Symbol& symbol, std::vector<std::size_t>& ends);
 
   Reporter& reporter_;
+  Program& program_;
+  CompiledFile& file_;
   CodeBuilder& code_;
   SymbolTable& symbols_;
   ExpressionCompiler& expressions_;

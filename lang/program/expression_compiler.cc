@@ -63,6 +63,7 @@ ValueType ExpressionCompiler::compile_expression(const Expression& expression) {
     case Node::conditional:
       return compile_conditional(expression);
     case Node::parameter:
+    case Node::vacant_parameter:
     case Node::named_parameter:
     case Node::r_parameter:
     case Node::exists:
@@ -218,8 +219,10 @@ ValueType ExpressionCompiler::compile_conditional(const Expression& conditional)
 ValueType ExpressionCompiler::compile_parameter(const Expression& parameter) {
   switch (parameter.node) {
     case Node::parameter:
+    case Node::vacant_parameter:
       if (!require(parameter.children[0], Type::number, "the parameter number")) return {};
-      code_.emit(Op::parameter, parameter.span);
+      code_.emit(Op::parameter, parameter.span, 0, 0,
+                 parameter.node == Node::vacant_parameter ? 1 : 0);
       return {Type::number, 0};
     case Node::named_parameter:
       if (const PredefinedParameter* const row = find_predefined_parameter(parameter.text)) {

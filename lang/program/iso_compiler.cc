@@ -10,6 +10,10 @@
 namespace stanok::lang {
 namespace {
 
+// Of the Fanuc dialect; the code of the alarm is the sum of the number and the value.
+constexpr double alarm_variable = 3000.0;
+constexpr double stop_variable = 3006.0;
+
 bool is_code(const IsoWord& word) {
   return word.name.letter == 'G' || word.name.letter == 'M';
 }
@@ -41,8 +45,12 @@ void IsoCompiler::compile(const IsoBlock& block) {
   made.span = code_.statement_span();
   compile_words(block, made);
   compile_spindle(block, made);
+  if (compile_stop_variable(block)) return;
   compile_settings(block.settings);
+  made.words.rules = file_.source.rules();
   check_template(made);
+  const bool jumps = made.words.m.has(m(97)) || (made.words.m.has(m(99)) && made.words.has('P'));
+  if (jumps) context_.program.jumps = true;
   if (block.words.empty() && !block.spindle) return;
   file_.blocks.push_back(std::move(made));
   code_.emit(Op::block, code_.statement_span(),
@@ -91,6 +99,7 @@ void IsoCompiler::add_computed_word(const IsoWord& word, BlockTemplate& made) {
   } else if (word.name.letter != 0) {
     computed.letter = word.name.letter;
     words.letters |= letter_bit(word.name.letter);
+    if (file_.source.rules().is_fanuc()) words.whole |= letter_bit(word.name.letter);
   } else {
     computed.kind = ComputedWord::Kind::named;
     computed.index = static_cast<std::uint16_t>(words.named.size());
@@ -105,6 +114,35 @@ void IsoCompiler::compile_spindle(const IsoBlock& block, BlockTemplate& made) {
   computed.kind = ComputedWord::Kind::spindle;
   made.computed.push_back(computed);
   made.words.spindle_named = true;
+}
+
+// #3000=1 (TEXT) ends the program with an alarm, #3006=1 (TEXT) stops it with a message: in the
+// Fanuc dialect, alone in a block. False: the block does something else.
+bool IsoCompiler::compile_stop_variable(const IsoBlock& block) {
+  const bool alone = block.settings.size() == 1 && block.words.empty();
+  if (!alone || !file_.source.rules().is_fanuc()) return false;
+  const auto& [target, value] = block.settings[0];
+  if (target.node != Node::parameter) return false;
+  const auto number = symbols_.constant_of(target.children[0]);
+  const bool ends = number && number->number == alarm_variable;
+  if (!ends && !(number && number->number == stop_variable)) return false;
+  if (!expressions_.require(value, Type::number, "the number of the message")) return true;
+  if (ends) {
+    code_.push_number(alarm_variable, target.span);
+    code_.emit(Op::compute, target.span, 0, 0, static_cast<std::uint16_t>(Operation::add));
+    code_.push_text(block.remark, target.span);
+    code_.emit(Op::terminate, target.span);
+    return true;
+  }
+  code_.emit(Op::pop, target.span);
+  code_.push_text(block.remark, target.span);
+  code_.emit(Op::message, target.span, 0, 0, static_cast<std::uint16_t>(Message::Kind::message));
+  BlockTemplate made;
+  made.span = code_.statement_span();
+  made.words.m.add(m(0));
+  file_.blocks.push_back(std::move(made));
+  code_.emit(Op::block, made.span, static_cast<std::uint32_t>(file_.blocks.size() - 1));
+  return true;
 }
 
 // All values of the block are computed before the first setting takes effect.

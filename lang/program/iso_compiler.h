@@ -31,6 +31,7 @@ class IsoCompiler {
   void add_constant_word(const IsoWord& word, double value, BlockTemplate& made);
   void add_computed_word(const IsoWord& word, BlockTemplate& made);
   void compile_spindle(const IsoBlock& block, BlockTemplate& made);
+  bool compile_stop_variable(const IsoBlock& block);
   void compile_settings(const std::vector<ParameterSetting>& settings);
   std::optional<SettingTarget> compile_setting(const ParameterSetting& setting);
   void check_template(const BlockTemplate& made);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lang/text/foreign_control.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/tree/parser.h"
@@ -57,7 +58,8 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   for (const IsoWord& word : block.words) {
     const bool call = word.name.letter == 'M' && word.name.code == m(98);
     const bool file_call = word.name.letter == 'M' && word.name.code == m(198);
-    const bool macro = word.name.letter == 'G' && word.name.code == g(65);
+    const bool macro =
+        word.name.letter == 'G' && calls_macro(static_cast<CodeNumber>(word.name.code));
     if (call || file_call || macro)
       program = NamedProgram{0, file_call ? SearchedTexts::files_only : SearchedTexts::all};
     if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;
@@ -65,6 +67,15 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   if (!program || number == nullptr || !is_integer(number->value.number)) return std::nullopt;
   program->number = static_cast<int>(std::lround(number->value.number));
   return program;
+}
+
+Diagnostic foreign_control(const Source& source, const Span& span, std::string_view control) {
+  Diagnostic diagnostic = diagnostic_at(
+      source, "E2042", span, "this looks like a program for a " + std::string(control) + " control",
+      "words of that control");
+  diagnostic.help.emplace_back(
+      "stanok reads ISO programs; post-process the part for Fanuc, Haas or LinuxCNC");
+  return diagnostic;
 }
 
 std::vector<std::string> file_names_of_number(int number) {
@@ -91,6 +102,7 @@ Loader::Loader(const Files& files, const ChannelDescription* channel, Diagnostic
       dialect_(channel),
       warnings_(warnings),
       watch_(interrupted),
+      rules_(channel != nullptr ? channel->rules : TextRules{}),
       program_(std::make_shared<Program>()) {}
 
 Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_view name) {
@@ -125,7 +137,7 @@ Loader::FileIndex Loader::add_file(std::shared_ptr<const SourceText> text) {
   bytes_ += text->text.size();
   const auto index = static_cast<FileIndex>(loaded_.size());
   index_by_path_.emplace(text->path, index);
-  program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text))));
+  program_->files.push_back(std::make_unique<CompiledFile>(Source(std::move(text), rules_)));
   LoadedFile file;
   file.reporter = std::make_unique<Reporter>(program_->files.back()->source);
   loaded_.push_back(std::move(file));
@@ -170,6 +182,14 @@ void Loader::parse(FileIndex index) {
     reporter.warning("W210", source.lone_frame_mark(), "the program has only one line with %",
                      "a second one is missing");
   }
+  const std::string_view control = control_of_header(source.text());
+  if (!control.empty()) {
+    reporter.tell_only(foreign_control(source, source.words_of_line(1), control));
+    return;
+  }
+  if (!source.dialect_problem().empty()) {
+    reporter.error("E2041", source.first_words(), source.dialect_problem(), "names a dialect");
+  }
   ParserContext context;
   context.channel = index == 0 ? channel_ : nullptr;
   if (index == 0) context.functions = functions_of_line_;
@@ -183,6 +203,17 @@ void Loader::parse(FileIndex index) {
   Parser parser(source, reporter, std::move(context));
   StatementList tree = parser.parse_program();
   loaded_[index].tree = std::move(tree);
+  tell_foreign_control(index);
+}
+
+void Loader::tell_foreign_control(FileIndex index) {
+  const Source& source = program_->files[index]->source;
+  Reporter& reporter = *loaded_[index].reporter;
+  const auto is_foreign = [](std::string_view line) { return !control_of_line(line).empty(); };
+  const auto line = reporter.find_error_line(is_foreign);
+  if (!line) return;
+  const Span words = source.words_of_line(*line);
+  reporter.tell_only(foreign_control(source, words, control_of_line(source.text(words))));
 }
 
 void Loader::follow_includes(FileIndex index) {
@@ -324,6 +355,23 @@ void Loader::compile_all() {
   // Included files stand behind those that include them, and their constants come first.
   for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);
   for (std::size_t i = 0; i < loaded_.size(); ++i) compilers[i]->compile(loaded_[i].tree);
+  if (program_->jumps) find_jump_targets();
+}
+
+void Loader::find_jump_targets() {
+  for (std::size_t i = 0; i < loaded_.size(); ++i) {
+    CompiledFile& file = *program_->files[i];
+    BlockIndex index;
+    index.read(file);
+    file.block_index = std::move(index);
+    for (const ConstantJump& jump : file.jumps) check_jump(static_cast<FileIndex>(i), jump);
+  }
+}
+
+void Loader::check_jump(FileIndex index, const ConstantJump& jump) {
+  const auto found = program_->files[index]->block_index.find(jump.number, jump.position);
+  const auto fault = fault_of_jump(jump.number, found);
+  if (fault) loaded_[index].reporter->error(fault->code, jump.span, fault->message, fault->label);
 }
 
 Expected<std::shared_ptr<const Program>, Diagnostics> Loader::result() {

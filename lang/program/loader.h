@@ -63,7 +63,11 @@ class Loader {
   bool follow_number(FileIndex index, int number, SearchedTexts texts);
   std::optional<FileIndex> first_file_of(const std::vector<std::string>& names, FileIndex from);
   void check_end(FileIndex index);
+  // One error for all where the text is written for a control that is not read here.
+  void tell_foreign_control(FileIndex index);
   void compile_all();
+  void find_jump_targets();
+  void check_jump(FileIndex index, const ConstantJump& jump);
   Expected<std::shared_ptr<const Program>, Diagnostics> result();
 
   const Files& files_;
@@ -71,6 +75,7 @@ class Loader {
   const ChannelDialect dialect_;
   Diagnostics& warnings_;
   CompileWatch watch_;
+  const TextRules rules_;  // of texts that do not say otherwise
   std::shared_ptr<Program> program_;
   std::vector<LoadedFile> loaded_;
   std::size_t bytes_ = 0;                    // of all files

@@ -9,7 +9,7 @@
 
 #include "lang/program/code.h"
 #include "lang/program/compile.h"
-#include "lang/tree/named_parameter.h"
+#include "lang/words/named_parameter.h"
 
 namespace stanok::lang {
 
@@ -29,6 +29,7 @@ class Program {
   std::map<std::string, std::uint16_t> file_by_macro;
   NamedParameters named_parameters;
   std::vector<ConstantDispatch> dispatches;
+  bool jumps = false;  // some text of it goes to block numbers
 };
 
 }  // namespace stanok::lang

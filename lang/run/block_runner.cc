@@ -10,6 +10,7 @@
 #include "lang/text/reporter.h"
 #include "lang/tree/parser.h"
 #include "lang/tree/plain_block.h"
+#include "lang/words/code_system.h"
 
 namespace stanok::lang {
 namespace {
@@ -66,7 +67,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   BlockWords& words = state_.words;
   const char* const start = plain.at;
   const std::uint32_t line = plain.line;
-  if (!read_plain_line(plain.at, plain.end, plain.surroundings, words, text_values_)) {
+  if (!read_plain_line(plain.at, plain.end, plain.rules, words, text_values_)) {
     STANOK_ASSERT(text_values_.faulty());
     fail_text(text_values_.fault_text(), line, text_values_.fault());
     return LineResult::nothing;
@@ -79,7 +80,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   Move* move = std::get_if<Move>(&command.payload);
   if (move == nullptr) move = &command.payload.emplace<Move>();
   ActiveBlock block = state_.block_at(line);
-  if (!compensation_.engaged() && execute_simple_move(block, *move)) {
+  if (!compensation_.engaged() && !state_.calls_modal && execute_simple_move(block, *move)) {
     command.origin = {vm_.frame().file, line};
     command.block = state_.blocks;
     code_changes_.note(state_.blocks, state_.modal.codes);
@@ -122,6 +123,7 @@ bool BlockRunner::take_computed_word(const ComputedWord& word) {
   switch (word.kind) {
     case ComputedWord::Kind::letter:
       words.values[word.letter] = value;
+      if (std::isnan(value)) words.letters &= ~letter_bit(word.letter);
       return true;
     case ComputedWord::Kind::named:
       words.named[word.index].value = value;
@@ -142,7 +144,15 @@ bool BlockRunner::take_computed_word(const ComputedWord& word) {
     return false;
   }
   CodeList& list = word.kind == ComputedWord::Kind::g_code ? words.g : words.m;
-  list.numbers[word.index] = static_cast<CodeNumber>(std::lround(value * 10.0));
+  const auto written = static_cast<CodeNumber>(std::lround(value * 10.0));
+  const bool is_g = word.kind == ComputedWord::Kind::g_code;
+  const auto code =
+      is_g ? translated_code(written, words.rules.code_system) : std::optional(written);
+  if (!code) {
+    vm_.fail("E4004", "the code system has no `" + code_text('G', written) + "`", "unknown code");
+    return false;
+  }
+  list.numbers[word.index] = *code;
   return true;
 }
 

@@ -37,6 +37,7 @@ struct BlockState {
   CommandQueue queue;
   ProbeResult probe;
   StateStack states;
+  bool calls_modal = false;  // G66 or G66.1 is in force
   BlockWords words;          // of the current block
   std::uint64_t blocks = 0;  // ISO blocks executed in this run
   BlockSurroundings around{modal, channel_words, channel, tables, queue, probe, states, nullptr};

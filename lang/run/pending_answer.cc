@@ -39,9 +39,10 @@ void PendingAnswer::reset() {
   channel_error_.clear();
 }
 
-void PendingAnswer::expect_number(double unit) {
+void PendingAnswer::expect_number(double unit, double shift) {
   use_ = AnswerUse::push_number;
   unit_ = unit;
+  shift_ = shift;
 }
 
 void PendingAnswer::expect_statement(const Statement& statement) {
@@ -97,6 +98,8 @@ PendingAnswer::Taken PendingAnswer::take(const Answer& answer) {
     case AnswerUse::probe_or_alarm:
     case AnswerUse::restart:
     case AnswerUse::overhang:
+    case AnswerUse::work_position:
+    case AnswerUse::timer:
       return {{}, {}, use};
   }
   return {};
@@ -110,7 +113,7 @@ PendingAnswer::Taken PendingAnswer::take_truth(const Answer& answer) {
 PendingAnswer::Taken PendingAnswer::take_number(const Answer& answer) {
   const double unit = std::exchange(unit_, 1.0);
   if (!answer.ok) return {{}, refusal_of("E6032", answer)};
-  return {value_of(answer.number / unit), {}};
+  return {value_of(answer.number / unit + std::exchange(shift_, 0.0)), {}};
 }
 
 // A statement whose value nobody reads: a false result must not be lost.

@@ -32,7 +32,9 @@ enum class AnswerUse : std::uint8_t {
   probe,           // G38.3
   probe_or_alarm,  // G38.2
   restart,         // the main program ended with M99
-  overhang         // #tool_overhang
+  overhang,        // #tool_overhang
+  work_position,   // #5041 of the Fanuc dialect: where the axes stand
+  timer            // #3001 is set
 };
 
 class PendingAnswer {
@@ -64,9 +66,10 @@ class PendingAnswer {
   // A run begins: nothing is owed.
   void reset();
 
-  // What becomes of the answer to the request made now. `unit`: mm or deg per unit of a number.
+  // What becomes of the answer to the request made now. `unit`: mm or deg per unit of a number, to
+  // which `shift` is added.
   void expect(AnswerUse use) { use_ = use; }
-  void expect_number(double unit);
+  void expect_number(double unit, double shift = 0.0);
   void expect_statement(const Statement& statement);
   void expect_restoring(Restoring restoring);
   void expect_overhang(const ToolOverhang& overhang);
@@ -97,6 +100,7 @@ class PendingAnswer {
   bool owed_ = false;
   AnswerUse use_ = AnswerUse::position_only;
   double unit_ = 1.0;
+  double shift_ = 0.0;
   Statement statement_;
   Restoring restoring_;
   ToolOverhang overhang_;

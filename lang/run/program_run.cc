@@ -28,6 +28,7 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
       calls_(vm_, state_, parameters_),
       values_(vm_, state_, parameters_),
       requests_(vm_, state_, pending_),
+      macro_requests_(vm_, state_, parameters_, pending_, requests_),
       directives_(vm_, run_, state_, pending_, requests_) {}
 
 // How a run begins: a program with the default modal state, a line with that of the line before.
@@ -65,7 +66,14 @@ std::optional<Diagnostic> ProgramRun::start_at(std::shared_ptr<const Program> pr
   return diagnostic;
 }
 
+void ProgramRun::stop_before(const StopPlace& place) {
+  stop_.set(place);
+  parameters_.begin_search();
+}
+
 void ProgramRun::reset(std::shared_ptr<const Program> program) {
+  parameters_.end_search();
+  calls_.end_modal();
   parameters_.begin(program);
   vm_.begin(std::move(program));
   blocks_.reset();
@@ -134,6 +142,7 @@ bool ProgramRun::run_line(Command& command) {
 // The run has failed when it cannot be entered where the search stops.
 bool ProgramRun::stops_here() {
   if (!stop_.is_reached(vm_, texts_)) return false;
+  parameters_.end_search();
   if (state_.modal.compensation.on()) {
     vm_.fail("E6042", "a program cannot be entered while radius compensation is active",
              "search for the block before G41 or G42");
@@ -158,16 +167,25 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
     if (blocks_.take_block(instruction)) execute_block();
     return;
   }
+  if (instruction.op == Op::go_to) return texts_.go_to_number_on_stack();
   if (instruction.op == Op::end_of_text) return end_text();
-  const bool done = values_.execute(instruction) || calls_.execute(instruction) ||
-                    requests_.execute(instruction) || directives_.execute(instruction);
+  const bool done = macro_requests_.execute(instruction) || values_.execute(instruction) ||
+                    calls_.execute(instruction) || requests_.execute(instruction) ||
+                    directives_.execute(instruction);
   STANOK_ASSERT(done);
 }
 
 void ProgramRun::execute_block() {
   blocks_.begin_block();
+  if (state_.calls_modal && calls_.calls_for_blocks()) return calls_.call_modal();
   const auto macro = calls_.macro_of_block();
-  if (!macro) return follow(blocks_.execute());
+  if (!macro) {
+    const BlockFlow flow = blocks_.execute();
+    follow(flow);
+    if (state_.calls_modal && flow.moves && run_.running() && calls_.calls_behind_moves())
+      calls_.call_modal();
+    return;
+  }
   if (auto fault = check_macro_block(state_.words, *macro)) {
     return blocks_.fail(std::move(*fault));
   }
@@ -185,7 +203,18 @@ void ProgramRun::follow(const BlockFlow& flow) {
       calls_.call_numbered(flow.code);
       break;
     case Flow::return_from_subprogram:
-      leave_subprogram();
+      flow.block < 0 ? leave_subprogram() : leave_for_block(flow.block);
+      break;
+    case Flow::call_block:
+      if (flow.repeats == 0) break;
+      calls_.call_block(flow.repeats, flow.block);
+      if (run_.running()) texts_.go_to_block(flow.block);
+      break;
+    case Flow::end_modal_call:
+      calls_.end_modal();
+      break;
+    case Flow::go_to_block:
+      texts_.go_to_block(flow.block);
       break;
     case Flow::behind_line:
       texts_.go_behind_line(flow.line);
@@ -198,11 +227,19 @@ void ProgramRun::follow(const BlockFlow& flow) {
 
 // The main program begins again; the channel is asked before.
 void ProgramRun::leave_subprogram() {
-  if (calls_.leave_subprogram() == SubprogramCalls::Left::subprogram) return;
+  const auto left = calls_.leave_subprogram();
+  if (left == SubprogramCalls::Left::again) return texts_.go_to_block(vm_.frame().block);
+  if (left == SubprogramCalls::Left::subprogram) return;
   if (line_.runs) return end_program(ProgramEndKind::restart);
   Request request;
   request.kind = RequestKind::program_restart;
   requests_.ask(std::move(request), AnswerUse::restart);
+}
+
+// M99 P: to a block of the caller; in the main program to one of its own.
+void ProgramRun::leave_for_block(int block) {
+  calls_.leave_subprogram(SubprogramCalls::Repeats::forgotten);
+  if (run_.running()) texts_.go_to_block(block);
 }
 
 void ProgramRun::end_text() {
@@ -222,6 +259,7 @@ void ProgramRun::end_program(ProgramEndKind kind) {
     return state_.queue.emit(ProgramEnd{ProgramEndKind::end_of_line});
   }
   line_.state_lasts = false;
+  if (!ends_like_text) macro_requests_.count_part();
   blocks_.emit_end(kind);
 }
 
@@ -261,6 +299,10 @@ void ProgramRun::finish(AnswerUse use, const Answer& answer) {
     case AnswerUse::probe:
     case AnswerUse::probe_or_alarm:
       return take_probe_answer(use, answer);
+    case AnswerUse::work_position:
+      return macro_requests_.finish_position();
+    case AnswerUse::timer:
+      return macro_requests_.finish_timer(answer);
     case AnswerUse::fail_run:
       return vm_.fail_with(pending_.end());
     case AnswerUse::restart:

@@ -7,6 +7,7 @@
 //   BlockRunner        ISO blocks into commands              BlockState      what blocks change
 //   BlockDirectives    messages, #directives, saved state    TextPlaces      contours, lines
 //   ChannelRequests    what is asked of the channel          PendingAnswer   what is waited for
+//   MacroRequests      variables of the machine
 //   RunState           running, ended or failed, and why
 //
 // Owner: Interpreter, on the thread of the preparation. A run can stop after any instruction: at a
@@ -26,6 +27,7 @@
 #include "lang/run/block_state.h"
 #include "lang/run/channel_requests.h"
 #include "lang/run/interpreter.h"
+#include "lang/run/macro_requests.h"
 #include "lang/run/parameter_store.h"
 #include "lang/run/pending_answer.h"
 #include "lang/run/run_state.h"
@@ -43,7 +45,7 @@ class ProgramRun {
 
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
   void start_line(std::shared_ptr<const Program> program, const AxisValues& position_B);
-  void stop_before(const StopPlace& place) { stop_.set(place); }
+  void stop_before(const StopPlace& place);
   [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
@@ -86,6 +88,7 @@ class ProgramRun {
   void execute_block();
   void follow(const BlockFlow& flow);
   void leave_subprogram();
+  void leave_for_block(int block);
   void end_text();
   void end_program(ProgramEndKind kind);
   Step deliver(CommandQueue& queue, Command& command);
@@ -103,6 +106,7 @@ class ProgramRun {
   SubprogramCalls calls_;
   ValueInstructions values_;
   ChannelRequests requests_;
+  MacroRequests macro_requests_;
   BlockDirectives directives_;
   SearchStop stop_;
   StepCount count_;

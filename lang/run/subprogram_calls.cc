@@ -92,7 +92,7 @@ void SubprogramCalls::leave_state_level(std::size_t level) {
 void SubprogramCalls::call_o_subprogram(const Instruction& instruction) {
   const auto callee = called_o_subprogram(vm_.file().o_calls[instruction.operand]);
   if (!callee || !vm_.check_call_depth()) return;
-  LocalParameters locals = parameters_.fresh_locals();
+  LocalParameters locals = parameters_.fresh_locals(rules_of(callee->file));
   for (std::size_t i = instruction.count; i-- > 0;) locals.numbered[i] = vm_.stack().pop_number();
   const FunctionCode& function = vm_.program().files[callee->file]->functions[callee->function];
   Frame frame = subprogram_frame(callee->file);
@@ -139,7 +139,8 @@ void SubprogramCalls::call_file() {
   if (!vm_.check_call_depth()) return;
   Frame frame = subprogram_frame(found->second);
   vm_.renew_file_variables(frame);
-  frame.context->of_caller = parameters_.exchange_locals(parameters_.fresh_locals());
+  frame.context->of_caller =
+      parameters_.exchange_locals(parameters_.fresh_locals(rules_of(found->second)));
   vm_.enter(std::move(frame));
 }
 
@@ -219,10 +220,61 @@ std::optional<MacroCode> SubprogramCalls::macro_of_block() const {
 
 void SubprogramCalls::call_macro(const MacroCode& macro) {
   if (macro.user_code != nullptr) return call_user_code(macro);
+  if (macro.number != g(65)) return make_modal(macro);
   const auto call = numbered_call(g(65));
   if (!call || call->repeats == 0 || !vm_.check_call_depth()) return;
   Frame frame = numbered_frame(*call);
-  give_arguments(frame, macro);
+  give_arguments(frame, state_.words, macro);
+  vm_.enter(std::move(frame));
+}
+
+void SubprogramCalls::make_modal(const MacroCode& macro) {
+  if (modal_) {
+    return vm_.fail("E4013", "a macro is called for each block already", "end it with `G67`");
+  }
+  const auto call = numbered_call(g(65));
+  if (call) modal_ = ModalCall{*call, macro, state_.words};
+  state_.calls_modal = modal_.has_value();
+}
+
+void SubprogramCalls::end_modal() {
+  modal_.reset();
+  state_.calls_modal = false;
+}
+
+bool SubprogramCalls::modal_call_runs() const {
+  return std::ranges::any_of(
+      vm_.frames(), [](const Frame& frame) { return frame.context && frame.context->modal_call; });
+}
+
+bool SubprogramCalls::calls_behind_moves() const {
+  return modal_ && modal_->macro.number == g(66) && !modal_call_runs();
+}
+
+bool SubprogramCalls::calls_for_blocks() const {
+  return modal_ && modal_->macro.number == g(66, 1) && !state_.words.g.has(g(67)) &&
+         !modal_call_runs();
+}
+
+void SubprogramCalls::call_modal() {
+  if (modal_->call.repeats == 0 || !vm_.check_call_depth()) return;
+  Frame frame = numbered_frame(modal_->call);
+  const bool each = modal_->macro.number == g(66, 1);
+  give_arguments(frame, each ? state_.words : modal_->words, modal_->macro);
+  frame.context->modal_call = true;
+  frame.context->plain_of_caller = std::exchange(vm_.plain(), {});
+  vm_.enter(std::move(frame));
+}
+
+void SubprogramCalls::call_block(int repeats, int block) {
+  if (!vm_.check_call_depth()) return;
+  const Frame& caller = vm_.frame();
+  Frame frame = subprogram_frame(caller.file);
+  frame.position = caller.position;
+  frame.entry = caller.position;
+  frame.program_number = caller.program_number;
+  frame.repeats = repeats - 1;
+  frame.block = block;
   vm_.enter(std::move(frame));
 }
 
@@ -244,15 +296,17 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
                         " without parameters and result",
                     "the macro of this code");
   }
-  give_arguments(frame, macro);
+  give_arguments(frame, state_.words, macro);
   frame.context->user_code = macro.user_code;
   vm_.enter(std::move(frame));
 }
 
 // The words of the block are the arguments and the local parameters of the called text.
-void SubprogramCalls::give_arguments(Frame& frame, const MacroCode& macro) {
-  frame.context->arguments = arguments_of(state_.words, macro);
-  frame.context->of_caller = parameters_.exchange_locals(parameters_of(*frame.context->arguments));
+void SubprogramCalls::give_arguments(Frame& frame, const BlockWords& words,
+                                     const MacroCode& macro) {
+  frame.context->arguments = arguments_of(words, macro);
+  frame.context->of_caller =
+      parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
 }
 
 // Makes `frame` that of a function of its file which takes and returns nothing.
@@ -270,12 +324,21 @@ bool SubprogramCalls::enter_function(Frame& frame, const std::string& name) {
   return true;
 }
 
-LocalParameters SubprogramCalls::parameters_of(const BlockWords& arguments) const {
-  LocalParameters locals = parameters_.fresh_locals();
+const TextRules& SubprogramCalls::rules_of(std::uint16_t file) const {
+  return vm_.program().files[file]->source.rules();
+}
+
+LocalParameters SubprogramCalls::parameters_of(const BlockWords& arguments,
+                                               const TextRules& rules) const {
+  LocalParameters locals = parameters_.fresh_locals(rules);
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const int number = parameter_of_argument(letter);
     if (number == 0 || !arguments.has(letter)) continue;
-    locals.numbered[static_cast<std::size_t>(number - 1)] = arguments.value(letter);
+    locals.numbered[whole_number(number - 1)] = arguments.value(letter);
+  }
+  for (const NamedWord& word : arguments.named) {
+    const int number = parameter_of_repeated(word.name);
+    if (number != 0) locals.numbered[whole_number(number - 1)] = word.value;
   }
   return locals;
 }
@@ -301,7 +364,7 @@ void SubprogramCalls::push_argument(const Instruction& instruction) {
            arguments != nullptr ? "not among its arguments" : "no macro runs here");
 }
 
-SubprogramCalls::Left SubprogramCalls::leave_subprogram() {
+SubprogramCalls::Left SubprogramCalls::leave_subprogram(Repeats repeats) {
   const auto& frames = vm_.frames();
   std::size_t depth = frames.size();
   while (depth > 1 && !frames[depth - 1].subprogram) --depth;
@@ -311,15 +374,16 @@ SubprogramCalls::Left SubprogramCalls::leave_subprogram() {
   vm_.plain() = {};
   if (frame.function != nullptr && frame.function->o_subprogram) {
     return_from_o_subprogram(std::nullopt);
-  } else if (frame.repeats == 0) {
+  } else if (frame.repeats == 0 || repeats == Repeats::forgotten) {
     pop_frame();
   } else {
     --frame.repeats;
     frame.position = frame.entry;
     vm_.stack().cut_to(frame.stack);
     if (frame.context->arguments) {
-      parameters_.exchange_locals(parameters_of(*frame.context->arguments));
+      parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
     }
+    if (frame.block >= 0) return Left::again;
   }
   return Left::subprogram;
 }

@@ -28,13 +28,24 @@ class SubprogramCalls {
   // the built-in one.
   [[nodiscard]] std::optional<MacroCode> macro_of_block() const;
   void call_macro(const MacroCode& macro);
+  // G66: behind each block that moves, G66.1: in place of each block. False: none is in force, or
+  // its macro runs.
+  [[nodiscard]] bool calls_behind_moves() const;
+  [[nodiscard]] bool calls_for_blocks() const;
+  void call_modal();
+  void end_modal();
+  // M97: the block has been found; `run_at` goes there.
+  void call_block(int repeats, int block);
   // M98 P L and M198 P L: #1 to #30 are those of the caller.
   void call_numbered(CodeNumber code);
 
-  enum class Left { subprogram, main_program };
+  // `again`: at the block of M97, once more.
+  enum class Left { subprogram, again, main_program };
+  // Whether the calls of L that are still to be made are: M99 P leaves for another block.
+  enum class Repeats : std::uint8_t { made, forgotten };
   // M99, M17 or the end of a called text: back to the caller, or once more. Nothing is left when it
   // is the main program.
-  Left leave_subprogram();
+  Left leave_subprogram(Repeats repeats = Repeats::made);
   // The main program from its first line, in the modal state of the last one.
   void begin_again();
 
@@ -45,6 +56,14 @@ class SubprogramCalls {
     int number = 0;
     int repeats = 1;
   };
+  // G66 and G66.1.
+  struct ModalCall {
+    NumberedCall call;
+    MacroCode macro;
+    BlockWords words;  // of its block
+  };
+  void make_modal(const MacroCode& macro);
+  [[nodiscard]] bool modal_call_runs() const;
   void call_function(const Callee& callee);
   void call_o_subprogram(const Instruction& instruction);
   std::optional<Callee> called_o_subprogram(const OCallCode& call);
@@ -57,8 +76,10 @@ class SubprogramCalls {
   [[nodiscard]] Frame subprogram_frame(std::uint16_t file) const;
   Frame numbered_frame(const NumberedCall& call);
   bool enter_function(Frame& frame, const std::string& name);
-  void give_arguments(Frame& frame, const MacroCode& macro);
-  [[nodiscard]] LocalParameters parameters_of(const BlockWords& arguments) const;
+  void give_arguments(Frame& frame, const BlockWords& words, const MacroCode& macro);
+  [[nodiscard]] LocalParameters parameters_of(const BlockWords& arguments,
+                                              const TextRules& rules) const;
+  [[nodiscard]] const TextRules& rules_of(std::uint16_t file) const;
   [[nodiscard]] const BlockWords* current_arguments() const;
   void push_argument(const Instruction& instruction);
   void pop_frame();
@@ -67,6 +88,7 @@ class SubprogramCalls {
   Vm& vm_;
   BlockState& state_;
   ParameterStore& parameters_;
+  std::optional<ModalCall> modal_;
 };
 
 }  // namespace stanok::lang

@@ -41,7 +41,8 @@ Contour TextPlaces::contour(int first, int last) {
     const char* next = at;
     BlockWords words;
     const bool plain = inside &&
-                       read_plain_line(next, end, Surroundings::file_level, words, text_values_) &&
+                       read_plain_line(next, end, {Surroundings::file_level, source.rules()}, words,
+                                       text_values_) &&
                        text_values_.settings().empty() &&
                        (words.letters & state_.channel_words.dialect().alias_letters()) == 0;
     if (inside && !plain) {
@@ -63,7 +64,8 @@ std::optional<TextPlaces::PlainPlace> TextPlaces::plain_place(std::uint32_t line
   for (std::size_t i = 0; i < current.code.size(); ++i) {
     if (current.code[i].op != Op::plain_lines) continue;
     const PlainLines& lines = current.plain_lines[current.code[i].operand];
-    PlainCursor cursor{text + lines.begin, text + lines.end, lines.first_line, lines.surroundings};
+    PlainCursor cursor{text + lines.begin, text + lines.end, lines.first_line,
+                       rules_of(current, lines)};
     for (; !cursor.at_end() && cursor.line < line; ++cursor.line) {
       cursor.at = behind_line(cursor.at, cursor.end);
     }
@@ -107,6 +109,32 @@ void TextPlaces::leave_contour() {
     move.end = modal.position_W;
     state_.queue.emit(move);
   }
+}
+
+void TextPlaces::go_to_number_on_stack() {
+  const auto number = vm_.pop_integer("the number of a block");
+  if (number) go_to_block(*number);
+}
+
+void TextPlaces::go_to_block(int number) {
+  Frame& frame = vm_.frame();
+  if (frame.function != nullptr) {
+    return vm_.fail("E3024", "a function has no block numbers to go to", "use `if` and `while`");
+  }
+  const CompiledFile& current = vm_.file();
+  const std::uint32_t from = frame.position == 0 ? 0 : frame.position - 1;
+  const auto found = current.block_index.find(number, from);
+  if (const auto fault = fault_of_jump(number, found)) {
+    return vm_.fail(fault->code, fault->message, fault->label);
+  }
+  const NumberedBlock& block = *found.block;
+  vm_.plain() = {};
+  frame.position = block.position;
+  if (block.offset == NumberedBlock::no_text) return;
+  const PlainLines& lines = current.plain_lines[current.code[block.position].operand];
+  const char* const text = current.source.text().data();
+  vm_.plain() = {text + block.offset, text + lines.end, block.line, rules_of(current, lines)};
+  ++frame.position;
 }
 
 bool TextPlaces::enter(std::uint32_t line) {

@@ -26,6 +26,9 @@ class TextPlaces final : public ContourSource {
   [[nodiscard]] Contour contour(int first, int last) override;
 
   void go_behind_line(std::uint32_t line);
+  // GOTO, and M99 P behind the call: to block N `number` of the current text.
+  void go_to_block(int number);
+  void go_to_number_on_stack();
   // The lines `first` to `last`, then back to where the tool stands.
   void run_contour(std::uint32_t first, std::uint32_t last);
   [[nodiscard]] bool in_contour() const { return contour_return_.has_value(); }

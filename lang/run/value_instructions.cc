@@ -89,6 +89,7 @@ void ValueInstructions::load_parameter(const Instruction& instruction) {
   switch (instruction.op) {
     case Op::parameter:
       value = parameters_.numbered(stack.pop_number(), fault);
+      if (value && instruction.extra == 0) value = value_or_zero(*value);
       break;
     case Op::named_parameter:
       value = parameters_.named_value(instruction.operand, fault);

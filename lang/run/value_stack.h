@@ -38,6 +38,9 @@ class ValueStack {
   [[nodiscard]] std::span<const Value> top(std::size_t count) const {
     return {values_.data() + values_.size() - count, count};
   }
+  [[nodiscard]] std::span<Value> top(std::size_t count) {
+    return {values_.data() + values_.size() - count, count};
+  }
   [[nodiscard]] std::size_t height() const { return values_.size(); }
   void cut_to(std::size_t height) { values_.resize(height); }
   void clear() { values_.clear(); }

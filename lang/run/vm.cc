@@ -34,6 +34,10 @@ std::vector<std::string> call_stack(const Program& program, const std::vector<Fr
 
 }  // namespace
 
+LineRules rules_of(const CompiledFile& file, const PlainLines& lines) {
+  return {lines.surroundings, file.source.rules()};
+}
+
 void Vm::begin(std::shared_ptr<const Program> program) {
   program_ = std::move(program);
   plain_ = {};
@@ -79,7 +83,7 @@ bool Vm::execute(const Instruction& instruction) {
     case Op::plain_lines: {
       const PlainLines& lines = file().plain_lines[instruction.operand];
       const char* const text = file().source.text().data();
-      plain_ = {text + lines.begin, text + lines.end, lines.first_line, lines.surroundings};
+      plain_ = {text + lines.begin, text + lines.end, lines.first_line, rules_of(file(), lines)};
       return true;
     }
     case Op::raise: {
@@ -228,6 +232,12 @@ Span Vm::next_span() const {
   return spans[std::min<std::size_t>(frames_.back().position, spans.size() - 1)];
 }
 
+WhereItRuns Vm::where() const {
+  const int level = static_cast<int>(frames_.size()) - 1;
+  const bool runs = !frames_.empty() && program_;
+  return {origin(), level, runs ? file().source.rules() : TextRules{}};
+}
+
 Origin Vm::origin() const {
   if (frames_.empty() || !program_) return {};
   if (!plain_.at_end()) return {frames_.back().file, plain_.line};
@@ -271,6 +281,7 @@ void Vm::leave() {
   if (frame.context && frame.context->file_slots_before) {
     file_slots_[frame.file] = *frame.context->file_slots_before;
   }
+  if (frame.context && frame.context->modal_call) plain_ = frame.context->plain_of_caller;
   frames_.pop_back();
 }
 

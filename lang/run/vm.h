@@ -25,10 +25,23 @@
 
 namespace stanok::lang {
 
+// Plain lines being executed.
+struct PlainCursor {
+  const char* at = nullptr;
+  const char* end = nullptr;
+  std::uint32_t line = 0;
+  LineRules rules;
+
+  [[nodiscard]] bool at_end() const { return at == end; }
+};
+
 // What only some calls keep until they return.
 struct CallContext {
-  std::optional<LocalParameters> of_caller;      // the called text has parameters of its own
-  std::optional<BlockWords> arguments;           // of G65 and user codes
+  std::optional<LocalParameters> of_caller;  // the called text has parameters of its own
+  std::optional<BlockWords> arguments;       // of G65 and user codes
+  // Of G66 or G66.1; the lines of the caller that come next.
+  bool modal_call = false;
+  PlainCursor plain_of_caller;
   const UserCode* user_code = nullptr;           // built in again while its macro runs
   std::optional<std::size_t> file_slots_before;  // where the file's variables were
 };
@@ -43,19 +56,13 @@ struct Frame {
   int program_number = 0;                  // M98, G65; 0: a whole file
   bool subprogram = false;                 // M98, G65, call, O-line: M99 returns from here
   int repeats = 0;                         // L: calls still to be made
+  int block = -1;                          // M97: N with which it begins
   std::uint32_t entry = 0;
   std::unique_ptr<CallContext> context;
 };
 
-// Plain lines being executed.
-struct PlainCursor {
-  const char* at = nullptr;
-  const char* end = nullptr;
-  std::uint32_t line = 0;
-  Surroundings surroundings = Surroundings::file_level;
-
-  [[nodiscard]] bool at_end() const { return at == end; }
-};
+// How lines of a file are read.
+[[nodiscard]] LineRules rules_of(const CompiledFile& file, const PlainLines& lines);
 
 class Vm final : public RunPlace {
  public:
@@ -86,8 +93,8 @@ class Vm final : public RunPlace {
   [[nodiscard]] const Span& span() const;
   [[nodiscard]] Span next_span() const;
   [[nodiscard]] Origin instruction_origin() const { return {frames_.back().file, span().line}; }
-  [[nodiscard]] Origin origin() const override;
-  [[nodiscard]] int call_level() const override { return static_cast<int>(frames_.size()) - 1; }
+  [[nodiscard]] Origin origin() const;
+  [[nodiscard]] WhereItRuns where() const override;
 
   // Calls. Nothing can be entered where check_call_depth() is false; it has failed the run.
   [[nodiscard]] bool check_call_depth();

@@ -25,27 +25,35 @@ bool quick_result(Operation operation, double left, double right, double& result
       result = without_sign_of_zero(left / right);
       return right != 0.0 && std::isfinite(result);
     case Operation::less:
-    case Operation::bracket_less:
       result = truth(left < right);
       return true;
     case Operation::less_equal:
-    case Operation::bracket_less_equal:
       result = truth(left <= right);
       return true;
     case Operation::greater:
-    case Operation::bracket_greater:
       result = truth(left > right);
       return true;
     case Operation::greater_equal:
-    case Operation::bracket_greater_equal:
       result = truth(left >= right);
       return true;
+    case Operation::bracket_less:
+      result = truth(left < right);
+      return !std::isunordered(left, right);
+    case Operation::bracket_less_equal:
+      result = truth(left <= right);
+      return !std::isunordered(left, right);
+    case Operation::bracket_greater:
+      result = truth(left > right);
+      return !std::isunordered(left, right);
+    case Operation::bracket_greater_equal:
+      result = truth(left >= right);
+      return !std::isunordered(left, right);
     case Operation::equal:
       result = truth(left == right);
       return true;
     case Operation::not_equal:
       result = truth(left != right);
-      return true;
+      return !std::isunordered(left, right);
     default:
       return false;
   }
@@ -127,7 +135,7 @@ void Vm::compute(const Instruction& instruction) {
   if (!is_unary(operation)) right = stack_.pop_number();
   Value& left = stack_.top();
   ArithmeticFault fault{};
-  const auto result = computed(operation, left.number, right, fault);
+  const auto result = computed_with_vacant(operation, left.number, right, fault);
   if (!result) return fail(fault.code, fault.message);
   left.number = *result;
 }
@@ -135,6 +143,9 @@ void Vm::compute(const Instruction& instruction) {
 void Vm::call_builtin(const Instruction& instruction) {
   const Builtin& builtin = builtins()[instruction.operand];
   Value result;
+  for (Value& argument : stack_.top(instruction.count)) {
+    argument.number = value_or_zero(argument.number);
+  }
   const bool good = builtin.evaluate(stack_.top(instruction.count), result);
   stack_.cut_to(stack_.height() - instruction.count);
   if (good) return stack_.push(std::move(result));

@@ -44,7 +44,7 @@ Diagnostic& Reporter::error(std::string_view code, const Span& span, std::string
   last_error_ = {std::string(code), span, message, label};
   const Severity severity = is_soft(span.offset) ? Severity::warning : Severity::error;
   if (!keeps(severity)) {
-    if (severity == Severity::error) ++errors_dropped_;
+    if (severity == Severity::error && !is_closed_) ++errors_dropped_;
     return overflow_ = {};
   }
   Diagnostic diagnostic = diagnostic_at(source_, code, span, std::move(message), std::move(label));
@@ -60,12 +60,31 @@ Diagnostic& Reporter::warning(std::string_view code, const Span& span, std::stri
   return keep(std::move(diagnostic));
 }
 
+std::optional<std::uint32_t> Reporter::find_error_line(
+    const std::function<bool(std::string_view)>& is_meant) const {
+  for (const Diagnostic& diagnostic : diagnostics_) {
+    const bool error = diagnostic.severity == Severity::error;
+    if (error && is_meant(diagnostic.source_line))
+      return static_cast<std::uint32_t>(diagnostic.place.line);
+  }
+  return std::nullopt;
+}
+
+void Reporter::tell_only(Diagnostic diagnostic) {
+  diagnostics_.clear();
+  errors_kept_ = 0;
+  errors_dropped_ = 0;
+  add(std::move(diagnostic));
+  is_closed_ = true;
+}
+
 void Reporter::add(Diagnostic diagnostic) {
   if (diagnostic.severity == Severity::error) ++error_count_;
   keep(std::move(diagnostic));
 }
 
 bool Reporter::keeps(Severity severity) const {
+  if (is_closed_) return false;
   return (severity == Severity::error ? errors_kept_ : warnings_kept_) < limits::diagnostics;
 }
 

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -52,6 +54,12 @@ class Reporter {
     return spoilt_.contains(folded(name));
   }
 
+  // The line of the first error whose text `is_meant`; nothing: there is none.
+  [[nodiscard]] std::optional<std::uint32_t> find_error_line(
+      const std::function<bool(std::string_view)>& is_meant) const;
+  // This is all there is to say about the text, whatever comes later.
+  void tell_only(Diagnostic diagnostic);
+
   // Number of errors reported so far, softened ones included.
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   // The last error as it was reported first, for text that is an error only when reached.
@@ -73,6 +81,7 @@ class Reporter {
   Fault last_error_;
   Diagnostic overflow_;  // takes what comes after the hundredth error
   std::size_t error_count_ = 0;
+  bool is_closed_ = false;  // by tell_only()
   std::size_t errors_kept_ = 0;
   std::size_t warnings_kept_ = 0;
   std::size_t errors_dropped_ = 0;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "lang/text/dialect_line.h"
 
 namespace stanok::lang {
 namespace {
@@ -47,7 +48,8 @@ std::string folded(std::string_view name) {
   return text;
 }
 
-Source::Source(std::shared_ptr<const SourceText> text) : text_(std::move(text)) {
+Source::Source(std::shared_ptr<const SourceText> text, const TextRules& usual)
+    : text_(std::move(text)) {
   if (!is_utf8(text_->text)) {
     auto repaired = std::make_shared<SourceText>(*text_);
     repaired->text = valid_utf8(text_->text);
@@ -57,6 +59,25 @@ Source::Source(std::shared_ptr<const SourceText> text) : text_(std::move(text)) 
   end_ = text_->text.size();
   if (text_->text.starts_with("\xEF\xBB\xBF")) begin_ = 3;
   find_frame();
+  find_dialect(usual);
+}
+
+// The first line that is not empty.
+Span Source::first_words() const {
+  std::size_t first = begin_;
+  const auto is_space = [&](std::size_t at) {
+    return is_blank(text_->text[at]) || is_line_end(text_->text[at]);
+  };
+  while (first < end_ && is_space(first)) ++first;
+  std::size_t last = line_end_from(text_->text, first);
+  while (last > first && is_blank(text_->text[last - 1])) --last;
+  return {first, static_cast<std::uint32_t>(last - first), line_number(first)};
+}
+
+void Source::find_dialect(const TextRules& usual) {
+  DialectLine line = dialect_line(text(first_words()), usual);
+  rules_ = line.rules.value_or(usual);
+  dialect_problem_ = std::move(line.problem);
 }
 
 // The frame: an optional line that begins with %, before any other text, and its partner.

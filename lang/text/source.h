@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "base/diagnostic.h"
+#include "lang/contract/dialect.h"
 #include "lang/contract/environment.h"
 
 namespace stanok::lang {
@@ -28,7 +29,8 @@ struct Span {
 
 class Source {
  public:
-  explicit Source(std::shared_ptr<const SourceText> text);
+  // `usual`: the rules of a text whose first line does not name a dialect.
+  explicit Source(std::shared_ptr<const SourceText> text, const TextRules& usual = {});
 
   [[nodiscard]] const std::string& name() const { return text_->name; }
   [[nodiscard]] const std::string& path() const { return text_->path; }
@@ -42,6 +44,10 @@ class Source {
   [[nodiscard]] std::size_t begin() const { return begin_; }
   [[nodiscard]] std::size_t end() const { return end_; }
   [[nodiscard]] std::uint32_t begin_line() const { return begin_line_; }
+  [[nodiscard]] const TextRules& rules() const { return rules_; }
+  // What is wrong with the line that names the dialect, and where; empty: nothing.
+  [[nodiscard]] const std::string& dialect_problem() const { return dialect_problem_; }
+  [[nodiscard]] Span first_words() const;
   // The only frame mark of a text that has just one; length 0 otherwise.
   [[nodiscard]] Span lone_frame_mark() const { return lone_frame_mark_; }
 
@@ -63,6 +69,7 @@ class Source {
 
  private:
   void find_frame();
+  void find_dialect(const TextRules& usual);
 
   std::shared_ptr<const SourceText> text_;
   bool is_repaired_ = false;
@@ -70,6 +77,8 @@ class Source {
   std::size_t end_ = 0;
   std::uint32_t begin_line_ = 1;
   Span lone_frame_mark_;
+  TextRules rules_;
+  std::string dialect_problem_;
 };
 
 [[nodiscard]] constexpr bool is_line_end(char c) {

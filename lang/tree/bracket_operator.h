@@ -1,12 +1,18 @@
 // Operators and functions of bracket expressions, for both readers of them: the parser and the
 // computation from text.
+//
+// The Fanuc dialect follows the operator's manual B-63944EN, 16.2 and 16.4: AND binds like *, OR
+// and XOR like +, all three work on bits; FIX goes towards zero and FUP away from it; ASIN and ATAN
+// of two values are never negative (parameter NAT 0).
 #pragma once
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
+#include "lang/contract/dialect.h"
 #include "lang/tree/tree.h"
 
 namespace stanok::lang {
@@ -17,16 +23,18 @@ struct BracketOperator {
   Operation operation;
 };
 
+inline constexpr int comparison_level = 1;
+
 inline constexpr auto bracket_operators = std::to_array<BracketOperator>({
     {"and", 0, Operation::bracket_and},
     {"or", 0, Operation::bracket_or},
     {"xor", 0, Operation::bracket_xor},
-    {"eq", 1, Operation::bracket_equal},
-    {"ne", 1, Operation::bracket_not_equal},
-    {"gt", 1, Operation::bracket_greater},
-    {"ge", 1, Operation::bracket_greater_equal},
-    {"lt", 1, Operation::bracket_less},
-    {"le", 1, Operation::bracket_less_equal},
+    {"eq", comparison_level, Operation::bracket_equal},
+    {"ne", comparison_level, Operation::bracket_not_equal},
+    {"gt", comparison_level, Operation::bracket_greater},
+    {"ge", comparison_level, Operation::bracket_greater_equal},
+    {"lt", comparison_level, Operation::bracket_less},
+    {"le", comparison_level, Operation::bracket_less_equal},
     {"+", 2, Operation::add},
     {"-", 2, Operation::subtract},
     {"*", 3, Operation::multiply},
@@ -36,29 +44,71 @@ inline constexpr auto bracket_operators = std::to_array<BracketOperator>({
 });
 inline constexpr int bracket_levels = 5;
 
+// What the Fanuc dialect has instead.
+inline constexpr auto macro_operators = std::to_array<BracketOperator>({
+    {"and", 3, Operation::macro_and},
+    {"or", 2, Operation::macro_or},
+    {"xor", 2, Operation::macro_xor},
+    {"mod", 3, Operation::macro_modulo},
+});
+
 // The row of an operator by its folded name, or nullptr.
-[[nodiscard]] constexpr const BracketOperator* find_bracket_operator(std::string_view name) {
+[[nodiscard]] constexpr const BracketOperator* find_bracket_operator(std::string_view name,
+                                                                     const TextRules& rules = {}) {
+  if (rules.is_fanuc()) {
+    for (const BracketOperator& row : macro_operators) {
+      if (row.name == name) return &row;
+    }
+  }
   for (const BracketOperator& row : bracket_operators) {
     if (row.name == name) return &row;
   }
   return nullptr;
 }
 
-// Functions in brackets and the function of high-level text that computes the same.
-inline constexpr auto bracket_functions =
-    std::to_array<std::pair<std::string_view, std::string_view>>({{"abs", "abs"},
-                                                                  {"acos", "acos"},
-                                                                  {"asin", "asin"},
-                                                                  {"atan", "atan2"},
-                                                                  {"cos", "cos"},
-                                                                  {"exists", "exists"},
-                                                                  {"exp", "exp"},
-                                                                  {"fix", "floor"},
-                                                                  {"fup", "ceil"},
-                                                                  {"ln", "ln"},
-                                                                  {"round", "round"},
-                                                                  {"sin", "sin"},
-                                                                  {"sqrt", "sqrt"},
-                                                                  {"tan", "tan"}});
+// A function in brackets and the function of high-level text that computes the same.
+struct BracketFunction {
+  std::string_view name;
+  std::string_view function;
+  bool wraps = false;  // the result is brought to 0 to 360 deg
+};
+
+inline constexpr auto bracket_functions = std::to_array<BracketFunction>({{"abs", "abs"},
+                                                                          {"acos", "acos"},
+                                                                          {"asin", "asin"},
+                                                                          {"atan", "atan2"},
+                                                                          {"cos", "cos"},
+                                                                          {"exists", "exists"},
+                                                                          {"exp", "exp"},
+                                                                          {"fix", "floor"},
+                                                                          {"fup", "ceil"},
+                                                                          {"ln", "ln"},
+                                                                          {"round", "round"},
+                                                                          {"sin", "sin"},
+                                                                          {"sqrt", "sqrt"},
+                                                                          {"tan", "tan"}});
+
+// What the Fanuc dialect has instead and besides. ATAN of one value is "atan".
+inline constexpr auto macro_functions = std::to_array<BracketFunction>({{"asin", "asin", true},
+                                                                        {"atan", "atan2", true},
+                                                                        {"bcd", "to_bcd"},
+                                                                        {"bin", "from_bcd"},
+                                                                        {"fix", "trunc"},
+                                                                        {"fup", "round_away"},
+                                                                        {"sqr", "sqrt"}});
+
+// The row of a function by its folded name, or nullptr.
+[[nodiscard]] constexpr const BracketFunction* find_bracket_function(std::string_view name,
+                                                                     const TextRules& rules = {}) {
+  if (rules.is_fanuc()) {
+    for (const BracketFunction& row : macro_functions) {
+      if (row.name == name) return &row;
+    }
+  }
+  for (const BracketFunction& row : bracket_functions) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
 
 }  // namespace stanok::lang

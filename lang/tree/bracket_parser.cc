@@ -17,13 +17,18 @@ Expression call_of(std::string_view function, const Span& span, Expression argum
   return call;
 }
 
+// Folded, without the number that may follow directly: `#1EQ0`.
+std::string operator_name(const Token& token) {
+  const std::string name = folded(token.text);
+  if (token.kind != TokenKind::name) return name;
+  return name.substr(0, name.find_first_of("0123456789"));
+}
+
 }  // namespace
 
-std::optional<std::string_view> bracket_function(std::string_view folded_name) {
-  for (const auto& [name, function] : bracket_functions) {
-    if (name == folded_name) return function;
-  }
-  return std::nullopt;
+bool is_bracket_function(std::string_view folded_name) {
+  constexpr TextRules fanuc{Dialect::fanuc, CodeSystem::b};
+  return find_bracket_function(folded_name, fanuc) != nullptr;
 }
 
 // [+|-] unsigned value
@@ -47,17 +52,28 @@ MaybeExpression BracketParser::parse_value() {
 
 MaybeExpression BracketParser::parse_unsigned_value() {
   const char c = scanner_.character();
-  if (c == '#') return parse_parameter_reference();
+  if (c == '#') {
+    auto parameter = parse_parameter_reference();
+    const bool stays_vacant = parameter && source_.rules().is_fanuc();
+    if (stays_vacant && parameter->node == Node::parameter)
+      parameter->node = Node::vacant_parameter;
+    return parameter;
+  }
   if (c == '[') return parse_bracket();
   if (is_letter(c)) {
     const std::string_view name = scanner_.name_ahead();
-    if (bracket_function(folded(name))) return parse_bracket_function(name);
+    if (find_bracket_function(folded(name), source_.rules()) != nullptr)
+      return parse_bracket_function(name);
   }
   const char* const first = source_.text().data() + scanner_.offset();
   const char* const end = source_.text().data() + source_.end();
   const char* at = first;
   Expression number;
   bool whole = false;
+  if (static_cast<unsigned char>(c) >= 0x80) {
+    report_illegal_character(cursor_);
+    return std::nullopt;
+  }
   if (!is_digit(c) && c != '.') {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a number");
     return std::nullopt;
@@ -125,13 +141,15 @@ MaybeExpression BracketParser::parse_bracket_binary(int level) {
   scanner_.skip_blanks(LineEnds::significant);
   if (level == bracket_levels) return parse_value();
   auto left = parse_bracket_binary(level + 1);
-  while (left) {
+  for (bool compared = false; left; compared = level == comparison_level) {
     scanner_.skip_blanks(LineEnds::significant);
     const Token token = scanner_.peek(LineEnds::significant);
-    const BracketOperator* const found = find_bracket_operator(folded(token.text));
+    const BracketOperator* const found =
+        find_bracket_operator(operator_name(token), source_.rules());
     if (found == nullptr || found->level != level) break;
+    if (compared && source_.rules().is_fanuc() && refuse_chain(token)) return std::nullopt;
     if (!cursor_.count_operator(token.span)) return std::nullopt;
-    scanner_.take(LineEnds::significant);
+    scanner_.advance(found->name.size());
     auto right = parse_bracket_binary(level + 1);
     if (!right) return std::nullopt;
     Expression binary;
@@ -145,9 +163,34 @@ MaybeExpression BracketParser::parse_bracket_binary(int level) {
   return left;
 }
 
+// AND binds stronger than EQ there: `[#1 EQ 0 AND #2 EQ 1]` is not what it looks like.
+bool BracketParser::refuse_chain(const Token& comparison) {
+  reporter_.error("E2008", comparison.span, "comparisons do not chain", "second comparison")
+      .help.emplace_back("put each comparison into brackets: `[[#1 EQ 0] AND [#2 EQ 1]]`");
+  return true;
+}
+
+MaybeExpression BracketParser::parse_condition() {
+  auto number = parse_bracket();
+  return number ? MaybeExpression(truth_of(std::move(*number))) : std::nullopt;
+}
+
+Expression truth_of(Expression number) {
+  Expression zero;
+  zero.span = number.span;
+  Expression comparison;
+  comparison.node = Node::binary;
+  comparison.operation = Operation::not_equal;
+  comparison.span = number.span;
+  comparison.children.push_back(std::move(number));
+  comparison.children.push_back(std::move(zero));
+  return comparison;
+}
+
 MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
   const Span name_span = scanner_.here(static_cast<std::uint32_t>(name.size()));
-  const std::string_view function = bracket_function(folded(name)).value_or("");
+  const BracketFunction& row = *find_bracket_function(folded(name), source_.rules());
+  const std::string_view function = row.function;
   scanner_.advance(name.size());
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != '[') {
@@ -160,11 +203,31 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
   if (function == "exists") {
     call.node = Node::exists;
     if (call.children[0].node == Node::named_parameter) return call;
+    if (call.children[0].node == Node::parameter) {
+      Expression exists;  // numbered ones always do
+      exists.number = 1.0;
+      exists.span = call.span;
+      return exists;
+    }
     reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
     return std::nullopt;
   }
-  if (function != "atan2") return call;
+  const Span span = call.span;
+  MaybeExpression made = function == "atan2" ? parse_arc_tangent(std::move(call)) : std::move(call);
+  if (!made || !row.wraps || made->text == "atan") return made;
+  return call_of("wrap360", span, std::move(*made));
+}
+
+// ATAN[a]/[b]; in the Fanuc dialect also of one value.
+MaybeExpression BracketParser::parse_arc_tangent(Expression call) {
   scanner_.skip_blanks(LineEnds::significant);
+  std::size_t behind = 1;
+  while (is_blank(scanner_.character(behind))) ++behind;
+  const bool divided = scanner_.character() == '/' && scanner_.character(behind) == '[';
+  if (source_.rules().is_fanuc() && !divided && scanner_.character() != '[') {
+    call.text = "atan";
+    return call;
+  }
   if (scanner_.character() == '/') {
     scanner_.advance(1);
     scanner_.skip_blanks(LineEnds::significant);

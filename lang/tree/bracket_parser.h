@@ -21,6 +21,10 @@ class BracketParser {
         scanner_(cursor.scanner()) {}
 
   MaybeExpression parse_value();
+  // Behind `=` of a parameter: a value, or an expression without brackets around it.
+  MaybeExpression parse_right_side() { return parse_bracket_binary(0); }
+  // From `[`, a number that is true when it is not 0.
+  MaybeExpression parse_condition();
   // From its `[`.
   MaybeExpression parse_bracket();
   // From its `#`.
@@ -30,6 +34,8 @@ class BracketParser {
   MaybeExpression parse_unsigned_value();
   MaybeExpression parse_bracket_binary(int level);
   MaybeExpression parse_bracket_function(std::string_view name);
+  MaybeExpression parse_arc_tangent(Expression call);
+  bool refuse_chain(const Token& comparison);
 
   TokenCursor& cursor_;
   const Source& source_;
@@ -37,7 +43,10 @@ class BracketParser {
   Scanner& scanner_;
 };
 
-// Functions in brackets: ABS, ACOS, ... with the name of the function that computes them.
-[[nodiscard]] std::optional<std::string_view> bracket_function(std::string_view folded_name);
+// A number as a condition: true when it is not 0.
+[[nodiscard]] Expression truth_of(Expression number);
+
+// Whether brackets know a function of this name in any dialect: ABS, ACOS, ...
+[[nodiscard]] bool is_bracket_function(std::string_view folded_name);
 
 }  // namespace stanok::lang

@@ -79,6 +79,28 @@ double round_half_away(double x) {
 double cut_off(double x) {
   return std::trunc(x);
 }
+double round_away(double x) {
+  return x < 0.0 ? std::floor(x) : std::ceil(x);
+}
+// Decimal digits of four bits each, and back; NaN beyond 8 digits.
+constexpr double bcd_end = 1e8;
+double to_bcd(double x) {
+  if (!is_integer(x) || x < 0.0 || x >= bcd_end) return std::nan("");
+  auto rest = static_cast<std::uint32_t>(whole_number(x));
+  std::uint32_t digits = 0;
+  for (unsigned shift = 0; rest != 0; shift += 4, rest /= 10) digits |= (rest % 10) << shift;
+  return digits;
+}
+double from_bcd(double x) {
+  if (x < 0.0 || x > 4294967295.0 || x != std::floor(x)) return std::nan("");
+  auto rest = static_cast<std::uint32_t>(x);
+  double number = 0.0;
+  for (double unit = 1.0; rest != 0; unit *= 10.0, rest >>= 4U) {
+    if ((rest & 15U) > 9) return std::nan("");
+    number += unit * (rest & 15U);
+  }
+  return number;
+}
 double exponential(double x) {
   return std::exp(x);
 }
@@ -302,6 +324,9 @@ constexpr auto builtin_rows = std::to_array<Builtin>({
     number("ceil", "n", unary<round_up>),
     number("round", "n", unary<round_half_away>),
     number("trunc", "n", unary<cut_off>),
+    number("round_away", "n", unary<round_away>),
+    number("to_bcd", "n", unary<to_bcd>),
+    number("from_bcd", "n", unary<from_bcd>),
     number("exp", "n", unary<exponential>),
     number("ln", "n", unary<natural_logarithm>),
     number("log10", "n", unary<decimal_logarithm>),

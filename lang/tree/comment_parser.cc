@@ -112,6 +112,7 @@ bool parse_comment(TokenCursor& cursor, IsoBlock& block) {
   const Span span = cursor.scanner().here();
   const auto comment = cursor.scanner().read_parenthesis_comment();
   if (!comment) return false;
+  block.remark = trimmed(*comment);
   const std::size_t comma = comment->find(',');
   if (comma == std::string_view::npos) return true;
   const std::string word = folded(trimmed(comment->substr(0, comma)));

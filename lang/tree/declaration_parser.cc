@@ -40,7 +40,7 @@ std::string_view reason_against(std::string_view name) {
   if (is_reserved_word(wanted)) return "it is a reserved word";
   if (!find_named_address(wanted).empty()) return "it is an address of blocks, as in `dS=0.1`";
   if (find_builtin(wanted) != nullptr || find_builtin_constant(wanted)) return "it is built in";
-  if (bracket_function(std::string_view(wanted).substr(1))) {
+  if (is_bracket_function(std::string_view(wanted).substr(1))) {
     return "it reads like a word with a function, as in `Xsin[30]`";
   }
   if (begins_macro_line(wanted)) return "it reads like a line of a macro, as in `DO1`";

@@ -102,22 +102,6 @@ MaybeStatement DirectiveParser::parse_kinematics() {
   return statement;
 }
 
-MaybeStatement DirectiveParser::parse_macro_line() {
-  const std::size_t start = scanner_.offset();
-  const std::uint32_t line = scanner_.line();
-  const std::string name = folded(scanner_.name_ahead());
-  scanner_.skip_to_line_end();
-  std::string equivalent = "if (condition) { ... }";
-  if (name == "while" || name.starts_with("do") || name.starts_with("end")) {
-    equivalent = "while (condition) { ... }";
-  }
-  reporter_
-      .error("E2040", scanner_.span_from(start, line),
-             "macro lines of other controls are not supported in this release", "")
-      .help.push_back("write `" + equivalent + "`");
-  return std::nullopt;
-}
-
 MaybeStatement DirectiveParser::parse_tool_overhang(const Span& name) {
   cursor_.set_line_ends(LineEnds::significant);
   ToolOverhangDirective directive;

@@ -1,4 +1,4 @@
-// Directives (#include, #kinematics, #feedlaw, ...) and the macro lines of other controls.
+// Directives: #include, #kinematics, #feedlaw, ...
 //
 // Owner: Parser. Adds the functions of included files to those that can be called.
 #pragma once
@@ -31,8 +31,6 @@ class DirectiveParser {
 
   // From its `#`.
   MaybeStatement parse_directive();
-  // IF[...], WHILE[...], DO1, GOTO: what to write instead.
-  MaybeStatement parse_macro_line();
 
  private:
   // The two directives about the workpiece.

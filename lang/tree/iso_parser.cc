@@ -6,10 +6,17 @@
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/tree/comment_parser.h"
+#include "lang/words/code_system.h"
 #include "lang/words/named_address.h"
 #include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
+namespace {
+
+// Sets of I, J and K in a macro call.
+constexpr int argument_sets_max = 10;
+
+}  // namespace
 
 bool IsoParser::is_named_address(std::string_view name) const {
   std::size_t behind = name.size();
@@ -55,7 +62,7 @@ bool IsoParser::end_iso_in_braces() {
   reporter_
       .error("E2004", scanner_.here(), "text behind the `;` of an ISO block inside braces",
              "only `}` or a // comment may follow here")
-      .help.push_back("put each ISO block on its own line");
+      .help.push_back("put each ISO block on its own line; write comments with // or ( )");
   return false;
 }
 
@@ -71,6 +78,13 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
     if (!value) return false;
     block.spindle = std::move(*value);
     return true;
+  }
+  if (c == ',' && is_digit(scanner_.character(1)) && !block.words.empty()) {
+    reporter_
+        .error("E1002", scanner_.here(), "a number has a decimal point, not a comma",
+               "decimal comma")
+        .help.push_back("write e.g. `X10.5`");
+    return false;
   }
   if (c == '@' || c == '^' || c == ',') {
     reporter_
@@ -88,8 +102,14 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
     return false;
   }
   if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) {
-    reporter_.error("E1001", scanner_.peek(LineEnds::significant).span, "illegal character",
-                    "only comments and strings may hold it");
+    report_illegal_character(cursor_);
+    return false;
+  }
+  if (!block.words.empty() && (c == '+' || c == '-' || c == '*' || c == '/')) {
+    reporter_
+        .error("E2001", scanner_.here(), std::string("a computation with `") + c + "` in a word",
+               "needs brackets")
+        .help.push_back("put it into brackets, e.g. `X[#1+5]`");
     return false;
   }
   cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a word");
@@ -104,8 +124,12 @@ bool IsoParser::parse_word(IsoBlock& block) {
   IsoWord word;
   word.name.letter = upper_case(name[0]);
   if (word.name.letter == 'N' || word.name.letter == 'O') {
-    reporter_.error("E2006", scanner_.here(), "a block or program number inside a block",
-                    "must stand at the beginning of the line");
+    Diagnostic& diagnostic =
+        reporter_.error("E2006", scanner_.here(), "a block or program number inside a block",
+                        "must stand at the beginning of the line");
+    const bool inside_number = start > 0 && is_digit(source_.text()[start - 1]);
+    if (word.name.letter == 'O' && inside_number)
+      diagnostic.help.emplace_back("did you mean the digit 0? This is the letter O");
     return false;
   }
   std::size_t digits = 1;
@@ -153,7 +177,7 @@ bool IsoParser::parse_long_word(IsoBlock& block, std::string_view name) {
   const bool has_index = name.size() > 1 && is_digit(name[1]);
   IsoWord word;
   if (!has_index && !is_named_address(name)) {
-    if (bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
+    if (is_bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
       word.name.letter = upper_case(name[0]);
       scanner_.advance(1);
       auto value = brackets_.parse_value();
@@ -211,7 +235,7 @@ bool IsoParser::apply_aliases(IsoBlock& block) {
     const char kind = code.name.letter;
     if ((kind != 'G' && kind != 'M') || code.name.code < 0) return false;
     const Code* const row = find_code(kind, static_cast<CodeNumber>(code.name.code));
-    const bool macro_call = kind == 'G' && code.name.code == g(65);
+    const bool macro_call = kind == 'G' && calls_macro(static_cast<CodeNumber>(code.name.code));
     return macro_call || dialect_.macro(kind, code.name.code) != nullptr ||
            (row != nullptr && (row->words & letter_bit(letter)) != 0);
   };
@@ -233,6 +257,63 @@ bool IsoParser::apply_aliases(IsoBlock& block) {
   return true;
 }
 
+// From the code system of the text.
+bool IsoParser::translate_code(IsoWord& word) {
+  const CodeSystem system = source_.rules().code_system;
+  if (system == CodeSystem::b) return true;
+  const auto written = static_cast<CodeNumber>(word.name.code);
+  const auto here = translated_code(written, system);
+  if (here) {
+    word.name.code = *here;
+    return true;
+  }
+  const std::string_view instead = instead_of_code(written, system);
+  Diagnostic& diagnostic =
+      reporter_.error("E4004", word.span,
+                      "code system " + std::string(system == CodeSystem::a ? "A" : "C") +
+                          " has no `" + code_text('G', written) + "`",
+                      "unknown code");
+  if (!instead.empty()) diagnostic.help.emplace_back(instead);
+  return false;
+}
+
+// Argument specification II: sets of I, J and K in a macro call. A letter that does not follow the
+// one before in the alphabet begins the next set; 1: this word belongs to the first one, or to no
+// call.
+int IsoParser::argument_set(const IsoBlock& block, const IsoWord& word) {
+  const auto is_of_set = [](char letter) { return letter >= 'I' && letter <= 'K'; };
+  const bool calls = std::ranges::any_of(block.words, [](const IsoWord& other) {
+    return other.name.letter == 'G' && calls_macro(static_cast<CodeNumber>(other.name.code));
+  });
+  if (!calls || !is_of_set(word.name.letter)) return 1;
+  int set = 1;
+  char last = 0;
+  const auto follow = [&](char letter) {
+    if (letter <= last) ++set;
+    last = letter;
+  };
+  for (const IsoWord& other : block.words) {
+    const char letter = other.name.letter != 0 ? other.name.letter : other.name.name[0];
+    if (is_of_set(letter)) follow(letter);
+  }
+  follow(word.name.letter);
+  return set;
+}
+
+// I of the second set is `I2`, and so on.
+bool IsoParser::add_argument(IsoBlock& block, IsoWord word, int set) {
+  const std::string letter(1, word.name.letter);
+  if (set > argument_sets_max) {
+    reporter_.error("E4001", word.span, "more than ten sets of I, J and K in one call",
+                    "one too many");
+    return false;
+  }
+  word.name.letter = 0;
+  word.name.name = letter + std::to_string(set);
+  block.words.push_back(std::move(word));
+  return true;
+}
+
 bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
   const char letter = word.name.letter;
   const bool is_code = letter == 'G' || letter == 'M';
@@ -243,11 +324,14 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
       return false;
     }
     word.name.code = static_cast<int>(std::lround(tenths));
+    if (letter == 'G' && !translate_code(word)) return false;
   }
   const auto same_name = [&](const IsoWord& other) {
     return other.name.letter == letter && other.name.name == word.name.name;
   };
   const auto count = std::count_if(block.words.begin(), block.words.end(), same_name);
+  const int set = argument_set(block, word);
+  if (set > 1) return add_argument(block, std::move(word), set);
   if (is_code ? count >= static_cast<std::ptrdiff_t>(CodeList::capacity) : count > 0) {
     const std::string name = letter != 0 ? std::string(1, letter) : word.name.name;
     reporter_.error(is_code ? "E4005" : "E4001", word.span,
@@ -271,7 +355,7 @@ bool IsoParser::parse_parameter_setting(IsoBlock& block) {
   }
   scanner_.advance(1);
   scanner_.skip_blanks(LineEnds::significant);
-  auto value = brackets_.parse_value();
+  auto value = brackets_.parse_right_side();
   if (!value) return false;
   block.settings.push_back({std::move(*target), std::move(*value)});
   return true;

@@ -40,6 +40,9 @@ class IsoParser {
   bool apply_aliases(IsoBlock& block);
   bool parse_parameter_setting(IsoBlock& block);
   bool add_word(IsoBlock& block, IsoWord word);
+  bool translate_code(IsoWord& word);
+  static int argument_set(const IsoBlock& block, const IsoWord& word);
+  bool add_argument(IsoBlock& block, IsoWord word, int set);
   bool end_iso_in_braces();
 
   TokenCursor& cursor_;

@@ -63,7 +63,19 @@ std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
   skip_blanks();
   for (; is_name_part(character()); ++at) line.keyword += lower_case(character());
   line.length = at;
+  if (line.keyword == "end" || line.keyword == "else") take_second_word(line);
   return line;
+}
+
+// `end sub` is `endsub`, `else if` is `elseif`.
+void OLineParser::take_second_word(OLineAhead& line) const {
+  std::size_t at = line.length;
+  while (is_blank(scanner_.character(at))) ++at;
+  std::string whole = line.keyword;
+  for (; is_name_part(scanner_.character(at)); ++at) whole += lower_case(scanner_.character(at));
+  if (std::ranges::find(o_keywords, whole) == o_keywords.end() || whole == line.keyword) return;
+  line.keyword = std::move(whole);
+  line.length = at;
 }
 
 MaybeStatement OLineParser::parse_o_line() {
@@ -148,6 +160,10 @@ MaybeStatement OLineParser::parse_o_call(OLabel label) {
   OCall call{std::move(label), {}};
   while (true) {
     scanner_.skip_blanks(LineEnds::significant);
+    if (scanner_.character() == '(') {
+      if (!scanner_.read_parenthesis_comment()) return std::nullopt;
+      continue;
+    }
     if (scanner_.character() != '[') break;
     auto argument = brackets_.parse_bracket();
     if (!argument) return std::nullopt;
@@ -300,15 +316,7 @@ MaybeExpression OLineParser::parse_o_bracket(std::string_view keyword) {
 MaybeExpression OLineParser::parse_o_condition(std::string_view keyword) {
   auto number = parse_o_bracket(keyword);
   if (!number) return std::nullopt;
-  Expression zero;
-  zero.span = number->span;
-  Expression comparison;
-  comparison.node = Node::binary;
-  comparison.operation = Operation::not_equal;
-  comparison.span = number->span;
-  comparison.children.push_back(std::move(*number));
-  comparison.children.push_back(std::move(zero));
-  return comparison;
+  return truth_of(std::move(*number));
 }
 
 // [expression] or nothing, then the end of the line.

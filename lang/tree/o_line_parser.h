@@ -60,6 +60,7 @@ class OLineParser {
                                           StatementList& body);
   std::optional<std::string> take_o_end(const OpenOLine& open,
                                         const std::vector<std::string_view>& ends);
+  void take_second_word(OLineAhead& line) const;
   MaybeExpression parse_o_bracket(std::string_view keyword);
   MaybeExpression parse_o_condition(std::string_view keyword);
   bool parse_optional_bracket(MaybeExpression& value);

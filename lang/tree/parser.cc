@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lang/block/predefined_parameter.h"
+#include "lang/text/block_number.h"
 #include "lang/text/limits.h"
 #include "lang/tree/keywords.h"
 #include "lang/tree/plain_block.h"
@@ -15,7 +16,16 @@
 namespace stanok::lang {
 namespace {
 
+bool is_macro_flow(const Statement& statement) {
+  const auto* const branch = std::get_if<If>(&statement.kind);
+  const auto* const loop = std::get_if<While>(&statement.kind);
+  return std::holds_alternative<JumpLine>(statement.kind) ||
+         (branch != nullptr && branch->is_macro_line) ||
+         (loop != nullptr && loop->label.starts_with(macro_loop_label));
+}
+
 bool is_high_level(const Statement& statement) {
+  if (is_macro_flow(statement)) return false;
   if (const auto* leave = std::get_if<Break>(&statement.kind)) return leave->label.empty();
   if (const auto* next = std::get_if<Continue>(&statement.kind)) return next->label.empty();
   return !std::holds_alternative<IsoBlock>(statement.kind) &&
@@ -54,12 +64,18 @@ bool is_numbered(std::string_view name, std::string_view word) {
 // Parameters of a program that does not run: no value is known.
 class UnknownParameters : public Parameters {
  public:
-  explicit UnknownParameters(NamedParameters* names) : names_(names) {}
+  UnknownParameters(NamedParameters* names, const TextRules& rules)
+      : names_(names), rules_(rules) {}
 
   std::optional<double> numbered(double, ValueFault&) override { return std::nan(""); }
   std::optional<double> named(const std::string& name, ValueFault&) override {
     const bool known = find_predefined_parameter(name) != nullptr || slot_to_set(name);
     return known ? std::optional(std::nan("")) : std::nullopt;
+  }
+  bool are_known() const override { return false; }
+  bool is_at_hand(double number) const override {
+    constexpr double system_variable_first = 1000.0;
+    return !rules_.is_fanuc() || number < system_variable_first;
   }
   std::optional<std::uint32_t> slot_to_set(const std::string& name) override {
     if (names_ == nullptr || find_predefined_parameter(name) != nullptr) return std::nullopt;
@@ -68,6 +84,7 @@ class UnknownParameters : public Parameters {
 
  private:
   NamedParameters* names_;
+  TextRules rules_;
 };
 
 // What stands here for a type of C, C++ or another control; empty: it is none.
@@ -111,6 +128,7 @@ Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
       declarations_(cursor_, expressions_, bodies_),
       statements_(cursor_, expressions_, bodies_, declarations_),
       o_lines_(cursor_, brackets_, *this),
+      macro_lines_(cursor_, brackets_, iso_, *this),
       directives_(cursor_, expressions_, functions_, context_.included_functions) {
   functions_.insert(context_.functions.begin(), context_.functions.end());
 }
@@ -158,7 +176,7 @@ void Parser::parse_statement(StatementList& list) {
   const std::size_t start = scanner().offset();
   const std::uint32_t line = scanner().line();
   const int skip_level = take_block_skip();
-  take_block_number();
+  const int number = take_block_number();
   if (scanner().at_line_end()) return;
   auto statement = parse_kind();
   if (!statement) {
@@ -169,6 +187,7 @@ void Parser::parse_statement(StatementList& list) {
     return keep_faulty(list, start, line);
   statement->span = scanner().span_from(start, line);
   statement->skip_level = skip_level;
+  statement->number = number;
   if (skip_level != 0 && is_high_level(*statement)) {
     reporter()
         .error("E2005", {start, 1, line}, "block skip before a high-level statement",
@@ -195,17 +214,18 @@ bool Parser::take_plain_lines(StatementList& list) {
   std::uint32_t lines = 0;
   bool any_words = false;
   BlockWords words;
-  UnknownParameters parameters(context_.named_parameters);
+  UnknownParameters parameters(context_.named_parameters, cursor_.source().rules());
   TextValues values(parameters);
   const ChannelWords* const channel = channel_words_ ? &*channel_words_ : nullptr;
   for (const char* line = at; line != end; line = at, ++lines) {
     if (context_.watch != nullptr) context_.watch->pass();
-    if (!read_plain_line(at, end, surroundings, words, values)) break;
+    if (!read_plain_line(at, end, {surroundings, cursor_.source().rules()}, words, values)) break;
     if (!is_plain_block(words, channel, dialect_)) {
       at = line;
       break;
     }
-    any_words = any_words || !words.empty() || !values.settings().empty();
+    any_words = any_words || !words.empty() || !values.settings().empty() ||
+                block_number({line, end}).has_value();
   }
   if (at == begin) return false;
   const std::size_t from = scanner().offset();
@@ -233,13 +253,16 @@ int Parser::take_block_skip() {
   return level;
 }
 
-void Parser::take_block_number() {
-  if (upper_case(scanner().character()) != 'N' || !is_digit(scanner().character(1))) return;
+// -1: the block has none.
+int Parser::take_block_number() {
+  if (upper_case(scanner().character()) != 'N' || !is_digit(scanner().character(1))) return -1;
+  const auto number = block_number(cursor_.source().text().substr(scanner().offset(), 12));
   scanner().advance(1);
   while (is_digit(scanner().character())) scanner().advance(1);
   if (scanner().character() == '.') scanner().advance(1);
   while (is_digit(scanner().character())) scanner().advance(1);
   scanner().skip_blanks(LineEnds::significant);
+  return number.value_or(-1);
 }
 
 MaybeStatement Parser::parse_kind() {
@@ -256,8 +279,7 @@ MaybeStatement Parser::parse_kind() {
   const bool foreign =
       static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20;
   if (foreign) {
-    reporter().error("E1001", token.span, "illegal character",
-                     "only comments and strings may hold it");
+    report_illegal_character(cursor_);
   } else {
     cursor_.report_unexpected(token, "a statement");
   }
@@ -270,16 +292,22 @@ MaybeStatement Parser::parse_named_start() {
   std::size_t next = name.size();
   while (is_blank(scanner().character(next))) ++next;
   const char behind = scanner().character(next);
-  const bool macro_condition = (name == "if" || name == "while") && behind == '[';
-  if (macro_condition || name == "goto" || is_numbered(name, "do") || is_numbered(name, "end")) {
-    return directives_.parse_macro_line();
+  const bool macro_condition = (name == "if" || name == "while" || name == "wh") && behind == '[';
+  const bool macro_number = (name == "do" || name == "end") && is_digit(behind);
+  const bool prints = ((name == "dprnt" || name == "bprnt") && behind == '[') ||
+                      ((name == "popen" || name == "pclos") && !is_name_start(behind) &&
+                       behind != '(' && behind != '=');
+  if (prints || macro_condition || macro_number || name == "goto" || is_numbered(name, "goto") ||
+      is_numbered(name, "do") || is_numbered(name, "end")) {
+    return macro_lines_.parse_macro_line();
   }
   if (type_of_keyword(name) || name == "const" || name == "shared") {
     return declarations_.parse_declaration_or_function();
   }
   if (is_keyword(name)) return statements_.parse_keyword(name);
   if (iso_.is_named_address(name)) return iso_.parse_iso();
-  if (behind == '[' && bracket_function(std::string_view(name).substr(1))) return iso_.parse_iso();
+  if (behind == '[' && is_bracket_function(std::string_view(name).substr(1)))
+    return iso_.parse_iso();
   if (is_name_start(behind) && !type_of_other_languages(name).empty()) return refuse_type(name);
   return statements_.parse_simple();
 }

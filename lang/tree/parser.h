@@ -19,12 +19,13 @@
 #include "lang/tree/directive_parser.h"
 #include "lang/tree/expression_parser.h"
 #include "lang/tree/iso_parser.h"
-#include "lang/tree/named_parameter.h"
+#include "lang/tree/macro_line_parser.h"
 #include "lang/tree/o_line_parser.h"
 #include "lang/tree/statement_parser.h"
 #include "lang/tree/token_cursor.h"
 #include "lang/tree/tree.h"
 #include "lang/words/channel_words.h"
+#include "lang/words/named_parameter.h"
 
 namespace stanok::lang {
 
@@ -53,7 +54,7 @@ class Parser final : private StatementReader {
   MaybeStatement parse_named_start();
   MaybeStatement refuse_type(const std::string& name);
   int take_block_skip();
-  void take_block_number();
+  int take_block_number();
   void recover(std::size_t start);
   void recover_from_header(std::size_t start);
   void close_headless();
@@ -73,6 +74,7 @@ class Parser final : private StatementReader {
   DeclarationParser declarations_;
   StatementParser statements_;
   OLineParser o_lines_;
+  MacroLineParser macro_lines_;
   DirectiveParser directives_;
   int headless_braces_ = 0;  // open ones of statements whose header is at fault
 };

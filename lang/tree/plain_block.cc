@@ -7,6 +7,7 @@
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
 #include "lang/text/source.h"
+#include "lang/words/code_system.h"
 
 namespace stanok::lang {
 namespace {
@@ -97,7 +98,8 @@ bool skip_block_number(const char*& at, const char* end) {
     if (behind == end || *behind != '[') return false;
   }
   const auto value = values.read(at);
-  return value && add_word(words, letter, {*value, false});
+  if (value && std::isnan(*value) && values.are_known()) return true;  // a vacant parameter
+  return value && add_word(words, letter, {*value, words.rules.is_fanuc()});
 }
 
 // Address and value; `at` is left behind them.
@@ -148,19 +150,22 @@ void skip_line_end(const char*& at, const char* end) {
 
 }  // namespace
 
-bool read_plain_line(const char*& at, const char* end, Surroundings surroundings, BlockWords& words,
+bool read_plain_line(const char*& at, const char* end, const LineRules& rules, BlockWords& words,
                      TextValues& values) {
   words.clear();
-  values.begin_line(end);
+  words.rules = rules.text;
+  values.begin_line(end, rules.text);
   const char* cursor = at;
   while (cursor != end && is_blank(*cursor)) ++cursor;
   if (cursor != end && (*cursor == 'N' || *cursor == 'n') && !skip_block_number(cursor, end)) {
     return false;
   }
-  if (!read_words(cursor, end, surroundings, words, values) ||
+  if (!read_words(cursor, end, rules.surroundings, words, values) ||
       cursor - at > static_cast<std::ptrdiff_t>(limits::block_bytes))
     return false;
   skip_line_end(cursor, end);
+  if (rules.text.code_system != CodeSystem::b && !translate_codes(words.g, rules.text.code_system))
+    return false;
   at = cursor;
   return true;
 }

@@ -17,10 +17,15 @@ namespace stanok::lang {
 // Where the line stands: inside { } a `;` after words is no comment.
 enum class Surroundings : std::uint8_t { file_level, braces };
 
+struct LineRules {
+  Surroundings surroundings = Surroundings::file_level;
+  TextRules text;
+};
+
 // Reads the line at `at` into `words` and `values` (its settings) and puts `at` behind its line
 // end. False, with `at` unchanged and `words` undefined, when the line is not plain or one of its
 // values cannot be computed: values.faulty(). Lines without words are plain too.
-[[nodiscard]] bool read_plain_line(const char*& at, const char* end, Surroundings surroundings,
+[[nodiscard]] bool read_plain_line(const char*& at, const char* end, const LineRules& rules,
                                    BlockWords& words, TextValues& values);
 
 // Whether a block read from a plain line may be executed without its tree: all of its codes exist,

@@ -30,23 +30,31 @@ class ShortName {
   std::size_t size_ = 0;
 };
 
-struct Function {
-  std::string_view name;
-  const Builtin* row = nullptr;  // nullptr: does not compute a number from numbers
-};
+// The rows that compute what the rows of a table name; nullptr: no number from numbers.
+template <std::size_t Size>
+std::array<const Builtin*, Size> rows_of(const std::array<BracketFunction, Size>& table) {
+  std::array<const Builtin*, Size> rows{};
+  for (std::size_t i = 0; i < Size; ++i) rows[i] = find_builtin(table[i].function);
+  return rows;
+}
 
-const Builtin* find_function(std::string_view folded_name) {
-  static const auto functions = [] {
-    std::array<Function, bracket_functions.size()> rows;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i] = {bracket_functions[i].first, find_builtin(bracket_functions[i].second)};
-    }
-    return rows;
-  }();
-  for (const Function& function : functions) {
-    if (function.name == folded_name) return function.row;
+const Builtin* builtin_of(const BracketFunction* function) {
+  static const auto usual = rows_of(bracket_functions);
+  static const auto macro = rows_of(macro_functions);
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    if (function == &bracket_functions[i]) return usual[i];
+  }
+  for (std::size_t i = 0; i < macro.size(); ++i) {
+    if (function == &macro_functions[i]) return macro[i];
   }
   return nullptr;
+}
+
+// In degrees, from 0 on.
+double wrapped(const Value& angle) {
+  static const Builtin* const wrap = find_builtin("wrap360");
+  Value result;
+  return wrap->evaluate({&angle, 1}, result) ? result.number : angle.number;
 }
 
 constexpr const BracketOperator* plus_row = find_bracket_operator("+");
@@ -57,7 +65,7 @@ constexpr const BracketOperator* power_row = find_bracket_operator("**");
 
 // The operator at the beginning of `text`. Nothing for the end of the expression and for what only
 // begins like an operator: `//`, `/*`, `+=`, `--`.
-const BracketOperator* operator_of(std::string_view text) {
+const BracketOperator* operator_of(std::string_view text, const TextRules& rules) {
   const char next = text.size() > 1 ? text[1] : '\0';
   switch (text.empty() ? '\0' : text[0]) {
     case '+':
@@ -73,8 +81,9 @@ const BracketOperator* operator_of(std::string_view text) {
       break;
   }
   std::size_t length = 0;
-  while (length < text.size() && is_name_part(text[length])) ++length;
-  return length == 0 ? nullptr : find_bracket_operator(ShortName(text.substr(0, length)).text());
+  while (length < text.size() && is_name_start(text[length])) ++length;
+  return length == 0 ? nullptr
+                     : find_bracket_operator(ShortName(text.substr(0, length)).text(), rules);
 }
 
 }  // namespace
@@ -117,6 +126,7 @@ bool TextValues::read_setting(const char*& at) {
     const MaybeValue number = unsigned_value();
     if (!number) return false;
     setting.number = *number;
+    if (!parameters_.is_at_hand(*number)) return false;
   }
   setting.text = {at, at_};
   skip_blanks();
@@ -124,7 +134,7 @@ bool TextValues::read_setting(const char*& at) {
   ++at_;
   skip_blanks();
   depth_ = 0;
-  const MaybeValue result = value();
+  const MaybeValue result = binary(0);
   if (!result) return false;
   setting.value = *result;
   settings_.push_back(setting);
@@ -186,12 +196,13 @@ TextValues::MaybeValue TextValues::parameter() {
     result = parameters_.named(name_, fault_);
   } else {
     const MaybeValue number = unsigned_value();
-    if (!number) return std::nullopt;
+    if (!number || !parameters_.is_at_hand(*number)) return std::nullopt;
     result = parameters_.numbered(*number, fault_);
   }
   --depth_;
   if (!result) fault_text_ = {first, at_};
-  return result;
+  const bool vacant = result && std::isnan(*result) && parameters_.are_known();
+  return vacant && !rules_.is_fanuc() ? 0.0 : result;
 }
 
 TextValues::MaybeValue TextValues::bracket() {
@@ -209,22 +220,28 @@ TextValues::MaybeValue TextValues::binary(int level) {
   skip_blanks();
   const char* const first = at_;
   MaybeValue left = value();
-  while (left) {
+  for (bool compared = false; left;) {
     const char* const last = at_;
     skip_blanks();
-    const BracketOperator* const found = operator_of({at_, end_});
+    const BracketOperator* const found = operator_of({at_, end_}, rules_);
     if (found == nullptr || found->level < level) {
       at_ = last;
       return left;
     }
+    if (compared && rules_.is_fanuc()) return std::nullopt;
+    compared = found->level == comparison_level;
     if (++operators_ > limits::operators) return std::nullopt;
     at_ += found->name.size();
     const MaybeValue right = binary(found->level + 1);
     if (!right) return std::nullopt;
     const bool unknown = std::isnan(*left) || std::isnan(*right);
     ArithmeticFault fault{};
-    left = computed(found->operation, *left, *right, fault);
-    if (unknown) left = std::nan("");
+    if (unknown && parameters_.are_known()) {
+      left = computed_with_vacant(found->operation, *left, *right, fault);
+    } else {
+      left = computed(found->operation, *left, *right, fault);
+      if (unknown) left = std::nan("");
+    }
     if (!left) return fail(first, {fault.code, fault.message, {}});
   }
   return std::nullopt;
@@ -234,7 +251,8 @@ TextValues::MaybeValue TextValues::binary(int level) {
 TextValues::MaybeValue TextValues::function() {
   const char* const first = at_;
   const std::string_view name = name_ahead();
-  const Builtin* const row = find_function(ShortName(name).text());
+  const BracketFunction* const function = find_bracket_function(ShortName(name).text(), rules_);
+  const Builtin* const row = function == nullptr ? nullptr : builtin_of(function);
   if (row == nullptr) return std::nullopt;
   at_ += name.size();
   std::array<Value, 2> arguments;
@@ -248,11 +266,13 @@ TextValues::MaybeValue TextValues::function() {
     if (character() != '[') return std::nullopt;
     const MaybeValue argument = bracket();
     if (!argument) return std::nullopt;
-    arguments[i].number = *argument;
+    const bool vacant = std::isnan(*argument) && parameters_.are_known();
+    arguments[i].number = vacant ? 0.0 : *argument;
   }
   Value result;
   if (std::isnan(arguments[0].number) || std::isnan(arguments[1].number)) return std::nan("");
-  if (row->evaluate({arguments.data(), count}, result)) return result.number;
+  if (row->evaluate({arguments.data(), count}, result))
+    return function->wraps ? wrapped(result) : result.number;
   return fail(first,
               {"E3009", "invalid argument of `" + std::string(row->name) + "`", "no result"});
 }

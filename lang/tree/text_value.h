@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/contract/dialect.h"
+
 namespace stanok::lang {
 
 // Why a value could not be computed or stored.
@@ -34,6 +36,11 @@ class Parameters {
   // `fault`) for one that cannot be read. Names are folded.
   virtual std::optional<double> numbered(double number, ValueFault& fault) = 0;
   virtual std::optional<double> named(const std::string& name, ValueFault& fault) = 0;
+  // False: all values are NaN because no program runs. Otherwise NaN is a vacant parameter.
+  [[nodiscard]] virtual bool are_known() const { return true; }
+  // Whether #number may be read and set while a line is read: not when the machine must be asked.
+  // NaN: a number that is computed.
+  [[nodiscard]] virtual bool is_at_hand(double) const { return true; }
   // Where a value for #<name> goes; nothing for a name that cannot be set.
   virtual std::optional<std::uint32_t> slot_to_set(const std::string& name) = 0;
 };
@@ -52,8 +59,9 @@ class TextValues {
   explicit TextValues(Parameters& parameters) : parameters_(parameters) {}
 
   // Begins a line whose text is read up to `end`.
-  void begin_line(const char* end) {
+  void begin_line(const char* end, const TextRules& rules) {
     end_ = end;
+    rules_ = rules;
     if (!settings_.empty()) settings_.clear();
     if (!fault_text_.empty()) fault_text_ = {};
   }
@@ -63,6 +71,7 @@ class TextValues {
   // Reads the setting whose `#` stands at `at`; false as above.
   bool read_setting(const char*& at);
 
+  [[nodiscard]] bool are_known() const { return parameters_.are_known(); }
   [[nodiscard]] const std::vector<TextSetting>& settings() const { return settings_; }
   // The text is right, but a computation in it has no result: why, and where.
   [[nodiscard]] bool faulty() const { return !fault_text_.empty(); }
@@ -91,6 +100,7 @@ class TextValues {
   Parameters& parameters_;
   const char* at_ = nullptr;
   const char* end_ = nullptr;
+  TextRules rules_;
   int depth_ = 0;      // as TokenCursor::nesting_
   int operators_ = 0;  // of the current value
   std::string name_;   // of the current parameter

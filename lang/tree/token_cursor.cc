@@ -1,5 +1,7 @@
 #include "lang/tree/token_cursor.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "lang/text/limits.h"
@@ -20,6 +22,12 @@ bool TokenCursor::expect(std::string_view symbol, std::string_view after) {
   if (accept(symbol)) return true;
   const Token token = scanner_.peek(line_ends_);
   const std::string wanted = "`" + std::string(symbol) + "` after " + std::string(after);
+  if (symbol == ";" && token.span.line != scanner_.line() && scanner_.offset() > 0) {
+    const Span end{scanner_.offset() - 1, 1, scanner_.line()};
+    reporter_.error("E2001", end, "expected " + wanted + ", found the end of the line",
+                    "`;` is missing behind this");
+    return false;
+  }
   report_unexpected(token, wanted);
   return false;
 }
@@ -57,6 +65,19 @@ bool TokenCursor::Nesting::allowed() {
   cursor_.reporter_.error("E2030", cursor_.scanner_.here(), "an expression nested too deep",
                           "more than 64 levels");
   return false;
+}
+
+void report_illegal_character(TokenCursor& cursor) {
+  const Token token = cursor.scanner().peek(LineEnds::significant);
+  Diagnostic& diagnostic = cursor.reporter().error("E1001", token.span, "illegal character",
+                                                   "only comments and strings may hold it");
+  // Hyphens, dashes and the minus of Unicode.
+  constexpr auto dashes =
+      std::to_array<std::string_view>({"\xE2\x80\x90", "\xE2\x80\x91", "\xE2\x80\x92",
+                                       "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92"});
+  if (std::ranges::find(dashes, token.text) != dashes.end())
+    diagnostic.help.emplace_back(
+        "this is a typographic dash; write the minus of the keyboard, `-`");
 }
 
 bool TokenCursor::count_operator(const Span& span) {

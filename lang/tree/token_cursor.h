@@ -85,6 +85,9 @@ class TokenCursor {
   int operator_count_ = 0;  // in it
 };
 
+// E1001 for the character that stands here.
+void report_illegal_character(TokenCursor& cursor);
+
 // Who reads the statements in a body.
 class StatementReader {
  public:

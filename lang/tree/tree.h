@@ -52,6 +52,12 @@ enum class Operation : std::uint8_t {
   bracket_and,
   bracket_or,
   bracket_xor,
+  // In brackets of the Fanuc dialect: MOD has the sign of the dividend, AND, OR and XOR work on the
+  // bits of whole numbers.
+  macro_modulo,
+  macro_and,
+  macro_or,
+  macro_xor,
 };
 
 enum class Node : std::uint8_t {
@@ -63,13 +69,14 @@ enum class Node : std::uint8_t {
   call,     // children: arguments; text: function
   unary,
   binary,
-  conditional,      // condition ? first : second
-  parameter,        // #n; child: the number
-  named_parameter,  // #<name>
-  r_parameter,      // R5
-  exists,           // EXISTS[#<name>]
-  axis,             // an axis name as a value
-  system_variable,  // $name, $name[index]
+  conditional,       // condition ? first : second
+  parameter,         // #n; child: the number
+  vacant_parameter,  // the same where a vacant #n stays vacant (Fanuc dialect)
+  named_parameter,   // #<name>
+  r_parameter,       // R5
+  exists,            // EXISTS[#<name>]
+  axis,              // an axis name as a value
+  system_variable,   // $name, $name[index]
 };
 
 struct Expression {
@@ -114,8 +121,13 @@ struct IsoBlock {
   std::vector<IsoWord> words;
   std::optional<Expression> spindle;  // after $
   std::vector<ParameterSetting> settings;
+  std::string remark;  // the text of its last comment that does nothing by itself
 };
 
+// GOTO n of macro lines: to block N of the text.
+struct JumpLine {
+  Expression target;
+};
 struct IncludeDirective {
   std::string file;
   Span file_span;
@@ -199,11 +211,12 @@ struct If {
   Expression condition;
   StatementList then_body;
   StatementList else_body;
+  bool is_macro_line = false;  // IF [..] of macro lines
 };
 struct While {
   Expression condition;
   StatementList body;
-  std::string label;  // of O-lines; empty: high-level text
+  std::string label;  // of O-lines, "end 1" of macro lines; empty: high-level text
 };
 struct DoWhile {
   StatementList body;
@@ -257,11 +270,12 @@ struct FaultyText {
 struct Statement {
   Span span;
   int skip_level = 0;  // 1..9: leading /
+  int number = -1;     // N of the block; -1: none
   std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, WorkpieceDirective,
                ToolOverhangDirective, FeedLawDirective, AdaptiveDirective, NumberedProgram,
                Declaration, Assignment, CallStatement, Compound, If, While, DoWhile, For, Switch,
                Break, Continue, Return, FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat,
-               FaultyText>
+               FaultyText, JumpLine>
       kind;
 };
 

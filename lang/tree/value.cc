@@ -1,6 +1,7 @@
 #include "lang/tree/value.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace stanok::lang {
 namespace {
@@ -22,6 +23,21 @@ double floored_remainder(double left, double right) {
 double positive_remainder(double left, double right) {
   const double rest = std::fmod(left, right);
   return rest < 0.0 ? rest + std::abs(right) : rest;
+}
+
+// The bits of a whole number as the controls hold them; nothing for others.
+std::optional<std::int32_t> bits_of(double number) {
+  const double whole = std::round(number);
+  const bool fits = std::abs(whole) < 2147483648.0 && std::abs(number - whole) <= 1e-9;
+  return fits ? std::optional(static_cast<std::int32_t>(whole)) : std::nullopt;
+}
+
+double bitwise_result(Operation operation, double left, double right) {
+  const auto a = bits_of(left);
+  const auto b = bits_of(right);
+  if (!a || !b) return std::nan("");
+  if (operation == Operation::macro_and) return *a & *b;
+  return operation == Operation::macro_or ? *a | *b : *a ^ *b;
 }
 
 double raw_result(Operation operation, double left, double right) {
@@ -78,6 +94,12 @@ double raw_result(Operation operation, double left, double right) {
       return truth(left < right);
     case Operation::bracket_less_equal:
       return truth(left <= right);
+    case Operation::macro_modulo:
+      return std::fmod(left, right);
+    case Operation::macro_and:
+    case Operation::macro_or:
+    case Operation::macro_xor:
+      return bitwise_result(operation, left, right);
   }
   return 0.0;
 }
@@ -94,7 +116,8 @@ Value value_of(std::string text) {
 std::optional<double> computed(Operation operation, double left, double right,
                                ArithmeticFault& fault) {
   const bool divides = operation == Operation::divide || operation == Operation::modulo ||
-                       operation == Operation::bracket_modulo;
+                       operation == Operation::bracket_modulo ||
+                       operation == Operation::macro_modulo;
   if (divides && right == 0.0) {
     fault = {"E3008", "a number is divided by zero"};
     return std::nullopt;
@@ -104,6 +127,15 @@ std::optional<double> computed(Operation operation, double left, double right,
   fault = std::isnan(result) ? ArithmeticFault{"E3009", "no real result"}
                              : ArithmeticFault{"E3009", "the result is too large"};
   return std::nullopt;
+}
+
+std::optional<double> computed_with_vacant(Operation operation, double left, double right,
+                                           ArithmeticFault& fault) {
+  const bool both = std::isnan(left) && std::isnan(right);
+  const bool one = std::isnan(left) || std::isnan(right);
+  if (one && operation == Operation::bracket_equal) return truth(both);
+  if (one && operation == Operation::bracket_not_equal) return truth(!both);
+  return computed(operation, value_or_zero(left), value_or_zero(right), fault);
 }
 
 }  // namespace stanok::lang

@@ -5,6 +5,7 @@
 // its slot, to an array element the array and the element's index.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -73,5 +74,12 @@ struct ArithmeticFault {
 // with `fault` set, for a division by zero, an invalid argument or an overflow.
 [[nodiscard]] std::optional<double> computed(Operation operation, double left, double right,
                                              ArithmeticFault& fault);
+
+// A vacant parameter of the Fanuc dialect is NaN. It counts as 0, but equals only another one.
+[[nodiscard]] inline double value_or_zero(double number) {
+  return std::isnan(number) ? 0.0 : number;
+}
+[[nodiscard]] std::optional<double> computed_with_vacant(Operation operation, double left,
+                                                         double right, ArithmeticFault& fault);
 
 }  // namespace stanok::lang

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lang/contract/code_number.h"
+#include "lang/contract/dialect.h"
 
 namespace stanok::lang {
 
@@ -65,6 +66,7 @@ struct NamedWord {
 };
 
 struct BlockWords {
+  TextRules rules;        // of the text they stand in
   LetterSet letters = 0;  // all words of one letter but G, M, N and O
   LetterSet whole = 0;    // those of them written as a number without decimal point
   LetterArray<double> values{};

@@ -16,8 +16,9 @@ constexpr int output_first = m(100);
 constexpr int output_last = m(899);
 
 // Codes whose meaning the machine file cannot change.
-constexpr auto fixed_g = std::to_array<int>(
-    {g(0), g(1), g(2), g(3), g(17), g(18), g(19), g(20), g(21), g(40), g(53), g(65), g(90), g(91)});
+constexpr auto fixed_g =
+    std::to_array<int>({g(0), g(1), g(2), g(3), g(17), g(18), g(19), g(20), g(21), g(40), g(53),
+                        g(65), g(66), g(67), g(90), g(91)});
 constexpr auto fixed_m =
     std::to_array<int>({m(0), m(1), m(2), m(30), m(98), m(99), m(902), m(903)});
 
@@ -116,7 +117,7 @@ std::string_view ChannelDialect::alias(char letter) const {
 
 std::optional<MacroCode> macro_of(const BlockWords& words, const ChannelDialect& dialect) {
   for (const CodeNumber number : words.g) {
-    if (number == g(65)) return MacroCode{};
+    if (calls_macro(number)) return MacroCode{'G', number, nullptr};
     if (const UserCode* const code = dialect.macro('G', number)) {
       return MacroCode{'G', number, code};
     }
@@ -142,9 +143,14 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
   if (const auto kind = output_kind(meaning.substr(0, blank))) {
     made.kind = *kind;
     made.waits = blank != std::string_view::npos;
-    const bool ours = made.letter == 'M' && made.number >= output_first &&
-                      made.number <= output_last && made.number % 10 == 0;
-    if (!ours) return tl::unexpected("'" + name + "' is no output; M100 to M899 can be one");
+    const bool ours = made.letter == 'M' && made.number <= output_last && made.number % 10 == 0 &&
+                      (made.number >= output_first ||
+                       find_code('M', static_cast<CodeNumber>(made.number)) == nullptr);
+    if (!ours) {
+      return tl::unexpected("'" + name +
+                            "' is no output; M100 to M899 can be one, and below the codes that "
+                            "have no meaning");
+    }
     if (made.waits && meaning.substr(blank + 1) != "wait") {
       return tl::unexpected("'" + std::string(meaning) + "' is no kind of output; behind '" +
                             std::string(meaning.substr(0, blank)) + "' only 'wait' may follow");

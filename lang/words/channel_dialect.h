@@ -36,11 +36,12 @@ class ChannelDialect {
   LetterSet alias_letters_ = 0;
 };
 
-// The code that takes every other word of its block as an argument: G65, or a user code.
+// The code that takes every other word of its block as an argument: G65 and its like, or a user
+// code.
 struct MacroCode {
   char letter = 'G';
   int number = g(65);
-  const UserCode* user_code = nullptr;  // nullptr: G65
+  const UserCode* user_code = nullptr;  // nullptr: G65, G66, G66.1
 };
 [[nodiscard]] std::optional<MacroCode> macro_of(const BlockWords& words,
                                                 const ChannelDialect& dialect);

@@ -78,6 +78,11 @@ struct Code {
 // The row of a code, or nullptr.
 [[nodiscard]] const Code* find_code(char letter, CodeNumber number);
 
+// G65, G66 and G66.1: the other words of their block are arguments.
+[[nodiscard]] constexpr bool calls_macro(CodeNumber g_code) {
+  return g_code == g(65) || g_code == g(66) || g_code == g(66, 1);
+}
+
 // Codes that change the flow of the program and therefore are no plain text: M2, M30, M98, M99, ...
 [[nodiscard]] bool changes_program_flow(const Code& code);
 

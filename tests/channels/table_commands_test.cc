@@ -121,6 +121,16 @@ TEST_F(TableCommands, ReferencePointsStandInTheTablesOfTheirChannel) {
   EXPECT_EQ(tables.reference_points.at(1).at("G30 P2").at("Y"), -4.25);
 }
 
+TEST_F(TableCommands, CommonVariablesStandInTheTablesOfTheirChannel) {
+  bench.program("p.nc", "(dialect fanuc)\n#500=12.5\n#999=#500*2\n#501=#0\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  const TablesConfig tables = bench.machine().tables();
+  const std::map<int, double> wanted{{500, 12.5}, {999, 25.0}, {3901, 1.0}};
+  ASSERT_EQ(tables.variables.size(), 1U);
+  EXPECT_EQ(tables.variables.at(1), wanted);
+}
+
 TEST_F(TableCommands, ReferencePointsOfTheTablesAreGoneTo) {
   channels::MachineConfig config = testing::two_channel_machine();
   config.tables.reference_points[1]["G30 P3"] = {{"X", 31.5}, {"Z", 5.0}};

@@ -96,6 +96,7 @@ orientation_tolerance = 0.1
 arc_radius_tolerance = 0.005
 tool_change = "t_word"
 t_format = "tool_edge"
+dialect = "fanuc"
 on_owner_failure = "continue"
 [channel.address_alias]
 E = "dS"
@@ -230,6 +231,7 @@ TEST_F(FullFile, SpindleAndChannelsAreComplete) {
   EXPECT_EQ(channel.arc_radius_tolerance_mm, 0.005);
   EXPECT_EQ(channel.tool_change, "t_word");
   EXPECT_EQ(channel.t_format, "tool_edge");
+  EXPECT_EQ(channel.rules, (lang::TextRules{lang::Dialect::fanuc, lang::CodeSystem::b}));
   EXPECT_EQ(channel.on_owner_failure, channels::OwnerFailure::continue_run);
   EXPECT_EQ(channel.address_alias.at("E"), "dS");
   EXPECT_EQ(channel.codes.at("G200"), "cycles/groove.nc");
@@ -375,6 +377,21 @@ TEST(TablesFile, ReferencePointsComeBackToTheBit) {
   tables.reference_points[2]["G30 P4"] = {{"X2", 1e-300}};
   const auto back = read_tables_text(to_toml(tables), "tables.toml", {"X2", "C2"});
   EXPECT_EQ(back.reference_points, tables.reference_points);
+}
+
+TEST(TablesFile, CommonVariablesComeBackToTheBit) {
+  channels::TablesConfig tables;
+  tables.variables[1] = {{500, 0.1 + 0.2}, {999, -1e300}};
+  const auto back = read_tables_text(to_toml(tables), "tables.toml", {"X"});
+  EXPECT_EQ(back.variables, tables.variables);
+}
+
+TEST(TablesFile, WrongCommonVariablesAreFaults) {
+  for (const char* const text :
+       {"[variable.1]\n499 = 1\n", "[variable.1]\n500 = \"x\"\n", "[variable.0]\n500 = 1\n",
+        "[variable.1]\n5e2 = 1\n", "[variable]\n1 = 5\n"}) {
+    EXPECT_THROW(static_cast<void>(read_tables_text(text, "t.toml", {"X"})), ConfigError) << text;
+  }
 }
 
 TEST(TablesFile, WrongReferencePointsAreFaultsWithAPlace) {

@@ -47,6 +47,8 @@ class SomeTables final : public Tables {
   [[nodiscard]] AxisValues reference_point(int which) const override {
     return reference_.at(static_cast<std::size_t>(which - 1));
   }
+  [[nodiscard]] double common_variable(int) const override { return 0.0; }
+  void set_common_variable(int, double) override {}
   void store_reference_point(int which, const AxisValues& point_M) override {
     reference_.at(static_cast<std::size_t>(which - 1)) = point_M;
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -75,6 +76,12 @@ class MemoryTables : public Tables {
     const auto found = rotations.find(number);
     return found == rotations.end() ? 0.0 : found->second;
   }
+  std::map<int, double> common_variables;
+  [[nodiscard]] double common_variable(int number) const override {
+    const auto found = common_variables.find(number);
+    return found == common_variables.end() ? std::nan("") : found->second;
+  }
+  void set_common_variable(int number, double value) override { common_variables[number] = value; }
   [[nodiscard]] AxisValues reference_point(int which) const override {
     const auto found = reference.find(which);
     return found == reference.end() ? AxisValues{} : found->second;

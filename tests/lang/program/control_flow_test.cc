@@ -229,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"num vv;\nswitch (1) { case vv: { } }", "E3007"},
         FaultCase{"unknown_function (1);", "E3001"}, FaultCase{"/if (true) { }", "E2005"},
         FaultCase{"#includ \"a.nc\"", "E2010"}, FaultCase{"#workpiece (0)", "E3005"},
-        FaultCase{"#kinematics (1)", "E3005"}, FaultCase{"IF [1 EQ 1] GOTO 5", "E2040"},
+        FaultCase{"#kinematics (1)", "E3005"}, FaultCase{"IF [1 EQ 1] GOTO 5", "E3024"},
         FaultCase{"O<name> sub", "E2013"}, FaultCase{"G1 X1 F1 SPOS=2", "E2090"},
         FaultCase{"M3 $7", "E4053"}, FaultCase{"G0 X1 $1", "E4003"}, FaultCase{"H1=3", "E4003"},
         FaultCase{"shared num aa = 1;", "E3020"}, FaultCase{"terminate (5, \"low\");", "E3009"},

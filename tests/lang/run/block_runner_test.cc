@@ -22,7 +22,7 @@ class BlockRunnerTest : public ::testing::Test {
     vm.begin(program);
     const Source& source = vm.file().source;
     const char* const first = source.text().data();
-    vm.plain() = {first, first + source.end(), 1, Surroundings::file_level};
+    vm.plain() = {first, first + source.end(), 1, {}};
     blocks.reset();
     blocks.begin({});
     run.begin();

@@ -10,8 +10,7 @@ namespace stanok::lang::testing {
 namespace {
 
 struct FixedPlace : RunPlace {
-  [[nodiscard]] Origin origin() const override { return {0, 17}; }
-  [[nodiscard]] int call_level() const override { return 2; }
+  [[nodiscard]] WhereItRuns where() const override { return {{0, 17}, 2, {}}; }
 };
 
 std::shared_ptr<Program> program_with(const std::vector<std::string>& names) {
@@ -58,7 +57,7 @@ TEST_F(ParameterStoreTest, ACallHasLocalsOfItsOwnAndGivesThemBack) {
   EXPECT_TRUE(store.set_numbered(31.0, 11.0, fault));
   store.set_named(0, 12.0);
   store.set_named(1, 13.0);
-  LocalParameters of_caller = store.exchange_locals(store.fresh_locals());
+  LocalParameters of_caller = store.exchange_locals(store.fresh_locals({}));
   EXPECT_EQ(number(1.0), 0.0);
   EXPECT_EQ(number(31.0), 11.0);
   EXPECT_FALSE(store.is_set(0));

@@ -14,9 +14,9 @@ class SubprogramCallsTest : public ::testing::Test, protected RunParts {
 TEST_F(SubprogramCallsTest, AFunctionTakesItsArgumentsAndLeavesItsResult) {
   load("num twice (num value) { return value + value; }\nnum four = twice (2);\n");
   ASSERT_TRUE(calls.execute(next_effect()));
-  EXPECT_EQ(vm.call_level(), 1);
+  EXPECT_EQ(vm.where().call_level, 1);
   ASSERT_TRUE(calls.execute(next_effect()));
-  EXPECT_EQ(vm.call_level(), 0);
+  EXPECT_EQ(vm.where().call_level, 0);
   EXPECT_EQ(vm.stack().top().number, 4.0);
 }
 
@@ -39,12 +39,12 @@ TEST_F(SubprogramCallsTest, RepeatsRunFromTheEntryAgain) {
   state.words.values['L'] = 2.0;
   calls.call_numbered(m(98));
   ASSERT_FALSE(run.failed()) << run.error().message;
-  EXPECT_EQ(vm.call_level(), 1);
+  EXPECT_EQ(vm.where().call_level, 1);
   EXPECT_EQ(calls.leave_subprogram(), SubprogramCalls::Left::subprogram);
-  EXPECT_EQ(vm.call_level(), 1);
+  EXPECT_EQ(vm.where().call_level, 1);
   EXPECT_EQ(vm.frame().position, vm.frame().entry);
   EXPECT_EQ(calls.leave_subprogram(), SubprogramCalls::Left::subprogram);
-  EXPECT_EQ(vm.call_level(), 0);
+  EXPECT_EQ(vm.where().call_level, 0);
   EXPECT_EQ(calls.leave_subprogram(), SubprogramCalls::Left::main_program);
 }
 

@@ -100,11 +100,11 @@ TEST_F(VmTest, CallsHaveSlotsOfTheirOwnThatAreGoneWhenTheyAreLeft) {
   frame.position = 1;
   vm.add_slots(function);
   vm.enter(std::move(frame));
-  EXPECT_EQ(vm.call_level(), 1);
+  EXPECT_EQ(vm.where().call_level, 1);
   EXPECT_EQ(vm.frame().slots, 1u);
   vm.stack().push(value_of(2.0));
   vm.leave();
-  EXPECT_EQ(vm.call_level(), 0);
+  EXPECT_EQ(vm.where().call_level, 0);
   EXPECT_EQ(vm.stack().height(), 1u);
   EXPECT_EQ(vm.frame_at_top(0).slots, 1u);
 }

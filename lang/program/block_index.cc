@@ -1,0 +1,99 @@
+#include "lang/program/block_index.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "lang/program/code.h"
+#include "lang/text/block_number.h"
+
+namespace stanok::lang {
+namespace {
+
+auto order_of(const NumberedBlock& block) {
+  return std::tuple(block.number, block.program, block.line);
+}
+
+}  // namespace
+
+void BlockIndex::read(const CompiledFile& file) {
+  read_ = true;
+  programs_ = {0};
+  for (const auto& [number, position] : file.numbered_programs) programs_.push_back(position);
+  std::sort(programs_.begin(), programs_.end());
+  for (const LoopCode& loop : file.loops) loops_.push_back({loop.begin, loop.end});
+  for (const NumberedStatement& one : file.numbered_statements) {
+    add({one.number, 0, one.position, one.line, NumberedBlock::no_text});
+  }
+  read_plain_lines(file);
+  std::sort(blocks_.begin(), blocks_.end(), [](const NumberedBlock& a, const NumberedBlock& b) {
+    return order_of(a) < order_of(b);
+  });
+}
+
+void BlockIndex::read_plain_lines(const CompiledFile& file) {
+  const std::string_view text = file.source.text();
+  for (std::size_t i = 0; i < file.code.size(); ++i) {
+    if (file.code[i].op != Op::plain_lines) continue;
+    const PlainLines& lines = file.plain_lines[file.code[i].operand];
+    const char* const end = text.data() + lines.end;
+    std::uint32_t line = lines.first_line;
+    for (const char* at = text.data() + lines.begin; at != end; at = behind_line(at, end), ++line) {
+      const std::size_t offset = file.source.offset_of(at);
+      const auto number = block_number(text.substr(offset, lines.end - offset));
+      if (number) add({*number, 0, static_cast<std::uint32_t>(i), line, offset});
+    }
+  }
+}
+
+void BlockIndex::add(NumberedBlock block) {
+  block.program = program_of(block.position);
+  blocks_.push_back(block);
+}
+
+std::uint32_t BlockIndex::program_of(std::uint32_t position) const {
+  return *std::prev(std::upper_bound(programs_.begin(), programs_.end(), position));
+}
+
+bool BlockIndex::is_reachable(std::uint32_t target, std::uint32_t from) const {
+  return std::all_of(loops_.begin(), loops_.end(), [&](const Range& loop) {
+    const bool holds_target = target >= loop.begin && target < loop.end;
+    return !holds_target || (from >= loop.begin && from < loop.end);
+  });
+}
+
+std::optional<JumpFault> fault_of_jump(int number, const BlockIndex::Found& found) {
+  const std::string name = "N" + std::to_string(number);
+  switch (found.missing) {
+    case BlockIndex::Missing::none:
+      return std::nullopt;
+    case BlockIndex::Missing::unknown:
+      return JumpFault{"E3024", "this program has no block " + name,
+                       "a jump stays between its O number and the next one"};
+    case BlockIndex::Missing::twice:
+      return JumpFault{"E3024",
+                       name + " stands twice, in lines " + std::to_string(found.block->line) +
+                           " and " + std::to_string(found.second_line),
+                       "it is not clear which block is meant"};
+    case BlockIndex::Missing::inside_loop:
+      return JumpFault{"E3024", name + " stands inside a loop",
+                       "a loop is entered at its beginning"};
+  }
+  return std::nullopt;
+}
+
+BlockIndex::Found BlockIndex::find(int number, std::uint32_t from) const {
+  const std::tuple wanted(number, program_of(from), 0U);
+  const auto found = std::lower_bound(
+      blocks_.begin(), blocks_.end(), wanted,
+      [](const NumberedBlock& block, const auto& key) { return order_of(block) < key; });
+  const auto is_meant = [&](auto block) {
+    return block != blocks_.end() && block->number == number &&
+           block->program == std::get<1>(wanted);
+  };
+  if (!is_meant(found)) return {};
+  if (is_meant(std::next(found))) return {&*found, Missing::twice, std::next(found)->line};
+  if (!is_reachable(found->position, from)) return {&*found, Missing::inside_loop, 0};
+  return {&*found, Missing::none, 0};
+}
+
+}  // namespace stanok::lang

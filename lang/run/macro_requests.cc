@@ -1,0 +1,151 @@
+#include "lang/run/macro_requests.h"
+
+#include <cmath>
+#include <utility>
+
+#include "lang/block/tool_value.h"
+#include "lang/text/number.h"
+
+namespace stanok::lang {
+namespace {
+
+using Kind = MachineVariable::Kind;
+
+constexpr double ms_per_s = 1000.0;
+constexpr int first_edge = 1;
+constexpr int first_table = 1;
+constexpr int parts_made = 3901;
+
+Request machine_value(std::string_view name, int index) {
+  Request request;
+  request.kind = RequestKind::machine_value;
+  request.text = name;
+  request.index = index;
+  return request;
+}
+
+}  // namespace
+
+bool MacroRequests::execute(const Instruction& instruction) {
+  if (instruction.op != Op::parameter && instruction.op != Op::settings) return false;
+  if (!vm_.file().source.rules().is_fanuc()) return false;
+  return instruction.op == Op::parameter ? read() : set(vm_.file().settings[instruction.operand]);
+}
+
+bool MacroRequests::read() {
+  const double number = vm_.stack().top().number;
+  if (!is_integer(number) || number < 1000.0) return false;
+  const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel);
+  if (!variable || variable->kind == Kind::work_offset) return false;
+  vm_.stack().drop();
+  read_machine(*variable);
+  return true;
+}
+
+void MacroRequests::read_machine(const MachineVariable& variable) {
+  switch (variable.kind) {
+    case Kind::machine_position:
+      pending_.expect_number(from_programmed(state_.around, variable.index, 1.0));
+      return requests_.ask(machine_value("pos_mcs", variable.index));
+    case Kind::work_position:
+      position_axis_ = variable.index;
+      return requests_.ask({}, AnswerUse::work_position);
+    case Kind::timer:
+      pending_.expect_number(1.0 / ms_per_s, -timer_zero_s_ * ms_per_s);
+      return requests_.ask(machine_value("clock", 0));
+    case Kind::input:
+      pending_.expect_number(1.0);
+      return requests_.ask(machine_value("in", variable.index));
+    case Kind::tool_value:
+      return read_tool_value(variable);
+    case Kind::parts:
+      return vm_.stack().push(value_of(value_or_zero(parameters_.kept_variable(variable.index))));
+    case Kind::output:
+    case Kind::work_offset:
+      break;
+  }
+  vm_.fail("E3015", "#1100 to #1131 are outputs: they can be set, not read", "cannot be read");
+}
+
+double MacroRequests::unit_of_tool_value(int value) const {
+  return value <= tool_lengths ? state_.length_unit() : 1.0;
+}
+
+void MacroRequests::read_tool_value(const MachineVariable& variable) {
+  Request request;
+  request.kind = RequestKind::tool_table_read;
+  request.number = variable.index;
+  request.index = first_edge;
+  request.channel = variable.value;
+  pending_.expect_number(unit_of_tool_value(variable.value));
+  requests_.ask(std::move(request));
+}
+
+bool MacroRequests::set(const std::vector<SettingTarget>& targets) {
+  const bool alone = targets.size() == 1;
+  if (!alone || targets[0].kind != SettingTarget::Kind::numbered) return false;
+  const auto values = vm_.stack().top(2);
+  const double number = values[0].number;
+  const double value = value_or_zero(values[1].number);
+  if (!is_integer(number) || number < 1000.0) return false;
+  const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel);
+  if (!variable) return false;
+  vm_.stack().cut_to(vm_.stack().height() - 2);
+  set_machine(*variable, value);
+  return true;
+}
+
+void MacroRequests::set_machine(const MachineVariable& variable, double value) {
+  switch (variable.kind) {
+    case Kind::timer:
+      timer_set_ms_ = value;
+      return requests_.ask(machine_value("clock", 0), AnswerUse::timer);
+    case Kind::output:
+      state_.begin_commands(vm_.instruction_origin());
+      return state_.queue.emit(OutputCommand{false, false, variable.index, value});
+    case Kind::tool_value:
+    case Kind::work_offset:
+      return write_table(variable, value);
+    case Kind::parts:
+      return parameters_.set_kept_variable(variable.index, value);
+    default:
+      return vm_.fail("E3013", "this variable shows the state of the machine", "cannot be set");
+  }
+}
+
+void MacroRequests::write_table(const MachineVariable& variable, double value) {
+  Request request;
+  request.statement = true;
+  if (variable.kind == Kind::tool_value) {
+    request.kind = RequestKind::tool_table_write;
+    request.number = variable.index;
+    request.index = first_edge;
+    request.channel = variable.value;
+    request.value = value * unit_of_tool_value(variable.value);
+    pending_.expect_statement({"E5020", "settable_tool"});
+  } else {
+    request.kind = RequestKind::offset_table_write;
+    request.channel = first_table;
+    request.number = variable.value;
+    request.index = variable.index;
+    request.value = from_programmed(state_.around, variable.index, value);
+    pending_.expect_statement({"E5020", "settable_zs"});
+  }
+  requests_.ask(std::move(request));
+}
+
+void MacroRequests::finish_position() {
+  vm_.stack().push(value_of(programmed_position(state_.around, position_axis_)));
+}
+
+void MacroRequests::finish_timer(const Answer& answer) {
+  timer_zero_s_ = answer.number - timer_set_ms_ / ms_per_s;
+}
+
+void MacroRequests::count_part() {
+  if (!vm_.program().files[0]->source.rules().is_fanuc()) return;
+  const double parts = value_or_zero(parameters_.kept_variable(parts_made));
+  parameters_.set_kept_variable(parts_made, parts + 1.0);
+}
+
+}  // namespace stanok::lang

@@ -1,0 +1,44 @@
+// System variables of Fanuc and Haas: what a number of the Fanuc dialect beyond #999 means.
+//
+// Numbers and meanings are those of the operator's manuals B-63944EN (machining centres, tool
+// compensation memory C) and B-64304EN-1 (lathes), 16.2; lengths stand in programmed units, X in
+// diameters where these are programmed. Axes count in the order of the channel.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lang/block/predefined_parameter.h"
+#include "lang/contract/dialect.h"
+
+namespace stanok::lang {
+
+// The value of #number as far as the interpreter knows it without asking: positions of the program,
+// modal codes, work offsets, what a probe found. Nothing for all others.
+[[nodiscard]] std::optional<double> system_variable(int number, const ParameterView& view,
+                                                    const TextRules& rules);
+
+// A variable for which the machine is asked, or which acts when it is set.
+struct MachineVariable {
+  enum class Kind : std::uint8_t {
+    machine_position,  // #5021: of axis `index`
+    work_position,     // #5041
+    timer,             // #3001, ms
+    input,             // #1000: `index`
+    output,            // #1100, can be set only
+    tool_value,        // #2001, #10001: value `value` (settable_tool) of tool `index`
+    work_offset,       // #5221, #7001: axis `index` of page `value`; can be set only
+    parts,             // #3901, #3902
+  };
+  Kind kind = Kind::timer;
+  int index = 0;
+  int value = 0;
+};
+[[nodiscard]] std::optional<MachineVariable> machine_variable(int number,
+                                                              const ChannelDescription& channel);
+
+// What the number means on the controls it is known from, where stanok has nothing for it; empty:
+// nothing is known.
+[[nodiscard]] std::string_view meaning_elsewhere(int number);
+
+}  // namespace stanok::lang

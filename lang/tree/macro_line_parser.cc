@@ -1,0 +1,307 @@
+#include "lang/tree/macro_line_parser.h"
+
+#include <utility>
+
+#include "lang/text/block_number.h"
+#include "lang/text/limits.h"
+
+namespace stanok::lang {
+namespace {
+
+constexpr std::string_view goto_word = "goto";
+
+Expression text_expression(std::string text, const Span& span) {
+  Expression expression;
+  expression.node = Node::string;
+  expression.span = span;
+  expression.text = std::move(text);
+  return expression;
+}
+
+Expression joined_texts(Expression left, Expression right) {
+  Expression sum;
+  sum.node = Node::binary;
+  sum.operation = Operation::add;
+  sum.span = left.span;
+  sum.children.push_back(std::move(left));
+  sum.children.push_back(std::move(right));
+  return sum;
+}
+
+}  // namespace
+
+MaybeStatement MacroLineParser::parse_macro_line() {
+  cursor_.set_line_ends(LineEnds::significant);
+  cursor_.begin_operators();
+  const std::string name = folded(scanner_.name_ahead());
+  const Span span = scanner_.here(static_cast<std::uint32_t>(name.size()));
+  if (name == "if") return parse_if();
+  if (name == "while" || name == "wh") return parse_while();
+  if (name.starts_with(goto_word)) return parse_goto();
+  if (name == "popen" || name == "pclos") return parse_printer_switch();
+  if (name == "dprnt" || name == "bprnt") return parse_print();
+  if (name.starts_with("do")) {
+    Expression always;
+    always.number = 1.0;
+    always.span = span;
+    return parse_loop(truth_of(std::move(always)), span);
+  }
+  reporter_.error("E2013", span, "`" + folded(scanner_.name_ahead()) + "` closes no open loop",
+                  "no DO of this number is open here");
+  return std::nullopt;
+}
+
+MaybeExpression MacroLineParser::parse_condition() {
+  scanner_.advance(scanner_.name_ahead().size());
+  scanner_.skip_blanks(LineEnds::significant);
+  return brackets_.parse_condition();
+}
+
+// The letters that stand here, without the digits behind them.
+std::string MacroLineParser::keyword_ahead() const {
+  std::string name = folded(scanner_.name_ahead());
+  while (!name.empty() && is_digit(name.back())) name.pop_back();
+  return name;
+}
+
+// Reads `word`, which digits may follow directly; false when something else stands here.
+bool MacroLineParser::take_word(std::string_view word) {
+  scanner_.skip_blanks(LineEnds::significant);
+  if (keyword_ahead() != word) return false;
+  scanner_.advance(word.size());
+  return true;
+}
+
+MaybeStatement MacroLineParser::parse_if() {
+  const Span span = scanner_.here(2);
+  If branch;
+  branch.is_macro_line = true;
+  auto condition = parse_condition();
+  if (!condition) return std::nullopt;
+  branch.condition = std::move(*condition);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (keyword_ahead() == goto_word) return parse_then(branch);
+  if (!take_word("then")) {
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
+                              "`GOTO` or `THEN` after the condition");
+    return std::nullopt;
+  }
+  scanner_.skip_blanks(LineEnds::significant);
+  if (!scanner_.at_line_end()) return parse_then(branch);
+  if (!parse_branches(branch, span)) return std::nullopt;
+  return statement_of(std::move(branch));
+}
+
+// A jump or a block, whatever THEN is before it.
+MaybeStatement MacroLineParser::parse_then(If& branch) {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  auto statement = keyword_ahead() == goto_word ? parse_goto() : iso_.parse_iso();
+  if (!statement) return std::nullopt;
+  statement->span = scanner_.span_from(start, line);
+  branch.then_body.push_back(std::move(*statement));
+  return statement_of(std::move(branch));
+}
+
+// THEN at the end of its line: blocks up to ELSE or ENDIF.
+bool MacroLineParser::parse_branches(If& branch, const Span& opened) {
+  StatementList* body = &branch.then_body;
+  if (cursor_.depth().braces + cursor_.depth().o_lines >= limits::nesting) {
+    reporter_.error("E2030", opened, "more than 64 nested loops and braces", "too deep");
+    return false;
+  }
+  ++cursor_.depth().o_lines;
+  bool closed = false;
+  while (!closed && !scanner_.at_end()) {
+    if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
+    const std::string name = folded(scanner_.name_ahead());
+    const bool divides = name == "else" && body == &branch.then_body;
+    closed = name == "endif";
+    if (closed || divides) scanner_.advance(name.size());
+    if (divides) body = &branch.else_body;
+    if (!closed && !divides) statements_.parse_statement(*body);
+  }
+  --cursor_.depth().o_lines;
+  cursor_.set_line_ends(LineEnds::significant);
+  if (closed) return finish_macro_line();
+  reporter_.error("E2013", opened, "`IF ... THEN` is not closed", "`ENDIF` is missing");
+  return false;
+}
+
+MaybeStatement MacroLineParser::parse_while() {
+  const Span span = scanner_.here(static_cast<std::uint32_t>(scanner_.name_ahead().size()));
+  auto condition = parse_condition();
+  if (!condition) return std::nullopt;
+  scanner_.skip_blanks(LineEnds::significant);
+  if (keyword_ahead() != "do") {
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`DO` after the condition");
+    return std::nullopt;
+  }
+  return parse_loop(std::move(condition), span);
+}
+
+// DO m ... END m
+MaybeStatement MacroLineParser::parse_loop(MaybeExpression condition, const Span& opened) {
+  const auto number = take_loop_number("do");
+  if (!number) return std::nullopt;
+  While loop{std::move(*condition), {}, std::string(macro_loop_label) + *number};
+  if (!finish_macro_line() || !parse_loop_body(loop, opened)) return std::nullopt;
+  return statement_of(std::move(loop));
+}
+
+// The number behind DO or END, without leading zeros.
+std::optional<std::string> MacroLineParser::take_loop_number(std::string_view keyword) {
+  take_word(keyword);
+  scanner_.skip_blanks(LineEnds::significant);
+  std::string digits;
+  while (is_digit(scanner_.character())) {
+    if (!digits.empty() || scanner_.character() != '0') digits += scanner_.character();
+    scanner_.advance(1);
+  }
+  if (!digits.empty()) return digits;
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
+                            "a number behind `" + std::string(keyword) + "`");
+  return std::nullopt;
+}
+
+bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
+  const std::string number = loop.label.substr(macro_loop_label.size());
+  if (cursor_.depth().braces + cursor_.depth().o_lines >= limits::nesting) {
+    reporter_.error("E2030", opened, "more than 64 nested loops and braces", "too deep");
+    return false;
+  }
+  ++cursor_.depth().o_lines;
+  std::optional<std::string> end;
+  while (!end && !scanner_.at_end()) {
+    if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
+    if (scanner_.at_line_start()) end = take_end(loop.body);
+    if (!end) statements_.parse_statement(loop.body);
+  }
+  --cursor_.depth().o_lines;
+  cursor_.set_line_ends(LineEnds::significant);
+  if (end == number) return finish_macro_line();
+  reporter_.error("E2013", opened, "`DO" + number + "` is not closed",
+                  end ? "`END" + *end + "` comes before `END" + number + "`"
+                      : "`END" + number + "` is missing");
+  return false;
+}
+
+// How many characters the block number before the words of this line has.
+std::size_t MacroLineParser::behind_block_number() const {
+  std::size_t at = 0;
+  if (upper_case(scanner_.character()) != 'N' || !is_digit(scanner_.character(1))) return 0;
+  for (++at; is_digit(scanner_.character(at)) || scanner_.character(at) == '.';) ++at;
+  while (is_blank(scanner_.character(at))) ++at;
+  return at;
+}
+
+// The number of the END that stands on this line, read; nothing where there is none. A jump to its
+// block number ends the pass, as an empty statement does.
+std::optional<std::string> MacroLineParser::take_end(StatementList& body) {
+  const std::size_t before = behind_block_number();
+  constexpr std::string_view word = "end";
+  std::size_t at = before;
+  for (const char letter : word) {
+    if (lower_case(scanner_.character(at++)) != letter) return std::nullopt;
+  }
+  while (is_blank(scanner_.character(at))) ++at;
+  if (!is_digit(scanner_.character(at))) return std::nullopt;
+  if (before != 0) {
+    Statement last = statement_of(Compound{});
+    const std::string_view rest = cursor_.source().text().substr(scanner_.offset(), before);
+    last.span = scanner_.here(1);
+    last.number = block_number(rest).value_or(-1);
+    body.push_back(std::move(last));
+  }
+  scanner_.advance(before);
+  return take_loop_number(word);
+}
+
+// GOTO 10, GOTO#1, GOTO[#1+10]
+MaybeStatement MacroLineParser::parse_goto() {
+  take_word(goto_word);
+  scanner_.skip_blanks(LineEnds::significant);
+  auto target = brackets_.parse_value();
+  if (!target || !finish_macro_line()) return std::nullopt;
+  return statement_of(JumpLine{std::move(*target)});
+}
+
+// POPEN and PCLOS: what DPRNT prints goes into the log, which is open always.
+MaybeStatement MacroLineParser::parse_printer_switch() {
+  scanner_.advance(scanner_.name_ahead().size());
+  if (!finish_macro_line()) return std::nullopt;
+  return statement_of(Compound{});
+}
+
+// DPRNT[X#100[53]*TEXT]: the text with the values of variables, [53] is 5 digits before and 3
+// behind the point; * is a blank.
+MaybeStatement MacroLineParser::parse_print() {
+  const Span span = scanner_.here(5);
+  scanner_.advance(scanner_.name_ahead().size());
+  scanner_.skip_blanks(LineEnds::significant);
+  Expression line = text_expression({}, span);
+  std::string text;
+  for (scanner_.advance(1); scanner_.character() != ']';) {
+    if (scanner_.at_line_end()) {
+      reporter_.error("E2001", span, "`DPRNT[` is not closed", "`]` is missing on this line");
+      return std::nullopt;
+    }
+    if (scanner_.character() != '#') {
+      text += scanner_.character() == '*' ? ' ' : scanner_.character();
+      scanner_.advance(1);
+      continue;
+    }
+    auto value = parse_printed_value();
+    if (!value) return std::nullopt;
+    line = joined_texts(std::move(line), text_expression(std::exchange(text, {}), span));
+    line = joined_texts(std::move(line), std::move(*value));
+  }
+  scanner_.advance(1);
+  if (!finish_macro_line()) return std::nullopt;
+  IsoBlock block;
+  block.comments.push_back(
+      {Message::Kind::log, joined_texts(std::move(line), text_expression(text, span))});
+  return statement_of(std::move(block));
+}
+
+// #100[53]
+MaybeExpression MacroLineParser::parse_printed_value() {
+  auto value = brackets_.parse_parameter_reference();
+  if (!value) return std::nullopt;
+  const bool formatted = scanner_.character() == '[' && is_digit(scanner_.character(1)) &&
+                         is_digit(scanner_.character(2)) && scanner_.character(3) == ']';
+  if (!formatted) {
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
+                              "the digits before and behind the point, as in `[53]`");
+    return std::nullopt;
+  }
+  Expression decimals;
+  decimals.number = scanner_.character(2) - '0';
+  decimals.span = value->span;
+  scanner_.advance(4);
+  Expression call;
+  call.node = Node::call;
+  call.span = value->span;
+  call.text = "str";
+  call.children.push_back(std::move(*value));
+  call.children.push_back(std::move(decimals));
+  return call;
+}
+
+// Comments may follow, nothing else.
+bool MacroLineParser::finish_macro_line() {
+  scanner_.skip_blanks(LineEnds::significant);
+  while (scanner_.character() == '(') {
+    if (!scanner_.read_parenthesis_comment()) return false;
+    scanner_.skip_blanks(LineEnds::significant);
+  }
+  if (scanner_.character() == ';') {
+    cursor_.inside_braces() ? scanner_.advance(1) : scanner_.skip_line_comment();
+  }
+  scanner_.skip_blanks(LineEnds::significant);
+  if (cursor_.at_statement_end()) return true;
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line");
+  return false;
+}
+
+}  // namespace stanok::lang

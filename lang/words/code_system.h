@@ -1,0 +1,26 @@
+// G codes of Fanuc lathes in code systems A and C, by those of B: what they are called here.
+//
+// Source: Fanuc Series 0i-TD, operator's manual (lathe system) B-64304EN-1, chapter 3, table 3.1.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "lang/contract/dialect.h"
+#include "lang/words/block_words.h"
+
+namespace stanok::lang {
+
+// The code here of one that is written in `system`; nothing: the system has no such code.
+[[nodiscard]] std::optional<CodeNumber> translated_code(CodeNumber written, CodeSystem system);
+
+// The code of `system` that is `code` here; `code` itself where it is called the same.
+[[nodiscard]] CodeNumber code_as_written(CodeNumber code, CodeSystem system);
+
+// Translates all codes of a block; false when one does not exist in the system.
+[[nodiscard]] bool translate_codes(CodeList& codes, CodeSystem system);
+
+// What says the same in the system as a code that it does not have; empty: nothing is known.
+[[nodiscard]] std::string_view instead_of_code(CodeNumber written, CodeSystem system);
+
+}  // namespace stanok::lang

@@ -1,0 +1,6 @@
+G66 P100
+G66 P100
+; expect error 2:1 E4013
+M30
+O100
+M99
