@@ -1,12 +1,16 @@
 # What `cmake --install` puts where, and the Debian package (`cpack --config build/release/CPackConfig.cmake`).
 include(GNUInstallDirs)
 
-# Three programs are installed; tests and benchmarks need not be built for it.
+# Four programs are installed; tests and benchmarks need not be built for it.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/programs/cycles ${CMAKE_SOURCE_DIR}/programs/examples
                   ${CMAKE_SOURCE_DIR}/config/machines
         DESTINATION ${CMAKE_INSTALL_DATADIR}/stanok)
+# The page of stanok-web, as it was built.
+if(EXISTS ${CMAKE_SOURCE_DIR}/panel/dist)
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/panel/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/stanok/panel)
+endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/SECURITY.md
               ${CMAKE_SOURCE_DIR}/CHANGELOG.md
