@@ -22,6 +22,7 @@ namespace stanok::protocol::rows {
 [[nodiscard]] std::span<const Method> daemon_methods();
 
 inline constexpr auto machine_operator = Role::machine_operator;
+inline constexpr auto programmer = Role::programmer;
 inline constexpr auto integrator = Role::integrator;
 
 inline constexpr double text_bytes_max = 255.0;  // of an OperatorEvent

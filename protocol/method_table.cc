@@ -41,6 +41,7 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
 constexpr auto role_names = enum_names<Role>({
     {Role::observer, "observer"},
     {Role::machine_operator, "operator"},
+    {Role::programmer, "programmer"},
     {Role::integrator, "integrator"},
 });
 

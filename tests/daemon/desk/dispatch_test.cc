@@ -146,7 +146,8 @@ TEST_F(DispatchTest, TellsTheCycleWhoHasAChannelUntilItHears) {
 
 TEST_F(DispatchTest, ObeysTheRoleOfEveryMethod) {
   for (const protocol::Method& method : protocol::methods()) {
-    for (const Role role : {Role::observer, Role::machine_operator, Role::integrator}) {
+    for (const Role role :
+         {Role::observer, Role::machine_operator, Role::programmer, Role::integrator}) {
       session.role = role;
       const auto slot = ask(std::string(method.name), {{"nonsense", 1}});
       ASSERT_TRUE(slot->has_value() && !slot->value().has_value()) << method.name;
@@ -431,6 +432,12 @@ TEST_F(DispatchTest, TellsTheErrorOfALineWithTheKindOfAProgramsErrors) {
 }
 
 TEST_F(DispatchTest, LetsRolesGoDownOnly) {
+  EXPECT_EQ(result("session.role", {{"role", "integrator"}, {"name", "Anna"}})["role"],
+            "integrator");
+  EXPECT_TRUE(session.peer.starts_with("Anna (")) << session.peer;
+  EXPECT_EQ(failure("session.role", {{"role", "integrator"}, {"name", "An\nna"}}).kind,
+            FailureKind::invalid_parameters)
+      << "would begin a line in the log";
   EXPECT_EQ(result("session.role", {{"role", "observer"}})["role"], "observer");
   EXPECT_EQ(result("session.role", {{"role", "operator"}})["role"], "observer");
   EXPECT_EQ(failure("program.hold").kind, FailureKind::not_permitted);
