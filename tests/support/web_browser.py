@@ -43,9 +43,10 @@ class Web:
 
 @contextlib.contextmanager
 def running_web(stanok_web, folder, socket_path, *options, error=None):
-    process = subprocess.Popen([stanok_web, "--listen", "127.0.0.1:0", "--socket", socket_path, "--link-socket",
-                                os.path.join(folder, "links.panel"), "--page", os.path.join(folder, "page"),
-                                *options], stdout=subprocess.PIPE, stderr=error, text=True)
+    usual = {"--listen": "127.0.0.1:0", "--socket": socket_path, "--page": os.path.join(folder, "page"),
+             "--link-socket": os.path.join(folder, "links.panel")}
+    words = [word for option in usual.items() if option[0] not in options for word in option]
+    process = subprocess.Popen([stanok_web, *words, *options], stdout=subprocess.PIPE, stderr=error, text=True)
     try:
         link = process.stdout.readline().strip()
         assert link.startswith("http"), f"stanok-web printed {link!r}"

@@ -23,6 +23,9 @@ STANOK_WEB = sys.argv.pop(1)
 class WithServer(unittest.TestCase):
     options = ()
 
+    def start_options(self):
+        return self.options
+
     def setUp(self):
         stack = contextlib.ExitStack()
         self.addCleanup(stack.close)
@@ -37,7 +40,7 @@ class WithServer(unittest.TestCase):
             compressed.write(b"let x;")
         path = os.path.join(self.folder, "op.sock")
         self.daemon = stack.enter_context(FakeDaemon(path))
-        self.web = stack.enter_context(running_web(STANOK_WEB, self.folder, path, *self.options,
+        self.web = stack.enter_context(running_web(STANOK_WEB, self.folder, path, *self.start_options(),
                                                    error=subprocess.DEVNULL))
         self.browser = Browser(self.web)
 
@@ -222,6 +225,180 @@ class Windows(WithServer):
         self.assertEqual(refused.exception.status, 503)
         for window in windows:
             window.close()
+
+
+class Users(WithServer):
+    PASSWORD = "correct horse battery"
+
+    def setUp(self):
+        # The options of the server name files that its folder does not have yet.
+        with contextlib.ExitStack() as stack:
+            self.access = stack.enter_context(tempfile.TemporaryDirectory())
+            self.addCleanup(stack.pop_all().close)
+        self.users = os.path.join(self.access, "users")
+        self.user("add", "anna", "--role", "operator")
+        self.options = ("--users", self.users)
+        super().setUp()
+
+    def user(self, *arguments, code=0):
+        done = subprocess.run([STANOK_WEB, "user", *arguments, "--users", self.users], input=self.PASSWORD + "\n",
+                              capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout + done.stderr
+
+    def until_refused(self, window):
+        with self.assertRaises((Closed, OSError)):
+            while True:
+                window.receive()
+        window.close()
+
+    def test_a_password_opens_in_the_role_of_the_user(self):
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+        session = self.browser.request("GET", "/api/session").json()
+        self.assertEqual((session["name"], session["role"]), ("anna", "operator"))
+        window = self.browser.open_window()
+        hello = window.receive()["params"]
+        self.assertEqual((hello["role"], hello["user"]), ("operator", "anna"))
+        self.assertIn(b'"session.role"', self.daemon.lines[0])
+        self.assertIn(b'"operator"', self.daemon.lines[0])
+        window.close()
+
+    def test_a_role_is_lowered_before_anything_is_passed_on(self):
+        self.user("add", "olga", "--role", "observer")
+        self.wait_for_user("olga")
+        window = self.browser.open_window()
+        window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {}})
+        self.daemon.wait_until(lambda daemon: len(daemon.lines) == 2)
+        self.assertEqual(json.loads(self.daemon.lines[0])["params"], {"role": "observer"})
+        self.assertEqual(json.loads(self.daemon.lines[1])["method"], "program.start")
+        window.close()
+
+    def wait_for_user(self, name):
+        """The server looks at its file about once a second."""
+        end = time.monotonic() + PATIENCE_S
+        while self.browser.enter(name, self.PASSWORD).status != 204:
+            self.assertLess(time.monotonic(), end, "the user never came to be known")
+
+    def test_without_the_role_there_is_no_window(self):
+        self.daemon.answer_to = lambda request: json.dumps(
+            {"jsonrpc": "2.0", "id": request["id"], "error": {"code": -32601, "message": "no"}}).encode() + b"\n"
+        self.browser.enter("anna", self.PASSWORD)
+        window = self.browser.open_window()
+        self.assertEqual(window.receive()["method"], "dropped")
+        self.until_refused(window)
+
+    def test_wrong_names_and_passwords_are_told_alike(self):
+        wrong = self.browser.enter("anna", "wrong")
+        nobody = Browser(self.web).enter("nobody", self.PASSWORD)
+        self.assertEqual((wrong.status, nobody.status), (401, 401))
+        self.assertEqual(wrong.content, nobody.content)
+        for name, password in (("anna", ""), ("anna", "x" * 300), ("", ""), ("anna:", ""), ("an\0na", self.PASSWORD)):
+            self.assertIn(self.browser.enter(name, password).status, (400, 401))
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+
+    def test_a_user_who_is_removed_or_changed_loses_the_page(self):
+        for change in (("remove", "anna"), ("add", "anna", "--role", "observer")):
+            self.user("add", "anna", "--role", "operator")
+            self.wait_for_user("anna")
+            window = self.browser.open_window()
+            window.receive()
+            self.user(*change)
+            self.until_refused(window)
+            self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
+
+    def test_links_stay_when_users_change(self):
+        self.browser.enter_by_link()
+        self.user("add", "boris", "--role", "programmer")
+        self.wait_for_user_of_another_browser("boris")
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 200)
+
+    def wait_for_user_of_another_browser(self, name):
+        mine, self.browser = self.browser, Browser(self.web)
+        self.wait_for_user(name)
+        self.browser = mine
+
+    def test_the_file_holds_no_password_and_is_for_its_owner(self):
+        self.user("add", "Анна Б.", "--role", "integrator")
+        self.assertEqual(os.stat(self.users).st_mode & 0o777, 0o600)
+        with open(self.users, encoding="utf-8") as file:
+            text = file.read()
+        self.assertNotIn(self.PASSWORD, text)
+        self.assertIn("Анна Б.:integrator:$argon2id$", text)
+        self.assertEqual([line.split() for line in self.user("list").splitlines()],
+                         [["anna", "operator"], ["Анна", "Б.", "integrator"]])
+
+    def test_what_is_no_user_is_refused(self):
+        self.user("add", "a:b", "--role", "operator", code=2)
+        self.user("add", "anna", "--role", "boss", code=2)
+        self.user("add", "anna", code=2)
+        self.user("remove", "nobody", code=1)
+        self.PASSWORD = "short"
+        self.assertIn("10 to 256 bytes", self.user("add", "carl", "--role", "operator", code=1))
+        os.chmod(self.users, 0o644)
+        self.assertIn("chmod 600", self.user("list", code=1))
+
+    def test_a_damaged_file_changes_nothing(self):
+        with open(self.users, "a", encoding="utf-8") as file:
+            file.write("nonsense\n")
+        self.assertIn("line 3", self.user("list", code=1))
+        time.sleep(2)  # the server looks once a second: it keeps the users of before
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+
+
+def certificate(folder):
+    """Certificate and key for TLS, new."""
+    files = os.path.join(folder, "cert.pem"), os.path.join(folder, "key.pem")
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
+                    "-subj", "/CN=localhost", "-out", files[0], "-keyout", files[1]], check=True, capture_output=True)
+    return files
+
+
+class Tls(Users):
+    """All that holds for users, and that for other addresses."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.certificate, self.key = certificate(folder.name)
+        super().setUp()
+
+    def start_options(self):
+        return *self.options, "--tls-cert", self.certificate, "--tls-key", self.key
+
+    def test_cookies_go_through_tls_only(self):
+        self.assertEqual(self.web.scheme, "https")
+        answer = self.browser.enter("anna", self.PASSWORD)
+        self.assertIn("Secure", answer.fields["set-cookie"].split("; "))
+        self.assertIn("max-age", answer.fields["strict-transport-security"])
+
+    def test_plain_requests_get_nothing(self):
+        with socket.create_connection(("127.0.0.1", self.web.port), PATIENCE_S) as one:
+            one.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+            with contextlib.suppress(ConnectionResetError):
+                self.assertNotIn(b"200", one.recv(1000))
+        self.assertEqual(self.browser.request("GET", "/").status, 200)
+
+    def test_with_tls_and_users_it_listens_everywhere(self):
+        socket_path = os.path.join(self.folder, "op.sock")
+        with running_web(STANOK_WEB, self.folder, socket_path, *self.start_options(), "--listen", "0.0.0.0:0",
+                         "--link-socket", os.path.join(self.folder, "other.panel"), error=subprocess.DEVNULL) as web:
+            browser = Browser(web)
+            self.assertEqual(browser.enter("anna", self.PASSWORD).status, 204)
+            browser.open_window().close()
+            self.assertEqual(browser.request("GET", "/", Host="evil.example").status, 403)
+
+    def test_but_not_without_a_user(self):
+        self.user("remove", "anna")
+        done = subprocess.run([STANOK_WEB, "--listen", "0.0.0.0:0", "--socket", "/x", *self.start_options()],
+                              capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("no user yet", done.stderr)
+
+    def test_clients_that_only_begin_tls_keep_nobody_out(self):
+        half = [socket.create_connection(("127.0.0.1", self.web.port), PATIENCE_S) for _ in range(300)]
+        self.assertEqual(self.browser.request("GET", "/health").status, 200)
+        for one in half:
+            one.close()
 
 
 class RudeClients(WithServer):

@@ -17,7 +17,10 @@ ClientConnection::ClientConnection(asio::ip::tcp::socket socket, asio::ssl::cont
                                    const House& house)
     : house_(house),
       stream_(std::make_shared<ClientStream>(std::move(socket), tls)),
-      asked_(std::chrono::steady_clock::now()) {}
+      asked_(std::chrono::steady_clock::now()) {
+  boost::system::error_code gone;
+  from_ = stream_->next_layer().socket().remote_endpoint(gone).address();
+}
 
 asio::awaitable<void> ClientConnection::serve(std::shared_ptr<ClientConnection> self) {
   if (!co_await self->begin()) co_return;
@@ -111,7 +114,7 @@ asio::awaitable<bool> ClientConnection::write(const Answer& answer, const Reques
 asio::awaitable<bool> ClientConnection::answer(const Request& request) {
   if (const auto obstacle = house_.reception.obstacle(request))
     co_return co_await write(*obstacle, request);
-  const Answer answer = co_await house_.reception.answer(request);
+  const Answer answer = co_await house_.reception.answer(request, from_);
   co_return co_await write(answer, request);
 }
 

@@ -70,6 +70,7 @@ class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
   boost::beast::flat_buffer received_{head_bytes_max + content_bytes_max};
   std::shared_ptr<MachineWindow> window_;
   Time asked_;
+  boost::asio::ip::address from_;
 };
 
 }  // namespace stanok::web

@@ -8,6 +8,8 @@
 namespace stanok::web {
 namespace {
 
+namespace asio = boost::asio;
+
 std::chrono::steady_clock::time_point now() {
   return std::chrono::steady_clock::now();
 }
@@ -21,7 +23,8 @@ Visitor visitor_of_link() {
 
 }  // namespace
 
-Doorkeeper::Doorkeeper(Scheme scheme, OnEnd on_end) : scheme_(scheme), on_end_(std::move(on_end)) {}
+Doorkeeper::Doorkeeper(Scheme scheme, std::filesystem::path users, OnEnd on_end)
+    : scheme_(scheme), on_end_(std::move(on_end)), logins_(std::move(users)) {}
 
 void Doorkeeper::set_port(unsigned short port) {
   cookie_name_ = "stanok-session-" + std::to_string(port);
@@ -43,6 +46,15 @@ Answer Doorkeeper::enter_by_link(const std::string& secret) {
                  "this link is used up or too old; `stanok panel` prints another one");
 }
 
+asio::awaitable<Answer> Doorkeeper::enter_by_password(std::string name, std::string password,
+                                                      asio::ip::address from) {
+  auto outcome = co_await logins_.log_in(std::move(name), std::move(password), std::move(from));
+  if (outcome.visitor) co_return let_in(std::move(*outcome.visitor));
+  if (outcome.refusal == LoginDesk::Refusal::busy)
+    co_return refusal(Status::too_many_requests, "another login is under way; try again");
+  co_return refusal(Status::unauthorized, "name or password is wrong");
+}
+
 Answer Doorkeeper::let_in(Visitor visitor) {
   spdlog::info("session of {} begins as {}", visitor.name, protocol::role_name(visitor.role));
   const std::string secret = sessions_.begin(std::move(visitor), now());
@@ -60,7 +72,9 @@ Answer Doorkeeper::leave(const Request& request) {
 }
 
 void Doorkeeper::tick() {
-  end_where([](const WebSession&) { return false; });
+  const bool has_changed = logins_.look_at_file();
+  end_where(
+      [&](const WebSession& session) { return has_changed && !logins_.knows(session.visitor); });
 }
 
 void Doorkeeper::end_where(const Sessions::Condition& condition) {

@@ -107,10 +107,9 @@ asio::awaitable<bool> MachineWindow::enter(std::filesystem::path socket) {
 
 // Nothing of the browser is passed on before the daemon has answered this.
 asio::awaitable<bool> MachineWindow::lower_role() {
-  const auto role = protocol::role_name(session_.visitor.role);
-  if (session_.visitor.role == protocol::Role::integrator) co_return true;
-  const std::string request =
-      protocol::request_line(id_of_role_request, "session.role", {{"role", role}});
+  const json visitor = {{"role", protocol::role_name(session_.visitor.role)},
+                        {"name", session_.visitor.name}};
+  const std::string request = protocol::request_line(id_of_role_request, "session.role", visitor);
   if (!co_await machine_.send(without_line_end(request))) co_return false;
   while (const auto line = co_await machine_.next_line()) {
     const json answer = protocol::json_from_text(*line);

@@ -60,34 +60,38 @@ std::optional<Answer> Reception::obstacle(const Request& request) const {
   return std::nullopt;
 }
 
-asio::awaitable<Answer> Reception::answer(const Request& request) {
+asio::awaitable<Answer> Reception::answer(const Request& request, asio::ip::address from) {
   const auto path = path_of(request);
-  if (path == "/api/session") co_return co_await answer_session(request);
+  if (path == "/api/session") co_return co_await answer_session(request, from);
   if (!reads_only(request)) co_return not_allowed("GET, HEAD");
   if (path == "/api/openrpc.json") co_return methods_;
   if (path == "/health") co_return co_await health();
   co_return file(request);
 }
 
-asio::awaitable<Answer> Reception::answer_session(const Request& request) {
-  if (request.method() == verb::post) co_return begin_session(request);
+asio::awaitable<Answer> Reception::answer_session(const Request& request, asio::ip::address from) {
+  if (request.method() == verb::post) co_return co_await begin_session(request, from);
   if (request.method() == verb::delete_) co_return doorkeeper_.leave(request);
   if (reads_only(request)) co_return co_await describe_session(request);
   co_return not_allowed("GET, HEAD, POST, DELETE");
 }
 
 // A form of a foreign page cannot send this type without being asked whether it may.
-Answer Reception::begin_session(const Request& request) {
+asio::awaitable<Answer> Reception::begin_session(const Request& request, asio::ip::address from) {
   if (!field_of(request, Field::content_type).starts_with("application/json"))
-    return refusal(Status::unsupported_media_type, "the content must be application/json");
+    co_return refusal(Status::unsupported_media_type, "the content must be application/json");
   const json wanted = protocol::json_from_text(request.body());
   const auto text_of = [&](const char* name) {
     const auto member = wanted.is_object() ? wanted.find(name) : wanted.end();
     return member != wanted.end() && member->is_string() ? member->get<std::string>() : "";
   };
   const std::string token = text_of("token");
-  if (token.empty()) return refusal(Status::bad_request, R"(the content must be {"token": "..."})");
-  return doorkeeper_.enter_by_link(token);
+  if (!token.empty()) co_return doorkeeper_.enter_by_link(token);
+  const std::string name = text_of("name");
+  if (name.empty())
+    co_return refusal(Status::bad_request,
+                      R"(the content must be {"token": ""} or {"name": "", "password": ""})");
+  co_return co_await doorkeeper_.enter_by_password(name, text_of("password"), from);
 }
 
 asio::awaitable<Answer> Reception::describe_session(const Request& request) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <optional>
 #include <string>
 
@@ -23,12 +24,15 @@ class Reception {
 
   // Why the request is not for this server, or comes from the page of another one.
   [[nodiscard]] std::optional<Answer> obstacle(const Request& request) const;
-  // `request` outlives the answer.
-  [[nodiscard]] boost::asio::awaitable<Answer> answer(const Request& request);
+  // `request` outlives the answer; `from` is where it came from.
+  [[nodiscard]] boost::asio::awaitable<Answer> answer(const Request& request,
+                                                      boost::asio::ip::address from);
 
  private:
-  [[nodiscard]] boost::asio::awaitable<Answer> answer_session(const Request& request);
-  [[nodiscard]] Answer begin_session(const Request& request);
+  [[nodiscard]] boost::asio::awaitable<Answer> answer_session(const Request& request,
+                                                              boost::asio::ip::address from);
+  [[nodiscard]] boost::asio::awaitable<Answer> begin_session(const Request& request,
+                                                             boost::asio::ip::address from);
   [[nodiscard]] boost::asio::awaitable<Answer> describe_session(const Request& request);
   [[nodiscard]] boost::asio::awaitable<Answer> health();
   [[nodiscard]] Answer file(const Request& request);

@@ -10,6 +10,7 @@
 #include "protocol/version.h"
 #include "web/server/listen_address.h"
 #include "web/server/page_files.h"
+#include "web/server/user_commands.h"
 #include "web/server/web_log.h"
 #include "web/server/web_server.h"
 
@@ -41,6 +42,8 @@ void add_options(CLI::App& app, CommandLine& given) {
   app.add_option("--name", given.options.names,
                  "a name by which browsers may call this server; may be given again")
       ->type_name("HOST");
+  app.add_option("--users", given.options.users, "file of the users; default: links only")
+      ->type_name("FILE");
   app.add_option("--tls-cert", given.options.tls_certificate, "certificate chain of TLS (PEM)")
       ->type_name("FILE");
   app.add_option("--tls-key", given.options.tls_key, "its key (PEM)")->type_name("FILE");
@@ -77,12 +80,15 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string(stanok::protocol::version));
   CommandLine given;
   add_options(app, given);
+  constexpr int not_called = -1;
+  int exit_code = not_called;
+  stanok::web::add_user_commands(app, given.options.users, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_usage;
   }
-  return serve(std::move(given));
+  return exit_code == not_called ? serve(std::move(given)) : exit_code;
 }
 
 int fail(const std::exception& error, int exit_code) {

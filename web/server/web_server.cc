@@ -91,7 +91,8 @@ WebServer::Parts::Parts(const WebOptions& options)
       address((tls ? "https://" : "http://") + text_of(acceptor.local_endpoint())),
       names(own_names(options, scheme)),
       page(options.page),
-      doorkeeper(scheme, [this](const auto& sessions) { connections.end_windows_of(sessions); }),
+      doorkeeper(scheme, options.users,
+                 [this](const auto& sessions) { connections.end_windows_of(sessions); }),
       machine(options.socket),
       reception(page, doorkeeper, machine, names),
       house{.scheme = scheme,
@@ -99,6 +100,9 @@ WebServer::Parts::Parts(const WebOptions& options)
             .doorkeeper = doorkeeper,
             .machine = machine,
             .has_room_for_window = [this] { return connections.has_room_for_window(); }} {
+  if (!options.listen.address().is_loopback() && !doorkeeper.has_users())
+    throw UsageError(options.users.string() +
+                     ": there is no user yet; stanok-web user add NAME --role ROLE --users FILE");
   doorkeeper.set_port(acceptor.local_endpoint().port());
   if (options.link_socket.empty()) return;
   link_desk.emplace(io.get_executor(), options.link_socket,
