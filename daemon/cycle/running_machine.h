@@ -18,7 +18,7 @@
 #include "drives/bus.h"
 #include "plant/drive/fault.h"
 #include "recording/log/log_writer.h"
-#include "runtime/foresight.h"
+#include "runtime/foresight/foresight.h"
 
 namespace stanok::daemon {
 

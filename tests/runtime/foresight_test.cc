@@ -1,5 +1,5 @@
 // What is known of a program before it runs.
-#include "runtime/foresight.h"
+#include "runtime/foresight/foresight.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

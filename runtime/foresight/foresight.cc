@@ -1,4 +1,4 @@
-#include "runtime/foresight.h"
+#include "runtime/foresight/foresight.h"
 
 #include <pthread.h>
 #include <sched.h>
