@@ -13,9 +13,9 @@ namespace {
 
 std::vector<Method> all_rows() {
   std::vector<Method> all;
-  for (const auto& part : {rows::machine_methods(), rows::program_methods(), rows::axes_methods(),
-                           rows::tables_methods(), rows::hand_methods(), rows::process_methods(),
-                           rows::daemon_methods()})
+  for (const auto& part : {rows::machine_methods(), rows::program_text_methods(),
+                           rows::program_methods(), rows::axes_methods(), rows::tables_methods(),
+                           rows::hand_methods(), rows::process_methods(), rows::daemon_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -177,8 +177,10 @@ TEST_P(CommandTable, WhatOnlyLooksIsAnsweredAlways) {
     if (method.name == "tool.get") parameters["number"] = 1;
     if (method.name == "subscribe") parameters["topics"] = {"channels"};
     if (method.name == "session.role") parameters["role"] = "operator";
+    if (method.name == "program.read" || method.name == "program.check")
+      parameters["program"] = "long.nc";
     const auto slot = scene.bench.ask(1, std::string(method.name), parameters);
-    ASSERT_TRUE(slot->has_value()) << method.name;
+    while (!slot->has_value()) scene.bench.cycle();  // files are read in another thread
     EXPECT_TRUE((*slot)->has_value()) << method.name << ": " << (*slot)->error().message;
   }
 }
