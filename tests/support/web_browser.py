@@ -26,6 +26,10 @@ class Closed(Exception):
     """The server has ended the connection."""
 
 
+class Silence(Exception):
+    """The server sends nothing but pings."""
+
+
 class Web:
     """The server: where it is, and what it printed."""
 
@@ -139,6 +143,7 @@ class Window:
         self.socket = connect(browser.web)
         self.stream = self.socket.makefile("rb")
         self.last_id = 0
+        self.pings = 0  # since the last message
         self.binary = []  # frames that came between answers
         self.notifications = []
         key = base64.b64encode(os.urandom(16)).decode()
@@ -192,8 +197,12 @@ class Window:
             if opcode == 8:
                 raise Closed(payload)
             if opcode == 9:
+                self.pings += 1
+                if self.pings > 4:
+                    raise Silence
                 self.send_frame(10, payload)
             elif opcode in (1, 2):
+                self.pings = 0
                 return opcode, payload
 
     def receive(self):

@@ -5,8 +5,10 @@ usage: machine_test.py STANOK_WEB STANOKD STANOK MACHINE_FILE [unittest argument
 """
 import contextlib
 import json
+import math
 import os
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -97,6 +99,70 @@ class AtTheMachine(unittest.TestCase):
         while (message := window.receive()).get("method") != "status":
             pass
         self.assertIn("1", message["params"]["state"]["channels"])
+        window.close()
+
+    def test_the_planned_path_follows_in_binary_frames(self):
+        window = self.open_window()
+        round_program = "G21 G90 G17\nG0 X20 Y0 Z5\nG1 Z0 F6000\n" + "G2 I-20\nG3 I-20\n" * 40 + "M30\n"
+        window.ask("program.write", program="round.nc", text=round_program)
+        window.ask("program.load", program="round.nc")
+        end = time.monotonic() + PATIENCE_S
+        while not (path := window.ask("program.path"))["complete"]:
+            self.assertLess(time.monotonic(), end, path)
+            time.sleep(0.05)
+        self.assertNotIn("base64", path["geometry"])
+        pages = {}
+        while len(pages) < path["pages"]:
+            for frame in window.binary:
+                kind, number, page, count = struct.unpack_from("<4I", frame)
+                if number == path["id"]:
+                    pages[page] = (kind, count, frame)
+            window.binary.clear()
+            if len(pages) < path["pages"]:
+                opcode, payload = window.receive_frame()
+                if opcode == 2:
+                    window.binary.append(payload)
+                else:
+                    self.assertEqual(json.loads(payload)["method"], "geometry")
+        self.assertGreater(path["pages"], 1)
+        points, lines = [], []
+        for page in sorted(pages):
+            kind, count, frame = pages[page]
+            self.assertEqual((kind, len(frame)), (1, 16 + 16 * count))
+            numbers = struct.unpack_from(f"<{3 * count}f", frame, 16)
+            points += zip(*[iter(numbers)] * 3)
+            lines += struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+        self.assertEqual(len(points), path["points"])
+        self.assertEqual(lines, sorted(lines))
+        for (x, y, _), line in zip(points, lines):
+            if line > 3:
+                self.assertAlmostEqual(math.hypot(x, y), 20.0, delta=1e-4)
+        window.close()
+
+    def test_programs_are_edited_by_who_knows_their_version(self):
+        window = self.open_window()
+        text = window.ask("program.read", program="part.nc")
+        self.assertEqual(text["text"], LONG_PROGRAM)
+        window.ask("program.write", program="part.nc", text="M30\n", version=text["version"])
+        refused = window.answer("program.write", program="part.nc", text="M2\n", version=text["version"])
+        self.assertEqual(refused["error"]["data"]["code"], "E9019")
+        found = window.ask("program.check", program="part.nc", text="G1 X1 F100\nthis is none\nM30\n")
+        self.assertFalse(found["ok"])
+        self.assertEqual(found["diagnostics"][0]["line"], 2)
+        window.close()
+
+    def test_an_endless_check_delays_no_stop_and_can_be_ended(self):
+        window = self.open_window()
+        endless = "for (num turn = 0; turn < 1000000000; turn++) {\nG1 X5 F600\nX0\n}\nM30\n"
+        window.send({"jsonrpc": "2.0", "id": 1000, "method": "program.check",
+                     "params": {"program": "endless.nc", "text": endless}})
+        self.switch_on(window)
+        window.ask("program.stop")
+        window.ask("program.read", program="part.nc")
+        window.ask("program.check_cancel")
+        while (message := next((one for one in window.notifications if one.get("id") == 1000), None)) is None:
+            window.notifications.append(window.receive())
+        self.assertEqual(message["error"]["data"]["code"], "E9017")
         window.close()
 
     def test_fifty_pages_at_once(self):

@@ -35,8 +35,13 @@ asio::awaitable<std::optional<std::string>> MachineConnection::next_line() {
 
 asio::awaitable<bool> MachineConnection::send(std::string line) {
   line += '\n';
+  while (is_sending_)
+    static_cast<void>(co_await turn_.async_wait(asio::as_tuple(asio::use_awaitable)));
+  is_sending_ = true;
   const auto [error, bytes] =
       co_await asio::async_write(socket_, asio::buffer(line), asio::as_tuple(asio::use_awaitable));
+  is_sending_ = false;
+  turn_.cancel();
   co_return !error;
 }
 

@@ -12,6 +12,7 @@
 
 #include "protocol/json_rpc.h"
 #include "protocol/json_text.h"
+#include "web/server/geometry_frame.h"
 
 namespace stanok::web {
 namespace {
@@ -119,7 +120,8 @@ asio::awaitable<bool> MachineWindow::lower_role() {
   co_return false;
 }
 
-asio::awaitable<bool> MachineWindow::show(std::string message) {
+asio::awaitable<bool> MachineWindow::show(std::string message, FrameKind kind) {
+  websocket_.text(kind == FrameKind::text);
   write_begun_ = std::chrono::steady_clock::now();
   const auto [error, bytes] =
       co_await websocket_.async_write(asio::buffer(message), asio::as_tuple(asio::use_awaitable));
@@ -137,9 +139,21 @@ asio::awaitable<void> MachineWindow::turn_away(std::string code, std::string rea
   static_cast<void>(ignored);
 }
 
+// The next page of a geometry is asked for when this one is written.
+asio::awaitable<bool> MachineWindow::pass(std::string line) {
+  auto geometry = geometry_of(line);
+  if (!geometry) co_return co_await show(std::move(line));
+  const bool is_told = co_await show(std::move(geometry->message));
+  if (!is_told) co_return false;
+  const bool is_shown = co_await show(std::move(geometry->frame), FrameKind::binary);
+  if (!is_shown || geometry->more.empty()) co_return is_shown;
+  co_return co_await machine_.send(std::move(geometry->more));
+}
+
 asio::awaitable<void> MachineWindow::pass_to_browser() {
   while (auto line = co_await machine_.next_line()) {
-    if (!co_await show(std::move(*line))) co_return;
+    const bool is_passed = co_await pass(std::move(*line));
+    if (!is_passed) co_return;
   }
   if (!websocket_.is_open()) co_return;
   const websocket::close_reason reason(websocket::close_code::going_away);

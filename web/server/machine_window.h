@@ -1,5 +1,5 @@
 // MachineWindow: what one WebSocket sees of the machine: messages of the daemon's protocol, passed
-// on in both directions as they are.
+// on in both directions as they are; pages of geometry become binary frames (geometry_frame.h).
 //
 // Each has a connection of its own to the daemon, so that session, role, control, the lease of a
 // jog and back-pressure stay the daemon's: when the browser goes, the connection goes, and with it
@@ -49,7 +49,10 @@ class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
   [[nodiscard]] boost::asio::awaitable<bool> accept(Request request);
   [[nodiscard]] boost::asio::awaitable<bool> enter(std::filesystem::path socket);
   [[nodiscard]] boost::asio::awaitable<bool> lower_role();
-  [[nodiscard]] boost::asio::awaitable<bool> show(std::string message);
+  enum class FrameKind { text, binary };
+  [[nodiscard]] boost::asio::awaitable<bool> show(std::string message,
+                                                  FrameKind kind = FrameKind::text);
+  [[nodiscard]] boost::asio::awaitable<bool> pass(std::string line);
   [[nodiscard]] boost::asio::awaitable<void> turn_away(std::string code, std::string reason);
   [[nodiscard]] boost::asio::awaitable<void> pass_to_browser();
   [[nodiscard]] static boost::asio::awaitable<void> pass_to_machine(
