@@ -161,7 +161,8 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
   const stanok::testing::TemporaryDirectory root;
   machine.root = root.path();
   for (const protocol::Method& method : protocol::methods()) {
-    if (method.name == "program.check") continue;  // the schemes of this machine are none
+    if (method.name == "program.check" || method.name == "program.estimate")
+      continue;  // the schemes of this machine are none
     json parameters = json::object();
     for (const auto& parameter : method.parameters) {
       if (parameter.presence == protocol::Presence::optional) continue;
@@ -253,6 +254,25 @@ TEST_F(DispatchTest, RemembersOverridesThatTheMachineTook) {
   EXPECT_DOUBLE_EQ(std::get<channels::commands::OverrideRapid>(command).factor, 0.4);
   dispatch.on_reply(accepted(machine.submitted()[0].id));
   EXPECT_EQ(result("channel.status")["override"]["rapid"], 40.0);
+}
+
+TEST_F(DispatchTest, RemembersSwitchesThatTheMachineTook) {
+  json status = result("channel.status");
+  EXPECT_EQ(status["single_block"], false);
+  EXPECT_EQ(status["block_skip"], json::array());
+  const auto take = [&](const char* method, const json& parameters) {
+    const auto slot = ask(method, parameters);
+    dispatch.on_reply(accepted(machine.submitted().back().id));
+  };
+  take("program.step", {{"on", 1}});
+  take("program.optional_stop", {{"on", 1}});
+  take("program.skip", {{"level", 3}});
+  take("program.skip", {{"level", 1}});
+  take("program.unskip", {{"level", 3}});
+  status = result("channel.status");
+  EXPECT_EQ(status["single_block"], true);
+  EXPECT_EQ(status["optional_stop"], true);
+  EXPECT_EQ(status["block_skip"], json({1}));
 }
 
 TEST_F(DispatchTest, PassesARefusalOfTheMachineOn) {
