@@ -77,6 +77,7 @@ constexpr std::array of_read{file_of_program, offset};
 constexpr std::array of_write{file_of_program, whole_text, version, more, name_of_text};
 constexpr std::array of_remove{file_of_program, version};
 constexpr std::array of_check{file_of_program, unsaved_text, channel, name_of_text};
+constexpr std::array of_estimate{file_of_program, channel};
 constexpr std::array of_path{channel, path, page, follow};
 
 constexpr auto text_rows = std::to_array<Method>({
@@ -106,8 +107,16 @@ constexpr auto text_rows = std::to_array<Method>({
       "diagnostics":[{"code":"string","severity":"string","file":"string","line":"integer",
        "column":"integer","end_line":"integer","end_column":"integer","message":"string",
        "label":"string","notes":["any"],"help":["string"],"stack":["string"]}]})"},
+    {.name = "program.estimate",
+     .course = Course::reads_program,
+     .parameters = of_estimate,
+     .help = "time and way of a program, from running it on a virtual clock with the tables, "
+             "schemes and places of now, overrides at 100 %; a check of this connection ends it",
+     .result = R"({"program":"string","ok":"boolean","complete":"boolean","time_s":"number",
+      "alarm":"$alarm?","runs":[{"channel":"integer","program":"string","ok":"boolean",
+       "blocks":"integer","time_s":"number","path_mm":"number"}]})"},
     {.name = "program.check_cancel",
-     .help = "end the check of this connection, which answers E9017"},
+     .help = "end the check or estimate of this connection, which answers E9017"},
     {.name = "program.path",
      .parameters = of_path,
      .help = "planned path of the tip in the workpiece system, from the simulation of the loaded "

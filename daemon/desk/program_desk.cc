@@ -1,14 +1,18 @@
 #include "daemon/desk/program_desk.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/utf8.h"
 #include "daemon/desk/inventory.h"
 #include "daemon/desk/path_pages.h"
+#include "daemon/desk/status_report.h"
 #include "protocol/diagnostic_json.h"
+#include "runtime/axis_positions.h"
 #include "runtime/dry_run.h"
 #include "runtime/overlaid_files.h"
 #include "runtime/program_files.h"
+#include "runtime/simulation.h"
 
 namespace stanok::daemon {
 namespace {
@@ -57,6 +61,41 @@ json check_answer(const std::string& program, const runtime::DryRunResult& resul
           {"ok", !has_errors(result.diagnostics)},
           {"blocks", result.blocks},
           {"diagnostics", std::move(diagnostics)}};
+}
+
+constexpr double estimate_time_max_s = 48.0 * 3600.0;
+
+json run_json(const channels::RunReport& run, double cycle_s) {
+  return {{"channel", run.channel},
+          {"program", run.program},
+          {"ok", run.ok},
+          {"blocks", run.blocks},
+          {"time_s", static_cast<double>(run.end_cycle - run.start_cycle) * cycle_s},
+          {"path_mm", run.path_mm}};
+}
+
+CommandResult estimate_of(const runtime::SimulationOptions& options, const std::stop_token& stop) {
+  const auto give_up_at = std::chrono::steady_clock::now() + runtime::Foresight::wall_max;
+  bool is_given_up = false;
+  const auto result = runtime::simulate(options, {}, [&] {
+    is_given_up = stop.stop_requested() || std::chrono::steady_clock::now() > give_up_at;
+    return is_given_up;
+  });
+  const std::string& program = options.programs.front().program;
+  const auto error =
+      std::find_if(result.load_diagnostics.begin(), result.load_diagnostics.end(),
+                   [](const auto& told) { return told.diagnostic.severity == Severity::error; });
+  if (error != result.load_diagnostics.end()) return fail(failure_of_diagnostic(error->diagnostic));
+  if (!result.refusals.empty())
+    return fail({FailureKind::refused, "", program + ": " + result.refusals.front(), 0, {}});
+  json runs = json::array();
+  for (const channels::RunReport& run : result.runs) runs.push_back(run_json(run, result.cycle_s));
+  return json{{"program", program},
+              {"ok", result.ok},
+              {"complete", !is_given_up && !result.until_reached},
+              {"time_s", result.machine_time_s},
+              {"alarm", result.alarms.empty() ? json(nullptr) : alarm_json(result.alarms.front())},
+              {"runs", std::move(runs)}};
 }
 
 }  // namespace
@@ -155,6 +194,29 @@ void ProgramDesk::check(int session, const json& parameters, int channel, Answer
         const auto checked = with_unsaved.read(name, "");
         found["version"] = checked ? json(version_of((*checked)->text)) : json(nullptr);
         return found;
+      },
+      std::move(answer));
+}
+
+// The machine as it stands, with ideal drives, on a virtual clock; given up like a foresight.
+void ProgramDesk::estimate(int session, const json& parameters, int channel, Answer answer) {
+  const auto output = machine_.newest_output();
+  runtime::SimulationOptions options;
+  options.file = machine_.file();
+  options.file.machine.tables = machine_.tables();
+  const auto places = runtime::positions_of_axes(options.file.machine, output);
+  for (std::size_t k = 0; k < places.size(); ++k) options.file.machine.axes[k].start = places[k];
+  for (const channels::ChannelOutput& one : output.of_channels()) {
+    if (one.scheme != 0) options.schemes.emplace_back(one.id, one.scheme);
+  }
+  options.program_roots = machine_.program_roots();
+  options.programs = {{channel, program_of(parameters)}};
+  options.until_s = estimate_time_max_s;
+  checks_.cancel(session);
+  checks_.submit(
+      session,
+      [options = std::move(options)](const std::stop_token& stop) -> CommandResult {
+        return estimate_of(options, stop);
       },
       std::move(answer));
 }

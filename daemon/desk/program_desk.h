@@ -27,6 +27,7 @@ class ProgramDesk {
   void write(int session, const nlohmann::json& parameters, Answer answer);
   void remove(int session, const nlohmann::json& parameters, Answer answer);
   void check(int session, const nlohmann::json& parameters, int channel, Answer answer);
+  void estimate(int session, const nlohmann::json& parameters, int channel, Answer answer);
   void cancel_check(int session) { checks_.cancel(session); }
   [[nodiscard]] CommandResult path(const nlohmann::json& parameters, int channel) const;
 

@@ -78,7 +78,7 @@ std::string version_of(const std::string& text) {
   return version.data();
 }
 
-Failure failure_of(const Diagnostic& diagnostic) {
+Failure failure_of_diagnostic(const Diagnostic& diagnostic) {
   return {FailureKind::program_error, diagnostic.code, diagnostic.message, 0, diagnostic.place};
 }
 
@@ -89,7 +89,7 @@ Expected<std::optional<StoredProgram>, Failure> ProgramFolder::look(const std::s
     return std::optional(StoredProgram{(*found)->text, version_of((*found)->text), (*found)->path});
   }
   if (found.error().code == "E7001") return std::optional<StoredProgram>();
-  return Unexpected<Failure>(failure_of(found.error()));
+  return Unexpected<Failure>(failure_of_diagnostic(found.error()));
 }
 
 Expected<StoredProgram, Failure> ProgramFolder::read(const std::string& name) const {
@@ -119,7 +119,8 @@ Expected<std::string, Failure> ProgramFolder::write(const std::string& name,
                                                     const std::string& text,
                                                     const ExpectedVersion& expected) const {
   if (text.size() > bytes_max_)
-    return Unexpected<Failure>(failure_of(lang::too_large(name, text.size(), bytes_max_)));
+    return Unexpected<Failure>(
+        failure_of_diagnostic(lang::too_large(name, text.size(), bytes_max_)));
   const auto there = look(name);
   if (!there) return Unexpected<Failure>(there.error());
   if (const auto other = conflict(name, *there, expected)) return Unexpected<Failure>(*other);

@@ -56,6 +56,6 @@ class ProgramFolder {
 
 [[nodiscard]] std::string version_of(const std::string& text);
 // A diagnostic of a file as an answer.
-[[nodiscard]] protocol::Failure failure_of(const Diagnostic& diagnostic);
+[[nodiscard]] protocol::Failure failure_of_diagnostic(const Diagnostic& diagnostic);
 
 }  // namespace stanok::daemon

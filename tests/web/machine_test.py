@@ -151,6 +151,18 @@ class AtTheMachine(unittest.TestCase):
         self.assertEqual(found["diagnostics"][0]["line"], 2)
         window.close()
 
+    def test_an_estimate_runs_the_program_on_a_virtual_clock(self):
+        window = self.open_window()
+        window.ask("program.write", program="wait.nc", text="G4 P20\nG4 P40\nM30\n")
+        found = window.ask("program.estimate", program="wait.nc")
+        self.assertTrue(found["ok"] and found["complete"])
+        self.assertAlmostEqual(found["time_s"], 60, delta=0.1)
+        window.ask("program.write", program="far.nc", text="G0 X1\nG0 X100000\nM30\n")
+        self.assertEqual(window.ask("program.estimate", program="far.nc")["alarm"]["code"], "E5101")
+        refused = window.answer("program.estimate", program="none.nc")
+        self.assertIn("error", refused)
+        window.close()
+
     def test_an_endless_check_delays_no_stop_and_can_be_ended(self):
         window = self.open_window()
         endless = "for (num turn = 0; turn < 1000000000; turn++) {\nG1 X5 F600\nX0\n}\nM30\n"
