@@ -18,6 +18,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support"))
 from web_browser import PATIENCE_S, Browser, Closed, FakeDaemon, Refused, connect, running_web  # noqa: E402
 
 STANOK_WEB = sys.argv.pop(1)
+with open(STANOK_WEB, "rb") as program:
+    IS_SANITIZED = b"__asan_init" in program.read()
 
 
 class WithServer(unittest.TestCase):
@@ -227,7 +229,7 @@ class Windows(WithServer):
             window.close()
 
 
-class Users(WithServer):
+class WithUsers(WithServer):
     PASSWORD = "correct horse battery"
 
     def setUp(self):
@@ -252,6 +254,12 @@ class Users(WithServer):
                 window.receive()
         window.close()
 
+    def wait_for_user(self, name):
+        """The server looks at its file about once a second."""
+        end = time.monotonic() + PATIENCE_S
+        while self.browser.enter(name, self.PASSWORD).status != 204:
+            self.assertLess(time.monotonic(), end, "the user never came to be known")
+
     def test_a_password_opens_in_the_role_of_the_user(self):
         self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
         session = self.browser.request("GET", "/api/session").json()
@@ -263,21 +271,17 @@ class Users(WithServer):
         self.assertIn(b'"operator"', self.daemon.lines[0])
         window.close()
 
+
+class Users(WithUsers):
     def test_a_role_is_lowered_before_anything_is_passed_on(self):
         self.user("add", "olga", "--role", "observer")
         self.wait_for_user("olga")
         window = self.browser.open_window()
         window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {}})
         self.daemon.wait_until(lambda daemon: len(daemon.lines) == 2)
-        self.assertEqual(json.loads(self.daemon.lines[0])["params"], {"role": "observer"})
+        self.assertEqual(json.loads(self.daemon.lines[0])["params"], {"role": "observer", "name": "olga"})
         self.assertEqual(json.loads(self.daemon.lines[1])["method"], "program.start")
         window.close()
-
-    def wait_for_user(self, name):
-        """The server looks at its file about once a second."""
-        end = time.monotonic() + PATIENCE_S
-        while self.browser.enter(name, self.PASSWORD).status != 204:
-            self.assertLess(time.monotonic(), end, "the user never came to be known")
 
     def test_without_the_role_there_is_no_window(self):
         self.daemon.answer_to = lambda request: json.dumps(
@@ -353,8 +357,8 @@ def certificate(folder):
     return files
 
 
-class Tls(Users):
-    """All that holds for users, and that for other addresses."""
+class Tls(WithUsers):
+    """Users behind TLS, and what only that admits."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -432,21 +436,31 @@ class RudeClients(WithServer):
         self.assertEqual(self.browser.request("GET", "/health").status, 200)
         self.assertEqual(window.ask("still", here=1), {"here": 1})
         grown = self.web.resident_bytes() - before
-        self.assertLess(grown, 40 << 20)  # 256 connections, a head, a content and a coroutine each
+        # 256 connections, a head, a content and a coroutine each; sanitizers keep what was freed for a while.
+        self.assertLess(grown, (400 if IS_SANITIZED else 40) << 20)
         for one in rude:
             one.close()
         window.close()
 
     def test_who_does_not_read_loses_the_connection(self):
-        self.daemon.answer_to = lambda request: b'{"jsonrpc":"2.0","method":"x","params":"' + b"x" * 200000 + b'"}\n'
         self.browser.enter_by_link()
         window = self.browser.open_window()
         window.receive()
+        self.daemon.answer_to = lambda request: b'{"jsonrpc":"2.0","method":"x","params":"' + b"x" * 200000 + b'"}\n'
         with contextlib.suppress(OSError):
             for _ in range(100):
                 window.send({"jsonrpc": "2.0", "id": 1, "method": "x", "params": {}})
         self.daemon.wait_until(lambda daemon: daemon.open == 0)
         window.close()
+
+    def test_a_daemon_that_does_not_greet_keeps_no_place(self):
+        self.daemon.answer_to = lambda request: b"{}\n"
+        self.browser.enter_by_link()
+        window = self.browser.open_window()
+        with self.assertRaises((Closed, OSError)):
+            window.receive()
+        window.close()
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
 
     def test_a_slow_head_ends(self):
         with connect(self.web) as one:

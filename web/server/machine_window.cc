@@ -81,6 +81,7 @@ asio::awaitable<bool> MachineWindow::accept(Request request) {
 
 // Connects to the daemon, lowers the role, and shows its greeting.
 asio::awaitable<bool> MachineWindow::enter(std::filesystem::path socket) {
+  write_begun_ = std::chrono::steady_clock::now();  // until the greeting is written
   const bool is_connected = co_await machine_.connect(socket);
   std::optional<std::string> greeting;
   if (is_connected) greeting = co_await machine_.next_line();

@@ -35,7 +35,7 @@ class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
   [[nodiscard]] boost::asio::awaitable<void> serve(Request request, std::filesystem::path socket);
 
   [[nodiscard]] const WebSession& session() const { return session_; }
-  // The browser does not take what is sent to it.
+  // The browser does not take what is sent to it, or the daemon does not greet.
   [[nodiscard]] bool is_stuck(Time now) const {
     return write_begun_ && now - *write_begun_ > write_time_max;
   }
