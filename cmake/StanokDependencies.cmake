@@ -16,6 +16,7 @@ endfunction()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.81 REQUIRED)
+find_package(OpenSSL 3 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(spdlog 1.10 REQUIRED)
@@ -26,6 +27,10 @@ find_package(benchmark REQUIRED)
 # Vectors without values are zero, as all our types are; no part of Eigen that we use allocates (ADR 0020).
 stanok_dependency(eigen        TARGETS Eigen3::Eigen DEFINITIONS EIGEN_INITIALIZE_MATRICES_BY_ZERO EIGEN_NO_MALLOC)
 stanok_dependency(asio         TARGETS Boost::headers Threads::Threads)
+# The sources of Beast are compiled once, by web/server/beast_source.cc.
+stanok_dependency(beast        TARGETS stanok_dep_asio DEFINITIONS BOOST_BEAST_SEPARATE_COMPILATION)
+stanok_dependency(openssl      TARGETS OpenSSL::SSL)
+stanok_dependency(sodium       PKGCONFIG libsodium)
 stanok_dependency(json         TARGETS nlohmann_json::nlohmann_json)
 stanok_dependency(cli11        TARGETS CLI11::CLI11)
 stanok_dependency(spdlog       TARGETS spdlog::spdlog)

@@ -14,6 +14,7 @@
 namespace stanok::protocol::rows {
 
 [[nodiscard]] std::span<const Method> machine_methods();
+[[nodiscard]] std::span<const Method> program_text_methods();
 [[nodiscard]] std::span<const Method> program_methods();
 [[nodiscard]] std::span<const Method> axes_methods();
 [[nodiscard]] std::span<const Method> tables_methods();
@@ -22,6 +23,7 @@ namespace stanok::protocol::rows {
 [[nodiscard]] std::span<const Method> daemon_methods();
 
 inline constexpr auto machine_operator = Role::machine_operator;
+inline constexpr auto programmer = Role::programmer;
 inline constexpr auto integrator = Role::integrator;
 
 inline constexpr double text_bytes_max = 255.0;  // of an OperatorEvent

@@ -13,9 +13,9 @@ namespace {
 
 std::vector<Method> all_rows() {
   std::vector<Method> all;
-  for (const auto& part : {rows::machine_methods(), rows::program_methods(), rows::axes_methods(),
-                           rows::tables_methods(), rows::hand_methods(), rows::process_methods(),
-                           rows::daemon_methods()})
+  for (const auto& part : {rows::machine_methods(), rows::program_text_methods(),
+                           rows::program_methods(), rows::axes_methods(), rows::tables_methods(),
+                           rows::hand_methods(), rows::process_methods(), rows::daemon_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -41,6 +41,7 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
 constexpr auto role_names = enum_names<Role>({
     {Role::observer, "observer"},
     {Role::machine_operator, "operator"},
+    {Role::programmer, "programmer"},
     {Role::integrator, "integrator"},
 });
 

@@ -16,7 +16,7 @@
 namespace stanok::protocol {
 
 // What a session may do; each role includes the ones before it.
-enum class Role : std::uint8_t { observer, machine_operator, integrator };
+enum class Role : std::uint8_t { observer, machine_operator, programmer, integrator };
 
 enum class ParameterType : std::uint8_t { integer, number, text, choice, text_list };
 enum class Presence : std::uint8_t { optional, required };

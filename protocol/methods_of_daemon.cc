@@ -9,7 +9,8 @@ namespace {
 constexpr auto topic_choices =
     std::to_array<std::string_view>({"machine", "channels", "drives", "events"});
 
-constexpr auto role_choices = std::to_array<std::string_view>({"observer", "operator"});
+constexpr auto role_choices =
+    std::to_array<std::string_view>({"observer", "operator", "programmer", "integrator"});
 
 constexpr Parameter topics{.name = "topics",
                            .type = ParameterType::text_list,
@@ -25,10 +26,16 @@ constexpr Parameter lower_role{
     .presence = Presence::required,
     .spelling = Spelling::positional,
     .choices = role_choices,
-    .help = "lower role to take; a connection cannot raise its role again"};
+    .help = "highest role to have from now on; a connection cannot raise its role again"};
+
+constexpr Parameter person{
+    .name = "name",
+    .minimum = 1,
+    .maximum = 64,
+    .help = "who works here, for the log and for others who see who controls a channel"};
 
 constexpr std::array of_subscription{topics, rate};
-constexpr std::array of_role{lower_role};
+constexpr std::array of_role{lower_role, person};
 
 constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "log.status",
@@ -55,7 +62,7 @@ constexpr auto daemon_rows = std::to_array<Method>({
 
     {.name = "session.role",
      .parameters = of_role,
-     .help = "lower the role of this connection",
+     .help = "lower the role of this connection, and say who works there",
      .result = R"({"role":"string"})"},
 
     {.name = "system.info",

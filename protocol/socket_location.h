@@ -7,8 +7,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/expected.h"
 
 namespace stanok::protocol {
 
@@ -19,5 +22,13 @@ namespace stanok::protocol {
 
 // Sockets of all machines of this user, sorted; whether a daemon answers there is not known.
 [[nodiscard]] std::vector<std::filesystem::path> known_sockets();
+
+// The socket to use: the one named, else $STANOK_SOCKET, else the only one there is. The error:
+// there is none, or more than one.
+[[nodiscard]] Expected<std::filesystem::path, std::string> chosen_socket(
+    const std::filesystem::path& named);
+
+// Where `stanok-web` gives out links to its page: beside the socket of the daemon that it shows.
+[[nodiscard]] std::filesystem::path link_socket(const std::filesystem::path& socket);
 
 }  // namespace stanok::protocol

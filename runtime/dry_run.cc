@@ -66,11 +66,11 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
 }
 
 DryRunResult DryRun::run(const std::string& program, Reachability reachability,
-                         const RecordSink& record, const RequestSink& request, BlockFaults faults) {
+                         const RecordSink& record, const RequestSink& request, RunManner manner) {
   DryRunResult result;
   if (!load(program, result.diagnostics)) return result;
   result.loaded = true;
-  faults_ = faults;
+  manner_ = std::move(manner);
   const bool is_checked = reachability == Reachability::checked;
   sink_.begin(program_, is_checked ? channels::FeedDepth::path : channels::FeedDepth::positions,
               record);
@@ -122,6 +122,7 @@ void DryRun::go_on(const RequestSink& request, DryRunResult& result) {
 void DryRun::follow(const RequestSink& request, DryRunResult& result) {
   lang::Command command;
   while (result.diagnostics.size() < diagnostics_max) {
+    if (manner_.gives_up && manner_.gives_up()) return;
     switch (interpreter_.next(command)) {
       case lang::Step::command:
         result.blocks = std::max(result.blocks, command.block);
@@ -152,7 +153,7 @@ void DryRun::follow(const RequestSink& request, DryRunResult& result) {
 bool DryRun::passes_fault(Diagnostics& diagnostics) {
   const Diagnostic& fault = interpreter_.error();
   if (sieve_.is_new(fault) && sieve_.lets_through(fault)) diagnostics.push_back(fault);
-  if (faults_ == BlockFaults::end_the_run || !sieve_.may_pass()) return false;
+  if (manner_.faults == BlockFaults::end_the_run || !sieve_.may_pass()) return false;
   sieve_.pass();
   const lang::Passed passed = interpreter_.pass_fault();
   if (passed == lang::Passed::unknown_position) sieve_.lose_position();

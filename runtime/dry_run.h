@@ -44,6 +44,12 @@ using SearchSink = std::function<void(const lang::SearchState& state, const lang
 enum class Reachability { unchecked, checked };  // every pose against the axis limits
 // What a fault of a block does: it ends the run, or the run goes on to find the next one.
 enum class BlockFaults { end_the_run, are_collected };
+// Asked often; true: the run ends where it is.
+using GivesUp = std::function<bool()>;
+struct RunManner {
+  BlockFaults faults = BlockFaults::end_the_run;
+  GivesUp gives_up{};
+};
 
 class DryRun {
  public:
@@ -53,7 +59,7 @@ class DryRun {
 
   [[nodiscard]] DryRunResult run(const std::string& program, Reachability reachability,
                                  const RecordSink& record, const RequestSink& request,
-                                 BlockFaults faults = BlockFaults::end_the_run);
+                                 RunManner manner = {});
 
   // The same from a block on (block search); `found` is called before the first record.
   [[nodiscard]] DryRunResult run_from(const std::string& program, const Beginning& beginning,
@@ -92,15 +98,15 @@ class DryRun {
   std::shared_ptr<const lang::Program> program_;
   std::uint64_t steps_max_ = 0;  // of a run; text that is passed once is free
   const kinematics::Scheme* scheme_ = nullptr;
-  BlockFaults faults_ = BlockFaults::end_the_run;
+  RunManner manner_;
   FaultSieve sieve_;
 };
 
 // Everything that can be known of a program before a run: follows #kinematics, channel_run and
 // channel_load with constant arguments into the worker programs. All diagnostics, each once, and
-// the blocks of all programs together.
+// the blocks of all programs together. Given up, it tells what it has found so far.
 [[nodiscard]] DryRunResult check_program(const channels::MachineConfig& machine, int channel,
                                          int scheme, const std::string& program,
-                                         const lang::Files& files);
+                                         const lang::Files& files, const GivesUp& gives_up = {});
 
 }  // namespace stanok::runtime

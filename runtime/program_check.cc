@@ -16,14 +16,13 @@ constexpr std::uint64_t steps_behind_errors = 1'000'000;  // of a text whose fau
 // and program once.
 class Check {
  public:
-  Check(const channels::MachineConfig& machine, const lang::Files& files)
-      : machine_(machine), files_(files) {}
+  Check(const channels::MachineConfig& machine, const lang::Files& files, const GivesUp& gives_up)
+      : machine_(machine), files_(files), manner_{BlockFaults::are_collected, gives_up} {}
 
   void follow(int channel, int scheme, const std::string& program) {
     if (!visited_.insert({channel, scheme, program}).second) return;
     std::map<int, int> schemes;
     DryRun dry_run(machine_, channel, scheme, files_);
-    const auto collected = BlockFaults::are_collected;
     auto result = dry_run.run(
         program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
         [&](const lang::Request& request, const lang::Command&) {
@@ -35,7 +34,7 @@ class Check {
           const auto active = schemes.find(request.channel);
           follow(request.channel, active == schemes.end() ? -1 : active->second, request.text);
         },
-        collected);
+        manner_);
     if (!result.loaded) look_behind(result.diagnostics, channel, scheme, program);
     for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
     found.blocks += result.blocks;
@@ -58,7 +57,7 @@ class Check {
       DryRun dry_run(machine, channel, scheme, blanked);
       auto result = dry_run.run(
           program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
-          [](const lang::Request&, const lang::Command&) {}, BlockFaults::are_collected);
+          [](const lang::Request&, const lang::Command&) {}, manner_);
       errors = std::move(result.diagnostics);
       if (!result.loaded) continue;
       for (Diagnostic& fault : errors) {
@@ -85,14 +84,16 @@ class Check {
 
   const channels::MachineConfig& machine_;
   const lang::Files& files_;
+  RunManner manner_;
   std::set<std::tuple<int, int, std::string>> visited_;
 };
 
 }  // namespace
 
 DryRunResult check_program(const channels::MachineConfig& machine, int channel, int scheme,
-                           const std::string& program, const lang::Files& files) {
-  Check check(machine, files);
+                           const std::string& program, const lang::Files& files,
+                           const GivesUp& gives_up) {
+  Check check(machine, files, gives_up);
   check.follow(channel, scheme, program);
   sort_by_place(check.found.diagnostics, program);
   return std::move(check.found);

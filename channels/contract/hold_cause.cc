@@ -22,4 +22,28 @@ std::string_view text_of(HoldCause cause) {
   return "";
 }
 
+std::string_view name_of(WaitCause cause) {
+  switch (cause) {
+    case WaitCause::dwell:
+      return "dwell";
+    case WaitCause::spindle:
+      return "spindle";
+    case WaitCause::brakes:
+      return "brakes";
+    case WaitCause::end:
+      return "end";
+    case WaitCause::mark:
+      return "mark";
+    case WaitCause::input:
+      return "input";
+    case WaitCause::channel:
+      return "channel";
+    case WaitCause::machine:
+      return "machine";
+    case WaitCause::nothing:
+      break;
+  }
+  return "";
+}
+
 }  // namespace stanok::channels

@@ -46,6 +46,26 @@ enum class HoldCause : std::uint8_t {
 // For people: "feed hold by an operator"; empty for none.
 [[nodiscard]] std::string_view text_of(HoldCause cause);
 
+// What a channel waits for; for displays.
+enum class WaitCause : std::uint8_t {
+  nothing,
+  dwell,
+  spindle,  // its speed
+  brakes,
+  end,      // of the run of another channel
+  mark,     // partners
+  input,    // a signal
+  channel,  // what was asked of another channel
+  machine,  // an answer that takes no time to speak of
+};
+struct Wait {
+  WaitCause cause = WaitCause::nothing;
+  std::int32_t number = 0;     // of the mark or input
+  std::uint32_t channels = 0;  // that are waited for, bit k: channel with id k
+};
+// For people: "end", "mark"; empty for nothing.
+[[nodiscard]] std::string_view name_of(WaitCause cause);
+
 // Setpoint of one axis at the cycle instant, machine axes M: mm or deg, per s, s^2, s^3; and the
 // integer codes of docs/developer/motion.md#codes.
 struct AxisSetpoint {
@@ -176,6 +196,7 @@ struct ChannelOutput {
   bool running = false;   // a program run is under way, held or not
   std::uint32_t run = 0;  // of the channel, from 1
   bool waiting = false;   // in channel_wait, a mark, a dwell
+  Wait wait;              // for what
   HoldCause hold_cause = HoldCause::none;
   std::int32_t scheme = 0;
   motion::BlockTag tag;         // of the current block; line 0: no program runs

@@ -168,6 +168,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.id = constants.id;
   run.show(output);
   output.waiting = items_.is_waiting() || marks.is_waiting();
+  output.wait = marks.is_waiting() ? marks.waits_for() : items_.waits_for();
   output.scheme = schemes.active_id();
   output.tag = state().is_running() ? items_.current_tag() : motion::BlockTag{};
   output.feed_override = switches.feed_override();

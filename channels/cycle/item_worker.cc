@@ -9,6 +9,26 @@
 namespace stanok::channels {
 namespace {
 
+constexpr std::uint32_t only(std::int32_t channel) RT_SAFE {
+  return channel >= 0 && channel < 32 ? 1U << static_cast<unsigned>(channel) : 0U;
+}
+
+Wait wait_of(const Request& request) RT_SAFE {
+  if (const auto* end = std::get_if<requests::EndWait>(&request))
+    return {.cause = WaitCause::end, .channels = only(end->channel)};
+  if (const auto* mark = std::get_if<requests::MarkWait>(&request))
+    return {.cause = WaitCause::mark, .number = mark->mark, .channels = mark->channels};
+  if (const auto* input = std::get_if<requests::InputWait>(&request))
+    return {.cause = WaitCause::input, .number = input->input};
+  if (const auto* run = std::get_if<requests::ProgramRun>(&request))
+    return {.cause = WaitCause::channel, .channels = only(run->channel)};
+  if (const auto* load = std::get_if<requests::ProgramLoad>(&request))
+    return {.cause = WaitCause::channel, .channels = only(load->channel)};
+  if (const auto* scheme = std::get_if<requests::KinematicsSelect>(&request))
+    return {.cause = WaitCause::channel, .channels = only(scheme->channel)};
+  return {.cause = WaitCause::machine};
+}
+
 constexpr int items_per_cycle = 16;  // bound of work
 constexpr double drives_obey_within_s = 3.0;
 
@@ -146,6 +166,23 @@ void ItemWorker::advance() RT_SAFE {
     static_cast<void>(items.pop(item_));
     visit_in_cycle(Execution{*this, parts_, item_.tag}, item_.content);
   }
+}
+
+Wait ItemWorker::waits_for() const RT_SAFE {
+  switch (activity_) {
+    case Activity::dwell:
+      return {.cause = WaitCause::dwell};
+    case Activity::spindle:
+      return {.cause = WaitCause::spindle};
+    case Activity::brakes:
+      return {.cause = WaitCause::brakes};
+    case Activity::request:
+      return request_ ? wait_of(request_->content) : Wait{};
+    case Activity::none:
+    case Activity::frame:
+      break;
+  }
+  return {};
 }
 
 // The path that comes before may never be complete: the axes stop along what there is of it.

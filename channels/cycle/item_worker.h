@@ -53,6 +53,7 @@ class ItemWorker {
   [[nodiscard]] bool is_waiting() const RT_SAFE {
     return !is_idle() && activity_ != Activity::frame;
   }
+  [[nodiscard]] Wait waits_for() const RT_SAFE;
   // Of the block that is executed, on the path or, as a dwell or a stop, beside it.
   [[nodiscard]] const motion::BlockTag& current_tag() const RT_SAFE;
   // Chunks that may be entered now: those before the next item, none while an item is at work.

@@ -49,6 +49,13 @@ std::optional<motion::BlockTag> MarkWorker::advance(const Progress& progress) RT
   return std::nullopt;
 }
 
+Wait MarkWorker::waits_for() const RT_SAFE {
+  const Rider* rider = is_waiting_ && !riders_.empty() ? &riders_.front() : nullptr;
+  const auto* mark = rider == nullptr ? nullptr : std::get_if<riders::SoftMark>(&rider->content);
+  if (mark == nullptr) return {};
+  return {.cause = WaitCause::mark, .number = mark->mark, .channels = mark->channels};
+}
+
 // The front rider is all that the channel waits for: at its gate, or before an item.
 bool MarkWorker::front_is_due(const Progress& progress) const RT_SAFE {
   const std::uint64_t number = riders_.popped();

@@ -51,6 +51,8 @@ class MarkWorker {
   // it left behind in this cycle. Both hold a riders::SoftMark.
   [[nodiscard]] const Rider* soft_mark() const RT_SAFE { return soft_mark_at(gate_); }
   [[nodiscard]] bool is_waiting() const RT_SAFE { return is_waiting_; }
+  // For the partners of the soft mark at which the channel stands.
+  [[nodiscard]] Wait waits_for() const RT_SAFE;
   [[nodiscard]] const Rider* passed_mark() const RT_SAFE {
     return has_passed_mark_ ? &passed_mark_ : nullptr;
   }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 
@@ -164,16 +163,9 @@ void OperatorClient::send(const std::string& line) {
 }
 
 std::filesystem::path choose_socket(const std::string& named) {
-  if (!named.empty()) return named;
-  const char* variable = std::getenv("STANOK_SOCKET");  // NOLINT(concurrency-mt-unsafe)
-  if (variable != nullptr && *variable != '\0') return variable;
-  const auto sockets = protocol::known_sockets();
-  if (sockets.size() == 1) return sockets.front();
-  if (sockets.empty())
-    throw ConnectionError("no daemon is running here; name its socket with --socket");
-  std::string text = "several daemons may be running; name one with --socket:";
-  for (const auto& socket : sockets) text += "\n  " + socket.string();
-  throw ConnectionError(text);
+  const auto socket = protocol::chosen_socket(named);
+  if (!socket) throw ConnectionError(socket.error());
+  return *socket;
 }
 
 }  // namespace stanok::client

@@ -69,8 +69,7 @@ class OperatorClient {
   Listener listener_;
 };
 
-// The socket to use: the one named, else $STANOK_SOCKET, else the only one there is. Throws
-// ConnectionError when there is none, or more than one.
+// As protocol::chosen_socket; throws ConnectionError.
 [[nodiscard]] std::filesystem::path choose_socket(const std::string& named);
 
 }  // namespace stanok::client

@@ -124,6 +124,22 @@ std::string offsets_text(const json& result, const Terminal& terminal) {
   return table.text(terminal);
 }
 
+// A line for each diagnostic, as compilers write them.
+std::string check_text(const json& result, const Terminal& terminal) {
+  const json diagnostics = result.value("diagnostics", json::array());
+  if (diagnostics.empty()) return terminal.coloured("no errors", Colour::green) + "\n";
+  std::string text;
+  for (const json& one : diagnostics) {
+    const bool is_error = one.value("severity", "") == "error";
+    const std::string head = one.value("severity", "") + "[" + one.value("code", "") + "]";
+    text += one_line(one.value("file", "")) + ":" + std::to_string(one.value("line", 0)) + ":" +
+            std::to_string(one.value("column", 0)) + ": " +
+            terminal.coloured(head, is_error ? Colour::red : Colour::yellow) + " " +
+            one_line(one.value("message", "")) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string cell_text(const json& value) {
@@ -148,6 +164,8 @@ std::string result_text(std::string_view method, const json& result, const Termi
   if (method == "channel.status") return channel_text(result, terminal);
   if (method == "offset.list") return offsets_text(result, terminal);
   if (method == "tool.save") return result.value("tables", "");
+  if (method == "program.read") return result.value("text", "");
+  if (method == "program.check") return check_text(result, terminal);
   const auto& views = list_views();
   const auto view = std::find_if(views.begin(), views.end(),
                                  [&](const ListView& v) { return v.method == method; });

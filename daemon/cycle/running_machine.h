@@ -18,7 +18,7 @@
 #include "drives/bus.h"
 #include "plant/drive/fault.h"
 #include "recording/log/log_writer.h"
-#include "runtime/foresight.h"
+#include "runtime/foresight/foresight.h"
 
 namespace stanok::daemon {
 
@@ -45,6 +45,8 @@ class RunningMachine {
 
   [[nodiscard]] virtual const config::MachineFile& file() const = 0;
   [[nodiscard]] virtual const std::filesystem::path& program_root() const = 0;
+  // Where programs are looked for, that root first.
+  [[nodiscard]] virtual std::vector<std::filesystem::path> program_roots() const = 0;
 
   // Into the next cycle. False: no room.
   [[nodiscard]] virtual bool submit(const channels::OperatorEvent& event) = 0;
@@ -74,6 +76,8 @@ class RunningMachine {
   virtual void foresee(int channel, const std::string& program) = 0;
   virtual void foreseen_begins(int channel, runtime::RunsOfChannels before) = 0;
   [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
+  // nullptr: nothing is known of it.
+  [[nodiscard]] virtual std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) = 0;
 
   [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;

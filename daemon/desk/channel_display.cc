@@ -1,6 +1,7 @@
 #include "daemon/desk/channel_display.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace stanok::daemon {
@@ -13,12 +14,23 @@ const char* direction_word(double rev_per_min) {
   return rev_per_min < 0.0 ? "counter-clockwise" : "stopped";
 }
 
-json measured(int spindle, const drives::BusStatus& bus) {
+// nullptr: there is none that answers.
+const drives::DriveFeedback* feedback_of(int spindle, const drives::BusStatus& bus) {
   const std::string name = "S" + std::to_string(spindle);
   const auto drive = std::find_if(bus.axes.begin(), bus.axes.end(),
                                   [&](const auto& status) { return status.axis == name; });
-  if (drive == bus.axes.end() || !drive->in_contact) return nullptr;
-  return drive->feedback.velocity;
+  return drive == bus.axes.end() || !drive->in_contact ? nullptr : &drive->feedback;
+}
+
+json measured(int spindle, const drives::BusStatus& bus) {
+  const auto* feedback = feedback_of(spindle, bus);
+  return feedback == nullptr ? json(nullptr) : json(feedback->velocity);
+}
+
+json measured_power(int spindle, const drives::BusStatus& bus) {
+  const auto* feedback = feedback_of(spindle, bus);
+  return feedback == nullptr || !std::isfinite(feedback->power_w) ? json(nullptr)
+                                                                  : json(feedback->power_w);
 }
 
 }  // namespace
@@ -45,9 +57,40 @@ json spindles_of(const channels::ChannelConfig& config, const channels::ChannelO
     spindles.push_back({{"id", id},
                         {"direction", direction_word(commanded)},
                         {"commanded_rev_min", commanded},
-                        {"actual_rev_min", measured(id, bus)}});
+                        {"actual_rev_min", measured(id, bus)},
+                        {"power_w", measured_power(id, bus)}});
   }
   return spindles;
+}
+
+json wait_of(const channels::ChannelOutput& output) {
+  if (output.wait.cause == channels::WaitCause::nothing) return nullptr;
+  json waited = json::array();
+  for (int id = 0; id < 32; ++id) {
+    const bool is_other = id != output.id;
+    if (is_other && (output.wait.channels >> static_cast<unsigned>(id) & 1U) != 0)
+      waited.push_back(id);
+  }
+  const bool has_number = output.wait.cause == channels::WaitCause::mark ||
+                          output.wait.cause == channels::WaitCause::input;
+  return {{"for", channels::name_of(output.wait.cause)},
+          {"number", has_number ? json(output.wait.number) : json(nullptr)},
+          {"channels", std::move(waited)}};
+}
+
+json work_offset_of(const std::vector<std::string>& g_codes) {
+  const auto code = std::find_if(g_codes.begin(), g_codes.end(), [](const std::string& one) {
+    return one.size() >= 3 && one.starts_with("G5") && one[2] >= '4' && one[2] <= '9';
+  });
+  return code == g_codes.end() ? json(nullptr) : json(*code);
+}
+
+json coolant_of(const std::vector<std::string>& m_codes) {
+  json coolant = json::array();
+  for (const std::string& code : m_codes) {
+    if (code == "M7" || code == "M8") coolant.push_back(code == "M7" ? "mist" : "flood");
+  }
+  return coolant;
 }
 
 json distance_to_go(const channels::ChannelConfig& config, const channels::ChannelOutput& output,

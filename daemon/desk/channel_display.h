@@ -3,6 +3,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "channels/contract/machine_config.h"
 #include "channels/contract/output.h"
@@ -20,6 +22,14 @@ namespace stanok::daemon {
 [[nodiscard]] nlohmann::json spindles_of(const channels::ChannelConfig& config,
                                          const channels::ChannelOutput& output,
                                          const drives::BusStatus& bus);
+
+// {"for", "number", "channels"}: for what the channel waits: "dwell", "spindle", "brakes", "end" of
+// a run, "mark", "input", "channel", "machine"; null: for nothing.
+[[nodiscard]] nlohmann::json wait_of(const channels::ChannelOutput& output);
+
+// Of the active codes: G54 and the like; those that switch coolant. Null, empty: none.
+[[nodiscard]] nlohmann::json work_offset_of(const std::vector<std::string>& g_codes);
+[[nodiscard]] nlohmann::json coolant_of(const std::vector<std::string>& m_codes);
 
 // By the words of programs, from the programmed point to the end of the current block, a cycle
 // being one block; null while no program runs.

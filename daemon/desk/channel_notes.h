@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 
 namespace stanok::daemon {
@@ -13,7 +14,10 @@ struct ChannelNotes {
   std::string program;  // loaded last
   double rapid_override_percent = 100.0;
   double spindle_override_percent = 100.0;
-  std::string controlled_by;  // a session; empty: nobody alone
+  bool single_block = false;
+  bool optional_stop = false;
+  std::set<int> levels_skipped;  // block skip
+  std::string controlled_by;     // a session; empty: nobody alone
   // Numbers of the newest alarm that was. What is cleared is never active again.
   std::uint64_t alarms_acknowledged = 0;
   std::uint64_t alarms_cleared = 0;

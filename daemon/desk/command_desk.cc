@@ -49,6 +49,18 @@ Failure failure_of_load(const std::vector<channels::AlarmReport>& errors, int ch
   return {FailureKind::program_error, first.code, text, channel, first.place};
 }
 
+void note_switches(const channels::OperatorCommand& command, ChannelNotes& notes) {
+  namespace commands = channels::commands;
+  if (const auto* step = std::get_if<commands::SingleBlock>(&command))
+    notes.single_block = step->to == channels::Switch::on;
+  if (const auto* stop = std::get_if<commands::OptionalStop>(&command))
+    notes.optional_stop = stop->to == channels::Switch::on;
+  if (const auto* skip = std::get_if<commands::BlockSkip>(&command))
+    notes.levels_skipped.insert(skip->level);
+  if (const auto* skip = std::get_if<commands::BlockSkipOff>(&command))
+    notes.levels_skipped.erase(skip->level);
+}
+
 }  // namespace
 
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
@@ -105,6 +117,7 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
     if (auto program = program_of(event.command)) notes.program = std::move(*program);
     if (const auto* rapid = std::get_if<channels::commands::OverrideRapid>(&event.command))
       notes.rapid_override_percent = rapid->factor * 100.0;
+    note_switches(event.command, notes);
     if (const auto* spindle = std::get_if<channels::commands::OverrideSpindle>(&event.command))
       notes.spindle_override_percent = spindle->factor * 100.0;
     const bool resets = event.action() == OperatorAction::program_reset;

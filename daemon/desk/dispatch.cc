@@ -65,6 +65,7 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       description_(std::move(description)),
       on_shutdown_(std::move(on_shutdown)),
       desk_(machine, notes_),
+      programs_(machine),
       report_(machine, notes_),
       started_(std::chrono::steady_clock::now()) {}
 
@@ -80,7 +81,32 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
          return subscribe(call, {"channels", "events"}, d.channel_or_first(call.parameters));
        }},
       {"program.list",
-       [](Dispatch& d, const json&) { return program_list(d.machine_.program_root()); }},
+       [](Dispatch& d, Call call) { d.programs_.list(call.session.id, std::move(call.answer)); }},
+      {"program.read",
+       [](Dispatch& d, Call call) {
+         d.programs_.read(call.session.id, call.parameters, std::move(call.answer));
+       }},
+      {"program.write", [](Dispatch& d, Call call) { d.write_program(std::move(call)); }},
+      {"program.remove", [](Dispatch& d, Call call) { d.remove_program(std::move(call)); }},
+      {"program.check",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.programs_.check(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
+      {"program.estimate",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.programs_.estimate(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
+      {"program.check_cancel",
+       [](Dispatch& d, const Call& call) -> CommandResult {
+         d.programs_.cancel_check(call.session.id);
+         return json{{"accepted", true}};
+       }},
+      {"program.path",
+       [](Dispatch& d, const Call& call) {
+         return d.programs_.path(call.parameters, d.channel_or_first(call.parameters));
+       }},
       {"program.history",
        [](Dispatch& d, const json& p) { return d.report_.program_history(p.value("channel", 0)); }},
       {"kinematics.list",
@@ -139,6 +165,7 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
 
 void Dispatch::forget(int session) {
   control_.forget(session);
+  programs_.forget(session);
   note_control();
   tell_control();
 }
@@ -221,6 +248,28 @@ void Dispatch::load_tables(Call call) {
   submit_one_by_one(desk_, std::move(*commands), log_and_answer);
 }
 
+// An answer that leaves an entry in the log, with `shown` for the parameters: texts are long.
+Answer Dispatch::logged(const Call& call, json shown) {
+  protocol::Request request;
+  request.method = call.request.method;
+  request.parameters = std::move(shown);
+  return [who = call.session, request = std::move(request),
+          answer = call.answer](const CommandResult& outcome) {
+    log_command(who, request, outcome);
+    answer(outcome);
+  };
+}
+
+void Dispatch::write_program(Call call) {
+  json shown = {{"program", call.parameters["program"]},
+                {"bytes", call.parameters["text"].get_ref<const std::string&>().size()}};
+  programs_.write(call.session.id, call.parameters, logged(call, std::move(shown)));
+}
+
+void Dispatch::remove_program(Call call) {
+  programs_.remove(call.session.id, call.parameters, logged(call, call.parameters));
+}
+
 CommandResult Dispatch::tool_get(const json& parameters) const {
   const int number = parameters.value("number", 0);
   const int edge = parameters.value("edge", 1);
@@ -284,6 +333,9 @@ void Dispatch::shut_down(const Call& call) {
 CommandResult Dispatch::lower_role(const Call& call) {
   const auto wanted = protocol::role_named(call.parameters["role"].get<std::string>());
   call.session.role = std::min(call.session.role, wanted.value_or(call.session.role));
+  // The name is what the client says; who the client is stays behind it.
+  const auto name = call.parameters.value("name", std::string());
+  if (!name.empty()) call.session.peer = name + " (" + call.session.peer + ")";
   return json{{"role", protocol::role_name(call.session.role)}};
 }
 

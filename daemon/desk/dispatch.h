@@ -14,6 +14,7 @@
 
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
+#include "daemon/desk/program_desk.h"
 #include "daemon/desk/status_report.h"
 #include "daemon/desk/subscription.h"
 #include "protocol/json_rpc.h"
@@ -57,6 +58,7 @@ class Dispatch {
   void tick(SteadyTime now) {
     tell_control();
     desk_.tick(now);
+    programs_.tick();
   }
   void set_clients(std::size_t clients) { clients_ = clients; }
   // The session has ended.
@@ -94,6 +96,9 @@ class Dispatch {
   [[nodiscard]] CommandResult start_log() const;
   [[nodiscard]] CommandResult stop_log() const;
   void load_tables(Call call);
+  void write_program(Call call);
+  void remove_program(Call call);
+  [[nodiscard]] static Answer logged(const Call& call, nlohmann::json shown);
   [[nodiscard]] CommandResult tool_get(const nlohmann::json& parameters) const;
   [[nodiscard]] CommandResult reset_drive(const Call& call);
   [[nodiscard]] CommandResult make_drive_fail(const Call& call);
@@ -112,6 +117,7 @@ class Dispatch {
   ChannelControl control_;
   std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
   CommandDesk desk_;
+  ProgramDesk programs_;
   StatusReport report_;
   std::size_t clients_ = 0;
   SteadyTime started_;

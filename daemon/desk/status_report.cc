@@ -76,19 +76,6 @@ json number_or_null(const std::optional<double>& number) {
   return number ? json(*number) : json(nullptr);
 }
 
-json alarm_json(const channels::AlarmReport& alarm) {
-  const CatalogueRow* row = find_in_catalogue(alarm.diagnostic.code);
-  return {{"channel", alarm.channel},
-          {"cycle", alarm.cycle},
-          {"code", alarm.diagnostic.code},
-          {"text", alarm.diagnostic.message},
-          {"file", text_or_null(alarm.diagnostic.place.file)},
-          {"line", number_or_null(alarm.diagnostic.place.line)},
-          {"column", number_or_null(alarm.diagnostic.place.column)},
-          {"reaction", row == nullptr ? json(nullptr) : json(static_cast<int>(row->reaction))},
-          {"remedy", row == nullptr ? json(nullptr) : json(row->remedy)}};
-}
-
 // A history says how many older entries are not kept any more.
 json with_forgotten(json history, std::uint64_t count) {
   if (count > 0) history["forgotten"] = count;
@@ -177,6 +164,19 @@ std::string program_of(const ChannelOutput& output, const std::vector<channels::
 }
 
 }  // namespace
+
+json alarm_json(const channels::AlarmReport& alarm) {
+  const CatalogueRow* row = find_in_catalogue(alarm.diagnostic.code);
+  return {{"channel", alarm.channel},
+          {"cycle", alarm.cycle},
+          {"code", alarm.diagnostic.code},
+          {"text", alarm.diagnostic.message},
+          {"file", text_or_null(alarm.diagnostic.place.file)},
+          {"line", number_or_null(alarm.diagnostic.place.line)},
+          {"column", number_or_null(alarm.diagnostic.place.column)},
+          {"reaction", row == nullptr ? json(nullptr) : json(static_cast<int>(row->reaction))},
+          {"remedy", row == nullptr ? json(nullptr) : json(row->remedy)}};
+}
 
 ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
   if (const ChannelOutput* const found = output.of_channel(channel)) return *found;
@@ -275,6 +275,12 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"axis_names", axis_names(machine_.file().machine, config)},
           {"state", channel_state_word(output.state)},
           {"program_status", program_status_word(output)},
+          {"waits_for", wait_of(output)},
+          {"single_block", notes.single_block},
+          {"optional_stop", notes.optional_stop},
+          {"block_skip", notes.levels_skipped},
+          {"work_offset", work_offset_of(lang::names_of(block.codes, 'G'))},
+          {"coolant", coolant_of(lang::names_of(block.codes, 'M'))},
           {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
           {"controlled_by", text_or_null(notes.controlled_by)},
           {"alarm", std::move(alarm)},

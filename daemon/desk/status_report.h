@@ -56,6 +56,8 @@ class StatusReport {
 };
 
 // Output of a channel by its id; the output of a channel that has none yet is all zeros.
+// An alarm as clients get it, with what the catalogue says of it.
+[[nodiscard]] nlohmann::json alarm_json(const channels::AlarmReport& alarm);
 [[nodiscard]] channels::ChannelOutput output_of(const channels::CycleOutput& output, int channel);
 
 }  // namespace stanok::daemon

@@ -12,9 +12,10 @@ namespace stanok::daemon {
 
 class OutputQueue {
  public:
-  static constexpr std::size_t bytes_max = 256U << 10;
+  // Room for several long answers: texts and pages of a path.
+  static constexpr std::size_t bytes_max = 2U << 20;
   // Status waits while more than this is on its way: the next one will contain it.
-  static constexpr std::size_t status_bytes_max = bytes_max / 4;
+  static constexpr std::size_t status_bytes_max = 64U << 10;
 
   // False: the bound is reached; the line is not taken.
   [[nodiscard]] bool push(std::string line) {

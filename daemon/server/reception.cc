@@ -105,7 +105,8 @@ void Reception::Parts::accept() {
 }
 
 void Reception::Parts::admit(LocalSocket::socket socket) {
-  const auto session = std::make_shared<Session>(std::move(socket), sessions.next_id());
+  const auto session =
+      std::make_shared<Session>(std::move(socket), sessions.next_id(), limits.panel_user);
   const bool has_room = sessions.places_taken() < limits.clients_max || sessions.make_room();
   sessions.add(session);
   session->start([this](Session& from, const protocol::Frame& frame) { take_frame(from, frame); },

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "daemon/cycle/running_machine.h"
@@ -25,6 +26,7 @@ struct ServerLimits {
   std::size_t clients_max = 64;
   std::chrono::milliseconds frame_time_max{10000};  // from the first byte of a frame to its end
   std::size_t turned_away_max = 1024;  // clients without a place who are still listened to
+  std::optional<uid_t> panel_user{};   // whose connections have the role of the owner
 };
 
 // Who has the requests that are no stops. Called from the reception's thread; must not wait.

@@ -20,18 +20,19 @@ constexpr auto last_word_time = std::chrono::seconds(2);
 using boost::system::error_code;
 
 // Who runs the daemon, and root, may do everything; others were let in by the socket's group.
-protocol::Role role_of(const ucred& credentials) {
-  const bool is_owner = credentials.uid == getuid() || credentials.uid == 0;
+protocol::Role role_of(const ucred& credentials, std::optional<uid_t> panel_user) {
+  const bool is_owner =
+      credentials.uid == getuid() || credentials.uid == 0 || credentials.uid == panel_user;
   return is_owner ? protocol::Role::integrator : protocol::Role::machine_operator;
 }
 
-SessionState state_of(Session::Socket& socket, int id) {
+SessionState state_of(Session::Socket& socket, int id, std::optional<uid_t> panel_user) {
   SessionState state;
   state.id = id;
   ucred credentials{};
   socklen_t size = sizeof credentials;
   if (getsockopt(socket.native_handle(), SOL_SOCKET, SO_PEERCRED, &credentials, &size) == 0) {
-    state.role = role_of(credentials);
+    state.role = role_of(credentials, panel_user);
     state.peer =
         "uid " + std::to_string(credentials.uid) + ", pid " + std::to_string(credentials.pid);
   } else {
@@ -42,9 +43,9 @@ SessionState state_of(Session::Socket& socket, int id) {
 
 }  // namespace
 
-Session::Session(Socket socket, int id)
+Session::Session(Socket socket, int id, std::optional<uid_t> panel_user)
     : socket_(std::move(socket)),
-      state_(state_of(socket_, id)),
+      state_(state_of(socket_, id, panel_user)),
       id_(id),
       peer_(state_.peer),
       role_(state_.role) {}

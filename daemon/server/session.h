@@ -5,12 +5,15 @@
 // thread, but for what says otherwise. Of what it hands on only so much is on its way at a time.
 #pragma once
 
+#include <sys/types.h>
+
 #include <array>
 #include <atomic>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "daemon/desk/dispatch.h"
@@ -26,8 +29,9 @@ class Session : public std::enable_shared_from_this<Session> {
   using OnFrame = std::function<void(Session& session, const protocol::Frame& frame)>;
   using OnEnd = std::function<void(int id)>;
 
-  // Takes id, role and peer of the connection's credentials.
-  Session(Socket socket, int id);
+  // Takes role and peer of the connection's credentials. `panel_user` may do everything, as who
+  // runs the daemon: it knows its own users and lowers the role of each.
+  Session(Socket socket, int id, std::optional<uid_t> panel_user = {});
 
   // `on_end` is called once, when no more frames will come.
   void start(OnFrame on_frame, OnEnd on_end);

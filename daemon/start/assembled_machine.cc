@@ -41,9 +41,10 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
       replies_(assembly.machine().replies()),
       recorder_(recorder),
       program_root_(std::move(program_root)),
+      program_roots_(std::move(program_roots)),
       newest_(before_the_first_cycle(assembly.file().machine)),
       foresight_(
-          assembly.file(), std::move(program_roots),
+          assembly.file(), program_roots_,
           [this](recording::PathPreview path) { recorder_.show_path(std::move(path)); },
           [](const std::string& obstacle) { spdlog::warn("{}", obstacle); }) {}
 

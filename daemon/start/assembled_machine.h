@@ -36,6 +36,9 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
 
   [[nodiscard]] const config::MachineFile& file() const override { return assembly_.file(); }
   [[nodiscard]] const std::filesystem::path& program_root() const override { return program_root_; }
+  [[nodiscard]] std::vector<std::filesystem::path> program_roots() const override {
+    return program_roots_;
+  }
   [[nodiscard]] bool submit(const channels::OperatorEvent& event) override {
     return events_.put(event);
   }
@@ -71,6 +74,9 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] runtime::Outlook outlook(int channel) override {
     return foresight_.outlook(channel, newest_output());
   }
+  [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) override {
+    return foresight_.planned_path(channel);
+  }
   [[nodiscard]] LoopStatistics loop_statistics() override;
   [[nodiscard]] RealTimeRights real_time_rights() override;
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
@@ -101,6 +107,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   Ring<channels::OperatorReply>& replies_;
   Recorder& recorder_;
   std::filesystem::path program_root_;
+  std::vector<std::filesystem::path> program_roots_;
   EventQueue events_;
   std::atomic<std::int64_t> cycles_{0};
   RealTimeLoop* loop_ = nullptr;

@@ -1,5 +1,6 @@
 #include "daemon/start/daemon.h"
 
+#include <pwd.h>
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
 
@@ -97,6 +98,15 @@ CycleRings rings_of(runtime::Assembly& assembly) {
           [&assembly] { return assembly.program_reads(); }};
 }
 
+// Nothing: none is named, or the system has no such user, which keeps no machine from running.
+std::optional<uid_t> panel_user(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  const passwd* entry = ::getpwnam(name.c_str());  // NOLINT(concurrency-mt-unsafe): at start
+  if (entry != nullptr) return entry->pw_uid;
+  spdlog::warn("there is no user {}: pages that it serves have the rights of the socket", name);
+  return std::nullopt;
+}
+
 // The drive bus runs while this lives. Late answers trip the drives' watchdogs.
 struct RunningDrives {
   explicit RunningDrives(runtime::Assembly& used) : assembly(used) {
@@ -136,7 +146,8 @@ int run_daemon(const DaemonOptions& options) {
   MonotonicClock clock;
   RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);
   machine.set_loop(loop);
-  OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()});
+  OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()},
+                        {.panel_user = panel_user(options.panel_user)});
 
   // First the stop: what is said may need memory.
   const auto fail = [&](std::string_view who, std::string_view reason) {

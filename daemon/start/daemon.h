@@ -17,6 +17,7 @@ struct DaemonOptions {
   std::filesystem::path program_root;          // empty: the working directory
   std::optional<runtime::DriveChoice> drives;  // nothing: embedded where the machine has drives
   std::filesystem::path log_directory;         // empty: no log file
+  std::string panel_user;                      // empty: none
 };
 
 // Serves until a signal (signals.h) or system.shutdown; 0, or 7 when a thread of the daemon failed.

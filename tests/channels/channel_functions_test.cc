@@ -100,10 +100,13 @@ TEST_F(ChannelFunctionsTest, HeldTargetKeepsTheWaitGoing) {
   bench.ask(OperatorAction::program_hold, 1);
   bench.run_to_end();
   EXPECT_TRUE(bench.channel(2).waiting);
+  EXPECT_EQ(bench.channel(2).wait.cause, WaitCause::end);
+  EXPECT_EQ(bench.channel(2).wait.channels, 1U << 1U);
   bench.ask(OperatorAction::program_resume, 1);
   bench.run_to_end();
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_FALSE(bench.channel(2).running);
+  EXPECT_EQ(bench.channel(2).wait.cause, WaitCause::nothing);
 }
 
 TEST_F(ChannelFunctionsTest, StopOfTheWaitingChannelHoldsItsWait) {

@@ -114,6 +114,9 @@ TEST_F(MarksTest, PartnerNotYetStartedIsAwaited) {
   bench->run(1, "a.nc");
   bench->run_to_end();
   EXPECT_TRUE(bench->channel(1).waiting);
+  EXPECT_EQ(bench->channel(1).wait.cause, WaitCause::mark);
+  EXPECT_EQ(bench->channel(1).wait.number, 1);
+  EXPECT_EQ(bench->channel(1).wait.channels & 1U << 2U, 1U << 2U);
   bench->run(2, "b.nc");
   bench->run_to_end();
   EXPECT_THAT(bench->alarm_codes(), IsEmpty());

@@ -68,6 +68,7 @@ class FakeMachine final : public RunningMachine {
 
   [[nodiscard]] const config::MachineFile& file() const override { return file_; }
   [[nodiscard]] const std::filesystem::path& program_root() const override { return root; }
+  [[nodiscard]] std::vector<std::filesystem::path> program_roots() const override { return {root}; }
   [[nodiscard]] bool submit(const channels::OperatorEvent& event) override {
     {
       const std::lock_guard lock(mutex_);
@@ -133,6 +134,9 @@ class FakeMachine final : public RunningMachine {
   void foresee(int, const std::string& program) override { looked_at.push_back(program); }
   void foreseen_begins(int, runtime::RunsOfChannels) override {}
   [[nodiscard]] runtime::Outlook outlook(int) override { return expected; }
+  [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int) override {
+    return planned;
+  }
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
@@ -149,6 +153,7 @@ class FakeMachine final : public RunningMachine {
   std::optional<std::filesystem::path> log_file;
   std::vector<std::string> looked_at;  // programs
   runtime::Outlook expected;
+  std::shared_ptr<runtime::PlannedPath> planned;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
 

@@ -53,6 +53,13 @@ def check(operator):
             ask(method)
 
     look()
+    ask("program.read", program="part.nc")
+    written = operator.ask("program.write", program="new.nc", text="G0 X1\nM30\n")
+    ask("program.write", program="new.nc", text="G0 X2\nM30\n", version=written["version"])
+    ask("program.check", program="new.nc")
+    ask("program.check", program="new.nc", text="G1 X1\nthis is none\nM30\n")
+    ask("program.estimate", program="new.nc")
+    ask("program.remove", program="new.nc", version="any")
     ask("tool.load", tables="[[tool]]\nnumber = 1\nlength = 5\n[offset.G55]\nX = 1\n")
     ask("tool.get", number=1)
     ask("tool.set", number=1, key="length", value=10)

@@ -1,5 +1,5 @@
 // What is known of a program before it runs.
-#include "runtime/foresight.h"
+#include "runtime/foresight/foresight.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -127,6 +127,39 @@ TEST_F(ForesightTest, HandsOnThePathOfTheTip) {
   }
   EXPECT_NEAR(greatest_y, 20.0, 0.02);
   EXPECT_NEAR(smallest_x, -20.0, 0.02);
+}
+
+TEST_F(ForesightTest, KnowsThePathWithTheLinesThatLeadAlongIt) {
+  write("round.nc", "G21 G90 G17 G54\nG0 X20 Y0 Z5\nG1 Z0 F1000\nG2 I-20\nG0 Z5\nM30\n");
+  EXPECT_EQ(foresight.planned_path(1), nullptr);
+  foresight.look_at(1, "round.nc", now, file.machine.tables);
+  static_cast<void>(wait_for_prediction());
+  const auto path = foresight.planned_path(1);
+  ASSERT_NE(path, nullptr);
+  EXPECT_EQ(path->program(), "round.nc");
+  EXPECT_TRUE(path->state().is_complete);
+  ASSERT_EQ(path->state().pages, 1U);
+  const auto page = path->page(0);
+  EXPECT_EQ(path->page(1), nullptr);
+  ASSERT_EQ(path->state().points, page->points.size());
+  EXPECT_TRUE(page->points.front().begins);
+  std::uint32_t line = 2;
+  for (std::size_t k = 1; k < page->points.size(); ++k) {
+    const PathPage::Point& a = page->points[k - 1];
+    const PathPage::Point& b = page->points[k];
+    EXPECT_FALSE(b.begins) << k;
+    EXPECT_GE(b.line, line) << k;
+    line = b.line;
+    EXPECT_EQ(b.rapid, b.line == 2 || b.line == 5) << k;
+    if (b.line != 4) continue;
+    EXPECT_NEAR(std::hypot(b.place_mm[0], b.place_mm[1]), 20.0, 1e-4);
+    // The circle is furthest away from the chord at its middle.
+    const double middle =
+        0.5 * std::hypot(a.place_mm[0] + b.place_mm[0], a.place_mm[1] + b.place_mm[1]);
+    EXPECT_NEAR(middle, 20.0, 0.011) << k;
+  }
+  EXPECT_EQ(line, 5U);
+  EXPECT_NEAR(page->points.back().place_mm[2], 5.0, 1e-5);
 }
 
 TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {

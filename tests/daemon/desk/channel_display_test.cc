@@ -34,15 +34,36 @@ TEST(ChannelDisplay, TellSpindlesAsCommandedAndAsMeasured) {
   bus.axes[0].axis = "S1";
   bus.axes[0].in_contact = true;
   bus.axes[0].feedback.velocity = 1198.5;
+  bus.axes[0].feedback.power_w = 450.0;
   bus.axes[1].axis = "S2";
   const json spindles = spindles_of(config, output, bus);
   EXPECT_EQ(spindles[0], (json{{"id", 1},
                                {"direction", "clockwise"},
                                {"commanded_rev_min", 1200.0},
-                               {"actual_rev_min", 1198.5}}));
+                               {"actual_rev_min", 1198.5},
+                               {"power_w", 450.0}}));
   EXPECT_EQ(spindles[1]["direction"], "counter-clockwise");
   EXPECT_TRUE(spindles[1]["actual_rev_min"].is_null()) << "its drive does not answer";
   EXPECT_EQ(spindles[2]["direction"], "stopped");
+}
+
+TEST(ChannelDisplay, TellForWhatAChannelWaits) {
+  channels::ChannelOutput output;
+  output.id = 2;
+  EXPECT_TRUE(wait_of(output).is_null());
+  output.wait = {.cause = channels::WaitCause::mark, .number = 5, .channels = 0b1110};
+  EXPECT_EQ(wait_of(output), (json{{"for", "mark"}, {"number", 5}, {"channels", {1, 3}}}));
+  output.wait = {.cause = channels::WaitCause::dwell};
+  EXPECT_EQ(wait_of(output),
+            (json{{"for", "dwell"}, {"number", nullptr}, {"channels", json::array()}}));
+}
+
+TEST(ChannelDisplay, FindWorkOffsetAndCoolantAmongTheCodes) {
+  EXPECT_EQ(work_offset_of({"G1", "G54", "G90"}), "G54");
+  EXPECT_EQ(work_offset_of({"G50", "G59.3"}), "G59.3");
+  EXPECT_TRUE(work_offset_of({"G1", "G5", "G52", "G5.1"}).is_null());
+  EXPECT_EQ(coolant_of({"M3", "M7", "M8"}), (json{"mist", "flood"}));
+  EXPECT_EQ(coolant_of({"M9"}), json::array());
 }
 
 TEST(ChannelDisplay, GoToTheEndOfTheBlock) {

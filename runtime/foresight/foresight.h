@@ -22,6 +22,7 @@
 #include "channels/machine/machine.h"
 #include "config/files/machine_file.h"
 #include "recording/format/path_preview.h"
+#include "runtime/foresight/planned_path.h"
 
 namespace stanok::runtime {
 
@@ -81,6 +82,8 @@ class Foresight {
   void begins(int channel, RunsOfChannels before);
 
   [[nodiscard]] Outlook outlook(int channel, const channels::CycleOutput& now) const;
+  // Of the newest simulation that moves the channel, as far as it has come; nullptr: none does.
+  [[nodiscard]] std::shared_ptr<const PlannedPath> planned_path(int channel) const;
 
  private:
   struct Order {
@@ -101,6 +104,7 @@ class Foresight {
   void work(const std::stop_token& stop);
   void keep(int channel, std::optional<Foreseen> seen);
   [[nodiscard]] std::optional<Foreseen> foresee(const Order& order, const std::stop_token& stop);
+  [[nodiscard]] std::shared_ptr<PlannedPath> new_path(int channel, const std::string& program);
   [[nodiscard]] static std::optional<double> reached(const Foreseen& foreseen, int channel,
                                                      const channels::CycleOutput& now);
 
@@ -110,9 +114,11 @@ class Foresight {
   ObstacleTaker take_obstacle_;
   mutable std::mutex mutex_;
   std::condition_variable_any wakes_;
-  std::map<int, Order> orders_;       // by channel
-  std::map<int, Foreseen> foreseen_;  // by the channel whose program it is
-  std::atomic<int> at_work_{0};       // channel of the simulation under way
+  std::map<int, Order> orders_;                        // by channel
+  std::map<int, Foreseen> foreseen_;                   // by the channel whose program it is
+  std::map<int, std::shared_ptr<PlannedPath>> paths_;  // by channel
+  std::uint32_t last_path_ = 0;
+  std::atomic<int> at_work_{0};  // channel of the simulation under way
   std::atomic<bool> is_outdated_{false};
   std::jthread thread_;
 };

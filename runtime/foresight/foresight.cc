@@ -1,4 +1,4 @@
-#include "runtime/foresight.h"
+#include "runtime/foresight/foresight.h"
 
 #include <pthread.h>
 #include <sched.h>
@@ -58,6 +58,40 @@ class PreviewGathering final : public CycleObserver {
 
  private:
   std::map<int, recording::PreviewWriter> writers_;
+};
+
+// Paths of the channels that move, each from its first movement on.
+class PathGathering final : public CycleObserver {
+ public:
+  using NewPath = std::function<std::shared_ptr<PlannedPath>(int channel)>;
+
+  PathGathering(const channels::MachineConfig& machine, NewPath new_path)
+      : machine_(machine), new_path_(std::move(new_path)) {}
+
+  void observe(const channels::CycleOutput& output) override {
+    for (const channels::ChannelOutput& channel : output.of_channels()) {
+      if (channel.axis_count == 0) continue;
+      auto writer = writers_.find(channel.id);
+      if (writer == writers_.end() && channel.running && channel.moving)
+        writer = writers_.emplace(channel.id, writer_for(channel.id)).first;
+      if (writer != writers_.end()) writer->second.add(channel);
+    }
+  }
+
+  void complete() {
+    for (auto& [channel, writer] : writers_) writer.complete();
+  }
+
+ private:
+  [[nodiscard]] PlannedPathWriter writer_for(int channel) const {
+    const auto config = std::find_if(machine_.channels.begin(), machine_.channels.end(),
+                                     [&](const auto& one) { return one.id == channel; });
+    return {config->words, new_path_(channel)};
+  }
+
+  const channels::MachineConfig& machine_;
+  NewPath new_path_;
+  std::map<int, PlannedPathWriter> writers_;
 };
 
 // Never in the way of anything else.
@@ -134,6 +168,7 @@ void Foresight::look_at(int channel, const std::string& program, const channels:
   }
   const std::lock_guard lock(mutex_);
   foreseen_.erase(channel);
+  paths_.erase(channel);
   orders_[channel] = std::move(order);
   if (at_work_ == channel) is_outdated_ = true;
   wakes_.notify_one();
@@ -191,6 +226,7 @@ std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
   options.until_s = machine_time_max_s;
   TimelineWriter writer(seen.timelines, file_.machine.cycle_us * 1e-6);
   PreviewGathering previews(file_.machine);
+  PathGathering paths(file_.machine, [&](int channel) { return new_path(channel, order.program); });
   const auto give_up_at = std::chrono::steady_clock::now() + wall_max;
   bool is_given_up = false;
   const auto interrupted = [&] {
@@ -198,13 +234,27 @@ std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
         stop.stop_requested() || is_outdated_ || std::chrono::steady_clock::now() > give_up_at;
     return is_given_up;
   };
-  const auto result = simulate(options, {&writer, &previews}, interrupted);
+  const auto result = simulate(options, {&writer, &previews, &paths}, interrupted);
   if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
   seen.total_s = result.machine_time_s;
   if (!result.alarms.empty()) seen.alarm = result.alarms.front();
   previews.hand_to(take_path_, order.program);
+  paths.complete();
   seen.is_known = true;
   return seen;
+}
+
+std::shared_ptr<PlannedPath> Foresight::new_path(int channel, const std::string& program) {
+  const std::lock_guard lock(mutex_);
+  auto path = std::make_shared<PlannedPath>(++last_path_, program);
+  if (!is_outdated_) paths_[channel] = path;
+  return path;
+}
+
+std::shared_ptr<const PlannedPath> Foresight::planned_path(int channel) const {
+  const std::lock_guard lock(mutex_);
+  const auto path = paths_.find(channel);
+  return path == paths_.end() ? nullptr : path->second;
 }
 
 // How far in the time of the simulation a channel has come.

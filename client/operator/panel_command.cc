@@ -1,0 +1,147 @@
+#include "client/operator/panel_command.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/place.h"
+#include "base/system_error.h"
+#include "client/operator/operator_client.h"
+#include "client/terminal/exit_codes.h"
+#include "client/terminal/output.h"
+#include "protocol/json_rpc.h"
+#include "protocol/socket_location.h"
+
+namespace stanok::client {
+namespace {
+
+constexpr int answer_time_max_ms = 5000;
+constexpr auto remedy = "; start one beside the daemon: stanok-web --socket PATH";
+
+struct PanelOptions {
+  std::string socket;
+  std::string link_socket;
+  bool opens = true;
+  bool json = false;
+};
+
+// A descriptor that is closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+void connect_to_desk(const Descriptor& desk, const std::filesystem::path& socket) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string path = socket.string();
+  const bool fits = path.size() < sizeof address.sun_path;
+  if (fits) std::copy(path.begin(), path.end(), address.sun_path);
+  errno = ENAMETOOLONG;
+  if (!fits ||
+      ::connect(desk.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    throw ConnectionError("no stanok-web gives links at " + path + ": " + system_error_text(errno) +
+                          remedy);
+  }
+}
+
+// All that the desk says until it closes the connection.
+std::string text_from(const Descriptor& desk) {
+  std::string text;
+  std::array<char, 1024> bytes{};
+  pollfd wanted{.fd = desk.number(), .events = POLLIN, .revents = 0};
+  while (::poll(&wanted, 1, answer_time_max_ms) == 1) {
+    const ssize_t count = ::recv(desk.number(), bytes.data(), bytes.size(), 0);
+    if (count <= 0) break;
+    text.append(bytes.data(), checked_size(count));
+  }
+  return text;
+}
+
+std::string link_from(const std::filesystem::path& socket) {
+  const Descriptor desk(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  connect_to_desk(desk, socket);
+  const auto answer = protocol::json_from_text(text_from(desk));
+  const std::string link = answer.is_object() ? answer.value("link", "") : "";
+  if (link.empty())
+    throw ConnectionError("the stanok-web at " + socket.string() +
+                          " gives links to the user who started it, and to root");
+  return link;
+}
+
+bool has_screen() {
+  const auto is_set = [](const char* variable) {
+    const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
+    return value != nullptr && *value != '\0';
+  };
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
+// Whether a browser was asked to; what it does with the link is not known.
+bool open_in_browser(std::string link) {
+  std::string program = "xdg-open";
+  std::array<char*, 3> arguments{program.data(), link.data(), nullptr};
+  posix_spawn_file_actions_t actions{};
+  posix_spawn_file_actions_init(&actions);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
+  pid_t process = 0;
+  const int error =
+      posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error == 0;
+}
+
+void show_panel(const PanelOptions& options) {
+  const std::filesystem::path desk = options.link_socket.empty()
+                                         ? protocol::link_socket(choose_socket(options.socket))
+                                         : std::filesystem::path(options.link_socket);
+  const std::string link = link_from(desk);
+  const bool is_opened = options.opens && has_screen() && open_in_browser(link);
+  if (options.json) return write_json(nlohmann::json{{"link", link}, {"opened", is_opened}});
+  write_data(link + "\n");
+  if (!is_opened) write_message("open this link in a browser; it can be used once\n");
+}
+
+}  // namespace
+
+void add_panel_command(CLI::App& app, const std::string& socket, int& exit_code) {
+  const auto options = std::make_shared<PanelOptions>();
+  CLI::App* command =
+      app.add_subcommand("panel", "open the page of the machine, that stanok-web serves");
+  command->add_option("--socket", options->socket, "socket of the daemon")->type_name("PATH");
+  command
+      ->add_option("--link-socket", options->link_socket,
+                   "as stanok-web was given it; default: beside the socket of the daemon")
+      ->type_name("PATH");
+  command->add_flag("--open,!--no-open", options->opens,
+                    "open the link where there is a screen (default), or only print it");
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options, &socket, &exit_code] {
+    if (options->socket.empty()) options->socket = socket;
+    show_panel(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace stanok::client

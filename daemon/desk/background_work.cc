@@ -1,0 +1,103 @@
+#include "daemon/desk/background_work.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+
+namespace stanok::daemon {
+namespace {
+
+using protocol::Failure;
+using protocol::FailureKind;
+
+CommandResult cancelled() {
+  return Unexpected<Failure>(
+      Failure{FailureKind::refused, "E9017", "the request was cancelled", 0, {}});
+}
+
+// Never in the way of anything else.
+void become_idle() {
+  const sched_param none{};
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none));
+}
+
+}  // namespace
+
+BackgroundWork::BackgroundWork(Urgency urgency)
+    : urgency_(urgency), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+
+BackgroundWork::~BackgroundWork() {
+  {
+    const std::lock_guard lock(mutex_);
+    at_work_.request_stop();
+  }
+  thread_.request_stop();
+  thread_.join();
+}
+
+void BackgroundWork::submit(int session, Work work, Answer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto of_session = std::count_if(waiting_.begin(), waiting_.end(), [&](const Task& task) {
+      return task.session == session;
+    });
+    if (waiting_.size() < waiting_max && of_session < of_session_max) {
+      waiting_.push_back({session, std::move(work), std::move(answer)});
+      wakes_.notify_one();
+      return;
+    }
+  }
+  answer(Unexpected<Failure>(
+      Failure{FailureKind::refused, "E9007", "too many requests wait already", 0, {}}));
+}
+
+void BackgroundWork::cancel(int session) {
+  const std::lock_guard lock(mutex_);
+  for (Task& task : waiting_) {
+    if (task.session == session) task.stop.request_stop();
+  }
+  if (session_at_work_ == session) at_work_.request_stop();
+}
+
+void BackgroundWork::tick() {
+  std::vector<Result> done;
+  {
+    const std::lock_guard lock(mutex_);
+    done.swap(done_);
+  }
+  for (const Result& result : done) result.task.answer(result.outcome);
+}
+
+// A fault of the work costs its answer only.
+CommandResult BackgroundWork::outcome_of(const Task& task) {
+  if (task.stop.stop_requested()) return cancelled();
+  try {
+    CommandResult outcome = task.work(task.stop.get_token());
+    return task.stop.stop_requested() ? cancelled() : std::move(outcome);
+  } catch (const std::exception& error) {
+    return Unexpected<Failure>(Failure{FailureKind::internal, "", error.what(), 0, {}});
+  }
+}
+
+void BackgroundWork::serve(const std::stop_token& stop) {
+  if (urgency_ == Urgency::idle) become_idle();
+  while (true) {
+    Task task;
+    {
+      std::unique_lock lock(mutex_);
+      if (!wakes_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
+      task = std::move(waiting_.front());
+      waiting_.pop_front();
+      session_at_work_ = task.session;
+      at_work_ = task.stop;
+    }
+    CommandResult outcome = outcome_of(task);
+    const std::lock_guard lock(mutex_);
+    session_at_work_ = 0;
+    task.work = nullptr;
+    done_.push_back({std::move(task), std::move(outcome)});
+  }
+}
+
+}  // namespace stanok::daemon

@@ -1,0 +1,99 @@
+#include "daemon/desk/path_pages.h"
+
+#include <sodium.h>
+
+#include <bit>
+#include <limits>
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+using protocol::Failure;
+using protocol::FailureKind;
+using runtime::PathPage;
+
+constexpr int kind_path = 1;  // of a page of geometry
+
+void append(std::string& bytes, std::uint32_t word) {
+  for (unsigned shift = 0; shift < 32; shift += 8)
+    bytes.push_back(static_cast<char>(word >> shift & 0xFFU));
+}
+
+std::string bytes_of(const PathPage& page) {
+  std::string bytes;
+  constexpr std::size_t point_bytes = 16;
+  bytes.reserve(page.points.size() * point_bytes);
+  for (const PathPage::Point& point : page.points) {
+    for (const float value : point.place_mm) append(bytes, std::bit_cast<std::uint32_t>(value));
+  }
+  for (const PathPage::Point& point : page.points) append(bytes, point.line);
+  return bytes;
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr int variant = sodium_base64_VARIANT_ORIGINAL;
+  std::string text(sodium_base64_encoded_len(bytes.size(), variant), '\0');
+  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
+                    bytes.size(), variant);
+  text.pop_back();  // the zero that ends it
+  return text;
+}
+
+// [first, behind the last] of the points that are so.
+json ranges_where(const PathPage& page, bool PathPage::Point::* is_so) {
+  json ranges = json::array();
+  std::size_t first = 0;
+  for (std::size_t k = 0; k <= page.points.size(); ++k) {
+    if (k < page.points.size() && page.points[k].*is_so) continue;
+    if (k > first) ranges.push_back({first, k});
+    first = k + 1;
+  }
+  return ranges;
+}
+
+json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
+  return {{"kind", kind_path},
+          {"id", id},
+          {"page", number},
+          {"count", page.points.size()},
+          {"rapid", ranges_where(page, &PathPage::Point::rapid)},
+          {"begins", ranges_where(page, &PathPage::Point::begins)},
+          {"base64", base64(bytes_of(page))}};
+}
+
+CommandResult path_is_gone() {
+  return Unexpected<Failure>(
+      Failure{FailureKind::refused, "E9018", "there is another path now", 0, {}});
+}
+
+}  // namespace
+
+CommandResult path_answer(const runtime::PlannedPath* path, int channel, const json& parameters) {
+  const bool wants_one = parameters.contains("page") && parameters.value("follow", 0) == 0;
+  const auto wanted_id = parameters.value("path", std::uint64_t{0});
+  if (path == nullptr) {
+    if (wanted_id != 0) return path_is_gone();
+    return json{{"channel", channel}, {"program", nullptr}, {"id", nullptr},      {"pages", 0},
+                {"points", 0},        {"complete", false},  {"geometry", nullptr}};
+  }
+  if (wanted_id != 0 && wanted_id != path->id()) return path_is_gone();
+  const auto state = path->state();
+  const auto number = parameters.value("page", std::size_t{0});
+  const auto page = path->page(number);
+  json answer = {{"channel", channel},     {"program", path->program()},
+                 {"id", path->id()},       {"pages", state.pages},
+                 {"points", state.points}, {"complete", state.is_complete},
+                 {"geometry", nullptr}};
+  if (page == nullptr) return answer;
+  answer["geometry"] = geometry_of(*page, path->id(), number);
+  if (!wants_one && number + 1 < state.pages) {
+    answer["geometry"]["more"] = {
+        {"method", "program.path"},
+        {"params",
+         {{"channel", channel}, {"path", path->id()}, {"page", number + 1}, {"follow", 1}}}};
+  }
+  return answer;
+}
+
+}  // namespace stanok::daemon

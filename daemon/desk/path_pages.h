@@ -1,0 +1,20 @@
+// A planned path as answers: a page of points at a time.
+//
+// The member `geometry` holds the page: points as Float32 (x, y, z, mm) and behind them their lines
+// as Uint32, all little endian, in base64; `rapid` and `begins` name the points to which a rapid
+// move or no line leads, as ranges [first, behind the last]. `more` is the request for the next
+// page. stanok-web makes binary frames of these pages.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "daemon/desk/command_desk.h"
+#include "runtime/foresight/planned_path.h"
+
+namespace stanok::daemon {
+
+// `path` is nullptr where there is none.
+[[nodiscard]] CommandResult path_answer(const runtime::PlannedPath* path, int channel,
+                                        const nlohmann::json& parameters);
+
+}  // namespace stanok::daemon

@@ -1,0 +1,96 @@
+// PlannedPath: where a program will lead the tip of a channel, point by point with the lines of the
+// program, as it grows.
+//
+// One thread writes, others read pages that are finished. A page never changes, so that what was
+// read stays. Points lie in the active workpiece system W, mm, and no point of the path is further
+// than 0.01 mm from the line between two of them; each has the line of the block that leads to it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/contract/output.h"
+#include "recording/format/path_preview.h"
+
+namespace stanok::runtime {
+
+struct PathPage {
+  struct Point {
+    std::array<float, 3> place_mm{};
+    std::uint32_t line = 0;
+    bool begins = false;  // no line leads to it
+    bool rapid = false;
+  };
+  std::vector<Point> points;
+};
+
+class PlannedPath {
+ public:
+  static constexpr std::size_t page_points = 4096;
+  static constexpr std::size_t points_max = 2'000'000;
+
+  PlannedPath(std::uint32_t id, std::string program) : id_(id), program_(std::move(program)) {}
+
+  // Given once, to one path.
+  [[nodiscard]] std::uint32_t id() const { return id_; }
+  [[nodiscard]] const std::string& program() const { return program_; }
+
+  // Any thread.
+  struct State {
+    std::size_t pages = 0;
+    std::size_t points = 0;
+    bool is_complete = false;
+  };
+  [[nodiscard]] State state() const;
+  // nullptr: it is not there yet.
+  [[nodiscard]] std::shared_ptr<const PathPage> page(std::size_t number) const;
+
+  // The thread that writes. Points beyond the bound are left out; the path never is complete then.
+  void add(const PathPage::Point& point);
+  void complete();
+
+ private:
+  void finish_page();
+
+  std::uint32_t id_;
+  std::string program_;
+  PathPage growing_;  // of the thread that writes
+  bool is_full_ = false;
+  mutable std::mutex mutex_;
+  State state_;
+  std::vector<std::shared_ptr<const PathPage>> pages_;
+};
+
+// Makes the path of one channel from the outputs of all cycles.
+class PlannedPathWriter {
+ public:
+  // `words` of the channel's axes, in their order: X, Y and Z make the point.
+  PlannedPathWriter(std::span<const std::string> words, std::shared_ptr<PlannedPath> path);
+  void add(const channels::ChannelOutput& output);
+  void complete();
+  [[nodiscard]] const std::shared_ptr<PlannedPath>& path() const { return path_; }
+
+ private:
+  enum class Joint { begins, continues };
+  void put(const recording::PlotPoint& point, Joint joint);
+  void end_line();
+
+  std::array<std::optional<std::size_t>, 3> axes_;
+  std::shared_ptr<PlannedPath> path_;
+  recording::ChordFilter filter_;
+  // Of the line that grows.
+  bool is_open_ = false;
+  recording::PlotPoint last_{};
+  std::uint32_t line_ = 0;
+  bool rapid_ = false;
+  std::uint32_t run_ = 0;
+  std::int32_t scheme_ = 0;
+};
+
+}  // namespace stanok::runtime

@@ -1,0 +1,148 @@
+// Texts, checks and paths of programs as clients get them.
+#include "daemon/desk/program_desk.h"
+
+#include <gtest/gtest.h>
+#include <sodium.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "tests/daemon/fake_machine.h"
+#include "tests/support/project_folders.h"
+#include "tests/support/temporary_directory.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+
+class ProgramDeskTest : public ::testing::Test {
+ protected:
+  ProgramDeskTest() { machine.root = root.path(); }
+
+  using Ask = std::function<void(Answer answer)>;
+  CommandResult answer_to(const Ask& ask) {
+    std::optional<CommandResult> answer;
+    ask([&answer](const CommandResult& outcome) { answer = outcome; });
+    while (!answer) desk.tick();
+    return *answer;
+  }
+  CommandResult read(const json& parameters) {
+    return answer_to([&](Answer answer) { desk.read(1, parameters, std::move(answer)); });
+  }
+  CommandResult write(const json& parameters, int session = 1) {
+    return answer_to([&](Answer answer) { desk.write(session, parameters, std::move(answer)); });
+  }
+
+  stanok::testing::TemporaryDirectory root;
+  FakeMachine machine;
+  ProgramDesk desk{machine};
+};
+
+TEST_F(ProgramDeskTest, ALongTextComesInPieces) {
+  std::string text;
+  while (text.size() < ProgramDesk::read_bytes_max + 1000) text += "(ж) G1 X1\n";
+  std::ofstream(root.path() / "a.nc", std::ios::binary) << text;
+  std::string gathered;
+  json piece;
+  do {
+    piece = *read({{"program", "a.nc"}, {"offset", gathered.size()}});
+    gathered += piece["text"].get<std::string>();
+    EXPECT_EQ(piece["bytes"], text.size());
+    EXPECT_EQ(piece["exact"], true);
+  } while (piece["complete"] == false);
+  EXPECT_EQ(gathered, text);
+  EXPECT_EQ((*read({{"program", "a.nc"}, {"offset", text.size() + 5}}))["text"], "");
+}
+
+TEST_F(ProgramDeskTest, ALongTextIsWrittenInPieces) {
+  EXPECT_TRUE(write({{"program", "a.nc"}, {"text", "G0 "}, {"more", 1}}));
+  EXPECT_TRUE(write({{"program", "b.nc"}, {"text", "of another session"}, {"more", 1}}, 2));
+  EXPECT_FALSE(std::filesystem::exists(root.path() / "a.nc"));
+  const auto written = write({{"program", "a.nc"}, {"text", "X1\n"}});
+  EXPECT_EQ((*written)["bytes"], 6);
+  const auto back = read({{"program", "a.nc"}});
+  EXPECT_EQ((*back)["text"], "G0 X1\n");
+  EXPECT_EQ((*back)["version"], (*written)["version"]);
+}
+
+TEST_F(ProgramDeskTest, WhatIsOnItsWayIsBounded) {
+  const std::string part(900'000, ' ');
+  CommandResult answer = json();
+  for (std::size_t k = 0; k * part.size() <= ProgramDesk::upload_bytes_max && answer; ++k)
+    answer = write({{"program", "a.nc"}, {"text", part}, {"more", 1}});
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, "E9007");
+  EXPECT_TRUE(write({{"program", "a.nc"}, {"text", "M30\n"}})) << "begins anew";
+  EXPECT_EQ((*read({{"program", "a.nc"}}))["text"], "M30\n");
+}
+
+TEST_F(ProgramDeskTest, ThereIsNoPathBeforeASimulation) {
+  const auto none = desk.path(json::object(), 1);
+  EXPECT_EQ((*none)["pages"], 0);
+  EXPECT_TRUE((*none)["geometry"].is_null());
+  EXPECT_EQ(desk.path({{"path", 7}}, 1).error().code, "E9018");
+}
+
+std::string decoded(const std::string& text) {
+  std::string bytes(text.size(), '\0');
+  std::size_t count = 0;
+  EXPECT_EQ(
+      sodium_base642bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.data(),
+                        text.size(), nullptr, &count, nullptr, sodium_base64_VARIANT_ORIGINAL),
+      0);
+  bytes.resize(count);
+  return bytes;
+}
+
+template <class Value>
+Value value_at(const std::string& bytes, std::size_t place) {
+  Value value;
+  std::memcpy(&value, bytes.data() + place * sizeof value, sizeof value);
+  return value;
+}
+
+TEST_F(ProgramDeskTest, PagesOfAPathHaveTheirPointsAndLines) {
+  machine.planned = std::make_shared<runtime::PlannedPath>(5, "a.nc");
+  const std::size_t points = runtime::PlannedPath::page_points + 3;
+  for (std::size_t k = 0; k < points; ++k) {
+    machine.planned->add({.place_mm = {static_cast<float>(k), 0.5F, -1.0F},
+                          .line = static_cast<std::uint32_t>(2 * k),
+                          .begins = k == 0,
+                          .rapid = k == 2 || k == 3 || k + 1 == points});
+  }
+  const auto growing = *desk.path(json::object(), 1);
+  EXPECT_EQ(growing["pages"], 1) << "what is not full yet is not told";
+  EXPECT_EQ(growing["complete"], false);
+  machine.planned->complete();
+  const auto first = *desk.path(json::object(), 1);
+  EXPECT_EQ(first["id"], 5);
+  EXPECT_EQ(first["points"], points);
+  EXPECT_EQ(first["complete"], true);
+  const json& geometry = first["geometry"];
+  EXPECT_EQ(geometry["rapid"], json::parse("[[2,4]]"));
+  EXPECT_EQ(geometry["begins"], json::parse("[[0,1]]"));
+  const std::string bytes = decoded(geometry["base64"].get<std::string>());
+  const std::size_t count = geometry["count"].get<std::size_t>();
+  ASSERT_EQ(bytes.size(), count * 16);
+  EXPECT_EQ(value_at<float>(bytes, 3 * 7), 7.0F);
+  EXPECT_EQ(value_at<float>(bytes, 3 * 7 + 2), -1.0F);
+  EXPECT_EQ(value_at<std::uint32_t>(bytes, 3 * count + 7), 14U);
+  const auto second = *desk.path(geometry["more"]["params"], 1);
+  EXPECT_EQ(second["geometry"]["page"], 1);
+  EXPECT_EQ(second["geometry"]["count"], 3);
+  EXPECT_FALSE(second["geometry"].contains("more"));
+  EXPECT_FALSE((*desk.path({{"page", 0}}, 1))["geometry"].contains("more")) << "one is wanted";
+  EXPECT_EQ(second["geometry"]["rapid"], json::parse("[[2,3]]"));
+}
+
+TEST_F(ProgramDeskTest, PointsBeyondTheBoundAreLeftOut) {
+  runtime::PlannedPath path(1, "a.nc");
+  for (std::size_t k = 0; k < runtime::PlannedPath::points_max + 10'000; ++k) path.add({});
+  path.complete();
+  EXPECT_FALSE(path.state().is_complete);
+  EXPECT_LT(path.state().points, runtime::PlannedPath::points_max + 5'000);
+}
+
+}  // namespace
+}  // namespace stanok::daemon

@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+"""stanok-web before a real daemon with simulated drives: what a browser does to the machine, and what it cannot.
+
+usage: machine_test.py STANOK_WEB STANOKD STANOK MACHINE_FILE [unittest arguments]
+"""
+import contextlib
+import json
+import math
+import os
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support"))
+from running_daemon import Operator, running_daemon  # noqa: E402
+from web_browser import PATIENCE_S, Browser, Closed, running_web  # noqa: E402
+
+STANOK_WEB, STANOKD, STANOK, MACHINE = (sys.argv.pop(1) for _ in range(4))
+LONG_PROGRAM = "for (num turn = 0; turn < 100000; turn++) {\nG1 X5 F600\nX0\n}\nM30\n"
+
+
+class AtTheMachine(unittest.TestCase):
+    def setUp(self):
+        stack = contextlib.ExitStack()
+        self.addCleanup(stack.close)
+        self.folder = stack.enter_context(tempfile.TemporaryDirectory())
+        self.machine = stack.enter_context(running_daemon(STANOKD, MACHINE, LONG_PROGRAM))
+        self.operator = Operator(self.machine.socket_path)
+        stack.callback(self.operator.socket.close)
+        stack.callback(self.operator.lines.close)
+        self.web = stack.enter_context(running_web(STANOK_WEB, self.folder, self.machine.socket_path,
+                                                   error=subprocess.DEVNULL))
+        self.browser = Browser(self.web)
+
+    def until(self, condition, what):
+        """The status of the channel, when it is so."""
+        end = time.monotonic() + PATIENCE_S
+        while not condition(status := self.operator.ask("channel.status")):
+            self.assertLess(time.monotonic(), end, f"never {what}: {status}")
+            time.sleep(0.02)
+        return status
+
+    def open_window(self):
+        self.browser.enter_by_link()
+        window = self.browser.open_window()
+        self.assertEqual(window.receive()["method"], "hello")
+        return window
+
+    def insist(self, window, method, /, code, **parameters):
+        """Asks again as long as the refusal is the one that is to be expected meanwhile."""
+        end = time.monotonic() + PATIENCE_S
+        while "result" not in (answer := window.answer(method, **parameters)):
+            self.assertEqual(answer["error"]["data"]["code"], code)
+            self.assertLess(time.monotonic(), end, answer)
+            time.sleep(0.05)
+
+    def switch_on(self, window):
+        """A computer that is loaded may starve the drives inside the daemon; one switches on again."""
+        self.insist(window, "machine.on", code="A3001")
+
+    def test_a_job_outlives_the_page_and_its_server(self):
+        window = self.open_window()
+        self.switch_on(window)
+        window.ask("program.run", program="part.nc")
+        self.until(lambda status: status["line"] > 0, "a line was executed")
+        self.web.process.send_signal(signal.SIGKILL)
+        with self.assertRaises((Closed, OSError)):
+            while True:
+                window.receive()
+        window.close()
+        block = self.operator.ask("channel.status")["block"]
+        status = self.until(lambda status: status["block"] > block + 3, "the job went on")
+        self.assertEqual(status["state"], "Active")
+        self.web.process.wait()
+        self.web.process.returncode = 0  # as it was meant
+
+    def test_a_jog_ends_with_the_browser(self):
+        window = self.open_window()
+        self.switch_on(window)
+        # The drives hold the axes a moment after they were switched on.
+        self.insist(window, "jog", code="E6008", axis="X", velocity=5)
+        self.until(lambda status: status["speed_mm_s"] != 0 or status["position"]["X"] != 0, "the axis moved")
+        window.socket.close()
+        window.stream.close()
+        last = [None]
+
+        def rests(status):
+            stood, last[0] = last[0] == status["position"]["X"], status["position"]["X"]
+            return stood
+        self.until(rests, "at rest")
+
+    def test_status_comes_by_itself(self):
+        window = self.open_window()
+        window.ask("subscribe", topics=["channels", "machine"], rate_hz=20)
+        while (message := window.receive()).get("method") != "status":
+            pass
+        self.assertIn("1", message["params"]["state"]["channels"])
+        window.close()
+
+    def test_the_planned_path_follows_in_binary_frames(self):
+        window = self.open_window()
+        round_program = "G21 G90 G17\nG0 X20 Y0 Z5\nG1 Z0 F6000\n" + "G2 I-20\nG3 I-20\n" * 40 + "M30\n"
+        window.ask("program.write", program="round.nc", text=round_program)
+        window.ask("program.load", program="round.nc")
+        end = time.monotonic() + PATIENCE_S
+        while not (path := window.ask("program.path"))["complete"]:
+            self.assertLess(time.monotonic(), end, path)
+            time.sleep(0.05)
+        self.assertNotIn("base64", path["geometry"])
+        pages = {}
+        while len(pages) < path["pages"]:
+            for frame in window.binary:
+                kind, number, page, count = struct.unpack_from("<4I", frame)
+                if number == path["id"]:
+                    pages[page] = (kind, count, frame)
+            window.binary.clear()
+            if len(pages) < path["pages"]:
+                opcode, payload = window.receive_frame()
+                if opcode == 2:
+                    window.binary.append(payload)
+                else:
+                    self.assertEqual(json.loads(payload)["method"], "geometry")
+        self.assertGreater(path["pages"], 1)
+        points, lines = [], []
+        for page in sorted(pages):
+            kind, count, frame = pages[page]
+            self.assertEqual((kind, len(frame)), (1, 16 + 16 * count))
+            numbers = struct.unpack_from(f"<{3 * count}f", frame, 16)
+            points += zip(*[iter(numbers)] * 3)
+            lines += struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+        self.assertEqual(len(points), path["points"])
+        self.assertEqual(lines, sorted(lines))
+        for (x, y, _), line in zip(points, lines):
+            if line > 3:
+                self.assertAlmostEqual(math.hypot(x, y), 20.0, delta=1e-4)
+        window.close()
+
+    def test_programs_are_edited_by_who_knows_their_version(self):
+        window = self.open_window()
+        text = window.ask("program.read", program="part.nc")
+        self.assertEqual(text["text"], LONG_PROGRAM)
+        window.ask("program.write", program="part.nc", text="M30\n", version=text["version"])
+        refused = window.answer("program.write", program="part.nc", text="M2\n", version=text["version"])
+        self.assertEqual(refused["error"]["data"]["code"], "E9019")
+        found = window.ask("program.check", program="part.nc", text="G1 X1 F100\nthis is none\nM30\n")
+        self.assertFalse(found["ok"])
+        self.assertEqual(found["diagnostics"][0]["line"], 2)
+        window.close()
+
+    def test_an_estimate_runs_the_program_on_a_virtual_clock(self):
+        window = self.open_window()
+        window.ask("program.write", program="wait.nc", text="G4 P20\nG4 P40\nM30\n")
+        found = window.ask("program.estimate", program="wait.nc")
+        self.assertTrue(found["ok"] and found["complete"])
+        self.assertAlmostEqual(found["time_s"], 60, delta=0.1)
+        window.ask("program.write", program="far.nc", text="G0 X1\nG0 X100000\nM30\n")
+        self.assertEqual(window.ask("program.estimate", program="far.nc")["alarm"]["code"], "E5101")
+        refused = window.answer("program.estimate", program="none.nc")
+        self.assertIn("error", refused)
+        window.close()
+
+    def test_an_endless_check_delays_no_stop_and_can_be_ended(self):
+        window = self.open_window()
+        endless = "for (num turn = 0; turn < 1000000000; turn++) {\nG1 X5 F600\nX0\n}\nM30\n"
+        window.send({"jsonrpc": "2.0", "id": 1000, "method": "program.check",
+                     "params": {"program": "endless.nc", "text": endless}})
+        self.switch_on(window)
+        window.ask("program.stop")
+        window.ask("program.read", program="part.nc")
+        window.ask("program.check_cancel")
+        while (message := next((one for one in window.notifications if one.get("id") == 1000), None)) is None:
+            window.notifications.append(window.receive())
+        self.assertEqual(message["error"]["data"]["code"], "E9017")
+        window.close()
+
+    def test_fifty_pages_at_once(self):
+        self.browser.enter_by_link()
+        windows = [self.browser.open_window() for _ in range(50)]
+        for window in windows:
+            self.assertEqual(window.receive()["method"], "hello")
+        for window in windows:
+            self.assertIn("state", window.ask("channel.status"))
+            window.close()
+        self.until(lambda _: self.operator.ask("system.info")["clients"] == 1, "they had gone")
+
+    def test_stanok_panel_prints_a_link_that_opens(self):
+        desk = os.path.join(self.folder, "links.panel")
+        surroundings = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        printed = subprocess.run([STANOK, "panel", "--link-socket", desk, "--json"], env=surroundings, check=True,
+                                 capture_output=True, timeout=PATIENCE_S)
+        link = json.loads(printed.stdout)
+        self.assertFalse(link["opened"])
+        self.web.token = link["link"].split("#")[1]
+        self.browser.enter_by_link()
+        session = self.browser.request("GET", "/api/session").json()
+        self.assertEqual(session["role"], "integrator")
+
+    def test_stanok_panel_says_that_there_is_no_server(self):
+        done = subprocess.run([STANOK, "panel", "--socket", os.path.join(self.folder, "none.sock")], check=False,
+                              capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("stanok-web --socket", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

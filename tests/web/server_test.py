@@ -1,0 +1,505 @@
+#!/usr/bin/env python3
+"""stanok-web as browsers see it, with a daemon that only speaks as one does.
+
+usage: server_test.py STANOK_WEB [unittest arguments]
+"""
+import contextlib
+import gzip
+import json
+import os
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support"))
+from web_browser import PATIENCE_S, Browser, Closed, FakeDaemon, Refused, connect, running_web  # noqa: E402
+
+STANOK_WEB = sys.argv.pop(1)
+with open(STANOK_WEB, "rb") as program:
+    IS_SANITIZED = b"__asan_init" in program.read()
+
+
+class WithServer(unittest.TestCase):
+    options = ()
+
+    def start_options(self):
+        return self.options
+
+    def setUp(self):
+        stack = contextlib.ExitStack()
+        self.addCleanup(stack.close)
+        self.folder = stack.enter_context(tempfile.TemporaryDirectory())
+        page = os.path.join(self.folder, "page")
+        os.makedirs(os.path.join(page, "assets"))
+        self.write("page/index.html", "<p>the page")
+        self.write("page/assets/index-1a2b3c4d.js", "let x;")
+        self.write("secret.txt", "not for others")
+        os.symlink(os.path.join(self.folder, "secret.txt"), os.path.join(page, "linked.txt"))
+        with gzip.open(os.path.join(page, "assets/index-1a2b3c4d.js.gz"), "wb") as compressed:
+            compressed.write(b"let x;")
+        path = os.path.join(self.folder, "op.sock")
+        self.daemon = stack.enter_context(FakeDaemon(path))
+        self.web = stack.enter_context(running_web(STANOK_WEB, self.folder, path, *self.start_options(),
+                                                   error=subprocess.DEVNULL))
+        self.browser = Browser(self.web)
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def another_link(self):
+        with socket.socket(socket.AF_UNIX) as desk:
+            desk.connect(os.path.join(self.folder, "links.panel"))
+            return json.loads(desk.makefile().read())["link"]
+
+
+class Files(WithServer):
+    def test_the_page_may_load_only_what_is_here_and_is_asked_for_anew(self):
+        answer = self.browser.request("GET", "/")
+        self.assertEqual((answer.status, answer.content), (200, b"<p>the page"))
+        self.assertTrue(answer.fields["content-security-policy"].startswith("default-src 'self'; "))
+        self.assertIn("frame-ancestors 'none'", answer.fields["content-security-policy"])
+        self.assertNotIn("unsafe-eval", answer.fields["content-security-policy"])
+        self.assertEqual(answer.fields["cache-control"], "no-cache")
+        self.assertEqual(answer.fields["x-content-type-options"], "nosniff")
+
+    def test_what_has_its_hash_in_its_name_is_kept_for_ever(self):
+        plain = self.browser.request("GET", "/assets/index-1a2b3c4d.js")
+        self.assertEqual(plain.content, b"let x;")
+        self.assertIn("immutable", plain.fields["cache-control"])
+        small = self.browser.request("GET", "/assets/index-1a2b3c4d.js", Accept_Encoding="br, gzip")
+        self.assertEqual(small.fields["content-encoding"], "gzip")
+        self.assertEqual(small.fields["content-type"], "text/javascript; charset=utf-8")
+        self.assertEqual(gzip.decompress(small.content), b"let x;")
+
+    def test_a_head_has_no_content(self):
+        answer = self.browser.request("HEAD", "/")
+        self.assertEqual((answer.status, answer.fields["content-length"]), (200, "11"))
+
+    def test_a_page_that_was_built_anew_is_there_on_reload(self):
+        self.write("page/index.html", "<p>newer")
+        os.utime(os.path.join(self.folder, "page/index.html"), (1, 1))
+        self.assertEqual(self.browser.request("GET", "/").content, b"<p>newer")
+
+    def test_nothing_outside_of_the_folder_has_a_name(self):
+        for path in ("/../secret.txt", "/%2e%2e/secret.txt", "/assets/../../secret.txt", "//secret.txt",
+                     "/linked.txt", "/..%2fsecret.txt", "/assets", "/index.html/", "/\\..\\secret.txt"):
+            with self.subTest(path):
+                self.assertEqual(self.browser.request("GET", path).status, 404)
+
+    def test_other_methods_are_refused(self):
+        for method in ("PUT", "DELETE", "POST", "OPTIONS", "PATCH"):
+            with self.subTest(method):
+                self.assertEqual(self.browser.request(method, "/").status, 405)
+
+
+class Documents(WithServer):
+    def test_health_and_method_table_are_for_everybody(self):
+        self.assertEqual(self.browser.request("GET", "/health").json(), {"status": "ok", "daemon": True})
+        document = self.browser.request("GET", "/api/openrpc.json").json()
+        self.assertIn("program.start", [method["name"] for method in document["methods"]])
+
+    def test_health_tells_that_no_daemon_answers(self):
+        self.daemon.listener.close()
+        os.unlink(os.path.join(self.folder, "op.sock"))
+        self.assertEqual(self.browser.request("GET", "/health").json(), {"status": "ok", "daemon": False})
+
+
+class Links(WithServer):
+    def test_a_link_opens_once(self):
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
+        self.browser.enter_by_link()
+        session = self.browser.request("GET", "/api/session").json()
+        self.assertEqual((session["role"], session["machine"]), ("integrator", "fake mill"))
+        again = Browser(self.web).request("POST", "/api/session", {"token": self.web.token})
+        self.assertEqual(again.status, 401)
+
+    def test_the_cookie_is_for_this_server_only(self):
+        answer = self.browser.request("POST", "/api/session", {"token": self.web.token})
+        cookie = answer.fields["set-cookie"]
+        for attribute in ("HttpOnly", "SameSite=Strict", "Path=/"):
+            self.assertIn(attribute, cookie.split("; "))
+
+    def test_the_owner_gets_another_link(self):
+        self.web.token = self.another_link().split("#")[1]
+        self.browser.enter_by_link()
+
+    def test_a_wrong_link_opens_nothing(self):
+        for content in ({"token": "wrong"}, {"token": ""}, {"token": 1}, {}, [], b"{", b"", b"[" * 5000):
+            with self.subTest(content):
+                self.assertIn(self.browser.request("POST", "/api/session", content).status, (400, 401))
+
+    def test_a_form_of_a_foreign_page_is_no_request(self):
+        content = {"token": self.web.token}
+        form = self.browser.request("POST", "/api/session", content, Content_Type="text/plain")
+        self.assertEqual(form.status, 415)
+        foreign = self.browser.request("POST", "/api/session", content, Origin="http://evil.example")
+        self.assertEqual(foreign.status, 403)
+        self.browser.enter_by_link()
+
+    def test_who_leaves_loses_his_windows(self):
+        self.browser.enter_by_link()
+        window = self.browser.open_window()
+        window.receive()
+        cookie = self.browser.cookie
+        self.assertEqual(self.browser.request("DELETE", "/api/session").status, 204)
+        with self.assertRaises(Closed):
+            window.receive()
+        window.close()
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
+        self.browser.cookie = cookie
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
+        with self.assertRaises(Refused) as refused:
+            self.browser.open_window()
+        self.assertEqual(refused.exception.status, 401)
+
+
+class Windows(WithServer):
+    def setUp(self):
+        super().setUp()
+        self.browser.enter_by_link()
+
+    def test_messages_pass_as_they_are(self):
+        window = self.browser.open_window()
+        self.assertEqual(window.receive()["params"]["machine"], "fake mill")
+        window.send('{"jsonrpc":"2.0",\n "id":7, "method":"x",\r\n "params":{"text":"\\nж"}}')
+        self.assertEqual(window.receive(), {"jsonrpc": "2.0", "id": 7, "result": {"text": "\nж"}})
+        self.assertEqual(self.daemon.lines[-1].decode(),
+                         '{"jsonrpc":"2.0",  "id":7, "method":"x",   "params":{"text":"\\nж"}}\n')
+        window.close()
+
+    def test_the_connection_to_the_daemon_ends_with_the_browser(self):
+        window = self.browser.open_window()
+        window.receive()
+        self.daemon.wait_until(lambda daemon: daemon.open == 1)
+        window.socket.close()
+        window.stream.close()
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
+
+    def test_foreign_pages_and_names_get_none(self):
+        for changed in ({"Origin": "http://evil.example"}, {"Origin": None}, {"Origin": "null"},
+                        {"Origin": f"https://{self.web.host}"}, {"Origin": "http://127.0.0.1:1"},
+                        {"Host": "evil.example"}, {"Host": None},
+                        {"Host": "evil.example", "Origin": "http://evil.example"},
+                        {"Host": "127.0.0.1.evil.example"}, {"Host": "127.0.0.1:80:80"}, {"Host": ""}):
+            with self.subTest(changed), self.assertRaises(Refused) as refused:
+                self.browser.open_window(**changed)
+            self.assertIn(refused.exception.status, (400, 403))
+
+    def test_without_a_session_there_is_none(self):
+        for cookie in (None, "stanok-session=x", self.browser.cookie + "x", self.browser.cookie.replace("=", "=x")):
+            with self.subTest(cookie), self.assertRaises(Refused) as refused:
+                self.browser.open_window(Cookie=cookie)
+            self.assertEqual(refused.exception.status, 401)
+
+    def test_behind_a_tunnel_the_port_differs(self):
+        window = self.browser.open_window(Host="localhost:9999", Origin="http://localhost:9999")
+        self.assertEqual(window.receive()["method"], "hello")
+        window.close()
+
+    def test_binary_and_too_long_messages_end_the_window(self):
+        for opcode, payload in ((2, b"x"), (1, b" " * ((1 << 20) + 1)), (1, b"\xff\xfe")):
+            window = self.browser.open_window()
+            window.receive()
+            with contextlib.suppress(OSError):
+                window.send_frame(opcode, payload)
+            with self.assertRaises((Closed, OSError)):
+                window.receive()
+            window.close()
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
+
+    def test_without_a_daemon_the_page_is_told_so(self):
+        self.daemon.listener.close()
+        os.unlink(os.path.join(self.folder, "op.sock"))
+        window = self.browser.open_window()
+        self.assertEqual(window.receive()["method"], "dropped")
+        with self.assertRaises(Closed):
+            window.receive()
+        window.close()
+
+    def test_there_are_sixty_places(self):
+        windows = [self.browser.open_window() for _ in range(60)]
+        with self.assertRaises(Refused) as refused:
+            self.browser.open_window()
+        self.assertEqual(refused.exception.status, 503)
+        for window in windows:
+            window.close()
+
+
+class WithUsers(WithServer):
+    PASSWORD = "correct horse battery"
+
+    def setUp(self):
+        # The options of the server name files that its folder does not have yet.
+        with contextlib.ExitStack() as stack:
+            self.access = stack.enter_context(tempfile.TemporaryDirectory())
+            self.addCleanup(stack.pop_all().close)
+        self.users = os.path.join(self.access, "users")
+        self.user("add", "anna", "--role", "operator")
+        self.options = ("--users", self.users)
+        super().setUp()
+
+    def user(self, *arguments, code=0):
+        done = subprocess.run([STANOK_WEB, "user", *arguments, "--users", self.users], input=self.PASSWORD + "\n",
+                              capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout + done.stderr
+
+    def until_refused(self, window):
+        with self.assertRaises((Closed, OSError)):
+            while True:
+                window.receive()
+        window.close()
+
+    def wait_for_user(self, name):
+        """The server looks at its file about once a second."""
+        end = time.monotonic() + PATIENCE_S
+        while self.browser.enter(name, self.PASSWORD).status != 204:
+            self.assertLess(time.monotonic(), end, "the user never came to be known")
+
+    def test_a_password_opens_in_the_role_of_the_user(self):
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+        session = self.browser.request("GET", "/api/session").json()
+        self.assertEqual((session["name"], session["role"]), ("anna", "operator"))
+        window = self.browser.open_window()
+        hello = window.receive()["params"]
+        self.assertEqual((hello["role"], hello["user"]), ("operator", "anna"))
+        self.assertIn(b'"session.role"', self.daemon.lines[0])
+        self.assertIn(b'"operator"', self.daemon.lines[0])
+        window.close()
+
+
+class Users(WithUsers):
+    def test_a_role_is_lowered_before_anything_is_passed_on(self):
+        self.user("add", "olga", "--role", "observer")
+        self.wait_for_user("olga")
+        window = self.browser.open_window()
+        window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {}})
+        self.daemon.wait_until(lambda daemon: len(daemon.lines) == 2)
+        self.assertEqual(json.loads(self.daemon.lines[0])["params"], {"role": "observer", "name": "olga"})
+        self.assertEqual(json.loads(self.daemon.lines[1])["method"], "program.start")
+        window.close()
+
+    def test_without_the_role_there_is_no_window(self):
+        self.daemon.answer_to = lambda request: json.dumps(
+            {"jsonrpc": "2.0", "id": request["id"], "error": {"code": -32601, "message": "no"}}).encode() + b"\n"
+        self.browser.enter("anna", self.PASSWORD)
+        window = self.browser.open_window()
+        self.assertEqual(window.receive()["method"], "dropped")
+        self.until_refused(window)
+
+    def test_wrong_names_and_passwords_are_told_alike(self):
+        wrong = self.browser.enter("anna", "wrong")
+        nobody = Browser(self.web).enter("nobody", self.PASSWORD)
+        self.assertEqual((wrong.status, nobody.status), (401, 401))
+        self.assertEqual(wrong.content, nobody.content)
+        for name, password in (("anna", ""), ("anna", "x" * 300), ("", ""), ("anna:", ""), ("an\0na", self.PASSWORD)):
+            self.assertIn(self.browser.enter(name, password).status, (400, 401))
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+
+    def test_a_user_who_is_removed_or_changed_loses_the_page(self):
+        for change in (("remove", "anna"), ("add", "anna", "--role", "observer")):
+            self.user("add", "anna", "--role", "operator")
+            self.wait_for_user("anna")
+            window = self.browser.open_window()
+            window.receive()
+            self.user(*change)
+            self.until_refused(window)
+            self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
+
+    def test_links_stay_when_users_change(self):
+        self.browser.enter_by_link()
+        self.user("add", "boris", "--role", "programmer")
+        self.wait_for_user_of_another_browser("boris")
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 200)
+
+    def wait_for_user_of_another_browser(self, name):
+        mine, self.browser = self.browser, Browser(self.web)
+        self.wait_for_user(name)
+        self.browser = mine
+
+    def test_the_file_holds_no_password_and_is_for_its_owner(self):
+        self.user("add", "Анна Б.", "--role", "integrator")
+        self.assertEqual(os.stat(self.users).st_mode & 0o777, 0o600)
+        with open(self.users, encoding="utf-8") as file:
+            text = file.read()
+        self.assertNotIn(self.PASSWORD, text)
+        self.assertIn("Анна Б.:integrator:$argon2id$", text)
+        self.assertEqual([line.split() for line in self.user("list").splitlines()],
+                         [["anna", "operator"], ["Анна", "Б.", "integrator"]])
+
+    def test_what_is_no_user_is_refused(self):
+        self.user("add", "a:b", "--role", "operator", code=2)
+        self.user("add", "anna", "--role", "boss", code=2)
+        self.user("add", "anna", code=2)
+        self.user("remove", "nobody", code=1)
+        self.PASSWORD = "short"
+        self.assertIn("10 to 256 bytes", self.user("add", "carl", "--role", "operator", code=1))
+        os.chmod(self.users, 0o644)
+        self.assertIn("chmod 600", self.user("list", code=1))
+
+    def test_a_damaged_file_changes_nothing(self):
+        with open(self.users, "a", encoding="utf-8") as file:
+            file.write("nonsense\n")
+        self.assertIn("line 3", self.user("list", code=1))
+        time.sleep(2)  # the server looks once a second: it keeps the users of before
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+
+
+def certificate(folder):
+    """Certificate and key for TLS, new."""
+    files = os.path.join(folder, "cert.pem"), os.path.join(folder, "key.pem")
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
+                    "-subj", "/CN=localhost", "-out", files[0], "-keyout", files[1]], check=True, capture_output=True)
+    return files
+
+
+class Tls(WithUsers):
+    """Users behind TLS, and what only that admits."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.certificate, self.key = certificate(folder.name)
+        super().setUp()
+
+    def start_options(self):
+        return *self.options, "--tls-cert", self.certificate, "--tls-key", self.key
+
+    def test_cookies_go_through_tls_only(self):
+        self.assertEqual(self.web.scheme, "https")
+        answer = self.browser.enter("anna", self.PASSWORD)
+        self.assertIn("Secure", answer.fields["set-cookie"].split("; "))
+        self.assertIn("max-age", answer.fields["strict-transport-security"])
+
+    def test_plain_requests_get_nothing(self):
+        with socket.create_connection(("127.0.0.1", self.web.port), PATIENCE_S) as one:
+            one.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+            with contextlib.suppress(ConnectionResetError):
+                self.assertNotIn(b"200", one.recv(1000))
+        self.assertEqual(self.browser.request("GET", "/").status, 200)
+
+    def test_with_tls_and_users_it_listens_everywhere(self):
+        socket_path = os.path.join(self.folder, "op.sock")
+        with running_web(STANOK_WEB, self.folder, socket_path, *self.start_options(), "--listen", "0.0.0.0:0",
+                         "--link-socket", os.path.join(self.folder, "other.panel"), error=subprocess.DEVNULL) as web:
+            browser = Browser(web)
+            self.assertEqual(browser.enter("anna", self.PASSWORD).status, 204)
+            browser.open_window().close()
+            self.assertEqual(browser.request("GET", "/", Host="evil.example").status, 403)
+
+    def test_but_not_without_a_user(self):
+        self.user("remove", "anna")
+        done = subprocess.run([STANOK_WEB, "--listen", "0.0.0.0:0", "--socket", "/x", *self.start_options()],
+                              capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("no user yet", done.stderr)
+
+    def test_clients_that_only_begin_tls_keep_nobody_out(self):
+        half = [socket.create_connection(("127.0.0.1", self.web.port), PATIENCE_S) for _ in range(300)]
+        self.assertEqual(self.browser.request("GET", "/health").status, 200)
+        for one in half:
+            one.close()
+
+
+class RudeClients(WithServer):
+    def test_heads_and_contents_are_bounded(self):
+        self.assertEqual(self.browser.request("GET", "/", X="x" * 20000).status, 431)
+        self.assertEqual(self.browser.request("POST", "/api/session", b" " * 10000).status, 413)
+
+    def test_what_is_no_http_gets_an_answer_or_the_end(self):
+        for line in (b"\x00\x01\x02\x03\r\n\r\n", b"GET\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"\x16\x03\x01\x02\x00\x01",
+                     b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: -1\r\n\r\n",
+                     b"GET / HTTP/1.1\r\nHost: a\r\nHost: 127.0.0.1\r\n\r\n"):
+            with self.subTest(line), connect(self.web) as one:
+                one.sendall(line)
+                one.shutdown(socket.SHUT_WR)
+                self.assertNotIn(b" 200 ", one.recv(100))
+        self.assertEqual(self.browser.request("GET", "/").status, 200)
+
+    def test_a_thousand_slow_clients_keep_nobody_out_and_memory_bounded(self):
+        self.browser.enter_by_link()
+        window = self.browser.open_window()
+        window.receive()
+        before = self.web.resident_bytes()
+        rude = []
+        for k in range(1000):
+            one = connect(self.web)
+            # Begins a head, or a content, or asks and reads nothing; and goes on for ever.
+            one.sendall((b"GET / HTTP/1.1\r\nX: " + b"x" * 8000,
+                         b"POST /api/session HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 8000\r\n\r\n[" + b" " * 7000,
+                         b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n" * 100)[k % 3])
+            rude.append(one)
+        self.assertEqual(self.browser.request("GET", "/health").status, 200)
+        self.assertEqual(window.ask("still", here=1), {"here": 1})
+        grown = self.web.resident_bytes() - before
+        # 256 connections, a head, a content and a coroutine each; sanitizers keep what was freed for a while.
+        self.assertLess(grown, (400 if IS_SANITIZED else 40) << 20)
+        for one in rude:
+            one.close()
+        window.close()
+
+    def test_who_does_not_read_loses_the_connection(self):
+        self.browser.enter_by_link()
+        window = self.browser.open_window()
+        window.receive()
+        self.daemon.answer_to = lambda request: b'{"jsonrpc":"2.0","method":"x","params":"' + b"x" * 200000 + b'"}\n'
+        with contextlib.suppress(OSError):
+            for _ in range(100):
+                window.send({"jsonrpc": "2.0", "id": 1, "method": "x", "params": {}})
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
+        window.close()
+
+    def test_a_daemon_that_does_not_greet_keeps_no_place(self):
+        self.daemon.answer_to = lambda request: b"{}\n"
+        self.browser.enter_by_link()
+        window = self.browser.open_window()
+        with self.assertRaises((Closed, OSError)):
+            window.receive()
+        window.close()
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
+
+    def test_a_slow_head_ends(self):
+        with connect(self.web) as one:
+            one.settimeout(PATIENCE_S)
+            with contextlib.suppress(OSError):
+                for _ in range(PATIENCE_S * 4):
+                    one.sendall(b"G")
+                    one.settimeout(0.25)
+                    try:
+                        if one.recv(1) == b"":
+                            return
+                    except TimeoutError:
+                        continue
+                self.fail("the connection is still there")
+
+
+class CommandLine(unittest.TestCase):
+    def expect(self, code, text, *arguments):
+        done = subprocess.run([STANOK_WEB, *arguments], capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertIn(text, done.stdout + done.stderr)
+
+    def test_usage(self):
+        self.expect(0, "--listen", "--help")
+        self.expect(2, "--listen wants", "--listen", "8080")
+        self.expect(2, "--listen wants", "--listen", "localhost:8080")
+        self.expect(2, "belong together", "--socket", "/x", "--tls-cert", "/x")
+
+    def test_other_addresses_than_loopback_want_tls_and_users(self):
+        for address in ("0.0.0.0:0", "[::]:0", "192.0.2.1:0"):
+            self.expect(2, "stanok-web user add", "--socket", "/x", "--listen", address)
+
+    def test_what_cannot_be_opened_is_told(self):
+        with socket.create_server(("127.0.0.1", 0)) as taken, tempfile.TemporaryDirectory() as folder:
+            port = taken.getsockname()[1]
+            self.expect(1, "Address already in use", "--socket", f"{folder}/x", "--listen", f"127.0.0.1:{port}")
+            self.expect(1, "no certificate", "--socket", f"{folder}/x", "--listen", "127.0.0.1:0", "--tls-cert",
+                        f"{folder}/none", "--tls-key", f"{folder}/none")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,60 @@
+// Sessions: who is let in, on the server's side, so that each can be ended at once.
+//
+// The browser holds a secret in a cookie, the server its hash. A session ends when nobody used it
+// for `idle_max`, after `age_max`, by its own wish, or when its user is taken away. One thread.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/method_table.h"
+#include "web/access/secret_text.h"
+
+namespace stanok::web {
+
+struct Visitor {
+  std::string name;
+  protocol::Role role = protocol::Role::observer;
+  // Of the password with which the visitor came; empty: came by a one-time link.
+  std::string password_hash;
+};
+
+struct WebSession {
+  std::uint64_t id = 0;  // never given twice
+  Visitor visitor;
+};
+
+class Sessions {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  static constexpr std::size_t sessions_max = 1024;  // who has been away longest goes first
+  static constexpr auto idle_max = std::chrono::hours(12);
+  static constexpr auto age_max = std::chrono::hours(24 * 7);
+
+  // The secret for the cookie.
+  [[nodiscard]] std::string begin(Visitor visitor, Time now);
+  // Notes that it is used.
+  [[nodiscard]] std::optional<WebSession> find(std::string_view secret, Time now);
+  // Ends all that are asked for, and those whose time is over; their ids.
+  using Condition = std::function<bool(const WebSession& session)>;
+  [[nodiscard]] std::vector<std::uint64_t> end_where(const Condition& condition, Time now);
+
+ private:
+  struct Entry {
+    WebSession session;
+    Time begun{};
+    Time used{};
+  };
+  [[nodiscard]] static bool is_over(const Entry& entry, Time now);
+
+  std::map<SecretHash, Entry> entries_;
+  std::uint64_t last_id_ = 0;
+};
+
+}  // namespace stanok::web

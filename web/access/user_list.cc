@@ -1,0 +1,138 @@
+#include "web/access/user_list.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+
+#include "base/place.h"
+#include "base/system_error.h"
+#include "base/utf8.h"
+
+namespace stanok::web {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t name_bytes_max = 64;
+constexpr ::mode_t only_for_owner = 0600;
+constexpr ::mode_t too_open = 0027;  // written by the group; anything by others
+
+[[noreturn]] void fail(const fs::path& file, const std::string& text) {
+  throw std::runtime_error(file.string() + ": " + text);
+}
+
+void refuse_open_file(const fs::path& file) {
+  struct stat status{};
+  if (::stat(file.c_str(), &status) != 0) fail(file, system_error_text(errno));
+  if ((status.st_mode & too_open) != 0)
+    fail(file, "others may read or write it, which nobody but its owner should: chmod 600");
+}
+
+User user_of(const std::string& line, const fs::path& file, int number) {
+  const std::string place = "line " + std::to_string(number) + ": ";
+  const auto first = line.find(':');
+  const auto second = line.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos)
+    fail(file, place + "a line is NAME:ROLE:HASH, as stanok-web user add writes it");
+  const std::string role = line.substr(first + 1, second - first - 1);
+  const auto known = protocol::role_named(role);
+  if (!known) fail(file, place + "there is no role " + role);
+  User user{line.substr(0, first), *known, line.substr(second + 1)};
+  if (const std::string defect = defect_of_name(user.name); !defect.empty())
+    fail(file, place + defect);
+  return user;
+}
+
+void write_all(int descriptor, std::string_view text, const fs::path& file) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count < 0 && errno != EINTR) fail(file, system_error_text(errno));
+    if (count > 0) text.remove_prefix(checked_size(count));
+  }
+}
+
+void sync_folder_of(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+std::string defect_of_name(std::string_view name) {
+  if (name.empty() || name.size() > name_bytes_max)
+    return "a name has 1 to " + std::to_string(name_bytes_max) + " bytes";
+  if (!is_utf8(name)) return "a name is UTF-8";
+  const bool has_bad = std::any_of(name.begin(), name.end(), [](char letter) {
+    const auto code = static_cast<unsigned char>(letter);
+    return code < 0x20 || code == 0x7F || letter == ':';
+  });
+  if (has_bad || name.front() == '#' || name.front() == ' ' || name.back() == ' ')
+    return "a name has no colon, no control characters, no # or blank in front, no blank behind";
+  return "";
+}
+
+UserList UserList::from_file(const fs::path& file) {
+  UserList list;
+  std::error_code error;
+  if (fs::status(file, error).type() == fs::file_type::not_found) return list;
+  refuse_open_file(file);
+  std::ifstream stream(file);
+  if (!stream) fail(file, system_error_text(errno));
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.empty() || line.front() == '#') continue;
+    User user = user_of(line, file, number);
+    if (list.find(user.name) != nullptr)
+      fail(file, "line " + std::to_string(number) + ": " + user.name + " is there twice");
+    list.users_.push_back(std::move(user));
+  }
+  return list;
+}
+
+void UserList::write(const fs::path& file) const {
+  std::string text = "# Users of stanok-web; stanok-web user add and remove change them.\n";
+  for (const User& user : users_) {
+    text += user.name + ':' + std::string(protocol::role_name(user.role)) + ':' +
+            user.password_hash + '\n';
+  }
+  const fs::path fresh = file.string() + ".new";
+  const int descriptor =
+      ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, only_for_owner);
+  if (descriptor < 0) fail(fresh, system_error_text(errno));
+  try {
+    write_all(descriptor, text, fresh);
+    if (::fsync(descriptor) != 0) fail(fresh, system_error_text(errno));
+    if (::rename(fresh.c_str(), file.c_str()) != 0) fail(file, system_error_text(errno));
+  } catch (...) {
+    ::close(descriptor);
+    ::unlink(fresh.c_str());
+    throw;
+  }
+  ::close(descriptor);
+  sync_folder_of(file);
+}
+
+const User* UserList::find(std::string_view name) const {
+  const auto found = std::find_if(users_.begin(), users_.end(),
+                                  [&](const User& user) { return user.name == name; });
+  return found == users_.end() ? nullptr : &*found;
+}
+
+void UserList::set(User user) {
+  static_cast<void>(remove(user.name));
+  users_.push_back(std::move(user));
+}
+
+bool UserList::remove(std::string_view name) {
+  return std::erase_if(users_, [&](const User& user) { return user.name == name; }) > 0;
+}
+
+}  // namespace stanok::web

@@ -1,0 +1,76 @@
+// ClientConnection: one connection of a browser: requests and answers, until it becomes a window to
+// the machine or ends.
+//
+// Bounded in every direction: time and size of a head, of a content, time to take an answer. One
+// thread.
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "web/server/answer.h"
+#include "web/server/client_stream.h"
+#include "web/server/machine_window.h"
+#include "web/server/reception.h"
+
+namespace stanok::web {
+
+// What all connections use; outlives them.
+struct House {
+  Scheme scheme = Scheme::http;
+  Reception& reception;
+  Doorkeeper& doorkeeper;
+  MachineGlance& machine;
+  // Whether there is room for one more window to the machine.
+  std::function<bool()> has_room_for_window;
+};
+
+class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  static constexpr unsigned head_bytes_max = 16U << 10;
+  static constexpr unsigned content_bytes_max = 8U << 10;
+  static constexpr auto head_time_max = std::chrono::seconds(10);
+  static constexpr auto content_time_max = std::chrono::seconds(10);
+  static constexpr auto answer_time_max = std::chrono::seconds(30);
+  // For the rest of a request that was refused.
+  static constexpr auto outlast_time_max = std::chrono::seconds(2);
+  static constexpr std::size_t outlast_bytes_max = 1U << 20;
+
+  ClientConnection(boost::asio::ip::tcp::socket socket, boost::asio::ssl::context* tls,
+                   const House& house);
+
+  // Until the connection ends.
+  [[nodiscard]] static boost::asio::awaitable<void> serve(std::shared_ptr<ClientConnection> self);
+
+  // nullptr: it is none.
+  [[nodiscard]] MachineWindow* window() const { return window_.get(); }
+  // When it last asked something, or began.
+  [[nodiscard]] Time asked() const { return asked_; }
+  // At once; what is under way fails.
+  void close();
+
+ private:
+  [[nodiscard]] boost::asio::awaitable<bool> begin();
+  [[nodiscard]] boost::asio::awaitable<std::optional<Request>> read();
+  [[nodiscard]] boost::asio::awaitable<void> refuse(boost::system::error_code error,
+                                                    Request request);
+  [[nodiscard]] boost::asio::awaitable<void> outlast();
+  [[nodiscard]] boost::asio::awaitable<bool> write(const Answer& answer, const Request& request);
+  [[nodiscard]] boost::asio::awaitable<bool> answer(const Request& request);
+  [[nodiscard]] std::optional<Answer> obstacle_to_window(const Request& request) const;
+  [[nodiscard]] boost::asio::awaitable<void> open_window(Request request);
+
+  const House& house_;
+  std::shared_ptr<ClientStream> stream_;
+  boost::beast::flat_buffer received_{head_bytes_max + content_bytes_max};
+  std::shared_ptr<MachineWindow> window_;
+  Time asked_;
+  boost::asio::ip::address from_;
+};
+
+}  // namespace stanok::web

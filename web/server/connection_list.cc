@@ -1,0 +1,72 @@
+#include "web/server/connection_list.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+namespace stanok::web {
+
+bool ConnectionList::make_room_for_one() {
+  if (connections_.size() >= connections_max) end_idlest();
+  return connections_.size() < connections_max;
+}
+
+void ConnectionList::end_idlest() {
+  auto idlest = connections_.end();
+  auto asked = Time::max();
+  for (auto at = connections_.begin(); at != connections_.end(); ++at) {
+    const auto connection = at->second.lock();
+    if (connection == nullptr || connection->window() != nullptr || connection->asked() >= asked)
+      continue;
+    idlest = at;
+    asked = connection->asked();
+  }
+  if (idlest == connections_.end()) return;
+  if (const auto connection = idlest->second.lock()) connection->close();
+  connections_.erase(idlest);
+}
+
+std::uint64_t ConnectionList::add(const std::shared_ptr<ClientConnection>& connection) {
+  connections_.emplace(++last_id_, connection);
+  return last_id_;
+}
+
+std::vector<std::shared_ptr<ClientConnection>> ConnectionList::all() const {
+  std::vector<std::shared_ptr<ClientConnection>> alive;
+  for (const auto& [id, one] : connections_) {
+    if (auto connection = one.lock()) alive.push_back(std::move(connection));
+  }
+  return alive;
+}
+
+std::vector<std::shared_ptr<ClientConnection>> ConnectionList::windows() const {
+  auto windows = all();
+  std::erase_if(windows, [](const auto& one) { return one->window() == nullptr; });
+  return windows;
+}
+
+bool ConnectionList::has_room_for_window() const {
+  return windows().size() < windows_max;
+}
+
+void ConnectionList::end_windows_of(const std::vector<std::uint64_t>& sessions) {
+  for (const auto& connection : windows()) {
+    const std::uint64_t session = connection->window()->session().id;
+    if (std::find(sessions.begin(), sessions.end(), session) != sessions.end()) connection->close();
+  }
+}
+
+void ConnectionList::end_stuck(Time now) {
+  for (const auto& connection : windows()) {
+    if (!connection->window()->is_stuck(now)) continue;
+    spdlog::warn("a page of {} does not read what it is sent; its connection ends",
+                 connection->window()->session().visitor.name);
+    connection->close();
+  }
+}
+
+void ConnectionList::end_all() {
+  for (const auto& connection : all()) connection->close();
+}
+
+}  // namespace stanok::web

@@ -1,0 +1,184 @@
+#include "web/server/machine_window.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
+#include <nlohmann/json.hpp>
+
+#include "protocol/json_rpc.h"
+#include "protocol/json_text.h"
+#include "web/server/geometry_frame.h"
+
+namespace stanok::web {
+namespace {
+
+namespace asio = boost::asio;
+namespace websocket = boost::beast::websocket;
+using nlohmann::json;
+
+// Requests of the page count from 1.
+constexpr int id_of_role_request = 0;
+constexpr auto open_time_max = std::chrono::seconds(10);
+constexpr auto silence_max = std::chrono::seconds(30);
+
+std::string without_line_end(std::string line) {
+  if (line.ends_with('\n')) line.pop_back();
+  return line;
+}
+
+// A frame is one message, as a line is on the socket: a line end in it is a blank between words.
+std::string as_one_line(std::string message) {
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return message;
+}
+
+bool is_method(const json& message, const char* method) {
+  return message.is_object() && message.value("method", json()) == method;
+}
+
+}  // namespace
+
+MachineWindow::MachineWindow(std::shared_ptr<ClientStream> stream, WebSession session)
+    : stream_(std::move(stream)),
+      websocket_(*stream_),
+      machine_(stream_->get_executor()),
+      session_(std::move(session)) {}
+
+void MachineWindow::set_bounds() {
+  stream_->next_layer().expires_never();
+  websocket::stream_base::timeout times{};
+  times.handshake_timeout = open_time_max;
+  times.idle_timeout = silence_max;
+  times.keep_alive_pings = true;
+  websocket_.set_option(times);
+  websocket_.read_message_max(protocol::frame_bytes_max);
+  websocket_.auto_fragment(false);
+}
+
+asio::awaitable<void> MachineWindow::serve(Request request, std::filesystem::path socket) {
+  const bool is_accepted = co_await accept(std::move(request));
+  if (!is_accepted) co_return close();
+  const bool has_entered = co_await enter(std::move(socket));
+  if (!has_entered) co_return close();
+  asio::co_spawn(stream_->get_executor(), pass_to_machine(shared_from_this()), asio::detached);
+  co_await pass_to_browser();
+  close();
+}
+
+asio::awaitable<bool> MachineWindow::accept(Request request) {
+  set_bounds();
+  const auto [error] =
+      co_await websocket_.async_accept(request, asio::as_tuple(asio::use_awaitable));
+  websocket_.text(true);
+  co_return !error;
+}
+
+// Connects to the daemon, lowers the role, and shows its greeting.
+asio::awaitable<bool> MachineWindow::enter(std::filesystem::path socket) {
+  write_begun_ = std::chrono::steady_clock::now();  // until the greeting is written
+  const bool is_connected = co_await machine_.connect(socket);
+  std::optional<std::string> greeting;
+  if (is_connected) greeting = co_await machine_.next_line();
+  if (!greeting) {
+    co_await turn_away("", "no daemon answers at " + socket.string());
+    co_return false;
+  }
+  json hello = protocol::json_from_text(*greeting);
+  if (!is_method(hello, "hello")) {
+    // There is no place; the daemon says why.
+    static_cast<void>(co_await show(*greeting));
+    co_return false;
+  }
+  const bool is_lowered = co_await lower_role();
+  if (!is_lowered) {
+    co_await turn_away("", "the daemon did not take the role of the visitor");
+    co_return false;
+  }
+  const auto granted = protocol::role_named(hello["params"].value("role", ""));
+  const auto role = std::min(granted.value_or(protocol::Role::observer), session_.visitor.role);
+  hello["params"]["role"] = protocol::role_name(role);
+  hello["params"]["user"] = session_.visitor.name;
+  co_return co_await show(protocol::json_text(hello));
+}
+
+// Nothing of the browser is passed on before the daemon has answered this.
+asio::awaitable<bool> MachineWindow::lower_role() {
+  const json visitor = {{"role", protocol::role_name(session_.visitor.role)},
+                        {"name", session_.visitor.name}};
+  const std::string request = protocol::request_line(id_of_role_request, "session.role", visitor);
+  if (!co_await machine_.send(without_line_end(request))) co_return false;
+  while (const auto line = co_await machine_.next_line()) {
+    const json answer = protocol::json_from_text(*line);
+    if (!answer.is_object() || answer.value("id", json()) != id_of_role_request) continue;
+    co_return answer.contains("result");
+  }
+  co_return false;
+}
+
+asio::awaitable<bool> MachineWindow::show(std::string message, FrameKind kind) {
+  websocket_.text(kind == FrameKind::text);
+  write_begun_ = std::chrono::steady_clock::now();
+  const auto [error, bytes] =
+      co_await websocket_.async_write(asio::buffer(message), asio::as_tuple(asio::use_awaitable));
+  write_begun_.reset();
+  co_return !error;
+}
+
+asio::awaitable<void> MachineWindow::turn_away(std::string code, std::string reason) {
+  const json why = {{"code", code.empty() ? json() : json(code)}, {"reason", reason}};
+  const std::string line = protocol::notification_line("dropped", why);
+  if (!co_await show(without_line_end(line))) co_return;
+  const websocket::close_reason close_reason(websocket::close_code::try_again_later);
+  const auto [ignored] =
+      co_await websocket_.async_close(close_reason, asio::as_tuple(asio::use_awaitable));
+  static_cast<void>(ignored);
+}
+
+// The next page of a geometry is asked for when this one is written.
+asio::awaitable<bool> MachineWindow::pass(std::string line) {
+  auto geometry = geometry_of(line);
+  if (!geometry) co_return co_await show(std::move(line));
+  const bool is_told = co_await show(std::move(geometry->message));
+  if (!is_told) co_return false;
+  const bool is_shown = co_await show(std::move(geometry->frame), FrameKind::binary);
+  if (!is_shown || geometry->more.empty()) co_return is_shown;
+  co_return co_await machine_.send(std::move(geometry->more));
+}
+
+asio::awaitable<void> MachineWindow::pass_to_browser() {
+  while (auto line = co_await machine_.next_line()) {
+    const bool is_passed = co_await pass(std::move(*line));
+    if (!is_passed) co_return;
+  }
+  if (!websocket_.is_open()) co_return;
+  const websocket::close_reason reason(websocket::close_code::going_away);
+  const auto [ignored] =
+      co_await websocket_.async_close(reason, asio::as_tuple(asio::use_awaitable));
+  static_cast<void>(ignored);
+}
+
+asio::awaitable<void> MachineWindow::pass_to_machine(std::shared_ptr<MachineWindow> self) {
+  while (true) {
+    const auto [error, bytes] =
+        co_await self->websocket_.async_read(self->received_, asio::as_tuple(asio::use_awaitable));
+    if (error || !self->websocket_.got_text()) break;
+    std::string message = boost::beast::buffers_to_string(self->received_.data());
+    self->received_.consume(self->received_.size());
+    if (!co_await self->machine_.send(as_one_line(std::move(message)))) break;
+  }
+  // The daemon lets go of what this connection held, a jog first of all.
+  self->machine_.close();
+}
+
+void MachineWindow::close() {
+  machine_.close();
+  stream_->close();
+}
+
+}  // namespace stanok::web

@@ -1,0 +1,69 @@
+// MachineWindow: what one WebSocket sees of the machine: messages of the daemon's protocol, passed
+// on in both directions as they are; pages of geometry become binary frames (geometry_frame.h).
+//
+// Each has a connection of its own to the daemon, so that session, role, control, the lease of a
+// jog and back-pressure stay the daemon's: when the browser goes, the connection goes, and with it
+// what it held. The role is lowered to the visitor's before the first message of the browser is
+// passed on. Nothing is queued here: the next message is read when the last one is written, and who
+// takes too long for that loses its connection. One thread.
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "web/access/sessions.h"
+#include "web/server/answer.h"
+#include "web/server/client_stream.h"
+#include "web/server/machine_connection.h"
+
+namespace stanok::web {
+
+class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  static constexpr auto write_time_max = std::chrono::seconds(10);
+
+  MachineWindow(std::shared_ptr<ClientStream> stream, WebSession session);
+
+  // Takes the request for a WebSocket and serves it until one side ends.
+  [[nodiscard]] boost::asio::awaitable<void> serve(Request request, std::filesystem::path socket);
+
+  [[nodiscard]] const WebSession& session() const { return session_; }
+  // The browser does not take what is sent to it, or the daemon does not greet.
+  [[nodiscard]] bool is_stuck(Time now) const {
+    return write_begun_ && now - *write_begun_ > write_time_max;
+  }
+  // At once; what is under way fails.
+  void close();
+
+ private:
+  using WebSocket = boost::beast::websocket::stream<ClientStream&>;
+
+  void set_bounds();
+  [[nodiscard]] boost::asio::awaitable<bool> accept(Request request);
+  [[nodiscard]] boost::asio::awaitable<bool> enter(std::filesystem::path socket);
+  [[nodiscard]] boost::asio::awaitable<bool> lower_role();
+  enum class FrameKind { text, binary };
+  [[nodiscard]] boost::asio::awaitable<bool> show(std::string message,
+                                                  FrameKind kind = FrameKind::text);
+  [[nodiscard]] boost::asio::awaitable<bool> pass(std::string line);
+  [[nodiscard]] boost::asio::awaitable<void> turn_away(std::string code, std::string reason);
+  [[nodiscard]] boost::asio::awaitable<void> pass_to_browser();
+  [[nodiscard]] static boost::asio::awaitable<void> pass_to_machine(
+      std::shared_ptr<MachineWindow> self);
+
+  std::shared_ptr<ClientStream> stream_;
+  WebSocket websocket_;
+  MachineConnection machine_;
+  WebSession session_;
+  boost::beast::flat_buffer received_;
+  std::optional<Time> write_begun_;
+};
+
+}  // namespace stanok::web

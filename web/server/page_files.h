@@ -1,0 +1,45 @@
+// PageFiles: the files of the page, read into memory, so that a request can name nothing else.
+//
+// A file NAME.gz beside NAME is sent to those who take it. Read again when index.html has changed,
+// so that a page that was built anew is there on reload. One thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace stanok::web {
+
+struct PageFile {
+  std::string media_type;
+  bool is_hashed = false;  // its name changes with its content: may be kept for ever
+  std::shared_ptr<const std::string> content;
+  std::shared_ptr<const std::string> compressed;  // gzip; may be missing
+};
+
+class PageFiles {
+ public:
+  static constexpr std::uintmax_t bytes_max = 64U << 20;  // of all files
+
+  explicit PageFiles(std::filesystem::path folder);
+
+  // By the path of a request: "/", "/assets/index-1a2b3c4d.js"; nullptr: there is none.
+  [[nodiscard]] const PageFile* find(std::string_view path);
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  void read();
+  void add(const std::filesystem::path& file);
+
+  std::filesystem::path folder_;
+  std::filesystem::file_time_type read_at_{};  // time of index.html then
+  std::uintmax_t bytes_ = 0;
+  std::map<std::string, PageFile, std::less<>> files_;
+};
+
+// Where the page is when nobody says: of the installation, else of the source tree of a build.
+[[nodiscard]] std::filesystem::path usual_page_folder();
+
+}  // namespace stanok::web
