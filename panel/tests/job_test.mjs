@@ -44,6 +44,23 @@ test('the master program is run from the page, after a question', async () => {
   await page.getByRole('button', { name: 'Yes' }).click();
   await mark(page, '2 master', 'waiting').waitFor();
   await mark(page, '1 work', 'running').waitFor();
+  await card(page, '2 master').getByText('waits for the end of the run on').waitFor();
+  await card(page, '2 master').getByText('→ 1 work').waitFor();
+});
+
+test('single block, optional stop and block skip show what the daemon has', async () => {
+  await page.getByText('Begin in the middle').click();
+  for (const [name, member] of [
+    ['Single block', 'single_block'],
+    ['Optional stop (M1)', 'optional_stop'],
+  ]) {
+    const button = page.getByRole('button', { name });
+    await button.click();
+    await page.getByRole('button', { name, pressed: true }).waitFor();
+    assert.equal((await stage.status(2))[member], true);
+    await button.click();
+    await page.getByRole('button', { name, pressed: false }).waitFor();
+  }
 });
 
 test('HOLD ALL holds, Resume goes on', async () => {

@@ -109,7 +109,9 @@ export interface Methods {
       axis_names: string[];
       begins_at: string | null;
       block: number;
+      block_skip: number[];
       controlled_by: string | null;
+      coolant: string[];
       feed_mm_min: number;
       feed_mm_rev: number;
       feed_mm_s: number;
@@ -131,6 +133,7 @@ export interface Methods {
       line: number;
       m_codes: string[];
       name: string;
+      optional_stop: boolean;
       override: {
         feed: number;
         rapid: number;
@@ -143,6 +146,7 @@ export interface Methods {
       remaining_s: number | null;
       run: number;
       scheme: number;
+      single_block: boolean;
       speed_mm_min: number;
       speed_mm_s: number;
       spindles: ({
@@ -150,6 +154,7 @@ export interface Methods {
         commanded_rev_min: number;
         direction: string;
         id: number;
+        power_w: number | null;
       })[];
       state: string;
       to_go: Record<string, number> | null;
@@ -158,7 +163,13 @@ export interface Methods {
         name: string | null;
         number: number;
       };
+      waits_for: {
+        channels: number[];
+        for: string;
+        number: number | null;
+      } | null;
       words: string[];
+      work_offset: string | null;
     };
   };
   /** control a channel alone until the connection ends; others can still stop it */
@@ -253,7 +264,40 @@ export interface Methods {
       version: string | null;
     };
   };
-  /** end the check of this connection, which answers E9017 */
+  /** time and way of a program, from running it on a virtual clock with the tables, schemes and places of now, overrides at 100 %; a check of this connection ends it */
+  "program.estimate": {
+    params: {
+      program: string;
+      channel?: number;
+    };
+    result: {
+      alarm: {
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      } | null;
+      complete: boolean;
+      ok: boolean;
+      program: string;
+      runs: {
+        blocks: number;
+        channel: number;
+        ok: boolean;
+        path_mm: number;
+        program: string;
+        time_s: number;
+      }[];
+      time_s: number;
+    };
+  };
+  /** end the check or estimate of this connection, which answers E9017 */
   "program.check_cancel": {
     params: Record<string, never>;
     result: {
@@ -974,6 +1018,7 @@ export const method_roles: Record<MethodName, string> = {
   "program.write": 'programmer',
   "program.remove": 'programmer',
   "program.check": 'observer',
+  "program.estimate": 'observer',
   "program.check_cancel": 'observer',
   "program.path": 'observer',
   "program.load": 'operator',
