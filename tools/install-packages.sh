@@ -15,7 +15,13 @@ packages_of() {
 }
 
 is_installed() {
-  [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+  [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" == installed ]] || is_provided "$1"
+}
+
+# Another package may bring the same: a newer nodejs has npm in it, and forbids the package npm.
+is_provided() {
+  dpkg-query -W -f '${db:Status-Status} ${Provides}\n' | sed -n 's/^installed //p' | tr -d ' ' | tr ',' '\n' |
+    sed 's/(.*//' | grep -Fxq -- "$1"
 }
 
 as_root() {

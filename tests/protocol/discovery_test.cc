@@ -1,6 +1,7 @@
 // The table as documents: complete, and the same as the one printed in docs/reference/protocol.md.
 // After a change of the table write it there anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/protocol_tests --gtest_filter='Discovery.*'
+// which writes panel/openrpc.json, too: the typed client of the panel is made from it.
 #include "protocol/discovery.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,16 @@ TEST(Discovery, IsWhatTheManualPrints) {
   }
   EXPECT_EQ(manual.substr(begin, manual.find(end_mark) - begin), wanted)
       << "docs/reference/protocol.md: write the table anew as described in this file";
+}
+
+// The page is compiled against this document; the version of the daemon is not part of it.
+TEST(Discovery, IsWhatThePanelIsCompiledAgainst) {
+  const std::string path = stanok::testing::source_folder() + "/panel/openrpc.json";
+  const std::string wanted = discovery_document("").dump(1) + "\n";
+  if (std::getenv("STANOK_WRITE_DOCS") != nullptr) std::ofstream(path) << wanted;
+  EXPECT_TRUE(file_text(path) == wanted)
+      << "panel/openrpc.json: write it anew as described in this file, then: cd panel && npm ci && "
+         "npm run generate && npm run check && npm run build";
 }
 
 }  // namespace

@@ -1,0 +1,1075 @@
+// Made from openrpc.json by tools/client.mjs: do not change it by hand.
+
+export interface Methods {
+  /** switch on the drives of the axes that take part */
+  "machine.on": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** stop all channels and switch the drives off */
+  "machine.off": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** emergency stop: stop along the path at once, then drives off; always accepted */
+  "machine.estop": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** cycle, drives, real-time figures, state of every channel */
+  "machine.status": {
+    params: Record<string, never>;
+    result: {
+      channels: {
+        id: number;
+        name: string;
+        program_status: string;
+        state: string;
+      }[];
+      cycle: number;
+      cycle_us: number;
+      drives: string;
+      idle: boolean;
+      machine_time_s: number;
+      name: string;
+      on: boolean;
+      outputs_lost: number;
+      real_time: {
+        memory_locked: boolean;
+        notes: string[];
+        scheduling: string;
+      };
+      rt: {
+        cycle_us: {
+          max: number;
+          p50: number;
+          p90?: number;
+          p99: number;
+          p999: number;
+        };
+        latency_us: {
+          max: number;
+          p50: number;
+          p90?: number;
+          p99: number;
+          p999: number;
+        };
+        overruns: number;
+        periods_skipped: number;
+      };
+    };
+  };
+  /** channels with kind, axes, scheme and state */
+  "channel.list": {
+    params: Record<string, never>;
+    result: {
+      channels: {
+        axes: string[];
+        id: number;
+        kind: string;
+        name: string;
+        program_status: string;
+        scheme: number;
+        state: string;
+        words: string[];
+      }[];
+    };
+  };
+  /** state, program, block, position, feed and overrides of a channel */
+  "channel.status": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      alarm: {
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      } | null;
+      axes: Record<string, {
+        brake: boolean;
+        enabled: boolean;
+        position: number;
+        takes_part: boolean;
+        verified: boolean;
+      }>;
+      axis_names: string[];
+      begins_at: string | null;
+      block: number;
+      block_skip: number[];
+      controlled_by: string | null;
+      coolant: string[];
+      feed_mm_min: number;
+      feed_mm_rev: number;
+      feed_mm_s: number;
+      foreseen: {
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      } | null;
+      g_codes: string[];
+      held_by: string | null;
+      id: number;
+      line: number;
+      m_codes: string[];
+      name: string;
+      optional_stop: boolean;
+      override: {
+        feed: number;
+        rapid: number;
+        spindle: number;
+      };
+      position: Record<string, number>;
+      predicted_s: number | null;
+      program: string | null;
+      program_status: string;
+      remaining_s: number | null;
+      run: number;
+      scheme: number;
+      single_block: boolean;
+      speed_mm_min: number;
+      speed_mm_s: number;
+      spindles: ({
+        actual_rev_min: number | null;
+        commanded_rev_min: number;
+        direction: string;
+        id: number;
+        power_w: number | null;
+      })[];
+      state: string;
+      to_go: Record<string, number> | null;
+      tool: {
+        edge: number;
+        name: string | null;
+        number: number;
+      };
+      waits_for: {
+        channels: number[];
+        for: string;
+        number: number | null;
+      } | null;
+      words: string[];
+      work_offset: string | null;
+    };
+  };
+  /** control a channel alone until the connection ends; others can still stop it */
+  "channel.control": {
+    params: {
+      on?: number;
+      channel?: number;
+    };
+    result: {
+      channel: number;
+      controlled_by: string | null;
+    };
+  };
+  /** status of a channel as it changes */
+  "channel.watch": {
+    params: {
+      channel?: number;
+      rate_hz?: number;
+    };
+    result: {
+      rate_hz: number;
+      topics: string[];
+    };
+  };
+  /** text of a program and its version, at most 512 KiB at a time */
+  "program.read": {
+    params: {
+      program: string;
+      offset?: number;
+    };
+    result: {
+      bytes: number;
+      complete: boolean;
+      exact: boolean;
+      offset: number;
+      program: string;
+      text: string;
+      version: string;
+    };
+  };
+  /** write a program, whole or not at all, if nobody has changed it meanwhile */
+  "program.write": {
+    params: {
+      program: string;
+      text: string;
+      version?: string;
+      more?: number;
+      file?: string;
+    };
+    result: {
+      bytes: number;
+      program: string;
+      version: string | null;
+    };
+  };
+  /** remove a program, if nobody has changed it meanwhile */
+  "program.remove": {
+    params: {
+      program: string;
+      version?: string;
+    };
+    result: {
+      program: string;
+    };
+  };
+  /** errors and warnings of a program, without running it; another check of this connection ends this one */
+  "program.check": {
+    params: {
+      program: string;
+      text?: string;
+      channel?: number;
+      file?: string;
+    };
+    result: {
+      blocks: number;
+      diagnostics: {
+        code: string;
+        column: number;
+        end_column: number;
+        end_line: number;
+        file: string;
+        help: string[];
+        label: string;
+        line: number;
+        message: string;
+        notes: unknown[];
+        severity: string;
+        stack: string[];
+      }[];
+      ok: boolean;
+      program: string;
+      version: string | null;
+    };
+  };
+  /** time and way of a program, from running it on a virtual clock with the tables, schemes and places of now, overrides at 100 %; a check of this connection ends it */
+  "program.estimate": {
+    params: {
+      program: string;
+      channel?: number;
+    };
+    result: {
+      alarm: {
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      } | null;
+      complete: boolean;
+      ok: boolean;
+      program: string;
+      runs: {
+        blocks: number;
+        channel: number;
+        ok: boolean;
+        path_mm: number;
+        program: string;
+        time_s: number;
+      }[];
+      time_s: number;
+    };
+  };
+  /** end the check or estimate of this connection, which answers E9017 */
+  "program.check_cancel": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** planned path of the tip in the workpiece system, from the simulation of the loaded program; pages of points with the lines that lead to them */
+  "program.path": {
+    params: {
+      channel?: number;
+      path?: number;
+      page?: number;
+      follow?: number;
+    };
+    result: {
+      channel: number;
+      complete: boolean;
+      geometry: unknown;
+      id: number | null;
+      pages: number;
+      points: number;
+      program: string | null;
+    };
+  };
+  /** compile a program; errors come with file, line and column */
+  "program.load": {
+    params: {
+      program: string;
+      channel?: number;
+      wait?: "accepted" | "done";
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** load a program and start it */
+  "program.run": {
+    params: {
+      program: string;
+      channel?: number;
+      wait?: "accepted" | "done";
+    };
+    result: {
+      accepted?: boolean;
+      blocks?: number;
+      ok?: boolean;
+      path_mm?: number;
+      program?: string;
+      time_s?: number;
+    };
+  };
+  /** start the loaded program; continue it when held */
+  "program.start": {
+    params: {
+      channel?: number;
+      wait?: "accepted" | "done";
+    };
+    result: {
+      accepted?: boolean;
+      blocks?: number;
+      ok?: boolean;
+      path_mm?: number;
+      program?: string;
+      time_s?: number;
+    };
+  };
+  /** feed hold: come to rest along the path */
+  "program.hold": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** continue after a feed hold */
+  "program.resume": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** hold, then end the program without an alarm */
+  "program.stop": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** end the program and clear the alarms of the channel */
+  "program.reset": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** optional stop: whether M1 stops the program */
+  "program.optional_stop": {
+    params: {
+      on: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** single block: stop after each block; program start lets the next one begin */
+  "program.step": {
+    params: {
+      on: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** skip the blocks of a level from the next sync point on */
+  "program.skip": {
+    params: {
+      level: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** execute the blocks of a level again */
+  "program.unskip": {
+    params: {
+      level: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** program files beneath the program root */
+  "program.list": {
+    params: Record<string, never>;
+    result: {
+      complete: boolean;
+      programs: {
+        bytes: number;
+        name: string;
+      }[];
+      root: string;
+    };
+  };
+  /** program runs since the daemon started, with blocks and times, the newest 500 of each channel */
+  "program.history": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      forgotten?: number;
+      runs: {
+        blocks: number;
+        channel: number;
+        ended: boolean;
+        ok: boolean;
+        path_mm: number;
+        program: string;
+        time_s: number;
+      }[];
+    };
+  };
+  /** block search: the loaded program begins at this block when it is started; answers what lies before it */
+  "program.search": {
+    params: {
+      target: string;
+      pass?: number;
+      calculation?: "with" | "without";
+      channel?: number;
+    };
+    result: {
+      calculated: boolean;
+      target: string;
+    };
+  };
+  /** feed override of a channel */
+  "override.feed": {
+    params: {
+      percent: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** rapid override of a channel */
+  "override.rapid": {
+    params: {
+      percent: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** spindle override of a channel */
+  "override.spindle": {
+    params: {
+      percent: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** kinematic schemes of a channel */
+  "kinematics.list": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      channel: number;
+      schemes: ({
+        active: boolean;
+        axes: string[];
+        file: string | null;
+        id: number;
+        type: string;
+      })[];
+    };
+  };
+  /** switch the channel to another scheme; the channel must be idle */
+  "kinematics.select": {
+    params: {
+      scheme: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** active scheme, its axes, their drives and brakes */
+  "kinematics.status": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      axes: {
+        brake: boolean;
+        enabled: boolean;
+        name: string;
+        takes_part: boolean;
+      }[];
+      channel: number;
+      scheme: number;
+      type: string | null;
+    };
+  };
+  /** drives of the machine file with bus address, kind and requests */
+  "drive.list": {
+    params: Record<string, never>;
+    result: {
+      bus: string;
+      drives: ({
+        absolute_encoder: boolean;
+        axis: string;
+        kind: string;
+        position_scale: number;
+        requests: number;
+        unit: number;
+        velocity_scale: number;
+        watchdog_ms: number | null;
+      })[];
+      poll_ms: number;
+      timeout_ms: number;
+    };
+  };
+  /** every drive: state, fault, position, switches, errors; the bus: exchanges, latency */
+  "drive.status": {
+    params: Record<string, never>;
+    result: {
+      axes: {
+        answers: number;
+        axis: string;
+        brake_closed: boolean;
+        errors: number;
+        errors_by_kind: Record<string, number>;
+        fault_code: number;
+        following_error: number;
+        home_switch: boolean;
+        in_contact: boolean;
+        index_count: number;
+        index_position: number;
+        limit_negative: boolean;
+        limit_positive: boolean;
+        losses: number;
+        position: number;
+        power_w: number;
+        referenced: boolean;
+        state: string;
+        temperature_c: number;
+        velocity: number;
+        vibration_hz: number;
+        vibration_um: number;
+      }[];
+      choice: string;
+      connected: boolean;
+      connections: number;
+      endpoint: string | null;
+      errors: Record<string, number>;
+      exchanges: number;
+      round_trip_us: {
+        max: number;
+        p50: number;
+        p90?: number;
+        p99: number;
+        p999: number;
+      };
+      vibration: {
+        amplitude_um: number;
+        errors: number;
+        frequency_hz: number;
+        lost: number;
+        samples: number;
+        sensor: string;
+      }[];
+    };
+  };
+  /** clear the fault of a drive */
+  "drive.reset": {
+    params: {
+      drive: string;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** make a simulated drive fail or work again */
+  "drive.fault": {
+    params: {
+      drive: string;
+      fault: "none" | "off" | "stuck" | "garbage" | "slow" | "intermittent" | "trip" | "elsewhere" | "mangled" | "hang_up" | "jammed" | "frozen";
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** active alarms */
+  "alarm.list": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      alarms: ({
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      })[];
+      forgotten?: number;
+    };
+  };
+  /** acknowledge the alarms of a channel */
+  "alarm.ack": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** alarms since the daemon started, the newest 500 of each channel */
+  "alarm.history": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      alarms: ({
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      })[];
+      forgotten?: number;
+    };
+  };
+  /** tool table */
+  "tool.list": {
+    params: Record<string, never>;
+    result: {
+      tools: {
+        angle_back: number;
+        angle_front: number;
+        corner_radius: number;
+        edge: number;
+        flute_length: number;
+        holder_diameter: number;
+        holder_length: number;
+        kind: string;
+        length: number;
+        length_x: number;
+        length_y: number;
+        name: string;
+        number: number;
+        orientation: number;
+        overhang: number;
+        point_angle: number;
+        radius: number;
+        shank_diameter: number;
+        taper_angle: number;
+        wear_length: number;
+        wear_radius: number;
+      }[];
+    };
+  };
+  /** values of one edge of a tool */
+  "tool.get": {
+    params: {
+      number: number;
+      edge?: number;
+    };
+    result: {
+      angle_back: number;
+      angle_front: number;
+      corner_radius: number;
+      edge: number;
+      flute_length: number;
+      holder_diameter: number;
+      holder_length: number;
+      kind: string;
+      length: number;
+      length_x: number;
+      length_y: number;
+      name: string;
+      number: number;
+      orientation: number;
+      overhang: number;
+      point_angle: number;
+      radius: number;
+      shank_diameter: number;
+      taper_angle: number;
+      wear_length: number;
+      wear_radius: number;
+    };
+  };
+  /** change a value of a tool; not while a program runs */
+  "tool.set": {
+    params: {
+      number: number;
+      key: "length" | "length_x" | "length_y" | "radius" | "wear_length" | "wear_radius" | "overhang" | "orientation" | "angle_front" | "angle_back";
+      value: number;
+      edge?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** set the tools and work offsets that a text names; not while a program runs */
+  "tool.load": {
+    params: {
+      tables: string;
+      file?: string;
+    };
+    result: {
+      values: number;
+    };
+  };
+  /** print tools and work offsets as a text that tool load takes */
+  "tool.save": {
+    params: Record<string, never>;
+    result: {
+      tables: string;
+    };
+  };
+  /** work offsets */
+  "offset.list": {
+    params: Record<string, never>;
+    result: {
+      axes: string[];
+      offsets: Record<string, Record<string, number>>;
+    };
+  };
+  /** change a work offset; not while a program runs */
+  "offset.set": {
+    params: {
+      offset: string;
+      axis: string;
+      value: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** execute one line of program text: a block or a statement */
+  mdi: {
+    params: {
+      text: string;
+      channel?: number;
+      wait?: "accepted" | "done";
+    };
+    result: {
+      accepted?: boolean;
+      blocks?: number;
+      ok?: boolean;
+      path_mm?: number;
+      program?: string;
+      time_s?: number;
+    };
+  };
+  /** jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it moving */
+  jog: {
+    params: {
+      axis: string;
+      velocity: number;
+      increment?: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** home the axes of a channel in the order of the machine file: find home switch or index pulse; answers when it is done */
+  home: {
+    params: {
+      axis?: string;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** feed law, feed, spindle, cutting speed and force control */
+  "process.status": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      adaptive: unknown;
+      automatic: unknown[];
+      channel: number;
+      cutting_speed_m_min: number;
+      feed_mm_min: number;
+      feed_mm_rev: number;
+      increments: number;
+      interruption: unknown;
+      law: string | null;
+      spindle_rev_min: number;
+      stands: boolean;
+    };
+  };
+  /** interrupt the feed: at once, then after each L_B of path, for the time of L_A */
+  "process.interrupt": {
+    params: {
+      la: number;
+      lb?: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** automatic feed law: the channel forms the feed from a sensor */
+  "process.automatic": {
+    params: {
+      law: "modulated" | "linear";
+      on: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** adaptive control of the cutting force: switch it on or off, or change one of its values */
+  "process.adaptive": {
+    params: {
+      action: "off" | "on" | "set";
+      quantity?: "force" | "level" | "mass" | "frequency";
+      value?: number;
+      channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** whether announcements of workpieces are published, and the latest of every channel */
+  "workpiece.status": {
+    params: Record<string, never>;
+    result: {
+      allowed: boolean;
+      workpieces: {
+        channel: number;
+        tool: number;
+      }[];
+    };
+  };
+  /** publish the workpieces that programs announce with #workpiece, for viewers that follow the cut */
+  "workpiece.allow": {
+    params: {
+      on?: number;
+    };
+    result: {
+      allowed: boolean;
+    };
+  };
+  /** recorder and LCM publisher: file, bytes, losses */
+  "log.status": {
+    params: Record<string, never>;
+    result: {
+      file: {
+        bytes: number;
+        error: string | null;
+        events: number;
+        path: string | null;
+      };
+      flight: string | null;
+      lcm: {
+        lost: number;
+        open: boolean;
+        sent: number;
+        url: string | null;
+      };
+      outputs_lost: number;
+    };
+  };
+  /** begin a new log file */
+  "log.start": {
+    params: Record<string, never>;
+    result: {
+      path: string;
+    };
+  };
+  /** end the log file */
+  "log.stop": {
+    params: Record<string, never>;
+    result: {
+      path: string;
+    };
+  };
+  /** send a snapshot of these topics, then their changes as notifications */
+  subscribe: {
+    params: {
+      topics: ("machine" | "channels" | "drives" | "events")[];
+      rate_hz?: number;
+    };
+    result: {
+      rate_hz: number;
+      topics: string[];
+    };
+  };
+  /** lower the role of this connection, and say who works there */
+  "session.role": {
+    params: {
+      role: "observer" | "operator" | "programmer" | "integrator";
+      name?: string;
+    };
+    result: {
+      role: string;
+    };
+  };
+  /** version, build, process, files, clients */
+  "system.info": {
+    params: Record<string, never>;
+    result: {
+      api: number;
+      build: string;
+      pid: number;
+      server: string;
+      uptime_s: number;
+      version: string;
+    };
+  };
+  /** feed hold, then drives off, then the daemon ends */
+  "system.shutdown": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** this table of methods as an OpenRPC document */
+  "rpc.discover": {
+    params: Record<string, never>;
+    result: {
+      info: {
+        title: string;
+        version: string;
+      };
+      methods: unknown[];
+      openrpc: string;
+    };
+  };
+}
+
+export type MethodName = keyof Methods;
+
+/** The role that each method wants. */
+export const method_roles: Record<MethodName, string> = {
+  "machine.on": 'operator',
+  "machine.off": 'operator',
+  "machine.estop": 'operator',
+  "machine.status": 'observer',
+  "channel.list": 'observer',
+  "channel.status": 'observer',
+  "channel.control": 'operator',
+  "channel.watch": 'observer',
+  "program.read": 'observer',
+  "program.write": 'programmer',
+  "program.remove": 'programmer',
+  "program.check": 'observer',
+  "program.estimate": 'observer',
+  "program.check_cancel": 'observer',
+  "program.path": 'observer',
+  "program.load": 'operator',
+  "program.run": 'operator',
+  "program.start": 'operator',
+  "program.hold": 'operator',
+  "program.resume": 'operator',
+  "program.stop": 'operator',
+  "program.reset": 'operator',
+  "program.optional_stop": 'operator',
+  "program.step": 'operator',
+  "program.skip": 'operator',
+  "program.unskip": 'operator',
+  "program.list": 'observer',
+  "program.history": 'observer',
+  "program.search": 'operator',
+  "override.feed": 'operator',
+  "override.rapid": 'operator',
+  "override.spindle": 'operator',
+  "kinematics.list": 'observer',
+  "kinematics.select": 'operator',
+  "kinematics.status": 'observer',
+  "drive.list": 'observer',
+  "drive.status": 'observer',
+  "drive.reset": 'operator',
+  "drive.fault": 'integrator',
+  "alarm.list": 'observer',
+  "alarm.ack": 'operator',
+  "alarm.history": 'observer',
+  "tool.list": 'observer',
+  "tool.get": 'observer',
+  "tool.set": 'operator',
+  "tool.load": 'operator',
+  "tool.save": 'observer',
+  "offset.list": 'observer',
+  "offset.set": 'operator',
+  mdi: 'operator',
+  jog: 'operator',
+  home: 'operator',
+  "process.status": 'observer',
+  "process.interrupt": 'operator',
+  "process.automatic": 'operator',
+  "process.adaptive": 'operator',
+  "workpiece.status": 'observer',
+  "workpiece.allow": 'operator',
+  "log.status": 'observer',
+  "log.start": 'operator',
+  "log.stop": 'operator',
+  subscribe: 'observer',
+  "session.role": 'observer',
+  "system.info": 'observer',
+  "system.shutdown": 'integrator',
+  "rpc.discover": 'observer',
+};

@@ -1,0 +1,31 @@
+// A page of geometry as it comes in a binary frame: a header of four uint32 (kind, id, page, count),
+// `count` points of three Float32 in mm, and `count` line numbers as Uint32; all little endian.
+
+export interface GeometryPage {
+  kind: number;
+  id: number;
+  page: number;
+  /** x, y, z of each point. */
+  points: Float32Array;
+  /** The line of the program that leads to each point. */
+  lines: Uint32Array;
+}
+
+const headerBytes = 16;
+const pointBytes = 12;
+const lineBytes = 4;
+
+/** null when the frame is not one of ours. */
+export function readPage(frame: ArrayBuffer): GeometryPage | null {
+  if (frame.byteLength < headerBytes) return null;
+  const [kind = 0, id = 0, page = 0, count = 0] = new Uint32Array(frame, 0, 4);
+  const linesAt = headerBytes + count * pointBytes;
+  if (frame.byteLength !== linesAt + count * lineBytes) return null;
+  return {
+    kind,
+    id,
+    page,
+    points: new Float32Array(frame, headerBytes, count * 3),
+    lines: new Uint32Array(frame, linesAt, count),
+  };
+}

@@ -1,0 +1,162 @@
+// Points of a path with the line of the program that leads to each: grows in place, never copied for
+// a view, and not watched by the framework.
+
+const firstCapacity = 4096;
+
+/** What leads to a point: a feed move, a rapid move, or nothing (a new beginning). */
+export const way = { feed: 0, rapid: 1, none: 2 } as const;
+export type Way = (typeof way)[keyof typeof way];
+
+export class Track {
+  points: Float32Array = new Float32Array(firstCapacity * 3);
+  lines: Uint32Array = new Uint32Array(firstCapacity);
+  ways: Uint8Array = new Uint8Array(firstCapacity);
+  count = 0;
+  /** Grows with every clear(), so that who draws the track knows that it is another one. */
+  generation = 0;
+
+  clear(): void {
+    this.count = 0;
+    this.generation += 1;
+  }
+
+  /** What leads to the points from one index to before another. */
+  mark(from: number, to: number, how: Way): void {
+    this.ways.fill(how, from, Math.min(to, this.count));
+  }
+
+  /** True when the arrays were replaced by larger ones. */
+  add(x: number, y: number, z: number, line: number): boolean {
+    const grown = this.#reserve(this.count + 1);
+    this.points.set([x, y, z], this.count * 3);
+    this.lines[this.count] = line;
+    this.ways[this.count] = way.feed;
+    this.count += 1;
+    return grown;
+  }
+
+  append(points: Float32Array, lines: Uint32Array): boolean {
+    const grown = this.#reserve(this.count + lines.length);
+    this.points.set(points, this.count * 3);
+    this.lines.set(lines, this.count);
+    this.ways.fill(way.feed, this.count, this.count + lines.length);
+    this.count += lines.length;
+    return grown;
+  }
+
+  /** Forgets the older half: what a live trace does when it has been running for hours. */
+  halve(): void {
+    const from = this.count >> 1;
+    this.points.copyWithin(0, from * 3, this.count * 3);
+    this.lines.copyWithin(0, from, this.count);
+    this.ways.copyWithin(0, from, this.count);
+    this.count -= from;
+    this.generation += 1;
+  }
+
+  /** The first point of a line at or after `from`; -1 when there is none. */
+  indexOfLine(line: number, from = 0): number {
+    for (let i = from; i < this.count; ++i) if (this.lines[i] === line) return i;
+    return -1;
+  }
+
+  /** Of the points that feed leads to, where there are some: rapid moves come from far away. */
+  bounds(): { low: [number, number, number]; high: [number, number, number] } | null {
+    if (this.count === 0) return null;
+    const low: [number, number, number] = [Infinity, Infinity, Infinity];
+    const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+    const onlyRapid = this.ways.subarray(1, this.count).every((how) => how !== way.feed);
+    for (let i = 0; i < this.count; ++i) {
+      if (!onlyRapid && (i === 0 || this.ways[i] !== way.feed)) continue;
+      for (const axis of [0, 1, 2] as const) {
+        const value = this.points[3 * i + axis] ?? 0;
+        low[axis] = Math.min(low[axis], value);
+        high[axis] = Math.max(high[axis], value);
+      }
+    }
+    return { low, high };
+  }
+
+  #reserve(count: number): boolean {
+    if (count <= this.lines.length) return false;
+    const capacity = Math.max(count, this.lines.length * 2);
+    const points = new Float32Array(capacity * 3);
+    points.set(this.points.subarray(0, this.count * 3));
+    const lines = new Uint32Array(capacity);
+    lines.set(this.lines.subarray(0, this.count));
+    const ways = new Uint8Array(capacity);
+    ways.set(this.ways.subarray(0, this.count));
+    this.points = points;
+    this.lines = lines;
+    this.ways = ways;
+    return true;
+  }
+}
+
+export interface PagePart {
+  points: Float32Array;
+  lines: Uint32Array;
+}
+
+/** Points of a page, counted in it, as ranges [first, behind the last]. */
+type Ranges = readonly (readonly [number, number])[];
+export interface PageWays {
+  rapid?: Ranges;
+  begins?: Ranges;
+}
+
+/** Puts the pages of one path together, in whatever order they and what is said of them come. */
+export class PagedTrack {
+  readonly track = new Track();
+  #id: number | null = null;
+  #next = 0;
+  #parts = new Map<number, PagePart>();
+  #ways = new Map<number, PageWays>();
+
+  /** Waits for another path; the first page that comes says which. */
+  expect(): void {
+    this.#id = null;
+    this.#next = 0;
+    this.#parts.clear();
+    this.#ways.clear();
+    this.track.clear();
+  }
+
+  /** How many points have come into place. */
+  take(id: number, page: number, part: PagePart): number {
+    if (!this.#isWanted(id, page)) return 0;
+    this.#parts.set(page, part);
+    return this.#place();
+  }
+
+  /** What leads to the points of a page; how many points have come into place with that. */
+  say(id: number, page: number, ways: PageWays): number {
+    if (!this.#isWanted(id, page)) return 0;
+    this.#ways.set(page, ways);
+    return this.#place();
+  }
+
+  #isWanted(id: number, page: number): boolean {
+    this.#id ??= id;
+    return id === this.#id && page >= this.#next;
+  }
+
+  // The next pages of which all is known.
+  #place(): number {
+    const before = this.track.count;
+    for (;;) {
+      const part = this.#parts.get(this.#next);
+      const ways = this.#ways.get(this.#next);
+      if (part === undefined || ways === undefined) return this.track.count - before;
+      const start = this.track.count;
+      this.track.append(part.points, part.lines);
+      for (const [from, to] of ways.rapid ?? [])
+        this.track.mark(start + from, start + to, way.rapid);
+      for (const [from, to] of ways.begins ?? [])
+        this.track.mark(start + from, start + to, way.none);
+      this.#parts.delete(this.#next);
+      this.#ways.delete(this.#next);
+      this.#next += 1;
+    }
+  }
+}

@@ -1,0 +1,42 @@
+// What the page asks of the machine from more than one place.
+import { store, type Channel } from './machine.svelte';
+
+/** Feed hold of every channel, asked for at once; the first refusal is thrown when all were sent. */
+export async function holdAll(): Promise<void> {
+  const channels = store.hello?.channels ?? store.channels;
+  const asked = channels.map((channel) => store.call('program.hold', { channel: channel.id }));
+  if (asked.length === 0) await store.call('program.hold');
+  await Promise.all(asked);
+}
+
+/** The emergency stop of the software: along the path to rest, then the drives off. */
+export const stopAll = (): Promise<unknown> => store.call('machine.estop');
+
+export type StateKind = 'running' | 'waiting' | 'held' | 'alarm' | 'ready' | 'idle' | 'off';
+
+/** In one word what a channel is doing. */
+export function stateOf(channel: Channel, on: boolean): StateKind {
+  if (channel.alarm != null) return 'alarm';
+  if (channel.state === 'Interrupted') return 'held';
+  if (channel.program_status === 'Waiting') return 'waiting';
+  if (channel.state === 'Active') return 'running';
+  if (!on) return 'off';
+  return channel.program != null ? 'ready' : 'idle';
+}
+
+export const kindOfMark = {
+  running: 'running',
+  waiting: 'running',
+  held: 'attention',
+  alarm: 'alarm',
+  ready: 'ready',
+  idle: 'idle',
+  off: 'off',
+} satisfies Record<StateKind, string>;
+
+/** How much of the run is over by the predicted time, 0 to 1; null without a prediction. */
+export function progressOf(channel: Channel): number | null {
+  const { predicted_s: predicted, remaining_s: remaining } = channel;
+  if (predicted == null || remaining == null || predicted <= 0) return null;
+  return Math.min(1, Math.max(0, 1 - remaining / predicted));
+}

@@ -1,0 +1,35 @@
+// Numbers and times as the page shows them: as wide as the largest of their column, never jumping.
+
+const minus = '\u2212';
+
+/** Fixed decimals, a real minus sign, and no negative zero. */
+export function fixed(value: number, decimals: number): string {
+  const text = Math.abs(value).toFixed(decimals);
+  const isZero = Number(text) === 0;
+  return value < 0 && !isZero ? minus + text : text;
+}
+
+export const length = (value: number): string => fixed(value, 3);
+
+/** 75 is 1:15, 3,700 is 1:01:40. */
+export function duration(seconds: number): string {
+  const whole = Math.max(0, Math.round(seconds));
+  const two = (value: number): string => String(value).padStart(2, '0');
+  const hours = Math.floor(whole / 3600);
+  const minutes = Math.floor(whole / 60) % 60;
+  const rest = two(whole % 60);
+  return hours > 0 ? `${hours}:${two(minutes)}:${rest}` : `${minutes}:${rest}`;
+}
+
+export function clock(milliseconds: number): string {
+  return new Date(milliseconds).toTimeString().slice(0, 8);
+}
+
+export function bytes(count: number): string {
+  if (count < 1000) return `${count} B`;
+  if (count < 1e6) return `${(count / 1e3).toFixed(1)} kB`;
+  return `${(count / 1e6).toFixed(1)} MB`;
+}
+
+/** Axis words A, B and C turn. */
+export const isRotary = (word: string): boolean => /^[ABC]/.test(word);

@@ -1,0 +1,96 @@
+// Jogging as the page does it: armed by a person, one axis at a time, by buttons or arrow keys.
+import { JogLease, type JogMotion } from '../rpc/jog_lease';
+import { store } from './machine.svelte';
+import { refusals } from './refusal.svelte';
+
+export const steps = ['hold', '10', '1', '0.1', '0.01', '0.001'] as const;
+export type Step = (typeof steps)[number];
+
+// Which key moves which axis word, and in which direction.
+const keys: Record<string, [word: string, direction: 1 | -1]> = {
+  ArrowLeft: ['X', -1],
+  ArrowRight: ['X', 1],
+  ArrowDown: ['Y', -1],
+  ArrowUp: ['Y', 1],
+  PageDown: ['Z', -1],
+  PageUp: ['Z', 1],
+};
+
+class Jogging {
+  armed = $state(false);
+  step = $state<Step>('hold');
+  /** mm/s of linear axes; rotary axes turn with as many degrees a second. */
+  velocity = $state(10);
+  moving = $state.raw<JogMotion | null>(null);
+  /** The refusals of jogging are shown here. */
+  place: Element | null = null;
+
+  #key: string | null = null;
+  #lease = new JogLease(
+    {
+      jog: ({ channel, axis, velocity }) => store.call('jog', { channel, axis, velocity }),
+      hold: (channel) => store.call('program.hold', { channel }),
+      mayGoOn: () =>
+        this.armed && store.live && document.visibilityState === 'visible' && document.hasFocus(),
+      refused: (error) => refusals.show(error, this.place),
+      now: () => performance.now(),
+    },
+    (motion) => (this.moving = motion),
+  );
+
+  /** The axes of the chosen channel that take part: word of programs, and name of the machine. */
+  axes(): { word: string; name: string }[] {
+    const { words = [], axis_names: names = [], axes = {} } = store.channel ?? {};
+    return words
+      .map((word, i) => ({ word, name: names[i] ?? word }))
+      .filter(({ name }) => axes[name]?.takes_part === true);
+  }
+
+  press(axis: string, direction: 1 | -1, place: Element | null): void {
+    if (!this.armed) return;
+    this.place = place;
+    const velocity = this.velocity * direction;
+    const motion = { channel: store.chosen, axis, velocity };
+    if (this.step === 'hold') this.#lease.press(motion);
+    else this.#increment(motion, Number(this.step));
+  }
+
+  release(): void {
+    this.#key = null;
+    this.#lease.release();
+  }
+
+  disarm(): void {
+    this.release();
+    this.armed = false;
+  }
+
+  /** True when the key is one of jogging and jogging is armed. */
+  keyDown(event: KeyboardEvent): boolean {
+    const [word, direction] = keys[event.key] ?? [];
+    if (!this.armed || word === undefined || direction === undefined) return false;
+    if (event.repeat || this.#key !== null) return true;
+    this.#key = event.key;
+    this.pressWord(word, direction);
+    return true;
+  }
+
+  /** A key or a pendant: refusals are shown at the button that does the same. */
+  pressWord(word: string, direction: 1 | -1): void {
+    const axis = this.axes().find((one) => one.word === word);
+    if (axis === undefined) return;
+    this.press(axis.name, direction, document.querySelector(`[data-jog="${word}${direction}"]`));
+  }
+
+  keyUp(event: KeyboardEvent): void {
+    if (event.key === this.#key) this.release();
+  }
+
+  #increment(motion: JogMotion, increment: number): void {
+    store.call('jog', { ...motion, increment }).catch((error: unknown) => {
+      refusals.show(error, this.place);
+    });
+  }
+}
+
+export const jogging = new Jogging();

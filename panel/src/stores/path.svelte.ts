@@ -1,0 +1,88 @@
+// The path of the chosen channel: planned, by pages, when the daemon has it, and the trace of the live
+// positions. The points stay outside of the framework; what it watches is only how many there are.
+import { readPage } from '../geometry/page_frame';
+import { reached } from '../geometry/progress';
+import { PagedTrack, Track, type PageWays } from '../geometry/track';
+import { store, type Channel } from './machine.svelte';
+
+/** What is said of a page of points besides the frame that they come in. */
+interface Geometry extends PageWays {
+  id: number;
+  page: number;
+}
+
+const tracedAtMost = 200_000;
+const stillness_mm = 0.005;
+const again_ms = 500;
+
+export class PathFollower {
+  readonly plan = new PagedTrack();
+  readonly trace = new Track();
+  /** Points of the planned path; 0 while there is none. */
+  planned = $state(0);
+  done = $state(0);
+  #asked = '';
+  #last: [number, number, number] = [NaN, NaN, NaN];
+
+  /** Looks at what a channel does now; true when the tool has moved. */
+  follow(channel: Channel): boolean {
+    this.#askPlan(channel);
+    const { X = 0, Y = 0, Z = 0 } = channel.position ?? {};
+    const line = channel.line ?? 0;
+    this.done = this.planned > 0 ? reached(this.plan.track, line, [X, Y, Z], this.done) : 0;
+    const [x, y, z] = this.#last;
+    if (Math.hypot(X - x, Y - y, Z - z) < stillness_mm) return false;
+    this.#last = [X, Y, Z];
+    if (this.trace.count >= tracedAtMost) this.trace.halve();
+    this.trace.add(X, Y, Z, line);
+    return true;
+  }
+
+  clear(): void {
+    this.trace.clear();
+    this.#last = [NaN, NaN, NaN];
+  }
+
+  take(frame: ArrayBuffer): void {
+    const page = readPage(frame);
+    if (page === null) return;
+    this.plan.take(page.id, page.page, page);
+    this.planned = this.plan.track.count;
+  }
+
+  // A program that is loaded has a path of its own; the trace of the one before goes.
+  #askPlan(channel: Channel): void {
+    const wanted = `${channel.id} ${channel.program ?? ''} ${channel.scheme ?? 0} ${channel.run ?? 0}`;
+    if (wanted === this.#asked) return;
+    this.#asked = wanted;
+    this.clear();
+    this.plan.expect();
+    this.planned = this.done = 0;
+    if (channel.program != null) void this.#readPlan(wanted, channel.id);
+  }
+
+  // The daemon makes the path in the background: pages that are not there yet are asked for again.
+  async #readPlan(wanted: string, channel: number): Promise<void> {
+    try {
+      for (let page = 0; wanted === this.#asked;) {
+        const answer = await store.call('program.path', { channel, page });
+        if (wanted !== this.#asked) return;
+        if (answer.geometry != null && page < answer.pages) {
+          const geometry = answer.geometry as Geometry;
+          this.plan.say(geometry.id, geometry.page, geometry);
+          this.planned = this.plan.track.count;
+          page += 1;
+        } else if (answer.complete) {
+          return;
+        } else {
+          await new Promise((resolve) => setTimeout(resolve, again_ms));
+        }
+      }
+    } catch {
+      // Lost or refused: the trace is drawn in its place.
+    }
+  }
+}
+
+export const follower = new PathFollower();
+store.onFrame((frame) => follower.take(frame));

@@ -1,0 +1,66 @@
+// The refusal that is shown, and where: beside what was pressed.
+import { Refusal, ownNumbers } from '../rpc/json_rpc';
+import { t } from '../text/text';
+
+export interface Shown {
+  code: string | null;
+  sentence: string;
+  remedy: string | null;
+  place: string | null;
+  at: { left: number; top: number; bottom: number };
+}
+
+class RefusalStore {
+  shown = $state.raw<Shown | null>(null);
+
+  /** Shows why something was not done, beside the element that asked for it. */
+  show(error: unknown, beside: Element | null): void {
+    const box = (beside ?? document.body).getBoundingClientRect();
+    const at = { left: box.left, top: box.top, bottom: Math.min(box.bottom, window.innerHeight) };
+    if (error instanceof Refusal) this.shown = { ...words(error), at };
+    else this.shown = { code: null, sentence: String(error), remedy: null, place: null, at };
+  }
+
+  clear(): void {
+    this.shown = null;
+  }
+}
+
+function words(refusal: Refusal): Omit<Shown, 'at'> {
+  if (refusal.number === ownNumbers.notConnected) {
+    return {
+      code: null,
+      sentence: t('refusal.not_sent'),
+      remedy: t('refusal.not_sent_remedy'),
+      place: null,
+    };
+  }
+  if (refusal.number === ownNumbers.connectionLost) {
+    return {
+      code: null,
+      sentence: t('refusal.no_answer'),
+      remedy: t('refusal.no_answer_remedy'),
+      place: null,
+    };
+  }
+  const { code, remedy, file, line } = refusal.data;
+  const place = file !== null && line !== null && line > 0 ? `${file}:${line}` : null;
+  return { code, sentence: refusal.message, remedy, place };
+}
+
+export const refusals = new RefusalStore();
+
+/** Does what was asked for; a refusal is shown beside `beside`. True when it was done. */
+export async function attempt(
+  beside: Element | null,
+  act: () => Promise<unknown>,
+): Promise<boolean> {
+  refusals.clear();
+  try {
+    await act();
+    return true;
+  } catch (error) {
+    refusals.show(error, beside);
+    return false;
+  }
+}

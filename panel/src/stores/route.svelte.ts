@@ -1,0 +1,20 @@
+// Which view is shown: #/machine, #/help/E6070. The part behind the view is the view's own.
+export const views = ['machine', 'path', 'programs', 'tools', 'drives', 'history', 'help'] as const;
+export type View = (typeof views)[number];
+
+class Route {
+  view = $state<View>('machine');
+  rest = $state('');
+
+  read(hash: string): void {
+    const [first, ...rest] = hash.replace(/^#?\/?/, '').split('/');
+    this.view = views.find((one) => one === first) ?? 'machine';
+    this.rest = decodeURIComponent(rest.join('/'));
+  }
+
+  go(view: View, rest = ''): void {
+    location.hash = rest === '' ? `#/${view}` : `#/${view}/${encodeURIComponent(rest)}`;
+  }
+}
+
+export const route = new Route();

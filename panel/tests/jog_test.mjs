@@ -1,0 +1,182 @@
+// Moving by hand: lines, jogging by button, key and step, and everything that must end a jog: letting
+// go, Escape, lost focus, a killed tab, a server that hangs.
+import assert from 'node:assert/strict';
+import { after, before } from 'node:test';
+import { setStage, storyOf, until } from './stage.mjs';
+
+const test = storyOf();
+let stage;
+let page;
+before(async () => {
+  stage = await setStage();
+  await stage.switchOn();
+  page = await stage.openMachine();
+});
+after(async () => {
+  await stage?.close();
+  assert.deepEqual(stage.faults, []);
+});
+
+const at = async (axis = 'X') => (await stage.status()).axes[axis].position;
+const moves = (from) => until('the axis moves', async () => Math.abs((await at()) - from) > 0.5);
+
+/** At rest: the machine says so, and the position stays what it is from one look to the next. */
+async function rests() {
+  let last = NaN;
+  await until('the axis stands', async () => {
+    const { idle } = await stage.client.call('machine.status');
+    const now = await at();
+    const stands = idle && now === last;
+    last = now;
+    return stands;
+  });
+  return last;
+}
+
+async function hold(of = page) {
+  const button = of.getByRole('button', { name: 'move X +' });
+  await button.scrollIntoViewIfNeeded();
+  const box = await button.boundingBox();
+  await of.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await of.mouse.down();
+}
+
+test('a line by hand moves the axes; the one before comes back with arrow up', async () => {
+  const line = page.getByLabel(/One line by hand/);
+  await line.fill('G53 G0 X5');
+  await line.press('Enter');
+  await until('X is at 5', async () => (await at()) === 5);
+  await rests();
+  assert.equal(await line.inputValue(), '');
+  await line.press('ArrowUp');
+  assert.equal(await line.inputValue(), 'G53 G0 X5');
+  await line.fill('');
+});
+
+test('a line that is wrong is refused where it was entered, with code and remedy', async () => {
+  const line = page.getByLabel(/One line by hand/);
+  await line.fill('G1 X Q');
+  await line.press('Enter');
+  const refusal = page.getByRole('alert').locator('.refusal');
+  await refusal.waitFor();
+  assert.match(await refusal.innerText(), /E\d{4}[\s\S]*What to do/);
+  const [card, field] = [await refusal.boundingBox(), await line.boundingBox()];
+  assert.ok(Math.abs(card.y - field.y) < 200, 'it stands beside the field');
+  await page.keyboard.press('Escape');
+  await refusal.waitFor({ state: 'detached' });
+  await line.fill('');
+});
+
+test('before it is armed nothing jogs', async () => {
+  const from = await at();
+  await page.locator('body').press('ArrowRight');
+  assert.equal(await page.getByRole('button', { name: 'move X +' }).count(), 0);
+  assert.equal(await rests(), from);
+});
+
+test('an axis moves while its button is down and stops when it is let go', async () => {
+  await page.getByRole('button', { name: 'Arm' }).click();
+  const from = await at();
+  await hold();
+  await moves(from);
+  await page.mouse.up();
+  const end = await rests();
+  assert.ok(end > from);
+});
+
+test('an axis moves while its key is down, the other way, too', async () => {
+  await page.locator('main').click({ position: { x: 3, y: 3 } });
+  const from = await at();
+  await page.keyboard.down('ArrowLeft');
+  await moves(from);
+  await page.keyboard.up('ArrowLeft');
+  assert.ok((await rests()) < from);
+});
+
+test('with the keyboard alone every axis can be reached: Enter on its button', async () => {
+  const button = page.getByRole('button', { name: 'move Y +' });
+  await button.focus();
+  const from = await at('Y');
+  await page.keyboard.down('Enter');
+  await until('Y moves', async () => Math.abs((await at('Y')) - from) > 0.5);
+  await page.keyboard.press('Tab');
+  await rests();
+  const end = await at('Y');
+  await page.keyboard.up('Enter');
+  assert.ok(end > from);
+  await page.locator('main').click({ position: { x: 3, y: 3 } });
+});
+
+test('a pendant moves an axis while its two keys are down', async () => {
+  const press = (...pressed) =>
+    page.evaluate((keys) => {
+      const buttons = Array.from({ length: 17 }, (_, i) => ({ pressed: keys.includes(i) }));
+      navigator.getGamepads = () => [{ buttons }];
+    }, pressed);
+  const from = await rests();
+  await press(0, 14);
+  await until('X moves', async () => (await at()) < from - 0.5);
+  await press(14);
+  const end = await rests();
+  assert.equal(await rests(), end);
+  await press();
+});
+
+test('a step is a step', async () => {
+  await page
+    .getByRole('group', { name: 'Distance' })
+    .getByRole('button', { name: '0.1', exact: true })
+    .click();
+  const from = await rests();
+  await page.getByRole('button', { name: 'move X +' }).click();
+  await until('a tenth', async () => Math.abs((await at()) - from - 0.1) < 1e-6);
+  await rests();
+  await page.getByRole('button', { name: 'while pressed' }).click();
+});
+
+test('Escape stops a jog and disarms', async () => {
+  const from = await at();
+  await page.keyboard.down('ArrowRight');
+  await moves(from);
+  await page.keyboard.press('Escape');
+  const end = await rests();
+  await page.keyboard.up('ArrowRight');
+  await page.locator('body').press('ArrowRight');
+  assert.equal(await rests(), end);
+  await page.getByRole('button', { name: 'Arm' }).click();
+});
+
+test('a page that loses the focus stops', async () => {
+  await hold();
+  await moves(await at());
+  await page.evaluate(() => window.dispatchEvent(new Event('blur')));
+  const end = await rests();
+  assert.equal(await rests(), end);
+  await page.mouse.up();
+});
+
+test('a server that hangs: the axis stops, and does not go on when it comes back', async () => {
+  await hold();
+  await moves(await at());
+  stage.silence(true);
+  const end = await rests();
+  await page.getByText(/No connection since/).waitFor();
+  stage.silence(false);
+  await page.getByText(/No connection since/).waitFor({ state: 'detached' });
+  assert.ok(Math.abs((await rests()) - end) < 10 * 0.2 + 1, 'at most one lease that was under way');
+  await page.mouse.up();
+});
+
+test('a killed tab stops', async (context) => {
+  const other = await stage.openMachine();
+  await other.getByRole('button', { name: 'Arm' }).click();
+  await hold(other);
+  await moves(await at());
+  const cdp = await other.context().newCDPSession(other);
+  const killed = await at();
+  cdp.send('Page.crash').catch(() => undefined);
+  const end = await rests();
+  context.diagnostic(`it went on for ${(end - killed).toFixed(3)} mm at 10 mm/s`);
+  assert.equal(await rests(), end);
+  await other.context().close();
+});

@@ -1,0 +1,57 @@
+// Numbers and times as they are shown, and the words for what a channel does.
+import { expect, test } from 'vitest';
+import { kindOfMark, progressOf, stateOf } from '../../src/stores/acts';
+import { bytes, duration, fixed, isRotary } from '../../src/stores/format';
+import type { Channel } from '../../src/stores/machine.svelte';
+
+test('numbers have fixed decimals, a real minus and no negative zero', () => {
+  expect(fixed(12.3456, 3)).toBe('12.346');
+  expect(fixed(-0.5, 3)).toBe('\u22120.500');
+  expect(fixed(-0.0001, 3)).toBe('0.000');
+});
+
+test('times and sizes', () => {
+  expect(duration(75)).toBe('1:15');
+  expect(duration(3700)).toBe('1:01:40');
+  expect(duration(-1)).toBe('0:00');
+  expect(bytes(489)).toBe('489 B');
+  expect(bytes(100_854)).toBe('100.9 kB');
+});
+
+test('A, B and C turn', () => {
+  expect(['X', 'Y', 'Z', 'A', 'B1', 'C'].map(isRotary)).toEqual([
+    false,
+    false,
+    false,
+    true,
+    true,
+    true,
+  ]);
+});
+
+const channel = (some: Partial<Channel>): Channel => ({
+  id: 1,
+  name: 'work',
+  state: 'Reset',
+  program_status: 'Stopped',
+  override: { feed: 100, rapid: 100, spindle: 100 },
+  ...some,
+});
+const alarm = { channel: 1, code: 'A1001', text: '', cycle: 0 } as NonNullable<Channel['alarm']>;
+
+test('an alarm comes before all, then hold, waiting, running', () => {
+  expect(stateOf(channel({ state: 'Interrupted', alarm }), true)).toBe('alarm');
+  expect(stateOf(channel({ state: 'Interrupted' }), true)).toBe('held');
+  expect(stateOf(channel({ state: 'Active', program_status: 'Waiting' }), true)).toBe('waiting');
+  expect(stateOf(channel({ state: 'Active', program_status: 'Running' }), true)).toBe('running');
+  expect(stateOf(channel({ program: 'a.nc' }), true)).toBe('ready');
+  expect(stateOf(channel({}), true)).toBe('idle');
+  expect(stateOf(channel({ program: 'a.nc' }), false)).toBe('off');
+  expect(Object.keys(kindOfMark)).toHaveLength(7);
+});
+
+test('progress is a share of the predicted time', () => {
+  expect(progressOf(channel({ predicted_s: 100, remaining_s: 39 }))).toBeCloseTo(0.61);
+  expect(progressOf(channel({ predicted_s: 100, remaining_s: 120 }))).toBe(0);
+  expect(progressOf(channel({ predicted_s: null, remaining_s: 1 }))).toBeNull();
+});

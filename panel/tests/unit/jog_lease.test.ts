@@ -1,0 +1,113 @@
+// The jog lease: renewed only while pressed, answered and awake; ended by everything else.
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { JogLease, lease_ms, renewal_ms } from '../../src/rpc/jog_lease';
+
+const motion = { channel: 1, axis: 'X', velocity: 10 };
+let jogs: number;
+let holds: number;
+let may: boolean;
+let refusals: unknown[];
+let answer: () => Promise<unknown>;
+let clock: number;
+let lease: JogLease;
+
+async function pass(milliseconds: number): Promise<void> {
+  for (let i = 0; i < milliseconds; ++i) {
+    clock += 1;
+    await vi.advanceTimersByTimeAsync(1);
+  }
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  jogs = holds = clock = 0;
+  may = true;
+  refusals = [];
+  answer = () => Promise.resolve();
+  lease = new JogLease({
+    jog: () => {
+      jogs += 1;
+      return answer();
+    },
+    hold: () => {
+      holds += 1;
+      return Promise.resolve();
+    },
+    mayGoOn: () => may,
+    refused: (error) => refusals.push(error),
+    now: () => clock,
+  });
+});
+afterEach(() => vi.useRealTimers());
+
+test('it is renewed well within the lease while it is pressed', async () => {
+  lease.press(motion);
+  await pass(1000);
+  expect(jogs).toBe(1 + Math.floor(1000 / renewal_ms));
+  expect(renewal_ms * 2).toBeLessThan(lease_ms);
+  expect(holds).toBe(0);
+});
+
+test('letting go holds at once and sends nothing any more', async () => {
+  lease.press(motion);
+  await pass(100);
+  const sent = jogs;
+  lease.release();
+  expect(holds).toBe(1);
+  await pass(1000);
+  expect(jogs).toBe(sent);
+  lease.release();
+  expect(holds).toBe(1);
+});
+
+test('nothing piles up in a connection that hangs, and a late answer does not begin it again', async () => {
+  let late: (value: unknown) => void = () => undefined;
+  answer = () => new Promise((resolve) => (late = resolve));
+  lease.press(motion);
+  await pass(1000);
+  expect(jogs).toBe(1);
+  expect(lease.motion).toBeNull();
+  expect(holds).toBe(1);
+  late(null);
+  await pass(1000);
+  expect(jogs).toBe(1);
+});
+
+test('a page that slept for longer than the lease does not go on', async () => {
+  lease.press(motion);
+  await pass(100);
+  const sent = jogs;
+  clock += 500;
+  await pass(renewal_ms);
+  expect(jogs).toBe(sent);
+  expect(lease.motion).toBeNull();
+});
+
+test('focus, tab or connection gone: no renewal, and no press', async () => {
+  lease.press(motion);
+  await pass(100);
+  may = false;
+  const sent = jogs;
+  await pass(500);
+  expect(jogs).toBe(sent);
+  expect(holds).toBe(1);
+  lease.press(motion);
+  expect(jogs).toBe(sent);
+});
+
+test('a refusal ends it and is shown once', async () => {
+  answer = () => Promise.reject(new Error('no'));
+  lease.press(motion);
+  await pass(500);
+  expect(jogs).toBe(1);
+  expect(refusals).toHaveLength(1);
+  expect(holds).toBe(0);
+});
+
+test('another axis ends the first', async () => {
+  lease.press(motion);
+  lease.press({ ...motion, axis: 'Y' });
+  expect(holds).toBe(1);
+  expect(lease.motion?.axis).toBe('Y');
+  lease.release();
+});

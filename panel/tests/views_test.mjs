@@ -1,0 +1,425 @@
+// Every view in every size, theme and language: nothing is cut off, hold and stop are where they
+// belong, what is pressed is large enough, text can be read, axe-core finds nothing. And the states
+// in which there is nothing to show: connecting, empty, lost, not permitted, signed out.
+//
+// With STANOK_WRITE_DOCS=1 it takes the pictures of docs/operator/panel-views.md, too.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { password, root, setStage, until } from './stage.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const views = ['machine', 'path', 'programs', 'tools', 'drives', 'history', 'help'];
+const sizes = [
+  [360, 640],
+  [800, 1280],
+  [1280, 800],
+  [3840, 2160],
+];
+const example = join(root, 'programs/examples/square_and_circle.nc');
+
+let stage;
+before(async () => {
+  stage = await setStage({ programs: [example, join(root, 'programs/examples/helix.nc')] });
+  // Positions with as many digits as they have on this machine.
+  await stage.client.call('offset.set', { offset: 'G54', axis: 'X', value: 587.655 });
+});
+after(async () => {
+  await stage?.close();
+  assert.deepEqual(stage.faults, []);
+});
+
+async function show(page, view) {
+  await page.evaluate((name) => (location.hash = `#/${name}`), view);
+  await page.locator(`nav a[href="#/${view}"][aria-current=page]`).waitFor();
+  await page.locator('main > :not(h1)').first().waitFor();
+  await until('the view is there', async () => !/being loaded/.test(await page.innerText('main')));
+}
+
+async function findings(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run(document));
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' | ')}`);
+}
+
+/** What is wrong with the sizes of what is in view, as sentences. */
+function measure() {
+  const wrong = [];
+  const wide = document.documentElement.scrollWidth - window.innerWidth;
+  if (wide > 0) wrong.push(`the page is ${wide} px too wide`);
+  for (const element of document.querySelectorAll('button, select, input, nav a, a.button')) {
+    const box = element.getBoundingClientRect();
+    const hidden = box.width === 0 || element.closest('[hidden], details:not([open])');
+    if (!hidden && (box.height < 43.9 || (box.width < 43.9 && element.type !== 'range'))) {
+      wrong.push(`${element.outerHTML.slice(0, 90)} is ${box.width} x ${box.height} px`);
+    }
+  }
+  for (const element of document.querySelectorAll('td, th, h1, h2, button, strong, dd')) {
+    const spills = element.scrollWidth - element.clientWidth > 1 && element.clientWidth > 1;
+    const cut = getComputedStyle(element).overflow !== 'visible';
+    if (spills && !cut) wrong.push(`${element.outerHTML.slice(0, 90)} spills over`);
+  }
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const { parentElement, textContent } = texts.currentNode;
+    if (textContent.trim() === '' || parentElement.closest('script, style')) continue;
+    const size = parseFloat(getComputedStyle(parentElement).fontSize);
+    if (size < 14) wrong.push(`"${textContent.trim().slice(0, 30)}" is written with ${size} px`);
+  }
+  return wrong;
+}
+
+/** Both stand at the upper right, STOP ALL outermost, with room between them. */
+async function stopsAreInTheirCorner(page, width) {
+  const hold = await page.locator('button.hold').boundingBox();
+  const stop = await page.locator('button.stop').boundingBox();
+  assert.ok(
+    stop.x + stop.width <= width && width - stop.x - stop.width < 40,
+    'stop is at the edge',
+  );
+  assert.ok(stop.y < 80 && hold.y < 80, 'both are at the top');
+  assert.ok(stop.x - (hold.x + hold.width) >= 15, 'there is room between hold and stop');
+  assert.ok(stop.height >= 44 && hold.height >= 44);
+}
+
+describe('sizes', () => {
+  for (const [width, height] of sizes) {
+    for (const locale of ['en-US', 'ru-RU']) {
+      test(`${width} x ${height}, ${locale}`, async () => {
+        const page = await stage.openMachine({ width, height, locale });
+        await page.locator('[data-help=jog] button').first().click();
+        for (const view of views) {
+          await show(page, view);
+          assert.deepEqual(await page.evaluate(measure), [], view);
+          await stopsAreInTheirCorner(page, width);
+        }
+        await show(page, 'machine');
+        await page.locator('[data-help=positions] button').click();
+        assert.deepEqual(await page.evaluate(measure), [], 'big digits');
+        await page.locator('[data-help=positions] button').click();
+        if (width === 1280) {
+          const digits = page.locator('.work').first();
+          const size = await digits.evaluate((one) => parseFloat(getComputedStyle(one).fontSize));
+          assert.ok(size >= 32, `positions are written with ${size} px`);
+        }
+        await page.context().close();
+      });
+    }
+  }
+});
+
+describe('axe-core finds nothing', () => {
+  const looks = [
+    { colorScheme: 'light', width: 1280, height: 800 },
+    { colorScheme: 'dark', width: 1280, height: 800 },
+    { colorScheme: 'light', contrast: 'more', width: 360, height: 640 },
+  ];
+  for (const look of looks) {
+    test(`${look.colorScheme} ${look.contrast ?? ''} ${look.width}`, async () => {
+      const page = await stage.openMachine(look);
+      for (const view of views) {
+        await show(page, view);
+        assert.deepEqual(await findings(page), [], view);
+      }
+      await page.getByRole('button', { name: /integrator|operator/ }).click();
+      await page.getByLabel('Contrast').selectOption('high');
+      await show(page, 'machine');
+      assert.deepEqual(await findings(page), [], 'high contrast');
+      await page.locator('body').press('?');
+      assert.deepEqual(await findings(page), [], 'list of keys');
+      await page.context().close();
+    });
+  }
+});
+
+/** Lays hands on the messages of the daemon: `change` gives back what the page is to see, or null. */
+const through = (change) => async (page) => {
+  await page.routeWebSocket(/\/ws$/, (socket) => {
+    const server = socket.connectToServer();
+    socket.onMessage((text) => {
+      const message = JSON.parse(text);
+      const answer = change(message, 'asked');
+      if (answer === undefined) server.send(text);
+      else if (answer !== null)
+        socket.send(JSON.stringify({ jsonrpc: '2.0', id: message.id, ...answer }));
+    });
+    server.onMessage((text) => {
+      const message = JSON.parse(text);
+      const changed = change(message, 'told');
+      if (changed === undefined) socket.send(text);
+      else if (changed !== null) socket.send(JSON.stringify(changed));
+    });
+  });
+};
+
+describe('states', () => {
+  test('connecting: the daemon has not greeted', async () => {
+    const page = await stage.openPage({ before: through(() => null) });
+    await page.getByText('Is stanokd running?').waitFor();
+    assert.deepEqual(await findings(page), []);
+    await page.locator('button.stop').click();
+    await page.getByRole('alert').getByText('Nothing was sent').waitFor();
+    await page.context().close();
+  });
+
+  test('observer: what is not permitted says so where it was pressed, and is not sent', async () => {
+    const sent = [];
+    const observer = (message, way) => {
+      if (way === 'asked') sent.push(message.method);
+      if (message.method !== 'hello') return undefined;
+      return { ...message, params: { ...message.params, role: 'observer' } };
+    };
+    const page = await stage.openMachine({ before: through(observer) });
+    await page.getByRole('button', { name: 'On', exact: true }).click({ force: true });
+    await page.getByRole('alert').getByText('Not permitted').waitFor();
+    assert.ok(!sent.includes('machine.on'));
+    assert.ok(await page.getByText('Your role may not jog.').isVisible());
+    for (const view of views) {
+      await show(page, view);
+      assert.deepEqual(await findings(page), [], view);
+    }
+    await page.context().close();
+  });
+
+  test('empty: no programs, tools, drives, runs', async () => {
+    const nothing = {
+      'program.list': { programs: [], root: '/programs', complete: true },
+      'tool.list': { tools: [] },
+      'program.history': { runs: [] },
+    };
+    const empty = (message, way) => {
+      if (way === 'asked' && nothing[message.method]) return { result: nothing[message.method] };
+      const { state } = message.params ?? {};
+      if (message.method === 'status' && state.drives) state.drives.axes = [];
+      return way === 'told' ? message : undefined;
+    };
+    const page = await stage.openMachine({ before: through(empty) });
+    const said = {
+      programs: 'There is no program',
+      tools: 'No such tool',
+      drives: 'has no drives',
+    };
+    for (const [view, words] of Object.entries({ ...said, history: 'No program has run yet' })) {
+      await show(page, view);
+      await page.getByText(words).first().waitFor();
+      assert.deepEqual(await findings(page), [], view);
+    }
+    await page.context().close();
+  });
+
+  test('lost: all values grey, and it says since when; then it is live again', async () => {
+    const page = await stage.openMachine();
+    stage.silence(true);
+    try {
+      await page.getByText(/No connection since \d\d:\d\d:\d\d/).waitFor();
+      assert.ok(await page.locator('main > .machine.old').isVisible());
+      assert.deepEqual(await findings(page), []);
+    } finally {
+      stage.silence(false);
+    }
+    await page.locator('main > .machine:not(.old)').waitFor();
+    await page.getByText(/No connection since/).waitFor({ state: 'detached' });
+    await page.context().close();
+  });
+
+  test('signed out: the sessions of a server end with it', async () => {
+    const page = await stage.openMachine();
+    await stage.restartServer();
+    await page.getByText('You are not signed in.').waitFor();
+    assert.deepEqual(await findings(page), []);
+    assert.equal(await page.locator('button.stop').count(), 0);
+    await page.goto(stage.newLink());
+    await page.locator('[data-state]').first().waitFor();
+    assert.ok(!page.url().includes('#'), page.url());
+    await page.context().close();
+  });
+});
+
+describe('users', () => {
+  async function signIn(page, name, word) {
+    await page.getByLabel('Name').fill(name);
+    await page.getByLabel('Password').fill(word);
+    await page.getByRole('button', { name: 'Sign in' }).click();
+  }
+
+  test('an observer looks; the password of an operator lets operate', async () => {
+    const page = await stage.openPage({ link: stage.address() });
+    await signIn(page, 'observer', 'another password');
+    await page.getByText('Name or password is wrong.').waitFor();
+    await signIn(page, 'observer', password);
+    await page.getByRole('button', { name: 'observer' }).first().click();
+    await page.getByText('You may look.').waitFor();
+    assert.ok(await page.locator('#session-menu').getByText('e7106mf4').isVisible());
+    assert.deepEqual(await findings(page), []);
+    await signIn(page, 'operator', password);
+    await page.getByRole('button', { name: 'operator · operator' }).waitFor();
+    await page.getByRole('button', { name: 'Take control' }).first().click();
+    await page.getByRole('button', { name: 'Yes' }).click();
+    await page.getByRole('button', { name: 'Give control back' }).waitFor();
+    const other = await stage.openMachine();
+    await other.getByText(/controlled by session \d+ \(operator/).waitFor();
+    await other.getByRole('button', { name: 'Start', exact: true }).first().click();
+    await other.getByRole('alert').getByText('E6').waitFor();
+    await other.context().close();
+    await page.context().close();
+  });
+});
+
+describe('programs', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'panel-upload-'));
+  const wrong = join(folder, 'wrong.nc');
+  after(() => rmSync(folder, { recursive: true }));
+
+  async function open(name) {
+    const page = await stage.openMachine();
+    await show(page, 'programs');
+    await page.getByRole('link', { name: new RegExp(name) }).click();
+    await page.getByLabel('Text of the program').getByText('G').first().waitFor();
+    return page;
+  }
+
+  test('a program is uploaded, its error marked in its line, mended and saved', async () => {
+    writeFileSync(wrong, 'G90\r\nG1 X20 Q5 F100\r\nM30\r\n');
+    const page = await stage.openMachine();
+    await show(page, 'programs');
+    await page.getByLabel('File to upload').setInputFiles(wrong);
+    await page.getByRole('button', { name: 'Upload', exact: true }).click();
+    const text = page.getByLabel('Text of the program');
+    await text.getByText('X20').waitFor();
+    await page.getByRole('button', { name: 'Check' }).click();
+    await page.getByRole('button', { name: /E4003 wrong.nc:2/ }).click();
+    assert.equal(await page.locator('.cm-lintRange-error').first().innerText(), 'Q5');
+    assert.deepEqual(await findings(page), []);
+    await page.keyboard.press('End');
+    for (let i = 0; i < ' Q5 F100'.length; ++i) await page.keyboard.press('Backspace');
+    await page.keyboard.type(' F100');
+    await page.getByRole('button', { name: 'Check' }).click();
+    await page.getByText('no error found').waitFor();
+    await page.getByRole('button', { name: 'Save' }).click();
+    const saved = async () =>
+      (await stage.client.call('program.read', { program: 'wrong.nc' })).text;
+    await until('it is saved', async () => (await saved()) === 'G90\r\nG1 X20 F100\r\nM30\r\n');
+    await page.context().close();
+  });
+
+  test('what somebody else has changed meanwhile is not overwritten', async () => {
+    const page = await open('helix.nc');
+    const theirs = 'G90\nM30\n';
+    await stage.client.call('program.write', { program: 'helix.nc', text: theirs, version: 'any' });
+    await page.getByLabel('Text of the program').click();
+    await page.keyboard.type('G4 ');
+    await page.getByRole('button', { name: 'Save' }).click();
+    await page.getByRole('alert').getByText('Refused').waitFor();
+    const { text } = await stage.client.call('program.read', { program: 'helix.nc' });
+    assert.equal(text, theirs);
+    await page.context().close();
+  });
+});
+
+describe('tables', () => {
+  test('a value is changed, shown with what it was, and taken back', async () => {
+    const page = await stage.openMachine();
+    await show(page, 'tools');
+    const cell = page.getByLabel('T1.1 length', { exact: true });
+    const before = (await stage.client.call('tool.get', { number: 1 })).length;
+    await cell.fill('81.25');
+    await cell.press('Enter');
+    const length = async () => (await stage.client.call('tool.get', { number: 1 })).length;
+    await until('81.25', async () => (await length()) === 81.25);
+    await page.getByText(/T1.1 length from/).waitFor();
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await until('as before', async () => (await length()) === before);
+    await page.context().close();
+  });
+});
+
+describe('path', () => {
+  const points = 200_000;
+
+  function pages(id) {
+    const each = 50_000;
+    return Array.from({ length: points / each }, (_, page) => {
+      const bytes = Buffer.alloc(16 + each * 16);
+      [1, id, page, each].forEach((value, i) => bytes.writeUInt32LE(value, 4 * i));
+      for (let i = 0; i < each; ++i) {
+        const turn = (page * each + i) / 500;
+        bytes.writeFloatLE(40 * Math.cos(turn), 16 + 12 * i);
+        bytes.writeFloatLE(40 * Math.sin(turn), 20 + 12 * i);
+        bytes.writeFloatLE(turn / 10, 24 + 12 * i);
+        bytes.writeUInt32LE(page * each + i + 1, 16 + 12 * each + 4 * i);
+      }
+      return bytes;
+    });
+  }
+
+  test(`${points} planned points come by pages, a press tells the line`, async (context) => {
+    const frames = pages(7);
+    const planned = async (page) => {
+      await page.routeWebSocket(/\/ws$/, (socket) => {
+        const server = socket.connectToServer();
+        socket.onMessage((text) => {
+          const { id, method, params } = JSON.parse(text);
+          if (method !== 'program.path') return server.send(text);
+          const { page } = params;
+          const geometry = page < 4 ? { id: 7, page, rapid: [[0, 100]], begins: [] } : null;
+          if (page < 4) socket.send(frames[page]);
+          const result = { id: 7, pages: 4, points, complete: true, geometry };
+          socket.send(JSON.stringify({ jsonrpc: '2.0', id, result }));
+        });
+        server.onMessage((text) => socket.send(text));
+      });
+    };
+    await stage.client.call('program.load', { program: 'helix.nc' });
+    const page = await stage.openMachine({ before: planned });
+    await show(page, 'path');
+    await page.locator(`canvas[data-points="${points}"]`).waitFor();
+    const box = await page.locator('canvas').boundingBox();
+    const picture = () => page.locator('canvas').getAttribute('data-pictures').then(Number);
+    const [first, began] = [await picture(), Date.now()];
+    await page.mouse.move(box.x + 500, box.y + 300);
+    await page.mouse.down();
+    for (let i = 0; i < 60; ++i) await page.mouse.move(box.x + 500 + 3 * i, box.y + 300 + i);
+    await page.mouse.up();
+    const rate = ((await picture()) - first) / ((Date.now() - began) / 1000);
+    context.diagnostic(`turned with ${rate.toFixed(1)} pictures a second, drawn in software`);
+    await page.getByRole('button', { name: 'Front' }).click();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await page.getByText(/This part comes from line \d+/).waitFor();
+    await page.context().close();
+  });
+});
+
+test('the planned path of the daemon is drawn, and a line of it shown', async () => {
+  await stage.client.call('program.load', { program: 'square_and_circle.nc' });
+  const page = await stage.openMachine();
+  await page.evaluate(() => (location.hash = '#/path/15'));
+  const canvas = page.locator('canvas');
+  await until('points', async () => Number(await canvas.getAttribute('data-points')) > 10);
+  const { points } = await stage.client.call('program.path', { channel: 1, page: 0 });
+  await page.locator(`canvas[data-points="${points}"]`).waitFor();
+  await page.getByText('This part comes from line 15').waitFor();
+  await page.getByRole('link', { name: 'Show the line' }).click();
+  await page.getByLabel('Text of the program').getByText('G').first().waitFor();
+  await page.context().close();
+});
+
+if (process.env.STANOK_WRITE_DOCS) {
+  test('pictures of the manual', async () => {
+    await stage.switchOn();
+    const page = await stage.openMachine({ width: 1120, height: 700 });
+    await stage.client.call('program.run', { program: 'square_and_circle.nc', channel: 1 });
+    await page.locator('[data-state=running]').first().waitFor();
+    for (const view of ['path', 'machine', 'programs', 'tools', 'drives']) {
+      await show(page, view);
+      if (view === 'programs') {
+        await page.getByRole('link', { name: /square_and_circle/ }).click();
+      }
+      await page.waitForTimeout(view === 'path' ? 4000 : 500);
+      await page.screenshot({ path: join(root, `docs/operator/pictures/panel-${view}.png`) });
+    }
+    await page.context().close();
+  });
+}
