@@ -104,7 +104,6 @@ INSTANTIATE_TEST_SUITE_P(
                   TURN "G76 P020560 Q0.05 R2\nG76 X27.5 Z-20 P1.2 Q0.4 F2\nM30\n", "E4008", 4},
         FaultCase{"g76_negative_cut", "lathe.toml", TURN "G76 P020560 Q-0.05 R0.1\nM30\n", "E4008",
                   3},
-        FaultCase{"g84_on_a_lathe", "lathe.toml", TURN "G84 Z-12 R2 K1.25\nM30\n", "E4009", 3},
         FaultCase{"g84_without_speed", "mill3.toml",
                   "G94\nG0 X0 Y0 Z5\nG84 Z-10 R2 F500\nG80\nM30\n", "E4064", 3},
         FaultCase{"g74_without_lead", "mill3.toml", MILL "G74 Z-10 R2\nG80\nM30\n", "E4066", 3},
