@@ -1,4 +1,4 @@
-import{w as ar}from"./PathView-D_OguZqd.js";import"./index-BpINxcKP.js";import"./tables.svelte-B5i6c071.js";/**
+import{w as ar}from"./PathView-BTcua6Xq.js";import"./index-Dgruyp_4.js";import"./tables.svelte-P-vlM4zj.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
