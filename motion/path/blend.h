@@ -31,16 +31,4 @@ struct Blend {
                                              double reach_max, const Tolerance& tolerance,
                                              const MotionConfig& config);
 
-// The distance r from the corner of two straight segments at which the point corner - r t_in + r
-// t_out still keeps `tolerance`, against the corner and against either leg
-// (docs/developer/motion.md#overlap).
-[[nodiscard]] double corner_reach(const Segment& incoming, const Segment& outgoing,
-                                  const Tolerance& tolerance, const MotionConfig& config);
-
-// Largest deviation of `blend` from the programmed path over `incoming` and `outgoing`, as a share
-// of the tolerance, found at samples; includes the distance at which the corner itself is passed.
-[[nodiscard]] double deviation_share(const Blend& blend, const Segment& incoming,
-                                     const Segment& outgoing, const Tolerance& tolerance,
-                                     const MotionConfig& config);
-
 }  // namespace stanok::motion

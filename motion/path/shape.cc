@@ -6,6 +6,7 @@
 
 #include "motion/path/arc_length.h"
 #include "motion/path/blend.h"
+#include "motion/path/geometry.h"
 
 namespace stanok::motion {
 namespace {
@@ -102,6 +103,12 @@ Contact contact(const JetPoint& point_s) {
     at.curvature[k] = point_s[k].second;
   }
   return at;
+}
+
+Contact contact_at(const Segment& segment, double s) {
+  JetPoint point_s;
+  evaluate(segment, s, point_s);
+  return contact(point_s);
 }
 
 Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& to, double reach) {

@@ -26,6 +26,8 @@ struct Contact {
   Point curvature{};  // q''
 };
 [[nodiscard]] Contact contact(const JetPoint& point_s);
+// At the path length `s` of a segment.
+[[nodiscard]] Contact contact_at(const Segment& segment, double s);
 
 // The quintic that leaves `from` and enters `to` with their tangents and curvatures. `reach` is the
 // distance L from the corner at which both lie; control points stand at L, beta L and gamma L

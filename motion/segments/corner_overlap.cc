@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "motion/path/deviation.h"
 #include "motion/path/geometry.h"
 #include "motion/path/sampling.h"
 #include "motion/profile/profile.h"

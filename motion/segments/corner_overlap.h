@@ -11,8 +11,8 @@
 #include <optional>
 #include <span>
 
-#include "motion/path/blend.h"
 #include "motion/path/path.h"
+#include "motion/path/tolerance.h"
 
 namespace stanok::motion {
 
