@@ -77,23 +77,58 @@ Join judge_join(const Segment& incoming, const Segment& outgoing) {
   return cosine < cosine_min ? Join::turn : Join::corner;
 }
 
-bool keeps_speed(const Segment& incoming, const Segment& blend, const Segment& outgoing,
+Passage passage_of(std::span<const Segment> curve) {
+  Passage passage{.v = unlimited, .feed = curve.front().feed_per_s};
+  for (const Segment& segment : curve) {
+    passage.v = std::min(passage.v, segment_limits(segment.bounds, segment.feed_per_s).v);
+    passage.length += segment.length;
+  }
+  return passage;
+}
+
+bool keeps_speed(const Segment& incoming, const Passage& curve, const Segment& outgoing,
                  const MotionConfig& config) {
-  const double v = segment_limits(blend.bounds, blend.feed_per_s).v;
-  if (v >= feed_kept * blend.feed_per_s) return true;
-  return v >=
+  if (curve.v >= feed_kept * curve.feed) return true;
+  return curve.v >=
          feed_kept * std::min(leg_of(incoming, 1.0, config).v, leg_of(outgoing, 1.0, config).v);
 }
 
-bool is_stop_faster(const Segment& incoming, const Segment& blend, const Segment& outgoing,
-                    double stop_saves, const MotionConfig& config) {
-  const double v = segment_limits(blend.bounds, blend.feed_per_s).v;
+double time_lost(const Segment& incoming, const Passage& curve, const Segment& outgoing,
+                 const MotionConfig& config) {
   const CornerLeg before = leg_of(incoming, 1.0, config);
   const CornerLeg after = leg_of(outgoing, 1.0, config);
   const double top = std::min(before.v, after.v);
-  const double by_blend =
-      ramp_loss(before, v) + ramp_loss(after, v) + blend.length * (1.0 / v - 1.0 / top);
-  return ramp_loss(before, 0.0) + ramp_loss(after, 0.0) - stop_saves < by_blend;
+  return ramp_loss(before, curve.v) + ramp_loss(after, curve.v) +
+         curve.length * (1.0 / curve.v - 1.0 / top);
+}
+
+double time_lost_by_stop(const Segment& incoming, const Segment& outgoing,
+                         const MotionConfig& config) {
+  return ramp_loss(leg_of(incoming, 1.0, config), 0.0) +
+         ramp_loss(leg_of(outgoing, 1.0, config), 0.0);
+}
+
+std::optional<double> time_lost_from_rest(const Segment& incoming, const SwingFromRest& swing,
+                                          const Segment& outgoing, const OverlapCorner& corner,
+                                          const MotionConfig& config) {
+  const CornerLeg before = leg_of(incoming, 1.0, config);
+  const CornerLeg after = leg_of(outgoing, 1.0, config);
+  const double j = std::min(before.j, after.j);
+  const double jerk = j * jerk_part_allowed(corner, j, j, config);
+  const SwingFromRest::End end = swing.end_with_jerk(jerk);
+  const double top = std::min(before.v, after.v);
+  double lost = end.duration - 2.0 * swing.reach / top;
+  for (const CornerLeg& leg : {before, after}) {
+    // The ramp that leads through the state at the end of the curve, and what of it is behind.
+    const double behind = end.a / leg.j;
+    const double from = end.v - 0.5 * end.a * behind;
+    const double ramp = ramp_duration(std::max(from, 0.0), leg.v, leg.ramp());
+    if (end.v > leg.v || end.a > leg.a || behind > 0.5 * ramp) return std::nullopt;
+    const double distance =
+        0.5 * (from + leg.v) * ramp - behind * (from + leg.j * behind * behind / 6.0);
+    lost += ramp - behind - distance / leg.v;
+  }
+  return lost;
 }
 
 OverlapGain overlap_gain(const OverlapCorner& corner, const Segment& incoming,

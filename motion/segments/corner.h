@@ -4,7 +4,11 @@
 // passed slowly over its whole length. docs/developer/motion.md#blends.
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "motion/path/path.h"
+#include "motion/path/swing.h"
 #include "motion/segments/corner_overlap.h"
 
 namespace stanok::motion {
@@ -18,17 +22,34 @@ enum class Join : std::uint8_t {
 // Judges the join at which `incoming` ends and `outgoing` starts.
 [[nodiscard]] Join judge_join(const Segment& incoming, const Segment& outgoing);
 
-// Whether the blend, whose bounds are known, is passed nearly as fast as the feed or the length of
-// the blocks allow, so that the time need not be asked for.
-[[nodiscard]] bool keeps_speed(const Segment& incoming, const Segment& blend,
+// A curve through the corner: how fast it is passed at an even speed, and how long it is.
+struct Passage {
+  double v = 0.0;       // mm/s
+  double feed = 0.0;    // mm/s; the most that is programmed there
+  double length = 0.0;  // mm
+};
+// Of a curve in one or more segments, whose bounds are known.
+[[nodiscard]] Passage passage_of(std::span<const Segment> curve);
+
+// Whether the curve is passed nearly as fast as the feed or the length of the blocks allow, so that
+// the time need not be asked for.
+[[nodiscard]] bool keeps_speed(const Segment& incoming, const Passage& curve,
                                const Segment& outgoing, const MotionConfig& config);
 
-// Whether the axes come through sooner when they stop at the corner instead of taking `blend`.
-// Ramps are counted at the limits of either block, within half of its
-// length. The stop is shorter by `stop_saves` (s) than one without an overlap.
-[[nodiscard]] bool is_stop_faster(const Segment& incoming, const Segment& blend,
-                                  const Segment& outgoing, double stop_saves,
-                                  const MotionConfig& config);
+// Time lost (s) by passing the curve, and by a stop, against both legs at their top speed. Ramps
+// are counted at the limits of either block, within half of its length.
+[[nodiscard]] double time_lost(const Segment& incoming, const Passage& curve,
+                               const Segment& outgoing, const MotionConfig& config);
+[[nodiscard]] double time_lost_by_stop(const Segment& incoming, const Segment& outgoing,
+                                       const MotionConfig& config);
+
+// The same by a swing from rest, whose legs use the whole jerk of the axes; none where they would
+// become too fast for the blocks meanwhile.
+[[nodiscard]] std::optional<double> time_lost_from_rest(const Segment& incoming,
+                                                        const SwingFromRest& swing,
+                                                        const Segment& outgoing,
+                                                        const OverlapCorner& corner,
+                                                        const MotionConfig& config);
 
 // What an overlap saves against a stop, counted in the same way.
 struct OverlapGain {

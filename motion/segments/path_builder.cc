@@ -12,11 +12,11 @@
 
 #include "base/assert.h"
 #include "motion/bounds/segment_bounds.h"
-#include "motion/path/blend.h"
 #include "motion/path/block_metric.h"
 #include "motion/path/geometry.h"
 #include "motion/path/sampling.h"
 #include "motion/path/shape.h"
+#include "motion/path/swing.h"
 #include "motion/segments/corner.h"
 
 namespace stanok::motion {
@@ -28,9 +28,6 @@ constexpr double exact_tolerance = 1e-9;  // mm or deg
 
 // Of the whole tolerance, that corners left out of a line may use; blends have the rest.
 constexpr double straightening_share = 0.8;
-
-// Shorter rests between two blends are not worth a segment of their own; their blend gives way.
-constexpr double rest_min = 1e-4;
 
 constexpr double shortest_part = 0.02;  // mm; of a block that is divided near a singularity
 
@@ -69,44 +66,6 @@ SegmentProcess part_of(const Segment& whole, double from, double to) {
   if (to < whole.length)
     process.path_stop = whole.process.path_start + length * (to / whole.length);
   return process;
-}
-
-// The shortest rest of a block between its two blends, when `left` remains of it.
-double rest_wanted(double left) {
-  return std::min(rest_min, 0.125 * left);
-}
-
-// How far a blend may reach: it takes all that is left rather than leave a tiny rest.
-double reach_allowed(double left, double length_after) {
-  const double half = 0.5 * length_after;
-  return left - half < rest_wanted(left) ? left : half;
-}
-
-// Share of the tolerance at which setpoints on a blend between two lines pass the corner: the
-// chord between two of them is farther off than the curve by its sagitta (v T)^2 q'' / 8. The speed
-// is the highest that any plan may have there: where nothing is left for a change of speed.
-double chord_share(const Segment& incoming, const Segment& blend, const Segment& outgoing,
-                   const Tolerance& tolerance, const MotionConfig& config) {
-  constexpr double override_max = 2.0;
-  constexpr double unseen = 1e-6;  // mm; chords of an exact path
-  if (incoming.geometry.kind != SegmentKind::line || outgoing.geometry.kind != SegmentKind::line) {
-    return 0.0;
-  }
-  JetPoint middle;
-  evaluate_at_parameter(blend, 0.5, middle);
-  double distance2 = 0.0;
-  double bend2 = 0.0;
-  for (const int axis : config.geometry) {
-    if (axis < 0) continue;
-    const double distance = middle[axis].value - incoming.geometry.end[axis];
-    distance2 += distance * distance;
-    bend2 += middle[axis].second * middle[axis].second;
-  }
-  const double by_curvature =
-      blend.bounds.curvature > 0.0 ? 1.0 / std::sqrt(blend.bounds.curvature) : unlimited;
-  const double way = std::min(override_max * blend.feed_per_s, by_curvature) * config.cycle_s;
-  return (std::sqrt(distance2) + 0.125 * way * way * std::sqrt(bend2)) /
-         std::max(tolerance.mm, unseen);
 }
 
 // The soft limits less what a smooth run may deviate. Where TCP leads the tip through rotary axes,
@@ -259,11 +218,20 @@ void PathBuilder::stand_at_programmed_end() {
   pending_.reset();
 }
 
+// A corner between blocks so long that a swing to the full tolerance has room beside those at
+// their other ends: no curve over several corners is faster.
+bool PathBuilder::stands_alone(const Pending& one, const Pending& next,
+                               const Tolerance& tolerance) const {
+  return full_swing_reach(one.whole, next.whole, tolerance, config_) <=
+         0.5 * std::min(one.whole.length, next.whole.length);
+}
+
 // Two blocks that may be neighbours in a smooth run.
 bool PathBuilder::belong_together(const Pending& one, const Pending& next) const {
   const bool have_laws = one.whole.process.law != nullptr || next.whole.process.law != nullptr;
+  const Tolerance tolerance = lower_of(one.tolerance, next.tolerance);
   return !have_laws && one.keeps_clear && next.keeps_clear &&
-         run_.may_join(one.whole, next.whole, lower_of(one.tolerance, next.tolerance));
+         run_.may_join(one.whole, next.whole, tolerance) && !stands_alone(one, next, tolerance);
 }
 
 void PathBuilder::open_run(const Pending& next) {
@@ -330,76 +298,46 @@ void PathBuilder::join(const Pending& block) {
   pending_ = next;
 }
 
-// A blend, or a stop, which the next block may overlap: the fastest of them.
+// A curve, or a stop, which the next block may overlap: the fastest of them.
 void PathBuilder::join_corner(Pending& next) {
   const Segment& incoming = pending_->whole;
   const Segment& outgoing = next.whole;
   const Tolerance tolerance = lower_of(pending_->tolerance, next.tolerance);
-  const auto curve = blend_to(
-      next, {std::max(exact_tolerance, tolerance.mm), std::max(exact_tolerance, tolerance.deg)});
-  if (curve && keeps_speed(incoming, curve->segment, outgoing, config_)) return take(*curve, next);
+  const CornerPlace place{.incoming = incoming,
+                          .outgoing = outgoing,
+                          .left = incoming.length - std::max(pending_->from, pending_->straight)};
+  const Tolerance allowed{std::max(exact_tolerance, tolerance.mm),
+                          std::max(exact_tolerance, tolerance.deg)};
+  const auto blend = blend_at(place, allowed, config_);
+  if (blend && blend->keeps_speed)
+    return take(faster_of_tangent(place, allowed, config_, *blend), next);
   const auto overlap = overlap_corner(incoming, outgoing, tolerance, config_);
   OverlapGain gain;
   if (overlap) gain = overlap_gain(*overlap, incoming, outgoing, config_);
-  if (curve && !is_stop_faster(incoming, curve->segment, outgoing, gain.time, config_)) {
-    return take(*curve, next);
-  }
+  const double by_stop = time_lost_by_stop(incoming, outgoing, config_) - gain.time;
+  const auto curve = faster_curve(place, allowed, config_, blend, by_stop);
+  if (curve) return take(*curve, next);
   if (gain.time <= 0.0) return stop();
   stop_with_overlap(*overlap, gain.jerk_part, next);
 }
 
-// The blend to the next block, if there is one that the machine can reach.
-std::optional<PathBuilder::Curve> PathBuilder::blend_to(const Pending& next,
-                                                        const Tolerance& tolerance) const {
-  Tolerance used = tolerance;
-  auto curve = fit_curve(next, used);
-  constexpr int attempts = 3;  // a smaller blend is bent more, where the feed sets its speed
-  for (int k = 0; k < attempts && curve; ++k) {
-    const double share =
-        chord_share(pending_->whole, curve->segment, next.whole, tolerance, config_);
-    if (share <= 1.0) break;
-    used = {used.mm / share, used.deg / share};
-    curve = fit_curve(next, used);
-  }
-  if (!curve || soft_limit_excess(curve->segment, config_)) return std::nullopt;
-  return curve;
-}
-
-std::optional<PathBuilder::Curve> PathBuilder::fit_curve(const Pending& next,
-                                                         const Tolerance& tolerance) const {
-  const Segment& incoming = pending_->whole;
-  const Segment& outgoing = next.whole;
-  const double left = incoming.length - std::max(pending_->from, pending_->straight);
-  const double reach_max = reach_allowed(left, outgoing.length);
-  auto blend = fit_blend(incoming, outgoing, reach_max, tolerance, config_);
-  if (blend && blend->reach < left && left - blend->reach < rest_wanted(left)) {
-    blend = fit_blend(incoming, outgoing, left - rest_wanted(left), tolerance, config_);
-  }
-  if (!blend) return std::nullopt;
-  Curve curve{.segment = outgoing, .reach = blend->reach};
-  Segment& segment = curve.segment;
-  segment.tag = incoming.tag;
-  segment.geometry = blend->shape.geometry;
-  segment.length = blend->shape.length;
-  segment.feed_per_s = std::min(incoming.feed_per_s, outgoing.feed_per_s);
-  segment.rapid = incoming.rapid && outgoing.rapid;
-  if (incoming.feed_per_s < outgoing.feed_per_s) segment.process = incoming.process;
-  segment.bounds = segment_bounds(segment, config_);
-  return curve;
-}
-
-// Emits a blend and what is left of the pending block before it.
-void PathBuilder::take(const Curve& curve, Pending& next) {
-  Segment segment = curve.segment;
+// Emits a curve and what is left of the pending block before it.
+void PathBuilder::take(const CornerCurve& curve, Pending& next) {
+  std::vector<Segment> segments = curve.segments;
   const double corner = pending_->whole.length;
   if (curve.reach < corner - pending_->from) {
-    emit_pending(corner - curve.reach, segment.geometry.start);
+    emit_pending(corner - curve.reach, segments.front().geometry.start);
   } else {
-    segment.geometry.start = pending_->from_point;  // two blends touch: one point to the bit
+    // two curves touch: one point to the bit
+    segments.front().geometry.start = pending_->from_point;
   }
-  append_blend(segment, next, curve.reach);
+  if (segments.size() == 1) {
+    append_blend(segments.front(), next, curve.reach);
+  } else {
+    for (const Segment& segment : segments) append(segment);
+  }
   next.from = curve.reach;
-  next.from_point = segment.geometry.end;
+  next.from_point = segments.back().geometry.end;
 }
 
 // The pending block from where the blend at its start ends up to `to`, in two parts when they may

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "motion/path/path.h"
+#include "motion/path/tolerance.h"
+#include "motion/segments/corner_curve.h"
 #include "motion/segments/corner_overlap.h"
 #include "motion/segments/smooth_run.h"
 #include "motion/segments/straightening.h"
@@ -80,12 +82,6 @@ class PathBuilder {
     double straight = 0.0;   // at its start, that no blend may take: it overlaps the block before
   };
 
-  // A blend, and how far it reaches into both blocks.
-  struct Curve {
-    Segment segment;
-    double reach = 0.0;
-  };
-
   [[nodiscard]] const Point& programmed_end() const;
   [[nodiscard]] std::optional<Unreachable> stand(const PathBlock& block);
   [[nodiscard]] Pending pending_from(const PathBlock& block) const;
@@ -95,16 +91,14 @@ class PathBuilder {
   void settle_line();
   void settle(const Pending& next);
   [[nodiscard]] bool belong_together(const Pending& one, const Pending& next) const;
+  [[nodiscard]] bool stands_alone(const Pending& one, const Pending& next,
+                                  const Tolerance& tolerance) const;
   void open_run(const Pending& next);
   void close_run(SmoothRun::End end);
   void emit_run();
   void join(const Pending& next);
   void join_corner(Pending& next);
-  [[nodiscard]] std::optional<Curve> blend_to(const Pending& next,
-                                              const Tolerance& tolerance) const;
-  [[nodiscard]] std::optional<Curve> fit_curve(const Pending& next,
-                                               const Tolerance& tolerance) const;
-  void take(const Curve& curve, Pending& next);
+  void take(const CornerCurve& curve, Pending& next);
   void emit_pending(double to, const Point& to_point, double jerk_part_at_end = 1.0);
   void emit_part(double from, const Point& from_point, double to, const Point& to_point,
                  double jerk_part);

@@ -116,10 +116,11 @@ Deviation worst_deviation(const Program& program, const std::vector<Built>& buil
     at = block.end;
   }
   Deviation worst;
-  for (const Built& b : built) {
+  double corner = unlimited;
+  for (std::size_t k = 0; k < built.size(); ++k) {
+    const Built& b = built[k];
     if (b.segment.geometry.kind != SegmentKind::quintic) continue;
     const auto n = static_cast<std::size_t>(b.segment.tag.block);
-    double corner = unlimited;
     for (int i = 0; i <= 60; ++i) {
       JetPoint jet;
       evaluate(b.segment, b.segment.length * i / 60.0, jet);
@@ -132,8 +133,13 @@ Deviation worst_deviation(const Program& program, const std::vector<Built>& buil
       worst.deg = std::max(worst.deg, nearer.deg);
       corner = std::min(corner, xyz_distance(p, program.blocks[n].end));
     }
-    // Chords of 1/60 of the blend pass the corner at most that much farther off.
+    const bool goes_on = k + 1 < built.size() &&
+                         built[k + 1].segment.geometry.kind == SegmentKind::quintic &&
+                         built[k + 1].segment.tag.block == n;
+    if (goes_on) continue;  // a curve in several parts
+    // Chords of 1/60 of the curve pass the corner at most that much farther off.
     worst.mm = std::max(worst.mm, corner - b.segment.length / 120.0);
+    corner = unlimited;
   }
   return worst;
 }
@@ -347,7 +353,7 @@ TEST(PathBuilder, SegmentIsFinalTwoBlocksLater) {
 
 // Full stop from 83 mm/s at 50,000 mm/s^3: 2 sqrt(v / j) = 0.082 s. A right angle within 0.01 mm
 // could be taken at about 2.5 mm/s over 0.1 mm: later.
-TEST(PathBuilder, StopsWhereABlendWouldTakeLonger) {
+TEST(PathBuilder, SwingsFromRestWhereABlendWouldTakeLonger) {
   MotionConfig config = blending_mill(3);
   for (AxisLimits& axis : config.axes) axis.jerk_max = 50000.0;
   const auto corner = [&](double angle) {
@@ -355,8 +361,13 @@ TEST(PathBuilder, StopsWhereABlendWouldTakeLonger) {
     const double s = std::sin(angle);
     return build({{}, {line_to({20.0}, 83.3), line_to({20.0 + 20.0 * c, 20.0 * s}, 83.3)}}, config);
   };
-  EXPECT_TRUE(corner(pi / 2.0)[0].ends_chain);
-  EXPECT_FALSE(corner(pi / 36.0)[0].ends_chain);
+  const auto count_curves = [](const std::vector<Built>& built) {
+    return std::ranges::count_if(
+        built, [](const Built& b) { return b.segment.geometry.kind == SegmentKind::quintic; });
+  };
+  EXPECT_EQ(count_curves(corner(pi / 2.0)), 6);
+  EXPECT_EQ(count_curves(corner(pi / 180.0)), 1);  // keeps the feed
+  for (const double angle : {pi / 2.0, pi / 180.0}) EXPECT_FALSE(corner(angle)[0].ends_chain);
 }
 
 // Blocks of CAM length whose blends take half of each: all bits of joins are shared.
