@@ -127,8 +127,8 @@ double deviation_share(std::span<const Shape> curve, double reach, const Segment
     const Segment part = segment_of(curve[static_cast<std::size_t>(i / of_part)]);
     const Point point = position_at(part, static_cast<double>(i % of_part) / of_part);
     const double u = static_cast<double>(i) / count;
-    share =
-        std::max(share, to_nearer_leg(incoming, outgoing, reach, u, point, tolerance, config).share);
+    share = std::max(share,
+                     to_nearer_leg(incoming, outgoing, reach, u, point, tolerance, config).share);
   }
   return share;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "motion/path/arc_length.h"
@@ -38,9 +37,8 @@ struct EvenCurve {
 
   [[nodiscard]] Contact at(double t) const {
     const bool is_before = t < 0.0;
-    const Contact leg = is_before
-                            ? contact_at(corner.incoming, corner.incoming.length + t * reach)
-                            : contact_at(corner.outgoing, t * reach);
+    const Contact leg = is_before ? contact_at(corner.incoming, corner.incoming.length + t * reach)
+                                  : contact_at(corner.outgoing, t * reach);
     const double side = is_before ? -1.0 : 1.0;
     const SwingForm::Deviation off = form.at(std::abs(t));
     const SwingForm::Deviation bent = StepForm::at(std::abs(t));
@@ -52,28 +50,6 @@ struct EvenCurve {
       there.tangent[k] = reach * leg.tangent[k] + side * off.first * kink + bent.first * step;
       there.curvature[k] =
           reach * reach * leg.curvature[k] + off.second * kink + side * bent.second * step;
-    }
-    return there;
-  }
-};
-
-// Two legs from rest, of which the incoming one goes backwards; `overlap` is the parameter at which
-// each is as far from the corner as the other, t = 0 of the curve.
-struct CurveFromRest {
-  const Corner& corner;
-  double overlap = 0.0;
-  double scale = 0.0;  // mm, how far each leg goes back
-
-  [[nodiscard]] Contact at(double t) const {
-    const SwingForm::Deviation before = LegFromRest::at(overlap - t);
-    const SwingForm::Deviation behind = LegFromRest::at(overlap + t);
-    Contact there;
-    for (std::size_t k = 0; k < axes_max; ++k) {
-      const double in = corner.before.tangent[k];
-      const double out = corner.behind.tangent[k];
-      there.position[k] = corner.before.position[k] + scale * (out * behind.value - in * before.value);
-      there.tangent[k] = scale * (out * behind.first + in * before.first);
-      there.curvature[k] = scale * (out * behind.second - in * before.second);
     }
     return there;
   }
@@ -103,30 +79,6 @@ std::vector<Shape> parts_of(const Curve& curve, const PathMetric& metric,
     start = end;
   }
   return parts;
-}
-
-// How far a leg may go back: its point is then beside the other leg, or, where the path turns by
-// more than a right angle, nearest to the corner.
-double way_back(const Corner& corner, const PathMetric& metric, const Tolerance& tolerance,
-                const MotionConfig& config) {
-  const double cosine =
-      std::max(metric_product(metric, corner.before.tangent, corner.behind.tangent), 0.0);
-  const auto beside = [cosine](const Point& leg, const Point& other) {
-    Point off;
-    for (std::size_t k = 0; k < axes_max; ++k) off[k] = leg[k] - cosine * other[k];
-    return off;
-  };
-  double way = unlimited;
-  const Point& in = corner.before.tangent;
-  const Point& out = corner.behind.tangent;
-  for (const Point& off : {beside(in, out), beside(out, in)}) {
-    way = std::min(way, tolerance.mm / geometry_norm(config, off));
-    for (int k = 0; k < config.axis_count; ++k) {
-      if (is_geometry_axis(config, k)) continue;
-      way = std::min(way, axis_tolerance(config, k, tolerance) / std::abs(off[k]));
-    }
-  }
-  return way;
 }
 
 Swing even_swing(const Corner& corner, const SwingForm& form, double reach) {
@@ -189,23 +141,6 @@ SwingForm::Deviation SwingForm::at(double t) const {
           .second = -slope_ * left};
 }
 
-// Back: the third derivative is -1 up to `change`, 1 up to the turning point and beyond. In the
-// last part of the way back, read backwards from rest, a velocity B^2 / 2 is taken away by two
-// changes of C = B / sqrt(2) each: B^3 (1/3 + 1/(2 sqrt(2))) = 1.
-double LegFromRest::change() {
-  static const double at_turn = std::cbrt(1.0 / (1.0 / 3.0 + 0.5 * std::numbers::sqrt2 / 2.0));
-  return at_turn / std::numbers::sqrt2;
-}
-
-SwingForm::Deviation LegFromRest::at(double t) {
-  const double c = change();
-  if (t <= c) return {.value = -t * t * t / 6.0, .first = -0.5 * t * t, .second = -t};
-  const double r = t - c;
-  return {.value = -c * c * c / 6.0 - r * (0.5 * c * c + r * (0.5 * c - r / 6.0)),
-          .first = -0.5 * c * c - r * (c - 0.5 * r),
-          .second = r - c};
-}
-
 SwingForm::Deviation StepForm::at(double t) {
   // D'(1) = 0 gives the derivative at 0.
   constexpr double rest = 1.0 - turn;
@@ -221,17 +156,6 @@ SwingForm::Deviation StepForm::at(double t) {
           .second = slope * left};
 }
 
-double LegFromRest::time_of(double value) {
-  double low = change() * (2.0 + std::numbers::sqrt2);  // the turning point
-  double high = 2.0 * low + std::cbrt(6.0 * std::max(value, 0.0));
-  constexpr int halvings = 60;
-  for (int k = 0; k < halvings; ++k) {
-    const double middle = 0.5 * (low + high);
-    (at(middle).value > value ? high : low) = middle;
-  }
-  return high;
-}
-
 double full_swing_reach(const Segment& incoming, const Segment& outgoing,
                         const Tolerance& tolerance, const MotionConfig& config) {
   return corner_reach(incoming, outgoing, used_by_curves(tolerance), config) /
@@ -244,44 +168,10 @@ std::optional<Swing> fit_swing(const Segment& incoming, const Segment& outgoing,
     return fit_swing_on_arcs(incoming, outgoing, reach_max, tolerance, config);
   // Deviations of a form are shares of its reach and of the kink, which `allowed` has in it.
   const double allowed = corner_reach(incoming, outgoing, used_by_curves(tolerance), config);
-  const double reach =
-      std::min({reach_max, allowed / SwingForm(SwingForm::turn_min).at_corner(), incoming.length,
-                outgoing.length});
+  const double reach = std::min({reach_max, allowed / SwingForm(SwingForm::turn_min).at_corner(),
+                                 incoming.length, outgoing.length});
   if (reach < reach_least || allowed >= SwingForm(1.0).at_corner() * reach) return std::nullopt;
   return even_swing({incoming, outgoing}, SwingForm::with_deviation(allowed / reach), reach);
-}
-
-std::optional<SwingFromRest> swing_from_rest(const Segment& incoming, const Segment& outgoing,
-                                             double reach_max, const Tolerance& tolerance,
-                                             const MotionConfig& config) {
-  if (!is_between_lines(incoming, outgoing)) return std::nullopt;
-  const Tolerance used = used_by_curves(tolerance);
-  const double at_corner = corner_reach(incoming, outgoing, used, config);
-  const double way = way_back({incoming, outgoing}, incoming.geometry.metric, used, config);
-  SwingFromRest swing{.overlap = LegFromRest::time_of(at_corner / way)};
-  const double farthest = LegFromRest::at(2.0 * swing.overlap).value;
-  const double room = std::min({reach_max, incoming.length, outgoing.length});
-  swing.scale = std::min(way, room / farthest);
-  swing.reach = farthest * swing.scale;
-  if (swing.scale < reach_least) return std::nullopt;
-  return swing;
-}
-
-Swing SwingFromRest::between(const Segment& incoming, const Segment& outgoing) const {
-  const Corner corner{incoming, outgoing};
-  const CurveFromRest curve{.corner = corner, .overlap = overlap, .scale = scale};
-  const double inner = overlap - LegFromRest::change();
-  const std::array<double, 7> knots{-overlap, -inner, -0.5 * inner, 0.0, 0.5 * inner,
-                                    inner,    overlap};
-  return {.parts = parts_of(curve, incoming.geometry.metric, knots), .reach = reach};
-}
-
-SwingFromRest::End SwingFromRest::end_with_jerk(double jerk) const {
-  const double unit = std::cbrt(scale / jerk);
-  const SwingForm::Deviation end = LegFromRest::at(2.0 * overlap);
-  return {.duration = 2.0 * overlap * unit,
-          .v = scale / unit * end.first,
-          .a = scale / (unit * unit) * end.second};
 }
 
 }  // namespace stanok::motion

@@ -61,17 +61,6 @@ class StepForm {
   [[nodiscard]] static SwingForm::Deviation at(double t);
 };
 
-// One leg of a corner at which both axes nearly stop, as a motion from rest with a third derivative
-// of +-1 by a parameter t: first back by 1, then forth, ever faster.
-class LegFromRest {
- public:
-  [[nodiscard]] static SwingForm::Deviation at(double t);
-  // Where the third derivative changes from -1 to 1.
-  [[nodiscard]] static double change();
-  // When the leg comes to `value` on its way forth.
-  [[nodiscard]] static double time_of(double value);
-};
-
 struct Swing {
   std::vector<Shape> parts;  // in path order
   double reach = 0.0;        // where it leaves and enters the segments, from the corner
@@ -82,31 +71,6 @@ struct Swing {
 [[nodiscard]] std::optional<Swing> fit_swing(const Segment& incoming, const Segment& outgoing,
                                              double reach_max, const Tolerance& tolerance,
                                              const MotionConfig& config);
-
-// A swing between straight segments for a corner so sharp that the axes nearly stop: the incoming
-// leg is a motion to rest a little beyond the corner and back to it, the outgoing one begins in the
-// same way, and they overlap.
-struct SwingFromRest {
-  double scale = 0.0;    // mm, how far the legs go back
-  double overlap = 0.0;  // their parameter where they are as far from the corner as each other
-  double reach = 0.0;
-
-  // How the curve is left, and entered in mirror image, when each of its legs has the third
-  // derivative `jerk` by time.
-  struct End {
-    double duration = 0.0;
-    double v = 0.0;
-    double a = 0.0;
-  };
-  [[nodiscard]] End end_with_jerk(double jerk) const;
-  [[nodiscard]] Swing between(const Segment& incoming, const Segment& outgoing) const;
-};
-// Within `tolerance` and `reach_max`; none where one of the segments is not straight.
-[[nodiscard]] std::optional<SwingFromRest> swing_from_rest(const Segment& incoming,
-                                                           const Segment& outgoing,
-                                                           double reach_max,
-                                                           const Tolerance& tolerance,
-                                                           const MotionConfig& config);
 
 // The reach of a swing to the full tolerance between two straight segments.
 [[nodiscard]] double full_swing_reach(const Segment& incoming, const Segment& outgoing,

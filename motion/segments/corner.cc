@@ -108,29 +108,6 @@ double time_lost_by_stop(const Segment& incoming, const Segment& outgoing,
          ramp_loss(leg_of(outgoing, 1.0, config), 0.0);
 }
 
-std::optional<double> time_lost_from_rest(const Segment& incoming, const SwingFromRest& swing,
-                                          const Segment& outgoing, const OverlapCorner& corner,
-                                          const MotionConfig& config) {
-  const CornerLeg before = leg_of(incoming, 1.0, config);
-  const CornerLeg after = leg_of(outgoing, 1.0, config);
-  const double j = std::min(before.j, after.j);
-  const double jerk = j * jerk_part_allowed(corner, j, j, config);
-  const SwingFromRest::End end = swing.end_with_jerk(jerk);
-  const double top = std::min(before.v, after.v);
-  double lost = end.duration - 2.0 * swing.reach / top;
-  for (const CornerLeg& leg : {before, after}) {
-    // The ramp that leads through the state at the end of the curve, and what of it is behind.
-    const double behind = end.a / leg.j;
-    const double from = end.v - 0.5 * end.a * behind;
-    const double ramp = ramp_duration(std::max(from, 0.0), leg.v, leg.ramp());
-    if (end.v > leg.v || end.a > leg.a || behind > 0.5 * ramp) return std::nullopt;
-    const double distance =
-        0.5 * (from + leg.v) * ramp - behind * (from + leg.j * behind * behind / 6.0);
-    lost += ramp - behind - distance / leg.v;
-  }
-  return lost;
-}
-
 OverlapGain overlap_gain(const OverlapCorner& corner, const Segment& incoming,
                          const Segment& outgoing, const MotionConfig& config) {
   const CornerLeg before = leg_of(incoming, 1.0, config);

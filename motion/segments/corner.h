@@ -4,11 +4,9 @@
 // passed slowly over its whole length. docs/developer/motion.md#blends.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "motion/path/path.h"
-#include "motion/path/swing.h"
 #include "motion/segments/corner_overlap.h"
 
 namespace stanok::motion {
@@ -42,14 +40,6 @@ struct Passage {
                                const Segment& outgoing, const MotionConfig& config);
 [[nodiscard]] double time_lost_by_stop(const Segment& incoming, const Segment& outgoing,
                                        const MotionConfig& config);
-
-// The same by a swing from rest, whose legs use the whole jerk of the axes; none where they would
-// become too fast for the blocks meanwhile.
-[[nodiscard]] std::optional<double> time_lost_from_rest(const Segment& incoming,
-                                                        const SwingFromRest& swing,
-                                                        const Segment& outgoing,
-                                                        const OverlapCorner& corner,
-                                                        const MotionConfig& config);
 
 // What an overlap saves against a stop, counted in the same way.
 struct OverlapGain {

@@ -9,10 +9,12 @@
 #include "motion/path/geometry.h"
 #include "motion/path/swing.h"
 #include "motion/segments/corner.h"
-#include "motion/segments/corner_overlap.h"
 
 namespace stanok::motion {
 namespace {
+
+// A swing is taken where it loses so many times less than the other way.
+constexpr double gain_min = 1.3;
 
 // Shorter rests between two curves are not worth a segment of their own; their curve gives way.
 constexpr double rest_min = 1e-4;
@@ -157,25 +159,6 @@ std::optional<CornerCurve> even_swing_at(const CornerPlace& place, const Toleran
   return curve;
 }
 
-std::optional<CornerCurve> swing_from_rest_at(const CornerPlace& place, const Tolerance& tolerance,
-                                              const MotionConfig& config, double lost_max) {
-  const auto overlap = overlap_corner(place.incoming, place.outgoing, tolerance, config);
-  if (!overlap) return std::nullopt;
-  double lost = lost_max;
-  const auto fit = [&](double reach_max, const Tolerance& used) -> std::optional<Swing> {
-    const auto swing =
-        swing_from_rest(place.incoming, place.outgoing, reach_max, used, config);
-    if (!swing) return std::nullopt;
-    lost = time_lost_from_rest(place.incoming, *swing, place.outgoing, *overlap, config)
-               .value_or(lost_max);
-    if (lost >= lost_max) return std::nullopt;
-    return swing->between(place.incoming, place.outgoing);
-  };
-  auto curve = curve_by(fit, place, tolerance, config);
-  if (curve) curve->time_lost = lost;
-  return curve;
-}
-
 }  // namespace
 
 std::optional<CornerCurve> blend_at(const CornerPlace& place, const Tolerance& tolerance,
@@ -192,8 +175,8 @@ std::optional<CornerCurve> blend_at(const CornerPlace& place, const Tolerance& t
 
 CornerCurve faster_of_tangent(const CornerPlace& place, const Tolerance& tolerance,
                               const MotionConfig& config, CornerCurve blend) {
-  constexpr double kept = 0.99;     // of the feed: nothing to gain
-  constexpr double faster = 1.02;   // than the blend
+  constexpr double kept = 0.99;    // of the feed: nothing to gain
+  constexpr double faster = 1.02;  // than the blend
   constexpr double longer = 1.25;
   const bool has_law =
       place.incoming.process.law != nullptr || place.outgoing.process.law != nullptr;
@@ -208,21 +191,20 @@ CornerCurve faster_of_tangent(const CornerPlace& place, const Tolerance& toleran
 std::optional<CornerCurve> faster_curve(const CornerPlace& place, const Tolerance& tolerance,
                                         const MotionConfig& config,
                                         std::optional<CornerCurve> blend, double lost_max) {
-  std::optional<CornerCurve> best;
-  const auto take_if_faster = [&](std::optional<CornerCurve> curve) {
-    if (!curve || curve->time_lost >= lost_max) return;
-    lost_max = curve->time_lost;
-    best = std::move(curve);
-  };
   const bool has_law =
       place.incoming.process.law != nullptr || place.outgoing.process.law != nullptr;
-  const bool tries_swing =
-      !has_law && (!blend || !is_between_lines(place) ||
-                   may_gain(place, *blend, tolerance, config, std::min(lost_max, blend->time_lost)));
-  take_if_faster(std::move(blend));
-  if (tries_swing) take_if_faster(even_swing_at(place, tolerance, config));
-  if (!has_law) take_if_faster(swing_from_rest_at(place, tolerance, config, lost_max));
-  return best;
+  std::optional<CornerCurve> best;
+  if (blend && blend->time_lost <= lost_max) {
+    lost_max = blend->time_lost;
+    best = blend;
+  }
+  // A swing takes more of both blocks, and a plan has less to change its speed on.
+  const double swing_max = lost_max / gain_min;
+  if (has_law) return best;
+  if (blend && is_between_lines(place) && !may_gain(place, *blend, tolerance, config, swing_max))
+    return best;
+  auto swing = even_swing_at(place, tolerance, config);
+  return swing && swing->time_lost < swing_max ? swing : best;
 }
 
 }  // namespace stanok::motion

@@ -29,7 +29,8 @@ struct CornerCurve {
                                                   const Tolerance& tolerance,
                                                   const MotionConfig& config);
 
-// `blend`, or a swing that is passed faster where the blocks have no kink, only a step of curvature.
+// `blend`, or a swing that is passed faster where the blocks have no kink, only a step of
+// curvature.
 [[nodiscard]] CornerCurve faster_of_tangent(const CornerPlace& place, const Tolerance& tolerance,
                                             const MotionConfig& config, CornerCurve blend);
 

@@ -5,9 +5,7 @@
 #include <numbers>
 
 #include "motion/path/geometry.h"
-#include "motion/path/point_algebra.h"
 #include "motion/path/sampling.h"
-#include "motion/path/shape.h"
 #include "motion/time_optimum/phase_list.h"
 
 namespace stanok::motion {
@@ -22,7 +20,6 @@ constexpr double rest_growth = 0.3;      // of intervals there, over the distanc
 constexpr std::size_t intervals_min = 4;
 constexpr std::size_t intervals_max = 4096;  // of a place that is passed very slowly
 constexpr double least_piece = 1e-9;         // mm, of a segment
-constexpr double turn_max = 0.02;            // rad, of an interval of a curve
 
 constexpr LimitShare share_at_first{.force = 0.993, .speed = 1.0};
 constexpr double rest_share = 0.995;  // of the jerk of the plan, next to rest
@@ -35,21 +32,11 @@ double lowered(double share, double use, int proof) {
   return std::max(share - (proof + 1) * (1.5 * share * (use - 1.0) + 1e-3), share_min);
 }
 
-// The angle between the directions at both ends of a segment, rad.
-double turn_of(const Segment& segment) {
-  const PathMetric& metric = segment.geometry.metric;
-  const Contact start = contact_at(segment, 0.0);
-  const Contact end = contact_at(segment, segment.length);
-  return std::acos(std::clamp(metric_product(metric, start.tangent, end.tangent), -1.0, 1.0));
-}
-
-// The longest interval whose derivatives five places tell of, and over which the speed of a sharp
-// corner is nearly a parabola: of an arc and of rotary axes that
+// The longest interval whose derivatives five places tell of: of an arc and of rotary axes that
 // lead a tip as in motion/path/sampling.h.
 double longest_interval(const Segment& segment, int axis_count) {
   const Geometry& g = segment.geometry;
   double parts = g.kind == SegmentKind::line ? 1.0 : 2.0;
-  if (g.kind == SegmentKind::quintic) parts = std::max(parts, turn_of(segment) / turn_max);
   if (g.kind == SegmentKind::arc) parts = std::abs(g.sweep) * 8.0 / std::numbers::pi;
   if (!is_affine(segment)) {
     for (int k = 3; k < axis_count; ++k) {

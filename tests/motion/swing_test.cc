@@ -7,12 +7,9 @@
 #include <numbers>
 
 #include "tests/motion/path_samples.h"
-#include "tests/support/cycle.h"
 
 namespace stanok::motion::testing {
 namespace {
-
-using stanok::testing::cycle_s;
 
 Segment straight(const Point& start, const Point& end) {
   Segment segment;
@@ -139,24 +136,6 @@ TEST(StepForm, MeetsTheSegmentsAndIsOdd) {
   EXPECT_NEAR(largest, StepForm::largest, 1e-6);
 }
 
-TEST(LegFromRest, GoesBackByOneAndForthAgain) {
-  double lowest = 0.0;
-  constexpr double h = 1e-4;
-  for (double t = 0.01; t < 8.0; t += 0.01) {
-    lowest = std::min(lowest, LegFromRest::at(t).value);
-    if (std::abs(t - LegFromRest::change()) < 2 * h) continue;
-    const auto before = LegFromRest::at(t - h);
-    const auto behind = LegFromRest::at(t + h);
-    EXPECT_NEAR(LegFromRest::at(t).first, (behind.value - before.value) / (2 * h), 1e-7);
-    EXPECT_NEAR(LegFromRest::at(t).second, (behind.first - before.first) / (2 * h), 1e-7);
-    EXPECT_NEAR((behind.second - before.second) / (2 * h),
-                t < LegFromRest::change() ? -1.0 : 1.0, 1e-7);
-  }
-  EXPECT_NEAR(lowest, -1.0, 1e-4);
-  EXPECT_GE(lowest, -1.0 - 1e-12);
-  EXPECT_NEAR(LegFromRest::at(LegFromRest::time_of(0.7)).value, 0.7, 1e-12);
-}
-
 TEST(Swing, KeepsTheToleranceOnBothSidesAndUsesIt) {
   const MotionConfig config = three_axes(channel_limits);
   for (const double degrees : {2.0, 14.0, 45.0, 90.0, 120.0, 160.0}) {
@@ -170,20 +149,6 @@ TEST(Swing, KeepsTheToleranceOnBothSidesAndUsesIt) {
     EXPECT_GE(range.at_corner, 0.0095) << degrees;
     // Across a leg the deviation is less by cos(turn / 2) than from corner to curve.
     EXPECT_GE(range.outside, 0.0095 * std::cos(degrees * std::numbers::pi / 360.0)) << degrees;
-  }
-}
-
-TEST(Swing, FromRestKeepsTheToleranceOnBothSidesAndUsesIt) {
-  const MotionConfig config = three_axes(channel_limits);
-  for (const double degrees : {30.0, 60.0, 90.0, 120.0, 150.0}) {
-    const Legs legs(50.0, degrees * std::numbers::pi / 180.0);
-    const auto form = swing_from_rest(legs.incoming, legs.outgoing, 25.0, {0.01, 0.01}, config);
-    ASSERT_TRUE(form) << degrees;
-    const Range range = deviations_of(form->between(legs.incoming, legs.outgoing), legs);
-    EXPECT_LE(range.inside, 0.01) << degrees;
-    EXPECT_LE(range.outside, 0.01) << degrees;
-    EXPECT_LE(range.at_corner, 0.01) << degrees;
-    EXPECT_GE(range.at_corner, 0.0095) << degrees;
   }
 }
 
@@ -276,17 +241,6 @@ TEST(Swing, IsPassedAtTheSpeedOfTheClosedForm) {
   // The plan also changes its speed within the curve.
   EXPECT_GT(slowest, 0.8 * even);
   EXPECT_LT(slowest, 1.5 * even);
-}
-
-TEST(Swing, SharpCornersLoseLessThanAnOverlap) {
-  // Both axes ramp between 0 and F with jerk alone, T = 2 sqrt(F / J), and lose T / 2 each; the
-  // overlap without swing gives back 2 (6 e / (sqrt(2) J))^(1/3).
-  const double feed = 5000.0 / 60.0;
-  const auto samples = run_corner(0.5 * std::numbers::pi, feed);
-  const double ramp = 2.0 * std::sqrt(feed / channel_limits.j);
-  const double overlap = 2.0 * std::cbrt(6.0 * 0.0099 / (std::numbers::sqrt2 * channel_limits.j));
-  const double with_overlap = 60.0 / feed + 2.0 * ramp - overlap;
-  EXPECT_LT(cycle_s * static_cast<double>(samples.size() - 1), with_overlap - 0.006);
 }
 
 }  // namespace
