@@ -17,9 +17,10 @@ constexpr int variables_of_channel =
 
 // In the order of ToolValue.
 std::array<double, tool_values> values_of(const ToolEdge& tool) {
-  return {tool.length,      tool.length_y,    tool.length_x, tool.radius,
-          tool.wear_length, tool.wear_radius, tool.overhang, static_cast<double>(tool.orientation),
-          tool.angle_front, tool.angle_back};
+  return {
+      tool.length,      tool.length_y,    tool.length_x,     tool.radius,
+      tool.wear_length, tool.wear_radius, tool.overhang,     static_cast<double>(tool.orientation),
+      tool.angle_front, tool.angle_back,  tool.wear_length_x};
 }
 
 // `Tool`: ToolEdge or ToolRow.
@@ -34,6 +35,7 @@ void take_values(const NumberedArray<std::atomic<double>, tool_values>& values, 
   tool.wear_radius = values[5];
   tool.overhang = values[6];
   tool.orientation = static_cast<int>(values[7].load());
+  tool.wear_length_x = values[10];
   tool.angle_front = values[8];
   tool.angle_back = values[9];
 }
@@ -92,8 +94,8 @@ int work_offset_number(std::string_view name) RT_SAFE {
 
 int tool_value_named(std::string_view name) RT_SAFE {
   constexpr std::array<std::string_view, tool_values> names{
-      "length",      "length_y", "length_x",    "radius",      "wear_length",
-      "wear_radius", "overhang", "orientation", "angle_front", "angle_back"};
+      "length",   "length_y",    "length_x",    "radius",     "wear_length",  "wear_radius",
+      "overhang", "orientation", "angle_front", "angle_back", "wear_length_x"};
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
 }
@@ -393,7 +395,8 @@ std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) 
   if (!edge) return std::nullopt;
   lang::Tool tool;
   tool.number = number;
-  tool.length_mm = {edge->length_x, edge->length_y, edge->length + edge->wear_length};
+  tool.length_mm = {edge->length_x + edge->wear_length_x, edge->length_y,
+                    edge->length + edge->wear_length};
   tool.radius_mm = edge->radius + edge->wear_radius;
   tool.overhang_mm = edge->overhang;
   tool.orientation = edge->orientation;

@@ -62,6 +62,8 @@ const Keys<ToolEdge>& tool_keys() {
        "angle of a taper, between its axis and its flank", from(0, 89)},
       {"wear_length", at<&ToolEdge::wear_length>, optional, "mm", "added to the length"},
       {"wear_radius", at<&ToolEdge::wear_radius>, optional, "mm", "added to the radius"},
+      {"wear_length_x", at<&ToolEdge::wear_length_x>, optional, "mm",
+       "added to the length along X"},
       {"overhang", at<&ToolEdge::overhang>, optional, "mm",
        "overhang of the tool out of its holder", not_negative},
       {"orientation", at<&ToolEdge::orientation>, optional, "",
@@ -260,6 +262,7 @@ toml::table to_table(const ToolEdge& tool) {
                      {"wear_length", tool.wear_length},
                      {"wear_radius", tool.wear_radius},
                      {"overhang", tool.overhang},
+                     {"wear_length_x", tool.wear_length_x},
                      {"orientation", tool.orientation},
                      {"angle_front", tool.angle_front},
                      {"angle_back", tool.angle_back}};

@@ -68,7 +68,9 @@ void MacroRequests::read_machine(const MachineVariable& variable) {
 }
 
 double MacroRequests::unit_of_tool_value(int value) const {
-  return value <= tool_lengths ? state_.length_unit() : 1.0;
+  if (!is_tool_length(value)) return 1.0;
+  const bool halved = state_.modal.diameters() && is_along_x(value);
+  return state_.length_unit() * (halved ? 0.5 : 1.0);
 }
 
 void MacroRequests::read_tool_value(const MachineVariable& variable) {

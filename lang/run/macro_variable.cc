@@ -42,6 +42,7 @@ constexpr int radius = 4;
 constexpr int wear_length = 5;
 constexpr int wear_radius = 6;
 constexpr int orientation = 8;
+constexpr int wear_length_x = 11;
 constexpr auto tools_of_mills = std::to_array<ToolBlock>({
     {2001, 200, wear_length},
     {2201, 200, length},
@@ -51,12 +52,14 @@ constexpr auto tools_of_mills = std::to_array<ToolBlock>({
     {13001, 999, radius},
 });
 constexpr auto tools_of_lathes = std::to_array<ToolBlock>({
+    {2001, 64, wear_length_x},
     {2101, 64, wear_length},
     {2201, 64, wear_radius},
     {2301, 64, orientation},
     {2701, 49, length_x},
     {2801, 49, length},
     {2901, 64, radius},
+    {10001, 999, wear_length_x},
     {11001, 999, wear_length},
     {12001, 999, wear_radius},
     {13001, 999, orientation},
