@@ -81,7 +81,8 @@ const Keys<ChannelFile>& channel_keys() {
       {"codes", at<&ChannelFile::channel, &ChannelConfig::codes>, optional, "",
        "G and M codes of the user: the program they call (G200 = \"cycles/groove.nc\", G201 = "
        "\"lib.nc:slot\" for a function of it), or M100 to M899 as output before, after or "
-       "with_motion (M120 = \"before wait\")"},
+       "with_motion (M120 = \"before wait\"), or a digital output and its feedback (M11 = "
+       "\"output 4 on, input 7 within 2 s\"), these also below M100 where the code is free"},
   };
   return keys;
 }

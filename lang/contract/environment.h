@@ -37,13 +37,18 @@ struct UserCode {
     output_before,       // MachineFunction before the motion of its block
     output_after,        // ... behind it
     output_with_motion,  // ... as the motion starts
+    output_switched,     // a digital output, and what tells that it has done its work
   };
   char letter = 'G';
   int number = 0;  // in tenths
   Kind kind = Kind::macro;
-  bool waits = false;    // output: the program goes on when the axes stand
-  std::string program;   // macro: its file
-  std::string function;  // macro: a function of the file, folded; empty: the file itself
+  bool waits = false;  // output: the program goes on when the axes stand
+  int output = -1;     // output_switched
+  bool on = false;
+  int feedback = -1;       // digital input that becomes what the output is; -1: none
+  double timeout_s = 0.0;  // until then
+  std::string program;     // macro: its file
+  std::string function;    // macro: a function of the file, folded; empty: the file itself
 };
 
 // A letter that stands for a named address: E for dS.
