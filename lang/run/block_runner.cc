@@ -235,7 +235,7 @@ void BlockRunner::emit_end(ProgramEndKind kind) {
                                !modal.switches.adaptive_feed && modal.switches.feed_stop;
   if (!overrides_usual) queue.emit(OverrideControl{});
   if (modal.transformation.axis >= 0) queue.emit(TransformationChange{});
-  queue.emit(ProgramEnd{kind});
+  queue.emit(ProgramEnd{kind, modal.compensation.on()});
 }
 
 // A value that stands in the text of a plain line.
