@@ -36,7 +36,7 @@ inline constexpr auto language_rows = [] {
        "correct the program and load it again"},
       {"E2003", "braces do not match", end, "add or remove a brace",
        "correct the program and load it again"},
-      {"E2004", "there is text behind an ISO block inside braces", end,
+      {"E2004", "there is text behind the `;` that ends an ISO block", end,
        "put each ISO block on its own line", "correct the program and load it again"},
       {"E2005", "a block skip stands before a high-level statement", end,
        "write if ($skip[1]) { ... }", "correct the program and load it again"},

@@ -1,32 +1,16 @@
 #include "lang/tree/macro_line_parser.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lang/text/block_number.h"
 #include "lang/text/limits.h"
+#include "lang/tree/comment_parser.h"
 
 namespace stanok::lang {
 namespace {
 
 constexpr std::string_view goto_word = "goto";
-
-Expression text_expression(std::string text, const Span& span) {
-  Expression expression;
-  expression.node = Node::string;
-  expression.span = span;
-  expression.text = std::move(text);
-  return expression;
-}
-
-Expression joined_texts(Expression left, Expression right) {
-  Expression sum;
-  sum.node = Node::binary;
-  sum.operation = Operation::add;
-  sum.span = left.span;
-  sum.children.push_back(std::move(left));
-  sum.children.push_back(std::move(right));
-  return sum;
-}
 
 }  // namespace
 
@@ -186,6 +170,14 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
   return false;
 }
 
+  if (std::ranges::find(open_loops_, number) != open_loops_.end()) {
+    reporter_
+        .error("E2013", opened, "`DO" + number + "` inside `DO" + number + "`",
+               "it is not clear which of them `END" + number + "` closes")
+        .help.emplace_back("give each of nested loops a number of its own");
+    return false;
+  }
+  open_loops_.push_back(number);
 // How many characters the block number before the words of this line has.
 std::size_t MacroLineParser::behind_block_number() const {
   std::size_t at = 0;
@@ -194,6 +186,7 @@ std::size_t MacroLineParser::behind_block_number() const {
   while (is_blank(scanner_.character(at))) ++at;
   return at;
 }
+  open_loops_.pop_back();
 
 // The number of the END that stands on this line, read; nothing where there is none. A jump to its
 // block number ends the pass, as an empty statement does.
@@ -239,7 +232,7 @@ MaybeStatement MacroLineParser::parse_print() {
   const Span span = scanner_.here(5);
   scanner_.advance(scanner_.name_ahead().size());
   scanner_.skip_blanks(LineEnds::significant);
-  Expression line = text_expression({}, span);
+  Expression line = string_expression({}, span);
   std::string text;
   for (scanner_.advance(1); scanner_.character() != ']';) {
     if (scanner_.at_line_end()) {
@@ -253,15 +246,19 @@ MaybeStatement MacroLineParser::parse_print() {
     }
     auto value = parse_printed_value();
     if (!value) return std::nullopt;
-    line = joined_texts(std::move(line), text_expression(std::exchange(text, {}), span));
-    line = joined_texts(std::move(line), std::move(*value));
+    line = concatenated(std::move(line), string_expression(std::exchange(text, {}), span));
+    line = concatenated(std::move(line), std::move(*value));
   }
   scanner_.advance(1);
   if (!finish_macro_line()) return std::nullopt;
   IsoBlock block;
   block.comments.push_back(
-      {Message::Kind::log, joined_texts(std::move(line), text_expression(text, span))});
+      {Message::Kind::log, concatenated(std::move(line), string_expression(text, span))});
   return statement_of(std::move(block));
+    if (scanner_.offset() - span.offset > limits::block_bytes) {
+      reporter_.error("E1007", span, "the block is longer than 4096 bytes", "too long");
+      return std::nullopt;
+    }
 }
 
 // #100[53]
@@ -275,17 +272,9 @@ MaybeExpression MacroLineParser::parse_printed_value() {
                               "the digits before and behind the point, as in `[53]`");
     return std::nullopt;
   }
-  Expression decimals;
-  decimals.number = scanner_.character(2) - '0';
-  decimals.span = value->span;
+  const int decimals = scanner_.character(2) - '0';
   scanner_.advance(4);
-  Expression call;
-  call.node = Node::call;
-  call.span = value->span;
-  call.text = "str";
-  call.children.push_back(std::move(*value));
-  call.children.push_back(std::move(decimals));
-  return call;
+  return as_text(std::move(*value), decimals);
 }
 
 // Comments may follow, nothing else.
@@ -295,9 +284,8 @@ bool MacroLineParser::finish_macro_line() {
     if (!scanner_.read_parenthesis_comment()) return false;
     scanner_.skip_blanks(LineEnds::significant);
   }
-  if (scanner_.character() == ';') {
-    cursor_.inside_braces() ? scanner_.advance(1) : scanner_.skip_line_comment();
-  }
+  if (scanner_.character() == ';' && cursor_.inside_braces()) scanner_.advance(1);
+  if (scanner_.character() == ';' && !cursor_.skip_remark()) return false;
   scanner_.skip_blanks(LineEnds::significant);
   if (cursor_.at_statement_end()) return true;
   cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line");

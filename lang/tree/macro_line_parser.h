@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lang/tree/bracket_parser.h"
 #include "lang/tree/iso_parser.h"
@@ -62,4 +63,5 @@ class MacroLineParser {
   Scanner& scanner_;
 };
 
+  std::vector<std::string> open_loops_;  // numbers of the DO around what is read, outermost first
 }  // namespace stanok::lang
