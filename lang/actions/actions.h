@@ -123,6 +123,10 @@ void read_tool_length_again(ActiveBlock& block);
 // active motion among them.
 void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes);
 
+// Tool whose radius counts: D, else the last D of the Fanuc dialect or the active edge. Nothing,
+// with the block failed, when the table does not have it.
+[[nodiscard]] std::optional<Tool> tool_of_radius(ActiveBlock& block, CodeNumber code);
+
 // Parts of a motion shared by its kinds.
 
 // False, with the block failed, when axis words are programmed that are not `allowed`.

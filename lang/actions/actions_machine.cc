@@ -63,8 +63,9 @@ void end_cycle(ActiveBlock& block, CodeNumber) {
   block.kept_groups |= group_bit(Group::motion);
   const Code* const motion = find_code('G', block.modal.code(Group::motion));
   const bool drills = motion->action == CodeAction::drill_hole;
-  if (drills || motion->number == g(74) || motion->number == g(76))
-    block.set_modal(Group::motion, block.modal.cycles.motion_before);
+  const bool also_elsewhere =
+      motion->number == g(73) || motion->number == g(74) || motion->number == g(76);
+  if (drills || also_elsewhere) block.set_modal(Group::motion, block.modal.cycles.motion_before);
 }
 
 void take_feed(ActiveBlock& block, CodeNumber) {
@@ -264,9 +265,9 @@ void end_modal_call(ActiveBlock& block, CodeNumber) {
 }
 
 void send_machine_function(ActiveBlock& block, CodeNumber code) {
-  MachineFunction function;
   const UserCode& output = *block.channel_words.dialect().output_code(code);
   if (output.kind == UserCode::Kind::output_switched) return switch_and_wait(block, output);
+  MachineFunction function;
   function.code = code / 10;
   if (block.has('P')) function.p = block.value('P');
   if (block.has('Q')) function.q = block.value('Q');
