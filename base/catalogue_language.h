@@ -63,7 +63,8 @@ inline constexpr auto language_rows = [] {
       {"E2031", "an expression or statement is too long", end, "split it",
        "correct the program and load it again"},
       {"E2041", "the first line names a dialect that does not exist", end,
-       "write (dialect stanok), (dialect linuxcnc), (dialect fanuc) or (dialect fanuc A)",
+       "write (dialect stanok), (dialect linuxcnc), (dialect fanuc), (dialect haas) or (dialect "
+       "fanuc A)",
        "correct the program and load it again"},
       {"E2042", "the program looks like one for another control", end,
        "post-process it for an ISO control: Fanuc, Haas, LinuxCNC",

@@ -11,9 +11,7 @@ namespace {
 
 constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
 constexpr int tools_without_row_max = 99;
-constexpr int common_variables = lang::kept_variable_last - lang::kept_variable_first + 1;
-constexpr int variables_of_channel =
-    common_variables + lang::parts_variable_last - lang::parts_variable_first + 1;
+constexpr int variables_of_channel = lang::kept_variables;
 
 // In the order of ToolValue.
 std::array<double, tool_values> values_of(const ToolEdge& tool) {
@@ -35,9 +33,9 @@ void take_values(const NumberedArray<std::atomic<double>, tool_values>& values, 
   tool.wear_radius = values[5];
   tool.overhang = values[6];
   tool.orientation = static_cast<int>(values[7].load());
-  tool.wear_length_x = values[10];
   tool.angle_front = values[8];
   tool.angle_back = values[9];
+  tool.wear_length_x = values[10];
 }
 
 // What tools are ordered by.
@@ -158,8 +156,8 @@ void LiveTables::read_variables(int channel, const TablesConfig& tables) {
 }
 
 void LiveTables::add_variables(int channel, TablesConfig& tables) const {
-  for (int number = lang::kept_variable_first; number <= lang::parts_variable_last; ++number) {
-    if (!lang::is_kept_variable(number)) continue;
+  for (int cell = 0; cell < lang::kept_variables; ++cell) {
+    const int number = lang::kept_variable_at(cell);
     const double value = variable(channel, number);
     if (!std::isnan(value)) tables.variables[channel][number] = value;
   }
@@ -167,10 +165,7 @@ void LiveTables::add_variables(int channel, TablesConfig& tables) const {
 
 int LiveTables::variable_cell(int channel, int number) const {
   const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
-  const int row = number <= lang::kept_variable_last
-                      ? number - lang::kept_variable_first
-                      : common_variables + number - lang::parts_variable_first;
-  return static_cast<int>(place) * variables_of_channel + row;
+  return static_cast<int>(place) * variables_of_channel + lang::kept_variable_place(number);
 }
 
 double LiveTables::variable(int channel, int number) const {

@@ -384,7 +384,8 @@ SubprogramCalls::Left SubprogramCalls::leave_subprogram(Repeats repeats) {
     --frame.repeats;
     frame.position = frame.entry;
     vm_.stack().cut_to(frame.stack);
-    if (frame.context->arguments) {
+    // There the arguments are set for the first one of the repeats only.
+    if (frame.context->arguments && !rules_of(frame.file).is_fanuc()) {
       parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
     }
     if (frame.block >= 0) return Left::again;

@@ -76,6 +76,22 @@ MaybeStatement MacroLineParser::parse_if() {
   return statement_of(std::move(branch));
 }
 
+MaybeStatement MacroLineParser::parse_conditional_return() {
+  cursor_.set_line_ends(LineEnds::significant);
+  cursor_.begin_operators();
+  If branch;
+  branch.is_macro_line = true;
+  auto condition = brackets_.parse_condition();
+  if (!condition) return std::nullopt;
+  branch.condition = std::move(*condition);
+  scanner_.skip_blanks(LineEnds::significant);
+  const bool returns = upper_case(scanner_.character()) == 'M' && scanner_.character(1) == '9' &&
+                       scanner_.character(2) == '9' && !is_digit(scanner_.character(3));
+  if (returns) return parse_then(branch);
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`M99` behind the condition");
+  return std::nullopt;
+}
+
 // A jump or a block, whatever THEN is before it.
 MaybeStatement MacroLineParser::parse_then(If& branch) {
   const std::size_t start = scanner_.offset();
@@ -154,22 +170,6 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
     reporter_.error("E2030", opened, "more than 64 nested loops and braces", "too deep");
     return false;
   }
-  ++cursor_.depth().o_lines;
-  std::optional<std::string> end;
-  while (!end && !scanner_.at_end()) {
-    if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
-    if (scanner_.at_line_start()) end = take_end(loop.body);
-    if (!end) statements_.parse_statement(loop.body);
-  }
-  --cursor_.depth().o_lines;
-  cursor_.set_line_ends(LineEnds::significant);
-  if (end == number) return finish_macro_line();
-  reporter_.error("E2013", opened, "`DO" + number + "` is not closed",
-                  end ? "`END" + *end + "` comes before `END" + number + "`"
-                      : "`END" + number + "` is missing");
-  return false;
-}
-
   if (std::ranges::find(open_loops_, number) != open_loops_.end()) {
     reporter_
         .error("E2013", opened, "`DO" + number + "` inside `DO" + number + "`",
@@ -178,6 +178,23 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
     return false;
   }
   open_loops_.push_back(number);
+  ++cursor_.depth().o_lines;
+  std::optional<std::string> end;
+  while (!end && !scanner_.at_end()) {
+    if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
+    if (scanner_.at_line_start()) end = take_end(loop.body);
+    if (!end) statements_.parse_statement(loop.body);
+  }
+  --cursor_.depth().o_lines;
+  open_loops_.pop_back();
+  cursor_.set_line_ends(LineEnds::significant);
+  if (end == number) return finish_macro_line();
+  reporter_.error("E2013", opened, "`DO" + number + "` is not closed",
+                  end ? "`END" + *end + "` comes before `END" + number + "`"
+                      : "`END" + number + "` is missing");
+  return false;
+}
+
 // How many characters the block number before the words of this line has.
 std::size_t MacroLineParser::behind_block_number() const {
   std::size_t at = 0;
@@ -186,7 +203,6 @@ std::size_t MacroLineParser::behind_block_number() const {
   while (is_blank(scanner_.character(at))) ++at;
   return at;
 }
-  open_loops_.pop_back();
 
 // The number of the END that stands on this line, read; nothing where there is none. A jump to its
 // block number ends the pass, as an empty statement does.
@@ -239,6 +255,10 @@ MaybeStatement MacroLineParser::parse_print() {
       reporter_.error("E2001", span, "`DPRNT[` is not closed", "`]` is missing on this line");
       return std::nullopt;
     }
+    if (scanner_.offset() - span.offset > limits::block_bytes) {
+      reporter_.error("E1007", span, "the block is longer than 4096 bytes", "too long");
+      return std::nullopt;
+    }
     if (scanner_.character() != '#') {
       text += scanner_.character() == '*' ? ' ' : scanner_.character();
       scanner_.advance(1);
@@ -255,10 +275,6 @@ MaybeStatement MacroLineParser::parse_print() {
   block.comments.push_back(
       {Message::Kind::log, concatenated(std::move(line), string_expression(text, span))});
   return statement_of(std::move(block));
-    if (scanner_.offset() - span.offset > limits::block_bytes) {
-      reporter_.error("E1007", span, "the block is longer than 4096 bytes", "too long");
-      return std::nullopt;
-    }
 }
 
 // #100[53]

@@ -35,6 +35,8 @@ class MacroLineParser {
         scanner_(cursor.scanner()) {}
 
   MaybeStatement parse_macro_line();
+  // [..] M99 P10 of Haas.
+  MaybeStatement parse_conditional_return();
 
  private:
   MaybeStatement parse_if();
@@ -61,7 +63,7 @@ class MacroLineParser {
   StatementReader& statements_;
   Reporter& reporter_;
   Scanner& scanner_;
+  std::vector<std::string> open_loops_;  // numbers of the DO around what is read, outermost first
 };
 
-  std::vector<std::string> open_loops_;  // numbers of the DO around what is read, outermost first
 }  // namespace stanok::lang

@@ -195,6 +195,8 @@ constexpr auto code_rows = std::to_array<Code>({
     g(980, return_level, P::return_level, no_axes, "", everywhere, only_modal,
       "return to initial level"),
     g(990, return_level, P::return_level, no_axes, "", everywhere, only_modal, "return to R level"),
+    g(1000, mirror, P::settings, axes, "", not_master, cancel_mirror, "mirror off, as G50.1"),
+    g(1010, mirror, P::settings, needs_axes, "", not_master, mirror_axes, "mirror, as G51.1"),
     g(1030, none, P::path_mode, no_axes, "P", everywhere, only_modal, "look-ahead limit"),
     g(1540, work_offset, P::work_offset, no_axes, "P", not_master, select_work_offset,
       "work offset of the extended table"),
