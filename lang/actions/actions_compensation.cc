@@ -12,7 +12,7 @@
 namespace stanok::lang {
 namespace {
 
-// G41.1, G42.1: D is the diameter, L the orientation.
+// G41.1, G42.1: D is the diameter, a negative one means the other side; L the orientation.
 std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
   Tool tool;
   if (!block.has('D')) {
@@ -21,10 +21,6 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
     return std::nullopt;
   }
   tool.radius_mm = block.length('D') / 2.0;
-  if (tool.radius_mm < 0.0) {
-    block.fail("E4008", {'D', -1, {}}, "a diameter must not be negative", "negative");
-    return std::nullopt;
-  }
   if (block.has('L')) {
     const auto orientation = block.integer('L', 0, 9);
     if (!orientation) return std::nullopt;

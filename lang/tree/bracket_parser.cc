@@ -244,10 +244,12 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
     call.node = Node::exists;
     if (call.children[0].node == Node::named_parameter) return call;
     if (call.children[0].node == Node::parameter) {
-      Expression exists;  // numbered ones always do
-      exists.number = 1.0;
-      exists.span = call.span;
-      return exists;
+      // As far as their numbers go, all of them do.
+      constexpr double last = 5602.0;
+      const Expression& n = call.children[0].children[0];
+      return binary(Operation::bracket_and,
+                    binary(Operation::bracket_greater_equal, n, number_at(1.0, call.span)),
+                    binary(Operation::bracket_less_equal, n, number_at(last, call.span)));
     }
     reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
     return std::nullopt;
