@@ -38,7 +38,12 @@ MaybeStatement MacroLineParser::parse_macro_line() {
 MaybeExpression MacroLineParser::parse_condition() {
   scanner_.advance(scanner_.name_ahead().size());
   scanner_.skip_blanks(LineEnds::significant);
-  return brackets_.parse_condition();
+  if (scanner_.character() == '[') return brackets_.parse_condition();
+  reporter_
+      .error("E2001", scanner_.here(), "the condition of a macro line stands in brackets",
+             "expected `[`")
+      .help.emplace_back("write e.g. `IF [#1 EQ 2] GOTO 10`");
+  return std::nullopt;
 }
 
 // The letters that stand here, without the digits behind them.

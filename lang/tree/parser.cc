@@ -294,7 +294,8 @@ MaybeStatement Parser::parse_named_start() {
   std::size_t next = name.size();
   while (is_blank(scanner().character(next))) ++next;
   const char behind = scanner().character(next);
-  const bool macro_condition = (name == "if" || name == "while" || name == "wh") && behind == '[';
+  const bool macro_condition =
+      (name == "if" || name == "while" || name == "wh") && (behind == '[' || behind == '#');
   const bool macro_number = (name == "do" || name == "end") && is_digit(behind);
   const bool prints = ((name == "dprnt" || name == "bprnt") && behind == '[') ||
                       ((name == "popen" || name == "pclos") && !is_name_start(behind) &&
